@@ -1,0 +1,129 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "catena/core/arithmetic/exact_sign.h"
+#include "catena/core/host_device.h"
+#include "catena/core/sphere.h"
+
+namespace catena {
+
+/// Exact pairs, conservative trees. Overlap is decided in exact real arithmetic on the stored floats in three
+/// stages; a parent encloses its children as a theorem; a node is skipped only when it is separate for certain.
+/// u is half an ulp of 1: 2^-24 in binary32, 2^-53 in binary64. properties/proofs/ has the proofs of the constants.
+struct Robust {
+  static constexpr const char* name = "robust";
+  using Bound = Sphere;
+
+  CATENA_HD static Bound bound(const Sphere& s) { return s; }
+
+  /// True when the spheres overlap or touch. Exact for all finite Spheres.
+  CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
+    const Decision first = decide_narrow(a, b);
+    if (first != Decision::open) return first == Decision::overlap;
+    const Decision second = decide_wide(a, b);
+    if (second != Decision::open) return second == Decision::overlap;
+    return ExactSign::of_gap(a, b) <= 0;
+  }
+
+  /// False only when the spheres are separate for certain. A node may have an infinite radius.
+  CATENA_HD static bool may_overlap(const Sphere& query, const Sphere& node) {
+    const float dx = node.x - query.x, dy = node.y - query.y, dz = node.z - query.z;
+    const float reach = query.radius + node.radius;
+    const float q = dx * dx + dy * dy + dz * dz, t = reach * reach;
+    if (t > safe_square_min && t < safe_square_max) return !(q > t * narrow_slack);
+    return decide_wide(query, node) != Decision::separate;
+  }
+
+  /// A sphere that encloses both, in exact arithmetic; bit-identical on host and device.
+  CATENA_HD static Sphere parent(const Sphere& a, const Sphere& b) {
+    using std::fabs;
+    using std::sqrt;
+    const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+    const float q = dx * dx + dy * dy + dz * dz;
+    const float d = sqrt(q), half_span = 0.5f * ((d + a.radius) + b.radius);
+    if (!(q > safe_square_min && q < safe_square_max && half_span < safe_radius_max)) return parent_wide(a, b);
+    if (d + b.radius <= a.radius * contained_slack) return a;
+    if (d + a.radius <= b.radius * contained_slack) return b;
+
+    const float t = clamp01((half_span - a.radius) / d);
+    const float px = t * dx, py = t * dy, pz = t * dz;
+    const Sphere c{a.x + px, a.y + py, a.z + pz, 0};
+    // How far rounding moved the centre from a + p: measured, not bounded, so that a far origin costs only what
+    // it really costs.
+    const float drift = (fabs(px - (c.x - a.x)) + fabs(py - (c.y - a.y))) + fabs(pz - (c.z - a.z));
+    const float largest = larger(half_span, larger(a.radius, b.radius));
+    return {c.x, c.y, c.z, largest * parent_slack + drift * parent_slack};
+  }
+
+ private:
+  enum class Decision { separate, overlap, open };
+
+  static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f, safe_radius_max = 0x1p120f;
+  static constexpr float narrow_slack = 1 + 10 * 0x1p-24f;    // 1 + 10u
+  static constexpr double wide_slack = 1 + 10 * 0x1p-53;      // 1 + 10u
+  static constexpr float contained_slack = 1 - 8 * 0x1p-24f;  // 1 - 8u
+  static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 21u are needed
+  static constexpr double parent_wide_slack = 1 + 0x1p-48;
+
+  /// Stage 1, binary32. q has relative error <= 5.01u, t <= 3.01u.
+  CATENA_HD static Decision decide_narrow(const Sphere& a, const Sphere& b) {
+    const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius;
+    const float q = dx * dx + dy * dy + dz * dz, t = reach * reach;
+    if (!(t > safe_square_min && t < safe_square_max)) return Decision::open;
+    if (q > t * narrow_slack) return Decision::separate;
+    if (q * narrow_slack < t) return Decision::overlap;
+    return Decision::open;
+  }
+
+  /// Stage 2, binary64: no binary32 input can overflow or underflow here.
+  CATENA_HD static Decision decide_wide(const Sphere& a, const Sphere& b) {
+    const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, dz = double(b.z) - a.z;
+    const double reach = double(a.radius) + b.radius;
+    const double q = dx * dx + dy * dy + dz * dz, t = reach * reach;
+    if (q > t * wide_slack) return Decision::separate;
+    if (q * wide_slack < t) return Decision::overlap;
+    return Decision::open;
+  }
+
+  /// The parent where binary32 could overflow, underflow or divide by zero: in binary64 throughout, then the
+  /// radius measured from the rounded centre and rounded up. An overflowing radius becomes infinite: it encloses.
+  CATENA_HD static Sphere parent_wide(const Sphere& a, const Sphere& b) {
+    const double d = distance(a, b), ra = a.radius, rb = b.radius;
+    if (d == 0) return ra < rb ? b : a;
+    if ((d + rb) * parent_wide_slack <= ra) return a;
+    if ((d + ra) * parent_wide_slack <= rb) return b;
+    const double t = clamp01((0.5 * (d + ra + rb) - ra) / d);
+    Sphere c{float(a.x + t * (double(b.x) - a.x)), float(a.y + t * (double(b.y) - a.y)),
+             float(a.z + t * (double(b.z) - a.z)), 0};
+    c.radius = round_up(larger(distance(c, a) + ra, distance(c, b) + rb) * parent_wide_slack);
+    return c;
+  }
+
+  CATENA_HD static double distance(const Sphere& a, const Sphere& b) {
+    using std::sqrt;
+    const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, dz = double(b.z) - a.z;
+    return sqrt(dx * dx + dy * dy + dz * dz);
+  }
+  template <class Real>
+  CATENA_HD static Real larger(Real p, Real q) {
+    return p < q ? q : p;
+  }
+  template <class Real>
+  CATENA_HD static Real clamp01(Real t) {
+    return t < 0 ? Real(0) : t > 1 ? Real(1) : t;
+  }
+  /// The least binary32 >= value, for value > 0.
+  CATENA_HD static float round_up(double value) {
+    float nearest = float(value);
+    if (double(nearest) >= value) return nearest;
+    std::uint32_t bits;
+    std::memcpy(&bits, &nearest, sizeof bits);
+    ++bits;
+    std::memcpy(&nearest, &bits, sizeof bits);
+    return nearest;
+  }
+};
+
+}  // namespace catena

@@ -1,0 +1,64 @@
+# How every folder becomes part of the one library. A new source file in a folder is in the build with no edit
+# here (CONFIGURE_DEPENDS), and its self-registered strategies are never dropped (OBJECT libraries).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+
+# Headers are included as "catena/core/chain/chain.h", here and after installation.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/catena SYMBOLIC)
+
+# What every part of catena is compiled with. No contraction: host and device must round alike (design.md).
+add_library(catena_options INTERFACE)
+target_compile_features(catena_options INTERFACE cxx_std_20)
+target_compile_options(catena_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -ffp-contract=off>)
+target_compile_definitions(catena_options INTERFACE CATENA_VERSION="${PROJECT_VERSION}")
+target_include_directories(catena_options INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
+target_link_libraries(catena_options INTERFACE fmt::fmt Threads::Threads)
+if(CATENA_SANITIZE)
+  target_compile_options(catena_options INTERFACE -fsanitize=${CATENA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(catena_options INTERFACE -fsanitize=${CATENA_SANITIZE})
+endif()
+
+set(CATENA_PARTS "")
+# catena_part(name [libraries...]): all .cpp files below this folder, but for tests and main.cpp, as one OBJECT library.
+function(catena_part name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$")
+  if(NOT sources)
+    return()
+  endif()
+  add_library(catena_${name} OBJECT ${sources})
+  target_link_libraries(catena_${name} PUBLIC catena_options ${ARGN})
+  set(CATENA_PARTS ${CATENA_PARTS} catena_${name} PARENT_SCOPE)
+endfunction()
+
+catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
+catena_part(variants)
+include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
+
+add_library(catena SHARED)
+add_library(catena::catena ALIAS catena)
+set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0)
+foreach(part ${CATENA_PARTS})
+  target_link_libraries(catena PRIVATE ${part})
+endforeach()
+target_compile_features(catena PUBLIC cxx_std_20)
+target_include_directories(catena PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+                                         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
+add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)
+set_target_properties(catena_cli PROPERTIES OUTPUT_NAME catena INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR}
+                                            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+target_link_libraries(catena_cli PRIVATE catena catena_options CLI11::CLI11)
+
+include(${PROJECT_SOURCE_DIR}/core/install.cmake)
+if(CATENA_TESTS)
+  enable_testing()
+  include(${PROJECT_SOURCE_DIR}/properties/tests.cmake)
+endif()

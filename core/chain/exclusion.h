@@ -1,0 +1,77 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/host_device.h"
+#include "catena/core/pair.h"
+#include "catena/core/sphere.h"
+
+namespace catena {
+
+/// Who counts as a neighbour, and so never collides. Fixed when the chain is made.
+struct Exclusion {
+  enum class Rule {
+    index_window,  ///< on one strand |i - j| <= window, cyclic when the strand is closed (the paper: window 1)
+    arc_window     ///< nearer along the strand than factor * (ri + rj)
+  };
+  Rule rule = Rule::index_window;
+  std::uint32_t window = 1;        ///< index window k >= 1
+  double factor = 0;               ///< arc window f > 0, finite; pi/2 is what a tube of that thickness can bend
+  std::vector<Pair> extra_pairs;   ///< further neighbours: branch joints, ring closures
+
+  static Exclusion index(std::uint32_t k) { return {Rule::index_window, k, 0, {}}; }
+  static Exclusion arc(double f) { return {Rule::arc_window, 0, f, {}}; }
+};
+
+/// The exclusion rule as plain pointers, valid in one memory space. A pure function of the chain: the same
+/// comparison of the same stored numbers on host and device.
+struct ExclusionView {
+  Exclusion::Rule rule;
+  bool one_open_strand;             ///< then strand_of, strand_first and strand_closed need not be read
+  std::uint32_t window;
+  double factor;
+  const std::uint32_t* strand_of;     ///< n entries: strand of a sphere
+  const std::uint32_t* strand_first;  ///< strands + 1 offsets
+  const std::uint8_t* strand_closed;  ///< one flag a strand
+  const double* arc;                  ///< n entries, arc rule only: arc length from the strand's first sphere
+  const double* loop_length;          ///< one a strand, arc rule only: length of the closed loop
+  const std::uint32_t* extra_row;     ///< n + 1 offsets into extra, or nullptr when there are no extra pairs
+  const std::uint32_t* extra;         ///< partners of a sphere, both directions
+
+  /// True when i and j (i != j) are neighbours. O(1) but for extra pairs, which cost their number at i.
+  CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j, float radius_i, float radius_j) const {
+    std::uint32_t first = 0, size = 0;
+    bool closed = false;
+    if (!one_open_strand) {
+      const std::uint32_t strand = strand_of[i];
+      if (strand != strand_of[j]) return extra_row != nullptr && listed(i, j);
+      first = strand_first[strand];
+      size = strand_first[strand + 1] - first;
+      closed = strand_closed[strand] != 0;
+      if (rule == Exclusion::Rule::arc_window && arc_neighbours(i, j, radius_i, radius_j, closed, strand)) return true;
+    } else if (rule == Exclusion::Rule::arc_window && arc_neighbours(i, j, radius_i, radius_j, false, 0)) {
+      return true;
+    }
+    if (rule == Exclusion::Rule::index_window) {
+      const std::uint32_t steps = i < j ? j - i : i - j;
+      if (steps <= window || (closed && size - steps <= window)) return true;
+    }
+    return extra_row != nullptr && listed(i, j);
+  }
+
+ private:
+  CATENA_HD bool arc_neighbours(std::uint32_t i, std::uint32_t j, float ri, float rj, bool closed,
+                                std::uint32_t strand) const {
+    const double ahead = arc[i] < arc[j] ? arc[j] - arc[i] : arc[i] - arc[j];
+    double nearest = ahead;
+    if (closed && loop_length[strand] - ahead < ahead) nearest = loop_length[strand] - ahead;
+    return nearest < factor * (static_cast<double>(ri) + static_cast<double>(rj));
+  }
+  CATENA_HD bool listed(std::uint32_t i, std::uint32_t j) const {
+    for (std::uint32_t k = extra_row[i]; k < extra_row[i + 1]; ++k)
+      if (extra[k] == j) return true;
+    return false;
+  }
+};
+
+}  // namespace catena

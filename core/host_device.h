@@ -1,0 +1,8 @@
+#pragma once
+/// Marks functions that both the host compiler and nvcc compile. Everything marked CATENA_HD is plain
+/// IEEE-754 arithmetic without contraction, so host and device give the same bits.
+#ifdef __CUDACC__
+#define CATENA_HD __host__ __device__
+#else
+#define CATENA_HD
+#endif

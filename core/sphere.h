@@ -1,0 +1,21 @@
+#pragma once
+#include <type_traits>
+
+namespace catena {
+
+/// One sphere of a chain: centre and radius as IEEE-754 binary32, 16 bytes, the layout of CUDA's float4.
+/// The unit of length is the user's; catena never scales.
+struct alignas(16) Sphere {
+  float x, y, z, radius;
+  friend bool operator==(const Sphere&, const Sphere&) = default;
+};
+static_assert(sizeof(Sphere) == 16 && std::is_trivially_copyable_v<Sphere>);
+
+/// A sphere in binary64; every Sphere converts to it without rounding.
+struct alignas(32) WideSphere {
+  double x, y, z, radius;
+  friend bool operator==(const WideSphere&, const WideSphere&) = default;
+};
+static_assert(sizeof(WideSphere) == 32 && std::is_trivially_copyable_v<WideSphere>);
+
+}  // namespace catena

@@ -1,0 +1,21 @@
+#pragma once
+#include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/hierarchy.h"
+#include "catena/core/sphere.h"
+
+namespace catena {
+
+/// Moves chains and hierarchies between host and device. Implemented where the device is (cuda/) and registered
+/// with the strategies; owns the buffers that its views point into and reuses them. Views stay valid until the next
+/// call of the same function. Every call returns when the data has arrived.
+class Mover {
+ public:
+  virtual ~Mover() = default;
+  virtual ChainView to_device(const ChainView& host) = 0;
+  virtual HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) = 0;
+  virtual HierarchyView<WideSphere> to_device(const HierarchyView<WideSphere>& host) = 0;
+  virtual HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) = 0;
+  virtual HierarchyView<WideSphere> to_host(const HierarchyView<WideSphere>& device) = 0;
+};
+
+}  // namespace catena

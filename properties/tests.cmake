@@ -1,0 +1,14 @@
+# Every *_test.cpp of the tree is part of one test program; a new one is found with no edit here. A test whose
+# suite name ends in "Long" gets the label `long` and is left out of the fast suite (ctest -LE long).
+find_package(GTest REQUIRED)
+find_package(rapidcheck REQUIRED)
+include(GoogleTest)
+
+file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp ${PROJECT_SOURCE_DIR}/variants/*_test.cpp
+     ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/*_test.cpp)
+add_executable(catena_tests ${tests})
+target_link_libraries(catena_tests PRIVATE catena catena_options GTest::gtest_main rapidcheck nlohmann_json::nlohmann_json)
+target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*" PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
+gtest_discover_tests(catena_tests TEST_FILTER "*Long.*" TEST_SUFFIX " (long)" PROPERTIES LABELS long TIMEOUT 3600 DISCOVERY_TIMEOUT 120)
