@@ -6,3 +6,10 @@
 #else
 #define CATENA_HD
 #endif
+
+/// Marks the rare path of an inlined decision: kept out of line, so that it costs the common path no registers.
+#ifdef __CUDACC__
+#define CATENA_COLD __host__ __device__ __noinline__
+#else
+#define CATENA_COLD __attribute__((noinline, cold))
+#endif

@@ -22,9 +22,7 @@ struct Robust {
   CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
     const Decision first = decide_narrow(a, b);
     if (first != Decision::open) return first == Decision::overlap;
-    const Decision second = decide_wide(a, b);
-    if (second != Decision::open) return second == Decision::overlap;
-    return ExactSign::of_gap(a, b) <= 0;
+    return overlap_undecided(a, b);
   }
 
   /// False only when the spheres are separate for certain. A node may have an infinite radius.
@@ -33,7 +31,7 @@ struct Robust {
     const float reach = query.radius + node.radius;
     const float q = dx * dx + dy * dy + dz * dz, t = reach * reach;
     if (t > safe_square_min && t < safe_square_max) return !(q > t * narrow_slack);
-    return decide_wide(query, node) != Decision::separate;
+    return may_overlap_wide(query, node);
   }
 
   /// A sphere that encloses both, in exact arithmetic; bit-identical on host and device.
@@ -87,9 +85,20 @@ struct Robust {
     return Decision::open;
   }
 
+  /// Stages 2 and 3.
+  CATENA_COLD static bool overlap_undecided(const Sphere& a, const Sphere& b) {
+    const Decision second = decide_wide(a, b);
+    if (second != Decision::open) return second == Decision::overlap;
+    return ExactSign::of_gap(a, b) <= 0;
+  }
+
+  CATENA_COLD static bool may_overlap_wide(const Sphere& query, const Sphere& node) {
+    return decide_wide(query, node) != Decision::separate;
+  }
+
   /// The parent where binary32 could overflow, underflow or divide by zero: in binary64 throughout, then the
   /// radius measured from the rounded centre and rounded up. An overflowing radius becomes infinite: it encloses.
-  CATENA_HD static Sphere parent_wide(const Sphere& a, const Sphere& b) {
+  CATENA_COLD static Sphere parent_wide(const Sphere& a, const Sphere& b) {
     const double d = distance(a, b), ra = a.radius, rb = b.radius;
     if (d == 0) return ra < rb ? b : a;
     if ((d + rb) * parent_wide_slack <= ra) return a;

@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -103,7 +102,6 @@ class StrategyRegistry {
   template <class Arithmetic>
   std::unique_ptr<Variant> make_composed(const StrategySpec& build, const StrategySpec& find) const;
   std::unique_ptr<Variant> make_complete(const StrategySpec& spec, const std::string& arithmetic) const;
-  void check_known(const std::string& name) const;
 
   std::vector<Entry> complete_;
   Stages<Sphere> narrow_;

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/readers/reader.h"
+#include "catena/core/scenes/scene.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena {
+namespace {
+
+/// `catena list`: variants, scenes and readers; what is not available here, and why.
+class ListCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_flag("--json", json_, "One JSON object on standard output");
+  }
+
+  int run() override {
+    json_ ? print_json() : print_text();
+    return 0;
+  }
+
+ private:
+  static void print_parameters(const std::vector<ParameterInfo>& parameters) {
+    for (const auto& p : parameters) fmt::print("      {}={}  {}\n", p.name, p.default_value, p.meaning);
+  }
+
+  static void print_text() {
+    const auto& strategies = StrategyRegistry::instance();
+    fmt::print("Strategies (construction+traversal, or one complete in itself; parameters as in name(key=value))\n");
+    for (const auto& name : strategies.strategy_names()) {
+      const auto& info = strategies.strategy(name);
+      fmt::print("  {:<12} {}\n", name, info.summary);
+      print_parameters(info.parameters);
+    }
+    fmt::print("\nVariants (robust arithmetic unless /literal or /double is written)\n");
+    for (const auto& v : strategies.variants())
+      if (v.unavailable)
+        fmt::print("  {:<30} not available: {}\n", v.name, *v.unavailable);
+      else
+        fmt::print("  {}\n", v.name);
+    fmt::print("\nScenes (name:key=value,...)\n");
+    for (const auto& scene : SceneRegistry::instance().scenes()) {
+      fmt::print("  {:<12} {}\n", scene.name, scene.summary);
+      print_parameters(scene.parameters);
+    }
+    fmt::print("\nReaders (by file extension)\n");
+    for (const auto& reader : ReaderRegistry::instance().readers())
+      fmt::print("  {:<12} {}: {}\n", fmt::to_string(fmt::join(reader.extensions, " ")), reader.name, reader.summary);
+  }
+
+  static nlohmann::json to_json(const std::vector<ParameterInfo>& parameters) {
+    auto list = nlohmann::json::array();
+    for (const auto& p : parameters)
+      list.push_back({{"name", p.name}, {"default", p.default_value}, {"meaning", p.meaning}});
+    return list;
+  }
+
+  static void print_json() {
+    nlohmann::json out;
+    const auto& strategies = StrategyRegistry::instance();
+    for (const auto& name : strategies.strategy_names()) {
+      const auto& info = strategies.strategy(name);
+      out["strategies"].push_back({{"name", name}, {"summary", info.summary}, {"parameters", to_json(info.parameters)}});
+    }
+    for (const auto& v : strategies.variants()) {
+      nlohmann::json item{{"name", v.name}, {"arithmetic", v.arithmetic}, {"device", v.on_device}};
+      item["unavailable"] = v.unavailable ? nlohmann::json(*v.unavailable) : nlohmann::json();
+      out["variants"].push_back(item);
+    }
+    for (const auto& s : SceneRegistry::instance().scenes())
+      out["scenes"].push_back({{"name", s.name}, {"summary", s.summary}, {"parameters", to_json(s.parameters)}});
+    for (const auto& r : ReaderRegistry::instance().readers())
+      out["readers"].push_back({{"name", r.name}, {"extensions", r.extensions}, {"summary", r.summary}});
+    fmt::print("{}\n", out.dump(2));
+  }
+
+  bool json_ = false;
+};
+
+const RegisterCommand<ListCommand> registered("list", "Variants, scenes and readers; what is not available here and why");
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,103 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <thread>
+#include <vector>
+
+#include "catena/core/chain/chain_view.h"
+#include "catena/core/executor/host_group.h"
+#include "catena/core/executor/pair_collector.h"
+#include "catena/core/policies/visitor.h"
+#include "catena/core/strategy/parameters.h"
+
+namespace catena {
+
+/// Runs device policies on host threads, so that the logic of a GPU strategy is tested, with sanitizers, on any
+/// machine. A host run is never a GPU time: strategies run by it carry "@host" in their name.
+class HostExecutor {
+ public:
+  static ParameterInfo threads_parameter() { return {"threads", "0", "host threads; 0: one a core"}; }
+
+  explicit HostExecutor(const Parameters& parameters)
+      : threads_(static_cast<unsigned>(parameters.unsigned_integer("threads", 0, 1024))),
+        split_always_(parameters.given("threads")) {
+    if (threads_ == 0) threads_ = std::max(1u, std::thread::hardware_concurrency());
+  }
+
+  /// visit(i, visitor) for every sphere i of the chain: the per-sphere strategies. Pairs come in order of i,
+  /// whatever the number of threads.
+  template <class Visit>
+  void for_each_sphere(std::uint32_t n, const Request& request, Collisions& result, const Visit& visit) const {
+    const unsigned workers = workers_for(n);
+    PairCollector collector(n, request, result, workers);
+    split(n, workers, [&](unsigned worker, std::uint32_t begin, std::uint32_t end) {
+      PairCollector::Lane& lane = collector.lane(worker);
+      for (std::uint32_t i = begin; i < end && !lane.satisfied(); ++i) {
+        LaneVisitor visitor{i, lane};
+        visit(i, visitor);
+        lane.count(i, visitor.collisions);
+      }
+    });
+    collector.finish();
+  }
+
+  /// body(group, block) for every block < blocks, each with its own group of `threads_per_block` threads.
+  template <class Body>
+  void for_each_block(std::uint32_t blocks, std::uint32_t threads_per_block, const Body& body) const {
+    split(blocks, workers_for(blocks * threads_per_block), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+      HostGroup group(threads_per_block);
+      for (std::uint32_t block = begin; block < end; ++block) {
+        body(group, block);
+        group.barrier();
+      }
+    });
+  }
+
+ private:
+  struct LaneVisitor : Visitor {
+    LaneVisitor(std::uint32_t sphere, PairCollector::Lane& to) : i(sphere), lane(to) {}
+    void hit(std::uint32_t j) {
+      ++collisions;
+      if (i < j) lane.pair(i, j);
+    }
+    std::uint32_t i, collisions = 0;
+    PairCollector::Lane& lane;
+  };
+
+  /// Starting a thread costs more than a short chain, unless the caller asked for that many threads.
+  unsigned workers_for(std::uint32_t items) const {
+    const std::uint32_t worth = split_always_ ? items : items / 4096;
+    return std::clamp<std::uint32_t>(worth, 1, threads_);
+  }
+
+  template <class Work>
+  static void split(std::uint32_t n, unsigned workers, const Work& work) {
+    if (workers == 1) return work(0u, 0u, n);
+    const auto bound = [&](unsigned w) { return static_cast<std::uint32_t>(std::uint64_t{n} * w / workers); };
+    std::vector<std::exception_ptr> failures(workers);
+    {
+      std::vector<std::jthread> threads;
+      for (unsigned w = 1; w < workers; ++w)
+        threads.emplace_back([&, w] {
+          try {
+            work(w, bound(w), bound(w + 1));
+          } catch (...) {
+            failures[w] = std::current_exception();
+          }
+        });
+      try {
+        work(0, 0, bound(1));
+      } catch (...) {
+        failures[0] = std::current_exception();
+      }
+    }
+    for (const auto& failure : failures)
+      if (failure) std::rethrow_exception(failure);
+  }
+
+  unsigned threads_;
+  bool split_always_;
+};
+
+}  // namespace catena

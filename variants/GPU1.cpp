@@ -1,0 +1,37 @@
+#include "catena/core/policies/GPU1.h"
+
+#include "catena/core/executor/host_executor.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// GPU1 with its per-sphere visits run by the host executor.
+template <class Arithmetic>
+class GPU1OnHost final : public Variant {
+ public:
+  explicit GPU1OnHost(const Parameters& parameters) : executor_(parameters) {}
+
+  void build(const Chain&) override {}
+
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    const Stopwatch watch;
+    const ChainView view = chain.view();
+    executor_.for_each_sphere(view.size, request, result, [&view](std::uint32_t i, auto& visitor) {
+      policy::GPU1<Arithmetic>::visit(i, view, visitor);
+    });
+    timings_.find_ms = watch.ms();
+  }
+
+  Timings timings() const override { return timings_; }
+
+ private:
+  HostExecutor executor_;
+  Timings timings_;
+};
+
+const RegisterVariant<GPU1OnHost, Robust, Literal, Double> registered{
+    {"GPU1@host", "all pairs, one visit per sphere", Space::host, {HostExecutor::threads_parameter()}}};
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,32 @@
+#include "catena/core/policies/GPU2.h"
+
+#include "catena/core/executor/host_executor.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// GPU2 with its per-sphere visits run by the host executor.
+template <class Arithmetic>
+class GPU2OnHost final : public Traversal<typename Arithmetic::Bound> {
+  using Bound = typename Arithmetic::Bound;
+
+ public:
+  explicit GPU2OnHost(const Parameters& parameters) : executor_(parameters) {}
+
+  void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+            Collisions& result) override {
+    executor_.for_each_sphere(chain.size, request, result, [&](std::uint32_t i, auto& visitor) {
+      policy::GPU2<Arithmetic>::visit(i, chain, tree, visitor);
+    });
+  }
+
+ private:
+  HostExecutor executor_;
+};
+
+const RegisterTraversal<GPU2OnHost, Robust, Literal, Double> registered{
+    {"GPU2@host", "each sphere against the tree, explicit stack", Space::host, {HostExecutor::threads_parameter()}}};
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,33 @@
+#include "catena/core/policies/GPUv2.h"
+
+#include "catena/core/executor/host_executor.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// GPUv2 with the two threads of a sphere run one after the other by the host executor.
+template <class Arithmetic>
+class GPUv2OnHost final : public Traversal<typename Arithmetic::Bound> {
+  using Bound = typename Arithmetic::Bound;
+
+ public:
+  explicit GPUv2OnHost(const Parameters& parameters) : executor_(parameters) {}
+
+  void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+            Collisions& result) override {
+    executor_.for_each_sphere(chain.size, request, result, [&](std::uint32_t i, auto& visitor) {
+      for (std::uint32_t thread = 0; thread < policy::GPUv2<Arithmetic>::threads_per_sphere; ++thread)
+        policy::GPUv2<Arithmetic>::visit(i, thread, chain, tree, visitor);
+    });
+  }
+
+ private:
+  HostExecutor executor_;
+};
+
+const RegisterTraversal<GPUv2OnHost, Robust, Literal, Double> registered{
+    {"GPUv2@host", "two visits per sphere, one per child of the root", Space::host, {HostExecutor::threads_parameter()}}};
+
+}  // namespace
+}  // namespace catena
