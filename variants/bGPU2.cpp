@@ -1,9 +1,7 @@
 #include "catena/core/policies/bGPU2.h"
 
-#include <fmt/format.h>
-
-#include "catena/core/error.h"
 #include "catena/core/executor/host_executor.h"
+#include "catena/core/policies/block_capacity.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -16,12 +14,11 @@ class bGPU2OnHost final : public Construction<typename Arithmetic::Bound> {
 
  public:
   explicit bGPU2OnHost(const Parameters& parameters)
-      : executor_(parameters), block_(static_cast<std::uint32_t>(parameters.unsigned_integer("block", 1, 1024))) {}
+      : executor_(parameters),
+        block_(static_cast<std::uint32_t>(parameters.unsigned_integer("block", 1, 1024))) {}
 
   void build(const ChainView& chain) override {
-    if (chain.size > 2 * block_)
-      throw CapacityError(fmt::format("bGPU2@host takes at most {} spheres by one block of {} threads, got {}; use aGPU2@host",
-                                      2 * block_, block_, chain.size));
+    policy::require_block_capacity("bGPU2@host", "aGPU2@host", chain.size, block_);
     tree_ = storage_.reset(chain.size);
     if (chain.size == 0) return;
     tree_.root = tree_.size() - 1;
@@ -46,7 +43,8 @@ const RegisterConstruction<bGPU2OnHost, Robust, Literal, Double> registered{
     {"bGPU2@host",
      "the tree of aCPU2 by one block, a thread per pair, a barrier per level",
      Space::host,
-     {HostExecutor::threads_parameter(), {"block", "768", "threads of the block; it takes twice as many spheres"}}}};
+     {HostExecutor::threads_parameter(),
+      {"block", "768", "threads of the block; it takes twice as many spheres"}}}};
 
 }  // namespace
 }  // namespace catena

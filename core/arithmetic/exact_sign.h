@@ -46,13 +46,13 @@ class ExactSign {
       if (error != 0) component_[kept++] = error;
       value = s;
     }
-    component_[kept++] = value;
+    if (value != 0)
+      component_[kept++] = value;  // zeros are left out, so the last component has the sum's sign
     size_ = kept;
   }
   CATENA_HD int sign() const {
     if (size_ == 0) return 0;
-    const double top = component_[size_ - 1];
-    return top > 0 ? 1 : top < 0 ? -1 : 0;
+    return component_[size_ - 1] > 0 ? 1 : -1;
   }
 
   double component_[20];  // at most 5 terms for each of the 4 squares

@@ -20,7 +20,8 @@ std::optional<std::string> reason(const StrategyInfo& info) {
 }
 
 void require_available(const StrategyInfo& info) {
-  if (const auto why = reason(info)) throw CapacityError(fmt::format("{} is not available here: {}", info.name, *why));
+  if (const auto why = reason(info))
+    throw CapacityError(fmt::format("{} is not available here: {}", info.name, *why));
 }
 
 template <class Entries>
@@ -37,7 +38,8 @@ StrategyRegistry& StrategyRegistry::instance() {
   return registry;
 }
 
-void StrategyRegistry::add_variant(const StrategyInfo& info, std::string arithmetic, MakeVariant make, bool hidden) {
+void StrategyRegistry::add_variant(const StrategyInfo& info, std::string arithmetic, MakeVariant make,
+                                   bool hidden) {
   complete_.push_back({info, std::move(arithmetic), hidden, std::move(make)});
 }
 
@@ -90,12 +92,14 @@ const StrategyInfo& StrategyRegistry::strategy(const std::string& name) const {
   look(complete_), look(narrow_.constructions), look(narrow_.traversals);
   look(wide_.constructions), look(wide_.traversals);
   if (found == nullptr)
-    throw InputError(fmt::format("there is no strategy '{}'; there are: {}", name, fmt::join(strategy_names(), ", ")));
+    throw InputError(
+        fmt::format("there is no strategy '{}'; there are: {}", name, fmt::join(strategy_names(), ", ")));
   return *found;
 }
 
 template <class Arithmetic>
-std::unique_ptr<Variant> StrategyRegistry::make_composed(const StrategySpec& build, const StrategySpec& find) const {
+std::unique_ptr<Variant> StrategyRegistry::make_composed(const StrategySpec& build,
+                                                         const StrategySpec& find) const {
   const auto& [constructions, traversals] = stages<typename Arithmetic::Bound>();
   const auto* c = find_entry(constructions, build.name, Arithmetic::name);
   const auto* t = find_entry(traversals, find.name, Arithmetic::name);
@@ -117,10 +121,11 @@ std::unique_ptr<Variant> StrategyRegistry::make_composed(const StrategySpec& bui
   return std::make_unique<Composed<Arithmetic>>(
       c->make(Parameters(build.name, c->info.parameters, build.parameters)), c->info.space,
       t->make(Parameters(find.name, t->info.parameters, find.parameters)), t->info.space,
-      device ? make_mover_() : nullptr);
+      device ? make_mover() : nullptr);
 }
 
-std::unique_ptr<Variant> StrategyRegistry::make_complete(const StrategySpec& spec, const std::string& arithmetic) const {
+std::unique_ptr<Variant> StrategyRegistry::make_complete(const StrategySpec& spec,
+                                                         const std::string& arithmetic) const {
   std::vector<std::string> others;
   for (const Entry& e : complete_) {
     if (e.info.name != spec.name) continue;
@@ -131,9 +136,11 @@ std::unique_ptr<Variant> StrategyRegistry::make_complete(const StrategySpec& spe
     others.push_back(e.arithmetic);
   }
   if (!others.empty())
-    throw InputError(fmt::format("'{}' has no {} arithmetic; it has: {}", spec.name, arithmetic, fmt::join(others, ", ")));
+    throw InputError(
+        fmt::format("'{}' has no {} arithmetic; it has: {}", spec.name, arithmetic, fmt::join(others, ", ")));
   strategy(spec.name);  // throws when there is no such strategy at all
-  throw InputError(fmt::format("'{}' is one stage only; write construction+traversal, as in aCPU2+CPU2", spec.name));
+  throw InputError(
+      fmt::format("'{}' is one stage only; write construction+traversal, as in aCPU2+CPU2", spec.name));
 }
 
 std::unique_ptr<Variant> StrategyRegistry::make(std::string_view name) const {
@@ -143,7 +150,8 @@ std::unique_ptr<Variant> StrategyRegistry::make(std::string_view name) const {
   const auto plus = stem.find('+');
   if (plus == std::string_view::npos) return make_complete(StrategySpec::parse(stem), arithmetic);
 
-  const auto build = StrategySpec::parse(stem.substr(0, plus)), find = StrategySpec::parse(stem.substr(plus + 1));
+  const auto build = StrategySpec::parse(stem.substr(0, plus)),
+             find = StrategySpec::parse(stem.substr(plus + 1));
   if (arithmetic == Robust::name) return make_composed<Robust>(build, find);
   if (arithmetic == Literal::name) return make_composed<Literal>(build, find);
   if (arithmetic == Double::name) return make_composed<Double>(build, find);

@@ -18,7 +18,8 @@ namespace catena {
 
 /// What a strategy file says of itself.
 struct StrategyInfo {
-  std::string name;     ///< as in the paper: "aCPU2"; with "@host" when a device algorithm is run by the host executor
+  std::string
+      name;  ///< as in the paper: "aCPU2"; with "@host" when a device algorithm is run by the host executor
   std::string summary;  ///< one line for `catena list`
   Space space = Space::host;
   /// The parameters it understands, with defaults and meaning: `aGPU2@host(subtree=256)`.
@@ -53,10 +54,13 @@ class StrategyRegistry {
   template <class Arithmetic>
   void add_traversal(const StrategyInfo& info, MakeTraversal<typename Arithmetic::Bound> make);
   void add_variant(const StrategyInfo& info, std::string arithmetic, MakeVariant make, bool hidden = false);
-  void set_mover(std::function<std::unique_ptr<Mover>()> make) { make_mover_ = std::move(make); }
 
-  /// Every variant: those complete in themselves, and every construction with every traversal, in each arithmetic
-  /// that both have. Sorted by name. Mutants only when asked for.
+  /// Moves data to the device and back; set once by the folder that owns the device.
+  void set_mover(std::function<std::unique_ptr<Mover>()> make) { make_mover_ = std::move(make); }
+  std::unique_ptr<Mover> make_mover() const { return make_mover_(); }
+
+  /// Every variant: those complete in themselves, and every construction with every traversal, in each
+  /// arithmetic that both have. Sorted by name. Mutants only when asked for.
   std::vector<VariantInfo> variants(bool with_hidden = false) const;
 
   /// Names of single strategies as registered ("CPU1", "aCPU2", "CPU2", ...), each once, sorted.
@@ -64,8 +68,8 @@ class StrategyRegistry {
   const StrategyInfo& strategy(const std::string& name) const;
 
   /// Makes a variant from its name: strategy or construction+traversal, each with optional (key=value,...)
-  /// parameters, then an optional /arithmetic. Throws InputError that names what is unknown and what there is, and
-  /// CapacityError when the variant is not available here.
+  /// parameters, then an optional /arithmetic. Throws InputError that names what is unknown and what there
+  /// is, and CapacityError when the variant is not available here.
   std::unique_ptr<Variant> make(std::string_view name) const;
 
  private:
@@ -110,12 +114,14 @@ class StrategyRegistry {
 };
 
 template <class Arithmetic>
-void StrategyRegistry::add_construction(const StrategyInfo& info, MakeConstruction<typename Arithmetic::Bound> make) {
+void StrategyRegistry::add_construction(const StrategyInfo& info,
+                                        MakeConstruction<typename Arithmetic::Bound> make) {
   stages<typename Arithmetic::Bound>().constructions.push_back({info, Arithmetic::name, std::move(make)});
 }
 
 template <class Arithmetic>
-void StrategyRegistry::add_traversal(const StrategyInfo& info, MakeTraversal<typename Arithmetic::Bound> make) {
+void StrategyRegistry::add_traversal(const StrategyInfo& info,
+                                     MakeTraversal<typename Arithmetic::Bound> make) {
   stages<typename Arithmetic::Bound>().traversals.push_back({info, Arithmetic::name, std::move(make)});
 }
 

@@ -1,0 +1,96 @@
+#include "catena/core/arithmetic/robust.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "catena/core/arithmetic/paper_formulas.h"
+
+namespace catena {
+namespace {
+
+constexpr float denormal = std::numeric_limits<float>::denorm_min(),
+                largest = std::numeric_limits<float>::max();
+
+float ulps(float value, int steps) {
+  for (; steps > 0; --steps) value = std::nextafter(value, std::numeric_limits<float>::infinity());
+  for (; steps < 0; ++steps) value = std::nextafter(value, -std::numeric_limits<float>::infinity());
+  return value;
+}
+
+TEST(Robust, TouchingOverlapsAndOneUlpMoreDoesNot) {
+  // 3-4-5 triangles at many scales: exactly representable, exactly touching.
+  for (float scale : {0x1p-140f, 0x1p-100f, 0x1p-40f, 1.0f, 0x1p40f, 0x1p100f, 0x1p120f}) {
+    const Sphere a{0, 0, 0, 2 * scale}, touching{3 * scale, 4 * scale, 0, 3 * scale};
+    EXPECT_TRUE(Robust::overlap(a, touching)) << scale;
+    EXPECT_TRUE(Robust::may_overlap(a, touching)) << scale;
+    Sphere apart = touching;
+    apart.x = ulps(apart.x, 1);
+    EXPECT_FALSE(Robust::overlap(a, apart)) << scale;
+    Sphere inside = touching;
+    inside.radius = ulps(inside.radius, 1);
+    EXPECT_TRUE(Robust::overlap(a, inside)) << scale;
+  }
+}
+
+TEST(Robust, PointsOverlapOnlyThemselves) {
+  const Sphere point{0, 0, 0, 0};
+  EXPECT_TRUE(Robust::overlap(point, point));
+  EXPECT_FALSE(Robust::overlap(point, {denormal, 0, 0, 0}));
+  EXPECT_TRUE(Robust::overlap(point, {denormal, 0, 0, denormal}));
+  EXPECT_FALSE(Robust::overlap(point, {2 * denormal, 0, 0, denormal}));
+}
+
+TEST(Robust, TheEndsOfTheRange) {
+  EXPECT_TRUE(Robust::overlap({-largest, 0, 0, largest}, {largest, 0, 0, largest}));
+  EXPECT_FALSE(Robust::overlap({-largest, 0, 0, largest}, {largest, denormal, 0, largest}));
+  EXPECT_FALSE(Robust::overlap({-largest, -largest, -largest, 1}, {largest, largest, largest, 1}));
+  EXPECT_TRUE(Robust::overlap({-largest, 0, 0, largest}, {0, 0, 0, denormal}));
+}
+
+TEST(Robust, ParentsAreFiniteOrEncloseEverything) {
+  const float values[] = {0, denormal, 1e-30f, 1, 1e30f, largest, -largest};
+  for (float x : values)
+    for (float y : values)
+      for (float ra : {0.0f, denormal, 1.0f, largest})
+        for (float rb : {0.0f, denormal, 1.0f, largest}) {
+          const Sphere parent = Robust::parent({x, 0, y, ra}, {y, x, 0, rb});
+          EXPECT_TRUE(std::isfinite(parent.x) && std::isfinite(parent.y) && std::isfinite(parent.z));
+          EXPECT_FALSE(std::isnan(parent.radius));
+        }
+}
+
+TEST(Robust, AnInfiniteNodeIsNeverSkippedAndItsParentIsInfinite) {
+  const Sphere everything{0, 0, 0, std::numeric_limits<float>::infinity()};
+  EXPECT_TRUE(Robust::may_overlap({largest, largest, largest, 0}, everything));
+  EXPECT_TRUE(std::isinf(Robust::parent(everything, {1, 2, 3, 4}).radius));
+  EXPECT_TRUE(std::isinf(Robust::parent({1, 2, 3, 4}, everything).radius));
+}
+
+TEST(Robust, ParentOfCoincidentSpheresIsTheLargerOne) {
+  const Sphere small{1, 2, 3, 1}, large{1, 2, 3, 5};
+  EXPECT_EQ(Robust::parent(small, large), large);
+  EXPECT_EQ(Robust::parent(large, small), large);
+  EXPECT_EQ(Robust::parent(small, small), small);
+}
+
+/// What the literal arithmetic must keep: the paper's flaws, so that they can be shown.
+TEST(Literal, KeepsThePapersFlaws) {
+  const Sphere same{1, 2, 3, 1};
+  EXPECT_TRUE(std::isnan(Literal::parent(same, same).x)) << "0/0 for two equal spheres at one place";
+  EXPECT_FALSE(Literal::overlap({0, 0, 0, 1e-30f}, {3e-30f, 0, 0, 1e-30f}) ==
+               Robust::overlap({0, 0, 0, 1e-30f}, {3e-30f, 0, 0, 1e-30f}))
+      << "squares underflow to 0 <= 0";
+  EXPECT_FALSE(Literal::parent({-2e38f, 0, 0, 1}, {2e38f, 0, 0, 1}).radius <= largest)
+      << "the square overflows";
+}
+
+TEST(Double, IsThePaperInBinary64) {
+  const auto a = Double::bound({-2e38f, 0, 0, 1}), b = Double::bound({2e38f, 0, 0, 1});
+  EXPECT_TRUE(std::isfinite(Double::parent(a, b).radius));
+  EXPECT_TRUE(std::isnan(Double::parent(a, a).x)) << "the same formulas, the same 0/0";
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,126 @@
+#include "catena/core/chain/chain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+std::vector<Sphere> row(std::uint32_t n, float spacing = 1, float radius = 1) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({spacing * static_cast<float>(i), 0, 0, radius});
+  return spheres;
+}
+
+void expect_refused(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion,
+                    const std::string& words) {
+  try {
+    Chain chain(std::move(spheres), std::move(strands), std::move(exclusion));
+    ADD_FAILURE() << "accepted; expected an error with '" << words << "'";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(Chain, NamesTheSphereThatIsNotValid) {
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Sphere& bad : {Sphere{nan, 0, 0, 1}, Sphere{0, inf, 0, 1}, Sphere{0, 0, -inf, 1},
+                            Sphere{0, 0, 0, nan}, Sphere{0, 0, 0, inf}}) {
+    auto spheres = row(5);
+    spheres[3] = bad;
+    expect_refused(spheres, {}, {}, "sphere 3 is not finite");
+  }
+  auto spheres = row(5);
+  spheres[2].radius = -1;
+  expect_refused(spheres, {}, {}, "sphere 2 has the negative radius -1");
+}
+
+TEST(Chain, RefusesImpossibleStrandsAndRules) {
+  expect_refused(row(5), {{0, 3, 4}, {}}, {}, "offsets must run from 0 to 5");
+  expect_refused(row(5), {{1, 5}, {}}, {}, "offsets must run from 0 to 5");
+  expect_refused(row(5), {{0, 4, 2, 5}, {}}, {}, "strand 1 ends before it starts");
+  expect_refused(row(5), {{0, 2, 5}, {1}}, {}, "2 strands need 2 closed flags");
+  expect_refused(row(5), {}, Exclusion::index(0), "window must be at least 1");
+  for (double f :
+       {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    expect_refused(row(5), {}, Exclusion::arc(f), "arc window must be");
+  auto rule = Exclusion::index(1);
+  rule.extra_pairs = {{1, 5}};
+  expect_refused(row(5), {}, rule, "extra pair (1, 5)");
+  rule.extra_pairs = {{2, 2}};
+  expect_refused(row(5), {}, rule, "extra pair (2, 2)");
+}
+
+TEST(Chain, IndexWindowOnAnOpenStrand) {
+  const Chain chain(row(10), {}, Exclusion::index(2));
+  for (std::uint32_t i = 0; i < 10; ++i)
+    for (std::uint32_t j = 0; j < 10; ++j)
+      if (i != j) {
+        EXPECT_EQ(chain.neighbours(i, j), std::abs(int(i) - int(j)) <= 2) << i << ' ' << j;
+      }
+}
+
+TEST(Chain, IndexWindowIsCyclicOnAClosedStrandAndStaysOnItsStrand) {
+  const Chain chain(row(12), {{0, 7, 12}, {1, 0}}, Exclusion::index(2));
+  EXPECT_TRUE(chain.neighbours(0, 6) && chain.neighbours(6, 0) && chain.neighbours(1, 6) &&
+              chain.neighbours(0, 5));
+  EXPECT_FALSE(chain.neighbours(1, 5));
+  EXPECT_FALSE(chain.neighbours(6, 7)) << "the next strand is no neighbour";
+  EXPECT_TRUE(chain.neighbours(7, 9));
+  EXPECT_FALSE(chain.neighbours(7, 11)) << "the second strand is open";
+}
+
+TEST(Chain, ArcWindowIsStrictAndUsesBothRadii) {
+  auto spheres = row(10);
+  spheres[4].radius = 2;
+  const Chain chain(spheres, {}, Exclusion::arc(1.5));  // radii 1 + 1: nearer than 3
+  EXPECT_TRUE(chain.neighbours(0, 2));
+  EXPECT_FALSE(chain.neighbours(0, 3)) << "exactly 3 is not nearer than 3";
+  EXPECT_TRUE(chain.neighbours(0, 4)) << "radii 1 + 2: nearer than 4.5";
+  EXPECT_FALSE(chain.neighbours(4, 9));
+}
+
+TEST(Chain, ArcWindowGoesRoundAClosedStrand) {
+  std::vector<Sphere> ring;
+  for (int i = 0; i < 12; ++i) {
+    const double a = 2 * std::numbers::pi * i / 12;
+    ring.push_back({float(10 * std::cos(a)), float(10 * std::sin(a)), 0, 1});
+  }
+  const Chain chain(ring, Strands::one_closed(12), Exclusion::arc(3));  // step 5.18, window 6
+  EXPECT_TRUE(chain.neighbours(0, 11) && chain.neighbours(11, 0));
+  EXPECT_FALSE(chain.neighbours(0, 10));
+}
+
+TEST(Chain, ExtraPairsHoldBothWaysAndOnce) {
+  auto rule = Exclusion::index(1);
+  rule.extra_pairs = {{8, 2}, {2, 8}, {0, 9}};
+  const Chain chain(row(10), {{0, 5, 10}, {}}, rule);
+  EXPECT_TRUE(chain.neighbours(2, 8) && chain.neighbours(8, 2) && chain.neighbours(0, 9) &&
+              chain.neighbours(9, 0));
+  EXPECT_FALSE(chain.neighbours(2, 9));
+  EXPECT_EQ(chain.exclusion().extra_pairs, (std::vector<Pair>{{0, 9}, {2, 8}}));
+}
+
+TEST(Chain, MovedKeepsNeighboursAndChecksItsSpheres) {
+  const Chain chain(row(6), {}, Exclusion::arc(1.1));
+  const Chain moved = chain.moved(row(6, 50));
+  EXPECT_TRUE(moved.neighbours(0, 2)) << "arc lengths are those of the chain as it was made";
+  EXPECT_THROW(chain.moved(row(5)), InputError);
+  auto bad = row(6);
+  bad[1].radius = -1;
+  EXPECT_THROW(chain.moved(bad), InputError);
+}
+
+TEST(Chain, EmptyAndSingle) {
+  EXPECT_EQ(Chain().size(), 0u);
+  EXPECT_EQ(Chain().strand_count(), 1u);
+  EXPECT_EQ(Chain(row(1)).size(), 1u);
+}
+
+}  // namespace
+}  // namespace catena

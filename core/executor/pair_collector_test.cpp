@@ -1,0 +1,72 @@
+#include "catena/core/executor/pair_collector.h"
+
+#include <gtest/gtest.h>
+
+namespace catena {
+namespace {
+
+TEST(PairCollector, KeepsTheOrderOfLanes) {
+  Collisions result;
+  PairCollector collector(10, {}, result, 3);
+  collector.lane(2).pair(5, 6);
+  collector.lane(0).pair(1, 2);
+  collector.lane(1).pair(3, 4);
+  collector.lane(1).count(3, 7);
+  collector.finish();
+  EXPECT_EQ(result.pairs, (std::vector<Pair>{{1, 2}, {3, 4}, {5, 6}}));
+  EXPECT_EQ(result.pair_count, 3u);
+  EXPECT_EQ(result.count[3], 7u);
+  EXPECT_TRUE(result.found);
+}
+
+TEST(PairCollector, ExactlyTheLimitIsKeptAndOneMoreIsAnErrorWithTheTrueNumber) {
+  for (std::uint64_t found : {100u, 101u, 20000u}) {
+    Collisions result;
+    PairCollector collector(2, {Request::Want::pairs, 100}, result, 2);
+    for (std::uint64_t k = 0; k < found; ++k) collector.lane(k % 2).pair(0, 1);
+    if (found <= 100) {
+      collector.finish();
+      EXPECT_EQ(result.pairs.size(), found);
+      continue;
+    }
+    try {
+      collector.finish();
+      ADD_FAILURE() << "no error at " << found;
+    } catch (const PairLimitExceeded& error) {
+      EXPECT_EQ(error.found(), found);
+      EXPECT_EQ(error.limit(), 100u);
+      EXPECT_TRUE(result.pairs.empty());
+    }
+  }
+}
+
+TEST(PairCollector, MemoryForPairsIsBoundedByTheLimit) {
+  Collisions result;
+  PairCollector collector(2, {Request::Want::pairs, 1000}, result, 1);
+  for (int k = 0; k < 1'000'000; ++k) collector.lane(0).pair(0, 1);
+  EXPECT_LT(result.pairs.capacity(), 20'000u);
+  EXPECT_THROW(collector.finish(), PairLimitExceeded);
+}
+
+TEST(PairCollector, CountsOnlyHasNoLimitAndNoPairs) {
+  Collisions result;
+  PairCollector collector(2, {Request::Want::counts, 5}, result, 1);
+  for (int k = 0; k < 10; ++k) collector.lane(0).pair(0, 1);
+  collector.finish();
+  EXPECT_EQ(result.pair_count, 10u);
+  EXPECT_TRUE(result.pairs.empty());
+}
+
+TEST(PairCollector, AnyIsSatisfiedByTheFirstPairOfAnyLane) {
+  Collisions result;
+  PairCollector collector(2, {Request::Want::any, 5}, result, 2);
+  EXPECT_FALSE(collector.lane(0).satisfied());
+  collector.lane(1).pair(0, 1);
+  EXPECT_TRUE(collector.lane(1).satisfied());
+  collector.finish();
+  EXPECT_TRUE(result.found);
+  EXPECT_TRUE(result.count.empty());
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,91 @@
+#include "catena/core/policies/aGPU2.h"
+#include "catena/core/strategy/register.h"
+#include "catena/cuda/device.h"
+#include "catena/cuda/device_group.cuh"
+#include "catena/cuda/device_tree.h"
+#include "catena/cuda/stream.h"
+
+namespace catena::cuda {
+namespace {
+
+/// First stage: each block copies its own leaves, then builds its subtree.
+template <class Arithmetic>
+__global__ void build_leaf_subtrees(ChainView chain, HierarchyView<typename Arithmetic::Bound> tree,
+                                    policy::SubtreeStage stage) {
+  DeviceGroup group;
+  const Level own = stage.nodes(blockIdx.x);
+  policy::copy_leaves<Arithmetic>(group, tree, chain.spheres, own.first, own.size);
+  group.barrier();
+  policy::aGPU2<Arithmetic>::build_subtree(group, tree, stage, blockIdx.x);
+}
+
+/// Later stages, over the roots of the stage before.
+template <class Arithmetic>
+__global__ void build_subtrees(HierarchyView<typename Arithmetic::Bound> tree, policy::SubtreeStage stage) {
+  DeviceGroup group;
+  policy::aGPU2<Arithmetic>::build_subtree(group, tree, stage, blockIdx.x);
+}
+
+template <class Arithmetic>
+__global__ void build_top(HierarchyView<typename Arithmetic::Bound> tree, Level roots, std::uint32_t next,
+                          std::uint32_t root_slot) {
+  DeviceGroup group;
+  policy::bGPU2<Arithmetic>::build(group, tree, roots, next, root_slot);
+}
+
+/// aGPU2 (Section 4.3) on the device.
+template <class Arithmetic>
+class aGPU2 final : public Construction<typename Arithmetic::Bound> {
+  using Bound = typename Arithmetic::Bound;
+
+ public:
+  explicit aGPU2(const Parameters& parameters)
+      : subtree_(static_cast<std::uint32_t>(parameters.unsigned_integer("subtree", 2, 2048))),
+        block_(static_cast<std::uint32_t>(parameters.unsigned_integer("block", 1, 1024))) {}
+
+  void build(const ChainView& chain) override {
+    tree_ = storage_.reset(chain.size, stream_);
+    if (chain.size == 0) return;
+    timer_.start(stream_);
+    bool first = true;
+    const auto run_stage = [&](const policy::SubtreeStage& stage) {
+      if (first)
+        build_leaf_subtrees<Arithmetic><<<stage.subtrees(), subtree_ / 2, 0, stream_>>>(chain, tree_, stage);
+      else
+        build_subtrees<Arithmetic><<<stage.subtrees(), subtree_ / 2, 0, stream_>>>(tree_, stage);
+      CATENA_CUDA(cudaGetLastError());
+      first = false;
+    };
+    const auto run_top = [&](const Level& roots, std::uint32_t next, std::uint32_t root_slot) {
+      const std::uint32_t threads = (roots.size / 2 + 31) / 32 * 32;
+      build_top<Arithmetic> < <<1, threads<block_ ? threads : block_, 0, stream_>>>(tree_, roots, next,
+                                                                                    root_slot);
+      CATENA_CUDA(cudaGetLastError());
+    };
+    policy::aGPU2<Arithmetic>::build(tree_, subtree_, 2 * block_, run_stage, run_top);
+    timer_.stop(stream_);
+    build_ms_ = timer_.ms();
+  }
+
+  HierarchyView<Bound> hierarchy() const override { return tree_; }
+  double own_ms() const override { return build_ms_; }
+
+ private:
+  std::uint32_t subtree_, block_;
+  Stream stream_;
+  EventTimer timer_;
+  DeviceTree<Bound> storage_;
+  HierarchyView<Bound> tree_{};
+  double build_ms_ = 0;
+};
+
+const RegisterConstruction<aGPU2, Robust, Literal, Double> registered{
+    {"aGPU2",
+     "subtrees by independent blocks, then the top over their roots, any n",
+     Space::device,
+     {{"subtree", "384", "leaves of a subtree; its block has half as many threads"},
+      {"block", "768", "most threads of the block that builds the top; it takes twice as many roots"}},
+     unavailable}};
+
+}  // namespace
+}  // namespace catena::cuda

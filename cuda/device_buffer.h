@@ -1,0 +1,70 @@
+#pragma once
+#include <cuda_runtime.h>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+
+#include "catena/core/error.h"
+#include "catena/cuda/call.h"
+
+namespace catena::cuda {
+
+/// Device memory that grows and never shrinks, so that a second build of the same size does not allocate.
+/// Allocation is ordered with the stream it is given.
+template <class T>
+class DeviceBuffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  DeviceBuffer() = default;
+  ~DeviceBuffer() {
+    if (data_ != nullptr) cudaFreeAsync(data_, stream_);
+  }
+  DeviceBuffer(const DeviceBuffer&) = delete;
+  DeviceBuffer& operator=(const DeviceBuffer&) = delete;
+
+  /// Room for n elements; the contents are lost when it grows. Throws CapacityError, naming need and supply,
+  /// when the device has not that much memory.
+  T* reserve(std::size_t n, cudaStream_t stream) {
+    if (n <= capacity_) return data_;
+    release();
+    stream_ = stream;
+    const cudaError_t code = cudaMallocAsync(&data_, n * sizeof(T), stream);
+    if (code == cudaErrorMemoryAllocation) {
+      cudaGetLastError();
+      data_ = nullptr;
+      std::size_t free = 0, total = 0;
+      CATENA_CUDA(cudaMemGetInfo(&free, &total));
+      const auto mib = [](std::size_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
+      throw CapacityError("out of device memory: " + mib(n * sizeof(T)) + " are needed, " + mib(free) +
+                          " of " + mib(total) + " are free");
+    }
+    check(code, "cudaMallocAsync", __FILE__, __LINE__);
+    capacity_ = n;
+    return data_;
+  }
+
+  /// Copies n elements from the host, growing when needed; returns the device address.
+  T* upload(const T* host, std::size_t n, cudaStream_t stream) {
+    reserve(n, stream);
+    if (n > 0) CATENA_CUDA(cudaMemcpyAsync(data_, host, n * sizeof(T), cudaMemcpyHostToDevice, stream));
+    return data_;
+  }
+
+  T* data() const { return data_; }
+  std::size_t capacity() const { return capacity_; }
+
+ private:
+  void release() {
+    if (data_ != nullptr) CATENA_CUDA(cudaFreeAsync(data_, stream_));
+    data_ = nullptr;
+    capacity_ = 0;
+  }
+
+  T* data_ = nullptr;
+  std::size_t capacity_ = 0;
+  cudaStream_t stream_ = nullptr;
+};
+
+}  // namespace catena::cuda

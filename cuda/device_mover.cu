@@ -1,0 +1,95 @@
+#include <vector>
+
+#include "catena/core/strategy/mover.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/cuda/device_buffer.h"
+#include "catena/cuda/stream.h"
+
+namespace catena::cuda {
+namespace {
+
+/// Chains and trees between host and device 0. What a chain does not need (strands of one open strand, arc
+/// lengths under an index window, extra pairs) is not moved.
+class DeviceMover final : public Mover {
+ public:
+  ChainView to_device(const ChainView& host) override {
+    ChainView view = host;
+    const std::size_t n = host.size, strands = host.strand_count;
+    view.spheres = spheres_.upload(host.spheres, n, stream_);
+    ExclusionView& rule = view.exclusion;
+    const ExclusionView& from = host.exclusion;
+    const bool arcs = from.rule == Exclusion::Rule::arc_window;
+    if (!from.one_open_strand) {
+      rule.strand_of = strand_of_.upload(from.strand_of, n, stream_);
+      rule.strand_first = strand_first_.upload(from.strand_first, strands + 1, stream_);
+      rule.strand_closed = strand_closed_.upload(from.strand_closed, strands, stream_);
+    }
+    if (arcs) {
+      rule.arc = arc_.upload(from.arc, n, stream_);
+      rule.loop_length = loop_length_.upload(from.loop_length, strands, stream_);
+    }
+    if (from.extra_row != nullptr) {
+      rule.extra_row = extra_row_.upload(from.extra_row, n + 1, stream_);
+      rule.extra = extra_.upload(from.extra, host.extra_count, stream_);
+    }
+    stream_.synchronize();
+    return view;
+  }
+
+  HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) override {
+    return upload(host, bounds_);
+  }
+  HierarchyView<WideSphere> to_device(const HierarchyView<WideSphere>& host) override {
+    return upload(host, wide_bounds_);
+  }
+  HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) override {
+    return download(device, host_bounds_);
+  }
+  HierarchyView<WideSphere> to_host(const HierarchyView<WideSphere>& device) override {
+    return download(device, host_wide_bounds_);
+  }
+
+ private:
+  template <class Bound>
+  HierarchyView<Bound> upload(HierarchyView<Bound> tree, DeviceBuffer<Bound>& bounds) {
+    tree.bound = bounds.upload(tree.bound, tree.size(), stream_);
+    tree.links = links_.upload(tree.links, tree.size(), stream_);
+    stream_.synchronize();
+    return tree;
+  }
+  template <class Bound>
+  HierarchyView<Bound> download(HierarchyView<Bound> tree, std::vector<Bound>& bounds) {
+    const std::size_t slots = tree.size();
+    bounds.resize(slots);
+    host_links_.resize(slots);
+    if (slots > 0) {
+      CATENA_CUDA(
+          cudaMemcpyAsync(bounds.data(), tree.bound, slots * sizeof(Bound), cudaMemcpyDeviceToHost, stream_));
+      CATENA_CUDA(cudaMemcpyAsync(host_links_.data(), tree.links, slots * sizeof(Links),
+                                  cudaMemcpyDeviceToHost, stream_));
+    }
+    stream_.synchronize();
+    tree.bound = bounds.data();
+    tree.links = host_links_.data();
+    return tree;
+  }
+
+  Stream stream_;  // first, so that it outlives the buffers
+  DeviceBuffer<Sphere> spheres_, bounds_;
+  DeviceBuffer<WideSphere> wide_bounds_;
+  DeviceBuffer<Links> links_;
+  DeviceBuffer<std::uint32_t> strand_of_, strand_first_, extra_row_, extra_;
+  DeviceBuffer<std::uint8_t> strand_closed_;
+  DeviceBuffer<double> arc_, loop_length_;
+  std::vector<Sphere> host_bounds_;
+  std::vector<WideSphere> host_wide_bounds_;
+  std::vector<Links> host_links_;
+};
+
+[[maybe_unused]] const bool registered = [] {
+  StrategyRegistry::instance().set_mover([] { return std::make_unique<DeviceMover>(); });
+  return true;
+}();
+
+}  // namespace
+}  // namespace catena::cuda
