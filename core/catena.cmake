@@ -38,6 +38,13 @@ function(catena_part name)
   set(CATENA_PARTS ${CATENA_PARTS} catena_${name} PARENT_SCOPE)
 endfunction()
 
+# What every measurement says of its build. The commit is that of the configure step; "+" marks local changes.
+execute_process(COMMAND git describe --always --dirty=+ --abbrev=12 --exclude=* WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+                OUTPUT_VARIABLE CATENA_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIES COMPILE_DEFINITIONS
+  "CATENA_COMMIT=\"${CATENA_COMMIT}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\"")
+
 catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
 catena_part(variants)
 include(${PROJECT_SOURCE_DIR}/cuda/cuda.cmake)
@@ -59,6 +66,7 @@ set_target_properties(catena_cli PROPERTIES OUTPUT_NAME catena INSTALL_RPATH $OR
 target_link_libraries(catena_cli PRIVATE catena catena_options CLI11::CLI11)
 
 include(${PROJECT_SOURCE_DIR}/core/install.cmake)
+include(${PROJECT_SOURCE_DIR}/bench/bench.cmake)
 if(CATENA_TESTS)
   enable_testing()
   include(${PROJECT_SOURCE_DIR}/properties/tests.cmake)

@@ -17,7 +17,8 @@ class InputError : public Error {
   using Error::Error;
 };
 
-/// A strategy that cannot run here (no device, library not built in), or not on this input (a declared limit).
+/// A strategy that cannot run here (no device, library not built in), or not on this input (a declared
+/// limit).
 class CapacityError : public Error {
  public:
   using Error::Error;
@@ -27,8 +28,8 @@ class CapacityError : public Error {
 class PairLimitExceeded : public Error {
  public:
   PairLimitExceeded(std::uint64_t found, std::uint64_t limit)
-      : Error("found " + std::to_string(found) + " colliding pairs, more than the limit of " + std::to_string(limit) +
-              "; raise the limit (--pair-limit) or ask for counts only"),
+      : Error("found " + std::to_string(found) + " colliding pairs, more than the limit of " +
+              std::to_string(limit) + "; raise the limit (--pair-limit) or ask for counts only"),
         found_(found),
         limit_(limit) {}
   std::uint64_t found() const noexcept { return found_; }

@@ -7,7 +7,8 @@
 #define CATENA_HD
 #endif
 
-/// Marks the rare path of an inlined decision: kept out of line, so that it costs the common path no registers.
+/// Marks the rare path of an inlined decision: kept out of line, so that it costs the common path no
+/// registers.
 #ifdef __CUDACC__
 #define CATENA_COLD __host__ __device__ __noinline__
 #else

@@ -11,9 +11,10 @@
 #include "catena/core/error.h"
 
 int main(int argc, char** argv) {
-  CLI::App app{"catena finds where a tube, approximated by a chain of spheres, touches itself: by every algorithm of "
-               "one paper and by better ones, all proved to give the same pairs.",
-               "catena"};
+  CLI::App app{
+      "catena finds where a tube, approximated by a chain of spheres, touches itself: by every algorithm of "
+      "one paper and by better ones, all proved to give the same pairs.",
+      "catena"};
   app.require_subcommand(1);
   app.set_version_flag("--version", CATENA_VERSION);
 

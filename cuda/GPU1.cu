@@ -50,11 +50,13 @@ class GPU1 final : public Variant {
   double upload_ms_ = 0;
 };
 
-const RegisterVariant<GPU1, Robust, Literal, Double> registered{{"GPU1",
-                                                                 "all pairs, one thread per sphere",
-                                                                 Space::device,
-                                                                 {{"threads", "256", "threads of a block"}},
-                                                                 unavailable}};
+const RegisterVariant<GPU1, Robust, Literal, Double> registered{
+    {.name = "GPU1",
+     .summary = "all pairs, one thread per sphere",
+     .space = Space::device,
+     .parameters = {{"threads", "256", "threads of a block"}},
+     .all_pairs = true,
+     .unavailable = unavailable}};
 
 }  // namespace
 }  // namespace catena::cuda

@@ -41,11 +41,11 @@ class GPU2 final : public Traversal<typename Arithmetic::Bound> {
 };
 
 const RegisterTraversal<GPU2, Robust, Literal, Double> registered{
-    {"GPU2",
-     "one thread per sphere against the tree, explicit stack",
-     Space::device,
-     {{"threads", "128", "threads of a block"}},
-     unavailable}};
+    {.name = "GPU2",
+     .summary = "one thread per sphere against the tree, explicit stack",
+     .space = Space::device,
+     .parameters = {{"threads", "128", "threads of a block"}},
+     .unavailable = unavailable}};
 
 }  // namespace
 }  // namespace catena::cuda

@@ -44,11 +44,11 @@ class GPUv2 final : public Traversal<typename Arithmetic::Bound> {
 };
 
 const RegisterTraversal<GPUv2, Robust, Literal, Double> registered{
-    {"GPUv2",
-     "two threads per sphere, one per child of the root",
-     Space::device,
-     {{"threads", "128", "threads of a block"}},
-     unavailable}};
+    {.name = "GPUv2",
+     .summary = "two threads per sphere, one per child of the root",
+     .space = Space::device,
+     .parameters = {{"threads", "128", "threads of a block"}},
+     .unavailable = unavailable}};
 
 }  // namespace
 }  // namespace catena::cuda

@@ -80,12 +80,13 @@ class aGPU2 final : public Construction<typename Arithmetic::Bound> {
 };
 
 const RegisterConstruction<aGPU2, Robust, Literal, Double> registered{
-    {"aGPU2",
-     "subtrees by independent blocks, then the top over their roots, any n",
-     Space::device,
-     {{"subtree", "384", "leaves of a subtree; its block has half as many threads"},
-      {"block", "768", "most threads of the block that builds the top; it takes twice as many roots"}},
-     unavailable}};
+    {.name = "aGPU2",
+     .summary = "subtrees by independent blocks, then the top over their roots, any n",
+     .space = Space::device,
+     .parameters = {{"subtree", "384", "leaves of a subtree; its block has half as many threads"},
+                    {"block", "768",
+                     "most threads of the block that builds the top; it takes twice as many roots"}},
+     .unavailable = unavailable}};
 
 }  // namespace
 }  // namespace catena::cuda

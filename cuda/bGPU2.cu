@@ -53,11 +53,12 @@ class bGPU2 final : public Construction<typename Arithmetic::Bound> {
 };
 
 const RegisterConstruction<bGPU2, Robust, Literal, Double> registered{
-    {"bGPU2",
-     "the tree of aCPU2 by one block, a thread per pair, a barrier per level",
-     Space::device,
-     {{"block", "0", "threads of the block, which takes twice as many spheres; 0: the device's limit"}},
-     unavailable}};
+    {.name = "bGPU2",
+     .summary = "the tree of aCPU2 by one block, a thread per pair, a barrier per level",
+     .space = Space::device,
+     .parameters = {{"block", "0",
+                     "threads of the block, which takes twice as many spheres; 0: the device's limit"}},
+     .unavailable = unavailable}};
 
 }  // namespace
 }  // namespace catena::cuda

@@ -12,3 +12,11 @@ target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOU
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*" PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
 gtest_discover_tests(catena_tests TEST_FILTER "*Long.*" TEST_SUFFIX " (long)" PROPERTIES LABELS long TIMEOUT 3600 DISCOVERY_TIMEOUT 120)
+
+# An installed catena is found by another project, which adds README's one-file variant from outside.
+set(sanitize_flags "")
+if(CATENA_SANITIZE)
+  set(sanitize_flags "-fsanitize=${CATENA_SANITIZE}")
+endif()
+add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
+         -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)

@@ -19,7 +19,8 @@ class CPU1 final : public Variant {
     for (std::uint32_t i = 0; i < view.size && !lane.satisfied(); ++i) {
       const auto sphere = Arithmetic::bound(view.spheres[i]);
       for (std::uint32_t j = i + 1; j < view.size; ++j) {
-        if (!Arithmetic::overlap(sphere, Arithmetic::bound(view.spheres[j])) || view.neighbours(i, j)) continue;
+        if (!Arithmetic::overlap(sphere, Arithmetic::bound(view.spheres[j])) || view.neighbours(i, j))
+          continue;
         if (counts) ++result.count[i], ++result.count[j];
         lane.pair(i, j);
       }
@@ -35,7 +36,7 @@ class CPU1 final : public Variant {
 };
 
 const RegisterVariant<CPU1, Robust, Literal, Double> registered{
-    {"CPU1", "all pairs, sequential, O(n^2)"}};
+    {.name = "CPU1", .summary = "all pairs, sequential, O(n^2)", .all_pairs = true}};
 
 }  // namespace
 }  // namespace catena

@@ -48,7 +48,7 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
 };
 
 const RegisterTraversal<CPU2, Robust, Literal, Double> registered{
-    {"CPU2", "each sphere against the tree, recursive, sequential"}};
+    {.name = "CPU2", .summary = "each sphere against the tree, recursive, sequential"}};
 
 }  // namespace
 }  // namespace catena

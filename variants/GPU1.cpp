@@ -31,7 +31,10 @@ class GPU1OnHost final : public Variant {
 };
 
 const RegisterVariant<GPU1OnHost, Robust, Literal, Double> registered{
-    {"GPU1@host", "all pairs, one visit per sphere", Space::host, {HostExecutor::threads_parameter()}}};
+    {.name = "GPU1@host",
+     .summary = "all pairs, one visit per sphere",
+     .parameters = {HostExecutor::threads_parameter()},
+     .all_pairs = true}};
 
 }  // namespace
 }  // namespace catena

@@ -26,7 +26,9 @@ class GPU2OnHost final : public Traversal<typename Arithmetic::Bound> {
 };
 
 const RegisterTraversal<GPU2OnHost, Robust, Literal, Double> registered{
-    {"GPU2@host", "each sphere against the tree, explicit stack", Space::host, {HostExecutor::threads_parameter()}}};
+    {.name = "GPU2@host",
+     .summary = "each sphere against the tree, explicit stack",
+     .parameters = {HostExecutor::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

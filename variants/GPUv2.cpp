@@ -27,7 +27,9 @@ class GPUv2OnHost final : public Traversal<typename Arithmetic::Bound> {
 };
 
 const RegisterTraversal<GPUv2OnHost, Robust, Literal, Double> registered{
-    {"GPUv2@host", "two visits per sphere, one per child of the root", Space::host, {HostExecutor::threads_parameter()}}};
+    {.name = "GPUv2@host",
+     .summary = "two visits per sphere, one per child of the root",
+     .parameters = {HostExecutor::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

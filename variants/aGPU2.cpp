@@ -20,9 +20,10 @@ class aGPU2OnHost final : public Construction<typename Arithmetic::Bound> {
   void build(const ChainView& chain) override {
     tree_ = storage_.reset(chain.size);
     if (chain.size == 0) return;
-    executor_.for_each_block((chain.size - 1) / subtree_ + 1, subtree_ / 2, [&](HostGroup& group, std::uint32_t block) {
-      policy::copy_leaves<Arithmetic>(group, tree_, chain.spheres, block * subtree_, subtree_);
-    });
+    executor_.for_each_block(
+        (chain.size - 1) / subtree_ + 1, subtree_ / 2, [&](HostGroup& group, std::uint32_t block) {
+          policy::copy_leaves<Arithmetic>(group, tree_, chain.spheres, block * subtree_, subtree_);
+        });
     const auto run_stage = [&](const policy::SubtreeStage& stage) {
       executor_.for_each_block(stage.subtrees(), subtree_ / 2, [&](HostGroup& group, std::uint32_t s) {
         policy::aGPU2<Arithmetic>::build_subtree(group, tree_, stage, s);
@@ -46,12 +47,12 @@ class aGPU2OnHost final : public Construction<typename Arithmetic::Bound> {
 };
 
 const RegisterConstruction<aGPU2OnHost, Robust, Literal, Double> registered{
-    {"aGPU2@host",
-     "subtrees by independent blocks, then the top over their roots, any n",
-     Space::host,
-     {HostExecutor::threads_parameter(),
-      {"subtree", "384", "leaves of a subtree; its block has half as many threads"},
-      {"block", "768", "threads of the block that builds the top; it takes twice as many roots"}}}};
+    {.name = "aGPU2@host",
+     .summary = "subtrees by independent blocks, then the top over their roots, any n",
+     .parameters = {
+         HostExecutor::threads_parameter(),
+         {"subtree", "384", "leaves of a subtree; its block has half as many threads"},
+         {"block", "768", "threads of the block that builds the top; it takes twice as many roots"}}}};
 
 }  // namespace
 }  // namespace catena

@@ -40,11 +40,10 @@ class bGPU2OnHost final : public Construction<typename Arithmetic::Bound> {
 };
 
 const RegisterConstruction<bGPU2OnHost, Robust, Literal, Double> registered{
-    {"bGPU2@host",
-     "the tree of aCPU2 by one block, a thread per pair, a barrier per level",
-     Space::host,
-     {HostExecutor::threads_parameter(),
-      {"block", "768", "threads of the block; it takes twice as many spheres"}}}};
+    {.name = "bGPU2@host",
+     .summary = "the tree of aCPU2 by one block, a thread per pair, a barrier per level",
+     .parameters = {HostExecutor::threads_parameter(),
+                    {"block", "768", "threads of the block; it takes twice as many spheres"}}}};
 
 }  // namespace
 }  // namespace catena

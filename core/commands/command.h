@@ -39,7 +39,8 @@ class CommandRegistry {
 template <class C>
 struct RegisterCommand {
   RegisterCommand(std::string name, std::string summary) {
-    CommandRegistry::instance().add({std::move(name), std::move(summary), [] { return std::make_unique<C>(); }});
+    CommandRegistry::instance().add(
+        {std::move(name), std::move(summary), [] { return std::make_unique<C>(); }});
   }
 };
 

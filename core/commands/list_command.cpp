@@ -31,7 +31,8 @@ class ListCommand final : public Command {
 
   static void print_text() {
     const auto& strategies = StrategyRegistry::instance();
-    fmt::print("Strategies (construction+traversal, or one complete in itself; parameters as in name(key=value))\n");
+    fmt::print(
+        "Strategies (construction+traversal, or one complete in itself; parameters as in name(key=value))\n");
     for (const auto& name : strategies.strategy_names()) {
       const auto& info = strategies.strategy(name);
       fmt::print("  {:<12} {}\n", name, info.summary);
@@ -50,7 +51,8 @@ class ListCommand final : public Command {
     }
     fmt::print("\nReaders (by file extension)\n");
     for (const auto& reader : ReaderRegistry::instance().readers())
-      fmt::print("  {:<12} {}: {}\n", fmt::to_string(fmt::join(reader.extensions, " ")), reader.name, reader.summary);
+      fmt::print("  {:<12} {}: {}\n", fmt::to_string(fmt::join(reader.extensions, " ")), reader.name,
+                 reader.summary);
   }
 
   static nlohmann::json to_json(const std::vector<ParameterInfo>& parameters) {
@@ -65,7 +67,8 @@ class ListCommand final : public Command {
     const auto& strategies = StrategyRegistry::instance();
     for (const auto& name : strategies.strategy_names()) {
       const auto& info = strategies.strategy(name);
-      out["strategies"].push_back({{"name", name}, {"summary", info.summary}, {"parameters", to_json(info.parameters)}});
+      out["strategies"].push_back(
+          {{"name", name}, {"summary", info.summary}, {"parameters", to_json(info.parameters)}});
     }
     for (const auto& v : strategies.variants()) {
       nlohmann::json item{{"name", v.name}, {"arithmetic", v.arithmetic}, {"device", v.on_device}};
@@ -73,7 +76,8 @@ class ListCommand final : public Command {
       out["variants"].push_back(item);
     }
     for (const auto& s : SceneRegistry::instance().scenes())
-      out["scenes"].push_back({{"name", s.name}, {"summary", s.summary}, {"parameters", to_json(s.parameters)}});
+      out["scenes"].push_back(
+          {{"name", s.name}, {"summary", s.summary}, {"parameters", to_json(s.parameters)}});
     for (const auto& r : ReaderRegistry::instance().readers())
       out["readers"].push_back({{"name", r.name}, {"extensions", r.extensions}, {"summary", r.summary}});
     fmt::print("{}\n", out.dump(2));
@@ -82,7 +86,8 @@ class ListCommand final : public Command {
   bool json_ = false;
 };
 
-const RegisterCommand<ListCommand> registered("list", "Variants, scenes and readers; what is not available here and why");
+const RegisterCommand<ListCommand> registered(
+    "list", "Variants, scenes and readers; what is not available here and why");
 
 }  // namespace
 }  // namespace catena

@@ -53,7 +53,7 @@ void StrategyRegistry::list_composed(std::vector<VariantInfo>& out) const {
       const auto why = reason(c.info) ? reason(c.info) : reason(t.info);
       out.push_back({full_name(c.info.name + "+" + t.info.name, Arithmetic::name), Arithmetic::name,
                      c.info.summary + "; " + t.info.summary,
-                     c.info.space == Space::device || t.info.space == Space::device, false, why});
+                     c.info.space == Space::device || t.info.space == Space::device, false, false, why});
     }
   }
 }
@@ -63,7 +63,7 @@ std::vector<VariantInfo> StrategyRegistry::variants(bool with_hidden) const {
   for (const Entry& e : complete_)
     if (with_hidden || !e.hidden)
       list.push_back({full_name(e.info.name, e.arithmetic), e.arithmetic, e.info.summary,
-                      e.info.space == Space::device, e.hidden, reason(e.info)});
+                      e.info.space == Space::device, e.info.all_pairs, e.hidden, reason(e.info)});
   list_composed<Robust>(list);
   list_composed<Literal>(list);
   list_composed<Double>(list);

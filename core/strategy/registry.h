@@ -24,6 +24,8 @@ struct StrategyInfo {
   Space space = Space::host;
   /// The parameters it understands, with defaults and meaning: `aGPU2@host(subtree=256)`.
   std::vector<ParameterInfo> parameters = {};
+  /// Compares all pairs, O(n^2); benchmarks leave it out on long chains.
+  bool all_pairs = false;
   /// Why it cannot run on this machine; nullopt when it can. Empty function: it always can.
   std::function<std::optional<std::string>()> unavailable = {};
 };
@@ -34,6 +36,7 @@ struct VariantInfo {
   std::string arithmetic;  ///< "robust", "literal", "double", or the strategy's own
   std::string summary;
   bool on_device = false;  ///< at least one stage runs on a device
+  bool all_pairs = false;  ///< O(n^2)
   bool hidden = false;     ///< a mutant: made by name, never listed among the variants
   std::optional<std::string> unavailable;
 };

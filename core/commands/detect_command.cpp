@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/frame_option.h"
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/progress.h"
+#include "catena/core/commands/table_file.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena {
+namespace {
+
+/// `catena detect INPUT`: builds, finds and says what was found, frame by frame.
+class DetectCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
+    app.add_option("--variant", variant_, "How to find the pairs; see catena list")->capture_default_str();
+    frame_.add_to(app);
+    app.add_option("--pairs", pairs_file_, "Write the colliding pairs to this CSV file: frame,i,j");
+    app.add_option("--counts", counts_file_,
+                   "Write the collisions of each sphere to this CSV file: frame,sphere,count");
+    app.add_option("--pair-limit", request_.pair_limit,
+                   "Most pairs to keep; more is an error with the true number")
+        ->capture_default_str();
+    app.add_flag("--counts-only", counts_only_, "Find counts, keep no pairs");
+    app.add_flag("--any", any_only_, "Only whether anything collides");
+    app.add_flag("--json", json_, "One JSON object a line for each frame");
+    add_input_options(app, options_);
+  }
+
+  int run() override {
+    check_options();
+    const auto variant = StrategyRegistry::instance().make(variant_);
+    const Input input = open_input(input_, options_);
+    for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", input.name, warning);
+    const auto [first, last] = frame_.of(input);
+    if (!pairs_file_.empty()) pairs_out_.emplace(pairs_file_, "frame,i,j");
+    if (!counts_file_.empty()) counts_out_.emplace(counts_file_, "frame,sphere,count");
+
+    Progress progress(last - first);
+    Collisions found;
+    for (std::uint32_t f = first; f < last; ++f) {
+      progress.step(fmt::format("frame {}", f));
+      const Chain chain = input.animation->frame(f);
+      f == first ? variant->build(chain) : variant->update(chain);
+      variant->find(chain, request_, found);
+      progress.clear();
+      print(f, chain, found, variant->timings());
+      write_files(f, found);
+    }
+    if (pairs_out_) pairs_out_->close();
+    if (counts_out_) counts_out_->close();
+    return 0;
+  }
+
+ private:
+  void check_options() {
+    if (any_only_ && (counts_only_ || !pairs_file_.empty() || !counts_file_.empty()))
+      throw InputError("--any finds neither counts nor pairs; leave out --counts-only, --counts and --pairs");
+    if (counts_only_ && !pairs_file_.empty())
+      throw InputError("--counts-only keeps no pairs; leave out --pairs or --counts-only");
+    request_.want = any_only_      ? Request::Want::any
+                    : counts_only_ ? Request::Want::counts
+                                   : Request::Want::pairs;
+  }
+
+  void print(std::uint32_t frame, const Chain& chain, const Collisions& found, const Timings& t) const {
+    const std::uint32_t most = found.count.empty() ? 0 : *std::ranges::max_element(found.count);
+    if (json_) {
+      nlohmann::ordered_json line{{"input", input_},
+                                  {"frame", frame},
+                                  {"n", chain.size()},
+                                  {"variant", variant_},
+                                  {"collides", found.found}};
+      if (!any_only_) line["pairs"] = found.pair_count, line["max_count"] = most;
+      line["build_ms"] = t.build_ms;
+      line["find_ms"] = t.find_ms;
+      line["transfer_ms"] = t.transfer_ms;
+      fmt::print("{}\n", line.dump());
+      return;
+    }
+    const std::string what = any_only_ ? (found.found ? "collides" : "does not collide")
+                                       : fmt::format("{} pairs, at most {} a sphere", found.pair_count, most);
+    fmt::print("{} frame {}: {} spheres, {}; {}: build {:.3f} ms, find {:.3f} ms{}\n", input_, frame,
+               chain.size(), what, variant_, t.build_ms, t.find_ms,
+               t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
+  }
+
+  void write_files(std::uint32_t frame, Collisions& found) {
+    if (pairs_out_) {
+      std::ranges::sort(found.pairs);
+      for (const Pair& p : found.pairs) pairs_out_->row("{},{},{}\n", frame, p.i, p.j);
+    }
+    if (counts_out_)
+      for (std::size_t i = 0; i < found.count.size(); ++i)
+        counts_out_->row("{},{},{}\n", frame, i, found.count[i]);
+  }
+
+  std::string input_, variant_ = "aCPU2+CPU2", pairs_file_, counts_file_;
+  FrameOption frame_;
+  InputOptions options_;
+  Request request_;
+  bool json_ = false, counts_only_ = false, any_only_ = false;
+  std::optional<TableFile> pairs_out_, counts_out_;
+};
+
+const RegisterCommand<DetectCommand> registered("detect", "Find the self-collisions of a scene or file");
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,30 @@
+#include "catena/core/commands/frame_option.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "catena/core/error.h"
+
+namespace catena {
+
+void FrameOption::add_to(CLI::App& app) {
+  app.add_option("--frame", text_, "Frame of an animated input, from 0, or all")->type_name("F|all");
+}
+
+std::pair<std::uint32_t, std::uint32_t> FrameOption::of(const Input& input) const {
+  const std::uint32_t frames = input.animation->frames();
+  if (text_ == "all") return {0, frames};
+  std::uint32_t frame = 0;
+  const char* end = text_.data() + text_.size();
+  const auto parsed = std::from_chars(text_.data(), end, frame);
+  if (parsed.ec != std::errc{} || parsed.ptr != end)
+    throw InputError(fmt::format("--frame {}: must be a frame number from 0, or all", text_));
+  if (frame >= frames)
+    throw InputError(fmt::format("{} has {} frame{}, from 0; there is no frame {}", input.name, frames,
+                                 frames == 1 ? "" : "s", frame));
+  return {frame, frame + 1};
+}
+
+}  // namespace catena

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "catena/core/input/input.h"
+
+namespace CLI {
+class App;
+}
+
+namespace catena {
+
+/// The --frame option of a command: one frame of an animated input, or all of them.
+class FrameOption {
+ public:
+  /// Adds --frame to a subcommand; this object must outlive the parsing.
+  void add_to(CLI::App& app);
+  /// The frames [first, last) of this input. Throws InputError when the value is no frame of it.
+  std::pair<std::uint32_t, std::uint32_t> of(const Input& input) const;
+
+ private:
+  std::string text_ = "0";
+};
+
+}  // namespace catena

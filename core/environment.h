@@ -1,0 +1,18 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+
+namespace catena {
+
+/// What a measurement was taken with: compiler, flags, build type, commit, CPU, and on machines with a device
+/// GPU, driver and toolkit. Every result file carries it.
+std::map<std::string, std::string> environment();
+
+/// One object of this at namespace scope adds facts to environment().
+struct RegisterEnvironment {
+  using Facts = std::function<std::map<std::string, std::string>()>;
+  explicit RegisterEnvironment(Facts facts);
+};
+
+}  // namespace catena

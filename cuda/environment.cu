@@ -1,0 +1,32 @@
+#include <cuda_runtime.h>
+
+#include "catena/core/environment.h"
+#include "catena/cuda/call.h"
+#include "catena/cuda/device.h"
+
+namespace catena::cuda {
+namespace {
+
+std::string version(int number) {
+  return std::to_string(number / 1000) + "." + std::to_string(number % 1000 / 10);
+}
+
+const RegisterEnvironment registered([] {
+  std::map<std::string, std::string> facts{{"cuda toolkit", version(CUDART_VERSION)}};
+  if (const auto why = unavailable()) {
+    facts["gpu"] = *why;
+    return facts;
+  }
+  cudaDeviceProp device{};
+  int driver = 0;
+  CATENA_CUDA(cudaGetDeviceProperties(&device, 0));
+  CATENA_CUDA(cudaDriverGetVersion(&driver));
+  facts["gpu"] = device.name;
+  facts["gpu multiprocessors"] = std::to_string(device.multiProcessorCount);
+  facts["gpu memory"] = std::to_string(device.totalGlobalMem >> 20) + " MiB";
+  facts["gpu driver supports"] = "CUDA " + version(driver);
+  return facts;
+});
+
+}  // namespace
+}  // namespace catena::cuda
