@@ -1,0 +1,110 @@
+#include "catena/reference/exact_gap.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <limits>
+
+#include "catena/reference/testing/nasty.h"
+
+namespace catena::reference {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+constexpr float greatest = std::numeric_limits<float>::max();
+constexpr float least = std::numeric_limits<float>::denorm_min();
+
+/// q and t as rationals: another way from floats to exact numbers than that of exact_gap.cpp.
+struct RationalSquares {
+  Rational q, t;
+  RationalSquares(const Sphere& a, const Sphere& b) {
+    const Rational dx = Rational(a.x) - Rational(b.x), dy = Rational(a.y) - Rational(b.y),
+                   dz = Rational(a.z) - Rational(b.z), s = Rational(a.radius) + Rational(b.radius);
+    q = dx * dx + dy * dy + dz * dz;
+    t = s * s;
+  }
+  int sign() const { return q < t ? -1 : q > t ? 1 : 0; }
+};
+
+/// True when no double is nearer to |q - t| / t than m.
+bool is_nearest(double m, const RationalSquares& s) {
+  const Rational exact = abs(s.q - s.t) / s.t;
+  const auto error = [&](double v) -> Rational { return abs(Rational(v) - exact); };
+  const double above = std::nextafter(m, std::numeric_limits<double>::infinity()),
+               below = std::nextafter(m, 0.0);
+  return error(m) <= error(above) && error(m) <= error(below);
+}
+
+void check(const Sphere& a, const Sphere& b) {
+  const RationalSquares exact(a, b);
+  RC_ASSERT(gap_sign(a, b) == exact.sign());
+  RC_ASSERT(gap_sign_by_integers(a, b) == exact.sign());
+  RC_ASSERT(gap_sign(b, a) == exact.sign());
+  if (exact.t != 0) RC_ASSERT(is_nearest(margin(a, b), exact));
+}
+
+TEST(ExactGap, TouchingOnALattice) {
+  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, 0, 0, 1}), 0);
+  EXPECT_EQ(gap_sign({0, 0, 0, 2}, {3, 4, 0, 3}), 0);
+  EXPECT_EQ(gap_sign({-1, -2, -2, 1}, {0, 0, 0, 2}), 0);
+  EXPECT_TRUE(overlap({0, 0, 0, 1}, {2, 0, 0, 1}));
+  EXPECT_EQ(margin({0, 0, 0, 1}, {2, 0, 0, 1}), 0);
+}
+
+TEST(ExactGap, OneStepAroundTouching) {
+  const float out = testing::nudged(2, 1), in = testing::nudged(2, -1);
+  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {out, 0, 0, 1}), 1);
+  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {in, 0, 0, 1}), -1);
+  // A step of the smallest number there is, far below an ulp of the sum of squares, even in binary64.
+  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, least, 0, 1}), 1);
+  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, 0, 0, 1 + 0x1p-23f}), -1);
+  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, 0, 0, testing::nudged(1, -1)}), 1);
+  EXPECT_EQ(gap_sign({least, 0, 0, 1}, {2, 0, 0, 1}), -1);
+  EXPECT_EQ(margin({0, 0, 0, 1}, {2, least, 0, 1}), 0x1p-300);
+}
+
+TEST(ExactGap, EndsOfTheRange) {
+  EXPECT_EQ(gap_sign({0, 0, 0, least}, {2 * least, 0, 0, least}), 0);
+  EXPECT_EQ(gap_sign({0, 0, 0, least}, {2 * least, least, 0, least}), 1);
+  EXPECT_EQ(gap_sign({-greatest, 0, 0, greatest}, {greatest, 0, 0, greatest}), 0);
+  EXPECT_EQ(gap_sign({-greatest, 0, 0, greatest}, {greatest, least, 0, greatest}), 1);
+  EXPECT_EQ(gap_sign({-greatest, -greatest, -greatest, greatest}, {greatest, greatest, greatest, greatest}),
+            1);
+  EXPECT_EQ(margin({-greatest, -greatest, -greatest, greatest}, {greatest, greatest, greatest, greatest}), 2);
+  EXPECT_EQ(margin({-greatest, 0, 0, least}, {greatest, 0, 0, 0}),
+            std::ldexp(double{greatest}, 150) * std::ldexp(double{greatest}, 150));
+}
+
+TEST(ExactGap, Points) {
+  EXPECT_EQ(gap_sign({1, 2, 3, 0}, {1, 2, 3, 0}), 0);
+  EXPECT_EQ(gap_sign({0, 0, 0, 0}, {least, 0, 0, 0}), 1);
+  EXPECT_EQ(margin({1, 2, 3, 0}, {1, 2, 3, 0}), 0);
+  EXPECT_EQ(margin({0, 0, 0, 0}, {least, 0, 0, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(margin({0, 0, 0, 1}, {0, 0, 0, 1}), 1);
+}
+
+RC_GTEST_PROP(ExactGap, AgreesWithRationalsOnAnyNumbers, ()) {
+  check(*testing::any_sphere(), *testing::any_sphere());
+}
+
+RC_GTEST_PROP(ExactGap, AgreesWithRationalsNearTies, ()) {
+  const int exponent = *rc::gen::inRange(-149, 121);
+  check(*testing::lattice_sphere(exponent), *testing::lattice_sphere(exponent));
+}
+
+RC_GTEST_PROP(ExactGap, AgreesWithRationalsWhereRadiiMeetTheDistance, ()) {
+  // Radii chosen so that the sum is the distance, rounded: as near to a tie as floats allow.
+  auto a = *testing::any_sphere(), b = *testing::any_sphere();
+  const double distance = std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
+  RC_PRE(distance < greatest);
+  a.radius = static_cast<float>(distance * *rc::gen::inRange(0, 9) / 8);
+  b.radius =
+      testing::nudged(static_cast<float>(std::max(0.0, distance - a.radius)), *rc::gen::inRange(-1, 2));
+  b.radius = std::fabs(b.radius);
+  check(a, b);
+}
+
+}  // namespace
+}  // namespace catena::reference
