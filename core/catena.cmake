@@ -49,6 +49,7 @@ catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
 catena_part(variants)
 include(${PROJECT_SOURCE_DIR}/cuda/cuda.cmake)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
+catena_part(properties)
 
 add_library(catena SHARED)
 add_library(catena::catena ALIAS catena)

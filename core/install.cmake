@@ -1,7 +1,7 @@
 # `cmake --install` gives a library that another project finds with find_package(catena).
 install(TARGETS catena EXPORT catena-targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS catena_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(folder core reference)
+foreach(folder core reference properties)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/catena
           FILES_MATCHING PATTERN "*.h")
 endforeach()

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/error.h"
@@ -54,7 +54,7 @@ class VerifyCommand final : public Command {
     app.add_option("--variant", variants_, "Only this variant; repeatable")
         ->type_name("V")
         ->allow_extra_args(false);
-    app.add_option("--frame", frame_, "Frame of an animated input, from 0, or all")->type_name("F|all");
+    frame_.add_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each input and variant");
     app.add_flag("--no-fcl", no_fcl_, "Leave FCL out");
     add_input_options(app, options_);
@@ -63,7 +63,6 @@ class VerifyCommand final : public Command {
   int run() override {
     const bool samples = inputs_.empty();
     if (samples) inputs_ = default_inputs();
-    read_frame();
     auto candidates = make_candidates();
 
     std::vector<std::string> names;
@@ -74,7 +73,7 @@ class VerifyCommand final : public Command {
       const Input input = open_for_verification(spec, options_, samples);
       progress.clear();
       for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", spec, warning);
-      const auto [first, last] = frames_of(input);
+      const auto [first, last] = frame_.of(input);
       for (std::uint32_t f = first; f < last; ++f) verify_frame(input, f, candidates, report, progress);
     }
     progress.clear();
@@ -84,23 +83,6 @@ class VerifyCommand final : public Command {
 
  private:
   static constexpr std::uint64_t pair_limit = std::uint64_t{1} << 24;  ///< beyond, counts are compared
-
-  void read_frame() {
-    if (frame_ == "all") return;
-    const char* end = frame_.data() + frame_.size();
-    const auto parsed = std::from_chars(frame_.data(), end, only_frame_);
-    if (parsed.ec != std::errc{} || parsed.ptr != end)
-      throw InputError(fmt::format("--frame {}: must be a frame number from 0, or all", frame_));
-  }
-
-  std::pair<std::uint32_t, std::uint32_t> frames_of(const Input& input) const {
-    const std::uint32_t frames = input.animation->frames();
-    if (frame_ == "all") return {0, frames};
-    if (only_frame_ >= frames)
-      throw InputError(
-          fmt::format("{} has {} frames, from 0; there is no frame {}", input.name, frames, only_frame_));
-    return {only_frame_, only_frame_ + 1};
-  }
 
   std::vector<Candidate> make_candidates() const {
     std::vector<Candidate> candidates;
@@ -136,8 +118,7 @@ class VerifyCommand final : public Command {
   }
 
   std::vector<std::string> inputs_, variants_;
-  std::string frame_ = "0";
-  std::uint32_t only_frame_ = 0;
+  FrameOption frame_;
   bool json_ = false, no_fcl_ = false;
   InputOptions options_;
 };

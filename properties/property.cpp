@@ -1,0 +1,49 @@
+#include "catena/properties/property.h"
+
+#include <algorithm>
+
+#include "catena/core/error.h"
+#include "catena/reference/reference.h"
+
+namespace catena::properties {
+
+Case Case::of(Chain chain) {
+  Request request;
+  request.pair_limit = std::uint64_t{1} << 24;
+  reference::Answer exact = reference::find(chain, request);
+  return {std::move(chain), std::move(exact)};
+}
+
+Subject Subject::named(const std::string& variant) {
+  const auto make = [variant] { return StrategyRegistry::instance().make(variant); };
+  make();  // an unknown name is said now
+  const auto slash = variant.rfind('/');
+  VariantInfo info;
+  info.name = variant;
+  info.arithmetic = slash == std::string::npos ? Robust::name : variant.substr(slash + 1);
+  for (const auto& listed : StrategyRegistry::instance().variants(true))
+    if (listed.name == variant) info = listed;
+  return {info, make};
+}
+
+std::vector<Subject> Subject::available(bool with_mutants) {
+  std::vector<Subject> subjects;
+  for (const auto& info : StrategyRegistry::instance().variants(with_mutants))
+    if (!info.unavailable)
+      subjects.push_back({info, [name = info.name] { return StrategyRegistry::instance().make(name); }});
+  return subjects;
+}
+
+PropertyRegistry& PropertyRegistry::instance() {
+  static PropertyRegistry registry;
+  return registry;
+}
+
+std::vector<std::unique_ptr<Property>> PropertyRegistry::make_all() const {
+  std::vector<std::unique_ptr<Property>> all;
+  for (const auto& make : makers_) all.push_back(make());
+  std::ranges::sort(all, {}, [](const auto& p) { return p->name(); });
+  return all;
+}
+
+}  // namespace catena::properties
