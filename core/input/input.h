@@ -11,11 +11,11 @@ namespace catena {
 
 /// What a user may say of an input besides its name.
 struct InputOptions {
-  std::optional<float> radius;         ///< for files without radii; refused for files that have them
+  std::optional<float> radius{};       ///< for files without radii; refused for files that have them
   bool radius_half_spacing = false;    ///< for files without radii: half the median step along the strands
   bool closed = false;                 ///< every strand is closed
-  std::optional<std::uint32_t> window; ///< index window instead of the input's own rule
-  std::optional<double> arc_window;    ///< arc-length window factor instead; excludes `window`
+  std::optional<std::uint32_t> window{};  ///< index window instead of the input's own rule
+  std::optional<double> arc_window{};  ///< arc-length window factor instead; excludes `window`
 };
 
 /// A scene or a file, opened.

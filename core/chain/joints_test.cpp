@@ -1,0 +1,119 @@
+#include "catena/core/chain/joints.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+using Pairs = std::vector<Pair>;
+
+// A stem 0-1-2-3-4 along x and a branch 5-6-7 that grows from 2 along y, one apart.
+const std::vector<Sphere> tree{{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}, {3, 0, 0, 1},
+                               {4, 0, 0, 1}, {2, 1, 0, 1}, {2, 2, 0, 1}, {2, 3, 0, 1}};
+const Strands tree_strands{{0, 5, 8}, {0, 0}};
+const Pairs tree_joint{{2, 5}};
+
+TEST(Joints, AreTheOnlyPairsOfWindowOne) {
+  EXPECT_EQ(pairs_across_joints(tree, tree_strands, tree_joint, Exclusion::index(1)), tree_joint);
+  EXPECT_TRUE(pairs_across_joints(tree, tree_strands, {}, Exclusion::index(9)).empty());
+}
+
+TEST(Joints, AreCrossedByLongerWindows) {
+  EXPECT_EQ(pairs_across_joints(tree, tree_strands, tree_joint, Exclusion::index(2)),
+            (Pairs{{1, 5}, {2, 5}, {2, 6}, {3, 5}}));
+  EXPECT_EQ(pairs_across_joints(tree, tree_strands, tree_joint, Exclusion::index(~0u)).size(), 15u);
+}
+
+TEST(Joints, AreCrossedByArcWindowsStrictly) {
+  EXPECT_TRUE(
+      pairs_across_joints(tree, tree_strands, tree_joint, Exclusion::arc(0.5)).empty());  // 1 < 1 is false
+  EXPECT_EQ(pairs_across_joints(tree, tree_strands, tree_joint, Exclusion::arc(0.51)), tree_joint);
+  EXPECT_EQ(pairs_across_joints(tree, tree_strands, tree_joint, Exclusion::arc(1.01)).size(), 4u);
+}
+
+TEST(Joints, ReachFarFromAHugeSphere) {
+  auto soma = tree;
+  soma[0].radius = 100;
+  EXPECT_EQ(pairs_across_joints(soma, tree_strands, tree_joint, Exclusion::arc(0.4)),
+            (Pairs{{0, 5}, {0, 6}, {0, 7}}));
+}
+
+TEST(Joints, GoAroundClosedStrands) {
+  const Strands ring{{0, 5, 8}, {1, 0}};
+  const auto pairs = pairs_across_joints(tree, ring, Pairs{{0, 5}}, Exclusion::index(2));
+  EXPECT_EQ(pairs, (Pairs{{0, 5}, {0, 6}, {1, 5}, {4, 5}}));
+}
+
+TEST(Joints, MustNameTwoSpheres) {
+  EXPECT_THROW(pairs_across_joints(tree, tree_strands, Pairs{{2, 8}}, Exclusion::index(1)), InputError);
+  EXPECT_THROW(pairs_across_joints(tree, tree_strands, Pairs{{2, 2}}, Exclusion::index(1)), InputError);
+}
+
+struct Tangle {
+  std::vector<Sphere> spheres;
+  Strands strands{{0}, {}};
+  Pairs joints;
+};
+
+// Small whole numbers, so that sums of lengths along the axis are exact and the two ways to sum agree.
+Tangle any_tangle() {
+  Tangle t;
+  for (auto left = *rc::gen::inRange(2, 5); left > 0; --left) {
+    for (auto more = *rc::gen::inRange(1, 6); more > 0; --more)
+      t.spheres.push_back({float(*rc::gen::inRange(-9, 9)), 0, 0, float(*rc::gen::inRange(0, 9))});
+    t.strands.first.push_back(static_cast<std::uint32_t>(t.spheres.size()));
+    t.strands.closed.push_back(*rc::gen::arbitrary<bool>());
+  }
+  const auto n = static_cast<std::uint32_t>(t.spheres.size());
+  for (auto joints = *rc::gen::inRange(0, 5); joints > 0; --joints) {
+    const auto i = *rc::gen::inRange<std::uint32_t>(0, n);
+    t.joints.push_back({i, (i + *rc::gen::inRange<std::uint32_t>(1, n)) % n});
+  }
+  return t;
+}
+
+// Floyd and Warshall: every shortest way, by a method that has nothing in common with the one under test.
+Pairs by_all_ways(const Tangle& t, const Exclusion& rule) {
+  const auto n = static_cast<std::uint32_t>(t.spheres.size());
+  const bool by_index = rule.rule == Exclusion::Rule::index_window;
+  std::vector<std::vector<double>> way(n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
+  std::vector<std::uint32_t> strand(n);
+  const auto edge = [&](std::uint32_t i, std::uint32_t j) {
+    way[i][j] = way[j][i] = by_index ? 1 : std::abs(double{t.spheres[i].x} - t.spheres[j].x);
+  };
+  for (std::uint32_t s = 0; s < t.strands.closed.size(); ++s) {
+    const auto first = t.strands.first[s], last = t.strands.first[s + 1];
+    for (auto i = first; i < last; ++i) strand[i] = s;
+    for (auto i = first; i + 1 < last; ++i) edge(i, i + 1);
+    if (t.strands.closed[s]) edge(first, last - 1);
+  }
+  for (const Pair& joint : t.joints) edge(joint.i, joint.j);
+  for (std::uint32_t k = 0; k < n; ++k)
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < n; ++j) way[i][j] = std::min(way[i][j], way[i][k] + way[k][j]);
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = i + 1; j < n; ++j)
+      if (strand[i] != strand[j] &&
+          (by_index ? way[i][j] <= rule.window
+                    : way[i][j] < rule.factor * (double{t.spheres[i].radius} + t.spheres[j].radius)))
+        pairs.push_back({i, j});
+  return pairs;
+}
+
+RC_GTEST_PROP(Joints, GiveThePairsOfAllShortestWays, ()) {
+  const Tangle t = any_tangle();
+  const Exclusion rule = *rc::gen::arbitrary<bool>()
+                             ? Exclusion::index(*rc::gen::inRange<std::uint32_t>(1, 8))
+                             : Exclusion::arc(*rc::gen::inRange(1, 12) / 4.0);
+  RC_ASSERT(pairs_across_joints(t.spheres, t.strands, t.joints, rule) == by_all_ways(t, rule));
+}
+
+}  // namespace
+}  // namespace catena

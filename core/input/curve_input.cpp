@@ -1,0 +1,109 @@
+#include "catena/core/input/curve_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "catena/core/chain/joints.h"
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+bool same_centre(const Sphere& a, const Sphere& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+void give_radii(CurveFile& curves, const InputOptions& options, const std::string& name) {
+  const bool asked = options.radius.has_value() || options.radius_half_spacing;
+  if (curves.has_radii && asked)
+    throw InputError(fmt::format("{}: the file has radii of its own; leave out the radius", name));
+  if (curves.has_radii) return;
+  if (!asked)
+    throw InputError(
+        fmt::format("{}: the file has no radii; give one with --radius R, or take half the median step "
+                    "along the strands with --radius-half-spacing",
+                    name));
+  if (options.radius && options.radius_half_spacing)
+    throw InputError(fmt::format("{}: --radius and --radius-half-spacing exclude each other", name));
+  const double radius = options.radius ? double{*options.radius} : half_median_step(curves);
+  if (options.radius && !(std::isfinite(radius) && radius >= 0))
+    throw InputError(fmt::format("{}: the radius must be finite and not negative, got {}", name, radius));
+  if (options.radius_half_spacing && !(radius > 0 && radius <= std::numeric_limits<float>::max()))
+    throw InputError(fmt::format("{}: half the median step is {}, no usable radius; give one with --radius R",
+                                 name, radius));
+  for (Sphere& sphere : curves.spheres) sphere.radius = static_cast<float>(radius);
+}
+
+// A closed curve whose file repeats the first point at the end would have that point twice, as spheres that
+// are neighbours of each other but not of each other's neighbours.
+void drop_repeated_ends(CurveFile& curves, const std::string& name, std::vector<std::string>& warnings) {
+  std::vector<Sphere> kept;
+  std::vector<std::uint32_t> first{0};
+  for (std::size_t s = 0; s + 1 < curves.strand_first.size(); ++s) {
+    auto begin = curves.spheres.begin() + curves.strand_first[s],
+         end = curves.spheres.begin() + curves.strand_first[s + 1];
+    if (end - begin > 1 && same_centre(*begin, *(end - 1))) --end;
+    kept.insert(kept.end(), begin, end);
+    first.push_back(static_cast<std::uint32_t>(kept.size()));
+  }
+  if (const auto dropped = curves.spheres.size() - kept.size(); dropped > 0)
+    warnings.push_back(fmt::format("{}: {} closed strand{} the first point at the end; it is taken once",
+                                   name, dropped, dropped == 1 ? " repeats" : "s repeat"));
+  curves.spheres = std::move(kept);
+  curves.strand_first = std::move(first);
+}
+
+void close_strands(CurveFile& curves, const std::string& name, std::vector<std::string>& warnings) {
+  std::ranges::fill(curves.strand_closed, std::uint8_t{1});
+  // Where pairs name spheres by number, the numbers stay.
+  if (curves.joints.empty() && curves.exclusion.extra_pairs.empty())
+    drop_repeated_ends(curves, name, warnings);
+}
+
+}  // namespace
+
+double half_median_step(const CurveFile& curves) {
+  std::vector<double> steps;
+  const auto step = [&](std::size_t i, std::size_t j) {
+    const Sphere &a = curves.spheres[i], &b = curves.spheres[j];
+    steps.push_back(std::hypot(double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z));
+  };
+  for (std::size_t s = 0; s + 1 < curves.strand_first.size(); ++s) {
+    const std::size_t first = curves.strand_first[s], last = curves.strand_first[s + 1];
+    for (std::size_t i = first; i + 1 < last; ++i) step(i, i + 1);
+    if (curves.strand_closed[s] && last - first > 2) step(last - 1, first);
+  }
+  if (steps.empty()) return 0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  if (steps.size() % 2 == 1) return *middle / 2;
+  return (*middle + *std::max_element(steps.begin(), middle)) / 4;
+}
+
+Exclusion chosen_exclusion(const InputOptions& options, const Exclusion& own) {
+  if (options.window && options.arc_window)
+    throw InputError("an index window and an arc window exclude each other; give one of them");
+  if (options.window && *options.window < 1) throw InputError("the index window must be at least 1");
+  if (options.arc_window && !(std::isfinite(*options.arc_window) && *options.arc_window > 0))
+    throw InputError(
+        fmt::format("the arc window must be a finite number above 0, got {}", *options.arc_window));
+  Exclusion chosen = own;
+  if (options.window) chosen = Exclusion::index(*options.window);
+  if (options.arc_window) chosen = Exclusion::arc(*options.arc_window);
+  chosen.extra_pairs = own.extra_pairs;
+  return chosen;
+}
+
+Chain make_chain(CurveFile curves, const InputOptions& options, const std::string& name,
+                 std::vector<std::string>& warnings) {
+  Exclusion exclusion = chosen_exclusion(options, curves.exclusion);
+  if (options.closed) close_strands(curves, name, warnings);
+  give_radii(curves, options, name);
+  Strands strands{std::move(curves.strand_first), std::move(curves.strand_closed)};
+  const auto across = pairs_across_joints(curves.spheres, strands, curves.joints, exclusion);
+  exclusion.extra_pairs.insert(exclusion.extra_pairs.end(), across.begin(), across.end());
+  return Chain(std::move(curves.spheres), std::move(strands), std::move(exclusion));
+}
+
+}  // namespace catena

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/input/input.h"
+#include "catena/core/readers/reader.h"
+
+namespace catena {
+
+/// Makes the chain of what a file says and what the user adds: radii where the file has none, closure,
+/// another exclusion rule, and the neighbours across joints. `name` is the file, for errors. Adds to
+/// `warnings` what had to be assumed. Throws InputError when the options do not fit the file.
+Chain make_chain(CurveFile curves, const InputOptions& options, const std::string& name,
+                 std::vector<std::string>& warnings);
+
+/// Half the median distance of consecutive centres along the strands, the closing step of closed strands
+/// included: a usable radius for points without one. 0 when no strand has two spheres. O(n).
+double half_median_step(const CurveFile& curves);
+
+/// The exclusion rule that the options ask for, with the extra pairs of `own`; `own` itself when they ask for
+/// none. Throws InputError for both windows, a window of 0, or an arc window that is not finite and above 0.
+Exclusion chosen_exclusion(const InputOptions& options, const Exclusion& own);
+
+}  // namespace catena

@@ -1,0 +1,162 @@
+#include "catena/core/input/input.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "catena/core/error.h"
+#include "catena/core/input/curve_input.h"
+#include "catena/core/readers/test_file.h"
+
+namespace catena {
+namespace {
+
+std::string refusal(const std::string& spec, const InputOptions& options = {}) {
+  try {
+    open_input(spec, options);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+#define EXPECT_REFUSAL(part, ...) \
+  EXPECT_NE(refusal(__VA_ARGS__).find(part), std::string::npos) << "got: " << refusal(__VA_ARGS__)
+
+Chain chain_of(const std::filesystem::path& file, const InputOptions& options = {}) {
+  return open_input(file.string(), options).animation->frame(0);
+}
+
+const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 0\n";
+
+TEST(OpenInput, ReadsAFileAsOneFrame) {
+  const Input input = open_input(example("rings.chain").string());
+  EXPECT_EQ(input.name, example("rings.chain").string());
+  EXPECT_EQ(input.animation->frames(), 1u);
+  EXPECT_EQ(input.animation->frame(0).size(), 11u);
+}
+
+TEST(OpenInput, AsksForRadiiAndTakesThem) {
+  const TestFile file("a.xyz", "0 0 0\n2 0 0\n6 0 0\n");
+  EXPECT_REFUSAL("--radius R", file.path());
+  EXPECT_REFUSAL("--radius-half-spacing", file.path());
+  EXPECT_EQ(chain_of(file.path(), {.radius = 0.25f})[1].radius, 0.25f);
+  EXPECT_EQ(chain_of(file.path(), {.radius = 0.0f})[1].radius, 0.0f);
+  EXPECT_EQ(chain_of(file.path(), {.radius_half_spacing = true})[1].radius, 1.5f);  // steps 2, 4: half of 3
+  EXPECT_REFUSAL("exclude each other", file.path(), {.radius = 1.0f, .radius_half_spacing = true});
+  for (const float bad :
+       {-1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_REFUSAL("finite and not negative", file.path(), {.radius = bad});
+}
+
+TEST(OpenInput, HalfSpacingNeedsSteps) {
+  const TestFile one("a.xyz", "0 0 0\n"), huge("b.xyz", "-3e38 -3e38 0\n3e38 3e38 0\n");
+  EXPECT_REFUSAL("no usable radius", one.path(), {.radius_half_spacing = true});
+  EXPECT_REFUSAL("no usable radius", huge.path(), {.radius_half_spacing = true});
+}
+
+TEST(OpenInput, RefusesARadiusForAFileWithRadii) {
+  EXPECT_REFUSAL("has radii of its own", example("Neuron.swc"), {.radius = 1.0f});
+  EXPECT_REFUSAL("has radii of its own", example("Neuron.swc"), {.radius_half_spacing = true});
+}
+
+TEST(OpenInput, ClosesStrandsAndTakesARepeatedPointOnce) {
+  const TestFile file("a.xyz", square);
+  EXPECT_EQ(chain_of(file.path(), {.radius = 1.0f}).size(), 5u);
+  const Input closed = open_input(file.path().string(), {.radius_half_spacing = true, .closed = true});
+  const Chain chain = closed.animation->frame(0);
+  EXPECT_EQ(chain.size(), 4u);
+  EXPECT_EQ(chain[0].radius, 0.5f);
+  EXPECT_TRUE(chain.neighbours(0, 3));
+  ASSERT_EQ(closed.warnings.size(), 1u);
+  EXPECT_NE(closed.warnings[0].find("it is taken once"), std::string::npos);
+}
+
+TEST(OpenInput, WindowsReplaceTheRuleOfTheFile) {
+  const auto rings = example("rings.chain");
+  EXPECT_FALSE(chain_of(rings).neighbours(8, 10));
+  const Chain wide = chain_of(rings, {.window = 2});
+  EXPECT_TRUE(wide.neighbours(8, 10));
+  EXPECT_TRUE(wide.neighbours(0, 8));  // the file's own pair stays
+  const Chain arc = chain_of(rings, {.arc_window = 2.5});
+  EXPECT_EQ(arc.exclusion().rule, Exclusion::Rule::arc_window);
+  EXPECT_TRUE(arc.neighbours(8, 10));
+  EXPECT_REFUSAL("exclude each other", rings, {.window = 1, .arc_window = 1.0});
+  EXPECT_REFUSAL("at least 1", rings, {.window = 0});
+  for (const double bad :
+       {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_REFUSAL("finite number above 0", rings, {.arc_window = bad});
+}
+
+TEST(OpenInput, NeighboursOfANeuronAreThoseOfItsTree) {
+  const TestFile file("a.swc",
+                      "1 1 0 0 0 1 -1\n2 3 1 0 0 1 1\n3 3 2 0 0 1 2\n4 3 1 1 0 1 2\n5 3 1 2 0 1 4\n");
+  const Chain one = chain_of(file.path()), two = chain_of(file.path(), {.window = 2});
+  EXPECT_EQ(one.exclusion().extra_pairs, (std::vector<Pair>{{1, 3}}));
+  EXPECT_EQ(two.exclusion().extra_pairs, (std::vector<Pair>{{0, 3}, {1, 3}, {1, 4}, {2, 3}}));
+  EXPECT_EQ(chain_of(file.path(), {.arc_window = 0.9}).exclusion().extra_pairs, (std::vector<Pair>{{1, 3}}));
+}
+
+TEST(OpenInput, SaysWhatIsWrongWithAFile) {
+  EXPECT_REFUSAL("there is no such file", "nowhere/at_all");
+  EXPECT_REFUSAL("there is no such file", "missing.swc");
+  EXPECT_REFUSAL("is a directory", example(""));
+  EXPECT_REFUSAL("no input is named", "");
+  const TestFile unknown("a.docx", "x"), extensionless("a", "x"), empty("a.pdb", "");
+  EXPECT_REFUSAL("no reader for '.docx' files; there are readers for: ", unknown.path());
+  EXPECT_REFUSAL("no reader for '' files", extensionless.path());
+  EXPECT_REFUSAL("is empty", empty.path());
+}
+
+TEST(OpenInput, SaysThatAFileCannotBeOpened) {
+  const TestFile file("a.swc", "1 1 0 0 0 1 -1\n");
+  std::filesystem::permissions(file.path(), std::filesystem::perms::none);
+  if (std::ifstream(file.path())) GTEST_SKIP() << "permissions do not bind this user";
+  EXPECT_REFUSAL("check its permissions", file.path());
+}
+
+TEST(OpenInput, OpensScenes) {
+  EXPECT_EQ(open_input("rod:n=7").animation->frame(0).size(), 7u);
+  EXPECT_REFUSAL("no_such_scene", "no_such_scene");
+  EXPECT_REFUSAL("no_such_scene", "no_such_scene:n=5,frame=1");
+  EXPECT_REFUSAL("radii of its own", "rod", {.radius = 1.0f});
+  EXPECT_REFUSAL("radii of its own", "rod", {.radius_half_spacing = true});
+  EXPECT_REFUSAL("closed", "rod", {.closed = true});
+}
+
+TEST(OpenInput, TakesOneFrameOfAScene) {
+  const Input all = open_input("path1:n=20");
+  ASSERT_GT(all.animation->frames(), 2u);
+  const Input one = open_input("path1:frame=2,n=20"), first = open_input("path1:n=20,frame=0");
+  EXPECT_EQ(one.animation->frames(), 1u);
+  EXPECT_EQ(one.animation->frame(0)[3], all.animation->frame(2)[3]);
+  EXPECT_EQ(first.animation->frame(0)[3], all.animation->frame(0)[3]);
+  EXPECT_EQ(open_input("rod:frame=0").animation->frames(), 1u);
+  EXPECT_REFUSAL("has the frames 0 to", "path1:n=20,frame=4000000000");
+  EXPECT_REFUSAL("has the frames 0 to 0", "rod:n=5,frame=1");
+  EXPECT_REFUSAL("frame is given twice", "path1:frame=1,frame=1");
+  for (const char* bad :
+       {"path1:frame=", "path1:frame=-1", "path1:frame=1.5", "path1:frame=99999999999999999999"})
+    EXPECT_REFUSAL("must be a frame number", bad);
+}
+
+TEST(OpenInput, WindowsApplyToEveryFrameOfAScene) {
+  const Input wide = open_input("path1:n=20", {.window = 3});
+  EXPECT_TRUE(wide.animation->frame(1).neighbours(4, 7));
+  EXPECT_FALSE(wide.animation->frame(1).neighbours(4, 8));
+  EXPECT_EQ(wide.animation->frame(1)[5], open_input("path1:n=20").animation->frame(1)[5]);
+  const Input arc = open_input("path1:n=20,frame=1", {.arc_window = 1.6});
+  EXPECT_EQ(arc.animation->frame(0).exclusion().rule, Exclusion::Rule::arc_window);
+}
+
+TEST(HalfMedianStep, CountsTheClosingStep) {
+  CurveFile curves;
+  curves.spheres = {{0, 0, 0, 0}, {2, 0, 0, 0}, {2, 8, 0, 0}};
+  curves.end_strand(true);
+  EXPECT_EQ(half_median_step(curves), 4.0);  // steps 2, 8, sqrt(68)
+  curves.strand_closed[0] = 0;
+  EXPECT_EQ(half_median_step(curves), 2.5);
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,95 @@
+#include "catena/core/input/scene_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "catena/core/error.h"
+#include "catena/core/input/curve_input.h"
+#include "catena/core/readers/number_text.h"
+#include "catena/core/scenes/scene.h"
+
+namespace catena {
+namespace {
+
+/// A scene with another exclusion rule. Its arc lengths are those of frame 0, as a moved chain keeps its
+/// neighbours.
+class WithExclusion final : public Animation {
+ public:
+  WithExclusion(std::unique_ptr<Animation> scene, const InputOptions& options) : scene_(std::move(scene)) {
+    const Chain first = scene_->frame(0);
+    rest_ = Chain({first.spheres().begin(), first.spheres().end()}, first.strands(),
+                  chosen_exclusion(options, first.exclusion()));
+  }
+  std::uint32_t frames() const override { return scene_->frames(); }
+  Chain frame(std::uint32_t f) const override {
+    if (f == 0) return rest_;
+    const Chain moved = scene_->frame(f);
+    return rest_.moved({moved.spheres().begin(), moved.spheres().end()});
+  }
+
+ private:
+  std::unique_ptr<Animation> scene_;
+  Chain rest_;
+};
+
+class OneFrame final : public Animation {
+ public:
+  OneFrame(std::unique_ptr<Animation> scene, std::uint32_t frame) : scene_(std::move(scene)), frame_(frame) {}
+  Chain frame(std::uint32_t) const override { return scene_->frame(frame_); }
+
+ private:
+  std::unique_ptr<Animation> scene_;
+  std::uint32_t frame_;
+};
+
+/// Takes frame=F out of the spec.
+std::optional<std::int64_t> take_frame(std::string& spec) {
+  const auto colon = spec.find(':');
+  if (colon == std::string::npos) return {};
+  std::optional<std::int64_t> frame;
+  std::string rest;
+  std::string_view text = std::string_view(spec).substr(colon + 1);
+  while (!text.empty()) {
+    const std::string_view item = text.substr(0, text.find(','));
+    text.remove_prefix(std::min(text.size(), item.size() + 1));
+    if (!item.starts_with("frame=")) {
+      if (!rest.empty()) rest += ',';
+      rest += item;
+      continue;
+    }
+    if (frame) throw InputError(fmt::format("{}: frame is given twice", spec));
+    const auto [number, problem] = parse_integer(item.substr(6));
+    if (!problem.empty() || number < 0)
+      throw InputError(fmt::format("{}: {} must be a frame number from 0", spec, item));
+    frame = number;
+  }
+  if (frame) spec = spec.substr(0, colon) + (rest.empty() ? "" : ":" + rest);
+  return frame;
+}
+
+}  // namespace
+
+std::string scene_name(const std::string& spec) { return spec.substr(0, spec.find(':')); }
+
+std::unique_ptr<Animation> open_scene(const std::string& spec, const InputOptions& options) {
+  if (options.radius || options.radius_half_spacing)
+    throw InputError(
+        fmt::format("{}: a scene has radii of its own; set its parameter radius=R instead", spec));
+  if (options.closed)
+    throw InputError(
+        fmt::format("{}: a scene knows which of its strands are closed; leave out --closed", spec));
+  std::string scene_spec = spec;
+  const auto frame = take_frame(scene_spec);
+  auto animation = SceneRegistry::instance().open(scene_spec);
+  if (frame && *frame >= animation->frames())
+    throw InputError(fmt::format("{}: the scene has the frames 0 to {}", spec, animation->frames() - 1));
+  if (options.window || options.arc_window)
+    animation = std::make_unique<WithExclusion>(std::move(animation), options);
+  if (frame) animation = std::make_unique<OneFrame>(std::move(animation), static_cast<std::uint32_t>(*frame));
+  return animation;
+}
+
+}  // namespace catena

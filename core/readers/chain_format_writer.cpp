@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+#include <ostream>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/chain_format.h"
+
+namespace catena {
+namespace {
+
+// Not fmt: to_chars promises in the standard that the shortest text reads back as the same number.
+template <class Number>
+void append(std::string& line, Number number) {
+  char text[64];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, number);
+  line.append(text, end);
+}
+
+template <class Number, class... More>
+void append_line(std::string& line, Number first, More... more) {
+  append(line, first);
+  ((line += ' ', append(line, more)), ...);
+  line += '\n';
+}
+
+}  // namespace
+
+void write_chain(std::ostream& out, const Chain& chain) {
+  const Exclusion& exclusion = chain.exclusion();
+  std::string text = "catena-chain 1\n";
+  const bool by_index = exclusion.rule == Exclusion::Rule::index_window;
+  text += by_index ? "window " : "arc_window ";
+  by_index ? append_line(text, exclusion.window) : append_line(text, exclusion.factor);
+
+  const Strands& strands = chain.strands();
+  for (std::uint32_t s = 0; s < chain.strand_count(); ++s) {
+    text += strands.closed[s] ? "strand closed " : "strand open ";
+    append_line(text, strands.first[s + 1] - strands.first[s]);
+    for (std::uint32_t i = strands.first[s]; i < strands.first[s + 1]; ++i)
+      append_line(text, chain[i].x, chain[i].y, chain[i].z, chain[i].radius);
+    out << text;
+    text.clear();
+  }
+  if (!exclusion.extra_pairs.empty()) {
+    text += "pairs ";
+    append_line(text, exclusion.extra_pairs.size());
+    for (const Pair& pair : exclusion.extra_pairs) append_line(text, pair.i, pair.j);
+  }
+  out << text << "end\n";
+  if (!out) throw InputError("a chain cannot be written: the output does not take it all");
+}
+
+void write_chain(const std::filesystem::path& file, const Chain& chain) {
+  std::ofstream out(file, std::ios::binary);
+  if (!out) throw InputError(fmt::format("{}: cannot be opened for writing", file.string()));
+  write_chain(out, chain);
+  out.close();
+  if (!out)
+    throw InputError(fmt::format("{}: cannot be written to its end; is the disk full?", file.string()));
+}
+
+}  // namespace catena

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/readers/test_file.h"
+
+/// Whatever happens to a file, reading it ends in curves that a chain can be made of, or in an InputError.
+namespace catena {
+namespace {
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ostringstream out;
+  out << std::ifstream(file, std::ios::binary).rdbuf();
+  return out.str();
+}
+
+// The mutations that parsers fail at: cut off, a byte changed, a piece doubled or lost, a number swollen.
+std::string damaged(std::string text) {
+  for (auto left = *rc::gen::inRange(1, 4); left > 0; --left) {
+    if (text.empty()) return text;
+    const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+    const auto length = *rc::gen::inRange<std::size_t>(1, 40);
+    switch (*rc::gen::inRange(0, 5)) {
+      case 0:
+        text.resize(at);
+        break;
+      case 1:
+        text[at] = static_cast<char>(*rc::gen::inRange(0, 256));
+        break;
+      case 2:
+        text.erase(at, length);
+        break;
+      case 3:
+        text.insert(at, text.substr(at, length));
+        break;
+      default:
+        text.insert(at, *rc::gen::elementOf(std::vector<std::string>{"nan", "-", "99999999999", "e999", "\n",
+                                                                     " ", "\xFF\xFF\xFF\x7F", "#"}));
+    }
+  }
+  return text;
+}
+
+// Each mutation early in the file is worth more than one late: a few lines show all that a text format has.
+std::string head(const std::filesystem::path& file, std::size_t skip) {
+  return bytes_of(file).substr(skip, 3000);
+}
+
+void reads_or_complains(const std::string& name, const std::string& text) {
+  const TestFile file(name, text);
+  try {
+    const CurveFile curves = ReaderRegistry::instance().read(file.path());
+    RC_ASSERT(curves.strand_first.size() == curves.strand_closed.size() + 1);
+    RC_ASSERT(curves.strand_first.back() == curves.spheres.size());
+    Chain(curves.spheres, {curves.strand_first, curves.strand_closed}, curves.exclusion);
+    for (const Pair& joint : curves.joints)
+      RC_ASSERT(joint.i < curves.spheres.size() && joint.j < curves.spheres.size() && joint.i != joint.j);
+  } catch (const InputError& error) {
+    RC_ASSERT(std::string(error.what()).find(name) != std::string::npos);
+  }
+}
+
+RC_GTEST_PROP(DamagedFiles, Swc, ()) {
+  reads_or_complains("a.swc", damaged(head(example("Neuron.swc"), 1650)));
+}
+RC_GTEST_PROP(DamagedFiles, Pdb, ()) {
+  reads_or_complains("a.pdb", damaged(head(example("1A8O.pdb"), 25500)));
+}
+RC_GTEST_PROP(DamagedFiles, Txt, ()) {
+  reads_or_complains("a.txt", damaged(head(example("9_47-cubiclattice.txt"), 0)));
+}
+RC_GTEST_PROP(DamagedFiles, Csv, ()) {
+  reads_or_complains("a.csv", damaged(head(example("Edin90_small_xyzr.csv"), 0)));
+}
+RC_GTEST_PROP(DamagedFiles, Chain, ()) {
+  reads_or_complains("a.chain", damaged(bytes_of(example("rings.chain"))));
+}
+
+RC_GTEST_PROP(DamagedFiles, Vect, ()) {
+  reads_or_complains("a.vect",
+                     damaged("VECT\n2 5 1\n-3 2\n1 0\n0 0 0 # c\n1 0 0\n1 1 0\n5 5 5\n6 6 6\n0 1 0 1\n"));
+}
+
+RC_GTEST_PROP(DamagedFiles, Hair, ()) {
+  std::string hair("HAIR\2\0\0\0\5\0\0\0\7\0\0\0", 16);
+  hair.resize(128, '\0');
+  hair += std::string("\2\0\1\0", 4) + std::string(5 * 16, '\x3f');
+  reads_or_complains("a.hair", damaged(hair));
+}
+
+}  // namespace
+}  // namespace catena

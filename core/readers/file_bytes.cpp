@@ -1,0 +1,46 @@
+#include "catena/core/readers/file_bytes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace fs = std::filesystem;
+
+void require_regular_file(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw InputError(fmt::format("{}: there is no such file", file.string()));
+  if (fs::is_directory(status))
+    throw InputError(fmt::format("{}: is a directory; name a file in it", file.string()));
+  // A pipe has no size to check the counts of a header against, and a device may never end.
+  if (!fs::is_regular_file(status)) throw InputError(fmt::format("{}: is not a regular file", file.string()));
+}
+
+std::string read_bytes(const fs::path& file) {
+  require_regular_file(file);
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(fmt::format("{}: cannot be opened; check its permissions", file.string()));
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  if (error) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), error.message()));
+  if (size == 0) throw InputError(fmt::format("{}: is empty", file.string()));
+  std::string bytes(size, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (in.gcount() != static_cast<std::streamsize>(size))
+    throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
+  return bytes;
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string shown(text.substr(0, longest));
+  std::ranges::replace_if(
+      shown, [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
+  return fmt::format("'{}{}'", shown, text.size() > longest ? "..." : "");
+}
+
+}  // namespace catena

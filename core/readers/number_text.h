@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace catena {
+
+/// Decimal text as numbers, whatever the locale. A leading '+' is accepted, blanks around the number are not.
+
+/// True when the whole text has the form of a number: also one that is out of range, infinite or NaN.
+bool is_number(std::string_view text);
+
+/// True for an optional sign and digits, nothing else.
+bool is_integer(std::string_view text);
+
+/// A number and, when there is none, the reason: "is not a number", "does not fit into ...".
+template <class T>
+struct Parsed {
+  T value{};
+  std::string problem;  ///< empty when value is good
+};
+
+/// The nearest value of the type, rounded once, so that the shortest text of a float reads as that float.
+/// Less than the least positive value rounds to it or to zero; beyond the greatest is a problem, and so are
+/// infinity and NaN.
+Parsed<float> parse_float(std::string_view text);
+Parsed<double> parse_double(std::string_view text);
+
+Parsed<std::int64_t> parse_integer(std::string_view text);
+
+}  // namespace catena

@@ -1,0 +1,78 @@
+#include "catena/core/readers/reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/text_lines.h"
+
+namespace catena {
+namespace {
+
+std::string extension_of(const std::filesystem::path& file) { return lower_case(file.extension().string()); }
+
+bool reads(const ReaderInfo& info, const std::string& extension) {
+  return std::ranges::find(info.extensions, extension) != info.extensions.end();
+}
+
+}  // namespace
+
+void CurveFile::end_strand(bool closed) {
+  const auto end = static_cast<std::uint32_t>(spheres.size());
+  if (end == strand_first.back()) return;
+  strand_first.push_back(end);
+  strand_closed.push_back(closed ? 1 : 0);
+}
+
+ReaderRegistry& ReaderRegistry::instance() {
+  static ReaderRegistry registry;
+  return registry;
+}
+
+void ReaderRegistry::add(ReaderInfo info, Read read) {
+  for (const Entry& entry : entries_)
+    for (const std::string& extension : info.extensions)
+      if (reads(entry.info, extension))
+        throw std::logic_error(fmt::format("both {} and {} read {}", entry.info.name, info.name, extension));
+  entries_.push_back({std::move(info), std::move(read)});
+}
+
+std::vector<ReaderInfo> ReaderRegistry::readers() const {
+  std::vector<ReaderInfo> sorted;
+  for (const Entry& entry : entries_) sorted.push_back(entry.info);
+  std::ranges::sort(sorted, {}, &ReaderInfo::name);
+  return sorted;
+}
+
+bool ReaderRegistry::knows(const std::filesystem::path& file) const {
+  const std::string extension = extension_of(file);
+  return std::ranges::any_of(entries_, [&](const Entry& entry) { return reads(entry.info, extension); });
+}
+
+CurveFile ReaderRegistry::read(const std::filesystem::path& file) const {
+  require_regular_file(file);  // "no such file" helps more than "no such extension"
+  const std::string extension = extension_of(file);
+  for (const Entry& entry : entries_) {
+    if (!reads(entry.info, extension)) continue;
+    CurveFile curves = entry.read(file);
+    if (curves.spheres.size() >= (std::size_t{1} << 31))
+      throw InputError(
+          fmt::format("{}: holds {} points, more than 2^31 - 1", file.string(), curves.spheres.size()));
+    // Catena's own format can say "a strand of no spheres"; the others cannot, and an empty curve is of no
+    // use.
+    if (curves.strand_closed.empty()) throw InputError(fmt::format("{}: holds no points", file.string()));
+    return curves;
+  }
+  std::vector<std::string> known;
+  for (const Entry& entry : entries_)
+    known.insert(known.end(), entry.info.extensions.begin(), entry.info.extensions.end());
+  std::ranges::sort(known);
+  throw InputError(fmt::format("{}: no reader for '{}' files; there are readers for: {}", file.string(),
+                               extension, fmt::join(known, " ")));
+}
+
+}  // namespace catena

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "catena/core/readers/reader.h"
+#include "catena/core/readers/text_lines.h"
+
+/// SWC neurons: one sample a line, `id type x y z radius parent`. Every sample, those of a soma too, becomes
+/// one sphere: nothing is merged or left out, so a soma of three points that overlap is reported as it is
+/// stored. A strand runs from a root, or from the first sample of a side branch, always to the first child in
+/// file order; a joint ties each side branch to the sample that it grows from. So neighbours are those of the
+/// tree.
+namespace catena {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+struct Sample {
+  Sphere sphere;
+  std::int64_t id, parent;
+  std::size_t line;
+  std::uint32_t first_child = none, last_child = none, next_sibling = none;
+};
+
+class Neuron {
+ public:
+  explicit Neuron(const std::filesystem::path& file) : lines_(file) {
+    while (lines_.next()) {
+      lines_.cut_comment('#');
+      if (!lines_.line().empty()) add_sample();
+    }
+    for (std::uint32_t i = 0; i < samples_.size(); ++i) link_to_parent(i);
+    if (orphans_ > 0)
+      curves_.warnings.push_back(
+          fmt::format("{}:{}: sample {} has the parent {}, which is not in the file; {} such sample{} a "
+                      "strand of its own",
+                      lines_.file_name(), samples_[first_orphan_].line, samples_[first_orphan_].id,
+                      samples_[first_orphan_].parent, orphans_, orphans_ == 1 ? " starts" : "s start each"));
+  }
+
+  CurveFile curves() {
+    curves_.has_radii = true;
+    place_.assign(samples_.size(), none);
+    for (const std::uint32_t root : roots_) lay_out(root);
+    if (curves_.spheres.size() != samples_.size()) fail_for_cycle();
+    return std::move(curves_);
+  }
+
+ private:
+  void add_sample() {
+    const auto& fields = lines_.fields();
+    if (fields.size() < 7)
+      lines_.fail(
+          fmt::format("a sample needs 7 columns (id type x y z radius parent), got {}", fields.size()));
+    Sample sample{};
+    sample.id = lines_.integer(fields[0], "id");
+    if (sample.id < 0) lines_.fail(fmt::format("id {} is negative", sample.id));
+    sample.sphere = {lines_.real(fields[2], "x"), lines_.real(fields[3], "y"), lines_.real(fields[4], "z"),
+                     lines_.radius(fields[5])};
+    sample.parent = lines_.integer(fields[6], "parent");
+    sample.line = lines_.line_number();
+    const auto [known, is_new] = index_.emplace(sample.id, static_cast<std::uint32_t>(samples_.size()));
+    if (!is_new)
+      lines_.fail(fmt::format("id {} is already that of line {}", sample.id, samples_[known->second].line));
+    samples_.push_back(sample);
+  }
+
+  void link_to_parent(std::uint32_t i) {
+    const std::int64_t parent = samples_[i].parent;
+    if (parent < 0) return roots_.push_back(i);
+    const auto found = index_.find(parent);
+    if (found == index_.end()) {
+      if (orphans_++ == 0) first_orphan_ = i;
+      return roots_.push_back(i);
+    }
+    Sample& of = samples_[found->second];
+    if (of.first_child == none)
+      of.first_child = i;
+    else
+      samples_[of.last_child].next_sibling = i;
+    of.last_child = i;
+  }
+
+  // Depth first, so that a branch lies near what it grows from; with a stack of our own, as neurons can be
+  // deep.
+  void lay_out(std::uint32_t root) {
+    std::vector<std::uint32_t> starts{root};
+    while (!starts.empty()) {
+      const std::uint32_t start = starts.back();
+      starts.pop_back();
+      if (start != root) curves_.joints.push_back({place_[index_.at(samples_[start].parent)], next_place()});
+      const std::size_t side_branches = starts.size();
+      for (std::uint32_t i = start; i != none; i = samples_[i].first_child) {
+        place_[i] = next_place();
+        curves_.spheres.push_back(samples_[i].sphere);
+        if (samples_[i].first_child == none) continue;
+        for (auto side = samples_[samples_[i].first_child].next_sibling; side != none;
+             side = samples_[side].next_sibling)
+          starts.push_back(side);
+      }
+      std::reverse(starts.begin() + static_cast<std::ptrdiff_t>(side_branches), starts.end());
+      curves_.end_strand();
+    }
+  }
+
+  std::uint32_t next_place() const { return static_cast<std::uint32_t>(curves_.spheres.size()); }
+
+  // What no root reaches hangs on a cycle: from any such sample, as many steps up as there are samples end on
+  // it.
+  [[noreturn]] void fail_for_cycle() const {
+    std::uint32_t on = 0;
+    while (place_[on] != none) ++on;
+    for (std::size_t step = 0; step < samples_.size(); ++step) on = index_.at(samples_[on].parent);
+    lines_.fail_at(samples_[on].line,
+                   fmt::format("sample {} is its own ancestor; a neuron is a tree, so mend its parent",
+                               samples_[on].id));
+  }
+
+  TextLines lines_;
+  std::vector<Sample> samples_;
+  std::unordered_map<std::int64_t, std::uint32_t> index_;
+  std::vector<std::uint32_t> roots_, place_;
+  std::size_t orphans_ = 0;
+  std::uint32_t first_orphan_ = 0;
+  CurveFile curves_;
+};
+
+const RegisterReader registered{
+    {"SWC neuron", {".swc"}, "id type x y z radius parent; branches become strands"},
+    [](const std::filesystem::path& file) { return Neuron(file).curves(); }};
+
+}  // namespace
+}  // namespace catena

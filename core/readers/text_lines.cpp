@@ -1,0 +1,89 @@
+#include "catena/core/readers/text_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/number_text.h"
+
+namespace catena {
+
+TextLines::TextLines(const std::filesystem::path& file) : name_(file.string()), bytes_(read_bytes(file)) {
+  if (bytes_.starts_with("\xEF\xBB\xBF")) next_ = 3;
+}
+
+bool TextLines::next() {
+  if (next_ >= bytes_.size()) return false;
+  const std::size_t end = std::min(bytes_.find_first_of("\r\n", next_), bytes_.size());
+  line_ = std::string_view(bytes_).substr(next_, end - next_);
+  next_ = end + (bytes_.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+  ++number_;
+  return true;
+}
+
+void TextLines::cut_comment(char mark) { line_ = trimmed(line_.substr(0, line_.find(mark))); }
+
+const std::vector<std::string_view>& TextLines::fields(std::string_view separators) {
+  fields_.clear();
+  for (std::size_t at = 0; (at = line_.find_first_not_of(separators, at)) != std::string_view::npos;) {
+    const std::size_t end = std::min(line_.find_first_of(separators, at), line_.size());
+    fields_.push_back(line_.substr(at, end - at));
+    at = end;
+  }
+  return fields_;
+}
+
+void TextLines::fail_at(std::size_t line_number, const std::string& reason) const {
+  throw InputError(fmt::format("{}:{}: {}", name_, line_number, reason));
+}
+
+float TextLines::real(std::string_view text, std::string_view what) const {
+  const auto [value, problem] = parse_float(text);
+  if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+  return value;
+}
+
+double TextLines::wide_real(std::string_view text, std::string_view what) const {
+  const auto [value, problem] = parse_double(text);
+  if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+  return value;
+}
+
+float TextLines::radius(std::string_view text) const {
+  const float value = real(text, "radius");
+  if (value < 0) fail(fmt::format("radius {} is negative", in_quotes(text)));
+  return value;
+}
+
+std::int64_t TextLines::integer(std::string_view text, std::string_view what) const {
+  const auto [value, problem] = parse_integer(text);
+  if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+  return value;
+}
+
+std::uint32_t TextLines::count(std::string_view text, std::string_view what) const {
+  const std::int64_t value = integer(text, what);
+  constexpr std::int64_t greatest = std::numeric_limits<std::uint32_t>::max();
+  if (value < 0 || value > greatest)
+    fail(fmt::format("{} {} must be from 0 to {}", what, in_quotes(text), greatest));
+  return static_cast<std::uint32_t>(value);
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\v\f";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return lower;
+}
+
+}  // namespace catena

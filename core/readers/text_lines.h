@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace catena {
+
+/// A text file line by line: what every text reader scans with, and how it says what is wrong where. Lines
+/// end with LF, CRLF or CR; a byte order mark is skipped. O(size of the file) memory and time.
+class TextLines {
+ public:
+  /// Throws InputError unless the file can be read (see read_bytes).
+  explicit TextLines(const std::filesystem::path& file);
+
+  /// Goes to the next line; false when there is none. The first call goes to the first line.
+  bool next();
+
+  std::string_view line() const { return line_; }      ///< without its end
+  std::size_t line_number() const { return number_; }  ///< from 1; stays at the last line after the end
+  std::size_t bytes() const {
+    return bytes_.size();
+  }  ///< of the whole file, a limit of any count it can hold
+  const std::string& file_name() const { return name_; }
+
+  /// Cuts the line at the first `mark`, and blanks from both its ends.
+  void cut_comment(char mark);
+
+  /// The parts of the line between runs of these separators; none is empty. Valid until the next line is
+  /// read.
+  const std::vector<std::string_view>& fields(std::string_view separators = " \t");
+
+  /// Throws InputError "file:line: reason", for the current line or another.
+  [[noreturn]] void fail(const std::string& reason) const { fail_at(number_, reason); }
+  [[noreturn]] void fail_at(std::size_t line_number, const std::string& reason) const;
+
+  /// Numbers; `what` names the value in the error of the current line: "x", "radius".
+  float real(std::string_view text, std::string_view what) const;
+  double wide_real(std::string_view text, std::string_view what) const;
+  float radius(std::string_view text) const;  ///< a real that is not negative
+  std::int64_t integer(std::string_view text, std::string_view what) const;
+  std::uint32_t count(std::string_view text, std::string_view what) const;  ///< an integer from 0 to 2^32 - 1
+
+ private:
+  std::string name_, bytes_;
+  std::size_t next_ = 0, number_ = 0;
+  std::string_view line_;
+  std::vector<std::string_view> fields_;
+};
+
+/// Text without the blanks (space, tab, and what remains of odd line ends) around it.
+std::string_view trimmed(std::string_view text);
+
+/// ASCII letters in lower case, for keywords and column names.
+std::string lower_case(std::string_view text);
+
+}  // namespace catena

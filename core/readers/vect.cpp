@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include "catena/core/readers/reader.h"
+#include "catena/core/readers/text_lines.h"
+
+/// Geomview VECT: `VECT`, the numbers of polylines, vertices and colours, the vertex count of each polyline
+/// (negative: closed), the colour count of each, the vertices, the colours. Free form: line ends mean nothing
+/// but the end of a comment. No radii.
+namespace catena {
+namespace {
+
+class Vect {
+ public:
+  explicit Vect(const std::filesystem::path& file) : lines_(file) {}
+
+  CurveFile curves() {
+    if (token("the keyword VECT") != "VECT")
+      lines_.fail("a VECT file starts with the keyword VECT (4VECT and binary VECT are not supported)");
+    const std::uint32_t polylines = limited_count("number of polylines");
+    const std::uint32_t vertices = limited_count("number of vertices");
+    const std::uint32_t colours = limited_count("number of colours");
+
+    std::vector<std::int64_t> signed_count(polylines);
+    std::uint64_t all_vertices = 0, all_colours = 0;
+    for (auto& count : signed_count) {
+      count = lines_.integer(token("a vertex count"), "vertex count");
+      if (magnitude(count) > vertices)
+        lines_.fail(fmt::format("vertex count {} exceeds the total of {}", count, vertices));
+      all_vertices += magnitude(count);
+    }
+    if (all_vertices != vertices)
+      lines_.fail(
+          fmt::format("the polylines have {} vertices together, the header says {}", all_vertices, vertices));
+    for (std::uint32_t i = 0; i < polylines; ++i)
+      all_colours += lines_.count(token("a colour count"), "colour count");
+    if (all_colours != colours)
+      lines_.fail(
+          fmt::format("the polylines have {} colours together, the header says {}", all_colours, colours));
+
+    curves_.spheres.reserve(vertices);
+    for (const std::int64_t count : signed_count) {
+      for (std::uint64_t i = 0; i < magnitude(count); ++i) curves_.spheres.push_back(vertex());
+      curves_.end_strand(count < 0);
+    }
+    for (std::uint64_t i = 0; i < std::uint64_t{colours} * 4; ++i) lines_.real(token("a colour"), "colour");
+    return std::move(curves_);
+  }
+
+ private:
+  static std::uint64_t magnitude(std::int64_t count) {
+    return count < 0 ? 0 - static_cast<std::uint64_t>(count) : static_cast<std::uint64_t>(count);
+  }
+
+  // Anything that is counted takes at least two characters, so a larger number than the file's size is wrong,
+  // and is found out before memory is asked for.
+  std::uint32_t limited_count(const std::string& what) {
+    const std::uint32_t count = lines_.count(token("the " + what), what);
+    if (count > lines_.bytes())
+      lines_.fail(fmt::format("{} {} is more than a file of {} bytes can hold", what, count, lines_.bytes()));
+    return count;
+  }
+
+  Sphere vertex() {
+    const float x = lines_.real(token("a vertex"), "x");
+    const float y = lines_.real(token("a vertex"), "y");
+    const float z = lines_.real(token("a vertex"), "z");
+    return {x, y, z, 0};
+  }
+
+  std::string_view token(const std::string& wanted) {
+    while (at_ == row_.size()) {
+      if (!lines_.next()) lines_.fail(fmt::format("the file is truncated: it ends where {} is due", wanted));
+      lines_.cut_comment('#');
+      row_ = lines_.fields();
+      at_ = 0;
+    }
+    return row_[at_++];
+  }
+
+  TextLines lines_;
+  std::vector<std::string_view> row_;
+  std::size_t at_ = 0;
+  CurveFile curves_;
+};
+
+const RegisterReader registered{{"Geomview VECT", {".vect"}, "polylines, open or closed; no radii"},
+                                [](const std::filesystem::path& file) { return Vect(file).curves(); }};
+
+}  // namespace
+}  // namespace catena
