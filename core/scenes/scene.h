@@ -11,8 +11,8 @@
 
 namespace catena {
 
-/// What a scene file says of itself. `n`, `radius`, `align`, `offset`, `scale` are declared for every scene by the
-/// registry; a scene declares its own parameters and may override a default.
+/// What a scene file says of itself. `n`, `radius`, `spacing`, `align`, `offset`, `scale` are declared for every
+/// scene by the registry (SceneSetup); a scene declares its own parameters and may override a default.
 struct SceneInfo {
   std::string name;     ///< "path1"
   std::string summary;  ///< one line for `catena list`

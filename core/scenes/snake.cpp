@@ -1,0 +1,44 @@
+#include "catena/core/scenes/snake.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+class Snake final : public Animation {
+ public:
+  Snake(std::vector<Sphere> row, std::uint32_t n, std::uint32_t frames)
+      : row_(std::move(row)), n_(n), frames_(frames) {}
+
+  std::uint32_t frames() const override { return frames_; }
+
+  Chain frame(std::uint32_t f) const override {
+    if (f >= frames_) throw std::out_of_range(fmt::format("frame {} of {}", f, frames_));
+    const std::uint64_t slide = row_.size() - n_, last = frames_ - 1;
+    const auto tail = row_.begin() + static_cast<std::ptrdiff_t>((f * slide + last / 2) / last);
+    return Chain(std::vector<Sphere>(tail, tail + n_));
+  }
+
+ private:
+  std::vector<Sphere> row_;
+  std::uint32_t n_, frames_;
+};
+
+}  // namespace
+
+std::unique_ptr<Animation> open_snake(const SnakePath& path, const SceneSetup& setup, std::uint32_t frames) {
+  const std::uint64_t n = setup.n();
+  const std::uint64_t row = n == 0 ? 0 : n + std::max<std::uint64_t>(n * 7 / 20, frames - 1);
+  if (row >= std::uint64_t{1} << 31)
+    throw InputError(
+        fmt::format("scene {}: n={} is too large; the snake and its way may have 2^31 - 1 spheres together",
+                    setup.scene(), n));
+  return std::make_unique<Snake>(lay_snake(path, setup, static_cast<std::uint32_t>(row)), setup.n(), frames);
+}
+
+}  // namespace catena
