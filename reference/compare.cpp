@@ -11,9 +11,9 @@ namespace {
 std::vector<Pair> tidy(std::vector<Pair> pairs, std::uint32_t n, Comparison& result) {
   result.malformed = std::erase_if(pairs, [n](const Pair& p) { return p.i >= p.j || p.j >= n; });
   std::ranges::sort(pairs);
-  const auto again = std::ranges::unique(pairs);
-  result.repeated = again.size();
-  pairs.erase(again.begin(), again.end());
+  const auto again = std::unique(pairs.begin(), pairs.end());
+  result.repeated = static_cast<std::uint64_t>(pairs.end() - again);
+  pairs.erase(again, pairs.end());
   return pairs;
 }
 

@@ -13,7 +13,7 @@ TreeShape TreeShapeBuilder::shape() const {
   std::vector<std::uint32_t> ids;
   for (const Edge& e : edges_) ids.insert(ids.end(), {e.parent, e.child});
   std::ranges::sort(ids);
-  ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   const auto renamed = [&](std::uint32_t id) -> std::uint32_t {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(ids, id) - ids.begin());
   };

@@ -16,15 +16,20 @@ namespace {
 
 using Find = std::function<void(const Request&, Collisions&)>;
 
+/// False when there are more pairs than a request allows.
+bool find_pairs(const Find& find, Collisions& found) {
+  try {
+    find({Request::Want::pairs}, found);
+    return true;
+  } catch (const PairLimitExceeded&) {
+    return false;
+  }
+}
+
 /// Asks for what `exact` has and compares. Too many invented pairs must not end it: then counts are compared.
 void ask_and_compare(const Find& find, const Chain& chain, const Answer& exact, Verification& v) {
   Collisions found;
-  v.by_pairs = exact.has_pairs;
-  if (v.by_pairs) try {
-      find({Request::Want::pairs}, found);
-    } catch (const PairLimitExceeded&) {
-      v.by_pairs = false;
-    }
+  v.by_pairs = exact.has_pairs && find_pairs(find, found);
   if (!v.by_pairs) find({Request::Want::counts}, found);
   v.comparison = v.by_pairs ? compare(chain, exact, found) : compare_counts(exact, found);
   v.ran = true;
@@ -44,7 +49,7 @@ std::string what_differs(const Verification& v) {
       fmt::format("{} counts wrong{}", c.wrong_counts,
                   v.by_pairs ? "" : " (compared by counts: a flood of pairs)"));
   say(c.inconsistent_counts > 0, fmt::format("{} counts unlike its pairs", c.inconsistent_counts));
-  say(c.wrong_total, "total unlike its pairs");
+  say(c.wrong_total, "wrong total");
   say(v.enclosure.violations > 0, fmt::format("{:.1f} % unenclosed, worst by {:.1e} of the parent",
                                               100 * v.enclosure.share(), v.enclosure.worst_shortfall));
   say(v.enclosure.foreign_leaves > 0, fmt::format("{} leaves not of the chain", v.enclosure.foreign_leaves));
