@@ -1,0 +1,112 @@
+#include "catena/reference/enclosure.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
+
+namespace catena::reference {
+namespace {
+
+namespace mp = boost::multiprecision;
+// Binary64 numbers are integer multiples of 2^-1074 below 2^1024: 2098 bits. A difference takes 2099 and the
+// sum of three squares 4200, so this never overflows; arithmetic costs by the bits in use, and nothing is
+// allocated.
+using Integer =
+    mp::number<mp::cpp_int_backend<4224, 4224, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
+using Real = mp::cpp_bin_float_quad;  // 113 bits, exponents to 2^16383: squares of binary64 neither overflow
+                                      // nor underflow
+
+bool finite(const WideSphere& s) {
+  return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.radius);
+}
+bool has_nan(const WideSphere& s) {
+  return std::isnan(s.x) || std::isnan(s.y) || std::isnan(s.z) || std::isnan(s.radius);
+}
+
+/// Finite numbers with radii >= 0, or an answer that needs no arithmetic.
+enum class Case { no, yes, finite };
+Case easy(const WideSphere& parent, const WideSphere& child) {
+  if (has_nan(parent) || has_nan(child) || parent.radius < 0 || child.radius < 0) return Case::no;
+  if (std::isinf(parent.radius)) return Case::yes;
+  return finite(parent) && finite(child) ? Case::finite : Case::no;
+}
+
+/// q = |cP - cC|^2 and s = rP - rC as integers over one power of two.
+struct Scaled {
+  Integer q, s;
+  int unit;  ///< s is in units of 2^unit, q in units of 2^(2 unit)
+};
+
+Scaled scaled(const WideSphere& p, const WideSphere& c) {
+  const std::array<double, 8> numbers{p.x, p.y, p.z, p.radius, c.x, c.y, c.z, c.radius};
+  std::array<std::int64_t, 8> mantissa;
+  std::array<int, 8> exponent;
+  int unit = std::numeric_limits<int>::max();
+  for (std::size_t k = 0; k < 8; ++k) {
+    mantissa[k] = static_cast<std::int64_t>(std::ldexp(std::frexp(numbers[k], &exponent[k]), 53));
+    exponent[k] -= 53;
+    if (mantissa[k] != 0) unit = std::min(unit, exponent[k]);
+  }
+  std::array<Integer, 8> v;
+  for (std::size_t k = 0; k < 8; ++k)
+    if (mantissa[k] != 0) v[k] = Integer(mantissa[k]) << (exponent[k] - unit);
+  const Integer dx = v[0] - v[4], dy = v[1] - v[5], dz = v[2] - v[6];
+  return {dx * dx + dy * dy + dz * dz, v[3] - v[7], unit};
+}
+
+}  // namespace
+
+bool encloses_by_integers(const WideSphere& parent, const WideSphere& child) {
+  if (const Case c = easy(parent, child); c != Case::finite) return c == Case::yes;
+  if (parent.radius < child.radius) return false;
+  const Scaled e = scaled(parent, child);
+  return e.q <= e.s * e.s;
+}
+
+bool encloses(const WideSphere& parent, const WideSphere& child) {
+  if (const Case c = easy(parent, child); c != Case::finite) return c == Case::yes;
+  if (parent.radius < child.radius) return false;
+  const double dx = parent.x - child.x, dy = parent.y - child.y, dz = parent.z - child.z;
+  const double s = parent.radius - child.radius;
+  const double q = dx * dx + dy * dy + dz * dz, t = s * s;
+  // While nothing overflows and t is far from underflow, t has relative error <= 3.01u (u = 2^-53) and q has
+  // <= 5.01u, plus at most 2^-1073 lost by squares that underflow, which is below 2^-100 t. 16u covers both.
+  constexpr double slack = 1 + 16 * 0x1p-53;
+  if (t > 0x1p-900 && t < 0x1p1000 && q < 0x1p1000) {
+    if (q * slack < t) return true;
+    if (q > t * slack) return false;
+  }
+  return encloses_by_integers(parent, child);
+}
+
+double shortfall(const WideSphere& parent, const WideSphere& child) {
+  const Case c = easy(parent, child);
+  if (c == Case::yes) return -1;  // an infinite radius
+  if (c == Case::no) return std::numeric_limits<double>::infinity();
+  const Scaled e = scaled(parent, child);
+  if (parent.radius == 0 && !(e.q == 0 && e.s == 0)) return std::numeric_limits<double>::infinity();
+  if (parent.radius == 0) return 0;
+  // |cP - cC| - s; for s > 0 by (q - s^2) / (|cP - cC| + s), where the difference that cancels is exact.
+  const Real distance = sqrt(Real(e.q)), s(e.s);
+  const Real out = e.s > 0 ? Real(Integer(e.q - e.s * e.s)) / (distance + s) : Real(distance - s);
+  return static_cast<double>(ldexp(out, e.unit) / parent.radius);
+}
+
+void EnclosureChecker::sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
+                              const WideSphere& child) {
+  shape_.add(parent_id, child_id);
+  ++report_.bounds;
+  if (!encloses(parent, child)) {
+    ++report_.violations;
+    report_.worst_shortfall = std::max(report_.worst_shortfall, shortfall(parent, child));
+  }
+  if (child_id < chain_.size()) {
+    const Sphere& s = chain_[child_id];
+    if (child != WideSphere{s.x, s.y, s.z, s.radius}) ++report_.foreign_leaves;
+  }
+}
+
+}  // namespace catena::reference

@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/sphere.h"
+#include "catena/core/strategy/variant.h"
+#include "catena/reference/tree_shape.h"
+
+namespace catena::reference {
+
+/// True when every point of the child is in the parent: |cP - cC| + rC <= rP, in exact arithmetic, no
+/// tolerance. An infinite parent radius encloses everything. NaN anywhere, a negative radius, or an infinite
+/// number elsewhere is a violation. O(1); allocates only near a tie or where binary64 could overflow or
+/// underflow.
+bool encloses(const WideSphere& parent, const WideSphere& child);
+
+/// The same from integers alone, without the binary64 estimate; what the estimate is tested against.
+bool encloses_by_integers(const WideSphere& parent, const WideSphere& child);
+
+/// How far the child sticks out, (|cP - cC| + rC - rP) / rP, to a relative 2^-50; negative or 0 when
+/// enclosed, infinite when a number is not finite or rP = 0 does not enclose.
+double shortfall(const WideSphere& parent, const WideSphere& child);
+
+struct EnclosureReport {
+  std::uint64_t bounds = 0;      ///< (parent, child) seen
+  std::uint64_t violations = 0;  ///< those that do not enclose
+  double worst_shortfall = 0;    ///< largest shortfall of a violation, relative to the parent's radius
+  /// Leaves shown that are not the chain's sphere of their index: a tree over other spheres proves nothing.
+  std::uint64_t foreign_leaves = 0;
+
+  double share() const {
+    return bounds == 0 ? 0 : static_cast<double>(violations) / static_cast<double>(bounds);
+  }
+};
+
+/// Checks every bound that a variant shows of its last build, and gathers the shape of its tree.
+class EnclosureChecker final : public BoundsVisitor {
+ public:
+  /// `chain` is that of the variant's last build and must outlive the checker.
+  explicit EnclosureChecker(const Chain& chain) : chain_(chain), shape_(chain.size()) {}
+
+  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
+              const WideSphere& child) override;
+
+  const EnclosureReport& report() const noexcept { return report_; }
+  TreeShape shape() const { return shape_.shape(); }  ///< O(nodes log nodes)
+
+ private:
+  const Chain& chain_;
+  EnclosureReport report_;
+  TreeShapeBuilder shape_;
+};
+
+}  // namespace catena::reference

@@ -1,0 +1,131 @@
+#include "catena/reference/enclosure.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <limits>
+
+#include "catena/reference/testing/nasty.h"
+
+namespace catena::reference {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double least = std::numeric_limits<double>::denorm_min(),
+                 greatest = std::numeric_limits<double>::max();
+
+bool by_rationals(const WideSphere& p, const WideSphere& c) {
+  const Rational dx = Rational(p.x) - Rational(c.x), dy = Rational(p.y) - Rational(c.y),
+                 dz = Rational(p.z) - Rational(c.z), s = Rational(p.radius) - Rational(c.radius);
+  return s >= 0 && Rational(dx * dx + dy * dy + dz * dz) <= Rational(s * s);
+}
+
+void check(const WideSphere& parent, const WideSphere& child) {
+  const bool exact = by_rationals(parent, child);
+  RC_TAG(exact ? "encloses" : "does not");
+  RC_ASSERT(encloses(parent, child) == exact);
+  RC_ASSERT(encloses_by_integers(parent, child) == exact);
+  RC_ASSERT((shortfall(parent, child) <= 0) == exact);
+}
+
+RC_GTEST_PROP(Enclosure, AgreesWithRationalsOnAnyNumbers, ()) {
+  const auto sphere = rc::gen::map(
+      rc::gen::tuple(testing::any_double(), testing::any_double(), testing::any_double(),
+                     testing::any_double()),
+      [](const auto& t) {
+        return WideSphere{std::get<0>(t), std::get<1>(t), std::get<2>(t), std::fabs(std::get<3>(t))};
+      });
+  auto parent = *sphere;
+  const auto child = *sphere;
+  if (*rc::gen::arbitrary<bool>()) parent.radius = std::max(parent.radius, child.radius);
+  check(parent, child);
+}
+
+RC_GTEST_PROP(Enclosure, AgreesWithRationalsNearTies, ()) {
+  // A Pythagorean offset, so that a radius can fit exactly, then a few ulps more or less, at any scale.
+  const int k = *rc::gen::inRange(1, 1000000), exponent = *rc::gen::inRange(-1074, 980);
+  const double unit = std::ldexp(1.0, exponent), rc = *rc::gen::inRange(0, 1000) * unit;
+  const WideSphere child{2 * k * unit, 3 * k * unit, 6 * k * unit, rc};
+  WideSphere parent{0, 0, 0, 7 * k * unit + rc};
+  const int steps = *rc::gen::inRange(-3, 4);
+  for (int s = 0; s < std::abs(steps); ++s)
+    parent.radius = std::nextafter(parent.radius, steps > 0 ? infinity : 0.0);
+  RC_PRE(std::isfinite(parent.radius));
+  RC_ASSERT(encloses(parent, child) == (steps >= 0));
+  check(parent, child);
+}
+
+TEST(Enclosure, NumbersThatAreNotFinite) {
+  const WideSphere unit{0, 0, 0, 1};
+  EXPECT_TRUE(encloses({0, 0, 0, infinity}, unit));
+  EXPECT_TRUE(encloses({0, 0, 0, infinity}, {5, 0, 0, infinity}));
+  EXPECT_FALSE(encloses(unit, {0, 0, 0, infinity}));
+  EXPECT_FALSE(encloses(unit, {infinity, 0, 0, 0}));
+  EXPECT_FALSE(encloses({infinity, 0, 0, 1}, {infinity, 0, 0, 1}));
+  for (const WideSphere bad :
+       {WideSphere{nan, 0, 0, 1}, {0, nan, 0, 1}, {0, 0, nan, 1}, {0, 0, 0, nan}, {0, 0, 0, -1}}) {
+    EXPECT_FALSE(encloses(bad, unit));
+    EXPECT_FALSE(encloses(unit, bad));
+    EXPECT_FALSE(encloses({0, 0, 0, infinity}, bad));
+    EXPECT_EQ(shortfall(unit, bad), infinity);
+  }
+}
+
+TEST(Enclosure, EndsOfTheRange) {
+  EXPECT_TRUE(encloses({0, 0, 0, least}, {0, 0, 0, least}));
+  EXPECT_TRUE(encloses({0, 0, 0, 3 * least}, {2 * least, 0, 0, least}));
+  EXPECT_FALSE(encloses({0, 0, 0, 2 * least}, {2 * least, 0, 0, least}));
+  EXPECT_TRUE(encloses({0, 0, 0, greatest}, {greatest, 0, 0, 0}));
+  EXPECT_FALSE(encloses({0, 0, 0, greatest}, {greatest, least, 0, 0}));
+  EXPECT_FALSE(encloses({-greatest, 0, 0, greatest}, {greatest, 0, 0, 0}));
+}
+
+TEST(Enclosure, Shortfall) {
+  EXPECT_DOUBLE_EQ(shortfall({0, 0, 0, 2}, {3, 0, 0, 1}), 1);     // out by 2 of 2
+  EXPECT_DOUBLE_EQ(shortfall({0, 0, 0, 4}, {1, 0, 0, 1}), -0.5);  // 2 of 4 to spare
+  EXPECT_DOUBLE_EQ(shortfall({0, 0, 0, 2}, {0, 0, 0, 3}), 0.5);   // concentric
+  EXPECT_DOUBLE_EQ(shortfall({0, 0, 0, 1}, {1, 0x1p-30, 0, 0}), 0x1p-61);
+  EXPECT_EQ(shortfall({0, 0, 0, 0}, {1, 0, 0, 0}), infinity);
+}
+
+TEST(Enclosure, CheckerReportsViolationsAndForeignLeaves) {
+  const Chain chain({{0, 0, 0, 1}, {2, 0, 0, 1}, {4, 0, 0, 1}});
+  EnclosureChecker checker(chain);
+  const WideSphere a{0, 0, 0, 1}, b{2, 0, 0, 1}, ab{1, 0, 0, 2}, small{2, 0, 0, 2};
+  checker.sphere(3, ab, 0, a);
+  checker.sphere(3, ab, 1, b);
+  checker.sphere(4, small, 3, ab);  // out by 1 of 2
+  checker.sphere(4, small, 2, {4, 0, 0, 0});
+  EXPECT_EQ(checker.report().bounds, 4u);
+  EXPECT_EQ(checker.report().violations, 1u);
+  EXPECT_DOUBLE_EQ(checker.report().worst_shortfall, 0.5);
+  EXPECT_DOUBLE_EQ(checker.report().share(), 0.25);
+  EXPECT_EQ(checker.report().foreign_leaves, 1u);
+  EXPECT_EQ(checker.shape().depth, 3u);
+  EXPECT_TRUE(checker.shape().is_tree());
+}
+
+TEST(TreeShape, FindsWhatIsNotATree) {
+  const auto shape = [](std::uint32_t leaves, std::vector<std::pair<std::uint32_t, std::uint32_t>> edges) {
+    TreeShapeBuilder builder(leaves);
+    for (const auto& [parent, child] : edges) builder.add(parent, child);
+    return builder.shape();
+  };
+  EXPECT_TRUE(shape(9, {}).is_tree());  // no hierarchy
+  const TreeShape wide = shape(4, {{4000000000u, 0}, {4000000000u, 1}, {4000000000u, 2}, {4000000000u, 3}});
+  EXPECT_TRUE(wide.is_tree());
+  EXPECT_EQ(wide.nodes, 5u);
+  EXPECT_EQ(wide.depth, 2u);
+  EXPECT_EQ(shape(3, {{3, 0}, {3, 1}}).lost_leaves, 1u);
+  EXPECT_EQ(shape(4, {{4, 0}, {4, 1}, {5, 2}, {5, 3}}).roots, 2u);
+  EXPECT_EQ(shape(2, {{2, 0}, {2, 0}, {2, 1}}).shared, 1u);
+  EXPECT_EQ(shape(2, {{2, 0}, {2, 1}, {3, 4}, {4, 3}}).lost_inner, 2u);  // a cycle beside the tree
+  EXPECT_EQ(shape(2, {{2, 0}, {2, 1}, {2, 3}}).barren, 1u);
+  EXPECT_FALSE(shape(2, {{2, 0}, {0, 1}}).is_tree());  // a leaf with a child
+}
+
+}  // namespace
+}  // namespace catena::reference
