@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/strategy/request.h"
+#include "catena/core/strategy/variant.h"
+#include "catena/reference/answer.h"
+#include "catena/reference/compare.h"
+#include "catena/reference/enclosure.h"
+
+namespace catena::reference {
+
+/// What came of holding one variant, or a peer, against the exact reference.
+enum class Verdict {
+  exact,       ///< the right pairs and counts, every bound encloses
+  differs,     ///< it differs as its rounded arithmetic may (literal, double, a peer)
+  wrong,       ///< it differs and must not, or in a way that rounding does not excuse
+  refused,     ///< the input is past a declared limit of the variant
+  unavailable  ///< it cannot run on this machine
+};
+std::string name_of(Verdict verdict);
+
+struct Verification {
+  Verdict verdict = Verdict::exact;
+  std::string reason;  ///< why it is not exact; empty when it is
+  bool ran = false;    ///< false: what follows says nothing
+  bool by_pairs =
+      true;  ///< false: a flood of pairs, so counts were compared and `missing`, `invented` say nothing
+  Comparison comparison;
+  EnclosureReport enclosure;
+  TreeShape shape;
+};
+
+/// The exact answer that variants are compared with: pairs, or counts only when there are more pairs than the
+/// limit.
+Answer exact_answer(const Chain& chain, std::uint64_t pair_limit);
+
+/// Builds and searches with the variant and compares with `exact`, which says whether pairs are wanted. A
+/// variant with rounded arithmetic may miss and invent pairs, and have bounds that do not enclose; a repeated
+/// or malformed pair, a neighbour or a tree that is no tree is wrong for all. CapacityError becomes
+/// `refused`; other errors pass.
+Verification verify(Variant& variant, bool rounded, const Chain& chain, const Answer& exact);
+
+/// The same for FCL, which counts as rounded.
+Verification verify_fcl(const Chain& chain, const Answer& exact);
+
+}  // namespace catena::reference

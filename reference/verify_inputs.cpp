@@ -1,0 +1,46 @@
+#include "catena/reference/verify_inputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "catena/core/readers/reader.h"
+#include "catena/core/scenes/scene.h"
+
+namespace catena::reference {
+namespace {
+
+std::vector<std::string> sample_files() {
+  std::vector<std::string> files;
+  for (const std::filesystem::path folder : {CATENA_EXAMPLES_IN_SOURCE, CATENA_EXAMPLES_INSTALLED}) {
+    std::error_code absent;  // a program that was only installed has no source tree, and the other way round
+    for (const auto& entry : std::filesystem::directory_iterator(folder, absent))
+      if (ReaderRegistry::instance().knows(entry.path())) files.push_back(entry.path().string());
+    if (!files.empty()) break;
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+std::vector<std::string> default_inputs() {
+  const auto& scenes = SceneRegistry::instance();
+  std::vector<std::string> inputs;
+  for (const auto& scene : scenes.scenes()) inputs.push_back(scene.name + ":n=2000");
+  for (const std::string extreme :
+       {"coil:n=1500",  // short enough for one block of bGPU2
+        "coil:n=2000,offset=1e6", "coil:n=2000,scale=1e-25", "rod:n=2000,scale=1e30"})
+    if (scenes.contains(extreme.substr(0, extreme.find(':')))) inputs.push_back(extreme);
+  std::ranges::copy(sample_files(), std::back_inserter(inputs));
+  return inputs;
+}
+
+Input open_for_verification(const std::string& spec, InputOptions options, bool sample) {
+  const auto& readers = ReaderRegistry::instance();
+  if (sample && !options.radius && std::filesystem::is_regular_file(spec) && readers.knows(spec))
+    options.radius_half_spacing = !readers.read(spec).has_radii;
+  return open_input(spec, options);
+}
+
+}  // namespace catena::reference

@@ -1,0 +1,127 @@
+#include "catena/reference/verify.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "catena/core/error.h"
+#include "catena/reference/fcl.h"
+
+namespace catena::reference {
+namespace {
+
+/// The right answer, spoilt on purpose.
+class Spoilt final : public Variant {
+ public:
+  using Spoil = std::function<void(Collisions&)>;
+  using Show = std::function<void(BoundsVisitor&)>;
+  explicit Spoilt(
+      Spoil spoil, Show show = [](BoundsVisitor&) {})
+      : spoil_(std::move(spoil)), show_(std::move(show)) {}
+
+  void build(const Chain&) override {}
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    Answer right = exact_answer(chain, request.pair_limit);
+    result = {right.pair_count > 0, right.pair_count, right.count, right.pairs};
+    spoil_(result);
+    if (request.want != Request::Want::pairs) result.pairs.clear();
+  }
+  Timings timings() const override { return {}; }
+  void visit_bounds(BoundsVisitor& visitor) const override { show_(visitor); }
+
+ private:
+  Spoil spoil_;
+  Show show_;
+};
+
+const Chain& rod() {
+  static const Chain chain = [] {
+    std::vector<Sphere> spheres;
+    for (int i = 0; i < 10; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 1});
+    return Chain(spheres);
+  }();
+  return chain;
+}
+
+Verdict verdict(Spoilt variant, bool rounded, std::uint64_t pair_limit = 1000) {
+  const Verification v = verify(variant, rounded, rod(), exact_answer(rod(), pair_limit));
+  EXPECT_EQ(v.reason.empty(), v.verdict == Verdict::exact) << v.reason;
+  return v.verdict;
+}
+
+void nothing(Collisions&) {}
+void lose_a_pair(Collisions& c) {
+  const Pair lost = c.pairs.back();
+  c.pairs.pop_back();
+  --c.count[lost.i], --c.count[lost.j], --c.pair_count;
+}
+void repeat_a_pair(Collisions& c) { c.pairs.push_back(c.pairs.front()), ++c.pair_count; }
+void report_neighbours(Collisions& c) {
+  c.pairs.push_back({3, 4}), ++c.pair_count, ++c.count[3], ++c.count[4];
+}
+void miscount(Collisions& c) { ++c.count[0]; }
+
+TEST(Verify, TheRightAnswerIsExact) {
+  EXPECT_EQ(verdict(Spoilt(nothing), false), Verdict::exact);
+  EXPECT_EQ(verdict(Spoilt(nothing), true), Verdict::exact);
+}
+
+TEST(Verify, ADifferenceIsWrongUnlessTheArithmeticIsRounded) {
+  for (const auto spoil : {lose_a_pair, miscount}) {
+    EXPECT_EQ(verdict(Spoilt(spoil), false), Verdict::wrong);
+    EXPECT_EQ(verdict(Spoilt(spoil), true), Verdict::differs);
+  }
+}
+
+TEST(Verify, RoundingExcusesNeitherRepeatedPairsNorNeighbours) {
+  for (const auto spoil : {repeat_a_pair, report_neighbours}) {
+    EXPECT_EQ(verdict(Spoilt(spoil), false), Verdict::wrong);
+    EXPECT_EQ(verdict(Spoilt(spoil), true), Verdict::wrong);
+  }
+}
+
+TEST(Verify, BoundsThatDoNotEncloseAndTreesThatAreNone) {
+  const auto tree = [](double radius, std::uint32_t leaves) {
+    return [=](BoundsVisitor& visitor) {
+      for (std::uint32_t i = 0; i < leaves; ++i)
+        visitor.sphere(10, {4.5, 0, 0, radius}, i, {double(i), 0, 0, 1});
+    };
+  };
+  EXPECT_EQ(verdict(Spoilt(nothing, tree(5.5, 10)), false), Verdict::exact);
+  EXPECT_EQ(verdict(Spoilt(nothing, tree(5.4, 10)), false), Verdict::wrong);
+  EXPECT_EQ(verdict(Spoilt(nothing, tree(5.4, 10)), true), Verdict::differs);
+  EXPECT_EQ(verdict(Spoilt(nothing, tree(5.5, 9)), true), Verdict::wrong);  // a sphere is lost
+}
+
+TEST(Verify, PastTheLimitCountsAreCompared) {
+  EXPECT_EQ(verdict(Spoilt(nothing), false, 3), Verdict::exact);
+  EXPECT_EQ(verdict(Spoilt(miscount), false, 3), Verdict::wrong);
+  Spoilt variant(nothing);
+  EXPECT_FALSE(verify(variant, false, rod(), exact_answer(rod(), 3)).by_pairs);
+}
+
+TEST(Verify, AFloodOfInventedPairsIsComparedByCounts) {
+  Spoilt variant([pairs_asked = true](Collisions& c) mutable {
+    if (std::exchange(pairs_asked, false)) throw PairLimitExceeded(1000, 100);
+    miscount(c);
+  });
+  const Verification v = verify(variant, true, rod(), exact_answer(rod(), 1000));
+  EXPECT_FALSE(v.by_pairs);
+  EXPECT_EQ(v.comparison.wrong_counts, 1u);
+  EXPECT_EQ(v.verdict, Verdict::differs);
+}
+
+TEST(Verify, ADeclaredLimitIsARefusal) {
+  EXPECT_EQ(verdict(Spoilt([](Collisions&) { throw CapacityError("at most 4 spheres"); }), false),
+            Verdict::refused);
+}
+
+TEST(Verify, Fcl) {
+  const Verification v = verify_fcl(rod(), exact_answer(rod(), 1000));
+  EXPECT_EQ(v.verdict, fcl_unavailable() ? Verdict::unavailable : Verdict::exact) << v.reason;
+}
+
+}  // namespace
+}  // namespace catena::reference
