@@ -85,8 +85,8 @@ void Chain::check_exclusion() {
     if (p.i > p.j) std::swap(p.i, p.j);
   }
   std::ranges::sort(exclusion_.extra_pairs);
-  const auto repeated = std::ranges::unique(exclusion_.extra_pairs);
-  exclusion_.extra_pairs.erase(repeated.begin(), repeated.end());
+  auto& pairs = exclusion_.extra_pairs;
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 void Chain::index_strands() {

@@ -76,7 +76,7 @@ class PairCollector {
     if (any_only_) return;
     result_.pair_count = found;
     if (pairs_wanted_ && found > limit_) {
-      result_.pairs = {};
+      std::vector<Pair>().swap(result_.pairs);  // gives the memory back
       throw PairLimitExceeded(found, limit_);
     }
     for (const auto& store : stores_) result_.pairs.insert(result_.pairs.end(), store.begin(), store.end());

@@ -22,10 +22,10 @@ void give_radii(CurveFile& curves, const InputOptions& options, const std::strin
   if (!asked)
     throw InputError(
         fmt::format("{}: the file has no radii; give one with --radius R, or take half the median step "
-                    "along the strands with --radius-half-spacing",
+                    "along the strands with --radius half-spacing",
                     name));
   if (options.radius && options.radius_half_spacing)
-    throw InputError(fmt::format("{}: --radius and --radius-half-spacing exclude each other", name));
+    throw InputError(fmt::format("{}: --radius and --radius half-spacing exclude each other", name));
   const double radius = options.radius ? double{*options.radius} : half_median_step(curves);
   if (options.radius && !(std::isfinite(radius) && radius >= 0))
     throw InputError(fmt::format("{}: the radius must be finite and not negative, got {}", name, radius));

@@ -39,7 +39,7 @@ TEST(OpenInput, ReadsAFileAsOneFrame) {
 TEST(OpenInput, AsksForRadiiAndTakesThem) {
   const TestFile file("a.xyz", "0 0 0\n2 0 0\n6 0 0\n");
   EXPECT_REFUSAL("--radius R", file.path());
-  EXPECT_REFUSAL("--radius-half-spacing", file.path());
+  EXPECT_REFUSAL("--radius half-spacing", file.path());
   EXPECT_EQ(chain_of(file.path(), {.radius = 0.25f})[1].radius, 0.25f);
   EXPECT_EQ(chain_of(file.path(), {.radius = 0.0f})[1].radius, 0.0f);
   EXPECT_EQ(chain_of(file.path(), {.radius_half_spacing = true})[1].radius, 1.5f);  // steps 2, 4: half of 3

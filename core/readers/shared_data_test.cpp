@@ -75,8 +75,9 @@ TEST(SharedDataFiles, EveryFileOfAKnownKindHasCounts) {
   if (!std::filesystem::exists(shared_data())) GTEST_SKIP() << "no real files at " << shared_data();
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data())) {
     const std::string name = std::filesystem::relative(entry.path(), shared_data()).string();
-    if (entry.is_regular_file() && ReaderRegistry::instance().knows(name) && name != "neuron/repeated_id.swc")
+    if (entry.is_regular_file() && ReaderRegistry::instance().knows(name) && name != "neuron/repeated_id.swc") {
       EXPECT_TRUE(counts.contains(name)) << name;
+    }
   }
 }
 
