@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include "catena/core/policies/aGPU2.h"
 #include "catena/core/strategy/register.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_group.cuh"
 #include "catena/cuda/device_tree.h"
+#include "catena/cuda/launch.cuh"
 #include "catena/cuda/stream.h"
 
 namespace catena::cuda {
@@ -50,17 +53,15 @@ class aGPU2 final : public Construction<typename Arithmetic::Bound> {
     bool first = true;
     const auto run_stage = [&](const policy::SubtreeStage& stage) {
       if (first)
-        build_leaf_subtrees<Arithmetic><<<stage.subtrees(), subtree_ / 2, 0, stream_>>>(chain, tree_, stage);
+        launch_blocks(build_leaf_subtrees<Arithmetic>, stage.subtrees(), subtree_ / 2, stream_, chain, tree_,
+                      stage);
       else
-        build_subtrees<Arithmetic><<<stage.subtrees(), subtree_ / 2, 0, stream_>>>(tree_, stage);
-      CATENA_CUDA(cudaGetLastError());
+        launch_blocks(build_subtrees<Arithmetic>, stage.subtrees(), subtree_ / 2, stream_, tree_, stage);
       first = false;
     };
     const auto run_top = [&](const Level& roots, std::uint32_t next, std::uint32_t root_slot) {
-      const std::uint32_t threads = (roots.size / 2 + 31) / 32 * 32;
-      build_top<Arithmetic> < <<1, threads<block_ ? threads : block_, 0, stream_>>>(tree_, roots, next,
-                                                                                    root_slot);
-      CATENA_CUDA(cudaGetLastError());
+      const std::uint32_t threads = std::min(block_, (roots.pairs() + 31) / 32 * 32);
+      launch_blocks(build_top<Arithmetic>, 1, threads, stream_, tree_, roots, next, root_slot);
     };
     policy::aGPU2<Arithmetic>::build(tree_, subtree_, 2 * block_, run_stage, run_top);
     timer_.stop(stream_);

@@ -4,6 +4,7 @@
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_group.cuh"
 #include "catena/cuda/device_tree.h"
+#include "catena/cuda/launch.cuh"
 #include "catena/cuda/stream.h"
 
 namespace catena::cuda {
@@ -34,8 +35,7 @@ class bGPU2 final : public Construction<typename Arithmetic::Bound> {
     tree_.root = tree_.size() - 1;
     tree_.height = 1 + halvings(chain.size);
     timer_.start(stream_);
-    build_tree<Arithmetic><<<1, block_, 0, stream_>>>(chain, tree_);
-    CATENA_CUDA(cudaGetLastError());
+    launch_blocks(build_tree<Arithmetic>, 1, block_, stream_, chain, tree_);
     timer_.stop(stream_);
     build_ms_ = timer_.ms();
   }

@@ -27,10 +27,10 @@ std::vector<std::string> sample_files() {
 std::vector<std::string> default_inputs() {
   const auto& scenes = SceneRegistry::instance();
   std::vector<std::string> inputs;
-  for (const auto& scene : scenes.scenes()) inputs.push_back(scene.name + ":n=2000");
+  // 1,500 spheres: short enough for bGPU2's one block.
+  for (const auto& scene : scenes.scenes()) inputs.push_back(scene.name + ":n=1500");
   for (const std::string extreme :
-       {"coil:n=1500",  // short enough for one block of bGPU2
-        "coil:n=2000,offset=1e6", "coil:n=2000,scale=1e-25", "rod:n=2000,scale=1e30"})
+       {"coil:n=1500,offset=1e6", "coil:n=1500,scale=1e-25", "rod:n=1500,scale=1e30"})
     if (scenes.contains(extreme.substr(0, extreme.find(':')))) inputs.push_back(extreme);
   std::ranges::copy(sample_files(), std::back_inserter(inputs));
   return inputs;

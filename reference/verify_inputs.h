@@ -6,7 +6,7 @@
 
 namespace catena::reference {
 
-/// Every scene at 2,000 spheres; one of 1,500 for variants that take no more; scenes far from the origin,
+/// Every scene at 1,500 spheres; one of 1,500 for variants that take no more; scenes far from the origin,
 /// tiny and huge, where rounded arithmetic shows what it does; and the sample files of core/readers/examples,
 /// from the source tree or else where they are installed.
 std::vector<std::string> default_inputs();

@@ -16,7 +16,7 @@ class aCPU2 final : public Construction<typename Arithmetic::Bound> {
     if (chain.size == 0) return;
     for (std::uint32_t i = 0; i < chain.size; ++i) {
       tree_.bound[i] = Arithmetic::bound(chain.spheres[i]);
-      tree_.links[i] = {};
+      tree_.links[i] = Links::of_leaf();
     }
     construct(Level::leaves(chain.size), chain.size);
   }

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
@@ -10,7 +10,8 @@ namespace catena {
 /// Child links of one node (Fig. 6). Leaves have none.
 struct Links {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
-  std::uint32_t left = none, right = none;
+  CATENA_HD static constexpr Links of_leaf() { return {none, none}; }
+  std::uint32_t left, right;
   friend bool operator==(const Links&, const Links&) = default;
 };
 
@@ -35,14 +36,18 @@ class Hierarchy {
   /// Room for n leaves; slots are left as they are. Throws std::bad_alloc.
   HierarchyView<Bound> reset(std::uint32_t n) {
     const std::size_t slots = n == 0 ? 0 : 2 * std::size_t{n} - 1;
-    bound_.resize(slots);
-    links_.resize(slots);
-    return {bound_.data(), links_.data(), n, 0, n == 0 ? 0u : 1u};
+    if (slots > capacity_) {
+      bound_ = std::make_unique_for_overwrite<Bound[]>(slots);
+      links_ = std::make_unique_for_overwrite<Links[]>(slots);
+      capacity_ = slots;
+    }
+    return {bound_.get(), links_.get(), n, 0, n == 0 ? 0u : 1u};
   }
 
  private:
-  std::vector<Bound> bound_;
-  std::vector<Links> links_;
+  std::size_t capacity_ = 0;
+  std::unique_ptr<Bound[]> bound_;
+  std::unique_ptr<Links[]> links_;
 };
 
 /// An upper limit of `height` for every hierarchy of this project: n < 2^31 gives at most 32 levels by pairs

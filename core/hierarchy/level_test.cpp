@@ -14,7 +14,7 @@ TEST(Level, SevenLeavesGiveTheTreeOfTheDesign) {
   const std::vector<Links> expected{{0, 1}, {2, 3}, {4, 5}, {7, 8}, {9, 6}, {10, 11}};
   Hierarchy<Sphere> storage;
   HierarchyView<Sphere> tree = storage.reset(7);
-  for (std::uint32_t i = 0; i < 7; ++i) tree.bound[i] = {float(i), 0, 0, 1}, tree.links[i] = {};
+  for (std::uint32_t i = 0; i < 7; ++i) tree.bound[i] = {float(i), 0, 0, 1}, tree.links[i] = Links::of_leaf();
   HostGroup group(4);
   policy::bGPU2<Robust>::build(group, tree, Level::leaves(7), 7, 12);
   EXPECT_EQ(std::vector<Links>(tree.links + 7, tree.links + 13), expected);

@@ -14,7 +14,7 @@ CATENA_HD void copy_leaves(Group& group, const HierarchyView<typename Arithmetic
   const std::uint32_t left = tree.leaves - begin;
   group.parallel(count < left ? count : left, [=](std::uint32_t k) {
     tree.bound[begin + k] = Arithmetic::bound(spheres[begin + k]);
-    tree.links[begin + k] = {};
+    tree.links[begin + k] = Links::of_leaf();
   });
 }
 
