@@ -28,6 +28,7 @@ struct Case {
   std::uint32_t n;
   VariantInfo variant;
   Stage stage;
+  bool flush_cache;
 };
 
 /// Empty when the answer is right, or wrong as rounded arithmetic may be; that is then reported in counters.
@@ -57,8 +58,11 @@ void measure(benchmark::State& state, const Case& c) {
     state.SkipWithError(why.c_str());
     return;
   }
+  const auto mover =
+      c.flush_cache && c.variant.on_device ? StrategyRegistry::instance().make_mover() : nullptr;
   for (auto iteration : state) {
     (void)iteration;
+    if (mover) mover->flush_cache();
     const Stopwatch wall;
     if (c.stage != Stage::find) variant->update(work->chain);
     if (c.stage != Stage::build) variant->find(work->chain, {}, found);
@@ -78,7 +82,7 @@ bool worth_measuring(const VariantInfo& variant, std::uint32_t n, Stage stage) {
 
 }  // namespace
 
-void register_benchmarks() {
+void register_benchmarks(bool flush_cache) {
   const auto variants = StrategyRegistry::instance().variants();
   for (const char* scene : scenes)
     for (const std::uint32_t n : sizes)
@@ -86,7 +90,7 @@ void register_benchmarks() {
         for (const auto& [stage, name] :
              {std::pair{Stage::build, "build"}, {Stage::find, "find"}, {Stage::whole, "whole"}}) {
           if (!worth_measuring(variant, n, stage)) continue;
-          const Case c{scene, n, variant, stage};
+          const Case c{scene, n, variant, stage, flush_cache};
           benchmark::RegisterBenchmark(fmt::format("{}/n:{}/{}/{}", scene, n, variant.name, name).c_str(),
                                        measure, c)
               ->UseManualTime()

@@ -8,6 +8,6 @@ namespace catena::bench {
 ///
 /// Stages: `build` and `find` as the variant times them (CUDA events on a device), `whole` the wall time
 /// around both with every transfer.
-void register_benchmarks();
+void register_benchmarks(bool flush_cache);
 
 }  // namespace catena::bench

@@ -1,10 +1,14 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "catena/bench/benchmarks.h"
 #include "catena/core/environment.h"
 
 /// catena_bench: Google Benchmark's own options and JSON; --benchmark_filter picks by scene/n/variant/stage.
+/// One option of its own: --flush-cache empties the device's cache before every sample.
 int main(int argc, char** argv) {
   const auto facts = catena::environment();
   if (facts.at("build type") != "Release") {
@@ -14,7 +18,11 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const auto& [key, value] : facts) benchmark::AddCustomContext(key, value);
-  catena::bench::register_benchmarks();
+  const auto flush = std::find(argv, argv + argc, std::string_view("--flush-cache"));
+  const bool flush_cache = flush != argv + argc;
+  if (flush_cache) std::rotate(flush, flush + 1, argv + argc--);
+  benchmark::AddCustomContext("device cache", flush_cache ? "flushed before every sample" : "warm");
+  catena::bench::register_benchmarks(flush_cache);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -9,7 +9,9 @@ namespace catena::cuda {
 namespace {
 
 template <class Arithmetic>
-__global__ void search(ChainView chain, HierarchyView<typename Arithmetic::Bound> tree, ResultView result) {
+__global__ void search(const __grid_constant__ ChainView chain,
+                       const __grid_constant__ HierarchyView<typename Arithmetic::Bound> tree,
+                       const __grid_constant__ ResultView result) {
   const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= chain.size) return;
   DeviceVisitor visitor(i, result);

@@ -11,7 +11,9 @@ namespace {
 /// Threads 0..n-1 are the spheres' first threads, n..2n-1 their second ones, so that the threads of a warp
 /// walk the same subtree.
 template <class Arithmetic>
-__global__ void search(ChainView chain, HierarchyView<typename Arithmetic::Bound> tree, ResultView result) {
+__global__ void search(const __grid_constant__ ChainView chain,
+                       const __grid_constant__ HierarchyView<typename Arithmetic::Bound> tree,
+                       const __grid_constant__ ResultView result) {
   const std::uint64_t t = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (t >= std::uint64_t{2} * chain.size) return;
   const std::uint32_t half = t >= chain.size, i = static_cast<std::uint32_t>(t - (half ? chain.size : 0));

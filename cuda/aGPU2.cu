@@ -13,7 +13,8 @@ namespace {
 
 /// First stage: each block copies its own leaves, then builds its subtree.
 template <class Arithmetic>
-__global__ void build_leaf_subtrees(ChainView chain, HierarchyView<typename Arithmetic::Bound> tree,
+__global__ void build_leaf_subtrees(const __grid_constant__ ChainView chain,
+                                    HierarchyView<typename Arithmetic::Bound> tree,
                                     policy::SubtreeStage stage) {
   DeviceGroup group;
   const Level own = stage.nodes(blockIdx.x);

@@ -11,7 +11,8 @@ namespace catena::cuda {
 namespace {
 
 template <class Arithmetic>
-__global__ void build_tree(ChainView chain, HierarchyView<typename Arithmetic::Bound> tree) {
+__global__ void build_tree(const __grid_constant__ ChainView chain,
+                           HierarchyView<typename Arithmetic::Bound> tree) {
   DeviceGroup group;
   policy::copy_leaves<Arithmetic>(group, tree, chain.spheres);
   group.barrier();

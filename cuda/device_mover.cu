@@ -48,6 +48,13 @@ class DeviceMover final : public Mover {
   HierarchyView<WideSphere> to_host(const HierarchyView<WideSphere>& device) override {
     return download(device, host_wide_bounds_);
   }
+  void flush_cache() override {
+    int bytes = 0;
+    CATENA_CUDA(cudaDeviceGetAttribute(&bytes, cudaDevAttrL2CacheSize, 0));
+    const std::size_t size = 2 * static_cast<std::size_t>(bytes);
+    CATENA_CUDA(cudaMemsetAsync(flushed_.reserve(size, stream_), 0, size, stream_));
+    stream_.synchronize();
+  }
 
  private:
   template <class Bound>
@@ -79,7 +86,7 @@ class DeviceMover final : public Mover {
   DeviceBuffer<WideSphere> wide_bounds_;
   DeviceBuffer<Links> links_;
   DeviceBuffer<std::uint32_t> strand_of_, strand_first_, extra_row_, extra_;
-  DeviceBuffer<std::uint8_t> strand_closed_;
+  DeviceBuffer<std::uint8_t> strand_closed_, flushed_;
   DeviceBuffer<double> arc_, loop_length_;
   std::vector<Sphere> host_bounds_;
   std::vector<WideSphere> host_wide_bounds_;

@@ -36,6 +36,12 @@ struct DeviceVisitor : Visitor {
 #endif
   }
 
+  CATENA_HD void converge() {
+#ifdef __CUDA_ARCH__
+    __syncwarp();
+#endif
+  }
+
   /// True when another thread has answered Want::any already.
   __device__ bool satisfied() const {
     return result.any_only && *static_cast<volatile unsigned long long*>(result.found) > 0;

@@ -1,5 +1,7 @@
 #include <cuda_runtime.h>
 
+#include <fstream>
+
 #include "catena/core/environment.h"
 #include "catena/cuda/call.h"
 #include "catena/cuda/device.h"
@@ -25,6 +27,9 @@ const RegisterEnvironment registered([] {
   facts["gpu multiprocessors"] = std::to_string(device.multiProcessorCount);
   facts["gpu memory"] = std::to_string(device.totalGlobalMem >> 20) + " MiB";
   facts["gpu driver supports"] = "CUDA " + version(driver);
+  std::ifstream driver_file("/proc/driver/nvidia/version");  // absent in some containers
+  for (std::string line; std::getline(driver_file, line);)
+    if (line.starts_with("NVRM version:")) facts["gpu driver"] = line.substr(line.find(':') + 2);
   return facts;
 });
 

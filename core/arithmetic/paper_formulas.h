@@ -8,8 +8,8 @@ namespace catena {
 
 /// The paper's formulas as printed (Section 4.1 and inequality (2)), in one floating-point format, round to
 /// nearest. The one reading applied: the garbled centre means c3 = c1 + (r3 - r1) * gamma. Its flaws are kept
-/// on purpose: `<=` for the radius and `<` for the centre make two equal spheres at one place 0/0, the radius is
-/// rounded to nearest so parents need not enclose, and squares overflow and underflow.
+/// on purpose: `<=` for the radius and `<` for the centre make two equal spheres at one place 0/0, the radius
+/// is rounded to nearest so parents need not enclose, and squares overflow and underflow.
 template <class Real, class BoundType>
 struct PaperFormulas {
   using Bound = BoundType;
@@ -21,6 +21,7 @@ struct PaperFormulas {
     const Real dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius;
     return dx * dx + dy * dy + dz * dz <= reach * reach;
   }
+  CATENA_HD static bool separate(const Bound& a, const Bound& b) { return !overlap(a, b); }
   CATENA_HD static bool may_overlap(const Bound& query, const Bound& node) { return overlap(query, node); }
 
   /// Equation (1), Fig. 7: the parent of two spheres.

@@ -10,28 +10,31 @@
 namespace catena {
 
 /// Exact pairs, conservative trees. Overlap is decided in exact real arithmetic on the stored floats in three
-/// stages; a parent encloses its children as a theorem; a node is skipped only when it is separate for certain.
-/// u is half an ulp of 1: 2^-24 in binary32, 2^-53 in binary64. properties/proofs/ has the proofs of the constants.
+/// stages; a parent encloses its children as a theorem; a node is skipped only when it is separate for
+/// certain. u is half an ulp of 1: 2^-24 in binary32, 2^-53 in binary64. properties/proofs/ has the proofs of
+/// the constants.
 struct Robust {
   static constexpr const char* name = "robust";
   using Bound = Sphere;
 
   CATENA_HD static Bound bound(const Sphere& s) { return s; }
 
+  /// True only when the spheres are separate for certain by stage 1; cheap, and free of calls.
+  CATENA_HD static bool separate(const Sphere& a, const Sphere& b) { return Narrow(a, b).separate(); }
+
   /// True when the spheres overlap or touch. Exact for all finite Spheres.
   CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
-    const Decision first = decide_narrow(a, b);
-    if (first != Decision::open) return first == Decision::overlap;
+    const Narrow n(a, b);
+    if (n.separate()) return false;
+    if (n.in_range() && n.q * narrow_slack < n.t) return true;
     return overlap_undecided(a, b);
   }
 
   /// False only when the spheres are separate for certain. A node may have an infinite radius.
   CATENA_HD static bool may_overlap(const Sphere& query, const Sphere& node) {
-    const float dx = node.x - query.x, dy = node.y - query.y, dz = node.z - query.z;
-    const float reach = query.radius + node.radius;
-    const float q = dx * dx + dy * dy + dz * dz, t = reach * reach;
-    if (t > safe_square_min && t < safe_square_max) return !(q > t * narrow_slack);
-    return may_overlap_wide(query, node);
+    const Narrow n(query, node);
+    if (n.separate()) return false;
+    return n.in_range() || decide_wide(query, node) != Decision::separate;
   }
 
   /// A sphere that encloses both, in exact arithmetic; bit-identical on host and device.
@@ -41,15 +44,16 @@ struct Robust {
     const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
     const float q = dx * dx + dy * dy + dz * dz;
     const float d = sqrt(q), half_span = 0.5f * ((d + a.radius) + b.radius);
-    if (!(q > safe_square_min && q < safe_square_max && half_span < safe_radius_max)) return parent_wide(a, b);
+    if (!(q > safe_square_min && q < safe_square_max && half_span < safe_radius_max))
+      return parent_wide(a, b);
     if (d + b.radius <= a.radius * contained_slack) return a;
     if (d + a.radius <= b.radius * contained_slack) return b;
 
     const float t = clamp01((half_span - a.radius) / d);
     const float px = t * dx, py = t * dy, pz = t * dz;
     const Sphere c{a.x + px, a.y + py, a.z + pz, 0};
-    // How far rounding moved the centre from a + p: measured, not bounded, so that a far origin costs only what
-    // it really costs.
+    // How far rounding moved the centre from a + p: measured, not bounded, so that a far origin costs only
+    // what it really costs.
     const float drift = (fabs(px - (c.x - a.x)) + fabs(py - (c.y - a.y))) + fabs(pz - (c.z - a.z));
     const float largest = larger(half_span, larger(a.radius, b.radius));
     return {c.x, c.y, c.z, largest * parent_slack + drift * parent_slack};
@@ -59,21 +63,28 @@ struct Robust {
   enum class Decision { separate, overlap, open };
 
   static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f, safe_radius_max = 0x1p120f;
-  static constexpr float narrow_slack = 1 + 10 * 0x1p-24f;    // 1 + 10u
+  static constexpr float narrow_slack = 1 + 10 * 0x1p-24f;  // 1 + 10u
+  static constexpr float underflow_floor = 0x1p-120f;
   static constexpr double wide_slack = 1 + 10 * 0x1p-53;      // 1 + 10u
   static constexpr float contained_slack = 1 - 8 * 0x1p-24f;  // 1 - 8u
   static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 21u are needed
   static constexpr double parent_wide_slack = 1 + 0x1p-48;
 
-  /// Stage 1, binary32. q has relative error <= 5.01u, t <= 3.01u.
-  CATENA_HD static Decision decide_narrow(const Sphere& a, const Sphere& b) {
-    const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius;
-    const float q = dx * dx + dy * dy + dz * dz, t = reach * reach;
-    if (!(t > safe_square_min && t < safe_square_max)) return Decision::open;
-    if (q > t * narrow_slack) return Decision::separate;
-    if (q * narrow_slack < t) return Decision::overlap;
-    return Decision::open;
-  }
+  /// Stage 1, binary32: q = |cA - cB|^2 with relative error <= 5.01u, t = (rA + rB)^2 with <= 3.01u, and,
+  /// where they underflow, an absolute error below 2^-146.
+  struct Narrow {
+    CATENA_HD Narrow(const Sphere& a, const Sphere& b) {
+      const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius;
+      q = dx * dx + dy * dy + dz * dz;
+      t = reach * reach;
+    }
+    /// For certain, whatever the range: an overflowing q is truly greater than a finite t, an overflowing t
+    /// is never less, and the floor outweighs every underflow.
+    CATENA_HD bool separate() const { return q > t * narrow_slack + underflow_floor; }
+    /// Stage 1 decides all that it ever can.
+    CATENA_HD bool in_range() const { return t > safe_square_min && t < safe_square_max; }
+    float q, t;
+  };
 
   /// Stage 2, binary64: no binary32 input can overflow or underflow here.
   CATENA_HD static Decision decide_wide(const Sphere& a, const Sphere& b) {
@@ -85,20 +96,17 @@ struct Robust {
     return Decision::open;
   }
 
-  /// Stages 2 and 3.
-  CATENA_COLD static bool overlap_undecided(const Sphere& a, const Sphere& b) {
+  /// Stages 2 and 3. Spheres come by value: an address would force them out of a kernel's registers.
+  CATENA_COLD static bool overlap_undecided(Sphere a, Sphere b) {
     const Decision second = decide_wide(a, b);
     if (second != Decision::open) return second == Decision::overlap;
     return ExactSign::of_gap(a, b) <= 0;
   }
 
-  CATENA_COLD static bool may_overlap_wide(const Sphere& query, const Sphere& node) {
-    return decide_wide(query, node) != Decision::separate;
-  }
-
   /// The parent where binary32 could overflow, underflow or divide by zero: in binary64 throughout, then the
-  /// radius measured from the rounded centre and rounded up. An overflowing radius becomes infinite: it encloses.
-  CATENA_COLD static Sphere parent_wide(const Sphere& a, const Sphere& b) {
+  /// radius measured from the rounded centre and rounded up. An overflowing radius becomes infinite: it
+  /// encloses.
+  CATENA_COLD static Sphere parent_wide(Sphere a, Sphere b) {
     const double d = distance(a, b), ra = a.radius, rb = b.radius;
     if (d == 0) return ra < rb ? b : a;
     if ((d + rb) * parent_wide_slack <= ra) return a;

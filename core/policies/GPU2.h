@@ -7,9 +7,9 @@
 
 namespace catena::policy {
 
-/// GPU2 (Section 5.2): one sphere against the tree with an explicit stack. A node that the sphere may overlap gives
-/// its two children; a leaf is decided. Each pop pushes at most two nodes of the next level, so the stack never
-/// holds more than one node a level and one more: the height of the tree bounds it.
+/// GPU2 (Section 5.2): one sphere against the tree with an explicit stack. A node that the sphere may overlap
+/// gives its two children; a leaf is decided. Each pop pushes at most two nodes of the next level, so the
+/// stack never holds more than one node a level and one more: the height of the tree bounds it.
 template <class Arithmetic>
 class GPU2 {
   using Bound = typename Arithmetic::Bound;
@@ -17,7 +17,8 @@ class GPU2 {
  public:
   /// Sphere i against the whole tree.
   template <class V>
-  CATENA_HD static void visit(std::uint32_t i, const ChainView& chain, const HierarchyView<Bound>& tree, V& visitor) {
+  CATENA_HD static void visit(std::uint32_t i, const ChainView& chain, const HierarchyView<Bound>& tree,
+                              V& visitor) {
     if (tree.leaves < 2) return;
     GPU2 search(i, chain, tree);
     search.consider(tree.links[tree.root].left, visitor);

@@ -5,8 +5,8 @@
 
 namespace catena::policy {
 
-/// GPUv2 (Section 5.2; the paper also writes GPU2v2): two threads per sphere, thread 0 takes the subtree of the
-/// root's left child, thread 1 the right one's. A sphere's collisions are the sum over its two threads.
+/// GPUv2 (Section 5.2; the paper also writes GPU2v2): two threads per sphere, thread 0 takes the subtree of
+/// the root's left child, thread 1 the right one's. A sphere's collisions are the sum over its two threads.
 template <class Arithmetic>
 struct GPUv2 {
   static constexpr std::uint32_t threads_per_sphere = 2;

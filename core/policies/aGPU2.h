@@ -8,8 +8,9 @@
 
 namespace catena::policy {
 
-/// One stage of aGPU2 (Section 4.3, Figs. 9, 10): a level is cut into subtrees that blocks build independently.
-/// Slots from `next` on: the inner nodes of the subtrees (SA), then their roots (R), which are the next level.
+/// One stage of aGPU2 (Section 4.3, Figs. 9, 10): a level is cut into subtrees that blocks build
+/// independently. Slots from `next` on: the inner nodes of the subtrees (SA), then their roots (R), which are
+/// the next level.
 class SubtreeStage {
  public:
   /// `leaves` nodes a subtree, at least 2.
@@ -32,7 +33,9 @@ class SubtreeStage {
     return {first_root(), subtrees_, single ? level_.last : first_root() + subtrees_ - 1};
   }
   /// The first slot after R.
-  CATENA_HD std::uint32_t end() const { return first_root() + subtrees_ - (nodes(subtrees_ - 1).size == 1 ? 1 : 0); }
+  CATENA_HD std::uint32_t end() const {
+    return first_root() + subtrees_ - (nodes(subtrees_ - 1).size == 1 ? 1 : 0);
+  }
 
  private:
   CATENA_HD std::uint32_t first_root() const {
@@ -44,8 +47,8 @@ class SubtreeStage {
   std::uint32_t next_, leaves_, subtrees_;
 };
 
-/// aGPU2: stages of subtrees while there are too many roots for one block, then bGPU2 builds the top S over R.
-/// The executor decides how a stage's blocks run; this is what each block does.
+/// aGPU2: stages of subtrees while there are too many roots for one block, then bGPU2 builds the top S over
+/// R. The executor decides how a stage's blocks run; this is what each block does.
 template <class Arithmetic>
 struct aGPU2 {
   /// The paper's subtree: 384 leaves by 192 threads.
@@ -57,11 +60,12 @@ struct aGPU2 {
     bGPU2<Arithmetic>::build(group, tree, stage.nodes(s), stage.first_inner(s), stage.root_slot(s));
   }
 
-  /// The whole construction; sets the tree's root and height. `run_stage(stage)` builds the subtrees of a stage,
-  /// `run_top(level, next, root_slot)` is bGPU2 over R. With at most `block_leaves` roots S fits one block.
+  /// The whole construction; sets the tree's root and height. `run_stage(stage)` builds the subtrees of a
+  /// stage, `run_top(level, next, root_slot)` is bGPU2 over R. With at most `block_leaves` roots S fits one
+  /// block.
   template <class RunStage, class RunTop>
-  static void build(HierarchyView<typename Arithmetic::Bound>& tree, std::uint32_t subtree, std::uint32_t block_leaves,
-                    const RunStage& run_stage, const RunTop& run_top) {
+  static void build(HierarchyView<typename Arithmetic::Bound>& tree, std::uint32_t subtree,
+                    std::uint32_t block_leaves, const RunStage& run_stage, const RunTop& run_top) {
     Level level = Level::leaves(tree.leaves);
     std::uint32_t next = tree.leaves;
     tree.height = 1;

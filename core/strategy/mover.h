@@ -5,9 +5,9 @@
 
 namespace catena {
 
-/// Moves chains and hierarchies between host and device. Implemented where the device is (cuda/) and registered
-/// with the strategies; owns the buffers that its views point into and reuses them. Views stay valid until the next
-/// call of the same function. Every call returns when the data has arrived.
+/// Moves chains and hierarchies between host and device. Implemented where the device is (cuda/) and
+/// registered with the strategies; owns the buffers that its views point into and reuses them. Views stay
+/// valid until the next call of the same function. Every call returns when the data has arrived.
 class Mover {
  public:
   virtual ~Mover() = default;
@@ -16,6 +16,8 @@ class Mover {
   virtual HierarchyView<WideSphere> to_device(const HierarchyView<WideSphere>& host) = 0;
   virtual HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) = 0;
   virtual HierarchyView<WideSphere> to_host(const HierarchyView<WideSphere>& device) = 0;
+  /// Fills the device's cache with other data, so that the next stage starts cold; for measurements.
+  virtual void flush_cache() = 0;
 };
 
 }  // namespace catena

@@ -12,8 +12,9 @@ struct ParameterInfo {
   std::string name, default_value, meaning;
 };
 
-/// key=value parameters as written by the user, over declared defaults. Values are read with their type; a value
-/// that does not parse or lies outside its range is an InputError that names owner, key, value and range.
+/// key=value parameters as written by the user, over declared defaults. Values are read with their type; a
+/// value that does not parse or lies outside its range is an InputError that names owner, key, value and
+/// range.
 class Parameters {
  public:
   Parameters() = default;

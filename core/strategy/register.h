@@ -10,7 +10,8 @@ namespace catena {
 ///
 ///     namespace {
 ///     template <class Arithmetic> class CPU2 : public Traversal<typename Arithmetic::Bound> { ... };
-///     const RegisterTraversal<CPU2, Robust, Literal, Double> registered{{"CPU2", "each sphere against ..."}};
+///     const RegisterTraversal<CPU2, Robust, Literal, Double> registered{{"CPU2", "each sphere against
+///     ..."}};
 ///     }
 ///
 /// The class is made from the strategy's Parameters when it has such a constructor, else from nothing.
@@ -44,7 +45,9 @@ struct RegisterTraversal {
 template <template <class> class Whole, class... Arithmetics>
 struct RegisterVariant {
   explicit RegisterVariant(const StrategyInfo& info) {
-    (StrategyRegistry::instance().add_variant(info, Arithmetics::name, make_strategy<Whole<Arithmetics>, Variant>), ...);
+    (StrategyRegistry::instance().add_variant(info, Arithmetics::name,
+                                              make_strategy<Whole<Arithmetics>, Variant>),
+     ...);
   }
 };
 

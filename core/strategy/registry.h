@@ -60,7 +60,8 @@ class StrategyRegistry {
 
   /// Moves data to the device and back; set once by the folder that owns the device.
   void set_mover(std::function<std::unique_ptr<Mover>()> make) { make_mover_ = std::move(make); }
-  std::unique_ptr<Mover> make_mover() const { return make_mover_(); }
+  /// Null when no device is built in.
+  std::unique_ptr<Mover> make_mover() const { return make_mover_ ? make_mover_() : nullptr; }
 
   /// Every variant: those complete in themselves, and every construction with every traversal, in each
   /// arithmetic that both have. Sorted by name. Mutants only when asked for.

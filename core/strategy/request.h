@@ -14,7 +14,8 @@ struct Request {
     pairs    ///< counts and the pairs
   };
   Want want = Want::pairs;
-  /// More pairs than this is an error with the true number, never a silent loss. The default is 1 GiB of pairs.
+  /// More pairs than this is an error with the true number, never a silent loss. The default is 1 GiB of
+  /// pairs.
   std::uint64_t pair_limit = std::uint64_t{1} << 27;
 };
 

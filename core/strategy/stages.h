@@ -5,7 +5,8 @@
 
 namespace catena {
 
-/// Stage 1 of the paper's two-stage strategies: a chain becomes a hierarchy. Both live in the stage's own space.
+/// Stage 1 of the paper's two-stage strategies: a chain becomes a hierarchy. Both live in the stage's own
+/// space.
 template <class Bound>
 class Construction {
  public:
@@ -14,7 +15,8 @@ class Construction {
   /// Throws CapacityError past a declared limit on n.
   virtual void build(const ChainView& chain) = 0;
   virtual HierarchyView<Bound> hierarchy() const = 0;
-  /// Milliseconds of the last build by the stage's own clock (CUDA events); negative: the caller's wall clock counts.
+  /// Milliseconds of the last build by the stage's own clock (CUDA events); negative: the caller's wall clock
+  /// counts.
   virtual double own_ms() const { return -1; }
 };
 
@@ -25,8 +27,10 @@ class Traversal {
   virtual ~Traversal() = default;
   virtual void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
                     Collisions& result) = 0;
-  virtual double own_ms() const { return -1; }           ///< like Construction::own_ms
-  virtual double own_transfer_ms() const { return 0; }   ///< the part of the last find that moved results to the host
+  virtual double own_ms() const { return -1; }  ///< like Construction::own_ms
+  virtual double own_transfer_ms() const {
+    return 0;
+  }  ///< the part of the last find that moved results to the host
 };
 
 }  // namespace catena

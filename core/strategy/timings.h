@@ -3,8 +3,8 @@
 
 namespace catena {
 
-/// Milliseconds of the last build or update and of the last find. Host stages are wall time; device stages are
-/// CUDA events around the kernels. Moves between memories are never part of a stage.
+/// Milliseconds of the last build or update and of the last find. Host stages are wall time; device stages
+/// are CUDA events around the kernels. Moves between memories are never part of a stage.
 struct Timings {
   double build_ms = 0;
   double find_ms = 0;

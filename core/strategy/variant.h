@@ -13,15 +13,15 @@ class BoundsVisitor {
  public:
   virtual ~BoundsVisitor() = default;
   /// One parent and one of its children. Ids below n are leaves, the sphere of that index; others are the
-  /// strategy's own. Bounds are given in binary64, to which the strategy's own numbers convert exactly; an infinite
-  /// radius encloses everything.
+  /// strategy's own. Bounds are given in binary64, to which the strategy's own numbers convert exactly; an
+  /// infinite radius encloses everything.
   virtual void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
                       const WideSphere& child) = 0;
 };
 
-/// One complete way from chain to collisions; the only contract that the rest of catena knows. A hierarchy, if
-/// there is one, is the strategy's own affair. Buffers belong to the variant and are reused. Not thread-safe: one
-/// object, one thread at a time.
+/// One complete way from chain to collisions; the only contract that the rest of catena knows. A hierarchy,
+/// if there is one, is the strategy's own affair. Buffers belong to the variant and are reused. Not
+/// thread-safe: one object, one thread at a time.
 class Variant {
  public:
   virtual ~Variant() = default;
@@ -32,8 +32,9 @@ class Variant {
   /// Stage 1 again for the same spheres, moved. Gives what build would, and does not allocate once warm.
   virtual void update(const Chain& moved) { build(moved); }
 
-  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; the pair set is that of
-  /// the strategy's arithmetic. Throws PairLimitExceeded with the true number, and leaves `result` without pairs.
+  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; the pair set is
+  /// that of the strategy's arithmetic. Throws PairLimitExceeded with the true number, and leaves `result`
+  /// without pairs.
   virtual void find(const Chain& chain, const Request& request, Collisions& result) = 0;
 
   virtual Timings timings() const = 0;

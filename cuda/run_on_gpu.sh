@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# run_on_gpu.sh [BUILD [RESULTS]]: everything that needs a GPU, in one call of under ten minutes: builds (unless BUILD
+# holds a build already), runs every GPU test with compute-sanitizer among them, then measures the paper's Tables 3
+# and 4 and beyond, each answer compared with the exact reference in the same run. Leaves RESULTS/gpu_tests.txt and
+# RESULTS/gpu_tables.json (Google Benchmark's format, with GPU, driver, toolkit and commit).
+set -euo pipefail
+source=$(cd "$(dirname "$0")/.." && pwd)
+build=${1:-$source/build/gpu} results=${2:-$build/results}
+mkdir -p "$results"
+
+if [ ! -x "$build/catena_tests" ]; then
+  cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCATENA_CUDA=ON -DCATENA_CUDA_ARCHITECTURES=native
+  cmake --build "$build"
+fi
+
+nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv | tee "$results/gpu_tests.txt"
+ctest --test-dir "$build" -L gpu --output-on-failure 2>&1 | tee -a "$results/gpu_tests.txt"
+
+"$build/catena_bench" --benchmark_filter='path[12]/n:[0-9]+/(GPU1|aCPU2[+]CPU2|aGPU2[+]GPUv?2)(/literal)?/(build|find|whole)/' \
+  --benchmark_min_time=0.03 --benchmark_repetitions=5 --benchmark_enable_random_interleaving=true \
+  --benchmark_display_aggregates_only=true --benchmark_out="$results/gpu_tables.json" --benchmark_out_format=json

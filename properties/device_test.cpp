@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/compare.h"
+#include "catena/reference/reference.h"
+
+namespace catena::properties {
+namespace {
+
+/// What only a device can get wrong: result buffers, memory, and the bits of its trees.
+class Device : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const auto& v : StrategyRegistry::instance().variants())
+      if (v.name == "aGPU2+GPU2") {
+        if (v.unavailable) GTEST_SKIP() << *v.unavailable;
+        return;
+      }
+    GTEST_SKIP() << "built without CUDA";
+  }
+};
+
+Chain scene(const std::string& spec) {
+  const Input input = open_input(spec);
+  return input.animation->frame(input.animation->frames() / 2);
+}
+
+/// Every node of a tree with its bits.
+class Nodes final : public BoundsVisitor {
+ public:
+  void sphere(std::uint32_t parent, const WideSphere& p, std::uint32_t child, const WideSphere& c) override {
+    const auto bits = [](const WideSphere& s) { return std::tuple(s.x, s.y, s.z, s.radius); };
+    nodes[{parent, child}] = {bits(p), bits(c)};
+  }
+  using Bits = std::tuple<double, double, double, double>;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<Bits, Bits>> nodes;
+};
+
+auto tree_of(const std::string& variant, const Chain& chain) {
+  const auto v = StrategyRegistry::instance().make(variant);
+  v->build(chain);
+  Nodes nodes;
+  v->visit_bounds(nodes);
+  return nodes.nodes;
+}
+
+TEST_F(Device, TreesHaveTheHostsBits) {
+  for (const char* input :
+       {"path1:n=1000", "yarn:n=2048", "walk:n=1537", "coil:n=1200,offset=1e6", "rod:n=900,scale=1e30",
+        "hair:n=1100,scale=1e-30", "rod:n=1", "rod:n=2", "rod:n=385"}) {
+    const Chain chain = scene(input);
+    for (const char* arithmetic : {"", "/literal"}) {
+      const std::string end = arithmetic;
+      const bool comparable =
+          end.empty() || std::string(input).find("scale") == std::string::npos;  // NaN != NaN
+      if (!comparable) continue;
+      EXPECT_EQ(tree_of("aGPU2+CPU2" + end, chain), tree_of("aGPU2@host+CPU2" + end, chain)) << input << end;
+      EXPECT_EQ(tree_of("bGPU2+CPU2" + end, chain), tree_of("aCPU2+CPU2" + end, chain)) << input << end;
+      EXPECT_EQ(tree_of("aGPU2(subtree=6,block=2)+CPU2" + end, chain),
+                tree_of("aGPU2@host(subtree=6,block=2)+CPU2" + end, chain))
+          << input << end;
+    }
+  }
+}
+
+TEST_F(Device, PairBufferGrowsAndLosesNothing) {
+  const Chain chain(
+      std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));  // 4.5 million pairs, far past the first guess
+  const auto exact = reference::find(chain);
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2"}) {
+    const auto variant = StrategyRegistry::instance().make(name);
+    Collisions found;
+    for (int round = 0; round < 2; ++round) {
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      EXPECT_TRUE(reference::compare(chain, exact, found).right()) << name;
+    }
+  }
+}
+
+TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
+  const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
+  const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2"}) {
+    const auto variant = StrategyRegistry::instance().make(name);
+    variant->build(chain);
+    Collisions found;
+    for (std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, expected - 1}) {
+      try {
+        variant->find(chain, {Request::Want::pairs, limit}, found);
+        ADD_FAILURE() << name << " accepted a flood at limit " << limit;
+      } catch (const PairLimitExceeded& error) {
+        EXPECT_EQ(error.found(), expected) << name;
+        EXPECT_TRUE(found.pairs.empty()) << name;
+      }
+    }
+    variant->find(chain, {Request::Want::pairs, expected}, found);
+    EXPECT_EQ(found.pairs.size(), expected) << name;
+    variant->find(chain, {Request::Want::counts}, found);
+    EXPECT_EQ(found.pair_count, expected) << name;
+    variant->find(chain, {Request::Want::any}, found);
+    EXPECT_TRUE(found.found) << name;
+  }
+}
+
+TEST_F(Device, OutOfMemoryNamesNeedAndSupply) {
+  // 200,000 coincident spheres make 2e10 pairs, 160 GB.
+  const Chain chain(std::vector<Sphere>(200'000, Sphere{0, 0, 0, 1}));
+  const auto variant = StrategyRegistry::instance().make("aGPU2+GPU2");
+  variant->build(chain);
+  Collisions found;
+  try {
+    variant->find(chain, {Request::Want::pairs, std::numeric_limits<std::uint64_t>::max()}, found);
+    FAIL() << "2e10 pairs were stored";
+  } catch (const CapacityError& error) {
+    EXPECT_NE(std::string(error.what()).find("out of device memory"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("are needed"), std::string::npos) << error.what();
+  }
+  variant->find(chain, {Request::Want::any}, found);  // the strategy is usable afterwards
+  EXPECT_TRUE(found.found);
+}
+
+TEST_F(Device, BlockPastTheLimitPointsToTheUnlimitedStrategy) {
+  const auto variant = StrategyRegistry::instance().make("bGPU2(block=64)+GPU2");
+  try {
+    variant->build(scene("rod:n=129"));
+    FAIL();
+  } catch (const CapacityError& error) {
+    EXPECT_NE(std::string(error.what()).find("at most 128"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("use aGPU2"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Device, EveryExclusionRuleTravels) {
+  auto rule = Exclusion::index(3);
+  rule.extra_pairs = {{0, 40}, {10, 70}};
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 90; ++i) spheres.push_back({float(i % 9), float(i / 9), float(i % 3), 1.5f});
+  const Strands strands{{0, 30, 60, 90}, {1, 0, 1}};
+  auto arcs = Exclusion::arc(1.3);
+  arcs.extra_pairs = rule.extra_pairs;
+  for (const Chain& chain :
+       {Chain(spheres, strands, rule), Chain(spheres, strands, arcs), Chain(spheres, {}, arcs)}) {
+    const auto exact = reference::find(chain);
+    ASSERT_GT(exact.pair_count, 100u);
+    for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2"}) {
+      const auto variant = StrategyRegistry::instance().make(name);
+      Collisions found;
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      EXPECT_TRUE(reference::compare(chain, exact, found).right()) << name;
+    }
+  }
+}
+
+TEST_F(Device, AMillionSpheres) {
+  for (const char* input : {"path1:n=1000000", "path2:n=1000000"}) {
+    const Chain chain = scene(input);
+    const auto exact = reference::find(chain);
+    ASSERT_EQ(exact.pair_count, 45u);
+    for (const char* name : {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2"}) {
+      const auto variant = StrategyRegistry::instance().make(name);
+      Collisions found;
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      EXPECT_TRUE(reference::compare(chain, exact, found).right()) << name << " on " << input;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace catena::properties
