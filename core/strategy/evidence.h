@@ -12,13 +12,15 @@ enum class Accounting {
   from_both_ends  ///< n(n-1) ordered pairs, each once: every sphere i was searched for against all others
 };
 
-/// Receives why a search need not look further, as it goes. Every pair that is accounted for is below exactly one
-/// discarded pair of nodes, or tested, or excluded; reference/certificate.h checks it. A node is named by its id in
-/// Variant::visit_bounds: below n it is the sphere of that index, and all ids are below 4n. Calls come from one thread.
+/// Receives why a search need not look further, as it goes. Every pair that is accounted for is below exactly
+/// one discarded pair of nodes, or tested, or excluded; reference/certificate.h checks it. A node is named by
+/// its id in Variant::visit_bounds: below n it is the sphere of that index, and all ids are below 4n. Calls
+/// come from one thread.
 class EvidenceSink {
  public:
   virtual ~EvidenceSink() = default;
-  /// No sphere below `a` overlaps a sphere below `b`; accounts for all those pairs, ordered (below a, below b).
+  /// No sphere below `a` overlaps a sphere below `b`; accounts for all those pairs, ordered (below a, below
+  /// b).
   virtual void discarded(std::uint32_t a, std::uint32_t b) = 0;
   /// Spheres i and j, not neighbours, were compared.
   virtual void tested(std::uint32_t i, std::uint32_t j) = 0;
