@@ -82,6 +82,24 @@ bool encloses(const WideSphere& parent, const WideSphere& child) {
   return encloses_by_integers(parent, child);
 }
 
+bool separate_by_integers(const WideSphere& a, const WideSphere& b) {
+  if (!finite(a) || !finite(b) || a.radius < 0 || b.radius < 0) return false;
+  const Scaled e = scaled(a, {b.x, b.y, b.z, -b.radius});  // s = rA + rB
+  return e.q > e.s * e.s;
+}
+
+bool separate(const WideSphere& a, const WideSphere& b) {
+  const double dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z, s = a.radius + b.radius;
+  const double q = dx * dx + dy * dy + dz * dz, t = s * s;
+  // Error bounds as in `encloses`. Comparisons with NaN are false and leave it to the exact test.
+  constexpr double slack = 1 + 16 * 0x1p-53;
+  if (a.radius >= 0 && b.radius >= 0 && t > 0x1p-900 && t < 0x1p1000 && q < 0x1p1000) {
+    if (q > t * slack) return true;
+    if (q * slack < t) return false;
+  }
+  return separate_by_integers(a, b);
+}
+
 double shortfall(const WideSphere& parent, const WideSphere& child) {
   const Case c = easy(parent, child);
   if (c == Case::yes) return -1;  // an infinite radius

@@ -19,6 +19,13 @@ bool encloses(const WideSphere& parent, const WideSphere& child);
 /// The same from integers alone, without the binary64 estimate; what the estimate is tested against.
 bool encloses_by_integers(const WideSphere& parent, const WideSphere& child);
 
+/// True when no point is in both: |cA - cB| > rA + rB, in exact arithmetic. Touching is not separate, nor is anything
+/// with NaN, an infinite number or a negative radius. Cost as for `encloses`.
+bool separate(const WideSphere& a, const WideSphere& b);
+
+/// The same from integers alone.
+bool separate_by_integers(const WideSphere& a, const WideSphere& b);
+
 /// How far the child sticks out, (|cP - cC| + rC - rP) / rP, to a relative 2^-50; negative or 0 when
 /// enclosed, infinite when a number is not finite or rP = 0 does not enclose.
 double shortfall(const WideSphere& parent, const WideSphere& child);

@@ -110,6 +110,38 @@ Verification verify(Variant& variant, bool rounded, const Chain& chain, const An
   return v;
 }
 
+Verification verify_by_certificate(Variant& variant, const Chain& chain, std::uint64_t pair_limit,
+                                   std::uint64_t& exact_pairs) {
+  Verification v;
+  exact_pairs = 0;
+  try {
+    Collisions found;
+    Certified certified;
+    v.by_pairs = find_pairs([&](Request request, Collisions& to) {
+      request.pair_limit = pair_limit;
+      certified = certify(variant, chain, request, to);
+    }, found);
+    if (!v.by_pairs) certified = certify(variant, chain, {Request::Want::counts}, found);
+    v.certificate = certified.report;
+    v.enclosure.bounds = certified.report.tree.bounds;
+    v.enclosure.violations = certified.report.tree.unenclosed;
+    if (!certified.report.holds()) {
+      v.verdict = Verdict::wrong;
+      v.reason = "not certified: " + certified.report.fault();
+      return v;
+    }
+    exact_pairs = certified.answer.pair_count;
+    v.comparison = compare(chain, certified.answer, found);
+    v.ran = true;
+  } catch (const CapacityError& limit) {
+    v.verdict = Verdict::refused;
+    v.reason = limit.what();
+    return v;
+  }
+  judge(v, false);
+  return v;
+}
+
 Verification verify_fcl(const Chain& chain, const Answer& exact) {
   Verification v;
   if (const auto why = fcl_unavailable()) {

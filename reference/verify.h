@@ -1,11 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/variant.h"
 #include "catena/reference/answer.h"
+#include "catena/reference/certificate.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/enclosure.h"
 
@@ -30,6 +32,7 @@ struct Verification {
   Comparison comparison;
   EnclosureReport enclosure;
   TreeShape shape;
+  std::optional<CertificateReport> certificate;  ///< when the answer was proved by the variant's own evidence
 };
 
 /// The exact answer that variants are compared with: pairs, or counts only when there are more pairs than the
@@ -41,6 +44,12 @@ Answer exact_answer(const Chain& chain, std::uint64_t pair_limit);
 /// or malformed pair, a neighbour or a tree that is no tree is wrong for all. CapacityError becomes
 /// `refused`; other errors pass.
 Verification verify(Variant& variant, bool rounded, const Chain& chain, const Answer& exact);
+
+/// The same with the variant's own evidence in place of the reference, for variants whose evidence() is not none: it is
+/// checked line by line and proves which pairs there are, at about the cost of the search. Counts only when there are
+/// more pairs than the limit. `exact_pairs` becomes the proved number; 0 when nothing was proved.
+Verification verify_by_certificate(Variant& variant, const Chain& chain, std::uint64_t pair_limit,
+                                   std::uint64_t& exact_pairs);
 
 /// The same for FCL, which counts as rounded.
 Verification verify_fcl(const Chain& chain, const Answer& exact);

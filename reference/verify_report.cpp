@@ -55,7 +55,10 @@ void VerifyReport::table_row(const VerifyRow& row) const {
   const auto figure = [](bool known, std::uint64_t value) { return known ? fmt::format("{}", value) : "-"; };
   const std::string input =
       row.frame == 0 ? label(row.input) : fmt::format("{} #{}", label(row.input), row.frame);
-  const std::string why = v.reason.empty() ? "" : ": " + v.reason;
+  const std::string why = !v.reason.empty() ? ": " + v.reason
+                          : v.certificate   ? fmt::format(", certified: {} node pairs discarded, {} pairs tested",
+                                                          v.certificate->discarded, v.certificate->tested)
+                                            : "";
   fmt::print(table_line, input, input_width_, row.variant, variant_width_, figure(v.ran, v.comparison.pairs),
              figure(v.ran && v.by_pairs, v.comparison.missing),
              figure(v.ran && v.by_pairs, v.comparison.invented),
@@ -87,6 +90,11 @@ void VerifyReport::json_row(const VerifyRow& row) const {
     line["worst_shortfall"] = number(v.enclosure.worst_shortfall);
     line["depth"] = v.shape.depth;
   }
+  if (v.certificate)
+    line["certificate"] = {{"holds", v.certificate->holds()},
+                           {"discarded", v.certificate->discarded},
+                           {"tested", v.certificate->tested},
+                           {"excluded", v.certificate->excluded}};
   line["verdict"] = v.verdict == Verdict::wrong ? "wrong" : name_of(v.verdict);
   if (!v.reason.empty()) line["reason"] = v.reason;
   fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -12,23 +12,26 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
  public:
   void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
             Collisions& result) override {
-    PairCollector collector(chain.size, request, result);
-    PairCollector::Lane& lane = collector.lane(0);
-    for (std::uint32_t i = 0; i < chain.size && !lane.satisfied(); ++i) {
-      Search search{chain, tree, lane, tree.bound[i], i};
-      if (!tree.is_leaf(tree.root)) search.children(tree.root);
-      lane.count(i, search.collisions);
-    }
-    collector.finish();
+    search_all(chain, tree, request, result, [](std::uint32_t) { return Visitor{}; });
+  }
+
+  Accounting evidence() const override { return Accounting::from_both_ends; }
+
+  void find_with_evidence(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+                          Collisions& result, EvidenceSink& sink) override {
+    search_all(chain, tree, request, result, [&](std::uint32_t i) { return EvidenceVisitor(i, sink); });
   }
 
  private:
+  /// `Observer` is told what the search left out, or is a Visitor that costs nothing.
+  template <class Observer>
   struct Search {
     const ChainView& chain;
     const HierarchyView<Bound>& tree;
     PairCollector::Lane& lane;
     const Bound& sphere;
     const std::uint32_t i;
+    [[no_unique_address]] Observer observer;
     std::uint32_t collisions = 0;
 
     /// "The sphere colliding provides its two children to check for collisions."
@@ -37,14 +40,32 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
       node(tree.links[slot].right);
     }
     void node(std::uint32_t slot) {
-      if (!tree.is_leaf(slot)) {
-        if (Arithmetic::may_overlap(sphere, tree.bound[slot])) children(slot);
-      } else if (slot != i && !chain.neighbours(i, slot) && Arithmetic::overlap(sphere, tree.bound[slot])) {
-        ++collisions;
-        if (i < slot) lane.pair(i, slot);
-      }
+      if (!tree.is_leaf(slot))
+        Arithmetic::may_overlap(sphere, tree.bound[slot]) ? children(slot) : observer.discarded(slot);
+      else if (slot != i)
+        leaf(slot);
+    }
+    void leaf(std::uint32_t j) {
+      if (chain.neighbours(i, j)) return observer.excluded(j);
+      observer.tested_pair(j);
+      if (!Arithmetic::overlap(sphere, tree.bound[j])) return;
+      ++collisions;
+      if (i < j) lane.pair(i, j);
     }
   };
+
+  template <class Observe>
+  static void search_all(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+                         Collisions& result, const Observe& observe) {
+    PairCollector collector(chain.size, request, result);
+    PairCollector::Lane& lane = collector.lane(0);
+    for (std::uint32_t i = 0; i < chain.size && !lane.satisfied(); ++i) {
+      Search<decltype(observe(i))> search{chain, tree, lane, tree.bound[i], i, observe(i)};
+      if (!tree.is_leaf(tree.root)) search.children(tree.root);
+      lane.count(i, search.collisions);
+    }
+    collector.finish();
+  }
 };
 
 const RegisterTraversal<CPU2, Robust, Literal, Double> registered{

@@ -16,12 +16,21 @@ class GPU2OnHost final : public Traversal<typename Arithmetic::Bound> {
 
   void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
             Collisions& result) override {
-    executor_.for_each_sphere(chain.size, request, result, [&](std::uint32_t i, auto& visitor) {
-      policy::GPU2<Arithmetic>::visit(i, chain, tree, visitor);
-    });
+    executor_.for_each_sphere(chain.size, request, result, visit(chain, tree));
+  }
+
+  Accounting evidence() const override { return Accounting::from_both_ends; }
+
+  void find_with_evidence(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+                          Collisions& result, EvidenceSink& sink) override {
+    executor_.for_each_sphere(chain.size, request, result, sink, visit(chain, tree));
   }
 
  private:
+  static auto visit(const ChainView& chain, const HierarchyView<Bound>& tree) {
+    return [&](std::uint32_t i, auto& visitor) { policy::GPU2<Arithmetic>::visit(i, chain, tree, visitor); };
+  }
+
   HostExecutor executor_;
 };
 

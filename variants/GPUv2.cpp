@@ -16,13 +16,24 @@ class GPUv2OnHost final : public Traversal<typename Arithmetic::Bound> {
 
   void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
             Collisions& result) override {
-    executor_.for_each_sphere(chain.size, request, result, [&](std::uint32_t i, auto& visitor) {
-      for (std::uint32_t thread = 0; thread < policy::GPUv2<Arithmetic>::threads_per_sphere; ++thread)
-        policy::GPUv2<Arithmetic>::visit(i, thread, chain, tree, visitor);
-    });
+    executor_.for_each_sphere(chain.size, request, result, visit(chain, tree));
+  }
+
+  Accounting evidence() const override { return Accounting::from_both_ends; }
+
+  void find_with_evidence(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+                          Collisions& result, EvidenceSink& sink) override {
+    executor_.for_each_sphere(chain.size, request, result, sink, visit(chain, tree));
   }
 
  private:
+  static auto visit(const ChainView& chain, const HierarchyView<Bound>& tree) {
+    return [&](std::uint32_t i, auto& visitor) {
+      for (std::uint32_t thread = 0; thread < policy::GPUv2<Arithmetic>::threads_per_sphere; ++thread)
+        policy::GPUv2<Arithmetic>::visit(i, thread, chain, tree, visitor);
+    };
+  }
+
   HostExecutor executor_;
 };
 

@@ -9,6 +9,7 @@
 #include "catena/core/executor/host_group.h"
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/policies/visitor.h"
+#include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/parameters.h"
 
 namespace catena {
@@ -29,17 +30,14 @@ class HostExecutor {
   /// whatever the number of threads.
   template <class Visit>
   void for_each_sphere(std::uint32_t n, const Request& request, Collisions& result, const Visit& visit) const {
-    const unsigned workers = workers_for(n);
-    PairCollector collector(n, request, result, workers);
-    split(n, workers, [&](unsigned worker, std::uint32_t begin, std::uint32_t end) {
-      PairCollector::Lane& lane = collector.lane(worker);
-      for (std::uint32_t i = begin; i < end && !lane.satisfied(); ++i) {
-        LaneVisitor visitor{i, lane};
-        visit(i, visitor);
-        lane.count(i, visitor.collisions);
-      }
-    });
-    collector.finish();
+    collect(n, workers_for(n), request, result, visit, [](std::uint32_t) { return Visitor{}; });
+  }
+
+  /// The same on one thread, and the sink is told what every search left out.
+  template <class Visit>
+  void for_each_sphere(std::uint32_t n, const Request& request, Collisions& result, EvidenceSink& sink,
+                       const Visit& visit) const {
+    collect(n, 1, request, result, visit, [&](std::uint32_t i) { return EvidenceVisitor(i, sink); });
   }
 
   /// body(group, block) for every block < blocks, each with its own group of `threads_per_block` threads.
@@ -55,8 +53,11 @@ class HostExecutor {
   }
 
  private:
-  struct LaneVisitor : Visitor {
-    LaneVisitor(std::uint32_t sphere, PairCollector::Lane& to) : i(sphere), lane(to) {}
+  /// Gathers the hits of sphere i; what else the search reports goes to `Observer`, which may ignore it.
+  template <class Observer>
+  struct LaneVisitor : Observer {
+    LaneVisitor(std::uint32_t sphere, PairCollector::Lane& to, const Observer& observer)
+        : Observer(observer), i(sphere), lane(to) {}
     void hit(std::uint32_t j) {
       ++collisions;
       if (i < j) lane.pair(i, j);
@@ -64,6 +65,21 @@ class HostExecutor {
     std::uint32_t i, collisions = 0;
     PairCollector::Lane& lane;
   };
+
+  template <class Visit, class Observe>
+  void collect(std::uint32_t n, unsigned workers, const Request& request, Collisions& result, const Visit& visit,
+               const Observe& observe) const {
+    PairCollector collector(n, request, result, workers);
+    split(n, workers, [&](unsigned worker, std::uint32_t begin, std::uint32_t end) {
+      PairCollector::Lane& lane = collector.lane(worker);
+      for (std::uint32_t i = begin; i < end && !lane.satisfied(); ++i) {
+        LaneVisitor visitor(i, lane, observe(i));
+        visit(i, visitor);
+        lane.count(i, visitor.collisions);
+      }
+    });
+    collector.finish();
+  }
 
   /// Starting a thread costs more than a short chain, unless the caller asked for that many threads.
   unsigned workers_for(std::uint32_t items) const {

@@ -43,7 +43,8 @@ class GPU2 {
   template <class V>
   CATENA_HD void consider(std::uint32_t slot, V& visitor) {
     if (tree_.is_leaf(slot)) {
-      if (slot == i_ || chain_.neighbours(i_, slot)) return;
+      if (slot == i_) return;
+      if (chain_.neighbours(i_, slot)) return visitor.excluded(slot);
       visitor.tested_pair(slot);
       if (Arithmetic::overlap(sphere_, tree_.bound[slot])) visitor.hit(slot);
       return;

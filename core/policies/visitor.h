@@ -8,10 +8,14 @@ namespace catena {
 /// What a per-sphere search reports as it goes. A visitor derives from this, adds hit(j) and overrides what
 /// it wants to know; what it does not override costs nothing.
 struct Visitor {
-  CATENA_HD void tested_node(std::uint32_t /*slot*/) {}  ///< the sphere was compared with an inner node
-  CATENA_HD void discarded(std::uint32_t /*slot*/) {}    ///< ... and the node's whole subtree left out
-  CATENA_HD void tested_pair(std::uint32_t /*j*/) {
-  }  ///< the sphere was compared with sphere j, not a neighbour
+  /// The sphere was compared with an inner node ...
+  CATENA_HD void tested_node(std::uint32_t /*slot*/) {}
+  /// ... and the node's whole subtree left out.
+  CATENA_HD void discarded(std::uint32_t /*slot*/) {}
+  /// The sphere was compared with sphere j, which is no neighbour.
+  CATENA_HD void tested_pair(std::uint32_t /*j*/) {}
+  /// Sphere j was met and is a neighbour.
+  CATENA_HD void excluded(std::uint32_t /*j*/) {}
 
   /// Called between steps that every sphere of a search takes alike. A device visitor brings the threads of a
   /// warp together again here; left to itself nvcc lets them drift apart for good after a rare branch with a

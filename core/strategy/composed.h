@@ -41,12 +41,24 @@ class Composed final : public Variant {
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
-    if (chain.size() != built_) throw std::logic_error("find: not the chain of the last build");
+    require_built(chain);
     timings_.transfer_ms = build_transfer_ms_;
     const Stopwatch watch;
     traversal_->find(find_space_ == Space::device ? find_chain_ : chain.view(), tree_, request, result);
     timings_.find_ms = traversal_->own_ms() >= 0 ? traversal_->own_ms() : watch.ms();
     timings_.transfer_ms += traversal_->own_transfer_ms();
+  }
+
+  /// Evidence names nodes by slots of the host's tree, so it is to be had from traversals on the host.
+  Accounting evidence() const override {
+    return find_space_ == Space::host ? traversal_->evidence() : Accounting::none;
+  }
+
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result, EvidenceSink& sink) override {
+    require_built(chain);
+    const Stopwatch watch;
+    traversal_->find_with_evidence(chain.view(), tree_, request, result, sink);
+    timings_.find_ms = watch.ms();
   }
 
   Timings timings() const override { return timings_; }
@@ -65,6 +77,9 @@ class Composed final : public Variant {
   }
 
  private:
+  void require_built(const Chain& chain) const {
+    if (chain.size() != built_) throw std::logic_error("find: not the chain of the last build");
+  }
   ChainView upload(const Chain& chain) {
     const Stopwatch watch;
     const ChainView view = mover_->to_device(chain.view());

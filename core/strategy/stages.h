@@ -1,6 +1,9 @@
 #pragma once
+#include <stdexcept>
+
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/hierarchy.h"
+#include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/request.h"
 
 namespace catena {
@@ -27,10 +30,16 @@ class Traversal {
   virtual ~Traversal() = default;
   virtual void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
                     Collisions& result) = 0;
-  virtual double own_ms() const { return -1; }  ///< like Construction::own_ms
-  virtual double own_transfer_ms() const {
-    return 0;
-  }  ///< the part of the last find that moved results to the host
+  virtual Accounting evidence() const { return Accounting::none; }  ///< like Variant::evidence
+  /// Like Variant::find_with_evidence; nodes are named by their slots.
+  virtual void find_with_evidence(const ChainView&, const HierarchyView<Bound>&, const Request&, Collisions&,
+                                  EvidenceSink&) {
+    throw std::logic_error("find_with_evidence: this traversal has no evidence");
+  }
+  /// Like Construction::own_ms.
+  virtual double own_ms() const { return -1; }
+  /// The part of the last find that moved results to the host.
+  virtual double own_transfer_ms() const { return 0; }
 };
 
 }  // namespace catena

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <stdexcept>
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/sphere.h"
+#include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/timings.h"
 
@@ -41,6 +43,15 @@ class Variant {
 
   /// Every (parent, child) of the last build; nothing for strategies without a hierarchy.
   virtual void visit_bounds(BoundsVisitor&) const {}
+
+  /// What find_with_evidence can show; none for strategies that discard nothing or cannot tell.
+  virtual Accounting evidence() const { return Accounting::none; }
+
+  /// The same search as find for counts or pairs (a search for `any` stops early and proves nothing), which also tells
+  /// the sink what it left out. Slower, on one thread. Only when evidence() is not none.
+  virtual void find_with_evidence(const Chain&, const Request&, Collisions&, EvidenceSink&) {
+    throw std::logic_error("find_with_evidence: this variant has no evidence");
+  }
 };
 
 }  // namespace catena

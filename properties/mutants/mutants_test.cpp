@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "catena/core/error.h"
+#include "catena/properties/mutants/chains_to_kill.h"
+#include "catena/properties/mutants/faulty_tree.h"
+#include "catena/properties/mutants/local_checks.h"
+#include "catena/properties/property.h"
+
+// The tests are tested: every mutant in the museum must be killed by a property, and the base that they are
+// made from must pass all of them, so that it is the bug that kills.
+namespace catena::properties {
+namespace {
+
+using testing::NamedChain;
+
+/// The cases, made once for all mutants when they are first needed.
+class Cases {
+ public:
+  std::size_t size() const { return named_.chains.size(); }
+  std::size_t small() const { return named_.small; }
+  const std::string& name(std::size_t k) const { return named_.chains[k].name; }
+  const Case& operator[](std::size_t k) {
+    while (cases_.size() <= k)
+      cases_.push_back(std::make_unique<Case>(Case::of(named_.chains[cases_.size()].chain)));
+    return *cases_[k];
+  }
+
+ private:
+  testing::ChainsToKill named_ = testing::chains_to_kill();
+  std::vector<std::unique_ptr<Case>> cases_;
+};
+
+Cases& cases() {
+  static Cases all;
+  return all;
+}
+
+/// What is wrong with the variant on a case, by one property.
+std::optional<std::string> failure(Property& property, const Subject& subject, Variant& variant,
+                                   const Case& test) {
+  try {
+    return property.check(subject, variant, test);
+  } catch (const CapacityError&) {
+    return std::nullopt;  // a refusal within a declared limit
+  } catch (const std::exception& error) {
+    return fmt::format("throws: {}", error.what());
+  }
+}
+
+/// property -> number of cases it took to see that something is wrong.
+using Kills = std::map<std::string, std::size_t>;
+
+/// Runs every property on the small cases, then on the others until one kills.
+Kills kill(const Subject& subject) {
+  Kills kills;
+  struct Run {
+    std::unique_ptr<Property> property;
+    std::unique_ptr<Variant> variant;
+  };
+  std::vector<Run> runs;
+  for (auto& property : testing::all_properties())
+    if (property->applies_to(subject)) runs.push_back({std::move(property), subject.make()});
+  for (std::size_t k = 0; k < cases().size() && (k < cases().small() || kills.empty()); ++k)
+    for (const Run& run : runs)
+      if (!kills.contains(run.property->name()) && failure(*run.property, subject, *run.variant, cases()[k]))
+        kills[run.property->name()] = k + 1;
+  return kills;
+}
+
+std::vector<Subject> mutants() {
+  auto all = Subject::available(true);
+  std::erase_if(all, [](const Subject& s) { return !s.info.hidden || !s.info.name.starts_with("mutant:"); });
+  return all;
+}
+
+void print_row(const Subject& mutant, const Kills& kills) {
+  std::vector<std::pair<std::size_t, std::string>> in_order;
+  for (const auto& [property, after] : kills) in_order.emplace_back(after, property);
+  std::ranges::sort(in_order);
+  std::string by;
+  for (const auto& [after, property] : in_order)
+    by += fmt::format("{}{} ({})", by.empty() ? "" : ", ", property, after);
+  fmt::print("{:<36}  {}\n", mutant.info.name, by.empty() ? "SURVIVES" : by);
+}
+
+TEST(Mutants, TheMuseumIsLarge) {
+  EXPECT_GE(mutants().size(), 25u);
+  for (const Subject& mutant : mutants()) {
+    EXPECT_FALSE(mutant.info.summary.empty()) << mutant.info.name;
+    EXPECT_TRUE(mutant.exact()) << mutant.info.name << ": rounding would excuse it";
+  }
+}
+
+TEST(Mutants, AreHiddenFromEveryList) {
+  for (const auto& info : StrategyRegistry::instance().variants())
+    EXPECT_FALSE(info.name.starts_with("mutant:"));
+  for (const auto& name : StrategyRegistry::instance().strategy_names())
+    EXPECT_FALSE(name.starts_with("mutant:"));
+}
+
+TEST(Mutants, WithoutABugTheirBasePasses) {
+  Subject base;
+  base.info.name = "FaultyTree";
+  base.info.arithmetic = Robust::name;
+  base.make = [] { return std::make_unique<FaultyTree>(); };
+  for (const auto& property : testing::all_properties()) {
+    const auto variant = base.make();
+    for (std::size_t k = 0; k < cases().size(); ++k) {
+      const auto what = failure(*property, base, *variant, cases()[k]);
+      EXPECT_FALSE(what) << property->name() << " on " << cases().name(k)
+                         << ", n = " << cases()[k].chain.size() << ": " << *what;
+    }
+  }
+}
+
+TEST(Mutants, AllDie) {
+  std::set<std::string> idle;
+  for (const auto& property : testing::all_properties()) idle.insert(property->name());
+  fmt::print("{:<36}  killed by (after that many chains)\n", "mutant");
+  for (const Subject& mutant : mutants()) {
+    const Kills kills = kill(mutant);
+    print_row(mutant, kills);
+    EXPECT_FALSE(kills.empty()) << mutant.info.name << " survives: " << mutant.info.summary;
+    for (const auto& [property, after] : kills) idle.erase(property);
+  }
+  for (const auto& property : idle) fmt::print("questioned: '{}' kills no mutant\n", property);
+}
+
+}  // namespace
+}  // namespace catena::properties

@@ -1,0 +1,89 @@
+#include <algorithm>
+
+#include "catena/core/executor/pair_collector.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// Dual: the tree against itself, sequential. Where two nodes may overlap the larger one gives its two
+/// children; every pair of leaves is met once. A pair of far subtrees is left out in one step, so its
+/// evidence is the shortest.
+template <class Arithmetic>
+class Dual final : public Traversal<typename Arithmetic::Bound> {
+  using Bound = typename Arithmetic::Bound;
+
+ public:
+  void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+            Collisions& result) override {
+    search(chain, tree, request, result, NoEvidence{});
+  }
+
+  Accounting evidence() const override { return Accounting::each_pair; }
+
+  void find_with_evidence(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+                          Collisions& result, EvidenceSink& sink) override {
+    search<EvidenceSink&>(chain, tree, request, result, sink);
+  }
+
+ private:
+  struct NoEvidence {
+    void discarded(std::uint32_t, std::uint32_t) const {}
+    void tested(std::uint32_t, std::uint32_t) const {}
+    void excluded(std::uint32_t, std::uint32_t) const {}
+  };
+
+  template <class Sink>
+  struct Search {
+    const ChainView& chain;
+    const HierarchyView<Bound>& tree;
+    PairCollector::Lane& lane;
+    std::uint32_t* count;  // null when no counts are wanted
+    Sink sink;
+
+    /// All pairs of spheres below one node.
+    void within(std::uint32_t node) {
+      if (tree.is_leaf(node)) return;
+      const Links children = tree.links[node];
+      within(children.left);
+      within(children.right);
+      between(children.left, children.right);
+    }
+
+    /// All pairs of a sphere below a with a sphere below b, which have none in common.
+    void between(std::uint32_t a, std::uint32_t b) {
+      if (lane.satisfied()) return;
+      if (tree.is_leaf(a) && tree.is_leaf(b)) return leaves(std::min(a, b), std::max(a, b));
+      if (!Arithmetic::may_overlap(tree.bound[a], tree.bound[b])) return sink.discarded(a, b);
+      if (tree.is_leaf(a) || (!tree.is_leaf(b) && tree.bound[a].radius < tree.bound[b].radius))
+        std::swap(a, b);
+      const Links children = tree.links[a];
+      between(children.left, b);
+      between(children.right, b);
+    }
+
+    void leaves(std::uint32_t i, std::uint32_t j) {
+      if (chain.neighbours(i, j)) return sink.excluded(i, j);
+      sink.tested(i, j);
+      if (!Arithmetic::overlap(tree.bound[i], tree.bound[j])) return;
+      if (count != nullptr) ++count[i], ++count[j];
+      lane.pair(i, j);
+    }
+  };
+
+  template <class Sink>
+  static void search(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
+                     Collisions& result, Sink sink) {
+    PairCollector collector(chain.size, request, result);
+    const bool counts = request.want != Request::Want::any;
+    Search<Sink> search{chain, tree, collector.lane(0), counts ? result.count.data() : nullptr, sink};
+    if (chain.size > 0) search.within(tree.root);
+    collector.finish();
+  }
+};
+
+const RegisterTraversal<Dual, Robust, Literal, Double> registered{
+    {.name = "Dual", .summary = "the tree against itself, each pair of spheres met once, sequential"}};
+
+}  // namespace
+}  // namespace catena
