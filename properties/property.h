@@ -40,6 +40,8 @@ class Property {
   virtual ~Property() = default;
   virtual std::string name() const = 0;
   virtual bool applies_to(const Subject&) const { return true; }
+  /// True for what fuzzing asks of every chain; the other properties take turns.
+  virtual bool every_chain() const { return false; }
   /// nullopt when it holds, else what is wrong in one line. `variant` is an object of the subject that may have run
   /// before on other chains; CapacityError may pass: the caller counts it as a refusal within declared limits.
   virtual std::optional<std::string> check(const Subject& subject, Variant& variant, const Case& test) = 0;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 
 #include "catena/core/error.h"
@@ -44,9 +43,11 @@ std::unique_ptr<Animation> SceneRegistry::open(std::string_view spec) const {
   const auto colon = spec.find(':');
   const std::string_view name = spec.substr(0, colon);
   const auto found = entries_.find(name);
-  if (found == entries_.end())
-    throw InputError(fmt::format("no scene is named '{}'; there are: {}", name,
-                                 fmt::join(std::views::keys(entries_), ", ")));
+  if (found == entries_.end()) {
+    std::vector<std::string> known;  // not views::keys, which clang 14 cannot compile
+    for (const auto& entry : entries_) known.push_back(entry.first);
+    throw InputError(fmt::format("no scene is named '{}'; there are: {}", name, fmt::join(known, ", ")));
+  }
   const std::string_view values = colon == std::string_view::npos ? "" : spec.substr(colon + 1);
   return found->second.make(Parameters(fmt::format("scene {}", name), found->second.info.parameters, values));
 }

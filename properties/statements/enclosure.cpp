@@ -1,13 +1,14 @@
+#include "catena/reference/enclosure.h"
+
 #include <fmt/format.h>
 
 #include "catena/properties/property.h"
-#include "catena/reference/enclosure.h"
 
 namespace catena::properties {
 namespace {
 
-/// Every parent encloses its children, in exact arithmetic, with no tolerance; every leaf is the chain's sphere. For
-/// rounded arithmetic only the leaves are asked.
+/// Every parent encloses its children, in exact arithmetic, with no tolerance; every leaf is the chain's
+/// sphere. For rounded arithmetic only the leaves are asked.
 class Enclosure final : public Property {
  public:
   std::string name() const override { return "enclosure"; }
@@ -17,7 +18,8 @@ class Enclosure final : public Property {
     reference::EnclosureChecker checker(test.chain);
     variant.visit_bounds(checker);
     const auto& report = checker.report();
-    if (report.foreign_leaves > 0) return fmt::format("{} leaves are not the chain's spheres", report.foreign_leaves);
+    if (report.foreign_leaves > 0)
+      return fmt::format("{} leaves are not the chain's spheres", report.foreign_leaves);
     if (!subject.exact() || report.violations == 0) return std::nullopt;
     return fmt::format("{} of {} bounds do not enclose, the worst by {:g} of its radius", report.violations,
                        report.bounds, report.worst_shortfall);

@@ -1,0 +1,10 @@
+#include "catena/properties/allocations.h"
+
+namespace catena::properties {
+
+Allocations::Read& Allocations::counter() {
+  static Read read = nullptr;
+  return read;
+}
+
+}  // namespace catena::properties

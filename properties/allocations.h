@@ -1,0 +1,13 @@
+#pragma once
+#include <cstdint>
+
+namespace catena::properties {
+
+/// Where a program counts its calls of operator new on this thread, if it does: replacing operator new is the
+/// program's right, not a library's. Null: nobody counts, and what asks for it does not apply.
+struct Allocations {
+  using Read = std::uint64_t (*)();
+  static Read& counter();
+};
+
+}  // namespace catena::properties

@@ -1,0 +1,55 @@
+#include "catena/properties/allocations.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <vector>
+
+/// The test program counts its allocations, for the property "no allocation in update".
+namespace {
+
+thread_local std::uint64_t calls = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++calls;
+  size += size == 0;
+  void* memory = alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
+                     ? std::malloc(size)
+                     : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+const bool counting = [] {
+  catena::properties::Allocations::counter() = [] { return calls; };
+  return true;
+}();
+
+}  // namespace
+
+// The array, nothrow and sized forms of the standard library call these.
+void* operator new(std::size_t size) { return counted(size, 0); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace catena::properties {
+namespace {
+
+TEST(Allocations, AreCounted) {
+  ASSERT_TRUE(counting);
+  const auto before = Allocations::counter()();
+  std::vector<int> numbers(100);
+  EXPECT_EQ(Allocations::counter()() - before, 1u);
+  numbers.reserve(1000);
+  EXPECT_EQ(Allocations::counter()() - before, 2u);
+}
+
+}  // namespace
+}  // namespace catena::properties

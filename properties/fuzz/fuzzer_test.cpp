@@ -1,0 +1,127 @@
+#include "catena/properties/fuzz/fuzzer.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "catena/core/executor/pair_collector.h"
+#include "catena/core/readers/chain_format.h"
+#include "catena/core/strategy/register.h"
+#include "catena/properties/fuzz/failure_store.h"
+#include "catena/properties/generators/mutate.h"
+#include "catena/reference/exact_gap.h"
+
+namespace catena::properties {
+namespace {
+
+/// All pairs, but for those that only touch: `<` for `<=`. Hidden, so that no other test meets it.
+class MissesTouching final : public Variant {
+ public:
+  void build(const Chain&) override {}
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    PairCollector collector(chain.size(), request, result);
+    std::vector<std::uint32_t> counts(chain.size());
+    for (std::uint32_t i = 0; i < chain.size(); ++i)
+      for (std::uint32_t j = i + 1; j < chain.size(); ++j)
+        if (!chain.neighbours(i, j) && reference::gap_sign(chain[i], chain[j]) < 0) {
+          collector.lane(0).pair(i, j);
+          ++counts[i], ++counts[j];
+        }
+    for (std::uint32_t i = 0; i < chain.size(); ++i) collector.lane(0).count(i, counts[i]);
+    collector.finish();
+  }
+  Timings timings() const override { return {}; }
+};
+
+const bool registered = [] {
+  StrategyRegistry::instance().add_variant(
+      {.name = "MissesTouching", .summary = "`<` for `<=`"}, Robust::name,
+      [](const Parameters&) { return std::make_unique<MissesTouching>(); }, true);
+  return true;
+}();
+
+std::optional<Fuzzer::Counterexample> fuzz(Fuzzer& fuzzer, std::uint64_t cases) {
+  while (fuzzer.cases() < cases)
+    if (auto found = fuzzer.step()) return found;
+  return std::nullopt;
+}
+
+std::string text_of(const Chain& chain) {
+  std::ostringstream text;
+  write_chain(text, chain);
+  return text.str();
+}
+
+TEST(Fuzzer, FindsAndShrinksAnError) {
+  ASSERT_TRUE(registered);
+  Fuzzer fuzzer({Subject::named("MissesTouching")}, {});
+  const auto found = fuzz(fuzzer, 1000);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->finding.variant, "MissesTouching");
+  EXPECT_LE(found->shrunk.size(), 3u);
+  EXPECT_TRUE(fuzzer.suite().repeats(found->finding, found->shrunk));
+  for (const Sphere& s : found->shrunk.spheres())
+    for (const float number : {s.x, s.y, s.z, s.radius})
+      EXPECT_TRUE(std::fabs(number) <= 4 && 4 * number == std::round(4 * number)) << text_of(found->shrunk);
+}
+
+TEST(Fuzzer, TheSameSeedGivesTheSameRun) {
+  for (const std::uint64_t seed : {3u, 4u}) {
+    Fuzzer first({Subject::named("MissesTouching")}, {.seed = seed}),
+        second({Subject::named("MissesTouching")}, {.seed = seed});
+    const auto a = fuzz(first, 1000), b = fuzz(second, 1000);
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->number, b->number);
+    EXPECT_EQ(text_of(a->found), text_of(b->found));
+    EXPECT_EQ(text_of(a->shrunk), text_of(b->shrunk));
+  }
+}
+
+TEST(Fuzzer, FindsNothingInARightVariantAndClimbs) {
+  Fuzzer fuzzer({Subject::named("aCPU2+CPU2")}, {.seed = 9});
+  EXPECT_FALSE(fuzz(fuzzer, 500));
+  const Interest best = fuzzer.pool().best();
+  EXPECT_EQ(best.score[0], 7) << "64 leaves by pairs are 7 levels";
+  EXPECT_GE(best.score[1], 4) << "spheres that wait";
+  EXPECT_GT(best.score[2], 24) << "a margin below one ulp";
+  EXPECT_GT(best.score[3], 1000) << "of 2,016 pairs";
+  EXPECT_GT(fuzzer.by_family().at("mutated"), 100u);
+}
+
+TEST(Fuzzer, OnlyTheFamiliesAskedFor) {
+  Fuzzer fuzzer({Subject::named("CPU1")}, {.families = {FamilyRegistry::instance().family("coil")}});
+  EXPECT_FALSE(fuzz(fuzzer, 50));
+  for (const auto& [family, cases] : fuzzer.by_family())
+    EXPECT_TRUE(family == "coil" || family == "mutated") << family;
+}
+
+TEST(Fuzzer, AStoredFailureReadsBackAsItsChain) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("catena-failures-" + std::to_string(getpid()));
+  Fuzzer fuzzer({Subject::named("MissesTouching")}, {});
+  const auto found = fuzz(fuzzer, 1000);
+  ASSERT_TRUE(found);
+  const auto file = store(folder, *found, 1);
+  EXPECT_EQ(file, store(folder, *found, 1));
+  EXPECT_EQ(text_of(load_chain(file)), text_of(found->shrunk));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Mutation, KeepsAChainAChain) {
+  for (const Family& family : FamilyRegistry::instance().families()) {
+    Dice dice(5);
+    Chain chain = generate(family, dice, 30);
+    for (int round = 0; round < 300; ++round) {
+      chain = mutate(chain, dice, 30);
+      ASSERT_GE(chain.size(), 1u);
+      ASSERT_LE(chain.size(), 30u);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace catena::properties

@@ -1,0 +1,12 @@
+# One libFuzzer program for each *_fuzz_target.cpp (preset `fuzz`, clang): build/fuzz/strategies_fuzz_target -max_len=1026
+if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  message(FATAL_ERROR "CATENA_FUZZ_TARGETS needs clang: cmake --preset fuzz")
+endif()
+file(GLOB targets CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/properties/fuzz_targets/*_fuzz_target.cpp)
+foreach(source ${targets})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE catena catena_options)
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+endforeach()

@@ -1,0 +1,57 @@
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/error.h"
+#include "catena/core/readers/chain_format.h"
+#include "catena/core/readers/reader.h"
+
+namespace {
+
+/// The readers take files: one in memory, where there is such a place, that every run overwrites.
+std::filesystem::path scratch(const std::string& extension) {
+  static const std::filesystem::path folder = [] {
+    const std::filesystem::path memory = "/dev/shm";
+    const auto root = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+    auto own = root / ("catena-fuzz-" + std::to_string(getpid()));
+    std::filesystem::create_directories(own);
+    return own;
+  }();
+  return folder / ("input" + extension);
+}
+
+}  // namespace
+
+/// libFuzzer over all readers: the first byte chooses one, the rest is the file. It is read, or refused with
+/// an InputError; what is read makes a chain or is refused, and a chain that is written reads back as itself.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace catena;
+  static const auto readers = ReaderRegistry::instance().readers();
+  if (size == 0) return 0;
+  const auto path = scratch(readers[data[0] % readers.size()].extensions.front());
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(data) + 1, static_cast<long>(size) - 1);
+  try {
+    CurveFile curves = ReaderRegistry::instance().read(path);
+    const Chain chain(std::move(curves.spheres),
+                      {std::move(curves.strand_first), std::move(curves.strand_closed)},
+                      std::move(curves.exclusion));
+    const auto copy = scratch(".chain");
+    write_chain(copy, chain);
+    CurveFile again = ReaderRegistry::instance().read(copy);
+    const Chain second(std::move(again.spheres),
+                       {std::move(again.strand_first), std::move(again.strand_closed)},
+                       std::move(again.exclusion));
+    std::ostringstream first_text, second_text;
+    write_chain(first_text, chain);
+    write_chain(second_text, second);
+    if (first_text.str() != second_text.str()) std::abort();
+  } catch (const InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include "catena/properties/property.h"
+
+namespace catena::properties {
+namespace {
+
+/// Whatever is asked for, it is the same answer: `any` knows whether there is a pair, `counts` and `pairs`
+/// count alike, and what was not asked for is not there.
+class Requests final : public Property {
+ public:
+  std::string name() const override { return "requests agree"; }
+
+  std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
+    using Want = Request::Want;
+    variant.build(test.chain);
+    variant.find(test.chain, {Want::pairs}, pairs_);
+    variant.find(test.chain, {Want::any}, any_);
+    variant.find(test.chain, {Want::counts}, counts_);
+    if (pairs_.pairs.size() != pairs_.pair_count)
+      return fmt::format("{} pairs, but pair_count {}", pairs_.pairs.size(), pairs_.pair_count);
+    if (pairs_.count != counts_.count) return "counts differ between a request for pairs and one for counts";
+    if (pairs_.pair_count != counts_.pair_count)
+      return fmt::format("pair_count {} with pairs, {} with counts", pairs_.pair_count, counts_.pair_count);
+    const bool found = pairs_.pair_count > 0;
+    if (any_.found != found || counts_.found != found || pairs_.found != found)
+      return fmt::format("{} pairs, but found is {} (any), {} (counts), {} (pairs)", pairs_.pair_count,
+                         any_.found, counts_.found, pairs_.found);
+    if (!counts_.pairs.empty() || !any_.pairs.empty()) return "pairs that nobody asked for";
+    return std::nullopt;
+  }
+
+ private:
+  Collisions pairs_, any_, counts_;
+};
+
+const RegisterProperty<Requests> registered;
+
+}  // namespace
+}  // namespace catena::properties

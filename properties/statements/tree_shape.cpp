@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include "catena/properties/property.h"
+#include "catena/reference/enclosure.h"
+
+namespace catena::properties {
+namespace {
+
+/// A hierarchy, where one is shown, is a tree: one root, every sphere below it exactly once, no inner node
+/// without children. For every arithmetic, as rounding excuses no lost sphere. A tree whose nodes all have
+/// two children or more has at most 2n - 1 of them.
+class TreeShape final : public Property {
+ public:
+  std::string name() const override { return "tree shape"; }
+
+  std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
+    variant.build(test.chain);
+    reference::EnclosureChecker checker(test.chain);
+    variant.visit_bounds(checker);
+    const auto shape = checker.shape();
+    if (!shape.is_tree())
+      return fmt::format("not a tree: {} roots, {} spheres lost, {} nodes shared, {} unreached, {} barren",
+                         shape.roots, shape.lost_leaves, shape.shared, shape.lost_inner, shape.barren);
+    const std::uint64_t n = test.chain.size();
+    if (shape.nodes > 2 * n) return fmt::format("{} nodes for {} spheres", shape.nodes, n);
+    return std::nullopt;
+  }
+};
+
+const RegisterProperty<TreeShape> registered;
+
+}  // namespace
+}  // namespace catena::properties

@@ -1,0 +1,25 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catena/properties/property.h"
+
+namespace catena::properties {
+
+/// One parameter and the value it is to have.
+struct Setting {
+  std::string key, value;
+};
+
+/// The variant's name with these parameters set in each of its strategies that declares them and does not set
+/// them yet: "aGPU2@host+CPU2" with subtree = 6 is "aGPU2@host(subtree=6)+CPU2". nullopt when no strategy
+/// takes any.
+std::optional<std::string> with_settings(const std::string& variant, const std::vector<Setting>& settings);
+
+/// The subjects again with the smallest subtrees and blocks, where they have such parameters, so that short
+/// chains meet every stage and every declared limit. A strategy joins by naming its parameters `subtree` or
+/// `block`.
+std::vector<Subject> in_small_blocks(const std::vector<Subject>& subjects);
+
+}  // namespace catena::properties

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "catena/core/readers/chain_format.h"
+#include "catena/properties/generators/family.h"
+#include "catena/properties/generators/simplifications.h"
+#include "catena/properties/suite.h"
+#include "catena/properties/variant_name.h"
+#include "catena/reference/reference.h"
+
+/// Every property on every registered variant over every family of chains; a test a variant, so that a
+/// failure names it. Device variants are a suite of their own: `ctest -L gpu`.
+namespace catena::properties {
+namespace {
+
+constexpr std::uint32_t rounds = 20;
+
+std::vector<Subject> all_subjects() {
+  std::vector<Subject> subjects;
+  for (const VariantInfo& info : StrategyRegistry::instance().variants())
+    subjects.push_back({info, [name = info.name] { return StrategyRegistry::instance().make(name); }});
+  for (Subject& small : in_small_blocks(subjects))
+    if (small.exact()) subjects.push_back(std::move(small));
+  return subjects;
+}
+
+std::vector<Subject> subjects(bool on_device) {
+  auto all = all_subjects();
+  std::erase_if(all, [&](const Subject& s) { return s.info.on_device != on_device; });
+  return all;
+}
+
+std::string test_name(const testing::TestParamInfo<Subject>& info) {
+  std::string name = info.param.info.name;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+
+/// Short chains, but for a few that reach the limits of blocks: there n is what matters.
+std::uint32_t size_of(const Family& family, std::uint32_t round) {
+  return family.name == "sizes" && round < 5 ? 2400 : 48;
+}
+
+/// The finding with its shrunk chain.
+std::string explain(const Suite& suite, const Finding& finding, const Chain& chain) {
+  const Chain simple = shrink(chain, [&](const Chain& c) { return suite.repeats(finding, c); });
+  std::ostringstream text;
+  text << finding.variant << ": " << finding.property << ": " << finding.what << "\nshrunk:\n";
+  write_chain(text, simple);
+  return text.str();
+}
+
+class Variants : public testing::TestWithParam<Subject> {};
+
+TEST_P(Variants, HoldEveryPropertyOnEveryFamily) {
+  const Subject& subject = GetParam();
+  if (subject.info.unavailable) GTEST_SKIP() << *subject.info.unavailable;
+  Suite suite({subject});
+  std::uint64_t seed = 0;
+  for (const Family& family : FamilyRegistry::instance().families())
+    for (std::uint32_t round = 0; round < rounds; ++round) {
+      Dice dice(++seed);
+      const Case test = Case::of(generate(family, dice, size_of(family, round)));
+      if (const auto finding = suite.check(test)) {
+        ADD_FAILURE() << family.name << ", seed " << seed << ": " << explain(suite, *finding, test.chain);
+        break;
+      }
+    }
+  const auto& tally = suite.tally();
+  EXPECT_GT(tally.checks, tally.chains);
+  EXPECT_LT(tally.refusals, tally.checks) << "refuses everything";
+  RecordProperty("checks", static_cast<int>(tally.checks));
+}
+
+INSTANTIATE_TEST_SUITE_P(Host, Variants, testing::ValuesIn(subjects(false)), test_name);
+INSTANTIATE_TEST_SUITE_P(Device, Variants, testing::ValuesIn(subjects(true)), test_name);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Variants);
+
+}  // namespace
+
+/// How gtest names a subject where it prints one.
+void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.info.name; }
+
+}  // namespace catena::properties
