@@ -26,10 +26,11 @@ if(CATENA_SANITIZE)
 endif()
 
 set(CATENA_PARTS "")
-# catena_part(name [libraries...]): all .cpp files below this folder, but for tests and main.cpp, as one OBJECT library.
+# catena_part(name [libraries...]): all .cpp files below this folder, but for tests, main.cpp and what needs Google
+# Benchmark, as one OBJECT library.
 function(catena_part name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main|/benchmarks|_fuzz_target)\\.cpp$")
   if(NOT sources)
     return()
   endif()
@@ -50,6 +51,7 @@ catena_part(variants)
 include(${PROJECT_SOURCE_DIR}/cuda/cuda.cmake)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
 catena_part(properties)
+catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
 
 add_library(catena SHARED)
 add_library(catena::catena ALIAS catena)

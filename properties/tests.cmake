@@ -6,7 +6,8 @@ find_package(rapidcheck REQUIRED)
 include(GoogleTest)
 
 file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp ${PROJECT_SOURCE_DIR}/variants/*_test.cpp
-     ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/*_test.cpp)
+     ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/*_test.cpp
+     ${PROJECT_SOURCE_DIR}/bench/*_test.cpp)
 add_executable(catena_tests ${tests})
 target_link_libraries(catena_tests PRIVATE catena catena_options GTest::gtest_main rapidcheck nlohmann_json::nlohmann_json)
 target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -46,7 +46,8 @@ class ListCommand final : public Command {
         fmt::print("  {}\n", v.name);
     fmt::print("\nScenes (name:key=value,...)\n");
     for (const auto& scene : SceneRegistry::instance().scenes()) {
-      fmt::print("  {:<12} {}\n", scene.name, scene.summary);
+      fmt::print("  {:<13} {}\n", scene.name, scene.summary);
+      if (!scene.strains.empty()) fmt::print("      hard because {}\n", scene.strains);
       print_parameters(scene.parameters);
     }
     fmt::print("\nReaders (by file extension)\n");
@@ -77,7 +78,11 @@ class ListCommand final : public Command {
     }
     for (const auto& s : SceneRegistry::instance().scenes())
       out["scenes"].push_back(
-          {{"name", s.name}, {"summary", s.summary}, {"parameters", to_json(s.parameters)}});
+          {{"name", s.name},
+           {"summary", s.summary},
+           {"strains", s.strains},
+           {"settings", s.settings},
+           {"parameters", to_json(s.parameters)}});
     for (const auto& r : ReaderRegistry::instance().readers())
       out["readers"].push_back({{"name", r.name}, {"extensions", r.extensions}, {"summary", r.summary}});
     fmt::print("{}\n", out.dump(2));

@@ -11,12 +11,18 @@
 
 namespace catena {
 
-/// What a scene file says of itself. `n`, `radius`, `spacing`, `align`, `offset`, `scale` are declared for every
-/// scene by the registry (SceneSetup); a scene declares its own parameters and may override a default.
+/// What a scene file says of itself. `n`, `radius`, `spacing`, `align`, `offset`, `scale` are declared for
+/// every scene by the registry (SceneSetup); a scene declares its own parameters and may override a default.
 struct SceneInfo {
   std::string name;     ///< "path1"
   std::string summary;  ///< one line for `catena list`
   std::vector<ParameterInfo> parameters;
+  /// Why it is hard on arithmetic or on a hierarchy; empty for an ordinary scene. A scene that strains
+  /// something may leave the conventions of the others: radii that differ, coordinates far from the origin.
+  std::string strains = {};
+  /// Settings from mild to hard ("margin=1e-2"), without n; the stability matrix runs them all. Empty: the
+  /// defaults alone.
+  std::vector<std::string> settings = {};
 };
 
 /// All scenes of the program, self-registered before main.

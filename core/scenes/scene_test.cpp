@@ -43,21 +43,38 @@ bool same_bits(const Chain& a, const Chain& b) {
          });
 }
 
-std::vector<std::string> scene_names(bool only_still) {
+using Which = bool (*)(const SceneInfo&);
+bool any(const SceneInfo&) { return true; }
+bool ordinary(const SceneInfo& info) { return info.strains.empty(); }
+bool straining(const SceneInfo& info) { return !ordinary(info); }
+bool ordinary_and_still(const SceneInfo& info) {
+  return ordinary(info) && open(info.name + ":n=0")->frames() == 1;
+}
+
+std::vector<std::string> scene_names(Which which) {
   std::vector<std::string> names;
   for (const SceneInfo& info : SceneRegistry::instance().scenes())
-    if (!only_still || open(info.name + ":n=0")->frames() == 1) names.push_back(info.name);
+    if (which(info)) names.push_back(info.name);
   return names;
 }
 
 class EveryScene : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Registry, EveryScene, testing::ValuesIn(scene_names(false)),
+INSTANTIATE_TEST_SUITE_P(Registry, EveryScene, testing::ValuesIn(scene_names(any)),
+                         [](const auto& test) { return test.param; });
+
+/// Those that strain nothing keep the conventions of SceneSetup.
+class EveryOrdinaryScene : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Registry, EveryOrdinaryScene, testing::ValuesIn(scene_names(ordinary)),
+                         [](const auto& test) { return test.param; });
+
+class EveryStrainingScene : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Registry, EveryStrainingScene, testing::ValuesIn(scene_names(straining)),
                          [](const auto& test) { return test.param; });
 
 /// Those that do not move. A snake fits its crossings to the stored coordinates, so it differs when placed
 /// anew.
 class EveryStillScene : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Registry, EveryStillScene, testing::ValuesIn(scene_names(true)),
+INSTANTIATE_TEST_SUITE_P(Registry, EveryStillScene, testing::ValuesIn(scene_names(ordinary_and_still)),
                          [](const auto& test) { return test.param; });
 
 TEST_P(EveryScene, HasExactlyNSpheresInEveryFrame) {
@@ -76,7 +93,7 @@ TEST_P(EveryScene, IsTheSameBitsEveryTime) {
   EXPECT_TRUE(same_bits(first->frame(last), first->frame(last)));
 }
 
-TEST_P(EveryScene, IsCentredNearTheOriginAndHasTheRadiusAsked) {
+TEST_P(EveryOrdinaryScene, IsCentredNearTheOriginAndHasTheRadiusAsked) {
   const Chain chain = open(GetParam() + ":n=1000,radius=0.5")->frame(0);
   for (const Sphere& s : chain.spheres()) {
     EXPECT_EQ(s.radius, 0.5f);
@@ -106,13 +123,37 @@ TEST_P(EveryStillScene, IsTurnedByARotation) {
   }
 }
 
-TEST_P(EveryScene, RefusesWhatOverflowsBinary32AndNamesTheParameter) {
+TEST_P(EveryOrdinaryScene, RefusesWhatOverflowsBinary32AndNamesTheParameter) {
   EXPECT_TRUE(mentions(refusal(GetParam() + ":n=100,offset=1e39"), {"lower offset"}));
   EXPECT_TRUE(mentions(refusal(GetParam() + ":n=100,offset=-1e300"), {"lower offset"}));
   EXPECT_TRUE(mentions(refusal(GetParam() + ":n=100,scale=1e38"), {"lower scale"}));
   EXPECT_TRUE(mentions(refusal(GetParam() + ":n=100,scale=1e300"), {"lower scale"}));
   EXPECT_TRUE(mentions(refusal(GetParam() + ":n=100,radius=1e38"), {"lower radius"}));
   EXPECT_TRUE(mentions(refusal(GetParam() + ":n=100,radius=1e300,scale=1e300"), {"lower radius"}));
+}
+
+TEST_P(EveryStrainingScene, IsAValidChainInEverySettingOrAnInputError) {
+  for (const SceneInfo& info : SceneRegistry::instance().scenes()) {
+    if (info.name != GetParam()) continue;
+    for (const std::string& setting : info.settings)
+      EXPECT_EQ(open(GetParam() + ":n=500," + setting)->frame(0).size(), 500u) << setting;
+  }
+  for (const char* extreme : {"offset=1e39", "scale=1e300", "radius=1e38", "scale=1e-300", "radius=1e-300"})
+    try {
+      EXPECT_EQ(open(GetParam() + ":n=100," + extreme)->frame(0).size(), 100u);  // throws when not finite
+    } catch (const InputError& error) {
+      EXPECT_TRUE(mentions(error.what(), {"overflows", "lower"})) << extreme;
+    }
+}
+
+TEST_P(EveryStrainingScene, FollowsItsScale) {
+  const Chain plain = open(GetParam() + ":n=200,scale=0.5")->frame(0);
+  const Chain half = open(GetParam() + ":n=200,scale=0.25")->frame(0);
+  const auto normal = [](float v) { return v == 0 || std::abs(v) > 0x1p-124f; };
+  for (std::uint32_t i = 0; i < plain.size(); ++i) {
+    EXPECT_TRUE(!normal(plain[i].x) || half[i].x == plain[i].x / 2) << i;
+    EXPECT_TRUE(!normal(plain[i].radius) || half[i].radius == plain[i].radius / 2) << i;
+  }
 }
 
 /// FNV-1a over the stored bits of a frame.
@@ -126,10 +167,31 @@ std::uint64_t fingerprint(const Chain& chain) {
 
 TEST(Scenes, HaveTheSameBitsOnEveryMachine) {
   // A number changes only with a deliberate change of its scene: results of other days refer to it.
-  const std::pair<const char*, std::uint64_t> expected[] = {
-      {"coil", 0x80341332e38c7063},  {"hair", 0xf2462fcbc4b3d217}, {"path1", 0x84509b2e3d13f287},
-      {"path2", 0xd76331a061b02116}, {"rod", 0xe02ffc474400aa01},  {"torus_knot", 0x30381e8757d11444},
-      {"walk", 0xed30e1b93341b472},  {"yarn", 0x0959551baa2bfcc0}};
+  const std::pair<const char*, std::uint64_t> expected[] = {{"coil", 0x80341332e38c7063},
+                                                            {"hair", 0xf2462fcbc4b3d217},
+                                                            {"path1", 0x84509b2e3d13f287},
+                                                            {"path2", 0xd76331a061b02116},
+                                                            {"rod", 0xe02ffc474400aa01},
+                                                            {"torus_knot", 0x30381e8757d11444},
+                                                            {"cluster", 0x0},
+                                                            {"coincident", 0x0},
+                                                            {"collinear", 0x0},
+                                                            {"far", 0x0},
+                                                            {"grazing", 0x0},
+                                                            {"largest", 0x0},
+                                                            {"lattice", 0x0},
+                                                            {"lattice_moved", 0x0},
+                                                            {"mixed_radii", 0x0},
+                                                            {"nested", 0x0},
+                                                            {"points", 0x0},
+                                                            {"slender", 0x0},
+                                                            {"smallest", 0x0},
+                                                            {"stretched", 0x0},
+                                                            {"subnormal", 0x0},
+                                                            {"tight_knot", 0x0},
+                                                            {"winding", 0x0},
+                                                            {"walk", 0xed30e1b93341b472},
+                                                            {"yarn", 0x0959551baa2bfcc0}};
   for (const auto& [name, hash] : expected) {
     const auto scene = open(std::string(name) + ":n=5000");
     EXPECT_EQ(fingerprint(scene->frame(scene->frames() / 2)), hash) << name;

@@ -57,6 +57,14 @@ Sphere SceneSetup::place(const Vec3& centre) const {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), stored_radius_};
 }
 
+Sphere SceneSetup::place(const Vec3& centre, double size) const {
+  Sphere sphere = place(centre);
+  const double radius = scale_ * (radius_ * size);
+  if (!(radius <= float_max)) refuse(size);
+  sphere.radius = static_cast<float>(radius);
+  return sphere;
+}
+
 void SceneSetup::refuse(double coordinate) const {
   const double sized = radius_ * coordinate;
   const char* fault = !(std::abs(sized) <= float_max)             ? "radius"

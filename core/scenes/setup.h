@@ -30,6 +30,8 @@ class SceneSetup {
   /// The stored sphere around a centre in working units. Throws InputError, naming the parameter at fault,
   /// when a coordinate overflows binary32; one that underflows rounds like any other.
   Sphere place(const Vec3& centre) const;
+  /// The same with `size` >= 0 times the scene's radius. The radius may overflow too.
+  Sphere place(const Vec3& centre, double size) const;
 
  private:
   [[noreturn]] void refuse(double coordinate) const;

@@ -1,0 +1,85 @@
+#include "catena/bench/stability.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "catena/bench/stability_report.h"
+#include "catena/core/input/input.h"
+#include "catena/core/scenes/scene.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+Cell cell_of(const std::string& scene, const std::string& variant) {
+  const Chain chain = open_input(scene).animation->frame(0);
+  return measure(scene, variant, *StrategyRegistry::instance().make(variant), chain, reference::find(chain));
+}
+
+TEST(Stability, TellsTheOutcomesApart) {
+  EXPECT_EQ(cell_of("lattice:n=500", "aCPU2+CPU2").outcome, Outcome::exact);
+  EXPECT_EQ(cell_of("rod:n=2000", "aCPU2+CPU2/literal").outcome, Outcome::unenclosed);
+  EXPECT_EQ(cell_of("grazing:n=2000,margin=0", "CPU1/literal").outcome, Outcome::wrong);
+  EXPECT_EQ(cell_of("coincident:n=500", "aCPU2+CPU2/literal").outcome, Outcome::not_finite);
+  EXPECT_EQ(cell_of("rod:n=2000", "bGPU2@host+CPU2").outcome, Outcome::refused);
+}
+
+TEST(Stability, OnlyRoundedArithmeticMayBeWrong) {
+  for (const char* scene :
+       {"grazing:n=2000,margin=0", "coincident:n=500", "largest:n=500", "smallest:n=500"}) {
+    EXPECT_FALSE(cell_of(scene, "aCPU2+CPU2/literal").defect) << scene;
+    const Cell robust = cell_of(scene, "aCPU2+CPU2");
+    EXPECT_EQ(robust.outcome, Outcome::exact) << scene << ": " << robust.found.reason;
+    EXPECT_FALSE(robust.defect);
+  }
+}
+
+/// Answers nothing at all.
+class Silent final : public Variant {
+ public:
+  void build(const Chain&) override {}
+  void find(const Chain& chain, const Request&, Collisions& result) override {
+    result = {false, 0, std::vector<std::uint32_t>(chain.size()), {}};
+  }
+  Timings timings() const override { return {}; }
+};
+
+TEST(Stability, ARobustVariantThatMissesAPairIsADefect) {
+  const Chain chain = open_input("lattice:n=100").animation->frame(0);
+  Silent silent;
+  const Cell cell = measure("lattice", "Silent", silent, chain, reference::find(chain));
+  EXPECT_TRUE(cell.defect);
+  EXPECT_EQ(cell.outcome, Outcome::wrong);
+  EXPECT_EQ(cell.found.comparison.missing, cell.exact_pairs);
+  StabilityReport report(StabilityReport::Form::json, {"lattice"}, {"Silent"});
+  testing::internal::CaptureStdout();
+  report.scene({cell});
+  const auto line = nlohmann::json::parse(testing::internal::GetCapturedStdout());
+  EXPECT_TRUE(report.any_defect());
+  EXPECT_EQ(line["outcome"], "wrong");
+  EXPECT_EQ(line["missing"], cell.exact_pairs);
+  EXPECT_EQ(line["not_finite_nodes"], 0);
+}
+
+TEST(Stability, RunsEverySceneInEverySetting) {
+  const auto specs = stability_scenes(700);
+  std::size_t expected = 0;
+  for (const SceneInfo& scene : SceneRegistry::instance().scenes())
+    expected += std::max<std::size_t>(1, scene.settings.size());
+  EXPECT_EQ(specs.size(), expected);
+  EXPECT_EQ(std::ranges::count(specs, "grazing:n=700,margin=0"), 1);
+  for (const auto& spec : specs)
+    for (const char* variant : {"aCPU2+CPU2", "aGPU2@host+GPUv2@host"}) {
+      const Cell cell = cell_of(spec, variant);
+      EXPECT_EQ(cell.outcome, Outcome::exact) << spec << ' ' << variant << ' ' << cell.found.reason;
+    }
+}
+
+}  // namespace
+}  // namespace catena::bench

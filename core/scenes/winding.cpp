@@ -1,0 +1,42 @@
+// winding: wire wound so tightly on a spool that its turns go through each other: every sphere has hundreds
+// of contacts, whatever n.
+#include <numbers>
+
+#include "catena/core/scenes/scene.h"
+#include "catena/core/scenes/setup.h"
+#include "catena/core/scenes/still.h"
+#include "catena/core/scenes/turn.h"
+
+namespace catena {
+namespace {
+
+Chain winding(const SceneSetup& setup, double width, double contacts) {
+  // On the unrolled spool a disc of radius 2 holds 4 pi / (spacing pitch) centres.
+  const double pitch = 4 * std::numbers::pi / (setup.spacing() * contacts);
+  const double turns_a_sphere = setup.spacing() / (2 * std::numbers::pi * width);
+  const double middle = (setup.n() - 1.0) / 2;
+  std::vector<Sphere> spheres;
+  spheres.reserve(setup.n());
+  for (std::uint32_t i = 0; i < setup.n(); ++i) {
+    const double turns = turns_a_sphere * (i - middle);
+    const auto [cosine, sine] = circle_point(turns);
+    spheres.push_back(setup.place({width * cosine, width * sine, pitch * turns}));
+  }
+  return Chain(std::move(spheres));
+}
+
+const RegisterScene registered{
+    {"winding",
+     "spool wound so tightly that every sphere has hundreds of contacts",
+     {{"contacts", "200", "of a sphere, about; fewer near the ends"},
+      {"width", "4", "radius of the spool, in radii"}},
+     "pairs outnumber spheres a hundredfold: fixed buffers overflow, and pairs of every margin occur",
+     {"contacts=20", "contacts=200"}},
+    [](const Parameters& parameters) {
+      return std::make_unique<StillScene>(winding(SceneSetup("winding", parameters),
+                                                  parameters.real("width", 1, 1e9),
+                                                  parameters.real("contacts", 1, 1e6)));
+    }};
+
+}  // namespace
+}  // namespace catena
