@@ -12,8 +12,8 @@ add_executable(catena_tests ${tests})
 target_link_libraries(catena_tests PRIVATE catena catena_options GTest::gtest_main rapidcheck nlohmann_json::nlohmann_json)
 target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*:Device/*" PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
-gtest_discover_tests(catena_tests TEST_FILTER "Device/*" TEST_SUFFIX " (gpu)" PROPERTIES LABELS gpu TIMEOUT 300 DISCOVERY_TIMEOUT 120)
+gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*:Device*" PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
+gtest_discover_tests(catena_tests TEST_FILTER "Device*" TEST_SUFFIX " (gpu)" PROPERTIES LABELS gpu TIMEOUT 300 DISCOVERY_TIMEOUT 120)
 gtest_discover_tests(catena_tests TEST_FILTER "*Long.*" TEST_SUFFIX " (long)" PROPERTIES LABELS long TIMEOUT 3600 DISCOVERY_TIMEOUT 120)
 
 # An installed catena is found by another project, which adds README's one-file variant from outside.
