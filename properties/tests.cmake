@@ -22,3 +22,4 @@ add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BI
          -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
 
 include(${PROJECT_SOURCE_DIR}/properties/proofs/proofs.cmake)
+include(${PROJECT_SOURCE_DIR}/properties/mutants/mutants.cmake)
