@@ -23,3 +23,6 @@ if(CATENA_SANITIZE)
 endif()
 add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
          -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
+
+include(${PROJECT_SOURCE_DIR}/properties/proofs/proofs.cmake)
+include(${PROJECT_SOURCE_DIR}/properties/mutants/mutants.cmake)

@@ -67,7 +67,7 @@ struct Robust {
   static constexpr float underflow_floor = 0x1p-120f;
   static constexpr double wide_slack = 1 + 10 * 0x1p-53;      // 1 + 10u
   static constexpr float contained_slack = 1 - 8 * 0x1p-24f;  // 1 - 8u
-  static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 21u are needed
+  static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 24u are needed
   static constexpr double parent_wide_slack = 1 + 0x1p-48;
 
   /// Stage 1, binary32: q = |cA - cB|^2 with relative error <= 5.01u, t = (rA + rB)^2 with <= 3.01u, and,

@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+namespace catena {
+namespace {
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(std::string(CATENA_SOURCE_DIR "/") + file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  EXPECT_FALSE(text.str().empty()) << file;
+  return text.str();
+}
+
+/// A constant as core/ declares it, and the same number as a proof has it in its formulas.
+struct Proved {
+  std::string declared, script, formula;
+};
+
+TEST(Proofs, AreAboutTheConstantsOfTheCode) {
+  const std::string code = text_of("core/arithmetic/robust.h");
+  for (const Proved& p : {Proved{"narrow_slack = 1 + 10 * 0x1p-24f;", "overlap_narrow.g", "(1 + 10b-24)"},
+                          Proved{"wide_slack = 1 + 10 * 0x1p-53;", "overlap_wide.g", "(1 + 10b-53)"},
+                          Proved{"contained_slack = 1 - 8 * 0x1p-24f;", "parent_narrow.g", "(1 - 8b-24)"},
+                          Proved{"parent_slack = 1 + 32 * 0x1p-24f;", "parent_narrow.g", "(1 + 32b-24)"},
+                          Proved{"parent_wide_slack = 1 + 0x1p-48;", "parent_wide.g", "(1 + 1b-48)"}}) {
+    EXPECT_NE(code.find(p.declared), std::string::npos) << "robust.h no longer says " << p.declared;
+    EXPECT_NE(text_of("properties/proofs/" + p.script).find(p.formula), std::string::npos) << p.script;
+  }
+  for (const char* range :
+       {"safe_square_min = 0x1p-90f", "safe_square_max = 0x1p120f", "safe_radius_max = 0x1p120f"})
+    EXPECT_NE(code.find(range), std::string::npos) << range;
+  for (const char* script : {"overlap_narrow.g", "parent_narrow.g"})
+    for (const char* range : {"safe_square_min = 2^-90", "safe_square_max = 2^120"})
+      EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(range), std::string::npos) << script;
+}
+
+TEST(Proofs, CoverEverySlackOfTheCode) {
+  const std::string code = text_of("core/arithmetic/robust.h");
+  const std::regex slack("constexpr (float|double) \\w*slack =");
+  EXPECT_EQ(std::distance(std::sregex_iterator(code.begin(), code.end(), slack), std::sregex_iterator()), 5)
+      << "a new slack needs a proof, and a line in the test above";
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,10 @@
+# Every *.g here is a proof about constants of core/arithmetic/robust.h, checked when gappa is installed.
+find_program(CATENA_GAPPA gappa)
+if(CATENA_GAPPA)
+  file(GLOB proofs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/properties/proofs/*.g)
+  foreach(proof ${proofs})
+    get_filename_component(name ${proof} NAME_WE)
+    add_test(NAME proof.${name} COMMAND ${CATENA_GAPPA} ${proof})
+    set_tests_properties(proof.${name} PROPERTIES TIMEOUT 120)
+  endforeach()
+endif()
