@@ -16,4 +16,17 @@ inline Chain moved_frame(const Chain& chain) {
   return chain.moved(std::move(spheres));
 }
 
+/// A frame in which only radii change, and one in which the first sphere stays: what a short cut for still
+/// frames must not take for still.
+inline Chain thinned_frame(const Chain& chain) {
+  std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
+  for (std::size_t i = 0; i < spheres.size(); i += 2) spheres[i].radius /= 4;
+  return chain.moved(std::move(spheres));
+}
+inline Chain anchored_frame(const Chain& chain) {
+  std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
+  for (std::size_t i = 1; i < spheres.size(); ++i) spheres[i].x = -spheres[i].x;
+  return chain.moved(std::move(spheres));
+}
+
 }  // namespace catena::properties

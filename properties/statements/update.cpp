@@ -14,15 +14,17 @@ class Update final : public Property {
   std::string name() const override { return "update is build"; }
 
   std::optional<std::string> check(const Subject& subject, Variant& variant, const Case& test) override {
-    const Chain moved = moved_frame(test.chain);
     const auto fresh = subject.make();
     variant.build(test.chain);
-    variant.update(moved);
-    fresh->build(moved);
-    if (auto difference = compare(*fresh, variant, moved)) return difference;
-    variant.update(test.chain);
-    fresh->build(test.chain);
-    if (auto difference = compare(*fresh, variant, test.chain)) return "on the way back: " + *difference;
+    for (const auto frame : {moved_frame, thinned_frame, anchored_frame}) {
+      const Chain moved = frame(test.chain);
+      variant.update(moved);
+      fresh->build(moved);
+      if (auto difference = compare(*fresh, variant, moved)) return difference;
+      variant.update(test.chain);
+      fresh->build(test.chain);
+      if (auto difference = compare(*fresh, variant, test.chain)) return "on the way back: " + *difference;
+    }
     return std::nullopt;
   }
 
