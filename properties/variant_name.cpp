@@ -9,6 +9,9 @@ namespace {
 /// any.
 bool set(std::string& strategy, const std::vector<Setting>& settings) {
   auto spec = StrategySpec::parse(strategy);
+  const auto registered = StrategyRegistry::instance().strategy_names();
+  if (!std::ranges::binary_search(registered, spec.name))
+    return false;  // a mutant's base, made by a test alone
   const auto declared = StrategyRegistry::instance().strategy(spec.name).parameters;
   bool any = false;
   for (const Setting& setting : settings) {

@@ -63,7 +63,7 @@ struct Robust {
   enum class Decision { separate, overlap, open };
 
   static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f, safe_radius_max = 0x1p120f;
-  static constexpr float narrow_slack = 1 + 10 * 0x1p-24f;  // 1 + 10u
+  static constexpr float narrow_slack = 1 + 12 * 0x1p-24f;  // 1 + 12u
   static constexpr float underflow_floor = 0x1p-120f;
   static constexpr double wide_slack = 1 + 10 * 0x1p-53;      // 1 + 10u
   static constexpr float contained_slack = 1 - 8 * 0x1p-24f;  // 1 - 8u

@@ -162,6 +162,7 @@ ChainsToKill chains_to_kill() {
     result.chains.push_back({name, rule(std::move(spheres))});
   };
   for (std::uint32_t n : {1u, 2u, 3u, 5u, 9u, 17u, 33u, 50u}) add("tangle", tangle(n, n));
+  for (std::uint32_t n : {2u, 3u, 4u}) add("coincident", Spheres(n, Sphere{1, 2, 3, 1}));
   for (const auto& [name, rule] : rules()) {
     add("ring, " + name, ring(40), rule);
     add("tangle, " + name, tangle(3, 2), rule);

@@ -23,7 +23,8 @@ struct Proved {
 
 TEST(Proofs, AreAboutTheConstantsOfTheCode) {
   const std::string code = text_of("core/arithmetic/robust.h");
-  for (const Proved& p : {Proved{"narrow_slack = 1 + 10 * 0x1p-24f;", "overlap_narrow.g", "(1 + 10b-24)"},
+  for (const Proved& p : {Proved{"narrow_slack = 1 + 12 * 0x1p-24f;", "overlap_narrow.g", "(1 + 12b-24)"},
+                          Proved{"underflow_floor = 0x1p-120f;", "overlap_narrow.g", "1b-120"},
                           Proved{"wide_slack = 1 + 10 * 0x1p-53;", "overlap_wide.g", "(1 + 10b-53)"},
                           Proved{"contained_slack = 1 - 8 * 0x1p-24f;", "parent_narrow.g", "(1 - 8b-24)"},
                           Proved{"parent_slack = 1 + 32 * 0x1p-24f;", "parent_narrow.g", "(1 + 32b-24)"},
