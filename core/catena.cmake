@@ -34,9 +34,9 @@ function(catena_part name)
   if(NOT sources)
     return()
   endif()
-  add_library(catena_${name}_objects OBJECT ${sources})
-  target_link_libraries(catena_${name}_objects PUBLIC catena_options ${ARGN})
-  set(CATENA_PARTS ${CATENA_PARTS} catena_${name}_objects PARENT_SCOPE)
+  add_library(catena_part_${name} OBJECT ${sources})
+  target_link_libraries(catena_part_${name} PUBLIC catena_options ${ARGN})
+  set(CATENA_PARTS ${CATENA_PARTS} catena_part_${name} PARENT_SCOPE)
 endfunction()
 
 # What every measurement says of its build. The commit is that of the configure step; "+" marks local changes.
