@@ -35,8 +35,9 @@ bool DeviceResult::fits(ResultView& view, const Request& request, Collisions& re
   result.found = found > 0;
   if (view.any_only) return true;
   result.pair_count = found;
-  if (view.pairs == nullptr || found <= view.capacity) return true;
+  if (view.pairs == nullptr) return true;
   if (found > request.pair_limit) throw PairLimitExceeded(found, request.pair_limit);
+  if (found <= view.capacity) return true;
   view.capacity = found;
   view.pairs = pairs_.reserve(found, stream);
   return false;

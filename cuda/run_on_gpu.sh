@@ -14,8 +14,11 @@ if [ ! -x "$build/catena_tests" ]; then
 fi
 
 nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv | tee "$results/gpu_tests.txt"
-ctest --test-dir "$build" -L gpu --output-on-failure 2>&1 | tee -a "$results/gpu_tests.txt"
+ctest --test-dir "$build" -L gpu -j 8 --output-on-failure 2>&1 | tee -a "$results/gpu_tests.txt"
 
-"$build/catena_bench" --benchmark_filter='path[12]/n:[0-9]+/(GPU1|aCPU2[+]CPU2|aGPU2[+]GPUv?2)(/literal)?/(build|find|whole)/' \
-  --benchmark_min_time=0.03 --benchmark_repetitions=5 --benchmark_enable_random_interleaving=true \
-  --benchmark_display_aggregates_only=true --benchmark_out="$results/gpu_tables.json" --benchmark_out_format=json
+device='path[12]/n:[0-9]+/(GPU1|aGPU2[+]GPUv?2)/(build|find|whole)/'
+host='path[12]/n:[0-9]{4,6}/aCPU2[+]CPU2/(build|find)/'
+arithmetics='path[12]/n:150000/(GPU1|aGPU2[+]GPUv?2|aCPU2[+]CPU2)/literal/(build|find)/'
+"$build/catena_bench" --benchmark_filter="$device|$host|$arithmetics" --benchmark_min_time=0.02 \
+  --benchmark_repetitions=3 --benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true \
+  --benchmark_out="$results/gpu_tables.json" --benchmark_out_format=json | tee "$results/gpu_tables.txt"
