@@ -173,7 +173,7 @@ TEST(Scenes, HaveTheSameBitsOnEveryMachine) {
                                                             {"path2", 0xd76331a061b02116},
                                                             {"rod", 0xe02ffc474400aa01},
                                                             {"torus_knot", 0x30381e8757d11444},
-                                                            {"cluster", 0xcaf480b547a8fdf5},
+                                                            {"cluster", 0x8fad6a15c0ad4768},
                                                             {"coincident", 0x464c170025314845},
                                                             {"collinear", 0xc55ac2c8190bcda5},
                                                             {"far", 0xd154e2f632bb9029},

@@ -183,7 +183,7 @@ TEST(Cluster, IsCoveredByItsFirstSphereAndHasFewOtherPairs) {
   const auto of_cover = std::ranges::count_if(pairs, [](const Pair& p) { return p.i == 0; });
   EXPECT_EQ(of_cover, 1998);
   EXPECT_LT(pairs.size(), 6000u);
-  EXPECT_LT(std::hypot(chain[99].x, chain[99].y, chain[99].z), 1e-29);
+  EXPECT_LT(std::hypot(chain[1999].x, chain[1999].y, chain[1999].z), 1e-29);
 }
 
 TEST(StrainingScenes, KeepTheirPairsBoundedAtTheirDefaults) {
