@@ -36,13 +36,11 @@ void add_input_options(CLI::App& app, InputOptions& options) {
   auto* window =
       app.add_option("--window", options.window,
                      "Spheres this many steps along a strand are neighbours, instead of the input's rule")
-          ->type_name("K")
-          ->check(CLI::PositiveNumber);
+          ->type_name("K");
   app.add_option(
          "--arc-window", options.arc_window,
          "Spheres nearer along the strand than F times the sum of their radii are neighbours, instead")
       ->type_name("F")
-      ->check(CLI::PositiveNumber)
       ->excludes(window);
 }
 
