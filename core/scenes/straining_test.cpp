@@ -117,7 +117,8 @@ TEST(Far, IsAsFarAsAskedAndBecomesALattice) {
 
 TEST(FloatRange, IsAtItsEnds) {
   float greatest = 0;
-  for (const Sphere& s : chain_of("largest:n=1000").spheres())
+  const Chain largest = chain_of("largest:n=1000");  // named: its spheres are a view into it
+  for (const Sphere& s : largest.spheres())
     greatest = std::max({greatest, std::abs(s.x), std::abs(s.y), std::abs(s.z)});
   EXPECT_GT(greatest, Limits::max() / 16);
   EXPECT_EQ(chain_of("smallest:n=1000")[0].radius, Limits::min());
