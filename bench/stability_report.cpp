@@ -9,21 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "catena/core/commands/report_text.h"
+
 namespace catena::bench {
 namespace {
 
 constexpr std::size_t column = 34;
-
-std::size_t widest(const std::vector<std::string>& names, std::size_t least) {
-  for (const auto& name : names) least = std::max(least, name.size());
-  return least;
-}
-
-/// JSON has no infinity; a margin or shortfall without a finite value is written as the word.
-nlohmann::ordered_json number(double value) {
-  if (std::isfinite(value)) return value;
-  return "infinite";
-}
 
 /// "wrong -12 +3 by 1.2e-07": pairs missing, invented, and the largest margin of a wrong decision.
 std::string in_short(const Cell& cell) {
@@ -134,13 +125,13 @@ std::string to_json(const Cell& cell) {
     if (v.by_pairs) {
       line["missing"] = v.comparison.missing;
       line["invented"] = v.comparison.invented;
-      line["worst_margin"] = number(v.comparison.worst_margin);
+      line["worst_margin"] = finite_or_word(v.comparison.worst_margin);
     }
     line["wrong_counts"] = v.comparison.wrong_counts;
     line["bounds"] = v.enclosure.bounds;
     line["unenclosed"] = v.enclosure.violations;
     line["unenclosed_share"] = v.enclosure.share();
-    line["worst_shortfall"] = number(v.enclosure.worst_shortfall);
+    line["worst_shortfall"] = finite_or_word(v.enclosure.worst_shortfall);
     line["not_finite_nodes"] = cell.not_finite_nodes;
   }
   if (!v.reason.empty()) line["reason"] = v.reason;

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "catena/core/commands/report_text.h"
+
 namespace catena::reference {
 namespace {
 
@@ -18,17 +20,6 @@ constexpr auto table_line = "{:<{}}  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {}\
 std::string label(const std::string& input) {
   const std::filesystem::path path(input);
   return path.has_parent_path() ? path.filename().string() : input;
-}
-
-std::size_t widest(const std::vector<std::string>& names, std::size_t least) {
-  for (const auto& name : names) least = std::max(least, name.size());
-  return least;
-}
-
-/// JSON has no infinity; a margin or shortfall without a finite value is written as the word.
-nlohmann::ordered_json number(double value) {
-  if (std::isfinite(value)) return value;
-  return "infinite";
 }
 
 }  // namespace
@@ -56,9 +47,10 @@ void VerifyReport::table_row(const VerifyRow& row) const {
   const std::string input =
       row.frame == 0 ? label(row.input) : fmt::format("{} #{}", label(row.input), row.frame);
   const std::string why = !v.reason.empty() ? ": " + v.reason
-                          : v.certificate   ? fmt::format(", certified: {} node pairs discarded, {} pairs tested",
-                                                          v.certificate->discarded, v.certificate->tested)
-                                            : "";
+                          : v.certificate
+                              ? fmt::format(", certified: {} node pairs discarded, {} pairs tested",
+                                            v.certificate->discarded, v.certificate->tested)
+                              : "";
   fmt::print(table_line, input, input_width_, row.variant, variant_width_, figure(v.ran, v.comparison.pairs),
              figure(v.ran && v.by_pairs, v.comparison.missing),
              figure(v.ran && v.by_pairs, v.comparison.invented),
@@ -82,12 +74,12 @@ void VerifyReport::json_row(const VerifyRow& row) const {
       line["repeated"] = c.repeated;
       line["malformed"] = c.malformed;
       line["inconsistent_counts"] = c.inconsistent_counts;
-      line["worst_margin"] = number(c.worst_margin);
+      line["worst_margin"] = finite_or_word(c.worst_margin);
     }
     line["wrong_counts"] = c.wrong_counts;
     line["bounds"] = v.enclosure.bounds;
     line["unenclosed"] = v.enclosure.violations;
-    line["worst_shortfall"] = number(v.enclosure.worst_shortfall);
+    line["worst_shortfall"] = finite_or_word(v.enclosure.worst_shortfall);
     line["depth"] = v.shape.depth;
   }
   if (v.certificate)

@@ -5,7 +5,7 @@ A scratch copy of the tree is configured once; each mutant changes one place of 
 and runs the tests. Killed: it no longer compiles, a test fails, or it runs too long. The score and every survivor with
 its line are printed, for somebody to explain or to write the missing test. Python's standard library only.
 
-    mutate_sources.py --source . --work /tmp/mutants --budget 1800 --seed 1 --paths variants core/policies
+    mutate_sources.py --source . --work build/mutated --budget 1800 --seed 1 --paths variants core/policies
 """
 import argparse
 import random
