@@ -1,3 +1,4 @@
+#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/policies/GPU2.h"
 #include "catena/core/strategy/register.h"
 #include "catena/cuda/device.h"
@@ -8,15 +9,15 @@
 namespace catena::cuda {
 namespace {
 
-template <class Arithmetic>
+template <class Tests>
 __global__ void search(const __grid_constant__ ChainView chain,
-                       const __grid_constant__ HierarchyView<typename Arithmetic::Bound> tree,
+                       const __grid_constant__ HierarchyView<typename Tests::Bound> tree,
                        const __grid_constant__ ResultView result) {
   const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= chain.size) return;
   DeviceVisitor visitor(i, result);
   if (visitor.satisfied()) return;
-  policy::GPU2<Arithmetic>::visit(i, chain, tree, visitor);
+  policy::GPU2<Tests>::visit(i, chain, tree, visitor);
   if (result.count != nullptr) result.count[i] = visitor.collisions;
   visitor.finish();
 }
@@ -29,8 +30,10 @@ class GPU2 final : public Traversal<typename Arithmetic::Bound> {
 
   void find(const ChainView& chain, const HierarchyView<typename Arithmetic::Bound>& tree,
             const Request& request, Collisions& result) override {
-    result_.run(chain.size, request, result, stream_, [&](const ResultView& view) {
-      launch(search<Arithmetic>, chain.size, threads_, stream_, chain, tree, view);
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      result_.run(chain.size, request, result, stream_, [&](const ResultView& view) {
+        launch(search<decltype(tests)>, chain.size, threads_, stream_, chain, tree, view);
+      });
     });
   }
   double own_ms() const override { return result_.find_ms(); }

@@ -1,3 +1,4 @@
+#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/policies/GPUv2.h"
 #include "catena/core/strategy/register.h"
 #include "catena/cuda/device.h"
@@ -10,16 +11,16 @@ namespace {
 
 /// Threads 0..n-1 are the spheres' first threads, n..2n-1 their second ones, so that the threads of a warp
 /// walk the same subtree.
-template <class Arithmetic>
+template <class Tests>
 __global__ void search(const __grid_constant__ ChainView chain,
-                       const __grid_constant__ HierarchyView<typename Arithmetic::Bound> tree,
+                       const __grid_constant__ HierarchyView<typename Tests::Bound> tree,
                        const __grid_constant__ ResultView result) {
   const std::uint64_t t = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (t >= std::uint64_t{2} * chain.size) return;
   const std::uint32_t half = t >= chain.size, i = static_cast<std::uint32_t>(t - (half ? chain.size : 0));
   DeviceVisitor visitor(i, result);
   if (visitor.satisfied()) return;
-  policy::GPUv2<Arithmetic>::visit(i, half, chain, tree, visitor);
+  policy::GPUv2<Tests>::visit(i, half, chain, tree, visitor);
   if (result.count != nullptr && visitor.collisions > 0) atomicAdd(result.count + i, visitor.collisions);
   visitor.finish();
 }
@@ -32,8 +33,10 @@ class GPUv2 final : public Traversal<typename Arithmetic::Bound> {
 
   void find(const ChainView& chain, const HierarchyView<typename Arithmetic::Bound>& tree,
             const Request& request, Collisions& result) override {
-    result_.run(chain.size, request, result, stream_, [&](const ResultView& view) {
-      launch(search<Arithmetic>, std::uint64_t{2} * chain.size, threads_, stream_, chain, tree, view);
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      result_.run(chain.size, request, result, stream_, [&](const ResultView& view) {
+        launch(search<decltype(tests)>, std::uint64_t{2} * chain.size, threads_, stream_, chain, tree, view);
+      });
     });
   }
   double own_ms() const override { return result_.find_ms(); }

@@ -16,7 +16,7 @@ std::string version(int number) {
 const RegisterEnvironment registered([] {
   std::map<std::string, std::string> facts{{"cuda toolkit", version(CUDART_VERSION)}};
   if (const auto why = unavailable()) {
-    facts["gpu"] = *why;
+    facts["gpu unavailable"] = *why;
     return facts;
   }
   cudaDeviceProp device{};

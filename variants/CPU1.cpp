@@ -11,14 +11,33 @@ class CPU1 final : public Variant {
   void build(const Chain&) override {}
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
-    const Stopwatch watch;
+    search(chain.view(), request, result, [](std::uint32_t, std::uint32_t) {});
+  }
+
+  Accounting evidence() const override { return Accounting::each_pair; }
+
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
     const ChainView view = chain.view();
+    search(view, request, result, [&](std::uint32_t i, std::uint32_t j) {
+      view.neighbours(i, j) ? sink.excluded(i, j) : sink.tested(i, j);
+    });
+  }
+
+  Timings timings() const override { return timings_; }
+
+ private:
+  /// `met(i, j)` is called for every pair that is compared.
+  template <class Met>
+  void search(const ChainView& view, const Request& request, Collisions& result, const Met& met) {
+    const Stopwatch watch;
     PairCollector collector(view.size, request, result);
     PairCollector::Lane& lane = collector.lane(0);
     const bool counts = request.want != Request::Want::any;
     for (std::uint32_t i = 0; i < view.size && !lane.satisfied(); ++i) {
       const auto sphere = Arithmetic::bound(view.spheres[i]);
       for (std::uint32_t j = i + 1; j < view.size; ++j) {
+        met(i, j);
         if (!Arithmetic::overlap(sphere, Arithmetic::bound(view.spheres[j])) || view.neighbours(i, j))
           continue;
         if (counts) ++result.count[i], ++result.count[j];
@@ -29,9 +48,6 @@ class CPU1 final : public Variant {
     timings_.find_ms = watch.ms();
   }
 
-  Timings timings() const override { return timings_; }
-
- private:
   Timings timings_;
 };
 

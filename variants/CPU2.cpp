@@ -1,3 +1,4 @@
+#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/strategy/register.h"
 
@@ -24,7 +25,7 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
 
  private:
   /// `Observer` is told what the search left out, or is a Visitor that costs nothing.
-  template <class Observer>
+  template <class Tests, class Observer>
   struct Search {
     const ChainView& chain;
     const HierarchyView<Bound>& tree;
@@ -40,15 +41,17 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
       node(tree.links[slot].right);
     }
     void node(std::uint32_t slot) {
-      if (!tree.is_leaf(slot))
-        Arithmetic::may_overlap(sphere, tree.bound[slot]) ? children(slot) : observer.discarded(slot);
-      else if (slot != i)
+      if (!tree.is_leaf(slot)) {
+        observer.tested_node(slot);
+        Tests::may_overlap(sphere, tree.bound[slot]) ? children(slot) : observer.discarded(slot);
+      } else if (slot != i) {
         leaf(slot);
+      }
     }
     void leaf(std::uint32_t j) {
       if (chain.neighbours(i, j)) return observer.excluded(j);
       observer.tested_pair(j);
-      if (!Arithmetic::overlap(sphere, tree.bound[j])) return;
+      if (!Tests::overlap(sphere, tree.bound[j])) return;
       ++collisions;
       if (i < j) lane.pair(i, j);
     }
@@ -59,12 +62,20 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
                          Collisions& result, const Observe& observe) {
     PairCollector collector(chain.size, request, result);
     PairCollector::Lane& lane = collector.lane(0);
-    for (std::uint32_t i = 0; i < chain.size && !lane.satisfied(); ++i) {
-      Search<decltype(observe(i))> search{chain, tree, lane, tree.bound[i], i, observe(i)};
-      if (!tree.is_leaf(tree.root)) search.children(tree.root);
-      lane.count(i, search.collisions);
-    }
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      for (std::uint32_t i = 0; i < chain.size && !lane.satisfied(); ++i)
+        lane.count(i, collisions_of<decltype(tests)>(i, chain, tree, lane, observe(i)));
+    });
     collector.finish();
+  }
+
+  template <class Tests, class Observer>
+  static std::uint32_t collisions_of(std::uint32_t i, const ChainView& chain,
+                                     const HierarchyView<Bound>& tree, PairCollector::Lane& lane,
+                                     const Observer& observer) {
+    Search<Tests, Observer> search{chain, tree, lane, tree.bound[i], i, observer};
+    if (!tree.is_leaf(tree.root)) search.children(tree.root);
+    return search.collisions;
   }
 };
 

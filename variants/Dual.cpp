@@ -31,6 +31,7 @@ class Dual final : public Traversal<typename Arithmetic::Bound> {
     void discarded(std::uint32_t, std::uint32_t) const {}
     void tested(std::uint32_t, std::uint32_t) const {}
     void excluded(std::uint32_t, std::uint32_t) const {}
+    void compared(std::uint32_t, std::uint32_t) const {}
   };
 
   template <class Sink>
@@ -54,6 +55,7 @@ class Dual final : public Traversal<typename Arithmetic::Bound> {
     void between(std::uint32_t a, std::uint32_t b) {
       if (lane.satisfied()) return;
       if (tree.is_leaf(a) && tree.is_leaf(b)) return leaves(std::min(a, b), std::max(a, b));
+      sink.compared(a, b);
       if (!Arithmetic::may_overlap(tree.bound[a], tree.bound[b])) return sink.discarded(a, b);
       if (tree.is_leaf(a) || (!tree.is_leaf(b) && tree.bound[a].radius < tree.bound[b].radius))
         std::swap(a, b);

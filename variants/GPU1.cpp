@@ -17,15 +17,27 @@ class GPU1OnHost final : public Variant {
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     const Stopwatch watch;
     const ChainView view = chain.view();
-    executor_.for_each_sphere(view.size, request, result, [&view](std::uint32_t i, auto& visitor) {
-      policy::GPU1<Arithmetic>::visit(i, view, visitor);
-    });
+    executor_.for_each_sphere(view.size, request, result, visit(view));
+    timings_.find_ms = watch.ms();
+  }
+
+  Accounting evidence() const override { return Accounting::from_both_ends; }
+
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    const Stopwatch watch;
+    const ChainView view = chain.view();
+    executor_.for_each_sphere(view.size, request, result, sink, visit(view));
     timings_.find_ms = watch.ms();
   }
 
   Timings timings() const override { return timings_; }
 
  private:
+  static auto visit(const ChainView& view) {
+    return [&view](std::uint32_t i, auto& visitor) { policy::GPU1<Arithmetic>::visit(i, view, visitor); };
+  }
+
   HostExecutor executor_;
   Timings timings_;
 };

@@ -1,5 +1,6 @@
 #include "catena/core/policies/GPU2.h"
 
+#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/executor/host_executor.h"
 #include "catena/core/strategy/register.h"
 
@@ -16,19 +17,24 @@ class GPU2OnHost final : public Traversal<typename Arithmetic::Bound> {
 
   void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
             Collisions& result) override {
-    executor_.for_each_sphere(chain.size, request, result, visit(chain, tree));
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      executor_.for_each_sphere(chain.size, request, result, visit<decltype(tests)>(chain, tree));
+    });
   }
 
   Accounting evidence() const override { return Accounting::from_both_ends; }
 
   void find_with_evidence(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
                           Collisions& result, EvidenceSink& sink) override {
-    executor_.for_each_sphere(chain.size, request, result, sink, visit(chain, tree));
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      executor_.for_each_sphere(chain.size, request, result, sink, visit<decltype(tests)>(chain, tree));
+    });
   }
 
  private:
+  template <class Tests>
   static auto visit(const ChainView& chain, const HierarchyView<Bound>& tree) {
-    return [&](std::uint32_t i, auto& visitor) { policy::GPU2<Arithmetic>::visit(i, chain, tree, visitor); };
+    return [&](std::uint32_t i, auto& visitor) { policy::GPU2<Tests>::visit(i, chain, tree, visitor); };
   }
 
   HostExecutor executor_;

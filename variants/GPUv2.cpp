@@ -1,5 +1,6 @@
 #include "catena/core/policies/GPUv2.h"
 
+#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/executor/host_executor.h"
 #include "catena/core/strategy/register.h"
 
@@ -16,21 +17,26 @@ class GPUv2OnHost final : public Traversal<typename Arithmetic::Bound> {
 
   void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
             Collisions& result) override {
-    executor_.for_each_sphere(chain.size, request, result, visit(chain, tree));
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      executor_.for_each_sphere(chain.size, request, result, visit<decltype(tests)>(chain, tree));
+    });
   }
 
   Accounting evidence() const override { return Accounting::from_both_ends; }
 
   void find_with_evidence(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
                           Collisions& result, EvidenceSink& sink) override {
-    executor_.for_each_sphere(chain.size, request, result, sink, visit(chain, tree));
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      executor_.for_each_sphere(chain.size, request, result, sink, visit<decltype(tests)>(chain, tree));
+    });
   }
 
  private:
+  template <class Tests>
   static auto visit(const ChainView& chain, const HierarchyView<Bound>& tree) {
     return [&](std::uint32_t i, auto& visitor) {
-      for (std::uint32_t thread = 0; thread < policy::GPUv2<Arithmetic>::threads_per_sphere; ++thread)
-        policy::GPUv2<Arithmetic>::visit(i, thread, chain, tree, visitor);
+      for (std::uint32_t thread = 0; thread < policy::GPUv2<Tests>::threads_per_sphere; ++thread)
+        policy::GPUv2<Tests>::visit(i, thread, chain, tree, visitor);
     };
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 
+#include "catena/core/chain/chain_view.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 
@@ -24,6 +25,9 @@ struct PaperFormulas {
   CATENA_HD static bool separate(const Bound& a, const Bound& b) { return !overlap(a, b); }
   CATENA_HD static bool may_overlap(const Bound& query, const Bound& node) { return overlap(query, node); }
 
+  /// The paper checks no range.
+  static bool in_range(const RadiusRange& /*radii*/) { return true; }
+
   /// Equation (1), Fig. 7: the parent of two spheres.
   CATENA_HD static Bound parent(const Bound& a, const Bound& b) {
     using std::sqrt;
@@ -41,11 +45,13 @@ struct PaperFormulas {
 /// The paper in binary32: what its authors ran.
 struct Literal : PaperFormulas<float, Sphere> {
   static constexpr const char* name = "literal";
+  using InRange = Literal;
 };
 
 /// The paper in binary64.
 struct Double : PaperFormulas<double, WideSphere> {
   static constexpr const char* name = "double";
+  using InRange = Double;
 };
 
 }  // namespace catena

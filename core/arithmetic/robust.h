@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "catena/core/arithmetic/exact_sign.h"
+#include "catena/core/chain/chain_view.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 
@@ -37,37 +38,59 @@ struct Robust {
     return n.in_range() || decide_wide(query, node) != Decision::separate;
   }
 
-  /// A sphere that encloses both, in exact arithmetic; bit-identical on host and device.
+  /// The same tests for a chain in range, whose stage 1 needs neither floor nor range check: one product more
+  /// than the paper's at a node.
+  struct InRange {
+    using Bound = Sphere;
+    CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
+      const Narrow n(a, b);
+      if (n.q > n.t * narrow_slack) return false;
+      return n.q * narrow_slack < n.t || overlap_undecided(a, b);
+    }
+    CATENA_HD static bool may_overlap(const Sphere& query, const Sphere& node) {
+      const Narrow n(query, node);
+      return !(n.q > n.t * narrow_slack);
+    }
+  };
+
+  /// True when InRange may compare any sphere of the chain with any bound of a tree over it: every sum of two
+  /// radii has its square in stage 1's range.
+  static bool in_range(const RadiusRange& radii) {
+    return radii.least > safe_radius_min && radii.reach < safe_radius_max;
+  }
+
+  /// A sphere that encloses both, in exact arithmetic; bit-identical on host and device. The radius is
+  /// infinite where the sum of the radii overflows.
   CATENA_HD static Sphere parent(const Sphere& a, const Sphere& b) {
     using std::fabs;
     using std::sqrt;
     const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
     const float q = dx * dx + dy * dy + dz * dz;
-    const float d = sqrt(q), half_span = 0.5f * ((d + a.radius) + b.radius);
-    if (!(q > safe_square_min && q < safe_square_max && half_span < safe_radius_max))
-      return parent_wide(a, b);
-    if (d + b.radius <= a.radius * contained_slack) return a;
-    if (d + a.radius <= b.radius * contained_slack) return b;
+    if (!(q > safe_square_min && q < safe_square_max)) return parent_wide(a, b);
+    const float d = sqrt(q), e = b.radius - a.radius;
+    // The negation takes two infinite radii, too.
+    if (!(d * contained_slack > fabs(e))) return e > 0 ? b : a;
 
-    const float t = clamp01((half_span - a.radius) / d);
+    const float t = 0.5f + 0.5f * e / d;  // the part of the way to b; outside [0, 1] by rounding at most
     const float px = t * dx, py = t * dy, pz = t * dz;
-    const Sphere c{a.x + px, a.y + py, a.z + pz, 0};
+    const float x = a.x + px, y = a.y + py, z = a.z + pz;
     // How far rounding moved the centre from a + p: measured, not bounded, so that a far origin costs only
     // what it really costs.
-    const float drift = (fabs(px - (c.x - a.x)) + fabs(py - (c.y - a.y))) + fabs(pz - (c.z - a.z));
-    const float largest = larger(half_span, larger(a.radius, b.radius));
-    return {c.x, c.y, c.z, largest * parent_slack + drift * parent_slack};
+    const float drift = (fabs(px - (x - a.x)) + fabs(py - (y - a.y))) + fabs(pz - (z - a.z));
+    const float half_span = 0.5f * (d + (a.radius + b.radius));
+    return {x, y, z, (half_span + drift) * parent_slack};
   }
 
  private:
   enum class Decision { separate, overlap, open };
 
-  static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f, safe_radius_max = 0x1p120f;
-  static constexpr float narrow_slack = 1 + 12 * 0x1p-24f;  // 1 + 12u
+  static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f;
+  static constexpr float safe_radius_min = 0x1p-45f, safe_radius_max = 0x1p60f;  // their roots
+  static constexpr float narrow_slack = 1 + 12 * 0x1p-24f;                       // 1 + 12u
   static constexpr float underflow_floor = 0x1p-120f;
   static constexpr double wide_slack = 1 + 10 * 0x1p-53;      // 1 + 10u
-  static constexpr float contained_slack = 1 - 8 * 0x1p-24f;  // 1 - 8u
-  static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 24u are needed
+  static constexpr float contained_slack = 1 + 6 * 0x1p-24f;  // 1 + 6u
+  static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 25u and 5u of the drift are needed
   static constexpr double parent_wide_slack = 1 + 0x1p-48;
 
   /// Stage 1, binary32: q = |cA - cB|^2 with relative error <= 5.01u, t = (rA + rB)^2 with <= 3.01u, and,

@@ -75,6 +75,31 @@ TEST(Robust, ParentOfCoincidentSpheresIsTheLargerOne) {
   EXPECT_EQ(Robust::parent(small, small), small);
 }
 
+TEST(Robust, InRangeSaysTheSameWithoutRangeChecks) {
+  for (float scale : {0x1.8p-45f, 0x1p-20f, 1.0f, 0x1p20f, 0x1p57f}) {
+    const Sphere a{0, 0, 0, 2 * scale};
+    ASSERT_TRUE(Robust::in_range({2 * scale, 6 * scale})) << scale;
+    for (int steps = -40; steps <= 40; ++steps)
+      for (float radius : {3 * scale, 0.0f}) {
+        const float x = radius == 0 ? 2 * scale : 3 * scale, y = radius == 0 ? 0 : 4 * scale;
+        const Sphere b{ulps(x, steps), y, 0, radius};
+        EXPECT_EQ(Robust::InRange::overlap(a, b), steps <= 0) << scale << " " << steps;
+        EXPECT_EQ(Robust::overlap(a, b), steps <= 0) << scale << " " << steps;
+        EXPECT_TRUE(steps > 0 || Robust::InRange::may_overlap(a, b)) << scale << " " << steps;
+      }
+    EXPECT_FALSE(Robust::InRange::may_overlap(a, {6.001f * scale, 0, 0, 4 * scale}));
+    EXPECT_FALSE(Robust::InRange::may_overlap(a, {largest, largest, -largest, 4 * scale}));
+  }
+}
+
+TEST(Robust, OutOfRangeIsWhatStage1CannotDecide) {
+  EXPECT_FALSE(Robust::in_range({0, 1}));
+  EXPECT_FALSE(Robust::in_range({0x1p-45f, 1}));
+  EXPECT_FALSE(Robust::in_range({1, 0x1p60f}));
+  EXPECT_FALSE(Robust::in_range({1, std::numeric_limits<float>::infinity()}));
+  EXPECT_TRUE(Robust::in_range({1, 1e6f}));
+}
+
 /// What the literal arithmetic must keep: the paper's flaws, so that they can be shown.
 TEST(Literal, KeepsThePapersFlaws) {
   const Sphere same{1, 2, 3, 1};

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "catena/core/error.h"
+#include "catena/core/hierarchy/hierarchy.h"
 
 namespace catena {
 namespace {
@@ -15,6 +17,23 @@ constexpr std::size_t max_spheres = (std::size_t{1} << 31) - 1;
 double distance(const Sphere& a, const Sphere& b) {
   const double dx = double{b.x} - a.x, dy = double{b.y} - a.y, dz = double{b.z} - a.z;
   return std::sqrt(dx * dx + dy * dy + dz * dz);
+}
+
+/// A parent's centre lies between its children's, so in the box of all centres, and its radius is at most
+/// half the box's diagonal above the greater child's: at most max_hierarchy_height times. Twice that
+/// outweighs all rounding.
+RadiusRange radius_range(const std::vector<Sphere>& spheres) {
+  if (spheres.empty()) return {0, 0};
+  Sphere low = spheres[0], high = spheres[0];
+  for (const Sphere& s : spheres) {
+    low = {std::min(low.x, s.x), std::min(low.y, s.y), std::min(low.z, s.z), std::min(low.radius, s.radius)};
+    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z),
+            std::max(high.radius, s.radius)};
+  }
+  const double sides = (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z);
+  const double greatest = high.radius + max_hierarchy_height * sides, reach = 2 * 2 * greatest;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  return {low.radius, reach < std::numeric_limits<float>::max() ? static_cast<float>(reach) : infinity};
 }
 
 }  // namespace
@@ -31,7 +50,8 @@ Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion)
 
 Chain Chain::moved(std::vector<Sphere> spheres) const {
   if (spheres.size() != spheres_.size())
-    throw InputError(fmt::format("a moved chain must keep its {} spheres, got {}", spheres_.size(), spheres.size()));
+    throw InputError(
+        fmt::format("a moved chain must keep its {} spheres, got {}", spheres_.size(), spheres.size()));
   Chain result(*this);
   result.spheres_ = std::move(spheres);
   result.check_spheres();
@@ -44,20 +64,23 @@ ChainView Chain::view() const noexcept {
           size(),
           strand_count(),
           static_cast<std::uint32_t>(extra_.size()),
-          {exclusion_.rule, one_open, exclusion_.window, exclusion_.factor, strand_of_.data(), strands_.first.data(),
-           strands_.closed.data(), arc_.data(), loop_length_.data(), extra_row_.empty() ? nullptr : extra_row_.data(),
-           extra_.data()}};
+          {exclusion_.rule, one_open, exclusion_.window, exclusion_.factor, strand_of_.data(),
+           strands_.first.data(), strands_.closed.data(), arc_.data(), loop_length_.data(),
+           extra_row_.empty() ? nullptr : extra_row_.data(), extra_.data()},
+          radii_};
 }
 
-void Chain::check_spheres() const {
+void Chain::check_spheres() {
   if (spheres_.size() > max_spheres)
     throw InputError(fmt::format("a chain holds at most {} spheres, got {}", max_spheres, spheres_.size()));
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Sphere& s = spheres_[i];
     if (!std::isfinite(s.x) || !std::isfinite(s.y) || !std::isfinite(s.z) || !std::isfinite(s.radius))
-      throw InputError(fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", i, s.x, s.y, s.z, s.radius));
+      throw InputError(
+          fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", i, s.x, s.y, s.z, s.radius));
     if (s.radius < 0) throw InputError(fmt::format("sphere {} has the negative radius {}", i, s.radius));
   }
+  radii_ = radius_range(spheres_);
 }
 
 void Chain::check_strands() {
@@ -67,21 +90,25 @@ void Chain::check_strands() {
     throw InputError(fmt::format("strand offsets must run from 0 to {}", size()));
   for (std::size_t s = 0; s + 1 < first.size(); ++s)
     if (first[s] > first[s + 1])
-      throw InputError(fmt::format("strand {} ends before it starts: offsets {} and {}", s, first[s], first[s + 1]));
+      throw InputError(
+          fmt::format("strand {} ends before it starts: offsets {} and {}", s, first[s], first[s + 1]));
   if (strands_.closed.empty()) strands_.closed.assign(first.size() - 1, 0);
   if (strands_.closed.size() != first.size() - 1)
-    throw InputError(fmt::format("{} strands need {} closed flags, got {}", first.size() - 1, first.size() - 1,
-                                 strands_.closed.size()));
+    throw InputError(fmt::format("{} strands need {} closed flags, got {}", first.size() - 1,
+                                 first.size() - 1, strands_.closed.size()));
 }
 
 void Chain::check_exclusion() {
   if (exclusion_.rule == Exclusion::Rule::index_window && exclusion_.window < 1)
     throw InputError("the exclusion window must be at least 1");
-  if (exclusion_.rule == Exclusion::Rule::arc_window && !(std::isfinite(exclusion_.factor) && exclusion_.factor > 0))
-    throw InputError(fmt::format("the arc window must be a finite number above 0, got {}", exclusion_.factor));
+  if (exclusion_.rule == Exclusion::Rule::arc_window &&
+      !(std::isfinite(exclusion_.factor) && exclusion_.factor > 0))
+    throw InputError(
+        fmt::format("the arc window must be a finite number above 0, got {}", exclusion_.factor));
   for (Pair& p : exclusion_.extra_pairs) {
     if (p.i >= size() || p.j >= size() || p.i == p.j)
-      throw InputError(fmt::format("extra pair ({}, {}) does not name two spheres of a chain of {}", p.i, p.j, size()));
+      throw InputError(
+          fmt::format("extra pair ({}, {}) does not name two spheres of a chain of {}", p.i, p.j, size()));
     if (p.i > p.j) std::swap(p.i, p.j);
   }
   std::ranges::sort(exclusion_.extra_pairs);

@@ -7,6 +7,13 @@
 
 namespace catena {
 
+/// What scale a chain's radii have, known since its numbers were checked: arithmetic may leave out what is
+/// for other scales (Robust::in_range).
+struct RadiusRange {
+  float least;  ///< no sphere has a smaller radius
+  float reach;  ///< no two bounds of a tree of parents over the chain have radii of a greater sum
+};
+
 /// A chain as plain pointers, valid in one memory space; what kernels and policies take.
 struct ChainView {
   const Sphere* spheres;
@@ -14,6 +21,7 @@ struct ChainView {
   std::uint32_t strand_count;
   std::uint32_t extra_count;  ///< entries of exclusion.extra
   ExclusionView exclusion;
+  RadiusRange radii;
 
   CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j) const {
     return exclusion.neighbours(i, j, spheres[i].radius, spheres[j].radius);

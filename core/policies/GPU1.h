@@ -15,10 +15,11 @@ class GPU1 {
     const auto sphere = Arithmetic::bound(chain.spheres[i]);
     const std::uint32_t whole = chain.size - chain.size % batch;
     for (std::uint32_t first = 0; first < whole; first += batch) {
-      decide(i, first, near(sphere, chain.spheres + first, batch), chain, visitor);
+      decide(i, first, batch, near(sphere, chain.spheres + first, batch), chain, visitor);
       visitor.converge();
     }
-    decide(i, whole, near(sphere, chain.spheres + whole, chain.size - whole), chain, visitor);
+    const std::uint32_t rest = chain.size - whole;
+    decide(i, whole, rest, near(sphere, chain.spheres + whole, rest), chain, visitor);
   }
 
  private:
@@ -35,10 +36,15 @@ class GPU1 {
   }
 
   template <class V>
-  CATENA_HD static void decide(std::uint32_t i, std::uint32_t first, std::uint32_t bits,
+  CATENA_HD static void decide(std::uint32_t i, std::uint32_t first, std::uint32_t count, std::uint32_t bits,
                                const ChainView& chain, V& visitor) {
+    visitor.tested_batch(first, count, bits);
     for (std::uint32_t j = first; bits != 0; ++j, bits >>= 1) {
-      if ((bits & 1u) == 0 || j == i || chain.neighbours(i, j)) continue;
+      if ((bits & 1u) == 0 || j == i) continue;
+      if (chain.neighbours(i, j)) {
+        visitor.excluded(j);
+        continue;
+      }
       visitor.tested_pair(j);
       if (Arithmetic::overlap(Arithmetic::bound(chain.spheres[i]), Arithmetic::bound(chain.spheres[j])))
         visitor.hit(j);

@@ -14,6 +14,9 @@ struct Visitor {
   CATENA_HD void discarded(std::uint32_t /*slot*/) {}
   /// The sphere was compared with sphere j, which is no neighbour.
   CATENA_HD void tested_pair(std::uint32_t /*j*/) {}
+  /// The sphere was compared with the spheres first, ..., first + count - 1 (at most 32, itself perhaps among
+  /// them): it is separate for certain from sphere first + k unless bit k of `near` is set.
+  CATENA_HD void tested_batch(std::uint32_t /*first*/, std::uint32_t /*count*/, std::uint32_t /*near*/) {}
   /// Sphere j was met and is a neighbour.
   CATENA_HD void excluded(std::uint32_t /*j*/) {}
 

@@ -1,6 +1,7 @@
 // path1: a snake on a sinusoidal path (Section 6 and Fig. 12 of the paper).
 #include <numbers>
 
+#include "catena/core/scenes/paper_paths.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/snake.h"
 #include "catena/core/scenes/turn.h"
@@ -26,7 +27,9 @@ Vec3 way_out(int k) {
   return {k * std::numbers::pi / 4, y, 0};
 }
 
-SnakePath path() {
+}  // namespace
+
+SnakePath path1() {
   SnakePath path;
   for (int k = first; k <= turn; ++k) path.control.push_back(way_out(k));
   const double turn_x = way_out(turn).x;
@@ -43,12 +46,14 @@ SnakePath path() {
   return path;
 }
 
+namespace {
+
 const RegisterScene registered{
     {"path1",
      "snake on a sinusoidal path, out and back; 56 frames, at most 45 pairs for n >= 1000 (the paper)",
      {}},
     [](const Parameters& parameters) {
-      return open_snake(path(), SceneSetup("path1", parameters), keyframes);
+      return open_snake(path1(), SceneSetup("path1", parameters), keyframes);
     }};
 
 }  // namespace

@@ -1,6 +1,7 @@
 // path2: a snake on circles (Section 6 and Fig. 13 of the paper).
 #include <numbers>
 
+#include "catena/core/scenes/paper_paths.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/snake.h"
 #include "catena/core/scenes/turn.h"
@@ -29,7 +30,9 @@ Vec3 on_loop(int k) {
   return on_ring(k * pi / 4 - arm * sine, arm * cosine);
 }
 
-SnakePath path() {
+}  // namespace
+
+SnakePath path2() {
   // From dip to dip: there the path runs along the ring, and plain arcs of it go on.
   constexpr int first = -4, last = 8 * (loops - 1) + 4;
   constexpr double step = pi / 2;
@@ -44,12 +47,14 @@ SnakePath path() {
   return path;
 }
 
+namespace {
+
 const RegisterScene registered{
     {"path2",
      "snake on circles: nine loops on a great circle; 114 frames, at most 45 pairs for n >= 1000 (the paper)",
      {}},
     [](const Parameters& parameters) {
-      return open_snake(path(), SceneSetup("path2", parameters), keyframes);
+      return open_snake(path2(), SceneSetup("path2", parameters), keyframes);
     }};
 
 }  // namespace

@@ -26,12 +26,20 @@ class EvidenceSink {
   virtual void tested(std::uint32_t i, std::uint32_t j) = 0;
   /// Spheres i and j were met and left out as neighbours.
   virtual void excluded(std::uint32_t i, std::uint32_t j) = 0;
+  /// The bounds of nodes a and b, at least one of them an inner node, were compared. Accounts for nothing; it
+  /// is told so that the work of a search can be counted.
+  virtual void compared(std::uint32_t /*a*/, std::uint32_t /*b*/) {}
 };
 
 /// What the search for sphere i reports to a sink; base of visitors that also gather its hits.
 struct EvidenceVisitor : Visitor {
   EvidenceVisitor(std::uint32_t sphere, EvidenceSink& to) : i(sphere), sink(to) {}
+  void tested_node(std::uint32_t slot) { sink.compared(i, slot); }
   void discarded(std::uint32_t slot) { sink.discarded(i, slot); }
+  void tested_batch(std::uint32_t first, std::uint32_t count, std::uint32_t near) {
+    for (std::uint32_t k = 0; k < count; ++k)
+      if ((near >> k & 1u) == 0 && first + k != i) sink.discarded(i, first + k);
+  }
   void tested_pair(std::uint32_t j) { sink.tested(i, j); }
   void excluded(std::uint32_t j) { sink.excluded(i, j); }
   const std::uint32_t i;

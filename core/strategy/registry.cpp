@@ -83,7 +83,7 @@ std::vector<std::string> StrategyRegistry::strategy_names() const {
   return {names.begin(), names.end()};
 }
 
-const StrategyInfo& StrategyRegistry::strategy(const std::string& name) const {
+const StrategyInfo* StrategyRegistry::find_strategy(const std::string& name) const {
   const StrategyInfo* found = nullptr;
   const auto look = [&](const auto& entries) {
     for (const auto& e : entries)
@@ -91,6 +91,11 @@ const StrategyInfo& StrategyRegistry::strategy(const std::string& name) const {
   };
   look(complete_), look(narrow_.constructions), look(narrow_.traversals);
   look(wide_.constructions), look(wide_.traversals);
+  return found;
+}
+
+const StrategyInfo& StrategyRegistry::strategy(const std::string& name) const {
+  const StrategyInfo* found = find_strategy(name);
   if (found == nullptr)
     throw InputError(
         fmt::format("there is no strategy '{}'; there are: {}", name, fmt::join(strategy_names(), ", ")));

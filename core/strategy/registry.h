@@ -69,7 +69,10 @@ class StrategyRegistry {
 
   /// Names of single strategies as registered ("CPU1", "aCPU2", "CPU2", ...), each once, sorted.
   std::vector<std::string> strategy_names() const;
-  const StrategyInfo& strategy(const std::string& name) const;
+  /// Null when there is none of that name; mutants are found too.
+  const StrategyInfo* find_strategy(const std::string& name) const;
+  const StrategyInfo& strategy(
+      const std::string& name) const;  ///< throws InputError that names those there are
 
   /// Makes a variant from its name: strategy or construction+traversal, each with optional (key=value,...)
   /// parameters, then an optional /arithmetic. Throws InputError that names what is unknown and what there

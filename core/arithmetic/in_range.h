@@ -1,0 +1,17 @@
+#pragma once
+#include "catena/core/chain/chain_view.h"
+
+namespace catena {
+
+/// Calls search(tests) with the arithmetic's tests for this chain: those without range checks where the chain
+/// proves them idle. The choice is made once a search, as even a branch never taken keeps a kernel's
+/// registers.
+template <class Arithmetic, class Search>
+void with_tests_for(const ChainView& chain, const Search& search) {
+  if (Arithmetic::in_range(chain.radii))
+    search(typename Arithmetic::InRange{});
+  else
+    search(Arithmetic{});
+}
+
+}  // namespace catena

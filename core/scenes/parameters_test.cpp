@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/core/scenes/scene.h"
+
+/// Every parameter of every scene, set to values that make no sense: each is refused when the scene is
+/// opened, with a line that names it, or gives a chain that is valid.
+namespace catena {
+namespace {
+
+class SceneParameters : public testing::TestWithParam<SceneInfo> {};
+INSTANTIATE_TEST_SUITE_P(Every, SceneParameters, testing::ValuesIn(SceneRegistry::instance().scenes()),
+                         [](const auto& test) { return test.param.name; });
+
+/// Empty when it opens; else why not.
+std::string refusal(const std::string& spec) {
+  try {
+    const Input input = open_input(spec);
+    const Chain chain = input.animation->frame(input.animation->frames() - 1);
+    for (const Sphere& s : chain.spheres())
+      EXPECT_TRUE(std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.radius) &&
+                  s.radius >= 0)
+          << spec;
+    return "";
+  } catch (const InputError& why) {
+    return why.what();
+  }
+}
+
+TEST_P(SceneParameters, AreRefusedWhenTheyAreNoNumberAndOtherwiseGiveAValidChain) {
+  const SceneInfo& scene = GetParam();
+  for (const ParameterInfo& parameter : scene.parameters) {
+    const std::string size = parameter.name == "n" ? "" : "n=64,";
+    const auto with = [&](const std::string& value) {
+      return scene.name + ":" + size + parameter.name + "=" + value;
+    };
+    for (const char* value : {"nan", "-nan", "inf", "-inf", "1e999", "", " ", "x", "0x10", "1,5"}) {
+      const std::string why = refusal(with(value));
+      EXPECT_NE(why, "") << with(value);
+      EXPECT_EQ(why.find('\n'), std::string::npos) << why;
+      EXPECT_NE(why.find(scene.name), std::string::npos) << why;
+    }
+    for (const char* value :
+         {"-1", "0", "1", "-1e300", "1e300", "1e-300", "1e38", "-1e38", "99999999999999999999999"})
+      refusal(with(value));
+  }
+}
+
+TEST_P(SceneParameters, RefuseAbsurdNumbersOfSpheres) {
+  for (const char* n : {"2147483648", "4294967296", "18446744073709551616", "-1", "1.5", "1e3"})
+    EXPECT_NE(refusal(GetParam().name + ":n=" + n), "") << n;
+  for (const char* n : {"0", "1", "2", "3"}) EXPECT_EQ(refusal(GetParam().name + ":n=" + n), "") << n;
+}
+
+}  // namespace
+}  // namespace catena
