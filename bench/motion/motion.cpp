@@ -1,0 +1,136 @@
+#include "catena/bench/motion/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "catena/bench/motion/knot_determinant.h"
+#include "catena/core/error.h"
+#include "catena/core/motion/knot.h"
+#include "catena/core/motion/rope.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/timings.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+motion::RopeMotion start(const MotionCase& c) {
+  motion::RopeSettings settings;
+  settings.stretching = c.stiffness;
+  motion::RopeMotion::Start start;
+  Random random(1);
+  motion::add_knotted_rope(start, c.n, settings.spacing, {}, random);
+  const auto place = [offset = c.offset](const Vec3& p) {
+    return Sphere{static_cast<float>(p.x + offset), static_cast<float>(p.y + offset),
+                  static_cast<float>(p.z + offset), 1};
+  };
+  return {settings, start, place, StrategyRegistry::instance().make(c.variant)};
+}
+
+/// Steps through the motion; `after_step(time)` after each, `after_frame()` at the end of each frame. Returns
+/// when it diverged, if it did.
+template <class AfterStep, class AfterFrame>
+std::optional<double> play(const MotionCase& c, motion::RopeMotion& rope, const AfterStep& after_step,
+                           const AfterFrame& after_frame) {
+  if (c.frames < 2) return {};
+  const double interval = c.duration / (c.frames - 1);
+  const auto steps = static_cast<std::uint64_t>(std::ceil(interval / c.step * (1 - 1e-12)));
+  const double dt = interval / static_cast<double>(steps);
+  for (std::uint32_t f = 1; f < c.frames; ++f) {
+    for (std::uint64_t s = 0; s < steps; ++s) {
+      const double time = (f - 1) * interval + static_cast<double>(s + 1) * dt;
+      if (!rope.step(dt)) return time;
+      after_step(time);
+    }
+    after_frame();
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string name_of(MotionOutcome outcome) {
+  switch (outcome) {
+    case MotionOutcome::holds:
+      return "holds";
+    case MotionOutcome::slipped:
+      return "slipped";
+    case MotionOutcome::diverged:
+      return "diverged";
+  }
+  return "";
+}
+
+MotionResult measure_motion(const MotionCase& c) {
+  MotionResult result;
+  motion::RopeMotion rope = start(c);
+  const std::uint64_t knot = knot_determinant(rope.positions());
+  double greatest_error = 0, greatest_work = 0;
+  const auto look = [&](double time) {
+    const motion::EnergyBalance energy = rope.energy();
+    greatest_error = std::max(greatest_error, std::abs(energy.error()));
+    greatest_work = std::max(greatest_work, energy.work);
+    result.deepest_penetration = std::max(result.deepest_penetration, rope.deepest_penetration());
+    result.greatest_strain = std::max(result.greatest_strain, rope.greatest_strain());
+    const auto exact = reference::find(rope.chain());
+    std::vector<Pair> common;
+    std::ranges::set_intersection(exact.pairs, rope.contacts(), std::back_inserter(common));
+    ++result.searches;
+    result.contacts += exact.pairs.size();
+    result.missed += exact.pairs.size() - common.size();
+    result.invented += rope.contacts().size() - common.size();
+    if (!result.failed_at && knot_determinant(rope.positions()) != knot) {
+      result.outcome = MotionOutcome::slipped;
+      result.failed_at = time;
+    }
+  };
+  const auto keep = [&] {
+    result.frame_contacts.emplace_back(rope.contacts().begin(), rope.contacts().end());
+  };
+  look(0);
+  keep();
+  if (const auto diverged = play(c, rope, look, keep)) {
+    result.outcome = MotionOutcome::diverged;
+    result.failed_at = diverged;
+  }
+  result.energy_drift = greatest_error / (rope.energy().initial + greatest_work);
+  return result;
+}
+
+void time_motions(const std::vector<MotionCase>& motions, std::vector<MotionResult>& results,
+                  std::size_t repetitions) {
+  std::vector<std::size_t> order(motions.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::mt19937_64 random(motions.size());
+  for (std::size_t round = 0; round < repetitions; ++round) {
+    std::ranges::shuffle(order, random);
+    for (const std::size_t k : order) {
+      const Stopwatch watch;
+      motion::RopeMotion rope = start(motions[k]);
+      play(
+          motions[k], rope, [](double) {}, [] {});
+      results[k].ms.push_back(watch.ms());
+      const double find_ms = rope.find_ms();
+      results[k].find_ms = round == 0 ? find_ms : std::min(results[k].find_ms, find_ms);
+    }
+  }
+}
+
+FrameComparison compare_frames(const std::vector<std::vector<Pair>>& fine,
+                               const std::vector<std::vector<Pair>>& other) {
+  const auto near = [](std::uint32_t a, std::uint32_t b) {
+    return (a < b ? b - a : a - b) <= FrameComparison::near_along;
+  };
+  FrameComparison comparison;
+  for (std::size_t f = 0; f < fine.size(); ++f)
+    for (const Pair& p : fine[f]) {
+      ++comparison.contacts;
+      const auto matches = [&](const Pair& q) { return near(p.i, q.i) && near(p.j, q.j); };
+      comparison.missed += f >= other.size() || std::ranges::none_of(other[f], matches);
+    }
+  return comparison;
+}
+
+}  // namespace catena::bench

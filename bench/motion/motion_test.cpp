@@ -1,0 +1,134 @@
+#include "catena/bench/motion/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "catena/bench/motion/knot_determinant.h"
+#include "catena/bench/motion/motion_report.h"
+#include "catena/core/motion/knot.h"
+
+namespace catena::bench {
+namespace {
+
+std::vector<Vec3> mapped(std::vector<Vec3> points, Vec3 (*map)(const Vec3&)) {
+  for (Vec3& p : points) p = map(p);
+  return points;
+}
+
+TEST(KnotDeterminant, TellsKnotsApartHoweverTheyLie) {
+  const auto knot = motion::overhand_knot(100, 1);
+  EXPECT_EQ(knot_determinant(knot), 3u);
+  EXPECT_EQ(knot_determinant(mapped(knot, [](const Vec3& p) { return Vec3{p.x, p.z, -p.y}; })), 3u);
+  EXPECT_EQ(knot_determinant(mapped(knot,
+                                    [](const Vec3& p) {
+                                      return Vec3{p.x, p.y, -p.z};
+                                    })),
+            3u)
+      << "mirrored";
+  EXPECT_EQ(knot_determinant(mapped(knot,
+                                    [](const Vec3& p) {
+                                      return Vec3{p.x, 0.5 * p.y + p.x, 3 * p.z};
+                                    })),
+            3u);
+  std::vector<Vec3> two = knot;
+  for (const Vec3& p : knot) two.push_back(p + Vec3{100, 3, 1});
+  EXPECT_EQ(knot_determinant(two), 9u);
+  EXPECT_EQ(knot_determinant(mapped(knot,
+                                    [](const Vec3& p) {
+                                      return Vec3{p.x, p.y, 0.01 * p.z};
+                                    })),
+            3u)
+      << "flat";
+}
+
+TEST(KnotDeterminant, IsOneWithoutAKnotWhateverCrosses) {
+  EXPECT_EQ(knot_determinant({}), 1u);
+  const std::vector<Vec3> straight{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(knot_determinant(straight), 1u);
+  std::vector<Vec3> coil;  // crosses itself in every picture, and falls apart when pulled
+  for (int k = 0; k < 200; ++k) coil.push_back({0.05 * k, 5 * std::cos(0.3 * k), 5 * std::sin(0.3 * k)});
+  EXPECT_EQ(knot_determinant(coil), 1u);
+  EXPECT_EQ(knot_determinant(motion::overhand_knot(30, 1)), 1u) << "too short for the knot";
+}
+
+TEST(FrameComparison, CountsContactsThatAreNowhereNear) {
+  const std::vector<std::vector<Pair>> fine{{{1, 10}, {20, 40}}, {{5, 50}}};
+  const std::vector<std::vector<Pair>> near{{{3, 8}, {20, 43}}, {{7, 52}}}, cut{{{1, 10}}};
+  EXPECT_EQ(compare_frames(fine, fine).missed, 0u);
+  EXPECT_EQ(compare_frames(fine, near).missed, 1u) << "(20, 43) is 3 away";
+  EXPECT_EQ(compare_frames(fine, cut).missed, 2u) << "a frame not reached has no contacts";
+  EXPECT_EQ(compare_frames(fine, cut).contacts, 3u);
+}
+
+MotionCase small(const std::string& variant, double step, double offset = 0) {
+  return {1e4, step, offset, variant, 80, 13, 60};
+}
+
+TEST(Motion, HoldsAtAFineStepSlipsAtACoarseOneAndExactVariantsMissNothing) {
+  const MotionResult fine = measure_motion(small("aCPU2+CPU2", 0.25)),
+                     coarse = measure_motion(small("aCPU2+CPU2", 2.5));
+  EXPECT_EQ(fine.outcome, MotionOutcome::holds);
+  EXPECT_EQ(coarse.outcome, MotionOutcome::slipped);
+  EXPECT_LT(fine.energy_drift, 0.1 * coarse.energy_drift);
+  EXPECT_LT(fine.deepest_penetration, 0.5 * coarse.deepest_penetration);
+  EXPECT_EQ(fine.searches, 241u);
+  EXPECT_EQ(fine.frame_contacts.size(), 13u);
+  for (const auto* result : {&fine, &coarse}) {
+    EXPECT_GT(result->contacts, 0u);
+    EXPECT_EQ(result->missed + result->invented, 0u);
+  }
+  const FrameComparison comparison = compare_frames(fine.frame_contacts, coarse.frame_contacts);
+  EXPECT_GT(comparison.contacts, 40u);
+  EXPECT_GT(4 * comparison.missed, comparison.contacts);
+}
+
+TEST(Motion, ShowsWhatTheArithmeticLosesFarFromTheOrigin) {
+  EXPECT_EQ(measure_motion(small("aCPU2+CPU2", 0.25, 1e7)).missed, 0u);
+  EXPECT_GT(measure_motion(small("aCPU2+CPU2/literal", 0.25, 1e7)).missed, 10u);
+}
+
+TEST(Motion, ShowsWhatAMutantLoses) {
+  const MotionResult result = measure_motion(small("mutant:lost-update-now-and-then", 0.5));
+  EXPECT_GT(result.missed, 10u);
+  EXPECT_EQ(result.invented, 0u);
+}
+
+MotionRow row(const std::string& variant, double stiffness, double step, MotionOutcome outcome) {
+  MotionRow r;
+  r.motion = small(variant, step);
+  r.motion.stiffness = stiffness;
+  r.result.outcome = outcome;
+  if (outcome != MotionOutcome::holds) r.result.failed_at = 7;
+  r.result.missed = 5, r.result.contacts = 10;
+  r.result.ms = {3, 1, 2};
+  return r;
+}
+
+TEST(MotionVerdicts, SayWhereEachFailsAndWhenTheArithmeticIsAtFault) {
+  using enum MotionOutcome;
+  const auto lines = motion_verdicts({row("CPU1", 1e2, 2, slipped), row("CPU1/literal", 1e2, 2, slipped),
+                                      row("CPU1", 1e2, 1, holds), row("CPU1/literal", 1e2, 1, diverged)});
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0],
+            "CPU1, 0 radii from the origin: stiffness 100: holds at step 1; slips through itself at step 2 "
+            "(time 7).");
+  EXPECT_EQ(
+      lines[1],
+      "CPU1/literal, 0 radii from the origin: stiffness 100: slips through itself at step 2 (time 7), "
+      "diverges at step 1 (time 7). Its arithmetic is at fault at stiffness 100, step 1 (5 of 10 contacts "
+      "missed, 0 invented; CPU1 holds).");
+}
+
+TEST(MotionReport, WritesARowAsJson) {
+  const auto json = to_json(row("CPU1/literal", 1e2, 2, MotionOutcome::slipped));
+  EXPECT_EQ(json["arithmetic"], "literal");
+  EXPECT_EQ(json["outcome"], "slipped");
+  EXPECT_EQ(json["failed_at"], 7);
+  EXPECT_EQ(json["ms_median"], 2);
+  EXPECT_EQ(json["missed_by_variant"], 5);
+  EXPECT_TRUE(to_json(row("CPU1", 1e2, 1, MotionOutcome::holds))["failed_at"].is_null());
+}
+
+}  // namespace
+}  // namespace catena::bench
