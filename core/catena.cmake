@@ -25,12 +25,17 @@ if(CATENA_SANITIZE)
   target_link_options(catena_options INTERFACE -fsanitize=${CATENA_SANITIZE})
 endif()
 
+if(CATENA_COVERAGE)
+  target_compile_options(catena_options INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(catena_options INTERFACE --coverage)
+endif()
+
 set(CATENA_PARTS "")
 # catena_part(name [libraries...]): all .cpp files below this folder, but for tests, main.cpp and what needs Google
 # Benchmark, as one OBJECT library.
 function(catena_part name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "(_test|/main|/benchmarks|_fuzz_target)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$|/google/")
   if(NOT sources)
     return()
   endif()
@@ -39,14 +44,17 @@ function(catena_part name)
   set(CATENA_PARTS ${CATENA_PARTS} catena_part_${name} PARENT_SCOPE)
 endfunction()
 
-# What every measurement says of its build. The commit is that of the configure step; "+" marks local changes.
-execute_process(COMMAND git describe --always --dirty=+ --abbrev=12 --exclude=* WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-                OUTPUT_VARIABLE CATENA_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+# What every measurement says of its build; the commit is looked up again at every build.
+set(commit_header ${PROJECT_BINARY_DIR}/generated/commit.h)
+add_custom_target(catena_commit ALL BYPRODUCTS ${commit_header}
+  COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DHEADER=${commit_header} -P ${PROJECT_SOURCE_DIR}/core/commit.cmake)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIES COMPILE_DEFINITIONS
-  "CATENA_COMMIT=\"${CATENA_COMMIT}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\"")
+  "CATENA_COMMIT_HEADER=\"${commit_header}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\""
+  OBJECT_DEPENDS ${commit_header})
 
 catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
+add_dependencies(catena_part_core catena_commit)
 catena_part(variants)
 include(${PROJECT_SOURCE_DIR}/cuda/cuda.cmake)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
@@ -66,13 +74,14 @@ target_include_directories(catena PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}
 add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)
 set_target_properties(catena_cli PROPERTIES OUTPUT_NAME catena INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR}
                                             RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-target_link_libraries(catena_cli PRIVATE catena catena_options CLI11::CLI11)
-
 include(${PROJECT_SOURCE_DIR}/core/install.cmake)
 include(${PROJECT_SOURCE_DIR}/bench/bench.cmake)
+include(${PROJECT_SOURCE_DIR}/reports/reports.cmake)
+target_link_libraries(catena_cli PRIVATE catena catena_options catena_reports catena_timing CLI11::CLI11)
 if(CATENA_TESTS)
   enable_testing()
   include(${PROJECT_SOURCE_DIR}/properties/tests.cmake)
+  include(${PROJECT_SOURCE_DIR}/reports/tests/tests.cmake)
   if(TARGET catena_cuda)
     include(${PROJECT_SOURCE_DIR}/cuda/tests.cmake)
   endif()

@@ -1,17 +1,30 @@
 #include "catena/properties/property.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "catena/core/error.h"
 #include "catena/reference/reference.h"
 
 namespace catena::properties {
 
+namespace {
+
+std::uint64_t next_number() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+}  // namespace
+
+Case::Case(Chain of, reference::Answer answer)
+    : chain(std::move(of)), exact(std::move(answer)), number(next_number()) {}
+
 Case Case::of(Chain chain) {
   Request request;
   request.pair_limit = std::uint64_t{1} << 24;
   reference::Answer exact = reference::find(chain, request);
-  return {std::move(chain), std::move(exact)};
+  return Case(std::move(chain), std::move(exact));
 }
 
 Subject Subject::named(const std::string& variant) {

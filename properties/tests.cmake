@@ -7,10 +7,13 @@ include(GoogleTest)
 
 file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp ${PROJECT_SOURCE_DIR}/variants/*_test.cpp
      ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/*_test.cpp
-     ${PROJECT_SOURCE_DIR}/bench/*_test.cpp)
+     ${PROJECT_SOURCE_DIR}/bench/*_test.cpp ${PROJECT_SOURCE_DIR}/reports/*_test.cpp)
 add_executable(catena_tests ${tests})
-target_link_libraries(catena_tests PRIVATE catena catena_options GTest::gtest_main rapidcheck nlohmann_json::nlohmann_json)
-target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(catena_tests PRIVATE catena catena_options catena_reports catena_timing GTest::gtest_main rapidcheck
+                      nlohmann_json::nlohmann_json Eigen3::Eigen)
+target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                           CATENA_PROGRAM="$<TARGET_FILE:catena_cli>")
+add_dependencies(catena_tests catena_cli)  # tests run the program too
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*:Device*" PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
 gtest_discover_tests(catena_tests TEST_FILTER "Device*" TEST_SUFFIX " (gpu)" PROPERTIES LABELS gpu TIMEOUT 300 DISCOVERY_TIMEOUT 120)
@@ -24,5 +27,8 @@ endif()
 add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
          -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
 
+if(CATENA_COVERAGE)
+  include(${PROJECT_SOURCE_DIR}/properties/coverage.cmake)
+endif()
 include(${PROJECT_SOURCE_DIR}/properties/proofs/proofs.cmake)
 include(${PROJECT_SOURCE_DIR}/properties/mutants/mutants.cmake)

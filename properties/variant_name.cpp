@@ -9,10 +9,9 @@ namespace {
 /// any.
 bool set(std::string& strategy, const std::vector<Setting>& settings) {
   auto spec = StrategySpec::parse(strategy);
-  const auto registered = StrategyRegistry::instance().strategy_names();
-  if (!std::ranges::binary_search(registered, spec.name))
-    return false;  // a mutant's base, made by a test alone
-  const auto declared = StrategyRegistry::instance().strategy(spec.name).parameters;
+  const StrategyInfo* const registered = StrategyRegistry::instance().find_strategy(spec.name);
+  if (registered == nullptr) return false;  // a mutant's base, made by a test alone
+  const auto& declared = registered->parameters;
   bool any = false;
   for (const Setting& setting : settings) {
     const bool known = std::ranges::any_of(declared, [&](const auto& p) { return p.name == setting.key; });

@@ -73,7 +73,10 @@ class Search {
   void tighten(std::uint32_t i, std::uint32_t j, double rough) {
     // A rough margin above 2^-8 has relative error below 2^-50 * (2^9 + 1) + 4u < 2^-40; below, only exact
     // will do.
-    if (tightest_.margin == 0 || (rough > 0x1p-8 && rough >= tightest_.margin)) return;
+    // Nor is it far off: there the error is below 2^-50 (q + t) / t < 2^-48, and who is not a new least by
+    // more than that needs no exact margin.
+    const double at_least = rough > 0x1p-8 ? rough : rough - 0x1p-48;
+    if (tightest_.margin == 0 || at_least >= tightest_.margin) return;
     const double m = rough > 0x1p-8 ? rough : margin(chain_[i], chain_[j]);
     if (m >= tightest_.margin) return;
     tightest_ = {{i, j}, m};

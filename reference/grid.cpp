@@ -1,5 +1,6 @@
 #include "catena/reference/grid.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -64,7 +65,13 @@ class Level {
       : cells_per_unit_(std::ldexp(1.0, -octave)), mask_(std::bit_ceil(members.size()) - 1) {
     first_.assign(mask_ + 2, 0);
     entries_.resize(members.size());
-    for (const std::uint32_t i : members) ++first_[bucket(cell(spheres[i])) + 1];
+    low_ = high_ = cell(spheres[members.front()]);
+    for (const std::uint32_t i : members) {
+      const Cell c = cell(spheres[i]);
+      ++first_[bucket(c) + 1];
+      low_ = {std::min(low_.x, c.x), std::min(low_.y, c.y), std::min(low_.z, c.z)};
+      high_ = {std::max(high_.x, c.x), std::max(high_.y, c.y), std::max(high_.z, c.z)};
+    }
     for (std::size_t b = 0; b <= mask_; ++b) first_[b + 1] += first_[b];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const std::uint32_t i : members) {
@@ -77,6 +84,10 @@ class Level {
   template <class Visit>
   void around(const Sphere& s, Visit&& visit) const {
     const Cell home = cell(s);
+    if (home.x < low_.x - 1 || home.y < low_.y - 1 || home.z < low_.z - 1 || home.x > high_.x + 1 ||
+        home.y > high_.y + 1 || home.z > high_.z + 1)
+      return;  // Exact below 2^53; above, indices are multiples of 2^30, and those that differ by 1 at most
+               // are equal.
     const Axis xs(home.x), ys(home.y), zs(home.z);
     for (const double z : zs)
       for (const double y : ys) {
@@ -102,36 +113,59 @@ class Level {
   std::size_t bucket(const Cell& c) const { return (row(c.y, c.z) + whole(c.x)) & mask_; }
 
   double cells_per_unit_;
+  Cell low_, high_;  // the cells that are in use lie between
   std::size_t mask_;
   std::vector<std::uint32_t> first_;  // buckets + 1 offsets into entries_
   std::vector<Entry> entries_;
 };
+
+/// Calls meet(i, j) once for each pair whose distance is at most 2^widened times the sum of its radii, and
+/// for others.
+template <class Meet>
+void search(const Chain& chain, int widened, const Meet& meet) {
+  const auto spheres = chain.spheres();
+  std::map<int, std::vector<std::uint32_t>> members;
+  for (std::uint32_t i = 0; i < chain.size(); ++i) members[octave(spheres[i].radius)].push_back(i);
+  std::map<int, Level> levels;
+  for (const auto& [octave, indices] : members)
+    levels.try_emplace(octave, octave + widened, spheres, indices);
+
+  for (std::uint32_t i = 0; i < chain.size(); ++i) {
+    // Spheres of one level find each other twice, those of different levels once: the finer looks for the
+    // coarser.
+    auto level = levels.find(octave(spheres[i].radius));
+    level->second.around(spheres[i], [&](std::uint32_t j) {
+      if (j > i) meet(i, j);
+    });
+    while (++level != levels.end()) level->second.around(spheres[i], [&](std::uint32_t j) { meet(i, j); });
+  }
+}
 
 }  // namespace
 
 Answer by_grid(const Chain& chain, const Request& request) {
   const auto spheres = chain.spheres();
   const ChainView view = chain.view();
-  std::map<int, std::vector<std::uint32_t>> members;
-  for (std::uint32_t i = 0; i < chain.size(); ++i) members[octave(spheres[i].radius)].push_back(i);
-  std::map<int, Level> levels;
-  for (const auto& [octave, indices] : members) levels.try_emplace(octave, octave, spheres, indices);
-
   Tally tally(chain.size(), request);
-  for (std::uint32_t i = 0; i < chain.size(); ++i) {
-    const Sphere a = spheres[i];
-    const auto meet = [&](std::uint32_t j) {
-      if (overlap(a, spheres[j]) && !view.neighbours(i, j)) tally.add(i, j);
-    };
-    // Spheres of one level find each other twice, those of different levels once: the finer looks for the
-    // coarser.
-    auto level = levels.find(octave(a.radius));
-    level->second.around(a, [&](std::uint32_t j) {
-      if (j > i) meet(j);
-    });
-    while (++level != levels.end()) level->second.around(a, meet);
-  }
+  search(chain, 0, [&](std::uint32_t i, std::uint32_t j) {
+    if (overlap(spheres[i], spheres[j]) && !view.neighbours(i, j)) tally.add(i, j);
+  });
   return std::move(tally).finish();
+}
+
+void near_pairs(const Chain& chain, const NearVisitor& visit) {
+  const auto spheres = chain.spheres();
+  const ChainView view = chain.view();
+  search(chain, 1, [&](std::uint32_t i, std::uint32_t j) {
+    const Sphere &a = spheres[i], &b = spheres[j];
+    const auto rough = GapEstimate::of(a, b);
+    if (rough.gap > 1.0001 * rough.radii || view.neighbours(i, j)) return;
+    // A rough margin above 2^-8 has relative error below 2^-40, as in all_pairs; below, only exact will do.
+    const double m =
+        std::fabs(rough.gap) > 0x1p-8 * rough.radii ? std::fabs(rough.gap) / rough.radii : margin(a, b);
+    const bool collides = overlap(a, b);
+    if (m < 1 || collides) visit({std::min(i, j), std::max(i, j)}, collides, m);
+  });
 }
 
 }  // namespace catena::reference

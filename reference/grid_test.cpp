@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "catena/core/error.h"
@@ -46,6 +47,24 @@ std::vector<Sphere> random_ball(std::uint32_t n, float size, float radius) {
   std::vector<Sphere> spheres(n);
   for (auto& s : spheres) s = {at(random), at(random), at(random), r(random)};
   return spheres;
+}
+
+RC_GTEST_PROP(Grid, NearPairsAreThoseOfTheDefinition, ()) {
+  const Chain chain = *nasty_chain();
+  std::vector<Pair> found, right;
+  near_pairs(chain, [&](const Pair& pair, bool collides, double m) {
+    found.push_back(pair);
+    const Sphere &a = chain[pair.i], &b = chain[pair.j];
+    RC_ASSERT(collides == (gap_sign_by_integers(a, b) <= 0));
+    RC_ASSERT(std::fabs(m - margin(a, b)) <= 0x1p-39 * m);
+  });
+  for (std::uint32_t i = 0; i < chain.size(); ++i)
+    for (std::uint32_t j = i + 1; j < chain.size(); ++j)
+      if (!chain.neighbours(i, j) &&
+          (gap_sign_by_integers(chain[i], chain[j]) <= 0 || margin(chain[i], chain[j]) < 1))
+        right.push_back({i, j});
+  std::ranges::sort(found);
+  RC_ASSERT(found == right);
 }
 
 RC_GTEST_PROP(Grid, EqualsAllPairsEqualsTheDefinition, ()) {

@@ -38,6 +38,11 @@ class FuzzCommand final : public Command {
         ->type_name("N")
         ->check(CLI::Range(1u, 4000u))
         ->capture_default_str();
+    app.add_option("--long-spheres", long_size_,
+                   "Most spheres of one chain in 200; no more than --max-spheres: none is longer")
+        ->type_name("N")
+        ->check(CLI::Range(0u, 4000u))
+        ->capture_default_str();
     app.add_option("--failures", failures_, "Folder that counterexamples are stored in")
         ->type_name("DIR")
         ->capture_default_str();
@@ -51,7 +56,7 @@ class FuzzCommand final : public Command {
 
  private:
   int fuzz() {
-    Fuzzer::Options options{seed_, size_, {}};
+    Fuzzer::Options options{seed_, size_, long_size_, {}};
     for (const auto& name : families_) options.families.push_back(FamilyRegistry::instance().family(name));
     Fuzzer fuzzer(subjects(), std::move(options));
     const auto start = Clock::now();
@@ -122,6 +127,7 @@ class FuzzCommand final : public Command {
         fuzzer.cases(), seconds, 60 * static_cast<double>(fuzzer.cases()) / seconds, tally.checks,
         fuzzer.suite().variants().size(), tally.refusals);
     for (const auto& [family, cases] : fuzzer.by_family()) fmt::print("  {:<12}{:>10}\n", family, cases);
+    fmt::print("  {:<12}{:>10}\n", "(long ones)", fuzzer.long_cases());
     fmt::print("\nreached\n");
     const Interest best = fuzzer.pool().best();
     for (std::size_t t = 0; t < Interest::targets; ++t)
@@ -134,7 +140,7 @@ class FuzzCommand final : public Command {
   std::vector<std::string> variants_, families_, replay_;
   double seconds_ = 10;
   std::uint64_t cases_ = 0, seed_ = 1;
-  std::uint32_t size_ = 64;
+  std::uint32_t size_ = Fuzzer::Options{}.size, long_size_ = Fuzzer::Options{}.long_size;
   std::string failures_ = "catena-failures";
 };
 

@@ -18,7 +18,9 @@ class Fuzzer {
   struct Options {
     std::uint64_t seed = 1;
     std::uint32_t size = 64;            ///< most spheres a chain
+    std::uint32_t long_size = 640;      ///< of one chain in 200; no more than `size`: there are none
     std::vector<Family> families = {};  ///< none: all
+    bool shrink = true;                 ///< false: a counterexample is left as it was found
   };
   struct Counterexample {
     Finding finding;
@@ -35,6 +37,7 @@ class Fuzzer {
   const Suite& suite() const { return suite_; }
   const Pool& pool() const { return pool_; }
   std::uint64_t cases() const { return cases_; }
+  std::uint64_t long_cases() const { return long_cases_; }  ///< above `size` spheres
   const std::map<std::string, std::uint64_t>& by_family() const { return by_family_; }
 
  private:
@@ -45,7 +48,7 @@ class Fuzzer {
   std::unique_ptr<Variant> tree_;
   InterestMeter meter_;
   Pool pool_;
-  std::uint64_t cases_ = 0;
+  std::uint64_t cases_ = 0, long_cases_ = 0;
   std::map<std::string, std::uint64_t> by_family_;
 };
 

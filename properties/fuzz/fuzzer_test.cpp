@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <map>
 #include <sstream>
 
 #include "catena/core/executor/pair_collector.h"
@@ -109,6 +111,30 @@ TEST(Fuzzer, AStoredFailureReadsBackAsItsChain) {
   EXPECT_EQ(file, store(folder, *found, 1));
   EXPECT_EQ(text_of(load_chain(file)), text_of(found->shrunk));
   std::filesystem::remove_all(folder);
+}
+
+TEST(Fuzzer, LongChainsAreFewAndStayOutOfThePool) {
+  Fuzzer fuzzer({Subject::named("CPU1")}, {});
+  EXPECT_FALSE(fuzz(fuzzer, 4000));
+  EXPECT_GT(fuzzer.long_cases(), 5u);
+  EXPECT_LT(fuzzer.long_cases(), 40u);
+  EXPECT_LE(fuzzer.pool().best().score[0], 7) << "64 leaves by pairs are 7 levels";
+  Fuzzer short_only({Subject::named("CPU1")}, {.long_size = 0});
+  EXPECT_FALSE(fuzz(short_only, 1000));
+  EXPECT_EQ(short_only.long_cases(), 0u);
+}
+
+TEST(Fuzzer, KillsEveryMutantWithinItsBudget) {
+  constexpr std::uint64_t budget = 20'000;  // chains
+  std::multimap<std::uint64_t, std::string> late;
+  for (const Subject& mutant : Subject::available(true)) {
+    if (!mutant.info.name.starts_with("mutant:")) continue;
+    Fuzzer fuzzer({mutant}, {.shrink = false});
+    const bool found = fuzz(fuzzer, budget).has_value();
+    EXPECT_TRUE(found) << mutant.info.name << " survives " << budget << " chains";
+    if (found && fuzzer.cases() > 300) late.emplace(fuzzer.cases(), mutant.info.name);
+  }
+  for (const auto& [cases, name] : late) std::cout << name << " dies after " << cases << " chains\n";
 }
 
 TEST(Mutation, KeepsAChainAChain) {

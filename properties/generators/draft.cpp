@@ -35,6 +35,18 @@ void Draft::remove(std::uint32_t first, std::uint32_t count) {
   exclusion.extra_pairs = std::move(pairs);
 }
 
+void Draft::cut(std::uint32_t at) {
+  auto& [first, closed] = strands;
+  if (first.empty()) first = {0, size()};
+  closed.resize(first.size() - 1, 0);
+  const auto next = std::ranges::lower_bound(first, at);
+  if (next == first.end() || *next == at) return;
+  const auto strand = next - first.begin() - 1;
+  first.insert(next, at);
+  closed[static_cast<std::size_t>(strand)] = 0;
+  closed.insert(closed.begin() + strand, 0);
+}
+
 void Draft::repeat(std::uint32_t at) {
   spheres.insert(spheres.begin() + at, spheres[at]);
   for (std::uint32_t& offset : strands.first)

@@ -26,6 +26,8 @@ struct Draft {
   /// Takes spheres first..first+count-1 out; strands left without spheres go too, extra pairs follow their
   /// spheres.
   void remove(std::uint32_t first, std::uint32_t count);
+  /// Ends a strand before sphere `at` and begins one there; both are open.
+  void cut(std::uint32_t at);
   /// Puts a copy of sphere `at` behind it, in the same strand.
   void repeat(std::uint32_t at);
 };

@@ -36,41 +36,45 @@ std::uint64_t complexity(const Strands& strands, const Exclusion& exclusion) {
   return parts * (std::uint64_t{1} << 32) + rule;
 }
 
-/// x with all but its first `bits` significant bits cut off.
-float cut(float x, int bits) {
+/// x with all but its first `bits` significant bits dropped.
+float shortened(float x, int bits) {
   int exponent;
   const float significand = std::frexp(x, &exponent);
   return std::ldexp(std::trunc(std::ldexp(significand, bits)), exponent - bits);
 }
 
+bool simpler_draft(const Draft& a, const Draft& b) {
+  const auto measure = [](const Draft& d) {
+    return std::make_tuple(d.size(), complexity(d.strands, d.exclusion), complexity(d.spheres));
+  };
+  return measure(a) < measure(b);
+}
+
 }  // namespace
+
+bool simpler(const Chain& a, const Chain& b) { return simpler_draft(Draft::of(a), Draft::of(b)); }
 
 Simplifications::Simplifications(const Chain& chain) : draft_(Draft::of(chain)) {
   using enum Edit::Kind;
   const std::uint32_t n = chain.size();
   for (std::uint32_t count = n / 2; count > 0; count /= 2)
     for (std::uint32_t at = 0; at < n; at += count) edits_.push_back({remove, at, std::min(count, n - at)});
+  for (std::uint32_t at = 0; at < n; ++at) edits_.push_back({cut, at, 0});
   const std::uint32_t ways = rules + static_cast<std::uint32_t>(draft_.exclusion.extra_pairs.size());
   for (std::uint32_t how = 0; how < ways; ++how) edits_.push_back({rule, 0, how});
   for (std::uint32_t at = 0; at < n; ++at) edits_.push_back({to_origin, at, 0});
   edits_.push_back({to_scale, 0, 0});
-  for (std::uint32_t at = 0; at < 4 * n; ++at)
-    for (std::uint32_t how = 0; how < roundings; ++how) edits_.push_back({number, at, how});
+  for (const auto kind : {equal_numbers, number})
+    for (std::uint32_t at = 0; at < 4 * n; ++at)
+      for (std::uint32_t how = 0; how < roundings; ++how) edits_.push_back({kind, at, how});
 }
 
 std::optional<Chain> Simplifications::next() {
   while (next_ < edits_.size()) {
     auto draft = apply(edits_[next_++]);
-    if (draft && draft->finite() && simpler(*draft)) return std::move(*draft).chain();
+    if (draft && draft->finite() && simpler_draft(*draft, draft_)) return std::move(*draft).chain();
   }
   return std::nullopt;
-}
-
-bool Simplifications::simpler(const Draft& draft) const {
-  const auto measure = [](const Draft& d) {
-    return std::make_tuple(d.size(), complexity(d.strands, d.exclusion), complexity(d.spheres));
-  };
-  return measure(draft) < measure(draft_);
 }
 
 std::optional<Draft> Simplifications::apply(const Edit& edit) const {
@@ -79,6 +83,10 @@ std::optional<Draft> Simplifications::apply(const Edit& edit) const {
   switch (edit.kind) {
     case remove:
       draft.remove(edit.at, edit.how);
+      return draft;
+    case cut:
+      draft.remove(edit.at, 1);
+      draft.cut(edit.at);
       return draft;
     case rule:
       return plainer_rule(edit.how);
@@ -97,8 +105,9 @@ std::optional<Draft> Simplifications::apply(const Edit& edit) const {
         for (const auto member : members) s.*member = std::ldexp(s.*member, -exponent);
       return draft;
     }
+    case equal_numbers:
     case number:
-      return rounder_number(edit.at, edit.how);
+      return rounder_number(edit.at, edit.how, edit.kind == equal_numbers);
   }
   return std::nullopt;
 }
@@ -134,7 +143,8 @@ std::optional<Draft> Simplifications::plainer_rule(std::uint32_t how) const {
   }
 }
 
-std::optional<Draft> Simplifications::rounder_number(std::uint32_t at, std::uint32_t how) const {
+std::optional<Draft> Simplifications::rounder_number(std::uint32_t at, std::uint32_t how,
+                                                     bool equal_too) const {
   const auto member = members[at % 4];
   const float old = draft_.spheres[at / 4].*member;
   float value = 0;
@@ -154,15 +164,20 @@ std::optional<Draft> Simplifications::rounder_number(std::uint32_t at, std::uint
       value = std::fabs(old) >= 2 ? old / 1024 : 1024 * old;
       break;
     case 5:
-      value = cut(old, 23);
+      value = shortened(old, 23);
       break;
     default:
-      value = cut(old, 1 << (how - 6));  // 1, 2, 4, 8, 16 bits; 32 changes nothing
+      value = shortened(old, 1 << (how - 6));  // 1, 2, 4, 8, 16 bits; 32 changes nothing
   }
   if (complexity(value) >= complexity(old)) return std::nullopt;
   Draft draft = draft_;
   draft.spheres[at / 4].*member = value;
-  return draft;
+  if (!equal_too) return draft;
+  bool others = false;
+  for (Sphere& s : draft.spheres)
+    for (const auto each : members)
+      if (s.*each == old && old != 0) s.*each = value, others = true;
+  return others ? std::optional(std::move(draft)) : std::nullopt;
 }
 
 Chain shrink(Chain chain, const std::function<bool(const Chain&)>& fails, std::uint32_t tries) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/properties/mutants/mutant.h"
@@ -86,6 +87,16 @@ class FirstSphereStill final : public FaultyTree {
 };
 const RegisterMutant<FirstSphereStill> first{"still-by-its-first-sphere",
                                              "nothing moved where the first sphere did not"};
+
+/// Right, but every frame has buffers of its own.
+class FreshBuffers final : public FaultyTree {
+  void update(const Chain& moved) override {
+    const std::vector<Sphere> frame(moved.spheres().begin(), moved.spheres().end());
+    build(moved.moved(frame));
+  }
+};
+const RegisterMutant<FreshBuffers> fresh{"buffers-anew-each-frame",
+                                         "culbvh leaves its allocations out of the figure"};
 
 }  // namespace
 }  // namespace catena::properties

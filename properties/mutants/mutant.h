@@ -1,8 +1,9 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/register.h"
 #include "catena/properties/mutants/faulty_tree.h"
 
 namespace catena::properties {
@@ -12,12 +13,13 @@ namespace catena::properties {
 /// it is.
 template <class Mutant>
 struct RegisterMutant {
-  RegisterMutant(const std::string& name, const std::string& imitates) {
+  RegisterMutant(const std::string& name, const std::string& imitates,
+                 const std::vector<ParameterInfo>& parameters = {}) {
     StrategyInfo info;
     info.name = "mutant:" + name;
     info.summary = imitates;
-    StrategyRegistry::instance().add_variant(
-        info, Robust::name, [](const Parameters&) { return std::make_unique<Mutant>(); }, true);
+    info.parameters = parameters;
+    StrategyRegistry::instance().add_variant(info, Robust::name, make_strategy<Mutant, Variant>, true);
   }
 };
 

@@ -2,8 +2,10 @@
 """Mutates catena's own sources, one small change at a time, and asks whether the fast property tests notice.
 
 A scratch copy of the tree is configured once; each mutant changes one place of one file, rebuilds only what depends on it
-and runs the tests. Killed: it no longer compiles, a test fails, or it runs too long. The score and every survivor with
-its line are printed, for somebody to explain or to write the missing test. Python's standard library only.
+and runs the tests. Killed: a test fails, or it runs too long; what does not compile is not counted. The score and every
+survivor with its line are printed. A survivor must be explained in equivalent_mutants.tsv beside this file (file, line as
+it is, line as mutated, why nobody can tell them apart): one that is not fails the run, and so does an explanation of a
+mutant that dies, or of a line that is no more. Python's standard library only.
 
     mutate_sources.py --source . --work build/mutated --budget 1800 --seed 1 --paths variants core/policies
 """
@@ -26,7 +28,7 @@ OPERATORS = [
     (r"(?<![\w.])2(?![\w.])", "3"), (r"\+\+(?=\w)", "--"), (r"\bcontinue;", ";"),
 ]
 LEFT_ALONE = re.compile(r"^\s*(//|#|\*|template|using|namespace|static_assert)|summary|\.name =|= default|throw ")
-TESTS = "Mutants.WithoutABugTheirBasePasses:Mutants.AllDie:Sizes*:Extremes*:TreeShape*:Flood*:Certificate*:Robust*:Level*:PairCollector*"
+TESTS = "Golden.*:Corpus*:Program.*:Mutants.WithoutABugTheirBasePasses:Mutants.AllDie:Sizes*:Extremes*:TreeShape*:Flood*:Certificate*:Robust*:Level*:PairCollector*"
 
 
 def arguments():
@@ -38,6 +40,9 @@ def arguments():
     parser.add_argument("--paths", nargs="+", default=["variants", "core/policies", "core/arithmetic"])
     parser.add_argument("--tests", default=TESTS, help="GoogleTest filter of the fast tests")
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
+    parser.add_argument("--sample", type=int, help="try only so many")
+    parser.add_argument("--shard", default="0/1", help="K/N: of N runs with the same seed this is number K, from 0")
+    parser.add_argument("--reuse", action="store_true", help="take WORK/tree and WORK/build as they are")
     return parser.parse_args()
 
 
@@ -61,15 +66,27 @@ def mutants_of(source, paths):
     return found
 
 
+def explained(source):
+    """(file, old line, new line) of every mutant that is known to change nothing, with the reason."""
+    reasons = {}
+    for line in (source / "properties/mutants/equivalent_mutants.tsv").read_text().splitlines():
+        if line and not line.startswith("#"):
+            file, old, new, why = line.split("\t")
+            reasons[file, old, new] = why
+    return reasons
+
+
 class Scratch:
     """A copy of the tree with a build of its own."""
 
-    def __init__(self, source, work, tests):
-        shutil.rmtree(work, ignore_errors=True)
+    def __init__(self, source, work, tests, reuse):
         self.tree, self.build, self.tests = work / "tree", work / "build", tests
-        shutil.copytree(source, self.tree, ignore=shutil.ignore_patterns("build", ".git", "reports"))
+        if reuse:
+            return
+        shutil.rmtree(work, ignore_errors=True)
+        shutil.copytree(source, self.tree, ignore=shutil.ignore_patterns("build", ".git"))
         self.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                  "-DCATENA_CUDA=OFF", "-DCATENA_FCL=OFF", "-DCATENA_TESTS=ON"], None)
+                  "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DCATENA_CUDA=OFF", "-DCATENA_FCL=OFF", "-DCATENA_TESTS=ON"], None)
 
     @staticmethod
     def run(command, timeout):
@@ -100,16 +117,22 @@ def main():
     options = arguments()
     end = time.monotonic() + options.budget
     mutants = mutants_of(options.source, options.paths)
+    reasons = explained(options.source)
+    known = {(str(file), old.strip(), new.strip()) for file, _, old, new in mutants}
+    wrong = [f"an explanation of what is no more: {file}: {old}  ->  {new}" for file, old, new in reasons
+             if Path(file).parts[0] in {Path(p).parts[0] for p in options.paths} and (file, old, new) not in known]
     random.Random(options.seed).shuffle(mutants)
+    shard, shards = map(int, options.shard.split("/"))
+    mutants = mutants[:options.sample][shard::shards]
     if options.list:
         for file, number, old, new in sorted(mutants):
             print(f"{file}:{number}: {old.strip()}  ->  {new.strip()}")
         return 0
 
-    scratch = Scratch(options.source, options.work, options.tests)
-    wrong = scratch.verdict(None)
-    if wrong:
-        print(f"the tree fails as it is: {wrong}")
+    scratch = Scratch(options.source, options.work, options.tests, options.reuse)
+    broken = scratch.verdict(None)
+    if broken:
+        print(f"the tree fails as it is: {broken}")
         return 2
     timeout = 5 + 3 * scratch.test_seconds
 
@@ -124,12 +147,17 @@ def main():
         target.write_text("".join(lines))
         by = scratch.verdict(timeout)
         target.write_text(original)
+        reason = reasons.get((str(file), old.strip(), new.strip()))
+        if reason and by and by != "does not compile":
+            wrong.append(f"explained, but killed by {by}: {file}:{number}: {old.strip()}  ->  {new.strip()}")
         if by == "does not compile":
             uncompiled += 1
         elif by:
             killed[by] = killed.get(by, 0) + 1
         else:
-            survivors.append((file, number, old.strip(), new.strip()))
+            survivors.append((file, number, old.strip(), new.strip(), reason))
+            if not reason:
+                wrong.append(f"survives, unexplained: {file}:{number}: {old.strip()}  ->  {new.strip()}")
         print(f"{by or 'SURVIVES':40} {file}:{number}: {old.strip()}  ->  {new.strip()}", flush=True)
 
     total = sum(killed.values()) + len(survivors)
@@ -138,9 +166,11 @@ def main():
         print(f"score: {total - len(survivors)} of {total} killed, {100 * (total - len(survivors)) / total:.1f} %")
     for by, number in sorted(killed.items(), key=lambda item: -item[1]):
         print(f"  {number:5} by {by}")
-    for file, number, old, new in survivors:
-        print(f"survives: {file}:{number}: {old}  ->  {new}")
-    return 0
+    for file, number, old, new, reason in survivors:
+        if reason:
+            print(f"survives as it must: {file}:{number}: {old}  ->  {new}: {reason}")
+    print("\n".join(wrong))
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

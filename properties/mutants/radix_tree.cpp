@@ -137,8 +137,8 @@ const RegisterMutant<ShortTieBreak> tie{"tie-break-of-32-bits",
 /// One leaf a code.
 class DuplicateCodes final : public RadixTree {
   void sorted() override {
-    const auto again = std::ranges::unique(order(), {}, &Coded::code);
-    order().erase(again.begin(), again.end());
+    const auto same = [](const Coded& p, const Coded& q) { return p.code == q.code; };
+    order().erase(std::unique(order().begin(), order().end(), same), order().end());
   }
 };
 const RegisterMutant<DuplicateCodes> duplicates{"duplicate-codes-dropped",

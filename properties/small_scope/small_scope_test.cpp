@@ -114,16 +114,36 @@ TEST(SmallScope, EveryChainOfUpToFour) {
   EXPECT_GT(all.pairs, all.visited / 2);
 }
 
-TEST(SmallScopeLong, EveryChainOfUpToFive) {
+struct Long {
+  World world;
+  std::uint32_t n;
+};
+
+const std::vector<Long>& long_worlds() {
+  static const std::vector<Long> worlds{{{"2 x 2 x 2, 0 1/2 1", 2, 2, 2, {0, 0.5f, 1}}, 5},
+                                        {{"2 x 2 x 2, 1/4 to 2", 2, 2, 2, {0.25f, 0.5f, 1, 2}}, 5},
+                                        {{"3 x 3, 0 1/2 1", 3, 3, 1, {0, 0.5f, 1}}, 5},
+                                        {{"3 x 3 x 3, 1/2", 3, 3, 3, {0.5f}}, 5},
+                                        {{"3 x 3 x 3, 1/2 1", 3, 3, 3, {0.5f, 1}}, 4},
+                                        {{"line of 6, 0 1/2 1 2", 6, 1, 1, {0, 0.5f, 1, 2}}, 5}};
+  return worlds;
+}
+
+/// A test a world, so that they can share the cores of a machine (GTEST_TOTAL_SHARDS).
+class SmallScopeLong : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(SmallScopeLong, EveryChain) {
+  const Long& l = long_worlds()[GetParam()];
   Exhaustion all;
-  all.run({"2 x 2 x 2, 0 1/2 1", 2, 2, 2, {0, 0.5f, 1}}, 5);
-  all.run({"2 x 2 x 2, 1/4 to 2", 2, 2, 2, {0.25f, 0.5f, 1, 2}}, 5);
-  all.run({"3 x 3, 0 1/2 1", 3, 3, 1, {0, 0.5f, 1}}, 5);
-  all.run({"3 x 3 x 3, 1/2", 3, 3, 3, {0.5f}}, 5);
-  all.run({"3 x 3 x 3, 1/2 1", 3, 3, 3, {0.5f, 1}}, 4);
-  all.run({"line of 6, 0 1/2 1 2", 6, 1, 1, {0, 0.5f, 1, 2}}, 5);
-  EXPECT_GT(all.stood_for, 80'000'000u);
-  std::cout << fmt::format("{} chains, {} of them run, twice each\n", all.stood_for, all.visited);
+  all.run(l.world, l.n);
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, SmallScopeLong, testing::Range(std::size_t{0}, long_worlds().size()));
+
+TEST(SmallScope, TheLongWorldsHoldMoreThanEightyMillionChains) {
+  std::uint64_t chains = 0;
+  for (const Long& l : long_worlds()) chains += power(SmallScope(l.world).states(), l.n);
+  EXPECT_GT(chains, 80'000'000u);
 }
 
 }  // namespace

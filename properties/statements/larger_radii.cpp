@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "catena/properties/statements/relation.h"
+#include "catena/properties/property.h"
+#include "catena/properties/sorted_pairs.h"
 
 namespace catena::properties {
 namespace {
@@ -18,10 +19,10 @@ class LargerRadii final : public Property {
 
   std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
     if (test.chain.exclusion().rule == Exclusion::Rule::arc_window) return std::nullopt;
-    const Chain grown = test.chain.moved(larger(test.chain));
+    const Chain& grown = grown_(test, [&] { return test.chain.moved(larger(test.chain)); });
     variant.build(grown);
     variant.find(grown, {}, found_);
-    std::ranges::sort(found_.pairs);
+    sort(found_.pairs);
     if (std::ranges::includes(found_.pairs, test.exact.pairs)) return std::nullopt;
     return fmt::format("of {} pairs {} are left, with others, when radii grow", test.exact.pairs.size(),
                        found_.pairs.size());
@@ -40,6 +41,7 @@ class LargerRadii final : public Property {
     return spheres;
   }
 
+  DerivedFrom<Chain> grown_;
   Collisions found_;
 };
 

@@ -20,7 +20,7 @@ class NoAllocation final : public Property {
   }
 
   std::optional<std::string> check(const Subject& subject, Variant&, const Case& test) override {
-    const Chain moved = moved_frame(test.chain);
+    const Chain& moved = moved_(test, [&] { return moved_frame(test.chain); });
     Variant& variant = on_one_thread(subject);
     variant.build(test.chain);
     variant.update(moved);
@@ -43,6 +43,7 @@ class NoAllocation final : public Property {
     return *variant;
   }
 
+  DerivedFrom<Chain> moved_;
   std::map<std::string, std::unique_ptr<Variant>> variants_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "catena/core/error.h"
 #include "catena/properties/property.h"
+#include "catena/properties/sorted_pairs.h"
 
 namespace catena::properties {
 namespace {
@@ -35,8 +36,8 @@ class PairLimit final : public Property {
     variant.find(test.chain, {Request::Want::counts, 0}, limited_);  // a limit on pairs, not on counts
     if (limited_.count != complete_.count) return "counts differ under a limit on pairs";
     variant.find(test.chain, {Request::Want::pairs, pairs}, limited_);
-    std::ranges::sort(limited_.pairs);  // a device gives them in any order
-    std::ranges::sort(complete_.pairs);
+    sort(limited_.pairs);  // a device gives them in any order
+    sort(complete_.pairs);
     if (limited_.pairs != complete_.pairs)
       return fmt::format("pairs differ under the limit {} that they reach", pairs);
     return std::nullopt;

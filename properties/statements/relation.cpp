@@ -4,15 +4,20 @@
 
 #include <algorithm>
 
+#include "catena/properties/sorted_pairs.h"
+
 namespace catena::properties {
 
 std::optional<std::string> Relation::check(const Subject&, Variant& variant, const Case& test) {
-  auto expected = image(test);
+  const std::optional<Image>& expected = expected_(test, [&] {
+    auto made = image(test);
+    if (made) sort(made->pairs);
+    return made;
+  });
   if (!expected) return std::nullopt;
   variant.build(expected->chain);
   variant.find(expected->chain, {}, found_);
-  std::ranges::sort(found_.pairs);
-  std::ranges::sort(expected->pairs);
+  sort(found_.pairs);
   if (found_.pairs == expected->pairs) return std::nullopt;
   const auto [mine, theirs] = std::ranges::mismatch(found_.pairs, expected->pairs);
   const bool missing = mine == found_.pairs.end() || (theirs != expected->pairs.end() && *theirs < *mine);

@@ -23,7 +23,8 @@ class Relation : public Property {
   /// nullopt where the relation says nothing: a number would round, say. The same for the same chain.
   virtual std::optional<Image> image(const Case& test) const = 0;
 
- protected:
+ private:
+  DerivedFrom<std::optional<Image>> expected_;
   Collisions found_;
 };
 

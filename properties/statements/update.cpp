@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <vector>
 
 #include "catena/properties/property.h"
+#include "catena/properties/sorted_pairs.h"
 #include "catena/properties/statements/moved_frame.h"
 #include "catena/reference/compare.h"
-#include "catena/reference/reference.h"
 
 namespace catena::properties {
 namespace {
@@ -19,14 +19,14 @@ class Update final : public Property {
   std::optional<std::string> check(const Subject& subject, Variant& variant, const Case& test) override {
     const auto fresh = subject.make();
     variant.build(test.chain);
-    for (const auto frame : {moved_frame, thinned_frame, anchored_frame}) {
-      const Chain moved = frame(test.chain);
-      variant.update(moved);
-      fresh->build(moved);
+    for (const Case& moved : frames_of(test)) {
+      variant.update(moved.chain);
+      fresh->build(moved.chain);
       if (auto difference = compare(*fresh, variant, moved, subject.exact())) return difference;
       variant.update(test.chain);
       fresh->build(test.chain);
-      if (auto difference = compare(*fresh, variant, test.chain, subject.exact())) return "on the way back: " + *difference;
+      if (auto difference = compare(*fresh, variant, test, subject.exact()))
+        return "on the way back: " + *difference;
     }
     return std::nullopt;
   }
@@ -46,7 +46,16 @@ class Update final : public Property {
     std::vector<Bound> shown;
   };
 
-  std::optional<std::string> compare(Variant& built, Variant& updated, const Chain& chain, bool exact) {
+  const std::vector<Case>& frames_of(const Case& test) {
+    return frames_(test, [&] {
+      std::vector<Case> frames;
+      for (const auto frame : {moved_frame, thinned_frame, anchored_frame})
+        frames.push_back(Case::of(frame(test.chain)));
+      return frames;
+    });
+  }
+
+  std::optional<std::string> compare(Variant& built, Variant& updated, const Case& frame, bool exact) {
     Bounds of_built, of_updated;
     built.visit_bounds(of_built);
     updated.visit_bounds(of_updated);
@@ -57,11 +66,11 @@ class Update final : public Property {
       if (!same(of_built.shown[k], of_updated.shown[k]))
         return fmt::format("bound {} of {} differs from that of build", of_updated.shown[k].parent,
                            of_updated.shown[k].child);
-    built.find(chain, {}, built_);
-    updated.find(chain, {}, updated_);
-    std::ranges::sort(built_.pairs);
-    std::ranges::sort(updated_.pairs);
-    if (exact && !reference::compare(chain, reference::find(chain), updated_).right())
+    built.find(frame.chain, {}, built_);
+    updated.find(frame.chain, {}, updated_);
+    sort(built_.pairs);
+    sort(updated_.pairs);
+    if (exact && !reference::compare(frame.chain, frame.exact, updated_).right())
       return "after update the answer is not exact";
     if (built_.pairs != updated_.pairs || built_.count != updated_.count)
       return fmt::format("{} pairs after update, {} after build", updated_.pair_count, built_.pair_count);
@@ -78,6 +87,7 @@ class Update final : public Property {
            sphere(a.of_child, b.of_child);
   }
 
+  DerivedFrom<std::vector<Case>> frames_;
   Collisions built_, updated_;
 };
 
