@@ -1,18 +1,16 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "catena/bench/tube.h"
 #include "catena/bench/tube_contacts.h"
-#include "catena/bench/tube_error.h"
+#include "catena/bench/tube_errors.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/error.h"
 
@@ -37,40 +35,19 @@ class ErrorsCommand final : public Command {
     if (!std::isfinite(offset_) || std::abs(offset_) > 1e30)
       throw InputError("--offset must be a number from -1e30 to 1e30");
     bool broken = false;
-    for (const Tube& tube : chosen()) {
+    for (const Tube& tube : tubes_named(names_)) {
       const auto all = approaches(tube);
       if (!json_) head(tube, all);
       for (const std::uint32_t n : sizes_of(tube)) {
-        const TubeError error = tube_error(tube, all, n);
-        std::optional<StorageError> storage;
-        if (error.spacing >= finest_stored * tube.radius && n <= most_stored)
-          storage = storage_error(tube, n, offset_);
-        json_ ? print_json(tube, error, storage) : print_row(error, storage);
-        broken |= error.missed_by_covering > 0;
+        const TubeErrors errors = errors_of(tube, all, n, offset_);
+        json_ ? fmt::print("{}\n", to_json(errors).dump()) : print_row(errors.tube, errors.storage);
+        broken |= errors.tube.missed_by_covering > 0;
       }
     }
     return broken ? 1 : 0;
   }
 
  private:
-  static constexpr double finest_stored = 0.049;  ///< finer chains have too many pairs to look at each
-  static constexpr std::uint32_t most_stored = 200'000;
-
-  std::vector<Tube> chosen() const {
-    const auto all = known_tubes();
-    if (names_.empty()) return all;
-    std::vector<Tube> tubes;
-    std::vector<std::string> known;
-    for (const Tube& tube : all) known.push_back(tube.name);
-    for (const auto& name : names_) {
-      const auto found = std::ranges::find(all, name, &Tube::name);
-      if (found == all.end())
-        throw InputError(fmt::format("no tube is named '{}'; there are: {}", name, fmt::join(known, ", ")));
-      tubes.push_back(*found);
-    }
-    return tubes;
-  }
-
   std::vector<std::uint32_t> sizes_of(const Tube& tube) const {
     if (!sizes_.empty()) return sizes_;
     std::vector<std::uint32_t> sizes;
@@ -96,31 +73,6 @@ class ErrorsCommand final : public Command {
                e.spacing, e.gap, e.volume_deficit, e.depth_error, e.missed, e.covering_depth_error,
                e.invented, s ? fmt::format("{}", s->pairs) : "-", s ? fmt::format("{}", s->flips) : "-",
                s ? fmt::format("{:.2e}", s->least_margin) : "-");
-  }
-
-  void print_json(const Tube& tube, const TubeError& e, const std::optional<StorageError>& s) const {
-    nlohmann::ordered_json line{{"tube", tube.name},
-                                {"n", e.n},
-                                {"spacing", e.spacing},
-                                {"gap", e.gap},
-                                {"volume_deficit", e.volume_deficit},
-                                {"covering_radius", e.covering_radius},
-                                {"contacts", e.contacts},
-                                {"missed", e.missed},
-                                {"invented", e.invented},
-                                {"missed_by_covering", e.missed_by_covering},
-                                {"depth_error", e.depth_error},
-                                {"covering_depth_error", e.covering_depth_error}};
-    if (s) {
-      nlohmann::ordered_json stored{{"offset", offset_}, {"pairs", s->pairs}, {"flips", s->flips}};
-      if (std::isfinite(s->least_margin)) {
-        stored["least_margin"] = s->least_margin;
-        if (s->least_margin > 0) stored["condition_number"] = 1 / s->least_margin;
-      }
-      stored["margin_decades"] = s->decades;
-      line["stored"] = stored;
-    }
-    fmt::print("{}\n", line.dump());
   }
 
   std::vector<std::string> names_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "catena/bench/examine.h"
+#include "catena/bench/examine_json.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
@@ -44,7 +44,7 @@ class ExamineCommand final : public Command {
       const auto exact = reference::find(chain);
       for (const auto& arithmetic : arithmetics_) {
         const Examination e = examine(arithmetic, chain, exact);
-        json_ ? print_json(spec, arithmetic, chain, exact, e) : print(spec, width, arithmetic, exact, e);
+        json_ ? print_line(to_json(spec, arithmetic, exact, e)) : print(spec, width, arithmetic, exact, e);
       }
     }
     if (!json_)
@@ -84,29 +84,7 @@ class ExamineCommand final : public Command {
                  share(level), level.worst_shortfall);
   }
 
-  static nlohmann::ordered_json number(double value) {
-    if (std::isfinite(value)) return value;
-    return "infinite";
-  }
-
-  static void print_json(const std::string& spec, const std::string& arithmetic, const Chain& chain,
-                         const reference::Answer& exact, const Examination& e) {
-    nlohmann::ordered_json line{{"input", spec},
-                                {"n", chain.size()},
-                                {"arithmetic", arithmetic},
-                                {"exact_pairs", exact.pair_count},
-                                {"parents", e.all.parents},
-                                {"failing", e.all.failing},
-                                {"worst_shortfall", number(e.all.worst_shortfall)},
-                                {"missing", e.missing},
-                                {"lost_by_tree", e.lost_by_tree},
-                                {"invented", e.invented}};
-    auto& levels = line["levels"] = nlohmann::ordered_json::array();
-    for (const LevelExamined& level : e.levels)
-      levels.push_back({{"level", level.level},
-                        {"parents", level.parents},
-                        {"failing", level.failing},
-                        {"worst_shortfall", number(level.worst_shortfall)}});
+  static void print_line(const nlohmann::ordered_json& line) {
     fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
 

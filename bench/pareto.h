@@ -22,6 +22,7 @@ struct Point {
   std::size_t repetitions = 0;
   Spread time;
   std::optional<std::size_t> dominated_by;  ///< empty: on the Pareto front
+  double offset = 0;                        ///< of the chain from the origin along every axis, in radii
 };
 
 /// Marks each point for which another has no more of either error and is faster beyond the spread: its upper

@@ -31,6 +31,7 @@ struct Cell {
   bool defect = false;                 ///< a bug: what the variant's arithmetic does not excuse
   std::uint64_t not_finite_nodes = 0;  ///< see NotFiniteNodes
   reference::Verification found;
+  bool answered = true;  ///< false: the exact answer was not asked for, `exact_pairs` says nothing
 };
 
 /// The arithmetic in a variant's name: what follows the slash, otherwise robust.

@@ -2,16 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "catena/bench/stability.h"
 #include "catena/bench/stability_report.h"
+#include "catena/bench/stability_run.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/error.h"
-#include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
@@ -29,6 +28,16 @@ class StabilityCommand final : public Command {
     app.add_option("--variant", variants_, "Only this variant; repeatable")
         ->type_name("V")
         ->allow_extra_args(false);
+    app.add_option("--seconds", limits_.seconds,
+                   "Leave out a variant that is likely to take longer on a scene, by its growth")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-3, 1e12));
+    app.add_option("--overlaps", limits_.overlaps,
+                   "Leave out a scene of which more spheres overlap, neighbours included")
+        ->type_name("P")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-3, 1e12));
     app.add_flag("--cells", cells_, "One line for each scene and variant, with the reason");
     app.add_flag("--json", json_, "One JSON object a line for each scene and variant");
   }
@@ -42,13 +51,16 @@ class StabilityCommand final : public Command {
         for (auto& spec : stability_scenes(n)) scenes_.push_back(std::move(spec));
     if (variants_.empty())
       for (const auto& info : StrategyRegistry::instance().variants()) variants_.push_back(info.name);
+    for (const auto& name : variants_) expect_known(name);
     const auto form = json_    ? StabilityReport::Form::json
                       : cells_ ? StabilityReport::Form::cells
                                : StabilityReport::Form::table;
     StabilityReport report(form, scenes_, variants_);
     Progress progress(scenes_.size() * variants_.size());
     for (const auto& spec : scenes_) {
-      const auto cells = measure_scene(spec, progress);
+      const auto cells = measure_scene(spec, variants_, limits_, [&](const std::string& name) {
+        progress.step(fmt::format("{} on {}", name, spec));
+      });
       progress.clear();
       report.scene(cells);
     }
@@ -57,37 +69,17 @@ class StabilityCommand final : public Command {
   }
 
  private:
-  static constexpr std::uint64_t pair_limit = std::uint64_t{1} << 24;  ///< beyond, counts are compared
-  static constexpr std::uint32_t most_all_pairs = 20'000;  ///< beyond, O(n^2) variants are left out
-
-  std::vector<Cell> measure_scene(const std::string& spec, Progress& progress) const {
-    const Input input = open_input(spec);
-    const Chain chain = input.animation->frame(input.animation->frames() / 2);
-    const reference::Answer exact = reference::exact_answer(chain, pair_limit);
-    std::vector<Cell> cells;
-    for (const auto& name : variants_) {
-      progress.step(fmt::format("{} on {}", name, spec));
-      try {
-        const auto variant = StrategyRegistry::instance().make(name);
-        if (chain.size() > most_all_pairs && compares_all_pairs(name))
-          cells.push_back(unavailable(spec, name, chain, exact, "O(n^2): left out above 20,000 spheres"));
-        else
-          cells.push_back(measure(spec, name, *variant, chain, exact));
-      } catch (const CapacityError& why) {
-        cells.push_back(unavailable(spec, name, chain, exact, why.what()));
-      }
+  /// Throws InputError for a name that is none, before anything is printed.
+  static void expect_known(const std::string& name) {
+    try {
+      StrategyRegistry::instance().make(name);
+    } catch (const CapacityError&) {  // known, but not available here: its cells say so
     }
-    return cells;
-  }
-
-  static bool compares_all_pairs(const std::string& name) {
-    for (const auto& info : StrategyRegistry::instance().variants())
-      if (info.name == name) return info.all_pairs;
-    return false;
   }
 
   std::vector<std::string> scenes_, variants_;
   std::vector<std::uint32_t> sizes_;
+  StabilityLimits limits_;
   bool cells_ = false, json_ = false;
 };
 

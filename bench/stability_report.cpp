@@ -29,6 +29,14 @@ std::string in_short(const Cell& cell) {
   return text + fmt::format(" -{} +{} by {:.0e}", c.missing, c.invented, c.worst_margin);
 }
 
+std::string pairs_of(const Cell& cell) { return cell.answered ? fmt::format("{}", cell.exact_pairs) : "-"; }
+
+/// A few names, or how many.
+std::string in_short(const std::set<std::string>& names, const char* what) {
+  return names.size() <= 4 ? fmt::format("{}", fmt::join(names, ", "))
+                           : fmt::format("{} {}", names.size(), what);
+}
+
 bool worse(const Cell& a, const Cell& b) {
   const auto key = [](const Cell& c) {
     return std::tuple(c.defect, c.outcome, c.found.comparison.missing + c.found.comparison.invented,
@@ -60,6 +68,11 @@ void StabilityReport::scene(const std::vector<Cell>& cells) {
   for (const Cell& cell : cells) {
     ++outcomes_[cell.arithmetic][cell.outcome];
     if (cell.defect) defects_.push_back(cell);
+    if (cell.outcome == Outcome::unavailable || cell.outcome == Outcome::refused) {
+      LeftOut& left_out = left_out_[cell.found.reason];
+      left_out.variants.insert(cell.variant);
+      left_out.scenes.insert(cell.scene);
+    }
     if (form_ == Form::json) fmt::print("{}\n", to_json(cell));
     if (form_ == Form::cells) cell_line(cell);
   }
@@ -68,7 +81,7 @@ void StabilityReport::scene(const std::vector<Cell>& cells) {
 }
 
 void StabilityReport::table_line(const std::vector<Cell>& cells) const {
-  fmt::print("{:<{}}  {:>8}", cells.front().scene, scene_width_, cells.front().exact_pairs);
+  fmt::print("{:<{}}  {:>8}", cells.front().scene, scene_width_, pairs_of(cells.front()));
   for (const auto& arithmetic : arithmetics_) {
     const Cell* worst = nullptr;
     std::size_t alike = 0, all = 0;
@@ -90,7 +103,7 @@ void StabilityReport::table_line(const std::vector<Cell>& cells) const {
 void StabilityReport::cell_line(const Cell& cell) const {
   const std::string why = cell.found.reason.empty() ? "" : ": " + cell.found.reason;
   fmt::print("{:<{}}  {:<{}}  {:>8}  {}{}{}\n", cell.scene, scene_width_, cell.variant, variant_width_,
-             cell.exact_pairs, cell.defect ? "DEFECT " : "", in_short(cell), why);
+             pairs_of(cell), cell.defect ? "DEFECT " : "", in_short(cell), why);
 }
 
 void StabilityReport::finish() const {
@@ -108,6 +121,9 @@ void StabilityReport::finish() const {
       parts.push_back(fmt::format("{} {}", times, name_of(outcome)));
     fmt::print("{}: {}\n", arithmetic, fmt::join(parts, ", "));
   }
+  for (const auto& [why, which] : left_out_)
+    fmt::print("left out: {} on {}: {}\n", in_short(which.variants, "variants"),
+               in_short(which.scenes, "scenes"), why);
   for (const Cell& cell : defects_)
     fmt::print("DEFECT: {} on {}: {} {}\n", cell.variant, cell.scene, in_short(cell), cell.found.reason);
 }
@@ -119,8 +135,8 @@ std::string to_json(const Cell& cell) {
                               {"variant", cell.variant},
                               {"arithmetic", cell.arithmetic},
                               {"outcome", name_of(cell.outcome)},
-                              {"defect", cell.defect},
-                              {"exact_pairs", cell.exact_pairs}};
+                              {"defect", cell.defect}};
+  if (cell.answered) line["exact_pairs"] = cell.exact_pairs;
   if (v.ran) {
     if (v.by_pairs) {
       line["missing"] = v.comparison.missing;

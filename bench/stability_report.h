@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ class StabilityReport {
 
   /// The cells of one scene, in the order of the variants.
   void scene(const std::vector<Cell>& cells);
-  /// The summary, and each defect once more. Nothing for JSON.
+  /// The summary, what was left out or refused and why, and each defect once more. Nothing for JSON.
   void finish() const;
   bool any_defect() const { return !defects_.empty(); }
 
@@ -31,6 +32,10 @@ class StabilityReport {
   std::vector<std::string> arithmetics_;
   std::size_t scene_width_, variant_width_;
   std::map<std::string, std::map<Outcome, std::uint64_t>> outcomes_;  // by arithmetic
+  struct LeftOut {
+    std::set<std::string> variants, scenes;
+  };
+  std::map<std::string, LeftOut> left_out_;  // by reason
   std::vector<Cell> defects_;
 };
 

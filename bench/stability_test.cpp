@@ -1,5 +1,6 @@
 #include "catena/bench/stability.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "catena/bench/stability_report.h"
+#include "catena/bench/stability_run.h"
 #include "catena/core/input/input.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/strategy/registry.h"
@@ -78,6 +80,37 @@ TEST(Stability, RunsEverySceneInEverySetting) {
     for (const char* variant : {"aCPU2+CPU2", "aGPU2@host+GPUv2@host"}) {
       const Cell cell = cell_of(spec, variant);
       EXPECT_EQ(cell.outcome, Outcome::exact) << spec << ' ' << variant << ' ' << cell.found.reason;
+    }
+}
+
+TEST(StabilityRun, SaysWhatItLeavesOutAndWhy) {
+  const StabilityLimits narrow{.seconds = 60, .overlaps = 1000, .all_pairs = 100};
+  const auto flood = measure_scene("winding:n=500", {"aCPU2+CPU2"}, narrow);
+  ASSERT_EQ(flood.size(), 1u);
+  EXPECT_EQ(flood[0].outcome, Outcome::unavailable);
+  EXPECT_FALSE(flood[0].answered);
+  EXPECT_NE(flood[0].found.reason.find("overlapping spheres"), std::string::npos);
+  const auto both = measure_scene("rod:n=500", {"CPU1", "aCPU2+CPU2"}, narrow);
+  EXPECT_NE(both[0].found.reason.find("O(n^2)"), std::string::npos);
+  EXPECT_EQ(both[1].outcome, Outcome::exact);
+  const auto slow = measure_scene("rod:n=60000", {"aCPU2+CPU2"}, {.seconds = 1e-9});
+  EXPECT_NE(slow[0].found.reason.find("likely to take longer"), std::string::npos);
+}
+
+TEST(StabilityRun, EstimatesOverlapsFromASample) {
+  const Chain chain = open_input("winding:n=5000,contacts=50").animation->frame(0);
+  const auto right = static_cast<double>(reference::find(chain).pair_count);
+  EXPECT_NEAR(estimated_overlaps(chain), right, 0.1 * right);
+}
+
+/// About ten minutes, on one core.
+TEST(StabilityLong, RobustIsExactOnEverySceneOfAMillionSpheres) {
+  for (const auto& spec : stability_scenes(1'000'000))
+    for (const Cell& cell : measure_scene(spec, {"aCPU2+CPU2", "aCPU2+Dual"})) {
+      EXPECT_TRUE(cell.outcome == Outcome::exact || cell.outcome == Outcome::unavailable)
+          << spec << ' ' << cell.variant << ' ' << cell.found.reason;
+      if (cell.outcome == Outcome::unavailable)
+        fmt::print("{} {}: {}\n", spec, cell.variant, cell.found.reason);
     }
 }
 

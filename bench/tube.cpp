@@ -1,6 +1,7 @@
 #include "catena/bench/tube.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <numbers>
 
 #include "catena/bench/arc_length.h"
+#include "catena/core/error.h"
 #include "catena/core/scenes/torus_curve.h"
 
 namespace catena::bench {
@@ -23,6 +25,17 @@ Tube closed_tube(std::string name, double size, const ArcLength::Curve& point,
   return {std::move(name), length, 1, true, [=](double s) { return size * point(arc->parameter(s / size)); }};
 }
 
+/// How near the centre line of a helix comes to its next turn: at the angle that Newton's method finds, from
+/// straight above on.
+double between_turns(double width, double pitch) {
+  const double rise = pitch / tau;
+  double angle = 0;
+  for (int k = 0; k < 20; ++k)
+    angle -= (width * width * std::sin(angle) - rise * (pitch - rise * angle)) /
+             (width * width * std::cos(angle) + rise * rise);
+  return std::hypot(2 * width * std::sin(angle / 2), pitch - rise * angle);
+}
+
 }  // namespace
 
 double Tube::apart(double s, double t) const {
@@ -34,17 +47,18 @@ Tube straight_rod() {
   return {"straight_rod", 40, 1, false, [](double s) { return Vec3{s - 20, 0, 0}; }};
 }
 
-Tube helix(double depth) {
+Tube helix(double depth, std::string name) {
   constexpr double width = 6, turns = 10;
-  const double pitch = 2 - depth;
+  double pitch = 2 - depth;
+  for (int k = 0; k < 50; ++k) pitch *= (2 - depth) / between_turns(width, pitch);
   const double around = std::hypot(tau * width, pitch);
-  return {"helix", turns * around, 1, false, [=](double s) {
+  return {std::move(name), turns * around, 1, false, [=](double s) {
             const double turn = s / around;
             return Vec3{width * std::cos(tau * turn), width * std::sin(tau * turn), pitch * turn};
           }};
 }
 
-Tube torus_knot(unsigned p, double depth) {
+Tube torus_knot(unsigned p, double depth, std::string name) {
   const TorusCurve knot{p, p + 1};
   const double size = (2 - depth) / knot.closest_windings();
   const auto derivative = [=](double t) {
@@ -55,7 +69,7 @@ Tube torus_knot(unsigned p, double depth) {
                 TorusCurve::around * std::cos(b) * db};
   };
   return closed_tube(
-      fmt::format("torus_knot_{}_{}", p, p + 1), size, [=](double t) { return knot.position(t); }, derivative,
+      fmt::format("{}_{}_{}", name, p, p + 1), size, [=](double t) { return knot.position(t); }, derivative,
       64 * (p + 1));
 }
 
@@ -72,6 +86,30 @@ Tube lissajous() {
   return closed_tube("lissajous", 1, point, derivative, 2000);
 }
 
-std::vector<Tube> known_tubes() { return {straight_rod(), helix(), torus_knot(), lissajous()}; }
+std::vector<Tube> known_tubes() {
+  return {straight_rod(),
+          helix(),
+          helix(1e-5, "grazing_helix"),
+          torus_knot(),
+          torus_knot(2, 1e-5, "tight_torus_knot"),
+          lissajous(),
+          path1_tube(),
+          path2_tube()};
+}
+
+std::vector<Tube> tubes_named(const std::vector<std::string>& names) {
+  const auto all = known_tubes();
+  if (names.empty()) return all;
+  std::vector<Tube> tubes;
+  std::vector<std::string> known;
+  for (const Tube& tube : all) known.push_back(tube.name);
+  for (const auto& name : names) {
+    const auto found = std::ranges::find(all, name, &Tube::name);
+    if (found == all.end())
+      throw InputError(fmt::format("no tube is named '{}'; there are: {}", name, fmt::join(known, ", ")));
+    tubes.push_back(*found);
+  }
+  return tubes;
+}
 
 }  // namespace catena::bench

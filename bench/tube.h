@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -22,18 +23,28 @@ struct Tube {
   bool neighbours(double s, double t) const { return apart(s, t) < 3.1415926535897932 * radius; }
 };
 
+/// Its name: for the tests' own messages.
+inline void PrintTo(const Tube& tube, std::ostream* out) { *out << tube.name; }
+
 /// A straight tube of length 40 and radius 1: no contacts.
 Tube straight_rod();
-/// A spring of ten turns of radius 6, with the pitch 2 - depth: its turns overlap along their whole length,
-/// by a little more than `depth`, as the nearest point of the next turn is not straight above. Radius 1.
-Tube helix(double depth = 0.1);
+/// A spring of ten turns of radius 6, radius 1, whose turns go `depth` through each other along their whole
+/// length. As thin as 1e-5 it grazes: a chain finds the contact only when its dips are less deep.
+Tube helix(double depth = 0.1, std::string name = "helix");
 /// The torus knot (p, p + 1), thicker than its windings leave room for: they overlap by `depth` radii.
-Tube torus_knot(unsigned p = 2, double depth = 0.1);
+Tube torus_knot(unsigned p = 2, double depth = 0.1, std::string name = "torus_knot");
 /// A closed curve that crosses itself in projection many times, at heights that make some crossings touch,
 /// deep and shallow, and others just not.
 Tube lissajous();
+/// The splines of the paper's two paths, about 1,800 radii long: nine crossings, from 0.4 radii deep to 0.02
+/// apart.
+Tube path1_tube();
+Tube path2_tube();
 
 /// All of them.
 std::vector<Tube> known_tubes();
+
+/// Those of these names; all when there are none. Throws InputError that names those there are.
+std::vector<Tube> tubes_named(const std::vector<std::string>& names);
 
 }  // namespace catena::bench

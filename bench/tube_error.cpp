@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "catena/reference/all_pairs.h"
-#include "catena/reference/exact_gap.h"
-#include "catena/reference/reference.h"
+#include "catena/reference/grid.h"
 
 namespace catena::bench {
 namespace {
@@ -114,36 +112,28 @@ Chain inscribed_chain(const Tube& tube, std::uint32_t n, double offset) {
 }
 
 StorageError storage_error(const Tube& tube, std::uint32_t n, double offset) {
-  const double h = step_of(tube, n), real_radius = tube.radius;
+  const double h = step_of(tube, n), reach = 2 * tube.radius;
   std::vector<Vec3> real;
-  std::vector<Sphere> stored, wider;
+  std::vector<Sphere> stored;
   for (std::uint32_t i = 0; i < n; ++i) {
     real.push_back(at(tube, i * h) + Vec3{offset, offset, offset});
     const Vec3& p = real.back();
     stored.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-                      static_cast<float>(real_radius)});
-    wider.push_back(stored.back());
-    wider.back().radius *= 1.06f;  // (1 + margin)^(1/2) for margins up to 0.12
+                      static_cast<float>(tube.radius)});
   }
-  const Strands strands = tube.closed ? Strands::one_closed(n) : Strands{};
-  const Chain chain(stored, strands), candidates(wider, strands);
   StorageError error;
   error.least_margin = std::numeric_limits<double>::infinity();
   error.decades.assign(10, 0);
-  std::vector<Pair> near;
-  for (const Pair& p : reference::find(candidates).pairs)
-    if (!tube.neighbours(p.i * h, p.j * h)) near.push_back(p);
-  const std::vector<double> margins = reference::margins(chain, near);
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    const auto [i, j] = near[k];
-    const bool overlap = reference::overlap(chain[i], chain[j]);
-    const Vec3 apart = real[i] - real[j];
-    error.pairs += overlap;
-    error.flips += overlap != (dot(apart, apart) <= 4 * real_radius * real_radius);
-    error.least_margin = std::min(error.least_margin, margins[k]);
-    const double decade = margins[k] > 0 ? std::floor(-std::log10(margins[k])) : 9;
+  const Chain chain(std::move(stored), tube.closed ? Strands::one_closed(n) : Strands{});
+  reference::near_pairs(chain, [&](const Pair& pair, bool collides, double margin) {
+    if (tube.neighbours(pair.i * h, pair.j * h)) return;
+    const Vec3 apart = real[pair.i] - real[pair.j];
+    error.pairs += collides;
+    error.flips += collides != (dot(apart, apart) <= reach * reach);
+    error.least_margin = std::min(error.least_margin, margin);
+    const double decade = margin > 0 ? std::floor(-std::log10(margin)) : 9;
     ++error.decades[static_cast<std::size_t>(std::clamp(decade, 0.0, 9.0))];
-  }
+  });
   return error;
 }
 

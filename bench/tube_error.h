@@ -44,8 +44,8 @@ struct StorageError {
       decades;  ///< pairs with a margin in [10^-(k+1), 10^-k), the last: and below; k = 0..9
 };
 
-/// For the inscribed chain of n spheres, moved by `offset` on every axis. Pairs with a margin up to 0.1 are
-/// looked at, neighbours along the tube left out. O(n log n + pairs).
+/// For the inscribed chain of n spheres, moved by `offset` on every axis. Pairs that collide or have a margin
+/// below 1 are looked at, neighbours along the tube left out. Cost of reference::near_pairs.
 StorageError storage_error(const Tube& tube, std::uint32_t n, double offset = 0);
 
 }  // namespace catena::bench

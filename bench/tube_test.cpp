@@ -72,14 +72,14 @@ TEST(StraightRod, HasTheErrorsThatGeometryGives) {
   }
 }
 
-TEST(Contacts, OfAHelixAreOneRegionAsDeepAsItsPitch) {
-  const Tube spring = helix(0.1);
-  const auto touching = contacts(spring, approaches(spring));
-  ASSERT_EQ(touching.size(), 1u);
-  // Straight above lies a point 2 - 0.1 away; the nearest, along the normal, is a little nearer.
-  const double pitch = 1.9, tilt = std::atan(pitch / (2 * std::numbers::pi * 6));
-  EXPECT_NEAR(touching[0].distance, pitch * std::cos(tilt), 1e-4);
-  EXPECT_GT(touching[0].rows.size(), 2000u) << "all along";
+TEST(Contacts, OfAHelixAreOneRegionAsDeepAsAsked) {
+  for (const double depth : {0.1, 1e-5}) {
+    const Tube spring = helix(depth);
+    const auto touching = contacts(spring, approaches(spring));
+    ASSERT_EQ(touching.size(), 1u);
+    EXPECT_NEAR(touching[0].depth(spring.radius), depth, 1e-12);
+    EXPECT_GT(touching[0].rows.size(), 2000u) << "all along";
+  }
 }
 
 TEST(Contacts, OfAKnotAreAsDeepAsAsked) {
@@ -88,6 +88,17 @@ TEST(Contacts, OfAKnotAreAsDeepAsAsked) {
   ASSERT_FALSE(touching.empty());
   const auto deepest = std::ranges::min_element(touching, {}, &Approach::distance);
   EXPECT_NEAR(deepest->depth(knot.radius), 0.1, 1e-6);
+}
+
+TEST(Contacts, OfThePathsAreTheirNineCrossingsAsDeepAsTheyWereRaised) {
+  for (const Tube& path : {path1_tube(), path2_tube()}) {
+    auto all = approaches(path);
+    std::ranges::sort(all, {}, &Approach::distance);
+    const std::vector depths{0.4, 0.2, 0.1, 0.05, 0.02, 0.01, 1e-3, -1e-3, -0.02};
+    ASSERT_EQ(all.size(), depths.size()) << path.name;
+    for (std::size_t k = 0; k < depths.size(); ++k)
+      EXPECT_NEAR(all[k].depth(path.radius), depths[k], 1e-12) << path.name << ' ' << k;
+  }
 }
 
 TEST(Contacts, OfCrossingsAreSomeDeepSomeShallowAndSomeNot) {

@@ -87,7 +87,7 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
               fmt::format("{} is wrong on {} with {} spheres: {}", name, tube.name, n, cell.found.reason));
         runners.push_back(
             {std::move(variant),
-             {tube.name, name, cell.arithmetic, n, gap, answer_error(cell), repetitions, {}, {}},
+             {tube.name, name, cell.arithmetic, n, gap, answer_error(cell), repetitions, {}, {}, offset},
              {}});
       } catch (const CapacityError& why) {
         leave_out(name, why.what());

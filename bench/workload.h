@@ -2,20 +2,35 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "catena/core/chain/chain.h"
 #include "catena/reference/reference.h"
 
 namespace catena::bench {
 
-/// A chain to measure on, with its exact answer.
-struct Workload {
-  Chain chain;
-  reference::Answer exact;
+/// What to measure on: a scene or file, its middle frame, where the most collides, or all of its frames.
+struct WorkloadSpec {
+  std::string input;        ///< "path1:n=10000", "neuron.swc"
+  bool all_frames = false;  ///< a sample then goes through the whole animation
 };
 
-/// The middle frame of "scene:n=N", where the most collides. The last few workloads are kept, as making one
-/// and its exact answer takes longer than measuring.
-std::shared_ptr<const Workload> workload(const std::string& scene, std::uint32_t n);
+/// Chains to measure on, with their exact answers.
+struct Workload {
+  std::string label;  ///< how results name it: SCENE/n:N, see label_of
+  WorkloadSpec spec;
+  std::uint32_t first_frame = 0;         ///< of the input; that of chains[0]
+  std::uint32_t frames = 1;              ///< of the input
+  std::vector<Chain> chains;             ///< one, or one for each frame
+  std::vector<reference::Answer> exact;  ///< of each chain
+};
+
+/// SCENE/n:N. Parameters that are given besides n stay with the scene, "far:exponent=22/n:3000", as does
+/// "frames=all"; of a file the name without its folder. Opens the input only when it does not say n.
+std::string label_of(const WorkloadSpec& spec);
+
+/// The chains and exact answers of `spec`. The last few workloads are kept, as making one takes longer than
+/// measuring. Throws what open_input throws.
+std::shared_ptr<const Workload> workload(const WorkloadSpec& spec);
 
 }  // namespace catena::bench

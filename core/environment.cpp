@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include CATENA_COMMIT_HEADER
+
 namespace catena {
 namespace {
 
@@ -21,19 +23,23 @@ std::string cpu_model() {
   return "unknown";
 }
 
+/// How the clock of the CPU is governed. Not shown in most virtual machines.
+std::string governor() {
+  std::ifstream file("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  std::string name;
+  return std::getline(file, name) ? name : "not shown here";
+}
+
 }  // namespace
 
 RegisterEnvironment::RegisterEnvironment(Facts facts) { contributors().push_back(std::move(facts)); }
 
 std::map<std::string, std::string> environment() {
   std::map<std::string, std::string> facts{
-      {"catena", CATENA_VERSION},
-      {"commit", CATENA_COMMIT},
-      {"build type", CATENA_BUILD_TYPE},
-      {"compiler", fmt::format("{} {}", CATENA_COMPILER, __VERSION__)},
-      {"flags", CATENA_FLAGS},
-      {"cpu", cpu_model()},
-      {"cores", std::to_string(std::thread::hardware_concurrency())},
+      {"catena", CATENA_VERSION},        {"commit", CATENA_COMMIT},
+      {"build type", CATENA_BUILD_TYPE}, {"compiler", fmt::format("{} {}", CATENA_COMPILER, __VERSION__)},
+      {"flags", CATENA_FLAGS},           {"cpu", cpu_model()},
+      {"governor", governor()},          {"cores", std::to_string(std::thread::hardware_concurrency())},
   };
   for (const auto& contributor : contributors()) facts.merge(contributor());
   return facts;

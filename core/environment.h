@@ -5,8 +5,9 @@
 
 namespace catena {
 
-/// What a measurement was taken with: compiler, flags, build type, commit, CPU, and on machines with a device
-/// GPU, driver and toolkit. Every result file carries it.
+/// What a measurement was taken with: compiler, flags, build type, commit (ending in "-dirty" when the
+/// sources differ from it), CPU and its governor, and on machines with a device GPU, driver and toolkit.
+/// Every result file carries it.
 std::map<std::string, std::string> environment();
 
 /// One object of this at namespace scope adds facts to environment().

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/pair.h"
+
+namespace catena::bench {
+
+/// How near the decisions of a chain are to changing their mind: the margins |q - t| / t of all pairs that
+/// collide, and of those apart with a margin below 1.
+struct Margins {
+  static constexpr std::size_t decades = 16;
+  struct Side {
+    std::uint64_t pairs = 0;
+    std::array<std::uint64_t, decades> decade{};  ///< margin in [10^-(k+1), 10^-k); the last: and all below
+  };
+  Side colliding, apart;
+  std::uint64_t touching = 0;  ///< of `colliding`, those with margin 0
+  std::uint64_t open_in_binary32 =
+      0;  ///< pairs that stage 1 of the exact overlap leaves open: margin up to 12u
+  std::uint64_t open_in_binary64 = 0;  ///< pairs that stage 2 leaves open: margin up to 10u
+  double least =
+      std::numeric_limits<double>::infinity();  ///< smallest margin of all; infinite: there is no pair
+  Pair tightest{0, 0};                          ///< a pair that has it
+  bool tightest_collides = false;
+
+  void add(const Pair& pair, bool collides, double margin);
+  /// By how much a relative change of a squared distance may at most be enlarged before a decision is
+  /// another.
+  double condition_number() const { return 1 / least; }
+};
+
+/// The margins of a chain, by exact arithmetic. Cost of reference::near_pairs.
+Margins margins_of(const Chain& chain);
+
+}  // namespace catena::bench

@@ -1,0 +1,13 @@
+# cmake -DSOURCE=... -DHEADER=... -P commit.cmake
+# Writes which commit is built, "-dirty" when anything differs from it, new files included. Run at every build; the
+# header is touched only when its content changes, so that at most one file is compiled again.
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND git describe --always --abbrev=12 --exclude=* WORKING_DIRECTORY ${SOURCE}
+                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_commit)
+execute_process(COMMAND git status --porcelain WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE changes ERROR_QUIET)
+if(no_commit)
+  set(commit "unknown: not built in a git checkout")
+elseif(changes)
+  string(APPEND commit "-dirty")
+endif()
+file(CONFIGURE OUTPUT ${HEADER} CONTENT "#define CATENA_COMMIT \"@commit@\"\n" @ONLY)
