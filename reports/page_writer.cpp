@@ -1,0 +1,62 @@
+#include "catena/reports/page_writer.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "catena/core/error.h"
+
+namespace catena::reports {
+namespace {
+
+/// The folder that holds the package: beside an installed program, or in the source tree.
+std::filesystem::path package_folder() {
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const auto installed = program.parent_path().parent_path() / CATENA_DATADIR / "catena";
+  for (const auto& folder : {installed, std::filesystem::path(CATENA_REPORTS_IN_SOURCE)})
+    if (std::filesystem::exists(folder / "catena_report" / "__main__.py", ignored)) return folder;
+  throw InputError(
+      fmt::format("the page writer catena_report is neither in {} nor in {}; install catena again",
+                  installed.string(), CATENA_REPORTS_IN_SOURCE));
+}
+
+/// This process's environment with PYTHONPATH set to `folder`.
+std::vector<std::string> environment_with(const std::filesystem::path& folder) {
+  std::vector<std::string> variables;
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (!std::string_view(*entry).starts_with("PYTHONPATH=")) variables.emplace_back(*entry);
+  variables.push_back("PYTHONPATH=" + folder.string());
+  return variables;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> list;
+  for (auto& text : texts) list.push_back(text.data());
+  list.push_back(nullptr);
+  return list;
+}
+
+}  // namespace
+
+int run_page_writer(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{CATENA_PYTHON, "-m", "catena_report"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  auto variables = environment_with(package_folder());
+  pid_t child = 0;
+  const int failed = posix_spawnp(&child, CATENA_PYTHON, nullptr, nullptr, pointers(command).data(),
+                                  pointers(variables).data());
+  if (failed != 0)
+    throw InputError(fmt::format("cannot run {}: {}; install python3", CATENA_PYTHON, std::strerror(failed)));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw InputError(fmt::format("lost {}: {}", CATENA_PYTHON, std::strerror(errno)));
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
+}
+
+}  // namespace catena::reports

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "catena/bench/google/rounds.h"
+#include "catena/bench/workload.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena::reports {
+
+/// How much to measure, and of what.
+struct Profile {
+  std::string name;  ///< quick, full, paper; custom once the user chose inputs or variants
+  std::vector<bench::WorkloadSpec> inputs;  ///< timed, counted
+  std::vector<VariantInfo> variants;        ///< available here
+  std::string filter;                       ///< on the names of timed cases; see bench::filtered
+  bench::Stopping stopping;
+  /// The sections come first and leave the rest of this to the timing, but at least 20 s; 0: no limit on the
+  /// whole.
+  double whole_seconds = 0;
+  /// Above, O(n^2) variants on the host are not timed.
+  std::uint32_t most_all_pairs = 20'000;
+
+  double section_seconds = 5;  ///< for the repetitions of each of the smaller timed sections
+  std::size_t section_rounds = 15;
+  std::uint32_t stability_n = 0;              ///< spheres of its scenes; 0: no stability matrix
+  std::vector<double> motion_stiffnesses;     ///< of the stiff rope
+  std::vector<double> motion_steps;           ///< of its motions; empty: they are left out
+  double motion_seconds = 0;                  ///< no motion of it begins later
+  std::vector<std::string> tubes;             ///< of the work-precision diagram
+  std::vector<double> tube_spacings;          ///< in radii
+  std::vector<std::string> examine_settings;  ///< of rod, path1 and yarn
+  std::vector<bench::WorkloadSpec> shown;     ///< in the viewer; all frames: ten of them
+  std::vector<std::string> wants_inputs, coherent_inputs;
+  std::vector<std::uint32_t> short_chains;  ///< n of path1 at which a hierarchy is weighed against all pairs
+  std::string animation_input;
+  std::uint32_t animation_step = 1;  ///< every so manieth frame
+};
+
+/// The profile of that name with every variant that is available here. Throws InputError naming what there
+/// is.
+Profile profile_named(const std::string& name);
+
+/// Those of the profile's variants that are exact and on the host or device alike.
+std::vector<VariantInfo> exact_variants(const Profile& profile);
+
+}  // namespace catena::reports

@@ -1,0 +1,88 @@
+#include "catena/reports/run_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+#include "catena/core/environment.h"
+#include "catena/core/error.h"
+#include "catena/core/strategy/timings.h"
+#include "catena/reports/section.h"
+
+namespace catena::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<bench::Case> timed_cases(const Profile& profile) {
+  return bench::filtered(bench::cases(profile.inputs, profile.variants, profile.most_all_pairs),
+                         profile.filter);
+}
+
+Json stopping_of(const bench::Stopping& s, const bench::Rounds& measured) {
+  return {{"interval", "95 % of the median, by order statistics"},
+          {"share", s.share},
+          {"seconds", s.seconds},
+          {"most_samples", s.most_samples},
+          {"seed", s.seed},
+          {"rounds", measured.rounds},
+          {"cases", measured.cases},
+          {"narrow", measured.narrow},
+          {"not_reached", measured.not_reached}};
+}
+
+}  // namespace
+
+Json measure_run(const Profile& profile, const std::string& command) {
+  const auto facts = environment();
+  if (facts.at("build type") != "Release")
+    throw InputError(
+        fmt::format("this is a {} build; its times mean nothing. Configure with --preset release",
+                    facts.at("build type")));
+  const auto cases = timed_cases(profile);
+  if (cases.empty())
+    throw InputError(
+        "nothing to measure: no case matches; catena_bench --benchmark_list_tests shows how they are named");
+
+  const Stopwatch watch;
+  Json measured_sections;
+  for (const Section& section : sections()) {
+    const Stopwatch own_watch;
+    Json content = section.measure(profile);
+    if (content.is_null() || content.empty()) continue;
+    measured_sections[section.name] = std::move(content);
+    fmt::print(stderr, "catena report: {} in {:.1f} s\n", section.name, own_watch.ms() / 1000);
+  }
+
+  bench::Stopping stopping = profile.stopping;
+  if (profile.whole_seconds > 0)
+    stopping.seconds = std::min(stopping.seconds, std::max(20.0, profile.whole_seconds - watch.ms() / 1000));
+  fmt::print(stderr, "catena report: timing {} cases for at most {:.0f} s\n", cases.size(), stopping.seconds);
+  bench::Rounds measured = bench::measure_in_rounds(cases, stopping);
+
+  Json run{{"context", std::move(measured.context)}, {"benchmarks", std::move(measured.benchmarks)}};
+  for (const auto& [key, value] : facts) run["context"][key] = value;
+  Json& own = run["catena"] = {
+      {"schema", 1}, {"profile", profile.name}, {"command", command}, {"seconds", watch.ms() / 1000}};
+  own["stopping"] = stopping_of(stopping, measured);
+  own.update(measured_sections);
+  return run;
+}
+
+void write_run(const Json& run, const std::string& file) {
+  const std::string unfinished = file + ".unfinished";
+  {
+    std::ofstream out(unfinished, std::ios::binary);
+    out << run.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out.close();
+    if (!out) throw InputError(fmt::format("cannot write {}: {}", unfinished, std::strerror(errno)));
+  }
+  if (std::rename(unfinished.c_str(), file.c_str()) != 0)
+    throw InputError(fmt::format("cannot write {}: {}", file, std::strerror(errno)));
+}
+
+}  // namespace catena::reports

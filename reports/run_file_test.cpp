@@ -1,0 +1,224 @@
+#include "catena/reports/run_file.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/environment.h"
+#include "catena/core/error.h"
+#include "catena/reports/base64.h"
+#include "catena/reports/section.h"
+
+/// The run file against its description, reports/run_file.md.
+namespace catena::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Every section, small.
+Profile small_profile() {
+  Profile p = profile_named("quick");
+  std::erase_if(p.variants, [](const VariantInfo& v) {
+    return !std::set<std::string>{"CPU1", "CPU1/literal", "aCPU2+CPU2", "aCPU2+CPU2/literal", "aCPU2+Dual"}
+                .contains(v.name);
+  });
+  p.inputs = {{"path1:n=300"}, {"path1:n=100", true}};
+  p.stopping = {.seconds = 60, .share = 0, .most_samples = 2, .least_ms = 0.01, .seed = 5};
+  p.section_seconds = 0.01;
+  p.section_rounds = 3;
+  p.stability_n = 200;  // the rope diverges when it is much shorter
+  p.tube_spacings = {1};
+  p.motion_steps.clear();
+  p.examine_settings = {"n=200"};
+  p.shown = {{"path1:n=200", true}, {"far:n=500,exponent=22"}, {"hair:n=200"}};
+  p.wants_inputs = p.coherent_inputs = {"path1:n=200"};
+  p.short_chains = {10, 100};
+  p.animation_input = "path1:n=200";
+  p.animation_step = 10;
+  return p;
+}
+
+bool measures() {
+  if (environment().at("build type") != "Release") return false;
+  try {
+    bench::measure_in_rounds({}, {});
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+const Json& small_run() {
+  static const Json run = measure_run(small_profile(), "catena report --quick");
+  return run;
+}
+
+class RunFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!measures()) GTEST_SKIP() << "measures in a Release build with Google Benchmark only";
+  }
+};
+
+std::size_t decoded_size(const std::string& text) {
+  EXPECT_EQ(text.size() % 4, 0u);
+  return text.size() / 4 * 3 - (text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0);
+}
+
+/// The keys that run_file.md writes between braces after `section[]`.
+std::set<std::string> described(const std::string& section) {
+  std::ifstream file(CATENA_SOURCE_DIR "/reports/run_file.md");
+  std::string all{std::istreambuf_iterator<char>(file), {}};
+  auto at = all.find("\n  " + section + "[]");
+  EXPECT_NE(at, std::string::npos) << section;
+  at = all.find('{', at) + 1;
+  std::set<std::string> keys;
+  std::string key;
+  int depth = 0;
+  for (bool in_key = true; at < all.size(); ++at) {
+    const char c = all[at];
+    if (depth == 0 && (c == ',' || c == ':' || c == '}' || c == '(')) {
+      if (in_key && !key.empty()) keys.insert(key);
+      in_key = c == ',', key.clear();
+      if (c == '}') break;
+    } else if (in_key && (std::isalnum(static_cast<unsigned char>(c)) || c == '_')) {
+      key += c;
+    }
+    if (std::string_view("([{").find(c) != std::string_view::npos) ++depth;
+    if (depth > 0 && std::string_view(")]}").find(c) != std::string_view::npos) --depth;
+  }
+  return keys;
+}
+
+TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
+  const Json& own = small_run()["catena"];
+  EXPECT_EQ(own["schema"], 1);
+  EXPECT_EQ(own["profile"], "quick");
+  EXPECT_EQ(own["command"], "catena report --quick");
+  EXPECT_GT(own["seconds"], 0);
+  for (const char* section : {"scenes", "counts", "wants", "saved", "animation", "coherence", "views"}) {
+    ASSERT_TRUE(own.contains(section)) << section;
+    const auto keys = described(section);
+    EXPECT_GE(keys.size(), 3u) << section;
+    for (const Json& row : own[section])
+      for (const auto& [key, value] : row.items()) EXPECT_TRUE(keys.contains(key)) << section << '.' << key;
+    std::set<std::string> given;
+    for (const Json& row : own[section])
+      for (const auto& [key, value] : row.items()) given.insert(key);
+    EXPECT_EQ(given, keys) << section;
+  }
+  for (const char* section : {"stability", "work_precision", "tube_errors", "examine"})
+    EXPECT_FALSE(own[section].empty()) << section;
+  for (const auto& [fact, value] : environment()) EXPECT_EQ(small_run()["context"][fact], value);
+}
+
+TEST_F(RunFile, NamesInputsAlikeEverywhere) {
+  std::set<std::string> inputs;
+  for (const Json& scene : small_run()["catena"]["scenes"]) inputs.insert(scene["input"]);
+  EXPECT_EQ(inputs, (std::set<std::string>{"path1/n:300", "path1:frames=all/n:100"}));
+  for (const Json& row : small_run()["benchmarks"]) {
+    const std::string name = row["name"];
+    EXPECT_TRUE(inputs.contains(name.substr(0, name.find('/', name.find("/n:") + 1)))) << name;
+  }
+  for (const Json& row : small_run()["catena"]["counts"]) EXPECT_TRUE(inputs.contains(row["input"])) << row;
+}
+
+TEST_F(RunFile, ViewsHaveTheNumbersOfTheirChains) {
+  for (const Json& view : small_run()["catena"]["views"]) {
+    const std::string input = view["input"];
+    const auto n = std::stoul(input.substr(input.find("/n:") + 3));
+    for (const Json& frame : view["frames"]) {
+      EXPECT_EQ(decoded_size(frame["spheres"]), n * sizeof(Sphere)) << input;
+      EXPECT_EQ(decoded_size(frame["pairs"]) % sizeof(Pair), 0u) << input;
+    }
+    EXPECT_EQ(view["strands"].size(), view["closed"].size());
+    EXPECT_EQ(view["strands"].size(), input.starts_with("hair") ? 100u : 1u);
+    std::size_t bounds = 0;
+    for (const Json& level : view["levels"]) bounds += decoded_size(level["spheres"]) / sizeof(Sphere);
+    EXPECT_EQ(bounds, 2 * n - 1) << input << ": a binary tree over n leaves";
+    EXPECT_EQ(decoded_size(view["levels"][0]["spheres"]), n * sizeof(Sphere));
+    EXPECT_EQ(view.contains("wrong"), input.starts_with("far")) << input;
+  }
+}
+
+TEST_F(RunFile, SavingsGiveTheSameAnswer) {
+  for (const Json& row : small_run()["catena"]["saved"]) {
+    EXPECT_TRUE(row["identical"]) << row;
+    EXPECT_EQ(row["with_ms"].size(), row["without_ms"].size());
+    EXPECT_GE(row["with_ms"].size(), 3u);
+  }
+}
+
+TEST_F(RunFile, IsWrittenWholeOrNotAtAll) {
+  const std::string file = testing::TempDir() + "catena_run.json";
+  write_run(small_run(), file);
+  std::ifstream in(file);
+  EXPECT_EQ(Json::parse(in), small_run());
+  EXPECT_FALSE(std::filesystem::exists(file + ".unfinished"));
+  std::filesystem::remove(file);
+  EXPECT_THROW(write_run(small_run(), "/nowhere/run.json"), InputError);
+}
+
+TEST_F(RunFile, NothingToMeasureIsSaid) {
+  Profile p = small_profile();
+  p.filter = "no_such_scene";
+  EXPECT_THROW(measure_run(p, ""), InputError);
+}
+
+TEST(Report, RefusesABuildThatIsNotRelease) {
+  if (environment().at("build type") == "Release") GTEST_SKIP() << "this is a Release build";
+  EXPECT_THROW(measure_run(small_profile(), ""), InputError);
+}
+
+TEST(Report, PaperMeasuresThePapersTables) {
+  std::ifstream file(CATENA_SOURCE_DIR "/reports/paper_tables.json");
+  const Json tables = Json::parse(file);
+  std::vector<std::string> expected, planned;
+  for (const char* path : {"path1", "path2"})
+    for (const std::uint32_t n : tables["n"])
+      expected.push_back(std::string(path) + ":n=" + std::to_string(n));
+  for (const auto& input : profile_named("paper").inputs) {
+    EXPECT_TRUE(input.all_frames);
+    planned.push_back(input.input);
+  }
+  EXPECT_EQ(planned, expected);
+}
+
+TEST(Report, Base64IsThatOfTheStandard) {
+  const auto of = [](const std::string& text) { return base64(std::span<const char>(text)); };
+  EXPECT_EQ(of(""), "");
+  EXPECT_EQ(of("f"), "Zg==");
+  EXPECT_EQ(of("fo"), "Zm8=");
+  EXPECT_EQ(of("foo"), "Zm9v");
+  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(of("\xff\xfe\xfd"), "//79");
+}
+
+int report(const std::string& arguments) {
+  for (const auto& info : CommandRegistry::instance().commands()) {
+    if (info.name != "report") continue;
+    CLI::App app;
+    const auto command = info.make();
+    command->configure(app);
+    app.parse(arguments);
+    return command->run();
+  }
+  throw std::logic_error("no command is named report");
+}
+
+TEST(Report, RefusesWhatMakesNoSense) {
+  EXPECT_THROW(report("--variant Nope"), InputError);
+  EXPECT_THROW(report("--scene nope:n=3 --no-page"), InputError);
+  EXPECT_THROW(report("--benchmark_filter ( --no-page"), InputError);
+  EXPECT_THROW(report("--quick --full"), CLI::ParseError);
+  EXPECT_THROW(report("--seconds -1"), CLI::ParseError);
+  EXPECT_THROW(report("--compare only_one.json"), CLI::ParseError);
+  EXPECT_THROW(profile_named("slow"), InputError);
+}
+
+}  // namespace
+}  // namespace catena::reports

@@ -1,0 +1,31 @@
+#include "catena/bench/cases.h"
+#include "catena/bench/work.h"
+#include "catena/core/error.h"
+#include "catena/reports/section.h"
+
+namespace catena::reports {
+namespace {
+
+/// The work of every variant that is timed and can be counted, on the first chain of each input.
+nlohmann::ordered_json counts(const Profile& profile) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const auto& c : bench::cases(profile.inputs, profile.variants, profile.most_all_pairs)) {
+    if (c.stage != bench::Stage::find) continue;
+    const auto work = bench::workload(c.spec);
+    try {
+      if (const auto counted = bench::count_work(c.variant, work->chains.front()))
+        rows.push_back({{"input", work->label},
+                        {"variant", c.variant.name},
+                        {"pair_tests", counted->pair_tests},
+                        {"node_visits", counted->node_visits},
+                        {"bytes", counted->bytes}});
+    } catch (const CapacityError&) {  // the variant refuses this chain; its timed row says why
+    }
+  }
+  return rows;
+}
+
+const RegisterSection registered{"counts", counts};
+
+}  // namespace
+}  // namespace catena::reports

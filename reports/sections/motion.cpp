@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "catena/bench/motion/motion_report.h"
+#include "catena/core/strategy/timings.h"
+#include "catena/reports/section.h"
+
+namespace catena::reports {
+namespace {
+
+/// The stiff rope: aCPU2+CPU2 in each arithmetic finds its contacts, as in `catena motion`. What the time
+/// does not suffice for is left out, the last stiffness first to go.
+nlohmann::ordered_json motion(const Profile& profile) {
+  constexpr auto exact = "aCPU2+CPU2";
+  auto rows = nlohmann::ordered_json::array();
+  if (profile.motion_steps.empty()) return rows;
+  const double reference_step = std::ranges::min(profile.motion_steps) / 4;
+  const Stopwatch watch;
+  const auto motion_of = [](double stiffness, double step, double offset, const char* variant) {
+    return bench::MotionCase{stiffness, step, offset, variant, 120, 51, 100};
+  };
+  for (const double stiffness : profile.motion_stiffnesses) {
+    if (watch.ms() > 1000 * profile.motion_seconds) break;
+    const auto fine = bench::measure_motion(motion_of(stiffness, reference_step, 0, exact));
+    for (const double step : profile.motion_steps)
+      for (const double offset : {0.0, 4e6, 1e7}) {
+        if (watch.ms() > 1000 * profile.motion_seconds) break;
+        std::vector<bench::MotionCase> cases;
+        std::vector<bench::MotionResult> results;
+        for (const char* variant : {exact, "aCPU2+CPU2/literal", "aCPU2+CPU2/double"}) {
+          cases.push_back(motion_of(stiffness, step, offset, variant));
+          results.push_back(bench::measure_motion(cases.back()));
+        }
+        bench::time_motions(cases, results, 3);
+        for (std::size_t k = 0; k < cases.size(); ++k) {
+          const auto against_fine = bench::compare_frames(fine.frame_contacts, results[k].frame_contacts);
+          rows.push_back(bench::to_json({cases[k], std::move(results[k]), reference_step, against_fine}));
+        }
+      }
+  }
+  return rows;
+}
+
+const RegisterSection registered{"motion", motion};
+
+}  // namespace
+}  // namespace catena::reports

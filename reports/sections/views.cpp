@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/reference/compare.h"
+#include "catena/reports/base64.h"
+#include "catena/reports/section.h"
+
+namespace catena::reports {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the viewer reads little-endian arrays");
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint32_t frames_shown = 10;  ///< of an animation, spread evenly
+
+std::string spheres_of(const Chain& chain) { return base64(chain.spheres()); }
+
+/// The bounds of a tree by height: a parent is one above the higher of its children.
+class Levels final : public BoundsVisitor {
+ public:
+  explicit Levels(const Chain& chain) : chain_(chain) {}
+  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
+              const WideSphere&) override {
+    bound_[parent_id] = parent;
+    children_[parent_id].push_back(child_id);
+  }
+  Json json() {
+    std::map<std::uint32_t, std::vector<Sphere>> levels;
+    levels[0].assign(chain_.spheres().begin(), chain_.spheres().end());
+    for (const auto& [id, bound] : bound_)
+      if (std::isfinite(bound.radius))
+        levels[height(id)].push_back({static_cast<float>(bound.x), static_cast<float>(bound.y),
+                                      static_cast<float>(bound.z), static_cast<float>(bound.radius)});
+    Json list = Json::array();
+    for (const auto& [level, spheres] : levels)
+      list.push_back({{"level", level}, {"spheres", base64(std::span<const Sphere>(spheres))}});
+    return list;
+  }
+
+ private:
+  std::uint32_t height(std::uint32_t id) {
+    if (id < chain_.size()) return 0;
+    auto& known = height_[id];
+    if (known == 0) {
+      for (const std::uint32_t child : children_[id]) known = std::max(known, height(child));
+      ++known;
+    }
+    return known;
+  }
+
+  const Chain& chain_;
+  std::map<std::uint32_t, WideSphere> bound_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> children_;
+  std::map<std::uint32_t, std::uint32_t> height_;
+};
+
+/// The tree of the first exact variant on the host that shows one.
+Json levels_of(const Chain& chain, const Profile& profile) {
+  for (const auto& info : exact_variants(profile)) {
+    if (info.all_pairs || info.on_device) continue;
+    try {
+      const auto variant = StrategyRegistry::instance().make(info.name);
+      variant->build(chain);
+      Levels levels(chain);
+      variant->visit_bounds(levels);
+      return levels.json();
+    } catch (const CapacityError&) {  // refuses this chain
+    }
+  }
+  return {};
+}
+
+/// Which pairs each rounded variant misses and invents.
+Json wrong_answers(const Chain& chain, std::uint32_t frame, const reference::Answer& exact,
+                   const Profile& profile) {
+  constexpr std::uint64_t pair_limit = 200'000;
+  Json list = Json::array();
+  for (const auto& info : profile.variants) {
+    if (info.arithmetic == Robust::name) continue;
+    if (info.all_pairs && chain.size() > 5000) continue;
+    Collisions found;
+    try {
+      const auto variant = StrategyRegistry::instance().make(info.name);
+      variant->build(chain);
+      variant->find(chain, {.pair_limit = pair_limit}, found);
+    } catch (const Error&) {  // refuses this chain, or invents a flood
+      continue;
+    }
+    std::ranges::sort(found.pairs);
+    const auto without = [](const std::vector<Pair>& all, const std::vector<Pair>& those) {
+      Json pairs = Json::array();
+      std::vector<Pair> rest;
+      std::ranges::set_difference(all, those, std::back_inserter(rest));
+      for (const Pair& p : rest) pairs.push_back({p.i, p.j});
+      return pairs;
+    };
+    Json missing = without(exact.pairs, found.pairs), invented = without(found.pairs, exact.pairs);
+    if (missing.empty() && invented.empty()) continue;
+    list.push_back({{"variant", info.name},
+                    {"frame", frame},
+                    {"missing", std::move(missing)},
+                    {"invented", std::move(invented)}});
+  }
+  return list;
+}
+
+Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
+  const Input input = open_input(shown.input);
+  const std::uint32_t all = input.animation->frames();
+  const std::uint32_t count = shown.all_frames ? std::min(frames_shown, all) : 1;
+  Json frames = Json::array(), wrong = Json::array(), levels;
+  Chain first;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t frame = count == 1 ? all / 2 : k * (all - 1) / (count - 1);
+    const Chain chain = input.animation->frame(frame);
+    const auto exact = reference::find(chain);
+    frames.push_back({{"frame", frame},
+                      {"spheres", spheres_of(chain)},
+                      {"pairs", base64(std::span<const Pair>(exact.pairs))}});
+    for (auto& answer : wrong_answers(chain, frame, exact, profile)) wrong.push_back(std::move(answer));
+    if (k == 0) levels = levels_of(chain, profile), first = chain;
+  }
+  auto strands = first.strands().first;
+  strands.pop_back();
+  Json closed = Json::array();
+  for (std::size_t s = 0; s < strands.size(); ++s) closed.push_back(first.strands().closed[s] != 0);
+  Json out{{"input", bench::label_of({shown.input})},
+           {"command", fmt::format("catena detect {} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv",
+                                   shown.input, count == 1 ? std::to_string(all / 2) : "all")},
+           {"radius_scale", 1},
+           {"frames", std::move(frames)},
+           {"strands", strands},
+           {"closed", std::move(closed)}};
+  if (!levels.empty()) out["levels"] = std::move(levels);
+  if (!wrong.empty()) out["wrong"] = std::move(wrong);
+  return out;
+}
+
+Json views(const Profile& profile) {
+  Json list = Json::array();
+  for (const auto& shown : profile.shown) list.push_back(view(shown, profile));
+  return list;
+}
+
+const RegisterSection registered{"views", views};
+
+}  // namespace
+}  // namespace catena::reports
