@@ -1,0 +1,71 @@
+"""python3 -m catena_report --output DIR RUN.json [...] | --compare OLD.json NEW.json"""
+import argparse
+import sys
+
+from . import compare, runfile
+
+
+class Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line."""
+
+    def error(self, message):
+        self.exit(2, f"catena report: {message}; see --help\n")
+
+
+def main(arguments=None):
+    parser = Parser("catena_report", description="One page from run files, or two runs compared.")
+    parser.add_argument(
+        "runs", nargs="*", metavar="RUN.json", help="run files; those of several machines make one page"
+    )
+    parser.add_argument("--output", metavar="DIR", help="where index.html, figures/, tables/ and run.json go")
+    parser.add_argument(
+        "--compare",
+        nargs=2,
+        metavar=("OLD.json", "NEW.json"),
+        help="exit code 1 when NEW is slower somewhere",
+    )
+    parser.add_argument(
+        "--least-ratio",
+        type=float,
+        default=compare.LEAST_RATIO,
+        metavar="R",
+        help="the smallest ratio of medians that matters (default %(default)s)",
+    )
+    chosen = parser.parse_args(arguments)
+    try:
+        if chosen.compare:
+            if chosen.runs or chosen.output:
+                parser.error("--compare takes two run files and no --output")
+            if not chosen.least_ratio > 1:
+                parser.error(f"--least-ratio {chosen.least_ratio:g}: give a ratio above 1, such as 1.05")
+            return compare.main(*chosen.compare, chosen.least_ratio)
+        if not chosen.runs or not chosen.output:
+            parser.error("give --output DIR and at least one run file, or --compare OLD.json NEW.json")
+        return _page(chosen.runs, chosen.output)
+    except runfile.BadRunFile as error:
+        print(f"catena report: {error}", file=sys.stderr)
+        return 2
+
+
+def _page(paths, output):
+    runs = [runfile.load(path) for path in paths]
+    from . import page, report  # only now: reading two runs needs no plots
+
+    try:
+        path = page.write(report.Report(runs), output)
+    except OSError as error:
+        raise runfile.BadRunFile(
+            f"{error.filename}: {error.strerror}; give --output a folder that can be written"
+        ) from None
+    size = path.stat().st_size
+    print(f"{path} ({size / 1e6:.1f} MB)")
+    if size > page.LIMIT:
+        print(
+            f"catena report: the page is larger than {page.LIMIT / 1e6:.0f} MB; give it fewer runs",
+            file=sys.stderr,
+        )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

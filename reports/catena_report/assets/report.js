@@ -1,0 +1,344 @@
+'use strict';
+// Draws the page's figures with plotly where the browser can inflate it, and answers clicks. Nothing is
+// fetched.
+(() => {
+  const $ = (selector, within = document) => within.querySelector(selector);
+  const $$ = (selector, within = document) => [...within.querySelectorAll(selector)];
+  const make = (tag, properties = {}, ...children) => {
+    const element = Object.assign(document.createElement(tag), properties);
+    element.append(...children);
+    return element;
+  };
+  let figures = {};         // what plotly draws, inflated with it
+  const drawn = new Map();  // panel element -> {spec, trace names}
+
+  // ---- packed parts of the page
+  async function inflate(id) {
+    const bytes = Uint8Array.from(atob($('#' + id).textContent), c => c.charCodeAt(0));
+    return new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  }
+  const inflated = async (id, type) => new Blob([await new Response(await inflate(id)).blob()], {type});
+
+  function save(blob, name) {
+    const address = URL.createObjectURL(blob);
+    make('a', {href: address, download: name}).click();
+    setTimeout(() => URL.revokeObjectURL(address), 1000);
+  }
+
+  // ---- colours by name
+  const MODES = ['auto', 'light', 'dark'];
+  function colour(name) {
+    return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
+  }
+  function coloured(value) {
+    if (typeof value === 'string') return value.startsWith('var(--') ? colour(value.slice(6, -1)) : value;
+    if (Array.isArray(value))
+      return value.every(inner => typeof inner === 'number') ? value : value.map(coloured);
+    if (value && typeof value === 'object')
+      return Object.fromEntries(Object.entries(value).map(
+          ([
+            key, inner
+          ]) => [key, key === 'text' || key === 'customdata' || key === 'z' ? inner : coloured(inner)]));
+    return value;
+  }
+
+  // ---- legend
+  const SHAPES = {
+    circle: 'M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0',
+    square: 'M-3.6-3.6h7.2v7.2h-7.2z',
+    diamond: 'M0-4.8 4.8 0 0 4.8-4.8 0z',
+    'triangle-up': 'M0-4.4 4.4 3.6h-8.8z',
+    'triangle-down': 'M0 4.4 4.4-3.6h-8.8z',
+    cross: 'M-1.5-4.4h3v2.9h2.9v3h-2.9v2.9h-3v-2.9h-2.9v-3h2.9z',
+    star: 'M0-5 1.3-1.6 4.8-1.5 2-.6 2.9 4 0 2-2.9 4-2-.6-4.8-1.5-1.3-1.6z',
+    hexagon: 'M-4.4 0-2.2-3.8h4.4l2.2 3.8-2.2 3.8h-4.4z',
+  };
+  const DASH = {solid: '', dot: '1.5 3', dash: '5 3'};
+  function sample(entry) {
+    const span = make('span');
+    span.innerHTML =
+        `<svg width="30" height="12" viewBox="-15 -6 30 12" aria-hidden="true"><path d="M-14 0H14" fill="none" ` +
+        `stroke="var(--${entry.colour})" stroke-width="2" stroke-dasharray="${
+            DASH[entry.dash] || ''}"/><path d="${SHAPES[entry.marker] || ''}" ` +
+        `stroke="var(--${entry.colour})" stroke-width="1.4" fill="var(--${
+            entry.hollow ? 'paper' : entry.colour})"/></svg>`;
+    return span.firstChild;
+  }
+
+  function legend(spec, panels) {
+    const bar = make('div', {className: 'legend'});
+    const visible = new Map(spec.legend.map(entry => [entry.name, entry.shown]));
+    const buttons = new Map();
+    const apply = () => {
+      for (const [name, button] of buttons) button.setAttribute('aria-pressed', visible.get(name));
+      for (const panel of panels) {
+        if (!panel.classList.contains('js-plotly-plot')) continue;
+        const states = panel.data.map(trace => visible.get(trace.name) === false ? 'legendonly' : true);
+        Plotly.restyle(panel, {visible: states});
+      }
+    };
+    if (spec.legend.length > 1)
+      for (const entry of spec.legend) {
+        const button = make(
+            'button', {type: 'button', title: 'Click: show or hide. Double click: this one alone, or all.'},
+            sample(entry), entry.name);
+        button.dataset.name = entry.name;
+        button.setAttribute('aria-pressed', entry.shown);
+        button.onclick = () => {
+          visible.set(entry.name, !visible.get(entry.name));
+          apply();
+        };
+        button.ondblclick = () => {
+          const alone = [...visible].every(([name, on]) => on === (name === entry.name));
+          for (const name of visible.keys()) visible.set(name, alone || name === entry.name);
+          apply();
+        };
+        buttons.set(entry.name, button);
+        bar.append(button);
+      }
+    const folded = spec.legend.filter(entry => !entry.shown);
+    if (folded.length > 4) {
+      const more = make('button', {type: 'button'}, `+ ${folded.length} more`);
+      for (const entry of folded) buttons.get(entry.name).hidden = true;
+      more.onclick = () => {
+        for (const entry of folded) buttons.get(entry.name).hidden = false;
+        more.remove();
+      };
+      bar.append(more);
+    }
+    for (const entry of spec.categories) {
+      const key = make('span', {className: 'key'}, make('i'), entry.name);
+      key.firstChild.style.background = `var(--${entry.colour})`;
+      bar.append(key);
+    }
+    const tools = make('span', {className: 'tools'});
+    if (spec.legend.length > 3) {
+      const all = make('button', {type: 'button'}, 'all');
+      all.onclick = () => {
+        const on = [...visible.values()].some(value => !value);
+        for (const name of visible.keys()) visible.set(name, on);
+        apply();
+      };
+      tools.append(all);
+    }
+    for (const letter of ['x', 'y']) {
+      const axes = spec.panels.map(panel => panel.layout[letter + 'axis']);
+      if (axes.some(axis => axis.tickvals) || !axes.some(axis => axis.type === 'log')) continue;
+      const button = make(
+          'button', {type: 'button', title: `The ${letter} axis logarithmic or linear`}, `${letter}: log`);
+      button.onclick = () => {
+        const type = button.textContent.endsWith('log') ? 'linear' : 'log';
+        button.textContent = `${letter}: ${type}`;
+        for (const [at, panel] of panels.entries())
+          Plotly.relayout(panel, {
+            [letter + 'axis.type']: type,
+            [letter + 'axis.autorange']: true,
+            [letter + 'axis.dtick']: type === 'log' ? spec.panels[at].layout[letter + 'axis'].dtick : null
+          });
+      };
+      tools.append(button);
+    }
+    if (tools.childNodes.length) bar.append(tools);
+    return bar.childNodes.length ? bar : null;
+  }
+
+  // ---- figures
+  const CONFIG = {
+    displaylogo: false,
+    displayModeBar: matchMedia('(hover: none)').matches ? false : 'hover',
+    responsive: true,
+    toImageButtonOptions: {format: 'svg'},
+    modeBarButtonsToRemove: ['lasso2d', 'select2d', 'autoScale2d']
+  };
+  function layout(panel) {
+    const font = {
+      family: getComputedStyle(document.documentElement).getPropertyValue('--sans'),
+      size: 12,
+      color: 'var(--ink)'
+    };
+    return coloured({
+      margin: {l: 58, r: 14, t: 10, b: 46},
+      ...panel.layout,
+      height: panel.height,
+      font,
+      hovermode: 'closest',
+      showlegend: false,
+      paper_bgcolor: 'rgba(0,0,0,0)',
+      plot_bgcolor: 'rgba(0,0,0,0)',
+      hoverlabel: {
+        bgcolor: 'var(--paper)',
+        bordercolor: 'var(--faint)',
+        align: 'left',
+        font: {...font, color: 'var(--ink)'}
+      },
+      modebar: {bgcolor: 'rgba(0,0,0,0)', color: 'var(--faint)', activecolor: 'var(--c0)'},
+    });
+  }
+  async function draw(figure) {
+    const spec = figures[figure.dataset.figure];
+    const live = $('.live', figure), grid = make('div', {className: 'panels'});
+    grid.style.setProperty('--columns', Math.min(spec.columns, spec.panels.length));
+    const plots = spec.panels.map(() => make('div'));
+    const keys = legend(spec, plots);
+    if (keys) live.append(keys);
+    live.append(grid);
+    live.hidden = false;
+    $('.static', figure).hidden = true;
+    for (const [at, panel] of spec.panels.entries()) {
+      const holder = make('div', {className: 'panel'}, plots[at]);
+      if (panel.least) {
+        holder.classList.add('wide');
+        plots[at].style.minWidth = panel.least + 'px';
+      }
+      if (panel.title) holder.prepend(make('h4', {}, panel.title));
+      grid.append(holder);
+    }
+    for (const [at, panel] of spec.panels.entries()) {
+      await Plotly.newPlot(plots[at], coloured(panel.data), layout(panel), CONFIG);
+      drawn.set(plots[at], panel);
+      plots[at].on('plotly_click', event => {
+        const point = event.points[0], data = point.data.customdata;
+        const chain = data &&
+            (Array.isArray(point.pointNumber) ? data[point.pointNumber[0]][point.pointNumber[1]] :
+                                                data[point.pointNumber]);
+        if (chain) pick(chain);
+      });
+    }
+    figure.dataset.drawn = 'yes';
+  }
+
+  function repaint() {
+    for (const [plot, panel] of drawn) {
+      const states = plot.data.map(trace => trace.visible);
+      const ranges = ['xaxis', 'yaxis'].map(axis => ({type: plot.layout[axis].type}));
+      const next = layout(panel);
+      ['xaxis', 'yaxis'].forEach((axis, at) => Object.assign(next[axis], ranges[at]));
+      Plotly.react(
+          plot, coloured(panel.data).map((trace, at) => ({...trace, visible: states[at]})), next, CONFIG);
+    }
+  }
+
+  // ---- a chain picked from a plot
+  let picked = null;
+  function pick(chain) {
+    picked = chain;
+    const box = $('#picked'), viewer = window.catenaViewer;
+    $('.command', box).textContent = chain.command;
+    const shows = viewer && chain.shown;
+    $('.what', box).textContent = `${chain.input}, replayed by` +
+        (shows && chain.shown !== chain.input ? ` (shown: ${chain.shown}, the nearest of this scene in the page)` : '');
+    $('[data-do="show"]', box).hidden = !shows;
+    box.hidden = false;
+    if (shows) show(chain);
+  }
+  // The frame is the chain's own: of another chain of its scene the viewer picks one.
+  const show = chain =>
+      window.catenaViewer.show(chain.shown, chain.shown === chain.input ? chain.frame : undefined);
+  $('#picked').onclick = async event => {
+    const action = event.target.dataset.do;
+    if (action === 'copy') await copy(picked.command, event.target);
+    if (action === 'show') {
+      show(picked);
+      $('#viewer')?.scrollIntoView();
+    }
+    if (action === 'close') $('#picked').hidden = true;
+  };
+  async function copy(text, button) {
+    await navigator.clipboard.writeText(text);
+    const before = button.textContent;
+    button.textContent = 'Copied';
+    setTimeout(() => {
+      button.textContent = before;
+    }, 1200);
+  }
+
+  // ---- files
+  function standalone(figure) {
+    const svg = $('.static svg', figure).cloneNode(true);
+    svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+    return new XMLSerializer().serializeToString(svg).replace(/var\(--(\w+)\)/g, (_, name) => colour(name));
+  }
+  function png(text, name) {
+    const image = new Image(), address = URL.createObjectURL(new Blob([text], {type: 'image/svg+xml'}));
+    image.onload = () => {
+      const canvas = make('canvas', {width: image.width * 3, height: image.height * 3}),
+            context = canvas.getContext('2d');
+      context.fillStyle = colour('paper');
+      context.fillRect(0, 0, canvas.width, canvas.height);
+      context.drawImage(image, 0, 0, canvas.width, canvas.height);
+      canvas.toBlob(blob => save(blob, name + '.png'));
+      URL.revokeObjectURL(address);
+    };
+    image.src = address;
+  }
+  function csv(table) {
+    const quoted = cell => /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
+    return $$('tr', table)
+               .map(row => [...row.cells].map(cell => quoted(cell.textContent.trim())).join(','))
+               .join('\n') +
+        '\n';
+  }
+  document.addEventListener('click', async event => {
+    const button = event.target.closest('button');
+    if (!button) return;
+    const kind = button.dataset.save;
+    if (kind === 'csv') {
+      const table = button.closest('.table');
+      save(new Blob([csv(table)], {type: 'text/csv'}), table.id.replace('table-', '') + '.csv');
+    } else if (kind) {
+      const figure = button.closest('figure'), text = standalone(figure);
+      if (kind === 'svg')
+        save(new Blob([text], {type: 'image/svg+xml'}), figure.dataset.figure + '.svg');
+      else
+        png(text, figure.dataset.figure);
+    } else if ('copy' in button.dataset) {
+      await copy($('code', button.parentElement).textContent, button);
+    } else if (button.id === 'download') {
+      save(await inflated('data', 'application/json'), 'run.json');
+    } else if (button.id === 'theme') {
+      const next =
+          MODES[(MODES.indexOf(document.documentElement.dataset.theme || 'auto') + 1) % MODES.length];
+      document.documentElement.dataset.theme = next;
+      button.textContent = `Theme: ${next}`;
+      repaint();
+    }
+  });
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint);
+
+  // ---- where the reader is
+  const links = new Map($$('nav a').map(link => [link.hash.slice(1), link]));
+  const here = new IntersectionObserver(entries => {
+    for (const entry of entries)
+      if (entry.isIntersecting) {
+        for (const link of links.values()) link.classList.remove('here');
+        links.get(entry.target.id)?.classList.add('here');
+      }
+  }, {rootMargin: '-10% 0px -80% 0px'});
+  $$('main section').forEach(section => here.observe(section));
+
+  // ---- plotly, after the page has been painted; without it or without DecompressionStream the static
+  // figures stay
+  const unpacked = async id => JSON.parse(await (await inflated(id, 'application/json')).text());
+  window.catenaReport = {data: () => unpacked('data'), figures: () => figures, pick};
+  if ($('#plotly') && window.DecompressionStream) {
+    const start = async () => {
+      figures = await unpacked('figures');
+      const script = make('script', {src: URL.createObjectURL(await inflated('plotly', 'text/javascript'))});
+      script.onload = () => {
+        const near = new IntersectionObserver(entries => {
+          for (const entry of entries)
+            if (entry.isIntersecting) {
+              near.unobserve(entry.target);
+              draw(entry.target);
+            }
+        }, {rootMargin: '700px 0px'});
+        $$('figure[data-figure]').forEach(figure => near.observe(figure));
+        document.documentElement.dataset.ready = 'interactive';
+      };
+      document.head.append(script);
+    };
+    addEventListener('load', () => requestAnimationFrame(() => setTimeout(start)));
+  } else {
+    document.documentElement.dataset.ready = 'static';
+  }
+})();

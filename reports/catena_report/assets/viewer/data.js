@@ -1,0 +1,73 @@
+// What the run file holds of a view, decoded when it is asked for.
+
+const decodedFramesKept = 24;
+
+function bytesOf(base64) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(base64);
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
+
+const floatsOf = (base64) => new Float32Array(bytesOf(base64).buffer);
+const indicesOf = (base64) => new Uint32Array(bytesOf(base64).buffer);
+
+// One entry of views[]: frames and levels by their position in the file, pairs as flat i, j, i, j, ...
+class View {
+  constructor(entry) {
+    this.input = entry.input;
+    this.command = entry.command || '';
+    this.frames = entry.frames || [];
+    this.levels = entry.levels || [];
+    this.wrong = entry.wrong || [];
+    this.strands = entry.strands && entry.strands.length ? entry.strands : [0];
+    this.decoded = new Map();
+  }
+
+  get variants() { return [...new Set(this.wrong.map((entry) => entry.variant))]; }
+
+  // The position of a frame, or of the one nearest to it where only some are held.
+  nearest(frameNumber) {
+    const away = this.frames.map((frame) => Math.abs(frame.frame - frameNumber));
+    return away.indexOf(Math.min(...away));
+  }
+
+  frame(position) {
+    if (!this.decoded.has(position)) {
+      if (this.decoded.size >= decodedFramesKept) this.decoded.delete(this.decoded.keys().next().value);
+      const stored = this.frames[position];
+      this.decoded.set(position, {
+        number: stored.frame,
+        spheres: floatsOf(stored.spheres),
+        pairs: indicesOf(stored.pairs || ''),
+      });
+    }
+    return this.decoded.get(position);
+  }
+
+  bounds(level) { return floatsOf(this.levels[level].spheres); }
+
+  // What a wrong variant missed and invented in a frame; null where nothing was recorded.
+  wrongIn(variant, frameNumber) {
+    return this.wrong.find((entry) => entry.variant === variant && entry.frame === frameNumber) || null;
+  }
+
+  // Where along its strand each sphere lies, from 0 to 1.
+  along(count) {
+    const result = new Float32Array(count);
+    this.strands.forEach((first, s) => {
+      const end = s + 1 < this.strands.length ? this.strands[s + 1] : count;
+      for (let i = first; i < end; ++i) result[i] = end - first > 1 ? (i - first) / (end - first - 1) : 0;
+    });
+    return result;
+  }
+}
+
+// How deep two spheres reach into each other, in the input's unit; below 0 they are apart. In binary64, for the eye:
+// the verdict was exact and is not made here.
+function overlapDepth(spheres, i, j) {
+  const a = 4 * i, b = 4 * j;
+  const distance = Math.hypot(spheres[a] - spheres[b], spheres[a + 1] - spheres[b + 1], spheres[a + 2] - spheres[b + 2]);
+  return spheres[a + 3] + spheres[b + 3] - distance;
+}

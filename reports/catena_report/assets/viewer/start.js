@@ -1,0 +1,53 @@
+// Nothing is unpacked before the reader comes near: the page opens as fast without a viewer.
+
+async function unpacked(id) {
+  const stored = bytesOf(document.getElementById(id).textContent.trim());
+  const stream = new Blob([stored]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(stream).text();
+}
+
+async function makeScene(stage, onDraw) {
+  const noWebGl = 'This browser offers no WebGL 2, so the chain is drawn flat and cannot be turned; ' +
+                  'frames, pairs and levels work.';
+  try {
+    const script = document.createElement('script');
+    script.textContent = await unpacked('catena-three');
+    document.head.append(script);
+    const scene = GlScene.create(stage, onDraw);
+    if (scene) return [scene, ''];
+  } catch (error) {
+    if (typeof DecompressionStream !== 'undefined') throw error;
+  }
+  return [new FlatScene(stage, onDraw), noWebGl];
+}
+
+function startViewer() {
+  const root = document.getElementById('catena-viewer');
+  readPalette(root);
+  let entries = null, started = null;
+  const read = () => entries = entries || JSON.parse(document.getElementById('catena-views').textContent);
+  const start = () => started = started || (async () => {
+    const viewer = new Viewer(root, read().map((entry) => new View(entry)));
+    const [scene, notice] = await makeScene(viewer.part('stage'), () => drawLabels(viewer));
+    viewer.start(scene, notice);
+    window.catenaViewer.viewer = viewer;
+    root.dataset.ready = 'yes';
+    return viewer;
+  })();
+  const nearby = new IntersectionObserver((sights) => {
+    if (sights.some((sight) => sight.isIntersecting)) nearby.disconnect(), start();
+  }, {rootMargin: '400px'});
+  nearby.observe(root);
+  // show() brings a chain before the reader's eyes; false where the page does not hold it.
+  window.catenaViewer = {
+    has: (input) => read().some((entry) => entry.input === input),
+    async show(input, frame) {
+      const index = read().findIndex((entry) => entry.input === input);
+      if (index < 0) return false;
+      root.scrollIntoView({block: 'start'});
+      const viewer = await start();
+      viewer.setView(index, frame);
+      return true;
+    },
+  };
+}

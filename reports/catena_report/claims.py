@@ -1,0 +1,332 @@
+"""Every claim of the paper that a run can test, each with its rule. A rule sees one run and answers from
+its samples.
+"""
+import dataclasses
+import math
+
+import numpy
+
+from . import paper, statistics, words
+
+HOLDS, FAILS, UNTESTED = "holds", "does not hold", "not testable here"
+PATHS = tuple(paper.TABLES)
+TOLERANCE = 0.1  # of an exponent: what caches and clocks add to a law over a decade or two of n
+DECIDED = 1 - statistics.CONFIDENCE
+
+
+@dataclasses.dataclass(frozen=True)
+class Verdict:
+    verdict: str
+    evidence: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    key: str
+    text: str
+    where: str  # in the paper
+    rule: str
+    judge: object  # Run -> Verdict
+
+
+def untested(reason):
+    return Verdict(UNTESTED, reason)
+
+
+def _curve(run, path, algorithm, least=0):
+    """[(n, samples)] of the paper's algorithm on a path."""
+    points = [(n, paper.samples(run, path, n, algorithm)[0]) for n in paper.sizes(run, path) if n >= least]
+    return [(n, times) for n, times in points if times is not None]
+
+
+def growth(algorithm, law, name):
+    """time = O(law(n)): the quotient time / law must not grow with n."""
+
+    def judge(run):
+        found = {}
+        for path in PATHS:
+            points = _curve(run, path, algorithm)
+            fit = statistics.exponent([n for n, _ in points], [numpy.median(t) / law(n) for n, t in points])
+            if fit:
+                found[path] = (
+                    fit,
+                    statistics.exponent([n for n, _ in points], [numpy.median(t) for _, t in points]),
+                    points,
+                )
+        if not found:
+            return untested(f"{algorithm} was not timed at three sizes or more of path1 or path2")
+        spans = [
+            f"{path}, {words.count(points[0][0])} to {words.count(points[-1][0])} spheres: time grows as n to"
+            f" the {words.interval(plain)}; time / ({name}) as n to the {words.interval(fit)}"
+            for path, (fit, plain, points) in found.items()
+        ]
+        if all(fit.high <= TOLERANCE for fit, _, _ in found.values()):
+            return Verdict(HOLDS, "; ".join(spans))
+        if any(fit.low > TOLERANCE for fit, _, _ in found.values()):
+            return Verdict(FAILS, "; ".join(spans))
+        return untested("the interval of the exponent leaves it open: " + "; ".join(spans))
+
+    return judge
+
+
+def _rule(name):
+    return (
+        f"Fit time / {name} = a n^b over all sizes of path1 and path2. Holds if the 95 % interval of b ends"
+        f" at or below {TOLERANCE}, does not hold if it begins above {TOLERANCE}, otherwise not testable."
+    )
+
+
+def half(run):
+    ratios, shown = [], []
+    for path in PATHS:
+        for n in paper.sizes(run, path):
+            new, old = (paper.samples(run, path, n, a)[0] for a in ("GPUv2", "GPU2"))
+            if new is not None and old is not None:
+                ratios.append(float(numpy.median(new) / numpy.median(old)))
+                shown.append(f"{ratios[-1]:.2f} at {words.count(n)} ({path})")
+    if len(ratios) < 2:
+        return untested("GPU2 and GPUv2 were not both timed on a device, at two sizes or more")
+    mean = statistics.mean_log(ratios)
+    evidence = (
+        f"GPUv2 takes {words.interval(mean)} of the time of GPU2 (geometric mean over {len(ratios)} cases),"
+        f" between {min(ratios):.2f} and {max(ratios):.2f}"
+    )
+    return Verdict(HOLDS if mean.high <= 0.55 else FAILS if mean.low > 0.55 else UNTESTED, evidence)
+
+
+def faster(quick, slow, least, stage):
+    """quick beats slow at every n from `least` on."""
+
+    def judge(run):
+        wins, losses, open_, begin = [], [], [], {}
+        for path in PATHS:
+            for n in paper.sizes(run, path):
+                a, b = (paper.samples(run, path, n, name)[0] for name in (quick, slow))
+                if a is None or b is None:
+                    continue
+                ratio = statistics.ratio(a, b)
+                if ratio.high < 1:
+                    begin.setdefault(path, n)
+                if n >= least:
+                    (wins if ratio.high < 1 else losses if ratio.low > 1 else open_).append(
+                        f"{words.count(n)} ({path})"
+                    )
+        if not wins and not losses and not open_:
+            return untested(f"{quick} and {slow} were not both timed at {words.count(least)} spheres or more")
+        evidence = (
+            f"{quick} is faster at {len(wins)} of {len(wins) + len(losses) + len(open_)} sizes from"
+            f" {words.count(least)} on"
+        )
+        if begin:
+            evidence += "; first at " + words.listed(
+                f"{words.count(n)} ({path})" for path, n in begin.items()
+            )
+        if losses:
+            evidence += "; slower at " + words.listed(losses, 4)
+        if open_:
+            evidence += "; no difference that the samples show at " + words.listed(open_, 4)
+        return Verdict(FAILS if losses else UNTESTED if open_ else HOLDS, evidence)
+
+    return judge
+
+
+def slowest(run):
+    """GPU1 against every traversal that uses the hierarchy, where all were timed."""
+    cases, broken = 0, []
+    for path in PATHS:
+        for n in paper.sizes(run, path):
+            times = {name: paper.samples(run, path, n, name)[0] for name in ("GPU1", "CPU2", "GPU2", "GPUv2")}
+            if any(value is None for value in times.values()):
+                continue
+            cases += 1
+            for name in ("CPU2", "GPU2", "GPUv2"):
+                if statistics.ratio(times["GPU1"], times[name]).low <= 1:
+                    ratio = numpy.median(times["GPU1"]) / numpy.median(times[name])
+                    broken.append(
+                        f"{words.significant(ratio, 2)} of the time of {name} at {words.count(n)} ({path})"
+                    )
+    if not cases:
+        return untested("GPU1, GPU2, GPUv2 and CPU2 were not all timed at one size; it needs a GPU")
+    if broken:
+        return Verdict(FAILS, f"GPU1 takes {words.listed(broken, 4)}; {words.plural(cases, 'case')} in all")
+    return Verdict(HOLDS, f"GPU1 is the slowest in all {words.plural(cases, 'case')}")
+
+
+def pairs(run):
+    """The largest number of pairs over all keyframes."""
+    seen, frames = {}, {}
+    for row in run.list("animation"):
+        path = row["input"].partition("/")[0]
+        if path in PATHS:
+            seen[path] = max([seen.get(path, 0)] + [frame["pairs"] for frame in row["frames"]])
+            frames[path] = max(frames.get(path, 0), len(row["frames"]))
+    for input_ in run.inputs():
+        path = input_.partition("/")[0]
+        if path in PATHS and run.pairs(input_) is not None:
+            seen[path] = max(seen.get(path, 0), run.pairs(input_))
+    if not seen:
+        return untested("neither path1 nor path2 was run")
+    evidence = "; ".join(
+        f"{path}: at most {words.plural(most, 'pair')} in "
+        + (f"{frames[path]} keyframes" if path in frames else "the frame that was timed")
+        for path, most in seen.items()
+    )
+    if any(most > 45 for most in seen.values()):
+        return Verdict(FAILS, evidence)
+    if any(most < 45 for most in seen.values()):
+        whole = all(frames.get(path, 0) > 1 for path in seen)
+        return Verdict(FAILS, evidence) if whole else untested(evidence)
+    return Verdict(HOLDS, evidence)
+
+
+def limit(run):
+    """aGPU2 takes at most 589,824 spheres."""
+    timed = [n for path in PATHS for n, _ in _curve(run, path, "aGPU2")]
+    if not timed:
+        return untested("aGPU2 was not run on a device")
+    if max(timed) > 589824:
+        return Verdict(
+            FAILS,
+            f"aGPU2 built a chain of {words.count(max(timed))} spheres: its roots are handled by aGPU2 again",
+        )
+    return untested(f"the largest chain it built has {words.count(max(timed))} spheres")
+
+
+def brute(run):
+    times = [(path, paper.samples(run, path, 10000, "CPU1")[0]) for path in PATHS]
+    times = [(path, statistics.median(t)) for path, t in times if t is not None]
+    if not times:
+        return untested("CPU1 was not timed at 10,000 spheres")
+    evidence = "; ".join(
+        f"{path}: {words.duration(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}] ms" for path, e in times
+    )
+    return Verdict(HOLDS if all(e.low >= 1500 for _, e in times) else FAILS, evidence)
+
+
+def encloses(run):
+    rows = [row for row in run.list("examine") if row.get("arithmetic") == "literal"]
+    if not rows:
+        return untested("the run has no lines of catena examine")
+    bad = [row for row in rows if row["failing"]]
+    if not bad:
+        return Verdict(HOLDS, f"every parent encloses its children in {words.plural(len(rows), 'chain')}")
+    worst = max(bad, key=lambda row: row["failing"] / row["parents"])
+    lost = sum(row["missing"] for row in rows)
+    return Verdict(
+        FAILS,
+        (
+            f"in binary32, {100 * worst['failing'] / worst['parents']:.0f} % of the parents of"
+            f" {worst['input']} do not enclose a child; {words.plural(len(bad), 'chain')} of {len(rows)} have"
+            f" such parents, and {words.plural(lost, 'pair')} in all are missed"
+        ),
+    )
+
+
+def _law(name):
+    return {
+        "n^2": lambda n: n * n,
+        "n log n": lambda n: n * math.log2(n),
+        "n": float,
+        "log n": math.log2,
+        "log s + r": lambda n: math.log2(384) + n / 384,
+    }[name]
+
+
+def _growing(algorithm, law, where, text=None):
+    return Claim(
+        f"growth-{algorithm}-{law.replace(' ', '')}",
+        text or f"{algorithm} takes O({law}) time.",
+        where,
+        _rule(f"({law})"),
+        growth(algorithm, _law(law), law),
+    )
+
+
+CLAIMS = [
+    _growing("CPU1", "n^2", "Section 3"),
+    _growing("GPU1", "n", "Section 3", "GPU1 takes O(n) time, since its n threads run in parallel."),
+    _growing("aCPU2", "n log n", "Table 1"),
+    _growing("bGPU2", "log n", "Table 1"),
+    _growing("aGPU2", "log s + r", "Table 1", "aGPU2 takes O(log s + r) time for r subtrees of s leaves."),
+    _growing("CPU2", "n log n", "Table 2"),
+    _growing("GPU2", "log n", "Table 2", "GPU2 takes O(log n) time, since its n threads run in parallel."),
+    _growing("GPUv2", "log n", "Table 2", "GPUv2 takes 1/2 O(log n) time: it grows as log n."),
+    Claim(
+        "half",
+        "Two threads per sphere (GPUv2) reduce the time of GPU2 by half.",
+        "Sections 3 and 5.2",
+        (
+            "Geometric mean of median GPUv2 / median GPU2 over all sizes of both paths. Holds if its 95 %"
+            " interval ends at or below 0.55, does not hold if it begins above."
+        ),
+        half,
+    ),
+    Claim(
+        "build-20000",
+        "aGPU2 is faster than aCPU2 from 20,000 spheres on.",
+        "Section 6",
+        (
+            "Holds if the 95 % interval of the ratio of medians is below 1 at every measured n of 20,000 or"
+            " more, does not hold if it is above 1 at any."
+        ),
+        faster("aGPU2", "aCPU2", 20000, "build"),
+    ),
+    Claim(
+        "gpu1-slowest",
+        "Despite the GPU, GPU1 is the slowest traversal.",
+        "Section 6",
+        (
+            "Holds if at every n with all four timed, GPU1's time over that of CPU2, GPU2 and GPUv2 has a 95"
+            " % interval above 1."
+        ),
+        slowest,
+    ),
+    Claim(
+        "cpu2-exceeded-gpu2",
+        "CPU2 is exceeded by GPU2 when the number of spheres passes 50,000.",
+        "Section 6",
+        "As for aGPU2, at every measured n above 50,000.",
+        faster("GPU2", "CPU2", 50001, "find"),
+    ),
+    Claim(
+        "cpu2-exceeded-gpuv2",
+        "CPU2 is exceeded by GPUv2 when the number of spheres passes 50,000.",
+        "Section 6",
+        "As for aGPU2, at every measured n above 50,000.",
+        faster("GPUv2", "CPU2", 50001, "find"),
+    ),
+    Claim(
+        "pairs",
+        "Both paths generate a maximum of 45 pairs of collisions.",
+        "Section 6",
+        (
+            "The largest number of pairs over the frames run must be 45 on both paths; below 45 counts"
+            " against it only when all keyframes were run."
+        ),
+        pairs,
+    ),
+    Claim(
+        "cpu1-slow",
+        "CPU1 needs 1,500 ms or more for 10,000 spheres.",
+        "Section 6",
+        "Holds if the interval of the median lies at or above 1,500 ms.",
+        brute,
+    ),
+    Claim(
+        "limit",
+        "aGPU2 takes at most 589,824 leaf spheres.",
+        "Section 4.3",
+        "Does not hold if a longer chain was built.",
+        limit,
+    ),
+    Claim(
+        "encloses",
+        "A parent encloses its two children.",
+        "Section 4.1",
+        (
+            "The paper's formulas in binary32, checked in exact arithmetic (catena examine): holds if no"
+            " parent fails."
+        ),
+        encloses,
+    ),
+]

@@ -1,0 +1,118 @@
+"""The page and the files beside it."""
+import base64
+import gzip
+import json
+import pathlib
+
+import jinja2
+
+from . import sections
+from .drawn import interactive, static
+from .figure import Figure
+from .section import Code, Heading, Prose, Raw
+from .sections import viewer
+from .style import DARK, LIGHT
+from .table import Table
+
+HERE = pathlib.Path(__file__).parent
+LIMIT = 8_000_000  # bytes of the page
+
+
+def write(report, output):
+    """Writes the page below the folder `output`; the path of index.html."""
+    output = pathlib.Path(output)
+    for folder in ("figures", "tables"):
+        (output / folder).mkdir(parents=True, exist_ok=True)
+    built = sections.build(report)
+    blocks = [block for section in built for block in section.blocks]
+    drawings = {block.key: _draw(block, output) for block in blocks if isinstance(block, Figure)}
+    for table in (block for block in blocks if isinstance(block, Table)):
+        table.write_csv(output / "tables" / f"{table.key}.csv")
+        table.write_latex(output / "tables" / f"{table.key}.tex")
+    _write_markdown(built, output / "report.md")
+    raw = json.dumps(
+        [run.raw for run in report.runs] if len(report.runs) > 1 else report.runs[0].raw,
+        separators=(",", ":"),
+    )
+    (output / "run.json").write_text(raw, encoding="utf-8")
+    library, left_out = interactive.library(), []
+    if not library:
+        left_out.append(
+            "zooming, hovering and toggling of plots: plotly's JavaScript was not found (Debian package"
+            " python3-plotly)"
+        )
+    if viewer.missing(report):
+        left_out.append(f"the three-dimensional view of the chains: {viewer.missing(report)}")
+    text = _render(report, built, drawings, library, left_out)
+    path = output / "index.html"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def _write_markdown(built, path):
+    """The tables of the page as one Markdown file, for places that show no HTML."""
+    parts = ["# Self-collisions of tubes, compared\n"]
+    for section in built:
+        tables = [block for block in section.blocks if isinstance(block, Table)]
+        parts += [f"\n## {section.title}\n"] if tables else []
+        parts += [f"\n**{table.title}.** {table.caption}\n\n{table.markdown()}" for table in tables]
+    path.write_text("".join(parts), encoding="utf-8")
+
+
+def _draw(figure, output):
+    canvas = static.draw(figure)
+    text = static.svg(canvas, figure.key)
+    (output / "figures" / f"{figure.key}.svg").write_text(static.on_white(text), encoding="utf-8")
+    static.pdf(canvas, output / "figures" / f"{figure.key}.pdf")
+    return static.themed(text)
+
+
+def data(report):
+    """What the page carries of its runs: everything but the views, which the viewer carries, and rows that
+    Google Benchmark computed from others.
+    """
+    return [
+        {
+            **run.raw,
+            "benchmarks": [
+                row for row in run.raw["benchmarks"] if row.get("run_type", "iteration") == "iteration"
+            ],
+            **(
+                {"catena": {key: value for key, value in run.catena.items() if key != "views"}}
+                if run.catena
+                else {}
+            ),
+        }
+        for run in report.runs
+    ]
+
+
+def _packed(value):
+    text = json.dumps(value, separators=(",", ":"), allow_nan=False).encode()
+    return base64.b64encode(gzip.compress(text, 9, mtime=0)).decode()
+
+
+def _render(report, built, drawings, library, left_out):
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    kinds = {Figure: "figure", Table: "table", Prose: "prose", Heading: "heading", Code: "code", Raw: "raw"}
+    read = lambda name: (HERE / "assets" / name).read_text(encoding="utf-8")  # noqa: E731
+    figures = [block for section in built for block in section.blocks if isinstance(block, Figure)]
+    return environment.get_template("page.html").render(
+        report=report,
+        sections=built,
+        drawings=drawings,
+        kind=lambda block: kinds[type(block)],
+        left_out=left_out,
+        light=LIGHT,
+        dark=DARK,
+        style=read("report.css"),
+        script=read("report.js"),
+        figures=_packed({figure.key: interactive.describe(figure) for figure in figures}),
+        data=_packed(data(report)),
+        plotly=interactive.packed(library) if library else "",
+    )

@@ -1,0 +1,82 @@
+"""All runs of one page, and what the sections share: looks, chains behind points, medians."""
+import collections
+import functools
+import math
+
+from . import runfile, statistics
+from .section import Heading
+from .style import Looks, Name
+
+
+class Report:
+    def __init__(self, runs):
+        self.runs = runs
+        self.looks = Looks(sorted({name for run in runs for name in _named(run)}))
+        devices = collections.Counter(run.device for run in runs)
+        # One word for each run: its device, and where two share it the commit or the file too.
+        self.labels = [
+            run.device if devices[run.device] == 1 else f"{run.device}, {run.path.stem}" for run in runs
+        ]
+
+    def label(self, run):
+        return self.labels[self.runs.index(run)]
+
+    def key(self, run):
+        """Ends the name of a figure or table that each run has: empty when there is one run."""
+        return f"-{self.runs.index(run) + 1}" if len(self.runs) > 1 else ""
+
+    def heading(self, run):
+        """[the heading of a run] where the page has several, to begin what a section says of it."""
+        return [Heading(self.label(run))] if len(self.runs) > 1 else []
+
+    def having(self, key):
+        """The runs whose `catena` object has something under `key`."""
+        return [run for run in self.runs if run.catena.get(key)]
+
+    @functools.lru_cache(maxsize=None)
+    def median(self, run, input_, variant, stage):
+        """The median with its interval, or None."""
+        times = run.samples.get((input_, variant, stage))
+        return None if times is None else statistics.median(times)
+
+    def chain(self, run, input_, variant=None, command=None):
+        """What a click on a point shows: the chain, its replay command, and the view of it, or of its scene."""
+        frame = run.scene(input_).get("frame", 0)
+        frame = frame if isinstance(frame, int) else 0  # "all": from the first on
+        command = command or runfile.replay(run, input_, variant)
+        return {"input": input_, "frame": frame, "command": command, "shown": self.view(input_)}
+
+    @functools.lru_cache(maxsize=None)
+    def view(self, input_):
+        """The input of the view of this chain, else of its scene with the nearest n; None without."""
+        scene, n = runfile.scene_and_n(input_)
+        views = {
+            view["input"]: runfile.scene_and_n(view["input"])
+            for run in self.runs
+            for view in run.list("views")
+        }
+        near = [
+            (abs(math.log((n or other) / other)), name)
+            for name, (its, other) in views.items()
+            if its == scene and other
+        ]
+        return min(near)[1] if near else None
+
+    def sizes(self, run):
+        """scene -> its inputs by rising n."""
+        found = collections.defaultdict(list)
+        for name in run.inputs():
+            found[runfile.scene_of(name)].append(name)
+        return dict(found)
+
+
+def _named(run):
+    """Every variant that occurs anywhere in a run."""
+    yield from run.variants()
+    for key in ("stability", "counts", "wants", "animation", "coherence"):
+        yield from (row["variant"] for row in run.list(key) if "variant" in row)
+    yield from (row["variant"] for row in (run.catena.get("work_precision") or {}).get("points", []))
+
+
+def exact_arithmetic(variant):
+    return Name.of(variant).arithmetic == "robust"

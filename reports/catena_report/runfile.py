@@ -1,0 +1,197 @@
+"""A run file, read and checked: what reports/run_file.md describes, as Python values."""
+import gzip
+import json
+import pathlib
+import re
+
+import numpy
+
+STAGES = ("build", "find", "whole")
+NAME = re.compile(r"(?P<input>[^/]+/n:\d+)/(?P<variant>.+)/(?P<stage>build|find|whole)(/[a-z_]+)*")
+TO_MS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
+ARRAYS = (
+    "scenes",
+    "counts",
+    "wants",
+    "saved",
+    "animation",
+    "coherence",
+    "stability",
+    "tube_errors",
+    "examine",
+    "motion",
+    "views",
+)
+
+
+class BadRunFile(Exception):
+    """One line: what is wrong, where, and what to do."""
+
+
+class Run:
+    """One run file.
+
+    samples  (input, variant, stage) -> milliseconds of every repetition, in the order in which they ran
+    refused  (input, variant, stage) -> why a variant was refused or found wrong
+    counters (input, variant, stage) -> {pairs, missing, invented, transfer_ms, ...} of its last repetition
+    """
+
+    def __init__(self, path, raw):
+        self.path, self.raw = pathlib.Path(path), raw
+        self.context = raw["context"]
+        self.catena = raw.get("catena", {})
+        self.samples, self.refused, self.counters = {}, {}, {}
+        for at, row in enumerate(raw["benchmarks"]):
+            if row.get("run_type", "iteration") == "iteration":
+                self._read(at, row)
+        self.samples = {case: numpy.array(times) for case, times in self.samples.items()}
+
+    def _read(self, at, row):
+        where = f"{self.path}: benchmarks[{at}]"
+        name = NAME.fullmatch(str(row.get("name", "")))
+        if not name:
+            return  # of another program; Google Benchmark's files may be joined
+        case = name["input"], name["variant"], name["stage"]
+        if row.get("error_occurred"):
+            self.refused[case] = row.get("error_message", "refused, no reason given")
+            return
+        try:
+            time = float(row["real_time"]) * TO_MS[row.get("time_unit", "ns")]
+        except (KeyError, TypeError, ValueError):
+            raise BadRunFile(
+                f"{where} has no real_time in ns, us, ms or s; measure again with catena report"
+            ) from None
+        if not 0 <= time < float("inf"):
+            raise BadRunFile(f"{where} has the time {row['real_time']}; measure again with catena report")
+        self.samples.setdefault(case, []).append(time)
+        self.counters[case] = {
+            key: row[key] for key in ("pairs", "missing", "invented", "transfer_ms") if key in row
+        }
+
+    @property
+    def device(self):
+        """What it ran on, in a few words."""
+        return (
+            self.context.get("gpu")
+            or self.context.get("cpu")
+            or self.context.get("host_name", "unknown machine")
+        )
+
+    @property
+    def host(self):
+        """The processor that ran host stages."""
+        return re.sub(r"\((R|TM)\)", "", self.context.get("cpu") or self.device)
+
+    def list(self, key):
+        """An array of `catena`, empty when the run has none."""
+        return self.catena.get(key) or []
+
+    def scene(self, input_):
+        """The scene's row of `catena.scenes`, or {}."""
+        return next((row for row in self.list("scenes") if row.get("input") == input_), {})
+
+    def inputs(self):
+        """Every input that was timed, by scene, then n."""
+        return sorted({case[0] for case in self.samples}, key=lambda name: (scene_of(name), n_of(name)))
+
+    def variants(self):
+        return sorted({case[1] for case in self.samples})
+
+    def pairs(self, input_):
+        """The number of pairs of an input, or None."""
+        if "pairs" in self.scene(input_):
+            return self.scene(input_)["pairs"]
+        return next(
+            (int(c["pairs"]) for case, c in self.counters.items() if case[0] == input_ and "pairs" in c), None
+        )
+
+    def density(self, input_):
+        """Pairs a sphere, or None."""
+        row = self.scene(input_)
+        pairs = self.pairs(input_)
+        return row.get("density", None if pairs is None else pairs / n_of(input_))
+
+    def total(self, input_, variant):
+        """Milliseconds from chain to collisions, repetition by repetition: build and find, or whole; None
+        if untimed.
+        """
+        build, find = (self.samples.get((input_, variant, stage)) for stage in ("build", "find"))
+        if build is not None and find is not None:
+            size = min(len(build), len(find))
+            return build[:size] + find[:size]
+        if find is not None and "+" not in variant:
+            return find  # complete in itself: nothing to build
+        return self.samples.get((input_, variant, "whole"))
+
+
+def scene_of(input_):
+    return input_.rpartition("/n:")[0]
+
+
+def n_of(input_):
+    return int(input_.rpartition("/n:")[2])
+
+
+def scene_and_n(input_):
+    """(scene, n) of an input written "SCENE/n:N" or, as `catena detect` takes it, "SCENE:n=N,..."; n is None without."""
+    if "/n:" in input_:
+        return scene_of(input_), n_of(input_)
+    name, _, options = input_.partition(":")
+    kept = [option for option in options.split(",") if option and not option.startswith("n=")]
+    given = re.search(r"(?:^|,)n=(\d+)", options)
+    return name + (":" + ",".join(kept) if kept else ""), int(given[1]) if given else None
+
+
+def replay(run, input_, variant=None):
+    """The command that shows this chain again."""
+    view = next(
+        (view for view in run.list("views") if view.get("input") == input_ and view.get("command")), None
+    )
+    if view and not variant:
+        return view["command"]
+    if "/n:" not in input_:
+        chain, row = input_, {}  # already as `catena detect` takes it
+    else:
+        scene, row = scene_of(input_), run.scene(input_)
+        chain = row.get("spec") or f"{scene}{',' if ':' in scene else ':'}n={n_of(input_)}"
+    frame = f" --frame {row['frame']}" if row.get("frames", 1) > 1 and "frame" in row else ""
+    quoted = f" --variant '{variant}'" if variant else ""
+    return f"catena detect '{chain}'{frame}{quoted}"
+
+
+def load(path):
+    """The run in the file `path`; a BadRunFile says in one line what is wrong."""
+    try:
+        with (gzip.open if str(path).endswith(".gz") else open)(path, "rt", encoding="utf-8") as file:
+            raw = json.load(file)
+    except (OSError, EOFError) as error:
+        raise BadRunFile(f"{path}: {getattr(error, 'strerror', None) or error}; give a file that catena report wrote") from None
+    except ValueError as error:  # not JSON, or not UTF-8
+        raise BadRunFile(f"{path}: not JSON ({error}); give a file that catena report wrote") from None
+    if (
+        not isinstance(raw, dict)
+        or not isinstance(raw.get("context"), dict)
+        or not isinstance(raw.get("benchmarks"), list)
+    ):
+        raise BadRunFile(
+            f"{path}: no context and benchmarks; give a file that catena report or catena_bench wrote"
+        )
+    if not all(isinstance(row, dict) for row in raw["benchmarks"]):
+        raise BadRunFile(
+            f"{path}: benchmarks holds something else than objects; give a file that catena report wrote"
+        )
+    catena = raw.get("catena", {})
+    if not isinstance(catena, dict):
+        raise BadRunFile(f"{path}: catena is not an object; see reports/run_file.md")
+    if catena.get("schema", 1) != 1:
+        raise BadRunFile(
+            f"{path}: schema {catena['schema']}, this report reads 1; use the catena that wrote the file"
+        )
+    for key in ARRAYS:
+        if not isinstance([] if catena.get(key) is None else catena[key], list):
+            raise BadRunFile(f"{path}: catena.{key} is not an array; see reports/run_file.md")
+        if not all(isinstance(row, dict) for row in catena.get(key) or []):
+            raise BadRunFile(
+                f"{path}: catena.{key} holds something else than objects; see reports/run_file.md"
+            )
+    return Run(path, raw)

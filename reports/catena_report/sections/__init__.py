@@ -1,0 +1,60 @@
+"""The sections of the page, in order. Each module has build(report): a section.Section, or None without
+content.
+"""
+from . import (
+    advice,
+    animation,
+    claims,
+    counts,
+    environment,
+    exactness,
+    motion,
+    paper_tables,
+    ranks,
+    reproduce,
+    savings,
+    stability,
+    summary,
+    times,
+    tube_errors,
+    viewer,
+    work_precision,
+)
+from ..runfile import BadRunFile
+
+ORDER = (
+    summary,
+    viewer,
+    paper_tables,
+    claims,
+    times,
+    advice,
+    ranks,
+    work_precision,
+    tube_errors,
+    stability,
+    exactness,
+    savings,
+    counts,
+    animation,
+    motion,
+    environment,
+    reproduce,
+)
+
+
+def build(report):
+    """Every section that has content."""
+    return [section for section in (_built(module, report) for module in ORDER) if section]
+
+
+def _built(module, report):
+    try:
+        return module.build(report)
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+        files = ", ".join(str(run.path) for run in report.runs)
+        name = module.__name__.rpartition(".")[2]
+        raise BadRunFile(
+            f"{files}: the section {name} cannot be made ({type(error).__name__}: {error}); compare its data"
+            " with reports/run_file.md"
+        ) from error

@@ -1,0 +1,57 @@
+"""What exact answers cost: robust arithmetic against the paper's own, the same algorithm on the same chain.
+"""
+from .. import statistics, words
+from ..section import Section
+from ..style import Name
+from ..table import Cell, Table
+
+STAGES = {"build": "construction", "find": "traversal"}
+
+
+def build(report):
+    section = Section("exactness", "What exactness costs")
+    for run in report.runs:
+        table = _table(report, run)
+        if table.rows:
+            section.blocks += report.heading(run) + [table]
+    return section if section.blocks else None
+
+
+def _table(report, run):
+    ratios = {}
+    for (input_, variant, stage), times in run.samples.items():
+        exact = run.samples.get((input_, variant.partition("/")[0], stage))
+        if Name.of(variant).arithmetic != "robust" and exact is not None and stage in STAGES:
+            ratios.setdefault((variant, stage), []).append(statistics.ratio(exact, times).value)
+    rows = [
+        [variant, *[_cell(ratios.get((variant, stage))) for stage in STAGES]]
+        for variant in sorted({key[0] for key in ratios})
+    ]
+    message = ""
+    if ratios:
+        every = [ratio for several in ratios.values() for ratio in several]
+        message = (
+            f"Exact answers take {words.significant(statistics.mean_log(every).value, 3)} times as long as"
+            f" the inexact ones, in the geometric mean of {len(every)} cases"
+        )
+    return Table(
+        f"exactness{report.key(run)}",
+        message,
+        (
+            "Median time of the robust variant over that of the same algorithm in the arithmetic named at the"
+            " left: the geometric mean over all chains, with its 95 % t interval. Above 1 the exact one is"
+            " slower."
+        ),
+        ["instead of", *STAGES.values()],
+        rows,
+    )
+
+
+def _cell(ratios):
+    if not ratios:
+        return Cell("")
+    mean = statistics.mean_log(ratios)
+    text = words.interval(mean) if len(ratios) > 1 else f"{mean.value:.2f}"
+    return Cell(
+        text, mean.value, hint=f"{words.plural(len(ratios), 'chain')}, {min(ratios):.2f} to {max(ratios):.2f}"
+    )

@@ -1,0 +1,184 @@
+"""Construction and traversal times over n, with their spread and the fitted exponent."""
+import numpy
+
+from .. import runfile, statistics, words
+from ..figure import Axis, Figure, Panel, Series
+from ..section import Section
+from ..style import Name
+from ..table import Cell, Table
+
+STAGES = {"build": "construction", "find": "traversal", "whole": "whole call"}
+SHOWN = 12  # series drawn at first; the legend has the others
+
+
+def build(report):
+    section = Section("times", "Times over the number of spheres")
+    for run in report.runs:
+        scenes = {scene: inputs for scene, inputs in report.sizes(run).items() if len(inputs) > 1}
+        if not scenes:
+            continue
+        section.blocks += report.heading(run)
+        for stage in STAGES:
+            figure = _figure(report, run, scenes, stage)
+            if figure:
+                section.blocks.append(figure)
+        table = exponents(report, run, scenes)
+        if table.rows:
+            section.blocks.append(table)
+    return section if section.blocks else None
+
+
+def curves(run, inputs, stage):
+    """name -> (look key, [(input, samples)]): constructions are pooled over the traversals that they were
+    measured with.
+    """
+    found = {}
+    for input_ in inputs:
+        pooled = {}
+        for (name, variant, measured), times in run.samples.items():
+            if name == input_ and measured == stage:
+                parts = Name.of(variant)
+                if stage == "build":
+                    if not parts.construction:
+                        continue
+                    suffix = "" if parts.arithmetic == "robust" else "/" + parts.arithmetic
+                    pooled.setdefault(parts.construction + suffix, []).append((variant, times))
+                else:
+                    pooled[variant] = [(variant, times)]
+        for name, several in pooled.items():
+            found.setdefault(name, []).append(
+                (input_, several[0][0], numpy.concatenate([times for _, times in several]))
+            )
+    return found
+
+
+def _look(report, name, stage):
+    if stage != "build":
+        return report.looks.variant(name)
+    construction, _, arithmetic = name.partition("/")
+    return report.looks.stage(construction, arithmetic or "robust")
+
+
+def _figure(report, run, scenes, stage):
+    panels, order = [], {}
+    drawn = {scene: curves(run, inputs, stage) for scene, inputs in scenes.items()}
+    for found in drawn.values():
+        for name, points in found.items():
+            order.setdefault(name, []).append(float(numpy.median(points[-1][2])))
+    if not order:
+        return None
+    ranked = sorted(
+        order,
+        key=lambda name: (
+            Name.of(name).arithmetic != "robust" if stage != "build" else "/" in name,
+            -sum(len(found.get(name, ())) for found in drawn.values()),
+            min(order[name]),
+        ),
+    )
+    shown = set(ranked[:SHOWN]) if len(ranked) > SHOWN else {name for name in ranked}
+    if stage != "build":
+        shown = {name for name in shown if Name.of(name).arithmetic == "robust"} or shown
+    for scene, found in drawn.items():
+        panel = Panel(scene, Axis("spheres n", log=True), Axis(f"{STAGES[stage]}, ms", log=True))
+        for name in ranked:
+            if name in found:
+                panel.series.append(_series(report, run, name, found[name], stage, name in shown))
+        panels.append(panel)
+    return Figure(
+        f"times-{stage}{report.key(run)}",
+        _message(drawn, stage),
+        (
+            "Both axes are logarithmic: a straight line is a power of n, a parallel shift a constant factor."
+            " Points are medians, bars their 95 % bootstrap interval (the range below six repetitions). "
+            + (
+                "One line for each construction, pooled over the traversals it was measured with. "
+                if stage == "build"
+                else ""
+            )
+            + "Hollow markers are device algorithms run on the host."
+        ),
+        panels,
+        columns=3 if len(panels) % 3 == 0 else 2,
+    )
+
+
+def _series(report, run, name, points, stage, shown):
+    estimates = [statistics.median(times) for _, _, times in points]
+    return Series(
+        name,
+        [runfile.n_of(input_) for input_, _, _ in points],
+        [e.value for e in estimates],
+        _look(report, name, stage),
+        low=[e.low for e in estimates],
+        high=[e.high for e in estimates],
+        shown=shown,
+        hover=[
+            f"<b>{name}</b><br>{input_}<br>{words.duration(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}]"
+            f" ms, {words.plural(len(times), 'repetition')}"
+            for (input_, _, times), e in zip(points, estimates)
+        ],
+        chains=[report.chain(run, input_, variant) for input_, variant, _ in points],
+    )
+
+
+def _message(drawn, stage):
+    """Who is fastest at the largest n of each scene, where the samples can tell."""
+    wins, open_ = {}, []
+    for scene, found in drawn.items():
+        top = max(runfile.n_of(points[-1][0]) for points in found.values())
+        last = {
+            name: points[-1][2]
+            for name, points in found.items()
+            if runfile.n_of(points[-1][0]) == top and "/" not in name
+        }
+        if last:
+            leader, alike = statistics.best(last)
+            (open_ if alike else wins.setdefault(leader, [])).append(scene)
+    parts = [
+        f"{name} is fastest on {words.listed(scenes, 3)}"
+        for name, scenes in sorted(wins.items(), key=lambda item: -len(item[1]))
+    ]
+    parts += [f"no single fastest on {words.listed(open_, 3)}"] if open_ else []
+    return (
+        f"{STAGES[stage].capitalize()} at the largest n: " + words.listed(parts, 4)
+        if parts
+        else f"{STAGES[stage].capitalize()} times"
+    )
+
+
+def exponents(report, run, scenes):
+    """time = a n^b for every curve with three sizes or more."""
+    rows = []
+    names = list(scenes)
+    for stage in STAGES:
+        drawn = {scene: curves(run, inputs, stage) for scene, inputs in scenes.items()}
+        for name in sorted({name for found in drawn.values() for name in found}):
+            fits = [
+                statistics.exponent(
+                    [runfile.n_of(p[0]) for p in drawn[scene].get(name, [])],
+                    [numpy.median(p[2]) for p in drawn[scene].get(name, [])],
+                )
+                for scene in names
+            ]
+            if any(fits):
+                rows.append([Cell(STAGES[stage]), Cell(name)] + [_fit(fit) for fit in fits])
+    return Table(
+        f"exponents{report.key(run)}",
+        "Fitted exponents: time grows as n to the power of",
+        (
+            "Least squares on the logarithms of the medians over all sizes, with the 95 % t interval. 1 is"
+            " linear, 2 quadratic; an exponent far below 1 says that fixed costs still dominate at these"
+            " sizes, and a power law whose interval is wider than 1 is marked as open."
+        ),
+        ["stage", "algorithm", *names],
+        rows,
+        words=2,
+    )
+
+
+def _fit(fit):
+    if not fit:
+        return Cell("")
+    if fit.high - fit.low > 1:
+        return Cell(f"{fit.value:.2f}, open", fit.value, "open", words.interval(fit))
+    return Cell(words.interval(fit), fit.value)

@@ -1,0 +1,171 @@
+"""The statistics of the report. Times are skewed and few, so everything rests on medians and ranks."""
+import dataclasses
+import itertools
+import math
+
+import numpy
+import scipy.stats
+
+CONFIDENCE = 0.95
+RESAMPLES = 2000
+
+
+@dataclasses.dataclass(frozen=True)
+class Interval:
+    value: float
+    low: float
+    high: float
+
+    def __contains__(self, number):
+        return self.low <= number <= self.high
+
+
+def _resampled_medians(samples, generator):
+    samples = numpy.asarray(samples, dtype=float)
+    return numpy.median(samples[generator.integers(0, len(samples), (RESAMPLES, len(samples)))], axis=1)
+
+
+def _tails():
+    return [50 * (1 - CONFIDENCE), 50 * (1 + CONFIDENCE)]
+
+
+def median(samples, seed=1):
+    """The median with its bootstrap percentile interval; with fewer than six samples the interval is their
+    range, since 2^(1-5) > 5 %: five samples do not hold the median with 95 % confidence.
+    """
+    value = float(numpy.median(samples))
+    if len(samples) < 6:
+        return Interval(value, float(min(samples)), float(max(samples)))
+    low, high = numpy.percentile(_resampled_medians(samples, numpy.random.default_rng(seed)), _tails())
+    return Interval(value, float(low), float(high))
+
+
+LEAST_TIME = 1e-7  # ms; below the tick of any clock, so that a ratio to a time of 0 is a number
+
+
+def ratio(new, old, seed=1):
+    """median(new) / median(old) with its bootstrap percentile interval (range of ratios below six samples)."""
+    new, old = (numpy.maximum(samples, LEAST_TIME) for samples in (new, old))
+    value = float(numpy.median(new) / numpy.median(old))
+    if min(len(new), len(old)) < 6:
+        return Interval(value, float(min(new) / max(old)), float(max(new) / min(old)))
+    generator = numpy.random.default_rng(seed)
+    ratios = _resampled_medians(new, generator) / _resampled_medians(old, generator)
+    low, high = numpy.percentile(ratios, _tails())
+    return Interval(value, float(low), float(high))
+
+
+def mean_log(ratios):
+    """The geometric mean of independent ratios with its t interval: one is a value without interval."""
+    logs = numpy.log(ratios)
+    centre = float(logs.mean())
+    if len(logs) < 2:
+        return Interval(math.exp(centre), 0.0, math.inf)
+    reach = scipy.stats.t.ppf((1 + CONFIDENCE) / 2, len(logs) - 1) * logs.std(ddof=1) / math.sqrt(len(logs))
+    return Interval(math.exp(centre), math.exp(centre - reach), math.exp(centre + reach))
+
+
+def exponent(ns, times):
+    """b of time = a n^b by least squares on the logarithms, with its t interval; None with fewer than three
+    sizes.
+    """
+    ns, times = numpy.asarray(ns, dtype=float), numpy.asarray(times, dtype=float)
+    keep = (times > 0) & (ns > 0)
+    if len(set(ns[keep])) < 3:
+        return None
+    fit = scipy.stats.linregress(numpy.log(ns[keep]), numpy.log(times[keep]))
+    reach = scipy.stats.t.ppf((1 + CONFIDENCE) / 2, keep.sum() - 2) * fit.stderr
+    return Interval(float(fit.slope), float(fit.slope - reach), float(fit.slope + reach))
+
+
+def mann_whitney(a, b):
+    """Two-sided p: exact for small samples without ties, asymptotic otherwise."""
+    if len(set(a) | set(b)) == 1:
+        return 1.0
+    return float(scipy.stats.mannwhitneyu(a, b, alternative="two-sided").pvalue)
+
+
+def holm(p_values):
+    """Holm's adjusted p values, in the order given: the family-wise error stays at the level each is
+    compared with.
+    """
+    order = numpy.argsort(p_values)
+    adjusted, worst = numpy.empty(len(p_values)), 0.0
+    for rank, at in enumerate(order):
+        worst = max(worst, min(1.0, (len(p_values) - rank) * p_values[at]))
+        adjusted[at] = worst
+    return adjusted.tolist()
+
+
+def least_p(a_size, b_size):
+    """The smallest two-sided p that samples of these sizes can reach: whether a test can decide at all."""
+    return 2 / math.comb(a_size + b_size, a_size)
+
+
+@dataclasses.dataclass(frozen=True)
+class Ranks:
+    mean: dict  # name -> mean rank, 1 is best
+    cases: int
+    p: float  # Friedman's
+    difference: float  # Nemenyi's critical difference at 1 - CONFIDENCE
+
+    def alike(self):
+        """The maximal groups of names within one critical difference, best first."""
+        names = sorted(self.mean, key=self.mean.get)
+        groups = []
+        for at, name in enumerate(names):
+            group = [other for other in names[at:] if self.mean[other] - self.mean[name] <= self.difference]
+            if len(group) > 1 and not any(set(group) <= set(known) for known in groups):
+                groups.append(group)
+        return groups
+
+
+def friedman(table):
+    """Friedman's test and Nemenyi's critical difference of {name: [score of each case]}, a lower score
+    being better. None with fewer than three names or two cases (Demsar 2006).
+    """
+    names = list(table)
+    scores = numpy.array([table[name] for name in names], dtype=float)
+    if len(names) < 3 or scores.shape[1] < 2:
+        return None
+    ranks = numpy.apply_along_axis(scipy.stats.rankdata, 0, scores)
+    if (ranks == ranks[0]).all():  # every case a tie of all: scipy would divide by zero
+        p = 1.0
+    else:
+        p = float(scipy.stats.friedmanchisquare(*scores).pvalue)
+    k, cases = scores.shape
+    q = scipy.stats.studentized_range.ppf(CONFIDENCE, k, math.inf) / math.sqrt(2)
+    return Ranks(
+        dict(zip(names, ranks.mean(axis=1).tolist())),
+        cases,
+        p,
+        float(q * math.sqrt(k * (k + 1) / (6 * cases))),
+    )
+
+
+def best(samples):
+    """Of {name: samples}: (the name of the least median, the names that do not differ from it significantly).
+    Mann-Whitney against the best with Holm's correction; where the samples are too few for that test to
+    reach 5 % at all, those differ whose ranges do not overlap, and with fewer than three samples not even
+    within a factor of 2.
+    """
+    leader = min(samples, key=lambda name: numpy.median(samples[name]))
+    others = [name for name in samples if name != leader]
+    p_values = holm([mann_whitney(samples[name], samples[leader]) for name in others]) if others else []
+    alike = []
+    for name, p in zip(others, p_values):
+        able = least_p(len(samples[name]), len(samples[leader])) * len(others) < 1 - CONFIDENCE
+        reach = max(samples[leader]) * (2 if min(len(samples[name]), len(samples[leader])) < 3 else 1)
+        if p > 1 - CONFIDENCE if able else min(samples[name]) <= reach:
+            alike.append(name)
+    return leader, alike
+
+
+def complete_block(table):
+    """Of {case: {name: score}}: the names scored in at least half of the cases, and the cases that have all
+    of them.
+    """
+    names = sorted(set(itertools.chain.from_iterable(table.values())))
+    kept = [name for name in names if 2 * sum(name in row for row in table.values()) >= len(table)]
+    cases = [case for case, row in table.items() if all(name in row for name in kept)]
+    return {name: [table[case][name] for case in cases] for name in kept}, cases

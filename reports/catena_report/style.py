@@ -1,0 +1,137 @@
+"""One look for every figure: a variant keeps its colour, marker and dash all through the page.
+
+Colour: the traversal (of a stage shown alone: the algorithm). Marker: the construction. Dash: the
+arithmetic. Hollow: a device algorithm run on the host. Colours are names that the page resolves for light
+and dark and for print.
+"""
+import dataclasses
+
+# Okabe and Ito's colour-blind safe palette, yellow and black (which vanish on paper or in the dark) replaced
+# by wine and olive of Paul Tol's.
+LIGHT = {
+    "c0": "#0072b2",
+    "c1": "#d55e00",
+    "c2": "#009e73",
+    "c3": "#cc79a7",
+    "c4": "#e69f00",
+    "c5": "#56b4e9",
+    "c6": "#882255",
+    "c7": "#999933",
+    "c8": "#5b5ea6",
+    "c9": "#7a6a5a",
+    "ink": "#1d2129",
+    "muted": "#6b7280",
+    "grid": "#e4e6ea",
+    "faint": "#c3c7ce",
+    "paper": "#ffffff",
+    "band": "#eef3f8",
+    "good": "#cfe5f3",
+    "warn": "#f3cf73",
+    "bad": "#d0561f",
+    "lost": "#7b2150",
+    "none": "#eceef1",
+}
+DARK = {
+    "c0": "#4da3dc",
+    "c1": "#f0803c",
+    "c2": "#2fc79a",
+    "c3": "#e09bc2",
+    "c4": "#f2b632",
+    "c5": "#86cdf5",
+    "c6": "#d0679b",
+    "c7": "#bdbd55",
+    "c8": "#9a9ce0",
+    "c9": "#b5a48f",
+    "ink": "#e8eaee",
+    "muted": "#9aa2af",
+    "grid": "#2c313a",
+    "faint": "#4a515d",
+    "paper": "#14171c",
+    "band": "#1c2733",
+    "good": "#21465e",
+    "warn": "#a87f1e",
+    "bad": "#d9632c",
+    "lost": "#b04a83",
+    "none": "#242830",
+}
+COLOURS = [f"c{i}" for i in range(10)]
+MARKERS = ["circle", "square", "diamond", "triangle-up", "cross", "triangle-down", "star", "hexagon"]
+DASHES = {"robust": "solid", "literal": "dot", "double": "dash"}
+PAPER = [
+    "CPU2",
+    "GPU1",
+    "GPU2",
+    "GPUv2",
+    "CPU1",
+    "aCPU2",
+    "aGPU2",
+    "bGPU2",
+]  # the paper's, in the palette's order
+
+
+@dataclasses.dataclass(frozen=True)
+class Look:
+    colour: str = "ink"
+    marker: str = "circle"
+    dash: str = "solid"
+    hollow: bool = False
+
+
+@dataclasses.dataclass(frozen=True)
+class Name:
+    """A variant's name, taken apart: aGPU2(subtree=256)@host+CPU2/literal."""
+
+    construction: str
+    traversal: str
+    arithmetic: str
+    host: bool
+
+    @staticmethod
+    def of(variant):
+        stages, _, arithmetic = variant.partition("/")
+        construction, plus, traversal = stages.partition("+")
+        if not plus:
+            construction, traversal = "", construction
+        return Name(construction, traversal, arithmetic or "robust", "@host" in stages)
+
+
+def algorithm(stage):
+    """An algorithm without its executor and parameters: aGPU2(subtree=256)@host is aGPU2."""
+    return stage.partition("@")[0].partition("(")[0]
+
+
+class Looks:
+    """The looks of all variants of a page."""
+
+    def __init__(self, variants):
+        names = [Name.of(variant) for variant in variants]
+        found = {algorithm(stage) for name in names for stage in (name.construction, name.traversal) if stage}
+        known = [name for name in PAPER if name in found]
+        self.order = known + sorted(found - set(known))
+        constructions = sorted({algorithm(name.construction) for name in names})
+        self.markers = {name: MARKERS[at % len(MARKERS)] for at, name in enumerate(constructions)}
+
+    def _colour(self, stage):
+        return (
+            COLOURS[self.order.index(algorithm(stage)) % len(COLOURS)]
+            if algorithm(stage) in self.order
+            else "ink"
+        )
+
+    def variant(self, variant):
+        name = Name.of(variant)
+        return Look(
+            self._colour(name.traversal),
+            self.markers.get(algorithm(name.construction), "circle"),
+            DASHES.get(name.arithmetic, "solid"),
+            name.host,
+        )
+
+    def stage(self, stage, arithmetic="robust"):
+        """The look of a construction shown alone."""
+        return Look(
+            self._colour(stage),
+            self.markers.get(algorithm(stage), "circle"),
+            DASHES.get(arithmetic, "solid"),
+            "@host" in stage,
+        )

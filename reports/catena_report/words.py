@@ -1,0 +1,53 @@
+"""Numbers and lists as the page writes them."""
+import math
+
+
+def ms(value):
+    """A time in milliseconds, three significant digits: 0.0123, 4.56, 789."""
+    return significant(value, 3)
+
+
+def duration(value):
+    """A time of so many milliseconds in the unit that suits it."""
+    if value >= 1000:
+        return f"{significant(value / 1000, 3)} s"
+    return f"{significant(value, 3)} ms" if value >= 0.1 else f"{significant(value * 1000, 3)} µs"
+
+
+def significant(value, digits):
+    if value is None:
+        return ""
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g}"
+    places = digits - 1 - math.floor(math.log10(abs(value)))
+    return f"{value:,.{max(places, 0)}f}" if -6 < places < 12 else f"{value:.{digits - 1}e}"
+
+
+def count(value):
+    return f"{value:,.0f}"
+
+
+def number(value):
+    """Three digits; what JSON cannot hold (inf, nan) is a word in the run file and stays one."""
+    return f"{value:.3g}" if isinstance(value, (int, float)) else str(value)
+
+
+def plural(number, noun):
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+
+
+def listed(items, most=None):
+    """a, b and c; past `most` names: a, b and 7 more."""
+    items = list(items)
+    if most and len(items) > most:
+        items = items[:most] + [f"{len(items) - most} more"]
+    return items[0] if len(items) == 1 else ", ".join(items[:-1]) + " and " + items[-1] if items else "none"
+
+
+def interval(estimate, digits=2):
+    """1.02 [0.98, 1.06]; past 100 in three significant digits."""
+    if max(map(abs, (estimate.low, estimate.high))) < 100:
+        return f"{estimate.value:.{digits}f} [{estimate.low:.{digits}f}, {estimate.high:.{digits}f}]"
+    return (
+        f"{significant(estimate.value, 3)} [{significant(estimate.low, 3)}, {significant(estimate.high, 3)}]"
+    )

@@ -1,0 +1,75 @@
+"""views[] of a run file (run_file.md) made for tests of the viewer: small chains whose pairs are found here by brute force."""
+import base64
+
+import numpy
+
+COUNT = 160
+RADIUS = 1.0
+
+
+def packed(array):
+    return base64.b64encode(numpy.ascontiguousarray(array).tobytes()).decode()
+
+
+def hairpin(gap):
+    """Out along x, round, and back at `gap` radii: touches itself when gap <= 2."""
+    step, half = 1.6 * RADIUS, COUNT // 2
+    out = numpy.arange(half) * step
+    bow = 3 * numpy.exp(-((out - out[-1]) / (4 * step)) ** 2)  # the turn is wider than the tube
+    rows = numpy.zeros((COUNT, 4))
+    rows[:, 0] = numpy.concatenate([out, out[::-1]])
+    rows[:, 1] = numpy.concatenate([-gap / 2 - bow, (gap / 2 + bow)[::-1]])
+    rows[:, 2] = 4 * numpy.sin(rows[:, 0] / 20)
+    rows[:, 3] = RADIUS
+    return rows
+
+
+def pairs_of(rows):
+    rows = rows.astype(numpy.float32).astype(float)
+    apart = numpy.linalg.norm(rows[:, None, :3] - rows[None, :, :3], axis=2)
+    touching = apart <= rows[:, None, 3] + rows[None, :, 3]
+    i, j = numpy.nonzero(numpy.triu(touching, 2))
+    return numpy.stack([i, j], 1).astype(numpy.uint32)
+
+
+def levels_of(rows):
+    """Boxes' circumscribed spheres of 1, 2, 4, ... neighbours in chain order: enough to be seen."""
+    levels, width = [], 1
+    while width < 2 * len(rows):
+        bounds = []
+        for first in range(0, len(rows), width):
+            part = rows[first:first + width]
+            centre = (part[:, :3].max(0) + part[:, :3].min(0)) / 2
+            bounds.append([*centre, (numpy.linalg.norm(part[:, :3] - centre, axis=1) + part[:, 3]).max()])
+        levels.append({"level": len(levels), "spheres": packed(numpy.array(bounds, numpy.float32))})
+        width *= 2
+    return levels
+
+
+def view(name, frames, wrong=(), offset=0.0, scale=1.0):
+    """frames: {number: rows}; offset and scale change no pair."""
+    shown = []
+    for number, rows in frames.items():
+        moved = (rows + numpy.array([offset, offset, -offset, 0])) * scale
+        shown.append({"frame": number, "spheres": packed(moved.astype(numpy.float32)), "pairs": packed(pairs_of(rows))})
+    first = (next(iter(frames.values())) + numpy.array([offset, offset, -offset, 0])) * scale
+    return {"input": name, "command": f"catena detect {name.replace('/n:', ':n=')} --frame all", "radius_scale": 1,
+            "frames": shown, "strands": [0], "closed": [False], "levels": levels_of(first), "wrong": list(wrong)}
+
+
+def on_grid(rows):
+    """Coordinates that stay the same binary32 numbers when 2^18 is added."""
+    rows = rows.copy()
+    rows[:, :3] = numpy.round(rows[:, :3] * 16) / 16
+    return rows
+
+
+def views():
+    near = hairpin(1.9)
+    found = pairs_of(near).tolist()
+    # Frames 0, 10 and 20; only the last one touches.
+    hair = view("hairpin/n:160", {0: hairpin(6), 10: hairpin(4), 20: near},
+                [{"variant": "aCPU2+CPU2/literal", "frame": 20, "missing": found[:3], "invented": [[10, 40], [20, 50]]}])
+    grid = on_grid(near)
+    return [hair, view("near/n:160", {0: grid}), view("far/n:160", {0: grid}, offset=2.0 ** 18),
+            view("huge/n:160", {0: grid}, scale=2.0 ** 115), view("tiny/n:160", {0: grid}, scale=2.0 ** -115)]

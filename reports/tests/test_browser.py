@@ -1,0 +1,136 @@
+"""The page in a browser, offline: plots drawn by pixels, a variant toggled, a chain picked, quick to open, silent console."""
+import pathlib
+import tempfile
+import time
+import unittest
+
+import browser
+import made
+from catena_report import page, report, runfile
+from catena_report.drawn import interactive
+
+REASON = browser.missing()
+DRAWN = "return [...document.querySelectorAll('figure[data-figure]')].filter(f => f.dataset.drawn).length"
+
+
+@unittest.skipIf(REASON, REASON)
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        runs = [runfile.load(made.write(cls.folder.name, made.run()))]
+        cls.path = page.write(report.Report(runs), pathlib.Path(cls.folder.name) / "page")
+
+    def figure(self, driver, key):
+        """The figure, once plotly has drawn it."""
+        figure = driver.find_element("id", "figure-" + key)
+        driver.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", figure)
+        browser.wait(driver, lambda _: figure.get_attribute("data-drawn"))
+        time.sleep(0.2)
+        return figure
+
+    @unittest.skipUnless(interactive.library(), "python3-plotly is not installed")
+    def test_every_plot_is_painted_and_the_console_silent(self):
+        for width, dark in ((1400, False), (400, True)):
+            with self.subTest(width=width, dark=dark), browser.opened(
+                self.path, width=width, dark=dark
+            ) as driver:
+                browser.wait(
+                    driver,
+                    lambda d: d.execute_script("return document.documentElement.dataset.ready")
+                    == "interactive",
+                )
+                keys = [
+                    f.get_attribute("data-figure")
+                    for f in driver.find_elements("css selector", "figure[data-figure]")
+                ]
+                self.assertGreater(len(keys), 8)
+                for key in keys:
+                    for plot in self.figure(driver, key).find_elements("class name", "js-plotly-plot"):
+                        self.assertTrue(browser.painted(plot), key)
+                self.assertEqual(
+                    driver.execute_script("return document.documentElement.scrollWidth"),
+                    width,
+                    "wider than the window",
+                )
+                self.assertEqual(browser.errors(driver), [])
+
+    @unittest.skipUnless(interactive.library(), "python3-plotly is not installed")
+    def test_a_legend_entry_takes_its_variant_away_and_brings_it_back(self):
+        with browser.opened(self.path) as driver:
+            figure = self.figure(driver, "times-find")
+            plot = figure.find_element("class name", "js-plotly-plot")
+            button = figure.find_element("css selector", '.legend button[data-name="GPU1"]')
+            before = browser.pixels(plot)
+            button.click()
+            browser.wait(driver, lambda _: button.get_attribute("aria-pressed") == "false")
+            time.sleep(0.3)
+            away = browser.pixels(plot)
+            self.assertGreater((before != away).any(axis=2).mean(), 0.002)
+            states = driver.execute_script(
+                "return arguments[0].data.filter(t => t.name == 'GPU1').map(t => t.visible)", plot
+            )
+            self.assertEqual(states, ["legendonly"])
+            button.click()
+            time.sleep(0.5)
+            self.assertLess((before != browser.pixels(plot)).any(axis=2).mean(), 0.001)
+
+    @unittest.skipUnless(interactive.library(), "python3-plotly is not installed")
+    def test_a_click_on_a_point_shows_its_replay_command(self):
+        with browser.opened(self.path) as driver:
+            plot = self.figure(driver, "times-find").find_element("class name", "js-plotly-plot")
+            place = driver.execute_script(
+                """const p = arguments[0], t = p.data[0], a = p._fullLayout.xaxis, b = p._fullLayout.yaxis;
+                const box = p.getBoundingClientRect();
+                return [a._offset + a.d2p(t.x[1]) - box.width / 2, b._offset + b.d2p(t.y[1]) - box.height / 2, t.customdata[1]]""",
+                plot,
+            )
+            from selenium.webdriver import ActionChains
+
+            ActionChains(driver).move_to_element_with_offset(plot, *map(round, place[:2])).pause(
+                0.3
+            ).click().perform()
+            box = driver.find_element("id", "picked")
+            browser.wait(driver, lambda _: box.is_displayed())
+            self.assertEqual(box.find_element("class name", "command").text, place[2]["command"])
+            self.assertIn(place[2]["input"].split("/")[0], place[2]["command"])
+
+    def test_opens_in_under_two_seconds(self):
+        with browser.opened(self.path) as driver:
+            loads = []
+            for _ in range(3):
+                driver.get(self.path.resolve().as_uri())
+                loads.append(
+                    driver.execute_script("return performance.getEntriesByType('navigation')[0].loadEventEnd")
+                )
+            self.assertLess(min(loads), 2000)
+
+    def test_without_decompression_the_static_figures_stay(self):
+        """A browser without DecompressionStream: the SVGs of the page, painted, and their colours resolved."""
+        text = self.path.read_text().replace(
+            "<body>", "<body><script>delete window.DecompressionStream</script>", 1
+        )
+        path = self.path.with_name("old.html")
+        path.write_text(text)
+        with browser.opened(path) as driver:
+            browser.wait(
+                driver,
+                lambda d: d.execute_script("return document.documentElement.dataset.ready") == "static",
+            )
+            for svg in driver.find_elements("css selector", "figure[data-figure] .static svg"):
+                self.assertTrue(browser.painted(svg))
+            self.assertEqual(driver.execute_script(DRAWN), 0)
+            self.assertEqual(browser.errors(driver), [])
+
+    def test_print_has_static_figures(self):
+        with browser.opened(self.path) as driver:
+            driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+            svg = driver.find_element("css selector", "#figure-times-find .static svg")
+            self.assertTrue(svg.is_displayed())
+            self.assertTrue(browser.painted(svg))
+            self.assertFalse(driver.find_element("css selector", "#figure-times-find .live").is_displayed())
+
+
+if __name__ == "__main__":
+    unittest.main()

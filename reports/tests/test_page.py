@@ -1,0 +1,308 @@
+"""The page against the data it was made from: what it says is computed here a second time, from the JSON
+alone.
+"""
+import base64
+import csv
+import gzip
+import html.parser
+import json
+import pathlib
+import re
+import statistics as plain
+import tempfile
+import unittest
+import unittest.mock
+
+import made
+from catena_report import page, paper, report, runfile
+from catena_report.drawn import static
+from catena_report.figure import Axis, Figure, Panel, Series
+from catena_report.style import Look
+
+
+class Parsed(html.parser.HTMLParser):
+    """Sections, tables as text, ids and addresses of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.ids, self.sections, self.tables, self.addresses, self.packed = [], [], {}, [], {}
+        self._table = self._cell = self._script = None
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.ids += [given["id"]] if "id" in given else []
+        self.addresses += [given[name] for name in ("src", "href", "xlink:href") if name in given]
+        if tag == "section":
+            self.sections.append(given["id"])
+        if tag == "div" and given.get("id", "").startswith("table-"):
+            self._table = self.tables[given["id"][6:]] = []
+        if tag == "tr" and self._table is not None:
+            self._table.append([])
+        if tag in ("td", "th") and self._table:
+            self._table[-1].append("")
+            self._cell = True
+        if tag == "script" and "id" in given:
+            self._script = given["id"]
+            self.packed[self._script] = ""
+
+    def handle_endtag(self, tag):
+        self._cell = None if tag in ("td", "th") else self._cell
+        self._script = None if tag == "script" else self._script
+
+    def handle_data(self, text):
+        if self._cell:
+            self._table[-1][-1] += text.strip()
+        if self._script:
+            self.packed[self._script] += text
+
+    def unpacked(self, name):
+        return json.loads(gzip.decompress(base64.b64decode(self.packed[name])))
+
+
+class Made(unittest.TestCase):
+    """A page from a value; cls.value is set by the cases below."""
+
+    values = []
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.output = pathlib.Path(cls.folder.name) / "page"
+        runs = [
+            runfile.load(made.write(cls.folder.name, value, f"run{at}.json"))
+            for at, value in enumerate(cls.values)
+        ]
+        cls.text = page.write(report.Report(runs), cls.output).read_text()
+        cls.page = Parsed(cls.text)
+
+
+class Everything(Made):
+    values = [made.run()]
+
+    def test_every_section_but_the_viewer_is_there(self):
+        from catena_report import sections
+
+        names = {module.__name__.rpartition(".")[2].replace("_", "-") for module in sections.ORDER}
+        self.assertEqual(set(self.page.sections), names - {"viewer"})
+
+    def test_stands_alone(self):
+        outside = [address for address in self.page.addresses if not address.startswith(("#", "data:"))]
+        self.assertEqual(outside, [])
+        self.assertNotRegex(
+            re.sub(r"https?://www\.w3\.org/\S+|<!DOCTYPE[^>]*>", "", self.text), r"(src|href)=[\"']?https?:"
+        )
+        self.assertLess(len(self.text), page.LIMIT)
+
+    def test_ids_are_unique(self):
+        self.assertEqual(len(self.page.ids), len(set(self.page.ids)))
+
+    def test_what_comes_from_data_is_escaped(self):
+        self.assertNotIn("<1536>", self.text)
+        self.assertIn("takes at most &lt;1536&gt;", self.text)
+
+    def test_carries_its_data(self):
+        value = json.loads(json.dumps(self.values[0]))
+        value["catena"].pop("views", None)
+        self.assertEqual(self.page.unpacked("data"), [value])
+        self.assertEqual(json.loads((self.output / "run.json").read_text()), self.values[0])
+
+    def test_points_of_the_plots_are_the_medians_of_the_data(self):
+        figures = self.page.unpacked("figures")
+        for stage in ("build", "find"):
+            for panel in figures[f"times-{stage}"]["panels"]:
+                for trace in panel["data"]:
+                    for n, y in zip(trace["x"], trace["y"]):
+                        times = [
+                            row["real_time"] / 1e6
+                            for row in self.values[0]["benchmarks"]
+                            if row.get("real_time")
+                            and self.of(row["name"], panel["title"], n, trace["name"], stage)
+                        ]
+                        self.assertTrue(times)
+                        self.assertAlmostEqual(y, plain.median(times), places=12)
+
+    @staticmethod
+    def of(name, scene, n, trace, stage):
+        """Whether a row belongs to a trace; a construction's trace pools the variants that begin with it."""
+        parts = name.removesuffix("/manual_time").split("/")
+        variant, arithmetic = parts[2], "/".join(parts[3:-1])
+        if stage == "build":
+            variant = variant.partition("+")[0]
+        return (
+            parts[:2] == [scene, f"n:{n}"]
+            and parts[-1] == stage
+            and "/".join(filter(None, (variant, arithmetic))) == trace
+        )
+
+    def test_static_and_interactive_hold_the_same_series(self):
+        """Every series that is shown at first is drawn in the SVG too, with as many points."""
+        for key, figure in self.page.unpacked("figures").items():
+            drawing = (self.output / "figures" / f"{key}.svg").read_text()
+            for at, panel in enumerate(figure["panels"]):
+                series = [trace for trace in panel["data"] if trace["type"] == "scatter"]
+                for number, trace in enumerate(series):
+                    group = f'id="{key}-series-{at}-{number}"'
+                    self.assertEqual(group in drawing, trace["visible"] is True, (key, at, trace["name"]))
+
+    def test_every_figure_and_table_has_its_files(self):
+        for key in self.page.unpacked("figures"):
+            self.assertGreater((self.output / "figures" / f"{key}.pdf").stat().st_size, 1000)
+        for key, rows in self.page.tables.items():
+            with open(self.output / "tables" / f"{key}.csv", newline="") as file:
+                written = list(csv.reader(file))
+            self.assertEqual(
+                (len(written), [len(row) for row in written]), (len(rows), [len(row) for row in rows]), key
+            )
+            latex = (self.output / "tables" / f"{key}.tex").read_text()
+            self.assertEqual(latex.count(r"\\"), len(rows), key)
+
+    def test_exponents_find_the_law_of_the_data(self):
+        for row in self.page.tables["exponents"][1:]:
+            for cell in row[2:]:
+                self.assertAlmostEqual(float(cell.split()[0]), 1, delta=0.05, msg=row)
+
+    def test_the_summary_names_the_fastest(self):
+        self.assertIn("aGPU2+GPUv2 on 6 of 6 chains (significantly on 6)", self.text)
+        self.assertTrue(
+            all(row[2] == "aGPU2+GPUv2" for row in self.page.tables["choice"][1:] if row[1] == "seen once")
+        )
+
+    def test_claims_follow_the_data(self):
+        verdicts = {row[0]: row[2] for row in self.page.tables["claims"][1:]}
+        self.assertEqual(
+            verdicts["Two threads per sphere (GPUv2) reduce the time of GPU2 by half."], "holds"
+        )  # 5e-5 of 1e-4
+        self.assertEqual(verdicts["Despite the GPU, GPU1 is the slowest traversal."], "holds")
+        self.assertEqual(
+            verdicts["GPU2 takes O(log n) time, since its n threads run in parallel."], "does not hold"
+        )  # made linear
+        self.assertEqual(verdicts["aCPU2 takes O(n log n) time."], "holds")
+        self.assertEqual(verdicts["A parent encloses its two children."], "does not hold")
+        self.assertEqual(verdicts["bGPU2 takes O(log n) time."], "not testable here")
+
+    def test_stability_cells_are_the_outcomes(self):
+        panel = self.page.unpacked("figures")["stability"]["panels"][0]
+        heat = panel["data"][0]
+        found = sorted(value for row in heat["z"] for value in row if value is not None)
+        codes = {"exact": 0, "unenclosed": 1, "wrong": 2, "not finite": 3, "refused": 4}
+        self.assertEqual(
+            found, sorted(codes[line["outcome"]] for line in self.values[0]["catena"]["stability"])
+        )
+
+
+class OtherData(Made):
+    """Half the claim broken: with GPUv2 as slow as GPU2 the verdict must turn."""
+
+    values = [made.run(slower={("aGPU2+GPUv2", "find"): 2, ("GPU1", "find"): 0.01})]
+
+    def test_verdicts_turn_with_the_data(self):
+        verdicts = {row[0]: row[2] for row in self.page.tables["claims"][1:]}
+        self.assertEqual(
+            verdicts["Two threads per sphere (GPUv2) reduce the time of GPU2 by half."], "does not hold"
+        )
+        self.assertEqual(verdicts["Despite the GPU, GPU1 is the slowest traversal."], "does not hold")
+
+
+class H200(Made):
+    """The stored run: a plain file of Google Benchmark."""
+
+    values = [json.loads(made.H200.read_text())]
+
+    def test_sections_without_data_are_left_out(self):
+        self.assertEqual(
+            set(self.page.sections)
+            & {"stability", "work-precision", "counts", "animation", "motion", "savings"},
+            set(),
+        )
+
+    def test_tables_hold_the_paper_and_the_medians(self):
+        printed = paper.tables()
+        for path in paper.TABLES:
+            head, *rows = self.page.tables[path]
+            sizes = [int(cell.replace(",", "")) for cell in head[3:]]
+            seen = 0
+            for algorithm, _, place, *cells in rows:
+                for n, cell in zip(sizes, cells):
+                    if place == "the paper":
+                        then = dict(zip(printed["n"], printed[path][algorithm]))
+                        self.assertEqual(float(cell) if cell else None, then.get(n))
+                    elif algorithm in paper.STAGES and cell:
+                        variant, stage = paper.STAGES[algorithm]
+                        times = [
+                            row["real_time"]
+                            for row in self.values[0]["benchmarks"]
+                            if row["run_type"] == "iteration"
+                            and row["name"].removesuffix("/manual_time") == f"{path}/n:{n}/{variant}/{stage}"
+                        ]
+                        self.assertAlmostEqual(float(cell) / plain.median(times), 1, delta=0.006)
+                        seen += 1
+            self.assertGreater(seen, 40)
+
+
+class Several(Made):
+    values = [made.run(), json.loads(made.H200.read_text())]
+
+    def test_each_run_is_named(self):
+        for name in ("a GPU", "NVIDIA H200"):
+            self.assertIn(name, self.page.tables["environment"][0])
+        self.assertEqual(len(self.page.ids), len(set(self.page.ids)))
+        figures = self.page.unpacked("figures")
+        self.assertIn("times-find-1", figures)
+        self.assertIn("times-find-2", figures)
+
+
+class Drawing(unittest.TestCase):
+    def test_labels_keep_their_digits(self):
+        drawn = Figure(
+            "digits",
+            "",
+            "",
+            [
+                Panel(
+                    "",
+                    Axis("x", log=True),
+                    Axis("y", log=True),
+                    [Series("a", [1e-4, 1e-3, 1], [1e-4, 1e-3, 1], Look("c0"), labels=["1.23456", "", ""])],
+                )
+            ],
+        )
+        text = static.svg(static.draw(drawn), "digits")
+        for label in ("0.0001", "0.001", "0.01", "1.23456"):
+            self.assertIn(f">{label}<", text)
+        self.assertNotRegex(text, r'd="[^"]*\d\.\d{3}')
+
+
+class Views(unittest.TestCase):
+    def test_a_chain_without_a_view_shows_the_nearest_of_its_scene(self):
+        value = made.run()
+        value["catena"]["views"] = [
+            {"input": name} for name in ("path1/n:20", "path1/n:9000", "far:exponent=22/n:50")
+        ]
+        with tempfile.TemporaryDirectory() as folder:
+            pages = report.Report([runfile.load(made.write(folder, value))])
+        for asked, shown in (
+            ("path1/n:20", "path1/n:20"),
+            ("path1/n:10000", "path1/n:9000"),
+            ("far:n=200,exponent=22", "far:exponent=22/n:50"),
+            ("far:n=200,exponent=23", None),
+            ("path2/n:20", None),
+        ):
+            self.assertEqual(pages.view(asked), shown, asked)
+
+
+class WithoutPlotly(unittest.TestCase):
+    def test_static_figures_and_a_word(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch(
+            "catena_report.page.interactive.library", return_value=None
+        ):
+            run = runfile.load(made.write(folder, made.run()))
+            text = page.write(report.Report([run]), pathlib.Path(folder) / "page").read_text()
+        self.assertIn("python3-plotly", text)
+        self.assertIn("<svg", text)
+        self.assertNotIn("plotly", Parsed(text).packed)
+
+
+if __name__ == "__main__":
+    unittest.main()

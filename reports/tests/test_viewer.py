@@ -1,0 +1,76 @@
+"""The fragment that viewer.render makes."""
+import base64
+import gzip
+import json
+import pathlib
+import re
+import sys
+import unittest
+import unittest.mock
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+import shown_chains  # noqa: E402
+from catena_report import viewer  # noqa: E402
+
+NOWHERE = (pathlib.Path("/nowhere/three.min.js"),)
+
+
+def script(fragment, name):
+    return re.search(rf'<script [^>]*id="{name}">(.*?)</script>', fragment, re.S).group(1)
+
+
+class WithoutThree(unittest.TestCase):
+    def setUp(self):
+        patch = unittest.mock.patch.object(viewer, "LIBRARIES", NOWHERE)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def test_the_reason_names_the_file_and_debians_package(self):
+        self.assertIn(str(NOWHERE[0]), viewer.missing())
+        self.assertIn("libjs-three", viewer.missing())
+
+    def test_there_is_no_viewer(self):
+        self.assertEqual("", viewer.render(shown_chains.views()))
+
+
+@unittest.skipIf(viewer.missing(), viewer.missing())
+class Fragment(unittest.TestCase):
+    def test_without_views_there_is_none(self):
+        self.assertEqual("", viewer.render([]))
+
+    def test_it_holds_the_views_unchanged(self):
+        views = shown_chains.views()
+        fragment = viewer.render(views)
+        self.assertEqual(views, json.loads(script(fragment, "catena-views")))
+        for frame in views[0]["frames"]:
+            self.assertIn(frame["spheres"], fragment)
+
+    def test_a_chain_of_several_runs_is_held_once(self):
+        views = shown_chains.views()
+        fragment = viewer.render(views + shown_chains.views())
+        self.assertEqual(views, json.loads(script(fragment, "catena-views")))
+
+    def test_a_name_cannot_end_the_script_that_holds_it(self):
+        views = shown_chains.views()[:1]
+        views[0]["input"] = "</script><b>"
+        fragment = viewer.render(views)
+        self.assertNotIn("<b>", fragment)
+        self.assertEqual(views, json.loads(script(fragment, "catena-views")))
+
+    def test_it_holds_three_js_whole(self):
+        held = gzip.decompress(base64.b64decode(script(viewer.render(shown_chains.views()), "catena-three"))).decode()
+        for library in viewer.LIBRARIES:
+            self.assertIn(library.read_text(encoding="utf-8"), held)
+
+    def test_it_fetches_nothing(self):
+        fragment = viewer.render(shown_chains.views())
+        self.assertEqual([], re.findall(r'<[^>]+\s(?:src|href)\s*=', fragment))
+        self.assertEqual([], re.findall(r'url\(|@import|fetch\(|XMLHttpRequest|https?://', fragment))
+
+    def test_no_script_element_ends_early(self):
+        self.assertEqual(3, viewer.render(shown_chains.views()).count("</script>"))
+
+
+if __name__ == "__main__":
+    unittest.main()

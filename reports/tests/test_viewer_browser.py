@@ -1,0 +1,289 @@
+"""The viewer as a reader meets it: a page from a file, offline, in headless Chromium with WebGL in software."""
+import contextlib
+import pathlib
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+import browser  # noqa: E402
+import shown_chains  # noqa: E402
+from catena_report import viewer  # noqa: E402
+
+SOFTWARE_WEBGL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+WITHOUT_WEBGL = ("--disable-3d-apis",)
+REASON = browser.missing() or viewer.missing()
+PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>viewer</title><link rel="icon" href="data:,">
+<meta name="viewport" content="width=device-width"><body>{}</body></html>"""
+
+
+class Opened:
+    """A page with the viewer, and what a test asks of it."""
+
+    def __init__(self, driver):
+        self.driver = driver
+        browser.wait(driver, lambda d: d.execute_script("return document.getElementById('catena-viewer').dataset.ready"), 60)
+
+    def part(self, name):
+        return self.driver.find_element("css selector", f'#catena-viewer [data-part="{name}"]')
+
+    def run(self, script, *arguments):
+        return self.driver.execute_script(f"const viewer = window.catenaViewer.viewer, scene = viewer.scene; {script}", *arguments)
+
+    def show(self, name, frame=None):
+        return self.driver.execute_async_script(
+            "const done = arguments[2]; catenaViewer.show(arguments[0], arguments[1] ?? undefined).then(done);", name, frame)
+
+    def settle(self):
+        """Until nothing has been drawn for half a second: a flight has landed."""
+        end, before = time.monotonic() + 60, -1
+        while time.monotonic() < end:
+            now = self.run("return scene.renders")
+            if now == before:
+                return
+            before = now
+            time.sleep(0.5)
+        raise AssertionError("the viewer never comes to rest")
+
+    def picture(self):
+        self.settle()
+        return browser.pixels(self.part("stage"))[50:-60, 6:-90]  # without buttons, legend, axes, focus
+
+    def share(self, name):
+        """Share of the picture in a colour of the palette, lit or in shade."""
+        import numpy
+        colour = numpy.array(self.run("return viewer.palette[arguments[0]]", name), float)
+        picture = self.picture().astype(float)
+        light = numpy.linalg.norm(picture, axis=2)
+        cosine = picture @ (colour / numpy.linalg.norm(colour)) / numpy.maximum(light, 1e-9)
+        return float(((cosine > 0.99) & (light > 0.35)).mean())
+
+
+def changed(before, after):
+    """Share of pixels that differ visibly."""
+    return float((abs(before - after).max(axis=2) > 0.1).mean())
+
+
+class InBrowser(unittest.TestCase):
+    FLAGS = SOFTWARE_WEBGL
+    DARK = False
+
+    @classmethod
+    def setUpClass(cls):
+        if REASON:
+            raise unittest.SkipTest(REASON)
+        open_until_the_end = contextlib.ExitStack()
+        cls.addClassCleanup(open_until_the_end.close)
+        folder = open_until_the_end.enter_context(tempfile.TemporaryDirectory())
+        page = pathlib.Path(folder) / "page.html"
+        page.write_text(PAGE.format(viewer.render(shown_chains.views())), encoding="utf-8")
+        cls.driver = open_until_the_end.enter_context(
+            browser.opened(page, width=1000, height=850, dark=cls.DARK, flags=cls.FLAGS))
+        cls.opened = Opened(cls.driver)
+
+    def setUp(self):
+        self.assertTrue(self.opened.show("hairpin/n:160", 20))
+
+    def tearDown(self):
+        self.assertEqual([], browser.errors(self.driver))
+
+
+class Viewer(InBrowser):
+    def test_it_draws_by_webgl(self):
+        self.assertIn("WebGL", self.driver.find_element("id", "catena-viewer").get_attribute("data-scene"))
+        self.assertTrue(browser.painted(self.opened.part("stage")))
+
+    def test_colliding_spheres_have_their_colour_and_only_they(self):
+        self.assertGreater(self.opened.share("colliding"), 0.01)
+        self.opened.show("hairpin/n:160", 0)
+        self.assertEqual(0, self.opened.share("colliding"))
+        self.assertTrue(browser.painted(self.opened.part("stage")))
+
+    def test_play_shows_one_frame_after_another(self):
+        before, number = self.opened.picture(), self.opened.part("frame-number")
+        seen = set()
+        self.opened.part("play").click()
+        browser.wait(self.driver, lambda _: seen.add(number.text) or len(seen) == 3, 30)
+        self.opened.part("play").click()
+        self.assertEqual({"0 of 20", "10 of 20", "20 of 20"}, seen)
+        self.opened.show("hairpin/n:160", 10)
+        self.assertGreater(changed(before, self.opened.picture()), 0.01)
+
+    def test_keys_step_and_play(self):
+        self.opened.run("scene.canvas.focus()")
+        keys = self.driver.switch_to.active_element
+        keys.send_keys("\ue014")  # right: past the last comes the first
+        self.assertEqual("0 of 20", self.opened.part("frame-number").text)
+        keys.send_keys("\ue012")
+        self.assertEqual("20 of 20", self.opened.part("frame-number").text)
+        keys.send_keys(" ")
+        self.assertEqual("Pause", self.opened.part("play").get_attribute("aria-label"))
+        keys.send_keys(" ")
+        self.assertEqual("Play", self.opened.part("play").get_attribute("aria-label"))
+
+    def test_scrubbing_moves_to_a_frame(self):
+        self.opened.part("frame").send_keys("\ue011")  # Home
+        self.assertEqual("0 of 20", self.opened.part("frame-number").text)
+        self.assertIn("0 pairs", self.opened.part("facts").text)
+
+    def test_the_list_holds_the_pairs_and_flies_to_one(self):
+        expected = [f"{i} – {j}" for i, j in shown_chains.pairs_of(shown_chains.hairpin(1.9))]
+        self.assertEqual(str(len(expected)), self.opened.part("pair-count").text)
+        rows = self.opened.part("pairs").find_elements("css selector", ".row .spheres")
+        self.assertEqual(expected[:5], [row.text for row in rows[:5]])
+        before, away = self.opened.picture(), self.opened.run("return scene.rig.distance / scene.rig.scale")
+        rows[2].click()
+        after = self.opened.picture()
+        self.assertLess(self.opened.run("return scene.rig.distance / scene.rig.scale"), away / 3)
+        self.assertGreater(changed(before, after), 0.1)
+        i, j = expected[2].split(" – ")
+        self.assertIn(f"{i} – {j}: overlap 0.1", self.opened.part("pair").text)
+        self.assertEqual([i, j], [self.opened.part(f"label-{name}").text for name in "ij"])
+        offset = self.opened.run("""const at = scene.project(viewer.selected.point), stage = viewer.part('stage');
+            return Math.hypot(at.x - stage.clientWidth / 2, at.y - stage.clientHeight / 2);""")
+        self.assertLess(offset, 1)
+        self.opened.part("reset").click()
+        self.assertLess(changed(before, self.opened.picture()), 0.001)
+
+    def test_of_a_million_pairs_only_those_in_sight_are_rows(self):
+        self.opened.run("""const pairs = new Uint32Array(2e6).map((_, k) => k % 160);
+            viewer.pairList.set(pairs, new Uint8Array(1e6), viewer.frame.spheres);""")
+        self.assertEqual("1,000,000", self.opened.part("pair-count").text)
+        self.assertLess(len(self.opened.part("pairs").find_elements("css selector", ".row")), 60)
+
+    def test_the_list_can_keep_the_pairs_of_one_sphere(self):
+        sphere = int(shown_chains.pairs_of(shown_chains.hairpin(1.9))[7, 0])
+        self.opened.part("pair-only").send_keys(str(sphere))
+        rows = [row.text for row in self.opened.part("pairs").find_elements("css selector", ".row .spheres")]
+        self.opened.part("pair-only").clear()
+        self.assertTrue(rows)
+        self.assertTrue(all(str(sphere) in row.split(" – ") for row in rows))
+
+    def test_levels_of_the_tree_are_shown_one_by_one(self):
+        self.opened.show("near/n:160")
+        before, slider = self.opened.picture(), self.opened.part("level")
+        slider.send_keys("\ue014" * 5)
+        self.assertEqual("level 4: 10 spheres", self.opened.part("level-number").text)
+        fourth = self.opened.picture()
+        self.assertGreater(changed(before, fourth), 0.02)
+        slider.send_keys("\ue010")  # End: the root
+        self.assertEqual("level 8: 1 sphere", self.opened.part("level-number").text)
+        self.assertGreater(changed(fourth, self.opened.picture()), 0.02)
+        slider.send_keys("\ue011")
+        self.assertEqual("off", self.opened.part("level-number").text)
+        self.assertLess(changed(before, self.opened.picture()), 0.001)
+
+    def test_missing_and_invented_pairs_of_a_wrong_variant_are_marked(self):
+        self.assertEqual([0, 0], [self.opened.share("missing"), self.opened.share("invented")])
+        from selenium.webdriver.support.ui import Select
+        Select(self.opened.part("variant")).select_by_visible_text("aCPU2+CPU2/literal: 3 missing, 2 invented")
+        self.assertGreater(self.opened.share("missing"), 0.0005)
+        self.assertGreater(self.opened.share("invented"), 0.0005)
+        words = [word.text for word in self.opened.part("pairs").find_elements("css selector", ".row .word")]
+        self.assertEqual((3, 2), (words.count("missing"), words.count("invented")))
+        exact = len(shown_chains.pairs_of(shown_chains.hairpin(1.9)))
+        self.assertEqual(str(exact + 2), self.opened.part("pair-count").text)  # a missing pair is one of the exact ones
+
+    def test_far_from_the_origin_huge_or_tiny_the_picture_is_the_same(self):
+        for wander in ("", "viewer.pairList.pick(3)"):
+            pictures = []
+            for name in ("near", "far", "huge", "tiny"):
+                self.opened.show(f"{name}/n:160")
+                self.opened.settle()
+                self.opened.run(wander)
+                pictures.append(self.opened.picture()[40:])  # not the line of the overlap, which tells its size
+            for picture in pictures[1:]:
+                self.assertLess(changed(pictures[0], picture), 0.001)
+
+    def test_at_rest_nothing_is_drawn(self):
+        self.opened.settle()
+        before = self.opened.run("return scene.renders")
+        time.sleep(1)
+        self.assertEqual(before, self.opened.run("return scene.renders"))
+
+    def test_dragging_turns_the_chain(self):
+        from selenium.webdriver import ActionChains
+        before = self.opened.picture()
+        canvas = self.opened.part("stage").find_element("tag name", "canvas")
+        ActionChains(self.driver).move_to_element(canvas).click_and_hold().move_by_offset(120, 40).release().perform()
+        self.assertGreater(changed(before, self.opened.picture()), 0.01)
+
+    def test_a_finger_turns_the_chain_and_two_come_nearer(self):
+        before, away = self.opened.picture(), self.opened.run("return scene.rig.distance / scene.rig.scale")
+        box = self.opened.part("stage").rect
+        top = box["y"] - self.driver.execute_script("return scrollY")
+        middle = (box["x"] + box["width"] / 2, top + box["height"] / 2)
+
+        def touch(kind, *offsets):
+            points = [{"x": middle[0] + dx, "y": middle[1] + dy, "id": k} for k, (dx, dy) in enumerate(offsets)]
+            self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+        touch("touchStart", (0, 0)), touch("touchMove", (60, 20)), touch("touchMove", (120, 40)), touch("touchEnd")
+        turned = self.opened.picture()
+        self.assertGreater(changed(before, turned), 0.01)
+        self.assertAlmostEqual(1, self.opened.run("return scene.rig.distance / scene.rig.scale") / away, 6)
+        touch("touchStart", (-20, 0), (20, 0)), touch("touchMove", (-60, 0), (60, 0)), touch("touchMove", (-90, 0), (90, 0))
+        touch("touchEnd")
+        self.assertLess(self.opened.run("return scene.rig.distance / scene.rig.scale"), away / 2)
+
+    def test_a_sphere_under_the_pointer_says_its_number(self):
+        from selenium.webdriver import ActionChains
+        self.opened.run("scene.flyTo(Array.from(viewer.frame.spheres.slice(0, 3)), 4)")
+        self.opened.settle()
+        at = self.opened.run("""const row = viewer.frame.spheres, p = scene.project([row[0], row[1], row[2]]);
+            const stage = viewer.part('stage');
+            return [p.x - stage.clientWidth / 2, p.y - stage.clientHeight / 2];""")
+        stage = self.opened.part("stage")
+        ActionChains(self.driver).move_to_element_with_offset(stage, int(at[0]), int(at[1])).perform()
+        browser.wait(self.driver, lambda _: self.opened.part("tip").is_displayed())
+        self.assertRegex(self.opened.part("tip").text, r"^sphere 0: \d+ collisions?, radius 1\.00$")
+
+    def test_show_takes_the_nearest_frame_and_knows_what_it_lacks(self):
+        self.assertTrue(self.opened.show("hairpin/n:160", 12))
+        self.assertEqual("10 of 20", self.opened.part("frame-number").text)
+        self.assertFalse(self.opened.show("nothing/n:1", 0))
+        self.assertFalse(self.driver.execute_script("return catenaViewer.has('nothing/n:1')"))
+
+    def test_the_replay_command_is_the_views(self):
+        self.assertEqual(shown_chains.views()[0]["command"], self.opened.part("command").text)
+
+    def test_the_page_can_choose_dark(self):
+        light = self.opened.picture()
+        self.driver.execute_script("document.documentElement.dataset.theme = 'dark'")
+        browser.wait(self.driver, lambda _: self.opened.run("return viewer.palette.ground[0] < 64"))
+        dark = self.opened.picture()
+        self.driver.execute_script("delete document.documentElement.dataset.theme")
+        browser.wait(self.driver, lambda _: self.opened.run("return viewer.palette.ground[0] > 192"))
+        self.assertGreater(light.mean() - dark.mean(), 0.5)
+
+
+class InTheDark(InBrowser):
+    DARK = True
+
+    def test_the_ground_is_dark_and_the_pairs_are_seen(self):
+        import numpy
+        self.assertLess(float(numpy.median(self.opened.picture())), 0.2)
+        self.assertGreater(self.opened.share("colliding"), 0.01)
+
+
+class WithoutWebGl(InBrowser):
+    FLAGS = WITHOUT_WEBGL
+
+    def test_it_says_so_and_draws_flat(self):
+        self.assertIn("no WebGL", self.opened.part("notice").text)
+        self.assertGreater(self.opened.share("colliding"), 0.01)
+
+    def test_frames_and_pairs_work(self):
+        before = self.opened.picture()
+        self.opened.part("pairs").find_element("css selector", ".row").click()
+        self.assertGreater(changed(before, self.opened.picture()), 0.05)
+        self.opened.part("reset").click()
+        self.opened.part("frame").send_keys("\ue011")
+        self.assertGreater(changed(before, self.opened.picture()), 0.01)
+        self.assertEqual(0, self.opened.share("colliding"))
+
+
+if __name__ == "__main__":
+    unittest.main()
