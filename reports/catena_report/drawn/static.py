@@ -185,6 +185,7 @@ def _axis(ax, axis, spec):
 
 def short(value, _=None):
     """10000 as 10 k, as plotly writes it."""
+    value = float(f"{value:.6g}")  # a tick at 1e-4 is 9.999999999999999e-05 where pow() rounds so
     for factor, letter in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
         if value >= factor:
             return f"{value / factor:g}{letter}"
