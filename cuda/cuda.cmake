@@ -1,7 +1,7 @@
 # GPU strategies. AUTO builds them when nvcc is found; OFF leaves no trace of CUDA in the build. On a machine
 # without a device or driver they build all the same and are listed as unavailable, with the reason.
 set(CATENA_CUDA AUTO CACHE STRING "GPU strategies: AUTO, ON or OFF")
-set(CATENA_CUDA_ARCHITECTURES "" CACHE STRING "CUDA architectures; empty: native when a device is here, else 90 and PTX of 75 for all others")
+set(CATENA_CUDA_ARCHITECTURES "" CACHE STRING "CUDA architectures; empty: native when a device is here, else 75, whose PTX suits every later one")
 
 if(NOT CATENA_CUDA STREQUAL "OFF")
   find_program(CATENA_NVCC nvcc HINTS ENV CUDA_PATH ENV CUDA_HOME /usr/local/cuda PATH_SUFFIXES bin)
@@ -19,7 +19,7 @@ if(CATENA_NVCC AND NOT CATENA_CUDA STREQUAL "OFF")
   elseif(EXISTS /dev/nvidia0)
     set(CMAKE_CUDA_ARCHITECTURES native)
   else()
-    set(CMAKE_CUDA_ARCHITECTURES 75-virtual 90-real)  # two passes: this build may never meet a device
+    set(CMAKE_CUDA_ARCHITECTURES 75)  # one pass: this build may never meet a device
   endif()
   enable_language(CUDA)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cuda/*.cu)
