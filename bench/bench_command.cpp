@@ -48,18 +48,13 @@ class BenchCommand final : public Command {
     if (!work_precision_)
       throw InputError(
           "bench: say what to measure: --work-precision (error against run time); the times of every variant "
-          "on "
-          "every scene come from catena_bench");
-    const auto facts = environment();
-    if (facts.at("build type") != "Release")
-      throw InputError(
-          fmt::format("this is a {} build; its times mean nothing. Configure with --preset release",
-                      facts.at("build type")));
+          "on every scene come from catena_bench");
+    require_release_build();
     const auto tubes = tubes_named(tubes_);
     if (variants_.empty())
       for (const auto& info : StrategyRegistry::instance().variants())
         if (!info.unavailable) variants_.push_back(info.name);
-    nlohmann::ordered_json out{{"environment", facts}};
+    nlohmann::ordered_json out{{"environment", environment()}};
     for (const Tube& tube : tubes)
       for (const double offset : offsets_) {
         const auto result = work_precision(tube, sizes_of(tube), variants_, repetitions_, offset);

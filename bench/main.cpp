@@ -58,11 +58,8 @@ std::vector<bench::WorkloadSpec> inputs(const Options& options) {
 }
 
 int run(int argc, char** argv) {
+  require_release_build();
   const auto facts = environment();
-  if (facts.at("build type") != "Release")
-    throw InputError(
-        fmt::format("this is a {} build; its times mean nothing. Configure with --preset release",
-                    facts.at("build type")));
   Options options;
   auto rest = take_options(argc, argv, options);
   std::vector<char*> pointers;

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <string_view>
 #include <thread>
 #include <vector>
+
+#include "catena/core/error.h"
 
 #include CATENA_COMMIT_HEADER
 
@@ -43,6 +46,12 @@ std::map<std::string, std::string> environment() {
   };
   for (const auto& contributor : contributors()) facts.merge(contributor());
   return facts;
+}
+
+void require_release_build() {
+  if (std::string_view(CATENA_BUILD_TYPE) != "Release")
+    throw InputError(fmt::format("this is a {} build; its times mean nothing. Configure with --preset release",
+                                 CATENA_BUILD_TYPE));
 }
 
 }  // namespace catena

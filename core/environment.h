@@ -10,6 +10,9 @@ namespace catena {
 /// Every result file carries it.
 std::map<std::string, std::string> environment();
 
+/// Throws InputError unless this is a Release build, the only one whose times mean anything.
+void require_release_build();
+
 /// One object of this at namespace scope adds facts to environment().
 struct RegisterEnvironment {
   using Facts = std::function<std::map<std::string, std::string>()>;

@@ -133,4 +133,17 @@ FrameComparison compare_frames(const std::vector<std::vector<Pair>>& fine,
   return comparison;
 }
 
+std::vector<MotionRow> measure_motions(const std::vector<MotionCase>& motions, const MotionResult& fine,
+                                       double reference_step, std::size_t repetitions) {
+  std::vector<MotionResult> results;
+  for (const MotionCase& motion : motions) results.push_back(measure_motion(motion));
+  time_motions(motions, results, repetitions);
+  std::vector<MotionRow> rows;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const auto against_fine = compare_frames(fine.frame_contacts, results[k].frame_contacts);
+    rows.push_back({motions[k], std::move(results[k]), reference_step, against_fine});
+  }
+  return rows;
+}
+
 }  // namespace catena::bench

@@ -64,4 +64,17 @@ struct FrameComparison {
 FrameComparison compare_frames(const std::vector<std::vector<Pair>>& fine,
                                const std::vector<std::vector<Pair>>& other);
 
+/// A motion, what came of it, and its contacts against those of the fine motion of the same stiffness.
+struct MotionRow {
+  MotionCase motion;
+  MotionResult result;
+  double reference_step = 0;
+  FrameComparison against_fine;
+};
+
+/// Measures each motion, then times them all against each other (time_motions); `fine` is the exact motion of
+/// their stiffness at `reference_step`.
+std::vector<MotionRow> measure_motions(const std::vector<MotionCase>& motions, const MotionResult& fine,
+                                       double reference_step, std::size_t repetitions);
+
 }  // namespace catena::bench

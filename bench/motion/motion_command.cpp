@@ -14,6 +14,7 @@
 #include "catena/bench/stability.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/progress.h"
+#include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/motion/knot.h"
 #include "catena/core/strategy/registry.h"
@@ -78,6 +79,7 @@ class MotionCommand final : public Command {
   }
 
   int run() override {
+    require_release_build();
     for (const auto* values : {&stiffness_, &steps_, &offsets_})
       if (!std::ranges::all_of(*values, [](double v) { return std::isfinite(v); }))
         throw InputError("--stiffness, --step and --offset must be finite numbers");
@@ -139,18 +141,8 @@ class MotionCommand final : public Command {
   std::vector<MotionRow> measure(double stiffness, double step, double offset,
                                  const MotionResult& fine) const {
     std::vector<MotionCase> motions;
-    std::vector<MotionResult> results;
-    for (const auto& variant : variants_) {
-      motions.push_back(motion(stiffness, step, offset, variant));
-      results.push_back(measure_motion(motions.back()));
-    }
-    time_motions(motions, results, repetitions_);
-    std::vector<MotionRow> rows;
-    for (std::size_t k = 0; k < motions.size(); ++k) {
-      const auto against_fine = compare_frames(fine.frame_contacts, results[k].frame_contacts);
-      rows.push_back({motions[k], std::move(results[k]), reference_step_, against_fine});
-    }
-    return rows;
+    for (const auto& variant : variants_) motions.push_back(motion(stiffness, step, offset, variant));
+    return measure_motions(motions, fine, reference_step_, repetitions_);
   }
 
   std::vector<double> stiffness_{1e2, 1e4, 1e6, 1e9}, steps_{2, 1, 0.5, 0.25}, offsets_{0, 1e7};

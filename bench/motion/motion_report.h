@@ -7,14 +7,6 @@
 
 namespace catena::bench {
 
-/// A motion, what came of it, and its contacts against those of the fine motion of the same stiffness.
-struct MotionRow {
-  MotionCase motion;
-  MotionResult result;
-  double reference_step = 0;
-  FrameComparison against_fine;
-};
-
 /// One row as a JSON object:
 /// stiffness, step, offset, n, frames, duration: the MotionCase; variant, arithmetic: who found the contacts;
 /// outcome: "holds", "slipped" or "diverged"; failed_at: the time of that, null when it holds;

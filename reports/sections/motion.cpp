@@ -26,16 +26,10 @@ nlohmann::ordered_json motion(const Profile& profile) {
       for (const double offset : {0.0, 4e6, 1e7}) {
         if (watch.ms() > 1000 * profile.motion_seconds) break;
         std::vector<bench::MotionCase> cases;
-        std::vector<bench::MotionResult> results;
-        for (const char* variant : {exact, "aCPU2+CPU2/literal", "aCPU2+CPU2/double"}) {
+        for (const char* variant : {exact, "aCPU2+CPU2/literal", "aCPU2+CPU2/double"})
           cases.push_back(motion_of(stiffness, step, offset, variant));
-          results.push_back(bench::measure_motion(cases.back()));
-        }
-        bench::time_motions(cases, results, 3);
-        for (std::size_t k = 0; k < cases.size(); ++k) {
-          const auto against_fine = bench::compare_frames(fine.frame_contacts, results[k].frame_contacts);
-          rows.push_back(bench::to_json({cases[k], std::move(results[k]), reference_step, against_fine}));
-        }
+        for (const auto& row : bench::measure_motions(cases, fine, reference_step, 3))
+          rows.push_back(bench::to_json(row));
       }
   }
   return rows;

@@ -134,7 +134,6 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
   Json out{{"input", bench::label_of({shown.input})},
            {"command", fmt::format("catena detect {} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv",
                                    shown.input, count == 1 ? std::to_string(all / 2) : "all")},
-           {"radius_scale", 1},
            {"frames", std::move(frames)},
            {"strands", strands},
            {"closed", std::move(closed)}};

@@ -53,7 +53,7 @@ def view(name, frames, wrong=(), offset=0.0, scale=1.0):
         moved = (rows + numpy.array([offset, offset, -offset, 0])) * scale
         shown.append({"frame": number, "spheres": packed(moved.astype(numpy.float32)), "pairs": packed(pairs_of(rows))})
     first = (next(iter(frames.values())) + numpy.array([offset, offset, -offset, 0])) * scale
-    return {"input": name, "command": f"catena detect {name.replace('/n:', ':n=')} --frame all", "radius_scale": 1,
+    return {"input": name, "command": f"catena detect {name.replace('/n:', ':n=')} --frame all",
             "frames": shown, "strands": [0], "closed": [False], "levels": levels_of(first), "wrong": list(wrong)}
 
 
