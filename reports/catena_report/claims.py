@@ -156,14 +156,16 @@ def pairs(run):
     """The largest number of pairs over all keyframes."""
     seen, frames = {}, {}
     for row in run.list("animation"):
-        path = row["input"].partition("/")[0]
-        if path in PATHS:
+        path = paper.path_of(row["input"])
+        if path:
             seen[path] = max([seen.get(path, 0)] + [frame["pairs"] for frame in row["frames"]])
             frames[path] = max(frames.get(path, 0), len(row["frames"]))
     for input_ in run.inputs():
-        path = input_.partition("/")[0]
-        if path in PATHS and run.pairs(input_) is not None:
+        path = paper.path_of(input_)
+        if path and run.pairs(input_) is not None:
             seen[path] = max(seen.get(path, 0), run.pairs(input_))
+            if run.scene(input_).get("frame") == "all":
+                frames[path] = max(frames.get(path, 0), run.scene(input_)["frames"])
     if not seen:
         return untested("neither path1 nor path2 was run")
     evidence = "; ".join(

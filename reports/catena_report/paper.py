@@ -2,6 +2,8 @@
 import json
 import pathlib
 
+from .runfile import n_of, scene_of
+
 PATH = pathlib.Path(__file__).parent.parent / "paper_tables.json"
 
 # The paper's algorithm -> the variant and stage it is measured in.
@@ -20,6 +22,7 @@ STAGES[WITH_TRANSFERS] = ("aGPU2+GPU2", "whole")
 TABLES = {"path1": "Table 3", "path2": "Table 4"}
 CONSTRUCTIONS = ("aGPU2", "aCPU2", "bGPU2")
 ON_HOST = ("aCPU2", "CPU2", "CPU1")
+EVERY_KEYFRAME = ":frames=all"  # of a path that is timed as the paper did; without, it is the middle one
 
 
 def tables():
@@ -28,17 +31,26 @@ def tables():
 
 
 def samples(run, path, n, algorithm):
-    """(milliseconds, variant) of the paper's algorithm in a run; (None, None) if it was not measured."""
+    """(milliseconds a frame, variant) of the paper's algorithm in a run, through every keyframe if it was
+    timed so; (None, variant) if it was not timed.
+    """
     variant, stage = STAGES[algorithm]
-    return run.samples.get((f"{path}/n:{n}", variant, stage)), variant
+    every, one = (run.samples.get((f"{path}{frames}/n:{n}", variant, stage)) for frames in (EVERY_KEYFRAME, ""))
+    return (one if every is None else every), variant
+
+
+def path_of(input_):
+    """The path that an input shows, all of it or a frame; None if it is another scene."""
+    scene = scene_of(input_).removesuffix(EVERY_KEYFRAME)
+    return scene if scene in TABLES else None
 
 
 def sizes(run, path):
     """Every n at which some algorithm of the paper was measured on a path."""
     return sorted(
         {
-            int(case[0].rpartition("/n:")[2])
+            n_of(case[0])
             for case in run.samples
-            if case[0].startswith(path + "/n:") and case[1:] in STAGES.values()
+            if path_of(case[0]) == path and case[1:] in STAGES.values()
         }
     )

@@ -234,11 +234,20 @@ class H200(Made):
                             row["real_time"]
                             for row in self.values[0]["benchmarks"]
                             if row["run_type"] == "iteration"
-                            and row["name"].removesuffix("/manual_time") == f"{path}/n:{n}/{variant}/{stage}"
+                            and row["name"].removesuffix("/manual_time")
+                            in [f"{path}{frames}/n:{n}/{variant}/{stage}" for frames in ("", ":frames=all")]
                         ]
                         self.assertAlmostEqual(float(cell) / plain.median(times), 1, delta=0.006)
                         seen += 1
             self.assertGreater(seen, 40)
+
+
+class EveryKeyframe(H200):
+    """The same, timed through the whole animation, as `catena report --paper` does."""
+
+    values = [
+        json.loads(re.sub(r'"(path[12])/n:', r'"\1:frames=all/n:', made.H200.read_text()))
+    ]
 
 
 class Several(Made):

@@ -18,7 +18,8 @@ def build(report):
         Prose(
             "Runtimes in milliseconds. Rows in italics are the paper's"
             f" ({words.listed(printed['source'].split('; ')[-1:])}); below each is the median measured here"
-            " for the same algorithm. The paper's zeros are the resolution of its clock."
+            " for the same algorithm, a frame on average where every keyframe was timed (--paper) and else of the"
+            " middle one. The paper's zeros are the resolution of its clock."
         ),
     )
     return section
