@@ -20,7 +20,7 @@ INSTANTIATE_TEST_SUITE_P(Every, SceneParameters, testing::ValuesIn(SceneRegistry
 std::string refusal(const std::string& spec) {
   try {
     const Input input = open_input(spec);
-    const Chain chain = input.animation->frame(input.animation->frames() - 1);
+    const Chain chain = input.animation->frame(input.animation->frames() > 1);  // a frame that moved, if any does
     for (const Sphere& s : chain.spheres())
       EXPECT_TRUE(std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.radius) &&
                   s.radius >= 0)
