@@ -6,9 +6,9 @@
 
 namespace catena::reference {
 
-/// Every scene at 1,500 spheres; one of 1,500 for variants that take no more; scenes far from the origin,
-/// tiny and huge, where rounded arithmetic shows what it does; and the sample files of core/readers/examples,
-/// from the source tree or else where they are installed.
+/// Every scene at 1,500 spheres, which the one block of bGPU2 takes; scenes far from the origin, tiny and
+/// huge, where rounded arithmetic shows what it does; and the sample files of core/readers/examples, from the
+/// source tree or else where they are installed.
 std::vector<std::string> default_inputs();
 
 /// Opens an input. A sample file without radii gets half the spacing when the options give no radius.

@@ -2,12 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "catena/core/error.h"
+#include "catena/core/scenes/scene.h"
+#include "catena/core/strategy/registry.h"
 #include "catena/reference/fcl.h"
+#include "catena/reference/verify_inputs.h"
 
 namespace catena::reference {
 namespace {
@@ -116,6 +121,62 @@ TEST(Verify, AFloodOfInventedPairsIsComparedByCounts) {
 TEST(Verify, ADeclaredLimitIsARefusal) {
   EXPECT_EQ(verdict(Spoilt([](Collisions&) { throw CapacityError("at most 4 spheres"); }), false),
             Verdict::refused);
+}
+
+/// Compares all pairs and says so, but for the pairs that it keeps to itself.
+class Witness final : public Variant {
+ public:
+  explicit Witness(std::uint64_t kept_back) : kept_back_(kept_back) {}
+  void build(const Chain& chain) override { variant_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    variant_->find(chain, request, result);
+  }
+  Timings timings() const override { return {}; }
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    find(chain, request, result);
+    std::uint64_t told = 0;
+    for (std::uint32_t i = 0; i < chain.size(); ++i)
+      for (std::uint32_t j = i + 1; j < chain.size(); ++j)
+        if (told++ >= kept_back_) chain.neighbours(i, j) ? sink.excluded(i, j) : sink.tested(i, j);
+  }
+
+ private:
+  std::unique_ptr<Variant> variant_ = StrategyRegistry::instance().make("CPU1");
+  std::uint64_t kept_back_;
+};
+
+TEST(Verify, ACertificateProvesTheAnswerOnlyWhenItAccountsForEveryPair) {
+  std::uint64_t pairs = 0;
+  Witness honest(0), silent(1);
+  const Verification proved = verify_by_certificate(honest, rod(), 1000, pairs);
+  EXPECT_EQ(proved.verdict, Verdict::exact) << proved.reason;
+  EXPECT_EQ(pairs, exact_answer(rod(), 1000).pair_count);
+  EXPECT_GT(pairs, 0u);
+  const Verification unproved = verify_by_certificate(silent, rod(), 1000, pairs);
+  EXPECT_EQ(unproved.verdict, Verdict::wrong);
+  EXPECT_EQ(unproved.reason, "not certified: some pairs are accounted for never or more than once");
+  EXPECT_EQ(pairs, 0u);
+}
+
+TEST(Verify, ACertificateOfCountsAloneIsEnoughPastThePairLimit) {
+  std::uint64_t pairs = 0;
+  Witness honest(0);
+  const Verification proved = verify_by_certificate(honest, rod(), 3, pairs);
+  EXPECT_EQ(proved.verdict, Verdict::exact) << proved.reason;
+  EXPECT_FALSE(proved.by_pairs);
+  EXPECT_GT(pairs, 3u);
+}
+
+TEST(VerifyInputs, AreEverySceneAndTheSampleFilesAndAllOpen) {
+  const auto inputs = default_inputs();
+  const auto& scenes = SceneRegistry::instance().scenes();
+  EXPECT_GT(inputs.size(), scenes.size() + 3);
+  for (const auto& scene : scenes)
+    EXPECT_EQ(std::ranges::count(inputs, scene.name + ":n=1500"), 1) << scene.name;
+  for (const auto& input : inputs)
+    EXPECT_GT(open_for_verification(input, {}, true).animation->frame(0).size(), 0u) << input;
 }
 
 TEST(Verify, Fcl) {
