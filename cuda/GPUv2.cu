@@ -1,10 +1,8 @@
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/policies/GPUv2.h"
 #include "catena/core/strategy/register.h"
 #include "catena/cuda/device.h"
-#include "catena/cuda/device_result.h"
+#include "catena/cuda/device_traversal.cuh"
 #include "catena/cuda/device_visitor.cuh"
-#include "catena/cuda/launch.cuh"
 
 namespace catena::cuda {
 namespace {
@@ -25,28 +23,15 @@ __global__ void search(const __grid_constant__ ChainView chain,
   visitor.finish();
 }
 
+template <class Arithmetic>
+struct TwoThreadsASphere {
+  static constexpr auto kernel = search<Arithmetic>;
+  static constexpr unsigned threads_per_sphere = policy::GPUv2<Arithmetic>::threads_per_sphere;
+};
+
 /// GPUv2 (Section 5.2) on the device: two threads per sphere, one per child of the root.
 template <class Arithmetic>
-class GPUv2 final : public Traversal<typename Arithmetic::Bound> {
- public:
-  explicit GPUv2(const Parameters& parameters) : threads_(parameters.unsigned_integer("threads", 32, 1024)) {}
-
-  void find(const ChainView& chain, const HierarchyView<typename Arithmetic::Bound>& tree,
-            const Request& request, Collisions& result) override {
-    with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      result_.run(chain.size, request, result, stream_, [&](const ResultView& view) {
-        launch(search<decltype(tests)>, std::uint64_t{2} * chain.size, threads_, stream_, chain, tree, view);
-      });
-    });
-  }
-  double own_ms() const override { return result_.find_ms(); }
-  double own_transfer_ms() const override { return result_.transfer_ms(); }
-
- private:
-  unsigned threads_;
-  Stream stream_;
-  DeviceResult result_;
-};
+using GPUv2 = DeviceTraversal<Arithmetic, TwoThreadsASphere>;
 
 const RegisterTraversal<GPUv2, Robust, Literal, Double> registered{
     {.name = "GPUv2",

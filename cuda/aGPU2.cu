@@ -3,10 +3,9 @@
 #include "catena/core/policies/aGPU2.h"
 #include "catena/core/strategy/register.h"
 #include "catena/cuda/device.h"
+#include "catena/cuda/device_construction.h"
 #include "catena/cuda/device_group.cuh"
-#include "catena/cuda/device_tree.h"
 #include "catena/cuda/launch.cuh"
-#include "catena/cuda/stream.h"
 
 namespace catena::cuda {
 namespace {
@@ -39,8 +38,8 @@ __global__ void build_top(HierarchyView<typename Arithmetic::Bound> tree, Level 
 
 /// aGPU2 (Section 4.3) on the device.
 template <class Arithmetic>
-class aGPU2 final : public Construction<typename Arithmetic::Bound> {
-  using Bound = typename Arithmetic::Bound;
+class aGPU2 final : public DeviceConstruction<typename Arithmetic::Bound> {
+  using Tree = HierarchyView<typename Arithmetic::Bound>;
 
  public:
   explicit aGPU2(const Parameters& parameters)
@@ -48,37 +47,26 @@ class aGPU2 final : public Construction<typename Arithmetic::Bound> {
         block_(static_cast<std::uint32_t>(parameters.unsigned_integer("block", 1, 1024))) {}
 
   void build(const ChainView& chain) override {
-    tree_ = storage_.reset(chain.size, stream_);
-    if (chain.size == 0) return;
-    timer_.start(stream_);
-    bool first = true;
-    const auto run_stage = [&](const policy::SubtreeStage& stage) {
-      if (first)
-        launch_blocks(build_leaf_subtrees<Arithmetic>, stage.subtrees(), subtree_ / 2, stream_, chain, tree_,
-                      stage);
-      else
-        launch_blocks(build_subtrees<Arithmetic>, stage.subtrees(), subtree_ / 2, stream_, tree_, stage);
-      first = false;
-    };
-    const auto run_top = [&](const Level& roots, std::uint32_t next, std::uint32_t root_slot) {
-      const std::uint32_t threads = std::min(block_, (roots.pairs() + 31) / 32 * 32);
-      launch_blocks(build_top<Arithmetic>, 1, threads, stream_, tree_, roots, next, root_slot);
-    };
-    policy::aGPU2<Arithmetic>::build(tree_, subtree_, 2 * block_, run_stage, run_top);
-    timer_.stop(stream_);
-    build_ms_ = timer_.ms();
+    this->build_on_device(chain.size, [&](Tree& tree, cudaStream_t stream) {
+      bool first = true;
+      const auto run_stage = [&](const policy::SubtreeStage& stage) {
+        if (first)
+          launch_blocks(build_leaf_subtrees<Arithmetic>, stage.subtrees(), subtree_ / 2, stream, chain, tree,
+                        stage);
+        else
+          launch_blocks(build_subtrees<Arithmetic>, stage.subtrees(), subtree_ / 2, stream, tree, stage);
+        first = false;
+      };
+      const auto run_top = [&](const Level& roots, std::uint32_t next, std::uint32_t root_slot) {
+        const std::uint32_t threads = std::min(block_, (roots.pairs() + 31) / 32 * 32);
+        launch_blocks(build_top<Arithmetic>, 1, threads, stream, tree, roots, next, root_slot);
+      };
+      policy::aGPU2<Arithmetic>::build(tree, subtree_, 2 * block_, run_stage, run_top);
+    });
   }
-
-  HierarchyView<Bound> hierarchy() const override { return tree_; }
-  double own_ms() const override { return build_ms_; }
 
  private:
   std::uint32_t subtree_, block_;
-  Stream stream_;
-  EventTimer timer_;
-  DeviceTree<Bound> storage_;
-  HierarchyView<Bound> tree_{};
-  double build_ms_ = 0;
 };
 
 const RegisterConstruction<aGPU2, Robust, Literal, Double> registered{
