@@ -261,6 +261,12 @@ class Several(Made):
         self.assertIn("times-find-1", figures)
         self.assertIn("times-find-2", figures)
 
+    def test_a_claim_judged_differently_is_told_once(self):
+        summary = re.search(r'id="summary".*?</section>', self.text, re.S).group()
+        differing = re.search(r"hold in one run and not in another</strong>: (.*?)</", summary, re.S).group(1)
+        self.assertIn("Two threads per sphere (GPUv2) reduce the time of GPU2 by half", differing)
+        self.assertEqual(summary.count("Two threads per sphere"), 1)
+
 
 class Drawing(unittest.TestCase):
     def test_labels_keep_their_digits(self):

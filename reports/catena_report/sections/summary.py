@@ -119,15 +119,20 @@ def _stable(run, on):
 
 
 def _claims(report):
-    points = {paper_claims.HOLDS: [], paper_claims.FAILS: []}
+    """Each claim once: where runs differ, neither verdict alone would be true."""
+    titles = {
+        (True, False): "Claims of the paper that hold",
+        (True, True): "Claims that hold in one run and not in another",
+        (False, True): "Claims that do not hold",
+    }
+    points = {key: [] for key in titles}
     for claim, judged in claims.verdicts(report):
-        for verdict in {verdict.verdict for verdict in judged.values()} & set(points):
-            points[verdict].append(claim.text.rstrip("."))
+        found = {verdict.verdict for verdict in judged.values()}
+        key = paper_claims.HOLDS in found, paper_claims.FAILS in found
+        if key in points:
+            points[key].append(claim.text.rstrip("."))
     return [
-        f"<strong>{title}</strong>: {html.escape('; '.join(points[verdict]))}."
-        for verdict, title in (
-            (paper_claims.HOLDS, "Claims of the paper that hold"),
-            (paper_claims.FAILS, "Claims that do not hold"),
-        )
-        if points[verdict]
+        f"<strong>{titles[key]}</strong>: {html.escape('; '.join(texts))}."
+        for key, texts in points.items()
+        if texts
     ]
