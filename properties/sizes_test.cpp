@@ -19,7 +19,8 @@ std::vector<Sphere> tangle(std::uint32_t n, std::uint32_t seed, float scale = 1,
   std::vector<Sphere> spheres;
   float x = 0, y = 0, z = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    spheres.push_back({x * scale + offset, y * scale - offset, z * scale + offset, scale * (0.5f + unit() / 4)});
+    spheres.push_back(
+        {x * scale + offset, y * scale - offset, z * scale + offset, scale * (0.5f + unit() / 4)});
     x += unit(), y += unit(), z += unit();
   }
   return spheres;
@@ -38,7 +39,8 @@ void expect_all_hold(const Case& test, const std::string& what) {
       try {
         const auto variant = subject.make();
         const auto failure = property->check(subject, *variant, test);
-        EXPECT_FALSE(failure) << what << ", " << subject.info.name << ", " << property->name() << ": " << *failure;
+        EXPECT_FALSE(failure) << what << ", " << subject.info.name << ", " << property->name() << ": "
+                              << *failure;
       } catch (const CapacityError&) {
       }
     }
@@ -47,7 +49,8 @@ void expect_all_hold(const Case& test, const std::string& what) {
 
 TEST(Sizes, PowersOfTwoAndTheirNeighbours) {
   std::uint64_t pairs = 0;
-  for (std::uint32_t n : {0u, 1u, 2u, 3u}) expect_all_hold(Case::of(Chain(tangle(n, n))), "n = " + std::to_string(n));
+  for (std::uint32_t n : {0u, 1u, 2u, 3u})
+    expect_all_hold(Case::of(Chain(tangle(n, n))), "n = " + std::to_string(n));
   for (std::uint32_t power = 4; power <= 4096; power *= 2)
     for (std::uint32_t n : {power - 1, power, power + 1}) {
       const Case test = Case::of(Chain(tangle(n, n)));
@@ -71,7 +74,8 @@ TEST(Extremes, CoincidentAndZeroRadius) {
 
 TEST(Extremes, EveryScaleOfBinary32) {
   for (int exponent = -149; exponent <= 119; exponent += 4)
-    expect_all_hold(Case::of(Chain(tangle(100, 7, std::ldexp(1.0f, exponent)))), "scale 2^" + std::to_string(exponent));
+    expect_all_hold(Case::of(Chain(tangle(100, 7, std::ldexp(1.0f, exponent)))),
+                    "scale 2^" + std::to_string(exponent));
 }
 
 TEST(Extremes, FarFromTheOrigin) {
@@ -84,16 +88,19 @@ TEST(Extremes, ScalesMixedWithinOneChain) {
   for (int round = 0; round < 30; ++round) {
     std::vector<Sphere> spheres;
     const auto number = [&](bool positive) {
-      const float value = std::ldexp(static_cast<float>(random() % 1000) / 1000, static_cast<int>(random() % 270) - 148);
+      const float value =
+          std::ldexp(static_cast<float>(random() % 1000) / 1000, static_cast<int>(random() % 270) - 148);
       return positive || random() % 2 ? value : -value;
     };
-    for (int i = 0; i < 60; ++i) spheres.push_back({number(false), number(false), number(false), number(true)});
+    for (int i = 0; i < 60; ++i)
+      spheres.push_back({number(false), number(false), number(false), number(true)});
     expect_all_hold(Case::of(Chain(spheres)), "mixed scales, round " + std::to_string(round));
   }
 }
 
 TEST(Extremes, ExactlyTouchingLattice) {
-  // A serpentine through the integer lattice: unit steps, radius 1/2: every lattice neighbour touches exactly.
+  // A serpentine through the integer lattice: unit steps, radius 1/2: every lattice neighbour touches
+  // exactly.
   std::vector<Sphere> spheres;
   for (int z = 0; z < 5; ++z)
     for (int k = 0; k < 25; ++k) {
@@ -112,12 +119,14 @@ class Depth final : public BoundsVisitor {
   void sphere(std::uint32_t parent, const WideSphere&, std::uint32_t child, const WideSphere&) override {
     builder.add(parent, child);
   }
+  void levels(std::uint32_t number) override { counted = number; }
+  std::uint32_t counted = 0;
   reference::TreeShapeBuilder builder;
 };
 
 TEST(TreeShape, TwiceTheLeavesLessOneAndThePapersDepth) {
-  for (const char* name : {"aCPU2+CPU2", "bGPU2@host+CPU2", "aGPU2@host+CPU2", "aGPU2@host(subtree=6,block=2)+CPU2",
-                           "aGPU2@host(subtree=2,block=1)+CPU2"}) {
+  for (const char* name : {"aCPU2+CPU2", "bGPU2@host+CPU2", "aGPU2@host+CPU2",
+                           "aGPU2@host(subtree=6,block=2)+CPU2", "aGPU2@host(subtree=2,block=1)+CPU2"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     for (std::uint32_t n : {2u, 3u, 4u, 5u, 7u, 8u, 9u, 63u, 64u, 65u, 384u, 385u, 1000u, 1536u}) {
       variant->build(Chain(tangle(n, n)));
@@ -131,6 +140,17 @@ TEST(TreeShape, TwiceTheLeavesLessOneAndThePapersDepth) {
         EXPECT_EQ(shape.depth, std::bit_width(n - 1) + 1) << "ceil(log2 n) + 1, n = " << n;
       }
     }
+  }
+}
+
+// A block takes twice as many roots as it has threads: 16 roots are one top, 17 another stage.
+TEST(TreeShape, RootsOfAGPU2AreToppedByOneBlockWhileTheyFit) {
+  const auto variant = StrategyRegistry::instance().make("aGPU2@host(subtree=6,block=8)+CPU2");
+  for (const auto& [n, levels] : {std::pair{96u, 1u + 3 + 4}, {97u, 1u + 3 + 3 + 2}}) {
+    variant->build(Chain(tangle(n, n)));
+    Depth depth(n);
+    variant->visit_bounds(depth);
+    EXPECT_EQ(depth.builder.shape().depth, levels) << n;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,8 +20,8 @@ bool encloses(const WideSphere& parent, const WideSphere& child);
 /// The same from integers alone, without the binary64 estimate; what the estimate is tested against.
 bool encloses_by_integers(const WideSphere& parent, const WideSphere& child);
 
-/// True when no point is in both: |cA - cB| > rA + rB, in exact arithmetic. Touching is not separate, nor is anything
-/// with NaN, an infinite number or a negative radius. Cost as for `encloses`.
+/// True when no point is in both: |cA - cB| > rA + rB, in exact arithmetic. Touching is not separate, nor is
+/// anything with NaN, an infinite number or a negative radius. Cost as for `encloses`.
 bool separate(const WideSphere& a, const WideSphere& b);
 
 /// The same from integers alone.
@@ -51,13 +52,17 @@ class EnclosureChecker final : public BoundsVisitor {
   void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
               const WideSphere& child) override;
 
+  void levels(std::uint32_t number) override { levels_ = number; }
+
   const EnclosureReport& report() const noexcept { return report_; }
-  TreeShape shape() const { return shape_.shape(); }  ///< O(nodes log nodes)
+  std::optional<std::uint32_t> levels() const noexcept { return levels_; }  ///< as the builder counted them
+  TreeShape shape() const { return shape_.shape(); }                        ///< O(nodes log nodes)
 
  private:
   const Chain& chain_;
   EnclosureReport report_;
   TreeShapeBuilder shape_;
+  std::optional<std::uint32_t> levels_;
 };
 
 }  // namespace catena::reference

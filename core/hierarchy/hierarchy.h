@@ -29,7 +29,8 @@ struct HierarchyView {
   CATENA_HD bool is_leaf(std::uint32_t slot) const { return slot < leaves; }
 };
 
-/// Owner of the arrays on the host. Keeps its capacity, so that building again for n spheres does not allocate.
+/// Owner of the arrays on the host. Keeps its capacity, so that building again for n spheres does not
+/// allocate.
 template <class Bound>
 class Hierarchy {
  public:
@@ -50,8 +51,8 @@ class Hierarchy {
   std::unique_ptr<Links[]> links_;
 };
 
-/// An upper limit of `height` for every hierarchy of this project: n < 2^31 gives at most 32 levels by pairs
-/// (aCPU2), at most 9 a stage of aGPU2 and 4 stages, that is 37.
+/// What traversals keep a stack for; a higher hierarchy is refused when it is built. n < 2^31 gives at most
+/// 32 levels by pairs (aCPU2), at most 9 a stage of aGPU2 and 4 stages, that is 37.
 inline constexpr std::uint32_t max_hierarchy_height = 64;
 
 }  // namespace catena

@@ -76,9 +76,9 @@ struct aGPU2 {
       level = stage.roots();
       next = stage.end();
     } while (level.size > block_leaves);
-    if (level.size > 1) run_top(level, next, next + level.size - 2);
+    tree.root = tree.size() - 1;
+    if (level.size > 1) run_top(level, next, tree.root);
     tree.height += halvings(level.size);
-    tree.root = level.size > 1 ? next + level.size - 2 : level.node(0);
   }
 };
 

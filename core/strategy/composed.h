@@ -1,7 +1,9 @@
 #pragma once
 #include <memory>
 #include <stdexcept>
+#include <string>
 
+#include "catena/core/error.h"
 #include "catena/core/strategy/mover.h"
 #include "catena/core/strategy/space.h"
 #include "catena/core/strategy/stages.h"
@@ -36,6 +38,7 @@ class Composed final : public Variant {
     construction_->build(to_build);
     timings_.build_ms = construction_->own_ms() >= 0 ? construction_->own_ms() : watch.ms();
     tree_ = construction_->hierarchy();
+    require_height(tree_.height);
     build_transfer_ms_ = timings_.transfer_ms;
     if (build_space_ != find_space_) move_tree();
   }
@@ -54,7 +57,8 @@ class Composed final : public Variant {
     return find_space_ == Space::host ? traversal_->evidence() : Accounting::none;
   }
 
-  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result, EvidenceSink& sink) override {
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
     require_built(chain);
     const Stopwatch watch;
     traversal_->find_with_evidence(chain.view(), tree_, request, result, sink);
@@ -70,6 +74,7 @@ class Composed final : public Variant {
       const Bound& b = tree.bound[slot];
       return WideSphere{b.x, b.y, b.z, b.radius};
     };
+    visitor.levels(tree.height);
     for (std::uint32_t slot = tree.leaves; slot < tree.size(); ++slot) {
       visitor.sphere(slot, wide(slot), tree.links[slot].left, wide(tree.links[slot].left));
       visitor.sphere(slot, wide(slot), tree.links[slot].right, wide(tree.links[slot].right));
@@ -77,6 +82,12 @@ class Composed final : public Variant {
   }
 
  private:
+  static void require_height(std::uint32_t levels) {
+    if (levels > max_hierarchy_height)
+      throw CapacityError("the hierarchy has " + std::to_string(levels) +
+                          " levels, and traversals hold at most " + std::to_string(max_hierarchy_height) +
+                          "; use a construction that balances, such as aCPU2");
+  }
   void require_built(const Chain& chain) const {
     if (chain.size() != built_) throw std::logic_error("find: not the chain of the last build");
   }

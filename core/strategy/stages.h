@@ -17,6 +17,7 @@ class Construction {
   /// Builds the hierarchy, which stays valid until the next build. Does not allocate when n has not grown.
   /// Throws CapacityError past a declared limit on n.
   virtual void build(const ChainView& chain) = 0;
+  /// Its height must be the true one: past max_hierarchy_height no traversal is asked to hold it.
   virtual HierarchyView<Bound> hierarchy() const = 0;
   /// Milliseconds of the last build by the stage's own clock (CUDA events); negative: the caller's wall clock
   /// counts.

@@ -19,6 +19,8 @@ class BoundsVisitor {
   /// infinite radius encloses everything.
   virtual void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
                       const WideSphere& child) = 0;
+  /// Levels from root to leaf, as the builder counted them; not called by strategies that do not count.
+  virtual void levels(std::uint32_t) {}
 };
 
 /// One complete way from chain to collisions; the only contract that the rest of catena knows. A hierarchy,
