@@ -175,7 +175,7 @@ TEST(Report, RefusesABuildThatIsNotRelease) {
 }
 
 TEST(Report, PaperMeasuresThePapersTables) {
-  std::ifstream file(CATENA_SOURCE_DIR "/reports/paper_tables.json");
+  std::ifstream file(CATENA_SOURCE_DIR "/reports/catena_report/paper_tables.json");
   const Json tables = Json::parse(file);
   std::vector<std::string> expected, planned;
   for (const char* path : {"path1", "path2"})

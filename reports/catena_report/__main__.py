@@ -54,9 +54,9 @@ def _page(paths, output):
     try:
         path = page.write(report.Report(runs), output)
     except OSError as error:
-        raise runfile.BadRunFile(
-            f"{error.filename}: {error.strerror}; give --output a folder that can be written"
-        ) from None
+        own = str(error.filename).startswith(page.HERE.as_posix())
+        advice = "install catena again" if own else "give --output a folder that can be written"
+        raise runfile.BadRunFile(f"{error.filename}: {error.strerror}; {advice}") from None
     size = path.stat().st_size
     print(f"{path} ({size / 1e6:.1f} MB)")
     if size > page.LIMIT:

@@ -4,7 +4,7 @@ import pathlib
 
 from .runfile import n_of, scene_of
 
-PATH = pathlib.Path(__file__).parent.parent / "paper_tables.json"
+PATH = pathlib.Path(__file__).parent / "paper_tables.json"
 
 # The paper's algorithm -> the variant and stage it is measured in.
 STAGES = {

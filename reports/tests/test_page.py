@@ -6,9 +6,13 @@ import csv
 import gzip
 import html.parser
 import json
+import os
 import pathlib
 import re
+import shutil
 import statistics as plain
+import subprocess
+import sys
 import tempfile
 import unittest
 import unittest.mock
@@ -305,6 +309,24 @@ class Views(unittest.TestCase):
             ("path2/n:20", None),
         ):
             self.assertEqual(pages.view(asked), shown, asked)
+
+
+class Installed(unittest.TestCase):
+    """As `cmake --install` leaves the package: alone, with nothing of the source tree beside it."""
+
+    def test_it_writes_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            package = pathlib.Path(page.__file__).parent
+            shutil.copytree(package, folder / "share" / package.name)
+            done = subprocess.run(
+                [sys.executable, "-m", package.name, "--output", folder / "page", made.H200],
+                env={**os.environ, "PYTHONPATH": str(folder / "share")},
+                capture_output=True,
+                text=True,
+            )
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("the paper", (folder / "page" / "index.html").read_text())
 
 
 class WithoutPlotly(unittest.TestCase):
