@@ -65,16 +65,14 @@ class Page(unittest.TestCase):
             before = browser.pixels(plot)
             button.click()
             browser.wait(driver, lambda _: button.get_attribute("aria-pressed") == "false")
-            time.sleep(0.3)
-            away = browser.pixels(plot)
-            self.assertGreater((before != away).any(axis=2).mean(), 0.002)
+            changed = lambda: (before != browser.pixels(plot)).any(axis=2).mean()  # noqa: E731
+            browser.wait(driver, lambda _: changed() > 0.002)
             states = driver.execute_script(
                 "return arguments[0].data.filter(t => t.name == 'GPU1').map(t => t.visible)", plot
             )
             self.assertEqual(states, ["legendonly"])
             button.click()
-            time.sleep(0.5)
-            self.assertLess((before != browser.pixels(plot)).any(axis=2).mean(), 0.001)
+            browser.wait(driver, lambda _: changed() < 0.001)
 
     @unittest.skipUnless(interactive.library(), "python3-plotly is not installed")
     def test_a_click_on_a_point_shows_its_replay_command(self):
@@ -88,9 +86,9 @@ class Page(unittest.TestCase):
             )
             from selenium.webdriver import ActionChains
 
-            ActionChains(driver).move_to_element_with_offset(plot, *map(round, place[:2])).pause(
-                0.3
-            ).click().perform()
+            ActionChains(driver).move_to_element_with_offset(plot, *map(round, place[:2])).perform()
+            browser.wait(driver, lambda d: d.execute_script("return Boolean(arguments[0]._hoverdata)", plot))
+            ActionChains(driver).click().perform()
             box = driver.find_element("id", "picked")
             browser.wait(driver, lambda _: box.is_displayed())
             self.assertEqual(box.find_element("class name", "command").text, place[2]["command"])

@@ -37,11 +37,11 @@ class Opened:
             "const done = arguments[2]; catenaViewer.show(arguments[0], arguments[1] ?? undefined).then(done);", name, frame)
 
     def settle(self):
-        """Until nothing has been drawn for half a second: a flight has landed."""
-        end, before = time.monotonic() + 60, -1
+        """Until nothing has been drawn for half a second, and nothing is waiting to be: a flight has landed."""
+        end, before = time.monotonic() + 60, None
         while time.monotonic() < end:
-            now = self.run("return scene.renders")
-            if now == before:
+            now = self.run("return scene.requested ? null : scene.renders")
+            if now and now == before:
                 return
             before = now
             time.sleep(0.5)
