@@ -13,7 +13,7 @@ target_link_libraries(catena_tests PRIVATE catena catena_options catena_reports 
                       nlohmann_json::nlohmann_json Eigen3::Eigen)
 target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                            CATENA_PROGRAM="$<TARGET_FILE:catena_cli>")
-target_precompile_headers(catena_tests PRIVATE <gtest/gtest.h>)  # a quarter of the time of a test's file
+target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
 add_dependencies(catena_tests catena_cli)  # tests run the program too
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*:Device*" PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
