@@ -136,6 +136,7 @@ TEST(TreeShape, TwiceTheLeavesLessOneAndThePapersDepth) {
       EXPECT_TRUE(shape.is_tree()) << name << ' ' << n;
       EXPECT_EQ(shape.nodes, 2 * n - 1) << name << ' ' << n;
       EXPECT_EQ(shape.leaves, n) << name << ' ' << n;
+      EXPECT_EQ(depth.counted, shape.depth) << name << ' ' << n;
       if (std::string(name) == "aCPU2+CPU2") {
         EXPECT_EQ(shape.depth, std::bit_width(n - 1) + 1) << "ceil(log2 n) + 1, n = " << n;
       }
