@@ -34,6 +34,15 @@ endif()
 # #include.
 set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <optional> <string> <vector> <fmt/format.h>)
 
+# Such a file is mostly the option parser, which the sanitizers take longer to compile than all algorithms.
+if(CATENA_SANITIZE)
+  foreach(folder core reference properties bench reports)
+    file(GLOB_RECURSE commands CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_command.cpp ${PROJECT_SOURCE_DIR}/${folder}/*_option*.cpp)
+    list(APPEND parsing ${commands})
+  endforeach()
+  set_source_files_properties(${parsing} ${PROJECT_SOURCE_DIR}/core/main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+endif()
+
 set(CATENA_PARTS "")
 # catena_part(name [libraries...]): all .cpp files below this folder, but for tests, main.cpp and what needs Google
 # Benchmark, as one OBJECT library.
