@@ -34,7 +34,7 @@ endif()
 # #include.
 set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <optional> <string> <vector> <fmt/format.h>)
 
-# Such a file is mostly the option parser, which the sanitizers take longer to compile than all algorithms.
+# The file of a command is mostly the option parser, which takes the sanitizers longer to compile than all algorithms.
 if(CATENA_SANITIZE)
   foreach(folder core reference properties bench reports)
     file(GLOB_RECURSE commands CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_command.cpp ${PROJECT_SOURCE_DIR}/${folder}/*_option*.cpp)

@@ -95,14 +95,7 @@ RC_GTEST_PROP(ExactGap, AgreesWithRationalsNearTies, ()) {
 }
 
 RC_GTEST_PROP(ExactGap, AgreesWithRationalsWhereRadiiMeetTheDistance, ()) {
-  // Radii chosen so that the sum is the distance, rounded: as near to a tie as floats allow.
-  auto a = *testing::any_sphere(), b = *testing::any_sphere();
-  const double distance = std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
-  RC_PRE(distance < greatest);
-  a.radius = static_cast<float>(distance * *rc::gen::inRange(0, 9) / 8);
-  b.radius =
-      testing::nudged(static_cast<float>(std::max(0.0, distance - a.radius)), *rc::gen::inRange(-1, 2));
-  b.radius = std::fabs(b.radius);
+  const auto [a, b] = *testing::nearly_touching_spheres();
   check(a, b);
 }
 

@@ -3,10 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "catena/reference/exact_gap.h"
 #include "catena/reference/testing/nasty.h"
 
@@ -36,12 +32,7 @@ RC_GTEST_PROP(ExactSign, IsTheReferencesNearTies, ()) {
 }
 
 RC_GTEST_PROP(ExactSign, IsTheReferencesWhereRadiiMeetTheDistance, ()) {
-  auto a = *testing::any_sphere(), b = *testing::any_sphere();
-  const double distance = std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
-  RC_PRE(distance < std::numeric_limits<float>::max());
-  a.radius = static_cast<float>(distance * *rc::gen::inRange(0, 9) / 8);
-  b.radius = std::fabs(
-      testing::nudged(static_cast<float>(std::max(0.0, distance - a.radius)), *rc::gen::inRange(-1, 2)));
+  const auto [a, b] = *testing::nearly_touching_spheres();
   RC_ASSERT(ExactSign::of_gap(a, b) == gap_sign(a, b));
 }
 

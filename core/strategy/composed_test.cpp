@@ -8,27 +8,13 @@
 namespace catena {
 namespace {
 
-/// Sphere i beside all before it: as many levels as spheres.
-class Vine final : public Construction<Sphere> {
+/// Counts as many levels as spheres, as a tree grown by insertion in chain order has.
+class Tall final : public Construction<Sphere> {
  public:
-  void build(const ChainView& chain) override {
-    tree_ = storage_.reset(chain.size);
-    tree_.height = chain.size;
-    tree_.root = tree_.size() - 1;
-    for (std::uint32_t i = 0; i < chain.size; ++i) {
-      tree_.bound[i] = chain.spheres[i];
-      tree_.links[i] = Links::of_leaf();
-    }
-    for (std::uint32_t i = 1; i < chain.size; ++i) {
-      const std::uint32_t slot = chain.size + i - 1, before = i == 1 ? 0 : slot - 1;
-      tree_.links[slot] = {before, i};
-      tree_.bound[slot] = Robust::parent(tree_.bound[before], tree_.bound[i]);
-    }
-  }
+  void build(const ChainView& chain) override { tree_.height = chain.size; }
   HierarchyView<Sphere> hierarchy() const override { return tree_; }
 
  private:
-  Hierarchy<Sphere> storage_;
   HierarchyView<Sphere> tree_{};
 };
 
@@ -37,7 +23,7 @@ class NoTraversal final : public Traversal<Sphere> {
 };
 
 TEST(Composed, RefusesAHierarchyHigherThanTheTraversalsStacks) {
-  Composed<Robust> variant(std::make_unique<Vine>(), Space::host, std::make_unique<NoTraversal>(),
+  Composed<Robust> variant(std::make_unique<Tall>(), Space::host, std::make_unique<NoTraversal>(),
                            Space::host, nullptr);
   const auto chain = [](std::uint32_t n) { return Chain(std::vector<Sphere>(n, Sphere{0, 0, 0, 1})); };
   EXPECT_NO_THROW(variant.build(chain(max_hierarchy_height)));

@@ -1,10 +1,13 @@
 #pragma once
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "catena/core/sphere.h"
@@ -49,6 +52,25 @@ inline rc::Gen<Sphere> lattice_sphere(int exponent) {
 inline rc::Gen<Sphere> any_sphere() {
   return rc::gen::map(rc::gen::tuple(any_float(), any_float(), any_float(), any_float()), [](const auto& t) {
     return Sphere{std::get<0>(t), std::get<1>(t), std::get<2>(t), std::fabs(std::get<3>(t))};
+  });
+}
+
+/// Two spheres, the sum of whose radii is their distance, rounded: as near to a tie as floats allow.
+inline rc::Gen<std::pair<Sphere, Sphere>> nearly_touching_spheres() {
+  const auto distance = [](const Sphere& a, const Sphere& b) {
+    return std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
+  };
+  const auto drawn = rc::gen::suchThat(
+      rc::gen::tuple(any_sphere(), any_sphere(), rc::gen::inRange(0, 9), rc::gen::inRange(-1, 2)),
+      [distance](const auto& t) {
+        return distance(std::get<0>(t), std::get<1>(t)) < std::numeric_limits<float>::max();
+      });
+  return rc::gen::map(drawn, [distance](const auto& t) {
+    auto [a, b, eighths, steps] = t;
+    const double apart = distance(a, b);
+    a.radius = static_cast<float>(apart * eighths / 8);
+    b.radius = std::fabs(nudged(static_cast<float>(std::max(0.0, apart - a.radius)), steps));
+    return std::pair(a, b);
   });
 }
 
