@@ -16,8 +16,8 @@ class Levels final : public BoundsVisitor {
  public:
   explicit Levels(std::uint32_t leaves) : leaves_(leaves) {}
 
-  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-              const WideSphere& child) override {
+  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+              const Sphere64& child) override {
     Node& node = nodes_[parent_id];
     node.children.push_back(child_id);
     if (reference::encloses(parent, child)) return;

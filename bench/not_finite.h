@@ -11,14 +11,14 @@ namespace catena::bench {
 /// infinite radius alone is an honest bound and not counted.
 class NotFiniteNodes final : public BoundsVisitor {
  public:
-  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-              const WideSphere& child) override {
+  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+              const Sphere64& child) override {
     if (!is_sphere(parent)) bad_.insert(parent_id);
     if (!is_sphere(child)) bad_.insert(child_id);
   }
   std::uint64_t count() const { return bad_.size(); }
 
-  static bool is_sphere(const WideSphere& s) {
+  static bool is_sphere(const Sphere64& s) {
     return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && !std::isnan(s.radius);
   }
 

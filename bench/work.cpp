@@ -58,7 +58,7 @@ std::optional<Work> count_work(const VariantInfo& info, const Chain& chain) {
   variant->find_with_evidence(chain, {.want = Request::Want::counts}, found, sink);
   // All pairs are compared as stored; a tree in binary64 has wide bounds.
   const bool wide = info.arithmetic == Double::name && !info.all_pairs;
-  return sink.work(wide ? sizeof(WideSphere) : sizeof(Sphere));
+  return sink.work(wide ? sizeof(Sphere64) : sizeof(Sphere));
 }
 
 }  // namespace catena::bench

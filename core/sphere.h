@@ -12,10 +12,10 @@ struct alignas(16) Sphere {
 static_assert(sizeof(Sphere) == 16 && std::is_trivially_copyable_v<Sphere>);
 
 /// A sphere in binary64; every Sphere converts to it without rounding.
-struct alignas(32) WideSphere {
+struct alignas(32) Sphere64 {
   double x, y, z, radius;
-  friend bool operator==(const WideSphere&, const WideSphere&) = default;
+  friend bool operator==(const Sphere64&, const Sphere64&) = default;
 };
-static_assert(sizeof(WideSphere) == 32 && std::is_trivially_copyable_v<WideSphere>);
+static_assert(sizeof(Sphere64) == 32 && std::is_trivially_copyable_v<Sphere64>);
 
 }  // namespace catena

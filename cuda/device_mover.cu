@@ -39,13 +39,13 @@ class DeviceMover final : public Mover {
   HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) override {
     return upload(host, bounds_);
   }
-  HierarchyView<WideSphere> to_device(const HierarchyView<WideSphere>& host) override {
+  HierarchyView<Sphere64> to_device(const HierarchyView<Sphere64>& host) override {
     return upload(host, wide_bounds_);
   }
   HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) override {
     return download(device, host_bounds_);
   }
-  HierarchyView<WideSphere> to_host(const HierarchyView<WideSphere>& device) override {
+  HierarchyView<Sphere64> to_host(const HierarchyView<Sphere64>& device) override {
     return download(device, host_wide_bounds_);
   }
   void flush_cache() override {
@@ -83,13 +83,13 @@ class DeviceMover final : public Mover {
 
   Stream stream_;  // first, so that it outlives the buffers
   DeviceBuffer<Sphere> spheres_, bounds_;
-  DeviceBuffer<WideSphere> wide_bounds_;
+  DeviceBuffer<Sphere64> wide_bounds_;
   DeviceBuffer<Links> links_;
   DeviceBuffer<std::uint32_t> strand_of_, strand_first_, extra_row_, extra_;
   DeviceBuffer<std::uint8_t> strand_closed_, flushed_;
   DeviceBuffer<double> arc_, loop_length_;
   std::vector<Sphere> host_bounds_;
-  std::vector<WideSphere> host_wide_bounds_;
+  std::vector<Sphere64> host_wide_bounds_;
   std::vector<Links> host_links_;
 };
 

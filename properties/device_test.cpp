@@ -34,8 +34,8 @@ Chain scene(const std::string& spec) {
 /// Every node of a tree with its bits.
 class Nodes final : public BoundsVisitor {
  public:
-  void sphere(std::uint32_t parent, const WideSphere& p, std::uint32_t child, const WideSphere& c) override {
-    const auto bits = [](const WideSphere& s) { return std::tuple(s.x, s.y, s.z, s.radius); };
+  void sphere(std::uint32_t parent, const Sphere64& p, std::uint32_t child, const Sphere64& c) override {
+    const auto bits = [](const Sphere64& s) { return std::tuple(s.x, s.y, s.z, s.radius); };
     nodes[{parent, child}] = {bits(p), bits(c)};
   }
   using Bits = std::tuple<double, double, double, double>;

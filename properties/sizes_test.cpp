@@ -116,7 +116,7 @@ TEST(Extremes, ExactlyTouchingLattice) {
 class Depth final : public BoundsVisitor {
  public:
   explicit Depth(std::uint32_t n) : builder(n) {}
-  void sphere(std::uint32_t parent, const WideSphere&, std::uint32_t child, const WideSphere&) override {
+  void sphere(std::uint32_t parent, const Sphere64&, std::uint32_t child, const Sphere64&) override {
     builder.add(parent, child);
   }
   void levels(std::uint32_t number) override { counted = number; }

@@ -36,7 +36,7 @@ struct Recorded final : EvidenceSink, BoundsVisitor {
   };
   struct Edge {
     std::uint32_t parent_id, child_id;
-    WideSphere parent, child;
+    Sphere64 parent, child;
   };
   void discarded(std::uint32_t a, std::uint32_t b) override {
     lines.push_back({&EvidenceSink::discarded, a, b});
@@ -45,8 +45,8 @@ struct Recorded final : EvidenceSink, BoundsVisitor {
   void excluded(std::uint32_t i, std::uint32_t j) override {
     lines.push_back({&EvidenceSink::excluded, i, j});
   }
-  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-              const WideSphere& child) override {
+  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+              const Sphere64& child) override {
     edges.push_back({parent_id, child_id, parent, child});
   }
 
@@ -235,9 +235,9 @@ TEST(Certificate, AccountsForUnorderedPairsOfASearchThatMeetsEachOnce) {
 }
 
 TEST(Separate, TouchingIsNotAndOneUlpMoreIs) {
-  const WideSphere a{0, 0, 0, 1};
+  const Sphere64 a{0, 0, 0, 1};
   for (double scale : {1.0, 0x1p-500, 0x1p500}) {
-    const WideSphere unit{0, 0, 0, scale};
+    const Sphere64 unit{0, 0, 0, scale};
     EXPECT_FALSE(separate(unit, {3 * scale, 4 * scale, 0, 4 * scale}));
     EXPECT_TRUE(separate(unit, {3 * scale, std::nextafter(4 * scale, 1e308), 0, 4 * scale}));
     EXPECT_FALSE(separate(unit, {3 * scale, std::nextafter(4 * scale, 0), 0, 4 * scale}));
@@ -253,7 +253,7 @@ TEST(Separate, FilterAndIntegersAgree) {
     const auto number = [&] {
       return std::ldexp(static_cast<double>(random() % 64), static_cast<int>(random() % 3));
     };
-    const WideSphere a{number(), number(), number(), number()}, b{number(), number(), number(), number()};
+    const Sphere64 a{number(), number(), number(), number()}, b{number(), number(), number(), number()};
     EXPECT_EQ(separate(a, b), separate_by_integers(a, b));
   }
 }

@@ -19,16 +19,16 @@ using Integer =
 using Real = mp::cpp_bin_float_quad;  // 113 bits, exponents to 2^16383: squares of binary64 neither overflow
                                       // nor underflow
 
-bool finite(const WideSphere& s) {
+bool finite(const Sphere64& s) {
   return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.radius);
 }
-bool has_nan(const WideSphere& s) {
+bool has_nan(const Sphere64& s) {
   return std::isnan(s.x) || std::isnan(s.y) || std::isnan(s.z) || std::isnan(s.radius);
 }
 
 /// Finite numbers with radii >= 0, or an answer that needs no arithmetic.
 enum class Case { no, yes, finite };
-Case easy(const WideSphere& parent, const WideSphere& child) {
+Case easy(const Sphere64& parent, const Sphere64& child) {
   if (has_nan(parent) || has_nan(child) || parent.radius < 0 || child.radius < 0) return Case::no;
   if (std::isinf(parent.radius)) return Case::yes;
   return finite(parent) && finite(child) ? Case::finite : Case::no;
@@ -40,7 +40,7 @@ struct Scaled {
   int unit;  ///< s is in units of 2^unit, q in units of 2^(2 unit)
 };
 
-Scaled scaled(const WideSphere& p, const WideSphere& c) {
+Scaled scaled(const Sphere64& p, const Sphere64& c) {
   const std::array<double, 8> numbers{p.x, p.y, p.z, p.radius, c.x, c.y, c.z, c.radius};
   std::array<std::int64_t, 8> mantissa;
   std::array<int, 8> exponent;
@@ -59,14 +59,14 @@ Scaled scaled(const WideSphere& p, const WideSphere& c) {
 
 }  // namespace
 
-bool encloses_by_integers(const WideSphere& parent, const WideSphere& child) {
+bool encloses_by_integers(const Sphere64& parent, const Sphere64& child) {
   if (const Case c = easy(parent, child); c != Case::finite) return c == Case::yes;
   if (parent.radius < child.radius) return false;
   const Scaled e = scaled(parent, child);
   return e.q <= e.s * e.s;
 }
 
-bool encloses(const WideSphere& parent, const WideSphere& child) {
+bool encloses(const Sphere64& parent, const Sphere64& child) {
   if (const Case c = easy(parent, child); c != Case::finite) return c == Case::yes;
   if (parent.radius < child.radius) return false;
   const double dx = parent.x - child.x, dy = parent.y - child.y, dz = parent.z - child.z;
@@ -82,13 +82,13 @@ bool encloses(const WideSphere& parent, const WideSphere& child) {
   return encloses_by_integers(parent, child);
 }
 
-bool separate_by_integers(const WideSphere& a, const WideSphere& b) {
+bool separate_by_integers(const Sphere64& a, const Sphere64& b) {
   if (!finite(a) || !finite(b) || a.radius < 0 || b.radius < 0) return false;
   const Scaled e = scaled(a, {b.x, b.y, b.z, -b.radius});  // s = rA + rB
   return e.q > e.s * e.s;
 }
 
-bool separate(const WideSphere& a, const WideSphere& b) {
+bool separate(const Sphere64& a, const Sphere64& b) {
   const double dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z, s = a.radius + b.radius;
   const double q = dx * dx + dy * dy + dz * dz, t = s * s;
   // Error bounds as in `encloses`. Comparisons with NaN are false and leave it to the exact test.
@@ -100,7 +100,7 @@ bool separate(const WideSphere& a, const WideSphere& b) {
   return separate_by_integers(a, b);
 }
 
-double shortfall(const WideSphere& parent, const WideSphere& child) {
+double shortfall(const Sphere64& parent, const Sphere64& child) {
   const Case c = easy(parent, child);
   if (c == Case::yes) return -1;  // an infinite radius
   if (c == Case::no) return std::numeric_limits<double>::infinity();
@@ -113,8 +113,8 @@ double shortfall(const WideSphere& parent, const WideSphere& child) {
   return static_cast<double>(ldexp(out, e.unit) / parent.radius);
 }
 
-void EnclosureChecker::sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-                              const WideSphere& child) {
+void EnclosureChecker::sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+                              const Sphere64& child) {
   shape_.add(parent_id, child_id);
   ++report_.bounds;
   if (!encloses(parent, child)) {
@@ -123,7 +123,7 @@ void EnclosureChecker::sphere(std::uint32_t parent_id, const WideSphere& parent,
   }
   if (child_id < chain_.size()) {
     const Sphere& s = chain_[child_id];
-    if (child != WideSphere{s.x, s.y, s.z, s.radius}) ++report_.foreign_leaves;
+    if (child != Sphere64{s.x, s.y, s.z, s.radius}) ++report_.foreign_leaves;
   }
 }
 

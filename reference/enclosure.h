@@ -15,21 +15,21 @@ namespace catena::reference {
 /// tolerance. An infinite parent radius encloses everything. NaN anywhere, a negative radius, or an infinite
 /// number elsewhere is a violation. O(1); allocates only near a tie or where binary64 could overflow or
 /// underflow.
-bool encloses(const WideSphere& parent, const WideSphere& child);
+bool encloses(const Sphere64& parent, const Sphere64& child);
 
 /// The same from integers alone, without the binary64 estimate; what the estimate is tested against.
-bool encloses_by_integers(const WideSphere& parent, const WideSphere& child);
+bool encloses_by_integers(const Sphere64& parent, const Sphere64& child);
 
 /// True when no point is in both: |cA - cB| > rA + rB, in exact arithmetic. Touching is not separate, nor is
 /// anything with NaN, an infinite number or a negative radius. Cost as for `encloses`.
-bool separate(const WideSphere& a, const WideSphere& b);
+bool separate(const Sphere64& a, const Sphere64& b);
 
 /// The same from integers alone.
-bool separate_by_integers(const WideSphere& a, const WideSphere& b);
+bool separate_by_integers(const Sphere64& a, const Sphere64& b);
 
 /// How far the child sticks out, (|cP - cC| + rC - rP) / rP, to a relative 2^-50; negative or 0 when
 /// enclosed, infinite when a number is not finite or rP = 0 does not enclose.
-double shortfall(const WideSphere& parent, const WideSphere& child);
+double shortfall(const Sphere64& parent, const Sphere64& child);
 
 struct EnclosureReport {
   std::uint64_t bounds = 0;      ///< (parent, child) seen
@@ -49,8 +49,8 @@ class EnclosureChecker final : public BoundsVisitor {
   /// `chain` is that of the variant's last build and must outlive the checker.
   explicit EnclosureChecker(const Chain& chain) : chain_(chain), shape_(chain.size()) {}
 
-  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-              const WideSphere& child) override;
+  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+              const Sphere64& child) override;
 
   void levels(std::uint32_t number) override { levels_ = number; }
 

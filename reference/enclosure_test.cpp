@@ -17,13 +17,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity(),
 constexpr double least = std::numeric_limits<double>::denorm_min(),
                  greatest = std::numeric_limits<double>::max();
 
-bool by_rationals(const WideSphere& p, const WideSphere& c) {
+bool by_rationals(const Sphere64& p, const Sphere64& c) {
   const Rational dx = Rational(p.x) - Rational(c.x), dy = Rational(p.y) - Rational(c.y),
                  dz = Rational(p.z) - Rational(c.z), s = Rational(p.radius) - Rational(c.radius);
   return s >= 0 && Rational(dx * dx + dy * dy + dz * dz) <= Rational(s * s);
 }
 
-void check(const WideSphere& parent, const WideSphere& child) {
+void check(const Sphere64& parent, const Sphere64& child) {
   const bool exact = by_rationals(parent, child);
   RC_TAG(exact ? "encloses" : "does not");
   RC_ASSERT(encloses(parent, child) == exact);
@@ -36,7 +36,7 @@ RC_GTEST_PROP(Enclosure, AgreesWithRationalsOnAnyNumbers, ()) {
       rc::gen::tuple(testing::any_double(), testing::any_double(), testing::any_double(),
                      testing::any_double()),
       [](const auto& t) {
-        return WideSphere{std::get<0>(t), std::get<1>(t), std::get<2>(t), std::fabs(std::get<3>(t))};
+        return Sphere64{std::get<0>(t), std::get<1>(t), std::get<2>(t), std::fabs(std::get<3>(t))};
       });
   auto parent = *sphere;
   const auto child = *sphere;
@@ -48,8 +48,8 @@ RC_GTEST_PROP(Enclosure, AgreesWithRationalsNearTies, ()) {
   // A Pythagorean offset, so that a radius can fit exactly, then a few ulps more or less, at any scale.
   const int k = *rc::gen::inRange(1, 1000000), exponent = *rc::gen::inRange(-1074, 980);
   const double unit = std::ldexp(1.0, exponent), rc = *rc::gen::inRange(0, 1000) * unit;
-  const WideSphere child{2 * k * unit, 3 * k * unit, 6 * k * unit, rc};
-  WideSphere parent{0, 0, 0, 7 * k * unit + rc};
+  const Sphere64 child{2 * k * unit, 3 * k * unit, 6 * k * unit, rc};
+  Sphere64 parent{0, 0, 0, 7 * k * unit + rc};
   const int steps = *rc::gen::inRange(-3, 4);
   for (int s = 0; s < std::abs(steps); ++s)
     parent.radius = std::nextafter(parent.radius, steps > 0 ? infinity : 0.0);
@@ -59,14 +59,14 @@ RC_GTEST_PROP(Enclosure, AgreesWithRationalsNearTies, ()) {
 }
 
 TEST(Enclosure, NumbersThatAreNotFinite) {
-  const WideSphere unit{0, 0, 0, 1};
+  const Sphere64 unit{0, 0, 0, 1};
   EXPECT_TRUE(encloses({0, 0, 0, infinity}, unit));
   EXPECT_TRUE(encloses({0, 0, 0, infinity}, {5, 0, 0, infinity}));
   EXPECT_FALSE(encloses(unit, {0, 0, 0, infinity}));
   EXPECT_FALSE(encloses(unit, {infinity, 0, 0, 0}));
   EXPECT_FALSE(encloses({infinity, 0, 0, 1}, {infinity, 0, 0, 1}));
-  for (const WideSphere bad :
-       {WideSphere{nan, 0, 0, 1}, {0, nan, 0, 1}, {0, 0, nan, 1}, {0, 0, 0, nan}, {0, 0, 0, -1}}) {
+  for (const Sphere64 bad :
+       {Sphere64{nan, 0, 0, 1}, {0, nan, 0, 1}, {0, 0, nan, 1}, {0, 0, 0, nan}, {0, 0, 0, -1}}) {
     EXPECT_FALSE(encloses(bad, unit));
     EXPECT_FALSE(encloses(unit, bad));
     EXPECT_FALSE(encloses({0, 0, 0, infinity}, bad));
@@ -94,7 +94,7 @@ TEST(Enclosure, Shortfall) {
 TEST(Enclosure, CheckerReportsViolationsAndForeignLeaves) {
   const Chain chain({{0, 0, 0, 1}, {2, 0, 0, 1}, {4, 0, 0, 1}});
   EnclosureChecker checker(chain);
-  const WideSphere a{0, 0, 0, 1}, b{2, 0, 0, 1}, ab{1, 0, 0, 2}, small{2, 0, 0, 2};
+  const Sphere64 a{0, 0, 0, 1}, b{2, 0, 0, 1}, ab{1, 0, 0, 2}, small{2, 0, 0, 2};
   checker.sphere(3, ab, 0, a);
   checker.sphere(3, ab, 1, b);
   checker.sphere(4, small, 3, ab);  // out by 1 of 2

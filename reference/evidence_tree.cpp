@@ -23,8 +23,8 @@ EvidenceTree::EvidenceTree(const Chain& chain) : leaves_(chain.size()), nodes_(c
   all_pairs_ = Fingerprint::difference(Fingerprint::product(all.row, all.column), same);
 }
 
-void EvidenceTree::sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-                          const WideSphere& child) {
+void EvidenceTree::sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+                          const Sphere64& child) {
   ++report_.bounds;
   report_.unenclosed += !encloses(parent, child);
   const bool placed = show(parent_id, parent) != nullptr && parent_id >= leaves_;
@@ -37,7 +37,7 @@ void EvidenceTree::sphere(std::uint32_t parent_id, const WideSphere& parent, std
   ++nodes_[parent_id].open_children;
 }
 
-EvidenceTree::Node* EvidenceTree::show(std::uint32_t id, const WideSphere& bound) {
+EvidenceTree::Node* EvidenceTree::show(std::uint32_t id, const Sphere64& bound) {
   if (id / 4 >= leaves_) return nullptr;
   if (id >= nodes_.size()) nodes_.resize(std::size_t{id} + 1);
   Node& node = nodes_[id];

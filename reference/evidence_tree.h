@@ -26,13 +26,13 @@ class EvidenceTree final : public BoundsVisitor {
   /// `chain` must outlive the tree. Weights are drawn from std::random_device, so no search can know them.
   explicit EvidenceTree(const Chain& chain);
 
-  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-              const WideSphere& child) override;
+  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+              const Sphere64& child) override;
   /// Call once when all bounds were shown: adds up weights from the leaves to the roots, O(nodes).
   void complete();
 
   bool knows(std::uint32_t id) const { return id < nodes_.size() && nodes_[id].known; }
-  const WideSphere& bound(std::uint32_t id) const { return nodes_[id].bound; }
+  const Sphere64& bound(std::uint32_t id) const { return nodes_[id].bound; }
   const Fingerprint::Weight& weight(std::uint32_t id) const { return nodes_[id].weight; }
   std::uint64_t all_pairs() const {
     return all_pairs_;
@@ -42,13 +42,13 @@ class EvidenceTree final : public BoundsVisitor {
  private:
   static constexpr std::uint32_t no_parent = 0xFFFFFFFF;
   struct alignas(64) Node {
-    WideSphere bound{};
+    Sphere64 bound{};
     Fingerprint::Weight weight;
     std::uint32_t parent = no_parent;
     std::uint32_t open_children : 31 = 0;  ///< whose weight is not in this one yet
     std::uint32_t known : 1 = 0;
   };
-  Node* show(std::uint32_t id, const WideSphere& bound);
+  Node* show(std::uint32_t id, const Sphere64& bound);
 
   const std::uint32_t leaves_;
   std::vector<Node> nodes_;

@@ -49,7 +49,7 @@ struct Literal : PaperFormulas<float, Sphere> {
 };
 
 /// The paper in binary64.
-struct Double : PaperFormulas<double, WideSphere> {
+struct Double : PaperFormulas<double, Sphere64> {
   static constexpr const char* name = "double";
   using InRange = Double;
 };

@@ -21,21 +21,21 @@ struct Robust {
   CATENA_HD static Bound bound(const Sphere& s) { return s; }
 
   /// True only when the spheres are separate for certain by stage 1; cheap, and free of calls.
-  CATENA_HD static bool separate(const Sphere& a, const Sphere& b) { return Narrow(a, b).separate(); }
+  CATENA_HD static bool separate(const Sphere& a, const Sphere& b) { return Binary32(a, b).separate(); }
 
   /// True when the spheres overlap or touch. Exact for all finite Spheres.
   CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
-    const Narrow n(a, b);
+    const Binary32 n(a, b);
     if (n.separate()) return false;
-    if (n.in_range() && n.q * narrow_slack < n.t) return true;
+    if (n.in_range() && n.q * binary32_slack < n.t) return true;
     return overlap_undecided(a, b);
   }
 
   /// False only when the spheres are separate for certain. A node may have an infinite radius.
   CATENA_HD static bool may_overlap(const Sphere& query, const Sphere& node) {
-    const Narrow n(query, node);
+    const Binary32 n(query, node);
     if (n.separate()) return false;
-    return n.in_range() || decide_wide(query, node) != Decision::separate;
+    return n.in_range() || decide_in_binary64(query, node) != Decision::separate;
   }
 
   /// The same tests for a chain in range, whose stage 1 needs neither floor nor range check: one product more
@@ -43,13 +43,13 @@ struct Robust {
   struct InRange {
     using Bound = Sphere;
     CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
-      const Narrow n(a, b);
-      if (n.q > n.t * narrow_slack) return false;
-      return n.q * narrow_slack < n.t || overlap_undecided(a, b);
+      const Binary32 n(a, b);
+      if (n.q > n.t * binary32_slack) return false;
+      return n.q * binary32_slack < n.t || overlap_undecided(a, b);
     }
     CATENA_HD static bool may_overlap(const Sphere& query, const Sphere& node) {
-      const Narrow n(query, node);
-      return !(n.q > n.t * narrow_slack);
+      const Binary32 n(query, node);
+      return !(n.q > n.t * binary32_slack);
     }
   };
 
@@ -66,7 +66,7 @@ struct Robust {
     using std::sqrt;
     const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
     const float q = dx * dx + dy * dy + dz * dz;
-    if (!(q > safe_square_min && q < safe_square_max)) return parent_wide(a, b);
+    if (!(q > safe_square_min && q < safe_square_max)) return parent_in_binary64(a, b);
     const float d = sqrt(q), e = b.radius - a.radius;
     // The negation takes two infinite radii, too.
     if (!(d * contained_slack > fabs(e))) return e > 0 ? b : a;
@@ -86,42 +86,42 @@ struct Robust {
 
   static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f;
   static constexpr float safe_radius_min = 0x1p-45f, safe_radius_max = 0x1p60f;  // their roots
-  static constexpr float narrow_slack = 1 + 12 * 0x1p-24f;                       // 1 + 12u
+  static constexpr float binary32_slack = 1 + 12 * 0x1p-24f;                     // 1 + 12u
   static constexpr float underflow_floor = 0x1p-120f;
-  static constexpr double wide_slack = 1 + 10 * 0x1p-53;      // 1 + 10u
+  static constexpr double binary64_slack = 1 + 10 * 0x1p-53;  // 1 + 10u
   static constexpr float contained_slack = 1 + 6 * 0x1p-24f;  // 1 + 6u
   static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 25u and 5u of the drift are needed
-  static constexpr double parent_wide_slack = 1 + 0x1p-48;
+  static constexpr double parent_binary64_slack = 1 + 0x1p-48;
 
   /// Stage 1, binary32: q = |cA - cB|^2 with relative error <= 5.01u, t = (rA + rB)^2 with <= 3.01u, and,
   /// where they underflow, an absolute error below 2^-146.
-  struct Narrow {
-    CATENA_HD Narrow(const Sphere& a, const Sphere& b) {
+  struct Binary32 {
+    CATENA_HD Binary32(const Sphere& a, const Sphere& b) {
       const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius;
       q = dx * dx + dy * dy + dz * dz;
       t = reach * reach;
     }
     /// For certain, whatever the range: an overflowing q is truly greater than a finite t, an overflowing t
     /// is never less, and the floor outweighs every underflow.
-    CATENA_HD bool separate() const { return q > t * narrow_slack + underflow_floor; }
+    CATENA_HD bool separate() const { return q > t * binary32_slack + underflow_floor; }
     /// Stage 1 decides all that it ever can.
     CATENA_HD bool in_range() const { return t > safe_square_min && t < safe_square_max; }
     float q, t;
   };
 
   /// Stage 2, binary64: no binary32 input can overflow or underflow here.
-  CATENA_HD static Decision decide_wide(const Sphere& a, const Sphere& b) {
+  CATENA_HD static Decision decide_in_binary64(const Sphere& a, const Sphere& b) {
     const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, dz = double(b.z) - a.z;
     const double reach = double(a.radius) + b.radius;
     const double q = dx * dx + dy * dy + dz * dz, t = reach * reach;
-    if (q > t * wide_slack) return Decision::separate;
-    if (q * wide_slack < t) return Decision::overlap;
+    if (q > t * binary64_slack) return Decision::separate;
+    if (q * binary64_slack < t) return Decision::overlap;
     return Decision::open;
   }
 
   /// Stages 2 and 3. Spheres come by value: an address would force them out of a kernel's registers.
   CATENA_COLD static bool overlap_undecided(Sphere a, Sphere b) {
-    const Decision second = decide_wide(a, b);
+    const Decision second = decide_in_binary64(a, b);
     if (second != Decision::open) return second == Decision::overlap;
     return ExactSign::of_gap(a, b) <= 0;
   }
@@ -129,15 +129,15 @@ struct Robust {
   /// The parent where binary32 could overflow, underflow or divide by zero: in binary64 throughout, then the
   /// radius measured from the rounded centre and rounded up. An overflowing radius becomes infinite: it
   /// encloses.
-  CATENA_COLD static Sphere parent_wide(Sphere a, Sphere b) {
+  CATENA_COLD static Sphere parent_in_binary64(Sphere a, Sphere b) {
     const double d = distance(a, b), ra = a.radius, rb = b.radius;
     if (d == 0) return ra < rb ? b : a;
-    if ((d + rb) * parent_wide_slack <= ra) return a;
-    if ((d + ra) * parent_wide_slack <= rb) return b;
+    if ((d + rb) * parent_binary64_slack <= ra) return a;
+    if ((d + ra) * parent_binary64_slack <= rb) return b;
     const double t = clamp01((0.5 * (d + ra + rb) - ra) / d);
     Sphere c{float(a.x + t * (double(b.x) - a.x)), float(a.y + t * (double(b.y) - a.y)),
              float(a.z + t * (double(b.z) - a.z)), 0};
-    c.radius = round_up(larger(distance(c, a) + ra, distance(c, b) + rb) * parent_wide_slack);
+    c.radius = round_up(larger(distance(c, a) + ra, distance(c, b) + rb) * parent_binary64_slack);
     return c;
   }
 

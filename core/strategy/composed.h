@@ -72,7 +72,7 @@ class Composed final : public Variant {
     if (build_space_ == Space::device) tree = mover_->to_host(tree);
     const auto wide = [&](std::uint32_t slot) {
       const Bound& b = tree.bound[slot];
-      return WideSphere{b.x, b.y, b.z, b.radius};
+      return Sphere64{b.x, b.y, b.z, b.radius};
     };
     visitor.levels(tree.height);
     for (std::uint32_t slot = tree.leaves; slot < tree.size(); ++slot) {

@@ -13,9 +13,9 @@ class Mover {
   virtual ~Mover() = default;
   virtual ChainView to_device(const ChainView& host) = 0;
   virtual HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) = 0;
-  virtual HierarchyView<WideSphere> to_device(const HierarchyView<WideSphere>& host) = 0;
+  virtual HierarchyView<Sphere64> to_device(const HierarchyView<Sphere64>& host) = 0;
   virtual HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) = 0;
-  virtual HierarchyView<WideSphere> to_host(const HierarchyView<WideSphere>& device) = 0;
+  virtual HierarchyView<Sphere64> to_host(const HierarchyView<Sphere64>& device) = 0;
   /// Fills the device's cache with other data, so that the next stage starts cold; for measurements.
   virtual void flush_cache() = 0;
 };

@@ -116,7 +116,7 @@ class StrategyRegistry {
 
   std::vector<Entry> complete_;
   Stages<Sphere> narrow_;
-  Stages<WideSphere> wide_;
+  Stages<Sphere64> wide_;
   std::function<std::unique_ptr<Mover>()> make_mover_;
 };
 

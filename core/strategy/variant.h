@@ -17,8 +17,8 @@ class BoundsVisitor {
   /// One parent and one of its children. Ids below n are leaves, the sphere of that index; others are the
   /// strategy's own. Bounds are given in binary64, to which the strategy's own numbers convert exactly; an
   /// infinite radius encloses everything.
-  virtual void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-                      const WideSphere& child) = 0;
+  virtual void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+                      const Sphere64& child) = 0;
   /// Levels from root to leaf, as the builder counted them; not called by strategies that do not count.
   virtual void levels(std::uint32_t) {}
 };

@@ -20,17 +20,17 @@ Range range_of(double square, const Format& format) {
   return square > format.greatest ? Range::above : Range::normal;
 }
 
-double squared_distance(const WideSphere& a, const WideSphere& b) {
+double squared_distance(const Sphere64& a, const Sphere64& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
   return dx * dx + dy * dy + dz * dz;
 }
 
-std::string in_words(const WideSphere& s) {
+std::string in_words(const Sphere64& s) {
   const auto number = [](double v) { return std::isnan(v) ? "nan" : fmt::format("{:g}", v); };
   return fmt::format("({}, {}, {}; {})", number(s.x), number(s.y), number(s.z), number(s.radius));
 }
 
-bool same(const WideSphere& a, const WideSphere& b) {
+bool same(const Sphere64& a, const Sphere64& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z && a.radius == b.radius;
 }
 

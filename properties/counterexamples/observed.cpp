@@ -19,8 +19,8 @@ Format format_of() {
 
 class Parents final : public BoundsVisitor {
  public:
-  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-              const WideSphere& child) override {
+  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+              const Sphere64& child) override {
     ParentSeen& seen = seen_[parent_id];
     seen.parent = parent;
     seen.ids.push_back(child_id);
@@ -38,7 +38,7 @@ class Parents final : public BoundsVisitor {
 
 }  // namespace
 
-bool is_finite(const WideSphere& s) {
+bool is_finite(const Sphere64& s) {
   return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.radius);
 }
 

@@ -12,9 +12,9 @@ namespace catena::properties {
 
 /// One inner node as a variant shows it.
 struct ParentSeen {
-  WideSphere parent;
+  Sphere64 parent;
   std::vector<std::uint32_t> ids;  ///< of the children: below n the sphere of that index
-  std::vector<WideSphere> children;
+  std::vector<Sphere64> children;
 };
 
 /// The positive numbers of one format: of "literal" those of binary32, of "double" those of binary64.
@@ -35,7 +35,7 @@ struct Observed {
 };
 
 /// True when no number of it is infinite or not a number.
-bool is_finite(const WideSphere& sphere);
+bool is_finite(const Sphere64& sphere);
 
 /// Runs one arithmetic ("literal", "double", "robust") on chains.
 class Observer {

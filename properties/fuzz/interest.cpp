@@ -9,8 +9,8 @@ namespace {
 /// A hierarchy of spheres as shown by a variant.
 class ShownTree final : public BoundsVisitor {
  public:
-  void sphere(std::uint32_t parent, const WideSphere& of_parent, std::uint32_t child,
-              const WideSphere& of_child) override {
+  void sphere(std::uint32_t parent, const Sphere64& of_parent, std::uint32_t child,
+              const Sphere64& of_child) override {
     at(parent).bound = of_parent;
     at(child).bound = of_child;
     at(child).has_parent = true;
@@ -48,7 +48,7 @@ class ShownTree final : public BoundsVisitor {
 
  private:
   struct Node {
-    WideSphere bound{};
+    Sphere64 bound{};
     bool has_parent = false;
     std::vector<std::uint32_t> children;
   };
@@ -57,7 +57,7 @@ class ShownTree final : public BoundsVisitor {
     return nodes_[id];
   }
   /// Rounded: this only guides a search.
-  static bool near(const Sphere& s, const WideSphere& b) {
+  static bool near(const Sphere& s, const Sphere64& b) {
     const double dx = b.x - s.x, dy = b.y - s.y, dz = b.z - s.z, reach = b.radius + s.radius;
     return dx * dx + dy * dy + dz * dz <= reach * reach;
   }

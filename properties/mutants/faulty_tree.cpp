@@ -83,7 +83,7 @@ void FaultyTree::answer(const Request& request, Collisions& result) {
 void FaultyTree::visit_bounds(BoundsVisitor& visitor) const {
   const auto wide = [&](std::uint32_t slot) {
     const Sphere& s = tree_.bound[slot];
-    return WideSphere{s.x, s.y, s.z, s.radius};
+    return Sphere64{s.x, s.y, s.z, s.radius};
   };
   for (std::uint32_t slot = tree_.leaves; slot < tree_.size(); ++slot)
     for (const std::uint32_t child : {tree_.links[slot].left, tree_.links[slot].right})

@@ -81,7 +81,7 @@ const RegisterMutant<SquareUnderflows> underflow{"square-underflows", "0 <= 0: t
 class FloatConstant final : public WrongOverlap {
   bool overlap(const Sphere& a, const Sphere& b) const override {
     constexpr double slack = 1.0f + 1e-9f;
-    const WideSphere p = Double::bound(a), q = Double::bound(b);
+    const Sphere64 p = Double::bound(a), q = Double::bound(b);
     const double dx = q.x - p.x, dy = q.y - p.y, dz = q.z - p.z, reach = p.radius + q.radius;
     const double gap = dx * dx + dy * dy + dz * dz - reach * reach * slack;
     return gap > 0 ? false : gap < 0 ? true : reach > 0 || dx * dx + dy * dy + dz * dz == 0;

@@ -23,19 +23,20 @@ struct Proved {
 
 TEST(Proofs, AreAboutTheConstantsOfTheCode) {
   const std::string code = text_of("core/arithmetic/robust.h");
-  for (const Proved& p : {Proved{"narrow_slack = 1 + 12 * 0x1p-24f;", "overlap_narrow.g", "(1 + 12b-24)"},
-                          Proved{"underflow_floor = 0x1p-120f;", "overlap_narrow.g", "1b-120"},
-                          Proved{"wide_slack = 1 + 10 * 0x1p-53;", "overlap_wide.g", "(1 + 10b-53)"},
-                          Proved{"contained_slack = 1 + 6 * 0x1p-24f;", "parent_narrow.g", "(1 + 6b-24)"},
-                          Proved{"parent_slack = 1 + 32 * 0x1p-24f;", "parent_narrow.g", "(1 + 32b-24)"},
-                          Proved{"parent_wide_slack = 1 + 0x1p-48;", "parent_wide.g", "(1 + 1b-48)"}}) {
+  for (const Proved& p :
+       {Proved{"binary32_slack = 1 + 12 * 0x1p-24f;", "overlap_binary32.g", "(1 + 12b-24)"},
+        Proved{"underflow_floor = 0x1p-120f;", "overlap_binary32.g", "1b-120"},
+        Proved{"binary64_slack = 1 + 10 * 0x1p-53;", "overlap_binary64.g", "(1 + 10b-53)"},
+        Proved{"contained_slack = 1 + 6 * 0x1p-24f;", "parent_binary32.g", "(1 + 6b-24)"},
+        Proved{"parent_slack = 1 + 32 * 0x1p-24f;", "parent_binary32.g", "(1 + 32b-24)"},
+        Proved{"parent_binary64_slack = 1 + 0x1p-48;", "parent_binary64.g", "(1 + 1b-48)"}}) {
     EXPECT_NE(code.find(p.declared), std::string::npos) << "robust.h no longer says " << p.declared;
     EXPECT_NE(text_of("properties/proofs/" + p.script).find(p.formula), std::string::npos) << p.script;
   }
   for (const char* range : {"safe_square_min = 0x1p-90f", "safe_square_max = 0x1p120f",
                             "safe_radius_min = 0x1p-45f", "safe_radius_max = 0x1p60f"})
     EXPECT_NE(code.find(range), std::string::npos) << range;
-  for (const char* script : {"overlap_narrow.g", "parent_narrow.g"})
+  for (const char* script : {"overlap_binary32.g", "parent_binary32.g"})
     for (const char* range : {"safe_square_min = 2^-90", "safe_square_max = 2^120"})
       EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(range), std::string::npos) << script;
 }

@@ -35,13 +35,13 @@ class Update final : public Property {
   /// Every bound of a hierarchy as shown.
   class Bounds final : public BoundsVisitor {
    public:
-    void sphere(std::uint32_t parent, const WideSphere& of_parent, std::uint32_t child,
-                const WideSphere& of_child) override {
+    void sphere(std::uint32_t parent, const Sphere64& of_parent, std::uint32_t child,
+                const Sphere64& of_child) override {
       shown.push_back({parent, child, of_parent, of_child});
     }
     struct Bound {
       std::uint32_t parent, child;
-      WideSphere of_parent, of_child;
+      Sphere64 of_parent, of_child;
     };
     std::vector<Bound> shown;
   };
@@ -80,7 +80,7 @@ class Update final : public Property {
   /// NaN of a literal parent equals NaN.
   static bool same(const Bounds::Bound& a, const Bounds::Bound& b) {
     const auto number = [](double p, double q) { return p == q || (p != p && q != q); };
-    const auto sphere = [&](const WideSphere& p, const WideSphere& q) {
+    const auto sphere = [&](const Sphere64& p, const Sphere64& q) {
       return number(p.x, q.x) && number(p.y, q.y) && number(p.z, q.z) && number(p.radius, q.radius);
     };
     return a.parent == b.parent && a.child == b.child && sphere(a.of_parent, b.of_parent) &&

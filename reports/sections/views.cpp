@@ -26,8 +26,8 @@ std::string spheres_of(const Chain& chain) { return base64(chain.spheres()); }
 class Levels final : public BoundsVisitor {
  public:
   explicit Levels(const Chain& chain) : chain_(chain) {}
-  void sphere(std::uint32_t parent_id, const WideSphere& parent, std::uint32_t child_id,
-              const WideSphere&) override {
+  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
+              const Sphere64&) override {
     bound_[parent_id] = parent;
     children_[parent_id].push_back(child_id);
   }
@@ -56,7 +56,7 @@ class Levels final : public BoundsVisitor {
   }
 
   const Chain& chain_;
-  std::map<std::uint32_t, WideSphere> bound_;
+  std::map<std::uint32_t, Sphere64> bound_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> children_;
   std::map<std::uint32_t, std::uint32_t> height_;
 };

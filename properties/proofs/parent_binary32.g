@@ -17,7 +17,7 @@
 #    x - a.x is rounded: that costs u (|P_x| + |P_y| + |P_z|) <= sqrt(3) u |P| more, rounded_difference.
 # 4. parent_slack = 1 + 32u, after its own 2 roundings still 1 + 29u, covers both: at most 25u and 5u are needed.
 
-D1 = sqrt(1 + eq) * (1 + r1);                                 # the error of q, overlap_narrow.g, and of sqrt
+D1 = sqrt(1 + eq) * (1 + r1);                                 # the error of q, overlap_binary32.g, and of sqrt
 kappa = D1 * (1 + 6b-24) * (1 + r3) / (1 + r2);               # (d * contained_slack) / |e| over D / |E|
 H1 = (1 + (y * (D1 - 1) + z * r6) / 2) * (1 + r7);            # d + (ra + rb), z = S / H
 X1 = (1 + r2) * (1 + r4) / D1;                                # 0.5 * e / d over x

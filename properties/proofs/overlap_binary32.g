@@ -3,12 +3,12 @@
 # Proved, with and without fused multiply-add, for exact differences X, Y, Z of coordinates and an exact sum S of radii:
 #   q, the computed X^2 + Y^2 + Z^2, has a relative error of at most 5.01u;
 #   t, the computed S^2, has a relative error of at most 3.01u;
-#   if exactly Q <= T, then q <= t * narrow_slack + underflow_floor, both rounded: `separate` is never wrong, whatever
+#   if exactly Q <= T, then q <= t * binary32_slack + underflow_floor, both rounded: `separate` is never wrong, whatever
 #     the range: where T is below 2^-91 underflow may cost up to 2^-146 in all, which the floor outweighs;
-#   if exactly Q >= T, then q * narrow_slack, rounded, >= t: `overlap` is never wrong.
+#   if exactly Q >= T, then q * binary32_slack, rounded, >= t: `overlap` is never wrong.
 # A coordinate difference of 0 contributes nothing, rounded or not, and squares do not know the sign: positive is enough.
 # The float format below has no least exponent. What underflow adds (each of at most 5 products loses 2^-150, and T is above 2^-91) is n, relative to T.
-# Covers: narrow_slack = 1 + 12u,
+# Covers: binary32_slack = 1 + 12u,
 #   underflow_floor = 2^-120, safe_square_min = 2^-90, safe_square_max = 2^120.
 
 @f = float<24, -4000, ne>;

@@ -3,11 +3,11 @@
 # Proved, with and without fused multiply-add, for exact differences X, Y, Z of coordinates and an exact sum S of radii:
 #   q, the computed X^2 + Y^2 + Z^2, has a relative error of at most 5.01u;
 #   t, the computed S^2, has a relative error of at most 3.01u;
-#   if exactly Q <= T, then q <= t * wide_slack, rounded: `separate` is never wrong;
-#   if exactly Q >= T, then q * wide_slack, rounded, >= t: `overlap` is never wrong.
+#   if exactly Q <= T, then q <= t * binary64_slack, rounded: `separate` is never wrong;
+#   if exactly Q >= T, then q * binary64_slack, rounded, >= t: `overlap` is never wrong.
 # A coordinate difference of 0 contributes nothing, rounded or not, and squares do not know the sign: positive is enough.
 # The float format below has no least exponent. What underflow adds (nothing: squares of sums of binary32 numbers are 0 or above 2^-298) is n, relative to T.
-# Covers: wide_slack = 1 + 10u.
+# Covers: binary64_slack = 1 + 10u.
 
 @f = float<53, -4000, ne>;
 dx = f(X); dy = f(Y); dz = f(Z); s = f(S);
