@@ -47,6 +47,6 @@ struct Slabs64 {
 
 /// The bound of one node as it is shown to a BoundsVisitor: the strategy's own binary32 (or binary64) numbers, which
 /// convert exactly. What it promises is that every *sphere* below the node lies in it.
-using Bound = std::variant<Everything, Sphere64, Capsule64, Box64, Slabs64>;
+using AnyBound = std::variant<Everything, Sphere64, Capsule64, Box64, Slabs64>;
 
 }  // namespace catena
