@@ -23,7 +23,7 @@ std::uint64_t size_in(const std::string& label) {
 bool worth_measuring(const VariantInfo& variant, std::uint64_t n, Stage stage, std::uint32_t most_all_pairs) {
   if (variant.unavailable) return false;
   if (!variant.all_pairs) return true;
-  return stage != Stage::build && n <= (variant.on_device ? most_all_pairs_device : most_all_pairs);
+  return stage != Stage::build && n <= (variant.on_device() ? most_all_pairs_device : most_all_pairs);
 }
 
 }  // namespace

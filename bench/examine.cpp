@@ -4,6 +4,7 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/reference/enclosure.h"
@@ -12,7 +13,7 @@ namespace catena::bench {
 namespace {
 
 /// Gathers the inner nodes of a tree, and of each how its bound fails.
-class Levels final : public BoundsVisitor {
+class Levels final : public SphereBoundsVisitor {
  public:
   explicit Levels(std::uint32_t leaves) : leaves_(leaves) {}
 

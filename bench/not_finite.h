@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <unordered_set>
 
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/strategy/variant.h"
 
 namespace catena::bench {
 
 /// Counts the nodes of a hierarchy that are no sphere: not-a-number in any place, or an infinite centre. An
 /// infinite radius alone is an honest bound and not counted.
-class NotFiniteNodes final : public BoundsVisitor {
+class NotFiniteNodes final : public SphereBoundsVisitor {
  public:
   void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
               const Sphere64& child) override {

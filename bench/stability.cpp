@@ -37,17 +37,10 @@ std::string name_of(Outcome outcome) {
   return "";
 }
 
-std::string arithmetic_of(const std::string& variant) {
-  const auto slash = variant.rfind('/');
-  return slash == std::string::npos ? "robust" : variant.substr(slash + 1);
-}
-
-bool may_be_wrong(const std::string& arithmetic) { return arithmetic == "literal" || arithmetic == "double"; }
-
-Cell measure(const std::string& scene, const std::string& name, Variant& variant, const Chain& chain,
+Cell measure(const std::string& scene, const VariantInfo& info, Variant& variant, const Chain& chain,
              const reference::Answer& exact) {
-  Cell cell{scene, name, arithmetic_of(name), chain.size(), exact.pair_count, {}, {}, {}, {}};
-  cell.found = reference::verify(variant, may_be_wrong(cell.arithmetic), chain, exact);
+  Cell cell{scene, info.name, info.arithmetic, chain.size(), exact.pair_count, {}, {}, {}, {}};
+  cell.found = reference::verify(variant, !info.exact, chain, exact);
   if (cell.found.ran) {
     NotFiniteNodes nodes;
     variant.visit_bounds(nodes);
@@ -55,13 +48,13 @@ Cell measure(const std::string& scene, const std::string& name, Variant& variant
   }
   cell.outcome = judge(cell.found, cell.not_finite_nodes);
   cell.defect = cell.found.verdict == reference::Verdict::wrong ||
-                (!may_be_wrong(cell.arithmetic) && cell.outcome > Outcome::refused);
+                (info.exact && cell.outcome > Outcome::refused);
   return cell;
 }
 
-Cell unavailable(const std::string& scene, const std::string& name, const Chain& chain,
+Cell unavailable(const std::string& scene, const VariantInfo& info, const Chain& chain,
                  const reference::Answer& exact, std::string why) {
-  Cell cell{scene, name, arithmetic_of(name), chain.size(), exact.pair_count, {}, {}, {}, {}};
+  Cell cell{scene, info.name, info.arithmetic, chain.size(), exact.pair_count, {}, {}, {}, {}};
   cell.found.verdict = reference::Verdict::unavailable;
   cell.found.reason = std::move(why);
   cell.outcome = Outcome::unavailable;

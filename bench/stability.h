@@ -5,6 +5,7 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/strategy/variant.h"
+#include "catena/core/strategy/variant_info.h"
 #include "catena/reference/answer.h"
 #include "catena/reference/verify.h"
 
@@ -24,7 +25,7 @@ std::string name_of(Outcome outcome);
 /// One cell of the stability matrix: a scene and a variant.
 struct Cell {
   std::string scene, variant;
-  std::string arithmetic;  ///< "robust", "literal", "double"
+  std::string arithmetic;  ///< as in VariantInfo
   std::uint32_t spheres = 0;
   std::uint64_t exact_pairs = 0;
   Outcome outcome = Outcome::exact;
@@ -34,18 +35,12 @@ struct Cell {
   bool answered = true;  ///< false: the exact answer was not asked for, `exact_pairs` says nothing
 };
 
-/// The arithmetic in a variant's name: what follows the slash, otherwise robust.
-std::string arithmetic_of(const std::string& variant);
-
-/// literal and double keep the paper's formulas and may be wrong; everything else must be exact.
-bool may_be_wrong(const std::string& arithmetic);
-
 /// Runs a variant on a chain and holds it against the exact answer.
-Cell measure(const std::string& scene, const std::string& name, Variant& variant, const Chain& chain,
+Cell measure(const std::string& scene, const VariantInfo& info, Variant& variant, const Chain& chain,
              const reference::Answer& exact);
 
 /// A cell for a variant that cannot run here.
-Cell unavailable(const std::string& scene, const std::string& name, const Chain& chain,
+Cell unavailable(const std::string& scene, const VariantInfo& info, const Chain& chain,
                  const reference::Answer& exact, std::string why);
 
 /// Every scene at n spheres: those that strain something in each of their settings, the others at their

@@ -51,11 +51,13 @@ class StabilityCommand final : public Command {
         for (auto& spec : stability_scenes(n)) scenes_.push_back(std::move(spec));
     if (variants_.empty())
       for (const auto& info : StrategyRegistry::instance().variants()) variants_.push_back(info.name);
-    for (const auto& name : variants_) expect_known(name);
+    std::vector<std::string> arithmetics;
+    for (const auto& name : variants_)  // an unknown name is said before anything is printed
+      arithmetics.push_back(StrategyRegistry::instance().describe(name).arithmetic);
     const auto form = json_    ? StabilityReport::Form::json
                       : cells_ ? StabilityReport::Form::cells
                                : StabilityReport::Form::table;
-    StabilityReport report(form, scenes_, variants_);
+    StabilityReport report(form, scenes_, variants_, std::move(arithmetics));
     Progress progress(scenes_.size() * variants_.size());
     for (const auto& spec : scenes_) {
       const auto cells = measure_scene(spec, variants_, limits_, [&](const std::string& name) {
@@ -69,14 +71,6 @@ class StabilityCommand final : public Command {
   }
 
  private:
-  /// Throws InputError for a name that is none, before anything is printed.
-  static void expect_known(const std::string& name) {
-    try {
-      StrategyRegistry::instance().make(name);
-    } catch (const CapacityError&) {  // known, but not available here: its cells say so
-    }
-  }
-
   std::vector<std::string> scenes_, variants_;
   std::vector<std::uint32_t> sizes_;
   StabilityLimits limits_;

@@ -48,12 +48,13 @@ bool worse(const Cell& a, const Cell& b) {
 }  // namespace
 
 StabilityReport::StabilityReport(Form form, const std::vector<std::string>& scenes,
-                                 const std::vector<std::string>& variants)
-    : form_(form), scene_width_(widest(scenes, 5)), variant_width_(widest(variants, 7)) {
-  for (const auto& name : variants)
-    if (const auto arithmetic = arithmetic_of(name); std::ranges::count(arithmetics_, arithmetic) == 0)
-      arithmetics_.push_back(arithmetic);
+                                 const std::vector<std::string>& variants, std::vector<std::string> arithmetics)
+    : form_(form),
+      scene_width_(widest(scenes, 5)),
+      variant_width_(widest(variants, 7)),
+      arithmetics_(std::move(arithmetics)) {
   std::ranges::sort(arithmetics_, std::ranges::greater{});  // robust, literal, double
+  arithmetics_.erase(std::unique(arithmetics_.begin(), arithmetics_.end()), arithmetics_.end());
   if (form_ == Form::table) {
     fmt::print("{:<{}}  {:>8}", "scene", scene_width_, "pairs");
     for (const auto& arithmetic : arithmetics_) fmt::print("  {:<{}}", arithmetic, column);

@@ -16,7 +16,7 @@ class StabilityReport {
  public:
   enum class Form { table, cells, json };
   StabilityReport(Form form, const std::vector<std::string>& scenes,
-                  const std::vector<std::string>& variants);
+                  const std::vector<std::string>& variants, std::vector<std::string> arithmetics);
 
   /// The cells of one scene, in the order of the variants.
   void scene(const std::vector<Cell>& cells);

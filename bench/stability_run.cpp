@@ -31,17 +31,11 @@ double seconds_on_first(Variant& variant, const Chain& chain, std::uint32_t n) {
   return least;
 }
 
-bool compares_all_pairs(const std::string& name) {
-  for (const auto& info : StrategyRegistry::instance().variants())
-    if (info.name == name) return info.all_pairs;
-  return false;
-}
-
 /// Why a variant is left out on this chain; empty when it is not.
-std::string too_much(const std::string& name, const Chain& chain, const StabilityLimits& limits) {
-  if (chain.size() > limits.all_pairs && compares_all_pairs(name))
+std::string too_much(const VariantInfo& info, const Chain& chain, const StabilityLimits& limits) {
+  if (chain.size() > limits.all_pairs && info.all_pairs)
     return fmt::format("O(n^2): left out above {} spheres", limits.all_pairs);
-  if (estimated_seconds(name, chain, limits.seconds) > limits.seconds)
+  if (estimated_seconds(info.name, chain, limits.seconds) > limits.seconds)
     return fmt::format("likely to take longer than {:g} s, by its growth; see --seconds", limits.seconds);
   return "";
 }
@@ -77,11 +71,13 @@ std::vector<Cell> measure_scene(const std::string& spec, const std::vector<std::
                                 const StabilityLimits& limits,
                                 const std::function<void(const std::string&)>& before) {
   const Input input = open_input(spec);
+  std::vector<VariantInfo> infos;
+  for (const auto& name : variants) infos.push_back(StrategyRegistry::instance().describe(name));
   std::vector<Cell> cells;
   const auto leave_out = [&](const Chain& chain, const std::string& why) {
-    for (const auto& name : variants) {
-      if (before) before(name);
-      cells.push_back(unavailable(spec, name, chain, {}, why));
+    for (const VariantInfo& info : infos) {
+      if (before) before(info.name);
+      cells.push_back(unavailable(spec, info, chain, {}, why));
       cells.back().answered = false;
     }
     return cells;
@@ -97,15 +93,15 @@ std::vector<Cell> measure_scene(const std::string& spec, const std::vector<std::
         chain,
         fmt::format("about {:.0e} overlapping spheres, neighbours included; see --overlaps", overlaps));
   const reference::Answer exact = reference::exact_answer(chain, pair_limit);
-  for (const auto& name : variants) {
-    if (before) before(name);
+  for (const VariantInfo& info : infos) {
+    if (before) before(info.name);
     try {
-      const auto variant = StrategyRegistry::instance().make(name);
-      const std::string why = too_much(name, chain, limits);
-      cells.push_back(why.empty() ? measure(spec, name, *variant, chain, exact)
-                                  : unavailable(spec, name, chain, exact, why));
+      const auto variant = StrategyRegistry::instance().make(info.name);
+      const std::string why = too_much(info, chain, limits);
+      cells.push_back(why.empty() ? measure(spec, info, *variant, chain, exact)
+                                  : unavailable(spec, info, chain, exact, why));
     } catch (const CapacityError& why) {
-      cells.push_back(unavailable(spec, name, chain, exact, why.what()));
+      cells.push_back(unavailable(spec, info, chain, exact, why.what()));
     }
   }
   return cells;

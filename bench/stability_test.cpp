@@ -21,7 +21,8 @@ namespace {
 
 Cell cell_of(const std::string& scene, const std::string& variant) {
   const Chain chain = open_input(scene).animation->frame(0);
-  return measure(scene, variant, *StrategyRegistry::instance().make(variant), chain, reference::find(chain));
+  const auto& registry = StrategyRegistry::instance();
+  return measure(scene, registry.describe(variant), *registry.make(variant), chain, reference::find(chain));
 }
 
 TEST(Stability, TellsTheOutcomesApart) {
@@ -55,11 +56,11 @@ class Silent final : public Variant {
 TEST(Stability, ARobustVariantThatMissesAPairIsADefect) {
   const Chain chain = open_input("lattice:n=100").animation->frame(0);
   Silent silent;
-  const Cell cell = measure("lattice", "Silent", silent, chain, reference::find(chain));
+  const Cell cell = measure("lattice", {.name = "Silent", .arithmetic = "robust"}, silent, chain, reference::find(chain));
   EXPECT_TRUE(cell.defect);
   EXPECT_EQ(cell.outcome, Outcome::wrong);
   EXPECT_EQ(cell.found.comparison.missing, cell.exact_pairs);
-  StabilityReport report(StabilityReport::Form::json, {"lattice"}, {"Silent"});
+  StabilityReport report(StabilityReport::Form::json, {"lattice"}, {"Silent"}, {"robust"});
   testing::internal::CaptureStdout();
   report.scene({cell});
   const auto line = nlohmann::json::parse(testing::internal::GetCapturedStdout());

@@ -23,7 +23,7 @@ const std::string& Trial::prepare() {
       compare();
     else
       variant_->find(work_->chains.front(), {}, found_);
-    if (flush_cache_ && info_.on_device) mover_ = StrategyRegistry::instance().make_mover();
+    if (flush_cache_ && info_.on_device()) device_ = StrategyRegistry::instance().make_device();
   } catch (const Error& refused) {
     reason_ = refused.what();
   }
@@ -41,7 +41,7 @@ void Trial::compare() {
     pairs_ = std::max(pairs_, found_.pair_count);
     missing_ += comparison.missing;
     invented_ += comparison.invented;
-    if (comparison.right() || (info_.arithmetic != Robust::name && comparison.well_formed())) continue;
+    if (comparison.right() || (!info_.exact && comparison.well_formed())) continue;
     reason_ =
         fmt::format("wrong answer: {} pairs missing, {} invented", comparison.missing, comparison.invented);
     return;
@@ -51,7 +51,7 @@ void Trial::compare() {
 
 void Trial::release() {
   variant_.reset();
-  mover_.reset();
+  device_.reset();
   work_.reset();
   found_ = {};
 }
@@ -59,7 +59,7 @@ void Trial::release() {
 double Trial::run(Stage stage) {
   const Chain& chain = work_->chains[next_];
   next_ = (next_ + 1) % work_->chains.size();
-  if (mover_) mover_->flush_cache();
+  if (device_) device_->flush_cache();
   if (stage == Stage::find && work_->chains.size() > 1)
     variant_->update(chain);  // another chain than last time
   const Stopwatch wall;

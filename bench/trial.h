@@ -49,7 +49,7 @@ class Trial {
   std::string reason_;
   std::shared_ptr<const Workload> work_;
   std::unique_ptr<Variant> variant_;
-  std::unique_ptr<Mover> mover_;
+  std::unique_ptr<Device> device_;
   Collisions found_;
   std::size_t next_ = 0;
   std::uint64_t pairs_ = 0, missing_ = 0, invented_ = 0;

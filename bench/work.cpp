@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/core/hierarchy/hierarchy.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
 namespace {
@@ -29,28 +31,11 @@ class WorkSink final : public EvidenceSink {
   std::uint64_t pair_tests_ = 0, compared_ = 0, discarded_nodes_ = 0;
 };
 
-/// "aGPU2(subtree=256)+GPU2/literal" with the stages that have a twin on the host replaced by it.
-std::string on_host(const std::string& name) {
-  const auto known = StrategyRegistry::instance().strategy_names();
-  std::string twin;
-  for (std::size_t at = 0; at < name.size();) {
-    const auto end = std::min(name.find_first_of("+/(", at), name.size());
-    const std::string stage = name.substr(at, end - at);
-    const bool has_twin = std::ranges::find(known, stage + "@host") != known.end();
-    twin += stage + (has_twin ? "@host" : "");
-    auto rest =
-        end < name.size() && name[end] == '(' ? std::min(name.find(')', end), name.size() - 1) + 1 : end;
-    if (rest < name.size()) ++rest;
-    twin += name.substr(end, rest - end);
-    at = rest;
-  }
-  return twin;
-}
-
 }  // namespace
 
 std::optional<Work> count_work(const VariantInfo& info, const Chain& chain) {
-  auto variant = StrategyRegistry::instance().make(info.on_device ? on_host(info.name) : info.name);
+  const auto& registry = StrategyRegistry::instance();
+  const auto variant = registry.make(info.on_device() ? registry.on_host(info.parts).text() : info.name);
   if (variant->evidence() == Accounting::none) return {};
   variant->build(chain);
   WorkSink sink(chain.size());

@@ -24,12 +24,6 @@ struct Runner {
   std::vector<double> samples;
 };
 
-bool compares_all_pairs(const std::string& name) {
-  for (const auto& info : StrategyRegistry::instance().variants())
-    if (info.name == name) return info.all_pairs;
-  return false;
-}
-
 double answer_error(const Cell& cell) {
   const auto& c = cell.found.comparison;
   const double wrong = cell.found.by_pairs ? static_cast<double>(c.missing + c.invented)
@@ -71,13 +65,14 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
     const double gap = tube_error(tube, all, n).gap / tube.radius;
     std::vector<Runner> runners;
     for (const auto& name : variants) {
-      if (n > most_all_pairs && compares_all_pairs(name)) {
+      const VariantInfo info = StrategyRegistry::instance().describe(name);
+      if (n > most_all_pairs && info.all_pairs) {
         leave_out(name, fmt::format("O(n^2), left out above {} spheres", most_all_pairs));
         continue;
       }
       try {
         auto variant = StrategyRegistry::instance().make(name);
-        const Cell cell = measure(tube.name, name, *variant, chain, exact);
+        const Cell cell = measure(tube.name, info, *variant, chain, exact);
         if (cell.outcome == Outcome::refused) {
           leave_out(name, cell.found.reason);
           continue;

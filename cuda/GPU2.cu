@@ -10,13 +10,13 @@ namespace {
 template <class Tests>
 __global__ void search(const __grid_constant__ ChainView chain,
                        const __grid_constant__ HierarchyView<typename Tests::Bound> tree,
-                       const __grid_constant__ ResultView result) {
-  const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i >= chain.size) return;
-  DeviceVisitor visitor(i, result);
+                       const __grid_constant__ ResidentAnswer answer, SphereRange queries) {
+  const std::uint32_t i = queries.begin + blockIdx.x * blockDim.x + threadIdx.x;
+  if (i >= queries.end) return;
+  DeviceVisitor visitor(i, answer);
   if (visitor.satisfied()) return;
   policy::GPU2<Tests>::visit(i, chain, tree, visitor);
-  if (result.count != nullptr) result.count[i] = visitor.collisions;
+  if (answer.count != nullptr) answer.count[i] = visitor.collisions;
   visitor.finish();
 }
 
@@ -33,8 +33,8 @@ using GPU2 = DeviceTraversal<Arithmetic, OneThreadASphere>;
 const RegisterTraversal<GPU2, Robust, Literal, Double> registered{
     {.name = "GPU2",
      .summary = "one thread per sphere against the tree, explicit stack",
-     .space = Space::device,
-     .parameters = {{"threads", "128", "threads of a block"}},
+     .place = Place::device(),
+     .parameters = with_device({{"threads", "128", "threads of a block"}}),
      .unavailable = unavailable}};
 
 }  // namespace

@@ -7,19 +7,20 @@
 namespace catena::cuda {
 namespace {
 
-/// Threads 0..n-1 are the spheres' first threads, n..2n-1 their second ones, so that the threads of a warp
-/// walk the same subtree.
+/// Of n spheres that are asked about, threads 0..n-1 are the first threads, n..2n-1 the second ones, so that
+/// the threads of a warp walk the same subtree.
 template <class Tests>
 __global__ void search(const __grid_constant__ ChainView chain,
                        const __grid_constant__ HierarchyView<typename Tests::Bound> tree,
-                       const __grid_constant__ ResultView result) {
+                       const __grid_constant__ ResidentAnswer answer, SphereRange queries) {
   const std::uint64_t t = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
-  if (t >= std::uint64_t{2} * chain.size) return;
-  const std::uint32_t half = t >= chain.size, i = static_cast<std::uint32_t>(t - (half ? chain.size : 0));
-  DeviceVisitor visitor(i, result);
+  const std::uint32_t n = queries.size();
+  if (t >= std::uint64_t{2} * n) return;
+  const std::uint32_t half = t >= n, i = queries.begin + static_cast<std::uint32_t>(t - (half ? n : 0));
+  DeviceVisitor visitor(i, answer);
   if (visitor.satisfied()) return;
   policy::GPUv2<Tests>::visit(i, half, chain, tree, visitor);
-  if (result.count != nullptr && visitor.collisions > 0) atomicAdd(result.count + i, visitor.collisions);
+  if (answer.count != nullptr && visitor.collisions > 0) atomicAdd(answer.count + i, visitor.collisions);
   visitor.finish();
 }
 
@@ -36,8 +37,8 @@ using GPUv2 = DeviceTraversal<Arithmetic, TwoThreadsASphere>;
 const RegisterTraversal<GPUv2, Robust, Literal, Double> registered{
     {.name = "GPUv2",
      .summary = "two threads per sphere, one per child of the root",
-     .space = Space::device,
-     .parameters = {{"threads", "128", "threads of a block"}},
+     .place = Place::device(),
+     .parameters = with_device({{"threads", "128", "threads of a block"}}),
      .unavailable = unavailable}};
 
 }  // namespace

@@ -46,8 +46,8 @@ class aGPU2 final : public DeviceConstruction<typename Arithmetic::Bound> {
       : subtree_(static_cast<std::uint32_t>(parameters.unsigned_integer("subtree", 2, 2048))),
         block_(static_cast<std::uint32_t>(parameters.unsigned_integer("block", 1, 1024))) {}
 
-  void build(const ChainView& chain) override {
-    this->build_on_device(chain.size, [&](Tree& tree, cudaStream_t stream) {
+  void enqueue(const ChainView& chain, StreamHandle handle) override {
+    this->enqueue_tree(chain.size, handle, [&](Tree& tree, cudaStream_t stream) {
       bool first = true;
       const auto run_stage = [&](const policy::SubtreeStage& stage) {
         if (first)
@@ -72,10 +72,11 @@ class aGPU2 final : public DeviceConstruction<typename Arithmetic::Bound> {
 const RegisterConstruction<aGPU2, Robust, Literal, Double> registered{
     {.name = "aGPU2",
      .summary = "subtrees by independent blocks, then the top over their roots, any n",
-     .space = Space::device,
-     .parameters = {{"subtree", "384", "leaves of a subtree; its block has half as many threads"},
-                    {"block", "768",
-                     "most threads of the block that builds the top; it takes twice as many roots"}},
+     .place = Place::device(),
+     .parameters = with_device(
+         {{"subtree", "384", "leaves of a subtree; its block has half as many threads"},
+          {"block", "768", "most threads of the block that builds the top; it takes twice as many roots"}}),
+     .promises = {.same_bits = true},
      .unavailable = unavailable}};
 
 }  // namespace

@@ -29,10 +29,25 @@ std::optional<std::string> unavailable() {
   return reason;
 }
 
-unsigned max_block_threads() {
-  int threads = 0;
-  CATENA_CUDA(cudaDeviceGetAttribute(&threads, cudaDevAttrMaxThreadsPerBlock, 0));
-  return static_cast<unsigned>(threads);
+void require_device(Place place) {
+  int devices = 0;
+  CATENA_CUDA(cudaGetDeviceCount(&devices));
+  if (place.index >= static_cast<unsigned>(devices))
+    throw CapacityError("there is no CUDA device " + std::to_string(place.index) + "; this machine has " +
+                        std::to_string(devices) + ", counted from 0");
 }
+
+unsigned most_block_threads(const void* kernel) {
+  cudaFuncAttributes attributes{};
+  CATENA_CUDA(cudaFuncGetAttributes(&attributes, kernel));
+  return static_cast<unsigned>(attributes.maxThreadsPerBlock);
+}
+
+DeviceScope::DeviceScope(Place place) {
+  CATENA_CUDA(cudaGetDevice(&before_));
+  if (before_ != static_cast<int>(place.index)) CATENA_CUDA(cudaSetDevice(static_cast<int>(place.index)));
+}
+
+DeviceScope::~DeviceScope() { cudaSetDevice(before_); }
 
 }  // namespace catena::cuda

@@ -1,6 +1,10 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "catena/core/strategy/parameters.h"
+#include "catena/core/strategy/place.h"
 
 namespace catena::cuda {
 
@@ -8,7 +12,34 @@ namespace catena::cuda {
 /// once.
 std::optional<std::string> unavailable();
 
-/// Threads that one block of device 0 may have.
-unsigned max_block_threads();
+/// Throws CapacityError, naming how many there are, when there is no such device.
+void require_device(Place place);
+
+/// Threads that one block of this kernel may have on the current device, which may be fewer than the device's
+/// limit.
+unsigned most_block_threads(const void* kernel);
+
+/// The parameter by which a strategy is given another device than the first.
+inline ParameterInfo device_parameter() { return {"device", "0", "which device, as CUDA counts them"}; }
+/// A strategy's parameters with that one.
+inline std::vector<ParameterInfo> with_device(std::vector<ParameterInfo> own) {
+  own.push_back(device_parameter());
+  return own;
+}
+inline Place device_of(const Parameters& parameters) {
+  return Place::device(static_cast<std::uint32_t>(parameters.unsigned_integer("device", 0, 1023)));
+}
+
+/// Makes a device the current one of this thread while it lives.
+class DeviceScope {
+ public:
+  explicit DeviceScope(Place place);
+  ~DeviceScope();
+  DeviceScope(const DeviceScope&) = delete;
+  DeviceScope& operator=(const DeviceScope&) = delete;
+
+ private:
+  int before_ = 0;
+};
 
 }  // namespace catena::cuda

@@ -11,7 +11,8 @@
 namespace catena::cuda {
 
 /// Device memory that grows and never shrinks, so that a second build of the same size does not allocate.
-/// Allocation is ordered with the stream it is given.
+/// Allocation is ordered with the stream it is given; the end of the buffer waits for all of its users, as by
+/// then their stream may be gone.
 template <class T>
 class DeviceBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -19,7 +20,7 @@ class DeviceBuffer {
  public:
   DeviceBuffer() = default;
   ~DeviceBuffer() {
-    if (data_ != nullptr) cudaFreeAsync(data_, stream_);
+    if (data_ != nullptr) cudaFree(data_);
   }
   DeviceBuffer(const DeviceBuffer&) = delete;
   DeviceBuffer& operator=(const DeviceBuffer&) = delete;
@@ -28,8 +29,7 @@ class DeviceBuffer {
   /// when the device has not that much memory.
   T* reserve(std::size_t n, cudaStream_t stream) {
     if (n <= capacity_) return data_;
-    release();
-    stream_ = stream;
+    release(stream);
     const cudaError_t code = cudaMallocAsync(&data_, n * sizeof(T), stream);
     if (code == cudaErrorMemoryAllocation) {
       cudaGetLastError();
@@ -56,15 +56,14 @@ class DeviceBuffer {
   std::size_t capacity() const { return capacity_; }
 
  private:
-  void release() {
-    if (data_ != nullptr) CATENA_CUDA(cudaFreeAsync(data_, stream_));
+  void release(cudaStream_t stream) {
+    if (data_ != nullptr) CATENA_CUDA(cudaFreeAsync(data_, stream));
     data_ = nullptr;
     capacity_ = 0;
   }
 
   T* data_ = nullptr;
   std::size_t capacity_ = 0;
-  cudaStream_t stream_ = nullptr;
 };
 
 }  // namespace catena::cuda

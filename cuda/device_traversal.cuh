@@ -1,37 +1,38 @@
 #pragma once
 #include "catena/core/arithmetic/in_range.h"
+#include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/stages.h"
-#include "catena/cuda/device_result.h"
+#include "catena/cuda/clear_answer.h"
 #include "catena/cuda/launch.cuh"
 
 namespace catena::cuda {
 
 /// A traversal on the device: Search<Arithmetic>::kernel, run by Search<Arithmetic>::threads_per_sphere
-/// threads for each sphere of the chain.
+/// threads for each sphere that is asked about.
 template <class Arithmetic, template <class> class Search>
-class DeviceTraversal final : public Traversal<typename Arithmetic::Bound> {
+class DeviceTraversal final : public Traversal<HierarchyView<typename Arithmetic::Bound>> {
  public:
   explicit DeviceTraversal(const Parameters& parameters)
-      : threads_(parameters.unsigned_integer("threads", 32, 1024)) {}
+      : threads_(static_cast<unsigned>(parameters.unsigned_integer("threads", 32, 1024))) {}
 
-  void find(const ChainView& chain, const HierarchyView<typename Arithmetic::Bound>& tree,
-            const Request& request, Collisions& result) override {
+  void enqueue(const ChainView& chain, const HierarchyView<typename Arithmetic::Bound>& tree,
+               const Request& request, const ResidentAnswer& answer, StreamHandle handle) override {
+    const auto stream = static_cast<cudaStream_t>(handle);
+    const SphereRange queries = request.queries.within(chain.size);
+    clear_answer(answer, chain.size, stream);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
       using Chosen = Search<decltype(tests)>;
-      result_.run(chain.size, request, result, stream_, [&](const ResultView& view) {
-        launch(Chosen::kernel, std::uint64_t{Chosen::threads_per_sphere} * chain.size, threads_, stream_,
-               chain, tree, view);
-      });
+      launch(Chosen::kernel, std::uint64_t{Chosen::threads_per_sphere} * queries.size(), threads_, stream,
+             chain, tree, answer, queries);
     });
+    in_range_ = in_range<Arithmetic>(chain);
   }
 
-  double own_ms() const override { return result_.find_ms(); }
-  double own_transfer_ms() const override { return result_.transfer_ms(); }
+  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
  private:
   unsigned threads_;
-  Stream stream_;
-  DeviceResult result_;
+  bool in_range_ = false;  ///< of the last search
 };
 
 }  // namespace catena::cuda

@@ -3,7 +3,7 @@
 
 #include "catena/core/host_device.h"
 #include "catena/core/policies/visitor.h"
-#include "catena/cuda/device_result.h"
+#include "catena/core/strategy/resident.h"
 
 namespace catena::cuda {
 
@@ -21,18 +21,21 @@ __device__ inline unsigned long long aggregated_add(unsigned long long* total) {
 /// What one thread found for its sphere: collisions in a register, pairs appended at once when they are
 /// wanted.
 struct DeviceVisitor : Visitor {
-  CATENA_HD DeviceVisitor(std::uint32_t sphere, const ResultView& to) : i(sphere), result(to) {}
+  CATENA_HD DeviceVisitor(std::uint32_t sphere, const ResidentAnswer& to) : i(sphere), answer(to) {}
 
   CATENA_HD void hit(std::uint32_t j) {
     ++collisions;
     if (i > j) return;
 #ifdef __CUDA_ARCH__
-    if (result.pairs == nullptr) {
+    if (answer.pairs == nullptr) {
       ++later;
       return;
     }
-    const unsigned long long place = aggregated_add(result.found);
-    if (place < result.capacity) result.pairs[place] = {i, j};
+    const unsigned long long place = aggregated_add(&answer.state->found);
+    if (place < answer.capacity)
+      answer.pairs[place] = {i, j};
+    else
+      answer.state->overflow = 1;
 #endif
   }
 
@@ -44,16 +47,17 @@ struct DeviceVisitor : Visitor {
 
   /// True when another thread has answered Want::any already.
   __device__ bool satisfied() const {
-    return result.any_only && *static_cast<volatile unsigned long long*>(result.found) > 0;
+    return answer.count == nullptr && answer.pairs == nullptr &&
+           *static_cast<volatile unsigned long long*>(&answer.state->found) > 0;
   }
 
   /// Counts the pairs that were not appended; call once, when the search is over.
   __device__ void finish() {
-    if (later > 0) atomicAdd(result.found, static_cast<unsigned long long>(later));
+    if (later > 0) atomicAdd(&answer.state->found, static_cast<unsigned long long>(later));
   }
 
   std::uint32_t i, collisions = 0, later = 0;
-  const ResultView& result;
+  const ResidentAnswer& answer;
 };
 
 }  // namespace catena::cuda

@@ -14,5 +14,5 @@ for v in GPU1 bGPU2+GPU2 bGPU2+GPUv2 aGPU2+GPU2 aGPU2+GPUv2 "aGPU2(subtree=6,blo
          GPU1/literal aGPU2+GPU2/literal aGPU2+GPUv2/literal bGPU2+GPU2/literal; do
   variants+=(--variant "$v")
 done
-compute-sanitizer "${options[@]}" "$catena" verify --no-fcl "${variants[@]}" \
+compute-sanitizer "${options[@]}" "$catena" verify "${variants[@]}" \
   path1:n=1537 hair:n=1000 torus_knot:n=800 walk:n=900 coil:n=700,offset=1e6 coil:n=500,scale=1e-25 rod:n=0 rod:n=1 rod:n=385

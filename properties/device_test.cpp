@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
@@ -32,7 +33,7 @@ Chain scene(const std::string& spec) {
 }
 
 /// Every node of a tree with its bits.
-class Nodes final : public BoundsVisitor {
+class Nodes final : public SphereBoundsVisitor {
  public:
   void sphere(std::uint32_t parent, const Sphere64& p, std::uint32_t child, const Sphere64& c) override {
     const auto bits = [](const Sphere64& s) { return std::tuple(s.x, s.y, s.z, s.radius); };

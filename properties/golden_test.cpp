@@ -111,7 +111,7 @@ std::vector<std::pair<Row, Case>> golden_cases() {
 void expect_golden(bool on_device) {
   auto subjects = Subject::available();
   for (Subject& small : in_small_blocks(subjects)) subjects.push_back(std::move(small));
-  std::erase_if(subjects, [&](const Subject& s) { return !s.exact() || s.info.on_device != on_device; });
+  std::erase_if(subjects, [&](const Subject& s) { return !s.exact() || s.info.on_device() != on_device; });
   if (subjects.empty()) GTEST_SKIP() << "no such variant is available here";
   const auto cases = golden_cases();
   Collisions found;

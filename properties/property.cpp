@@ -27,23 +27,17 @@ Case Case::of(Chain chain) {
   return Case(std::move(chain), std::move(exact));
 }
 
-Subject Subject::named(const std::string& variant) {
-  const auto make = [variant] { return StrategyRegistry::instance().make(variant); };
-  make();  // an unknown name is said now
-  const auto slash = variant.rfind('/');
-  VariantInfo info;
-  info.name = variant;
-  info.arithmetic = slash == std::string::npos ? Robust::name : variant.substr(slash + 1);
-  for (const auto& listed : StrategyRegistry::instance().variants(true))
-    if (listed.name == variant) info = listed;
-  return {info, make};
+Subject Subject::of(VariantInfo info) {
+  auto make = [name = info.name] { return StrategyRegistry::instance().make(name); };
+  return {std::move(info), std::move(make)};
 }
+
+Subject Subject::named(const std::string& variant) { return of(StrategyRegistry::instance().describe(variant)); }
 
 std::vector<Subject> Subject::available(bool with_mutants) {
   std::vector<Subject> subjects;
-  for (const auto& info : StrategyRegistry::instance().variants(with_mutants))
-    if (!info.unavailable)
-      subjects.push_back({info, [name = info.name] { return StrategyRegistry::instance().make(name); }});
+  for (auto& info : StrategyRegistry::instance().variants(with_mutants))
+    if (!info.unavailable) subjects.push_back(of(std::move(info)));
   return subjects;
 }
 

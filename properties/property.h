@@ -45,11 +45,12 @@ struct Subject {
   VariantInfo info;
   std::function<std::unique_ptr<Variant>()> make;
 
-  /// robust, or a strategy's own arithmetic: its answer must be exactly right. literal and double are
-  /// rounded: they may miss and invent pairs, and a property about the pair set does not apply to them.
-  bool exact() const { return info.arithmetic != Literal::name && info.arithmetic != Double::name; }
+  /// Its answer must be exactly right. The others are rounded: they may miss and invent pairs, and a property about
+  /// the pair set does not apply to them.
+  bool exact() const { return info.exact; }
 
-  static Subject named(const std::string& variant);  ///< throws InputError like StrategyRegistry::make
+  static Subject of(VariantInfo info);
+  static Subject named(const std::string& variant);  ///< throws InputError like StrategyRegistry::describe
   static std::vector<Subject> available(bool with_mutants = false);
 };
 

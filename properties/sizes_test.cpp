@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/error.h"
 #include "catena/properties/property.h"
 #include "catena/reference/enclosure.h"
@@ -113,13 +114,13 @@ TEST(Extremes, ExactlyTouchingLattice) {
 }
 
 /// Depth and size of the paper's trees, for every construction.
-class Depth final : public BoundsVisitor {
+class Depth final : public SphereBoundsVisitor {
  public:
   explicit Depth(std::uint32_t n) : builder(n) {}
   void sphere(std::uint32_t parent, const Sphere64&, std::uint32_t child, const Sphere64&) override {
     builder.add(parent, child);
   }
-  void levels(std::uint32_t number) override { counted = number; }
+  void tree(const TreeFacts& facts) override { counted = facts.levels; }
   std::uint32_t counted = 0;
   reference::TreeShapeBuilder builder;
 };

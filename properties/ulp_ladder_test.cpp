@@ -114,7 +114,7 @@ TEST(UlpLadder, RobustNeverFlipsTheRoundedOnesDo) {
 TEST(UlpLadder, NoExactVariantFlips) {
   std::vector<std::unique_ptr<Variant>> variants;
   for (const Subject& subject : Subject::available())
-    if (subject.exact() && !subject.info.on_device) variants.push_back(subject.make());
+    if (subject.exact() && !subject.info.on_device()) variants.push_back(subject.make());
   std::uint64_t asked = 0;
   climb([&](int, bool, const Sphere& a, const Sphere& b) {
     const Chain chain({a, b}, {{0, 1, 2}, {}});  // two strands, so that the two are no neighbours

@@ -7,11 +7,6 @@
 
 namespace catena::properties {
 
-/// One parameter and the value it is to have.
-struct Setting {
-  std::string key, value;
-};
-
 /// The variant's name with these parameters set in each of its strategies that declares them and does not set
 /// them yet: "aGPU2@host+CPU2" with subtree = 6 is "aGPU2@host(subtree=6)+CPU2". nullopt when no strategy
 /// takes any.

@@ -21,7 +21,7 @@ constexpr std::uint32_t rounds = 20;
 std::vector<Subject> all_subjects() {
   std::vector<Subject> subjects;
   for (const VariantInfo& info : StrategyRegistry::instance().variants())
-    subjects.push_back({info, [name = info.name] { return StrategyRegistry::instance().make(name); }});
+    subjects.push_back(Subject::of(info));
   for (Subject& small : in_small_blocks(subjects))
     if (small.exact()) subjects.push_back(std::move(small));
   return subjects;
@@ -29,7 +29,7 @@ std::vector<Subject> all_subjects() {
 
 std::vector<Subject> subjects(bool on_device) {
   auto all = all_subjects();
-  std::erase_if(all, [&](const Subject& s) { return s.info.on_device != on_device; });
+  std::erase_if(all, [&](const Subject& s) { return s.info.on_device() != on_device; });
   return all;
 }
 

@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "catena/reference/enclosure.h"
 #include "catena/reference/exact_gap.h"
 
 namespace catena::reference {
@@ -40,7 +39,7 @@ void CertificateChecker::discarded(std::uint32_t a, std::uint32_t b) {
     ++report_.unknown;
     return;
   }
-  report_.not_separate += !separate(tree_.bound(a), tree_.bound(b));
+  report_.not_separate += !tree_.separate(a, b);
   seen_.add(tree_.weight(a), tree_.weight(b));
 }
 
@@ -67,7 +66,7 @@ bool CertificateChecker::two_spheres(std::uint32_t i, std::uint32_t j) {
 
 CertificateReport CertificateChecker::report() const {
   CertificateReport result = report_;
-  result.tree = tree_.report();
+  result.tree = tree_.faults();
   result.each_once = seen_.value() == tree_.all_pairs();
   return result;
 }
@@ -77,10 +76,13 @@ Certified certify(Variant& variant, const Chain& chain, const Request& request, 
   EvidenceTree tree(chain);
   variant.visit_bounds(tree);
   tree.complete();
+  variant.find(chain, request, found);
   CertificateChecker checker(chain, tree, variant.evidence(), request);
-  variant.find_with_evidence(chain, request, found, checker);
-  const CertificateReport report = checker.report();
-  return {report, std::move(checker).answer()};
+  Certified result;
+  variant.find_with_evidence(chain, request, result.shown, checker);
+  result.report = checker.report();
+  result.answer = std::move(checker).answer();
+  return result;
 }
 
 }  // namespace catena::reference

@@ -22,7 +22,7 @@ struct CertificateReport {
   std::uint64_t not_separate = 0;    ///< discarded pairs of nodes whose bounds touch
   std::uint64_t not_neighbours = 0;  ///< excluded pairs that are none
   bool each_once = false;            ///< every pair of spheres is accounted for, as often as declared
-  EvidenceTreeReport tree;
+  BoundTreeFaults tree;
 
   bool holds() const {
     return unknown == 0 && not_separate == 0 && not_neighbours == 0 && each_once && tree.sound();
@@ -66,11 +66,13 @@ class CertificateChecker final : public EvidenceSink {
 /// A checked search.
 struct Certified {
   CertificateReport report;
-  Answer answer;  ///< what the evidence proves; means nothing unless the report holds
+  Answer answer;     ///< what the evidence proves; means nothing unless the report holds
+  Collisions shown;  ///< what the search with evidence answered itself
 };
 
-/// Builds and searches with the variant, checks its evidence, and leaves its answer in `found`. The variant's
-/// evidence() must not be none. Cost: the search and O(1) for each line of evidence. Throws what build and
+/// Builds, leaves the answer of find() in `found`, searches again with evidence, and checks that evidence. That all
+/// three answers are one is for the caller to compare: the evidence alone says nothing of find(), which may run on
+/// many threads. The variant's evidence() must not be none. Cost: both searches and O(1) for each line of evidence. Throws what build and
 /// find throw, and PairLimitExceeded.
 Certified certify(Variant& variant, const Chain& chain, const Request& request, Collisions& found);
 

@@ -113,18 +113,36 @@ double shortfall(const Sphere64& parent, const Sphere64& child) {
   return static_cast<double>(ldexp(out, e.unit) / parent.radius);
 }
 
-void EnclosureChecker::sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
-                              const Sphere64& child) {
+void EnclosureChecker::edge(std::uint32_t parent_id, const AnyBound& parent, std::uint32_t child_id,
+                            const AnyBound& child) {
   shape_.add(parent_id, child_id);
+  const auto *p = std::get_if<Sphere64>(&parent), *c = std::get_if<Sphere64>(&child);
+  if (!facts_.nested || p == nullptr || c == nullptr) {
+    if (!tree_) tree_.emplace(chain_);
+    return tree_->add(parent_id, parent, child_id, child);
+  }
   ++report_.bounds;
-  if (!encloses(parent, child)) {
+  if (!encloses(*p, *c)) {
     ++report_.violations;
-    report_.worst_shortfall = std::max(report_.worst_shortfall, shortfall(parent, child));
+    report_.worst_shortfall = std::max(report_.worst_shortfall, shortfall(*p, *c));
   }
   if (child_id < chain_.size()) {
     const Sphere& s = chain_[child_id];
-    if (child != Sphere64{s.x, s.y, s.z, s.radius}) ++report_.foreign_leaves;
+    if (*c != Sphere64{s.x, s.y, s.z, s.radius}) ++report_.foreign_leaves;
   }
+}
+
+EnclosureReport EnclosureChecker::report() {
+  if (!tree_) return report_;
+  tree_->check(facts_.nested);
+  const BoundTreeFaults& faults = tree_->faults();
+  report_.bounds += faults.bounds;
+  report_.violations += faults.unenclosed;
+  report_.worst_shortfall = std::max(report_.worst_shortfall, faults.worst_shortfall);
+  report_.foreign_leaves += faults.foreign_leaves;
+  report_.misplaced += faults.misplaced;
+  tree_.reset();
+  return report_;
 }
 
 }  // namespace catena::reference

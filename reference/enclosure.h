@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/hierarchy/bounds_visitor.h"
 #include "catena/core/sphere.h"
-#include "catena/core/strategy/variant.h"
+#include "catena/reference/bound_tree.h"
 #include "catena/reference/tree_shape.h"
 
 namespace catena::reference {
@@ -32,37 +33,42 @@ bool separate_by_integers(const Sphere64& a, const Sphere64& b);
 double shortfall(const Sphere64& parent, const Sphere64& child);
 
 struct EnclosureReport {
-  std::uint64_t bounds = 0;      ///< (parent, child) seen
-  std::uint64_t violations = 0;  ///< those that do not enclose
-  double worst_shortfall = 0;    ///< largest shortfall of a violation, relative to the parent's radius
+  std::uint64_t bounds = 0;  ///< (parent, child) seen
+  /// Those that do not enclose: the child's bound, where the tree promises that (the paper's), else some
+  /// sphere below the child.
+  std::uint64_t violations = 0;
+  double worst_shortfall = 0;  ///< largest shortfall of a violation, relative to the parent's radius
   /// Leaves shown that are not the chain's sphere of their index: a tree over other spheres proves nothing.
   std::uint64_t foreign_leaves = 0;
+  /// Nodes without one place and bound in the tree; only seen where spheres are held against their ancestors.
+  std::uint64_t misplaced = 0;
 
   double share() const {
     return bounds == 0 ? 0 : static_cast<double>(violations) / static_cast<double>(bounds);
   }
 };
 
-/// Checks every bound that a variant shows of its last build, and gathers the shape of its tree.
+/// Checks every bound that a variant shows of its last build, and gathers the shape of its tree. Ids are
+/// below 4n.
 class EnclosureChecker final : public BoundsVisitor {
  public:
   /// `chain` is that of the variant's last build and must outlive the checker.
   explicit EnclosureChecker(const Chain& chain) : chain_(chain), shape_(chain.size()) {}
 
-  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
-              const Sphere64& child) override;
+  void tree(const TreeFacts& facts) override { facts_ = facts; }
+  void edge(std::uint32_t parent_id, const AnyBound& parent, std::uint32_t child_id,
+            const AnyBound& child) override;
 
-  void levels(std::uint32_t number) override { levels_ = number; }
-
-  const EnclosureReport& report() const noexcept { return report_; }
-  std::optional<std::uint32_t> levels() const noexcept { return levels_; }  ///< as the builder counted them
-  TreeShape shape() const { return shape_.shape(); }                        ///< O(nodes log nodes)
+  EnclosureReport report();  ///< when all was shown
+  const TreeFacts& facts() const noexcept { return facts_; }
+  TreeShape shape() const { return shape_.shape(); }  ///< O(nodes log nodes)
 
  private:
   const Chain& chain_;
   EnclosureReport report_;
   TreeShapeBuilder shape_;
-  std::optional<std::uint32_t> levels_;
+  TreeFacts facts_;
+  std::optional<BoundTree> tree_;  ///< where spheres must be held against their ancestors
 };
 
 }  // namespace catena::reference

@@ -94,11 +94,12 @@ TEST(Enclosure, Shortfall) {
 TEST(Enclosure, CheckerReportsViolationsAndForeignLeaves) {
   const Chain chain({{0, 0, 0, 1}, {2, 0, 0, 1}, {4, 0, 0, 1}});
   EnclosureChecker checker(chain);
+  checker.tree({.nested = true});
   const Sphere64 a{0, 0, 0, 1}, b{2, 0, 0, 1}, ab{1, 0, 0, 2}, small{2, 0, 0, 2};
-  checker.sphere(3, ab, 0, a);
-  checker.sphere(3, ab, 1, b);
-  checker.sphere(4, small, 3, ab);  // out by 1 of 2
-  checker.sphere(4, small, 2, {4, 0, 0, 0});
+  checker.edge(3, ab, 0, a);
+  checker.edge(3, ab, 1, b);
+  checker.edge(4, small, 3, ab);  // out by 1 of 2
+  checker.edge(4, small, 2, Sphere64{4, 0, 0, 0});
   EXPECT_EQ(checker.report().bounds, 4u);
   EXPECT_EQ(checker.report().violations, 1u);
   EXPECT_DOUBLE_EQ(checker.report().worst_shortfall, 0.5);

@@ -3,57 +3,42 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
-#include "catena/core/strategy/variant.h"
+#include "catena/core/hierarchy/bounds_visitor.h"
+#include "catena/reference/bound_tree.h"
 #include "catena/reference/fingerprint.h"
 
 namespace catena::reference {
 
-/// Faults of a tree that evidence speaks of.
-struct EvidenceTreeReport {
-  std::uint64_t bounds = 0;          ///< (parent, child) seen
-  std::uint64_t unenclosed = 0;      ///< children that stick out of their parent
-  std::uint64_t foreign_leaves = 0;  ///< leaves that are not the chain's sphere of their index
-  std::uint64_t misplaced =
-      0;  ///< nodes with two parents, in a cycle, with an id of 4n or more, or shown with two bounds
-  bool sound() const { return unenclosed == 0 && foreign_leaves == 0 && misplaced == 0; }
-};
-
-/// The nodes of a variant's last build: their bounds, and the weight of the spheres below each. When sound,
-/// every node encloses all spheres below it, exactly: it encloses its children, and they theirs. 64 bytes a
-/// node.
+/// The nodes of a variant's last build, of any arity and with bounds of any kind, and the weight of the
+/// spheres below each. When its tree is sound, every node encloses all spheres below it, exactly. About 80
+/// bytes a node.
 class EvidenceTree final : public BoundsVisitor {
  public:
   /// `chain` must outlive the tree. Weights are drawn from std::random_device, so no search can know them.
   explicit EvidenceTree(const Chain& chain);
 
-  void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
-              const Sphere64& child) override;
-  /// Call once when all bounds were shown: adds up weights from the leaves to the roots, O(nodes).
+  void tree(const TreeFacts& facts) override { nested_ = facts.nested; }
+  void edge(std::uint32_t parent_id, const AnyBound& parent, std::uint32_t child_id,
+            const AnyBound& child) override {
+    tree_.add(parent_id, parent, child_id, child);
+  }
+  /// Call once when all bounds were shown: checks them, and adds up weights from the leaves to the roots,
+  /// O(nodes).
   void complete();
 
-  bool knows(std::uint32_t id) const { return id < nodes_.size() && nodes_[id].known; }
-  const Sphere64& bound(std::uint32_t id) const { return nodes_[id].bound; }
-  const Fingerprint::Weight& weight(std::uint32_t id) const { return nodes_[id].weight; }
+  bool knows(std::uint32_t id) const { return tree_.knows(id); }
+  bool separate(std::uint32_t a, std::uint32_t b) const { return tree_.separate(a, b); }
+  const Fingerprint::Weight& weight(std::uint32_t id) const { return weights_[id]; }
   std::uint64_t all_pairs() const {
     return all_pairs_;
   }  ///< the fingerprint of every ordered pair, each once
-  const EvidenceTreeReport& report() const { return report_; }
+  const BoundTreeFaults& faults() const { return tree_.faults(); }
 
  private:
-  static constexpr std::uint32_t no_parent = 0xFFFFFFFF;
-  struct alignas(64) Node {
-    Sphere64 bound{};
-    Fingerprint::Weight weight;
-    std::uint32_t parent = no_parent;
-    std::uint32_t open_children : 31 = 0;  ///< whose weight is not in this one yet
-    std::uint32_t known : 1 = 0;
-  };
-  Node* show(std::uint32_t id, const Sphere64& bound);
-
-  const std::uint32_t leaves_;
-  std::vector<Node> nodes_;
+  BoundTree tree_;
+  bool nested_ = false;
+  std::vector<Fingerprint::Weight> weights_;
   std::uint64_t all_pairs_ = 0;
-  EvidenceTreeReport report_;
 };
 
 }  // namespace catena::reference

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "catena/core/error.h"
-#include "catena/reference/fcl.h"
 #include "catena/reference/reference.h"
 
 namespace catena::reference {
@@ -53,6 +52,7 @@ std::string what_differs(const Verification& v) {
   say(v.enclosure.violations > 0, fmt::format("{:.1f} % unenclosed, worst by {:.1e} of the parent",
                                               100 * v.enclosure.share(), v.enclosure.worst_shortfall));
   say(v.enclosure.foreign_leaves > 0, fmt::format("{} leaves not of the chain", v.enclosure.foreign_leaves));
+  say(v.enclosure.misplaced > 0, fmt::format("{} nodes without one place and bound", v.enclosure.misplaced));
   say(!v.shape.is_tree(), fmt::format("not a tree: {} roots, {} spheres lost, {} nodes shared", v.shape.roots,
                                       v.shape.lost_leaves, v.shape.shared));
   return fmt::format("{}", fmt::join(parts, "; "));
@@ -60,7 +60,7 @@ std::string what_differs(const Verification& v) {
 
 void judge(Verification& v, bool rounded) {
   const bool same = v.comparison.right() && v.enclosure.violations == 0;
-  const bool sound = v.comparison.well_formed() && v.enclosure.foreign_leaves == 0 && v.shape.is_tree();
+  const bool sound = v.comparison.well_formed() && v.enclosure.foreign_leaves == 0 && v.enclosure.misplaced == 0 && v.shape.is_tree();
   v.verdict = same && sound ? Verdict::exact : rounded && sound ? Verdict::differs : Verdict::wrong;
   v.reason = what_differs(v);
 }
@@ -133,25 +133,17 @@ Verification verify_by_certificate(Variant& variant, const Chain& chain, std::ui
     exact_pairs = certified.answer.pair_count;
     v.comparison = compare(chain, certified.answer, found);
     v.ran = true;
+    if (v.comparison.right() && !compare(chain, certified.answer, certified.shown).right()) {
+      v.verdict = Verdict::wrong;
+      v.reason = "the search with evidence gives another answer than its evidence proves";
+      return v;
+    }
   } catch (const CapacityError& limit) {
     v.verdict = Verdict::refused;
     v.reason = limit.what();
     return v;
   }
   judge(v, false);
-  return v;
-}
-
-Verification verify_fcl(const Chain& chain, const Answer& exact) {
-  Verification v;
-  if (const auto why = fcl_unavailable()) {
-    v.verdict = Verdict::unavailable;
-    v.reason = *why;
-    return v;
-  }
-  ask_and_compare([&](const Request& request, Collisions& found) { found = fcl_collisions(chain, request); },
-                  chain, exact, v);
-  judge(v, true);
   return v;
 }
 

@@ -16,7 +16,7 @@ namespace catena::reference {
 /// What came of holding one variant, or a peer, against the exact reference.
 enum class Verdict {
   exact,       ///< the right pairs and counts, every bound encloses
-  differs,     ///< it differs as its rounded arithmetic may (literal, double, a peer)
+  differs,     ///< it differs as its rounded arithmetic may
   wrong,       ///< it differs and must not, or in a way that rounding does not excuse
   refused,     ///< the input is past a declared limit of the variant
   unavailable  ///< it cannot run on this machine
@@ -39,19 +39,17 @@ struct Verification {
 /// limit.
 Answer exact_answer(const Chain& chain, std::uint64_t pair_limit);
 
-/// Builds and searches with the variant and compares with `exact`, which says whether pairs are wanted. A
-/// variant with rounded arithmetic may miss and invent pairs, and have bounds that do not enclose; a repeated
+/// Builds and searches with the variant and compares with `exact`, which says whether pairs are wanted. A variant
+/// that is not exact by its VariantInfo (`rounded`) may miss and invent pairs, and have bounds that do not enclose; a repeated
 /// or malformed pair, a neighbour or a tree that is no tree is wrong for all. CapacityError becomes
 /// `refused`; other errors pass.
 Verification verify(Variant& variant, bool rounded, const Chain& chain, const Answer& exact);
 
 /// The same with the variant's own evidence in place of the reference, for variants whose evidence() is not none: it is
-/// checked line by line and proves which pairs there are, at about the cost of the search. Counts only when there are
+/// checked line by line and proves which pairs there are, at about the cost of the search; what find() answers, and
+/// what the search with evidence does, are held against that. Counts only when there are
 /// more pairs than the limit. `exact_pairs` becomes the proved number; 0 when nothing was proved.
 Verification verify_by_certificate(Variant& variant, const Chain& chain, std::uint64_t pair_limit,
                                    std::uint64_t& exact_pairs);
-
-/// The same for FCL, which counts as rounded.
-Verification verify_fcl(const Chain& chain, const Answer& exact);
 
 }  // namespace catena::reference

@@ -24,26 +24,14 @@ namespace {
 
 /// A variant to verify; it keeps its buffers from input to input, as it would in use.
 struct Candidate {
-  std::string name;
-  bool rounded;  ///< literal or double: it may differ
-  std::optional<std::string> unavailable;
+  VariantInfo info;
   std::unique_ptr<Variant> variant;  ///< null when unavailable
 };
 
-/// literal and double keep the paper's formulas and may differ; everything else must be exact.
-bool is_rounded(const std::string& name) {
-  const auto slash = name.rfind('/');
-  const std::string arithmetic = slash == std::string::npos ? "" : name.substr(slash + 1);
-  return arithmetic == "literal" || arithmetic == "double";
-}
-
 Candidate candidate(const std::string& name) {
-  Candidate result{name, is_rounded(name), std::nullopt, nullptr};
-  try {
-    result.variant = StrategyRegistry::instance().make(name);
-  } catch (const CapacityError& why) {
-    result.unavailable = why.what();
-  }
+  const auto& registry = StrategyRegistry::instance();
+  Candidate result{registry.describe(name), nullptr};
+  if (!result.info.unavailable) result.variant = registry.make(name);
   return result;
 }
 
@@ -56,7 +44,6 @@ class VerifyCommand final : public Command {
         ->allow_extra_args(false);
     frame_.add_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each input and variant");
-    app.add_flag("--no-fcl", no_fcl_, "Leave FCL out");
     app.add_flag("--certify", certify_,
                  "Prove each answer by the variant's own evidence, where it has some; no reference is run for it");
     add_input_options(app, options_);
@@ -68,9 +55,9 @@ class VerifyCommand final : public Command {
     auto candidates = make_candidates();
 
     std::vector<std::string> names;
-    for (const auto& c : candidates) names.push_back(c.name);
+    for (const auto& c : candidates) names.push_back(c.info.name);
     VerifyReport report(json_, inputs_, names);
-    Progress progress(inputs_.size() * (candidates.size() + !no_fcl_));
+    Progress progress(inputs_.size() * candidates.size());
     for (const auto& spec : inputs_) {
       const Input input = open_for_verification(spec, options_, samples);
       progress.clear();
@@ -108,33 +95,30 @@ class VerifyCommand final : public Command {
       report.row({input.name, frame, chain.size(), exact_pairs, variant, std::move(result)});
     };
     for (auto& c : candidates) {
-      progress.step(fmt::format("{} on {}", c.name, input.name));
+      progress.step(fmt::format("{} on {}", c.info.name, input.name));
       if (!c.variant) {
         Verification v;
         v.verdict = Verdict::unavailable;
-        v.reason = *c.unavailable;
-        print(c.name, certify_ ? 0 : exact().pair_count, std::move(v));
-      } else if (certify_ && !c.rounded && c.variant->evidence() != Accounting::none) {
+        v.reason = *c.info.unavailable;
+        print(c.info.name, certify_ ? 0 : exact().pair_count, std::move(v));
+      } else if (certify_ && c.info.exact && c.variant->evidence() != Accounting::none) {
         std::uint64_t proved;
         Verification v = verify_by_certificate(*c.variant, chain, pair_limit, proved);
-        print(c.name, proved, std::move(v));
+        print(c.info.name, proved, std::move(v));
       } else {
-        print(c.name, exact().pair_count, verify(*c.variant, c.rounded, chain, exact()));
+        print(c.info.name, exact().pair_count, verify(*c.variant, !c.info.exact, chain, exact()));
       }
     }
-    if (no_fcl_) return;
-    progress.step(fmt::format("FCL on {}", input.name));
-    print("FCL", exact().pair_count, verify_fcl(chain, exact()));
   }
 
   std::vector<std::string> inputs_, variants_;
   FrameOption frame_;
-  bool json_ = false, no_fcl_ = false, certify_ = false;
+  bool json_ = false, certify_ = false;
   InputOptions options_;
 };
 
 const RegisterCommand<VerifyCommand> registered{
-    "verify", "Hold every variant, and FCL, against the exact reference: pairs, counts and enclosure"};
+    "verify", "Hold every variant, peers among them, against the exact reference: pairs, counts and enclosure"};
 
 }  // namespace
 }  // namespace catena::reference

@@ -130,7 +130,7 @@ Profile profile_named(const std::string& name) {
 
 std::vector<VariantInfo> exact_variants(const Profile& profile) {
   auto variants = profile.variants;
-  std::erase_if(variants, [](const VariantInfo& v) { return v.arithmetic != Robust::name; });
+  std::erase_if(variants, [](const VariantInfo& v) { return !v.exact; });
   return variants;
 }
 

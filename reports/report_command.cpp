@@ -127,19 +127,9 @@ class ReportCommand final : public Command {
   /// A variant may be written with parameters, which the list of variants does not show.
   std::vector<VariantInfo> named_variants() const {
     std::vector<VariantInfo> chosen;
-    const auto all = StrategyRegistry::instance().variants();
     for (const auto& name : variants_) {
-      StrategyRegistry::instance().make(name);  // says what is wrong with it
-      std::string plain;
-      int depth = 0;
-      for (const char c : name) {
-        if (c == '(') ++depth;
-        if (depth == 0) plain += c;
-        if (c == ')') --depth;
-      }
-      auto info = *std::ranges::find(all, plain, &VariantInfo::name);
-      info.name = name;
-      chosen.push_back(std::move(info));
+      StrategyRegistry::instance().make(name);  // says what is wrong with it, or missing here
+      chosen.push_back(StrategyRegistry::instance().describe(name));
     }
     return chosen;
   }

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/strategy/register.h"
 
@@ -32,20 +35,26 @@ class CPU1 final : public Variant {
   void search(const ChainView& view, const Request& request, Collisions& result, const Met& met) {
     const Stopwatch watch;
     PairCollector collector(view.size, request, result);
-    PairCollector::Lane& lane = collector.lane(0);
-    const bool counts = request.want != Request::Want::any;
-    for (std::uint32_t i = 0; i < view.size && !lane.satisfied(); ++i) {
-      const auto sphere = Arithmetic::bound(view.spheres[i]);
-      for (std::uint32_t j = i + 1; j < view.size; ++j) {
-        met(i, j);
-        if (!Arithmetic::overlap(sphere, Arithmetic::bound(view.spheres[j])) || view.neighbours(i, j))
-          continue;
-        if (counts) ++result.count[i], ++result.count[j];
-        lane.pair(i, j);
-      }
-    }
+    with_tests_for<Arithmetic>(view, [&](auto tests) { compare_all<decltype(tests)>(view, collector, met); });
     collector.finish();
     timings_.find_ms = watch.ms();
+  }
+
+  template <class Tests, class Met>
+  static void compare_all(const ChainView& view, PairCollector& collector, const Met& met) {
+    PairCollector::Lane& lane = collector.lane(0);
+    const SphereRange queries = collector.queries();
+    for (std::uint32_t i = 0; i < queries.end && !lane.satisfied(); ++i) {
+      const auto sphere = Tests::bound(view.spheres[i]);
+      // A sphere before the range is compared with those in it alone, whose counts need it.
+      const std::uint32_t first = std::max(i + 1, i < queries.begin ? queries.begin : 0u);
+      const std::uint32_t end = i < queries.begin ? queries.end : view.size;
+      for (std::uint32_t j = first; j < end; ++j) {
+        met(i, j);
+        if (Tests::overlap(sphere, Tests::bound(view.spheres[j])) && !view.neighbours(i, j))
+          lane.collide(i, j);
+      }
+    }
   }
 
   Timings timings_;

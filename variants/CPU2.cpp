@@ -1,5 +1,7 @@
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/policies/visitor.h"
+#include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -7,14 +9,17 @@ namespace {
 
 /// CPU2 (Section 5.1): each sphere against the tree, recursively. O(n log n) on a chain with few collisions.
 template <class Arithmetic>
-class CPU2 final : public Traversal<typename Arithmetic::Bound> {
+class CPU2 final : public Traversal<HierarchyView<typename Arithmetic::Bound>> {
   using Bound = typename Arithmetic::Bound;
 
  public:
   void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
             Collisions& result) override {
+    in_range_ = in_range<Arithmetic>(chain);
     search_all(chain, tree, request, result, [](std::uint32_t) { return Visitor{}; });
   }
+
+  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
   Accounting evidence() const override { return Accounting::from_both_ends; }
 
@@ -63,7 +68,8 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
     PairCollector collector(chain.size, request, result);
     PairCollector::Lane& lane = collector.lane(0);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      for (std::uint32_t i = 0; i < chain.size && !lane.satisfied(); ++i)
+      const SphereRange queries = collector.queries();
+      for (std::uint32_t i = queries.begin; i < queries.end && !lane.satisfied(); ++i)
         lane.count(i, collisions_of<decltype(tests)>(i, chain, tree, lane, observe(i)));
     });
     collector.finish();
@@ -77,6 +83,8 @@ class CPU2 final : public Traversal<typename Arithmetic::Bound> {
     if (!tree.is_leaf(tree.root)) search.children(tree.root);
     return search.collisions;
   }
+
+  bool in_range_ = false;  ///< of the last search
 };
 
 const RegisterTraversal<CPU2, Robust, Literal, Double> registered{

@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -10,14 +12,17 @@ namespace {
 /// children; every pair of leaves is met once. A pair of far subtrees is left out in one step, so its
 /// evidence is the shortest.
 template <class Arithmetic>
-class Dual final : public Traversal<typename Arithmetic::Bound> {
+class Dual final : public Traversal<HierarchyView<typename Arithmetic::Bound>> {
   using Bound = typename Arithmetic::Bound;
 
  public:
   void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
             Collisions& result) override {
+    in_range_ = in_range<Arithmetic>(chain);
     search(chain, tree, request, result, NoEvidence{});
   }
+
+  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
   Accounting evidence() const override { return Accounting::each_pair; }
 
@@ -34,17 +39,16 @@ class Dual final : public Traversal<typename Arithmetic::Bound> {
     void compared(std::uint32_t, std::uint32_t) const {}
   };
 
-  template <class Sink>
+  template <class Tests, class Sink>
   struct Search {
     const ChainView& chain;
     const HierarchyView<Bound>& tree;
     PairCollector::Lane& lane;
-    std::uint32_t* count;  // null when no counts are wanted
     Sink sink;
 
     /// All pairs of spheres below one node.
     void within(std::uint32_t node) {
-      if (tree.is_leaf(node)) return;
+      if (tree.is_leaf(node) || lane.satisfied()) return;
       const Links children = tree.links[node];
       within(children.left);
       within(children.right);
@@ -56,7 +60,7 @@ class Dual final : public Traversal<typename Arithmetic::Bound> {
       if (lane.satisfied()) return;
       if (tree.is_leaf(a) && tree.is_leaf(b)) return leaves(std::min(a, b), std::max(a, b));
       sink.compared(a, b);
-      if (!Arithmetic::may_overlap(tree.bound[a], tree.bound[b])) return sink.discarded(a, b);
+      if (!Tests::may_overlap(tree.bound[a], tree.bound[b])) return sink.discarded(a, b);
       if (tree.is_leaf(a) || (!tree.is_leaf(b) && tree.bound[a].radius < tree.bound[b].radius))
         std::swap(a, b);
       const Links children = tree.links[a];
@@ -67,9 +71,7 @@ class Dual final : public Traversal<typename Arithmetic::Bound> {
     void leaves(std::uint32_t i, std::uint32_t j) {
       if (chain.neighbours(i, j)) return sink.excluded(i, j);
       sink.tested(i, j);
-      if (!Arithmetic::overlap(tree.bound[i], tree.bound[j])) return;
-      if (count != nullptr) ++count[i], ++count[j];
-      lane.pair(i, j);
+      if (Tests::overlap(tree.bound[i], tree.bound[j])) lane.collide(i, j);
     }
   };
 
@@ -77,11 +79,14 @@ class Dual final : public Traversal<typename Arithmetic::Bound> {
   static void search(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,
                      Collisions& result, Sink sink) {
     PairCollector collector(chain.size, request, result);
-    const bool counts = request.want != Request::Want::any;
-    Search<Sink> search{chain, tree, collector.lane(0), counts ? result.count.data() : nullptr, sink};
-    if (chain.size > 0) search.within(tree.root);
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      Search<decltype(tests), Sink> search{chain, tree, collector.lane(0), sink};
+      if (chain.size > 0) search.within(tree.root);
+    });
     collector.finish();
   }
+
+  bool in_range_ = false;  ///< of the last search
 };
 
 const RegisterTraversal<Dual, Robust, Literal, Double> registered{

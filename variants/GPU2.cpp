@@ -13,7 +13,8 @@ using GPU2OnHost = HostTraversal<Arithmetic, policy::GPU2>;
 const RegisterTraversal<GPU2OnHost, Robust, Literal, Double> registered{
     {.name = "GPU2@host",
      .summary = "each sphere against the tree, explicit stack",
-     .parameters = {HostExecutor::threads_parameter()}}};
+     .parameters = {HostExecutor::threads_parameter()},
+     .promises = {.same_order = true}}};
 
 }  // namespace
 }  // namespace catena

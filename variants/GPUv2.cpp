@@ -24,7 +24,8 @@ using GPUv2OnHost = HostTraversal<Arithmetic, BothThreads>;
 const RegisterTraversal<GPUv2OnHost, Robust, Literal, Double> registered{
     {.name = "GPUv2@host",
      .summary = "two visits per sphere, one per child of the root",
-     .parameters = {HostExecutor::threads_parameter()}}};
+     .parameters = {HostExecutor::threads_parameter()},
+     .promises = {.same_order = true}}};
 
 }  // namespace
 }  // namespace catena

@@ -7,7 +7,7 @@ namespace {
 /// aCPU2 (Section 4.1): bottom-up, level by level; nodes 2i and 2i + 1 of a level get a parent, an odd last
 /// node moves up unchanged. The paper states O(n log n); it makes n - 1 nodes, so it is O(n).
 template <class Arithmetic>
-class aCPU2 final : public Construction<typename Arithmetic::Bound> {
+class aCPU2 final : public Construction<HierarchyView<typename Arithmetic::Bound>> {
   using Bound = typename Arithmetic::Bound;
 
  public:
@@ -40,7 +40,9 @@ class aCPU2 final : public Construction<typename Arithmetic::Bound> {
 };
 
 const RegisterConstruction<aCPU2, Robust, Literal, Double> registered{
-    {.name = "aCPU2", .summary = "tree by pairs, bottom-up, sequential, O(n)"}};
+    {.name = "aCPU2",
+     .summary = "tree by pairs, bottom-up, sequential, O(n)",
+     .promises = {.same_bits = true}}};
 
 }  // namespace
 }  // namespace catena

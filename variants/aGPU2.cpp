@@ -8,7 +8,7 @@ namespace {
 
 /// aGPU2 with its blocks emulated by the host executor.
 template <class Arithmetic>
-class aGPU2OnHost final : public Construction<typename Arithmetic::Bound> {
+class aGPU2OnHost final : public Construction<HierarchyView<typename Arithmetic::Bound>> {
   using Bound = typename Arithmetic::Bound;
 
  public:
@@ -49,10 +49,11 @@ class aGPU2OnHost final : public Construction<typename Arithmetic::Bound> {
 const RegisterConstruction<aGPU2OnHost, Robust, Literal, Double> registered{
     {.name = "aGPU2@host",
      .summary = "subtrees by independent blocks, then the top over their roots, any n",
-     .parameters = {
-         HostExecutor::threads_parameter(),
-         {"subtree", "384", "leaves of a subtree; its block has half as many threads"},
-         {"block", "768", "threads of the block that builds the top; it takes twice as many roots"}}}};
+     .parameters = {HostExecutor::threads_parameter(),
+                    {"subtree", "384", "leaves of a subtree; its block has half as many threads"},
+                    {"block", "768",
+                     "threads of the block that builds the top; it takes twice as many roots"}},
+     .promises = {.same_bits = true}}};
 
 }  // namespace
 }  // namespace catena

@@ -9,7 +9,7 @@ namespace {
 
 /// bGPU2 with its one block emulated by the host executor.
 template <class Arithmetic>
-class bGPU2OnHost final : public Construction<typename Arithmetic::Bound> {
+class bGPU2OnHost final : public Construction<HierarchyView<typename Arithmetic::Bound>> {
   using Bound = typename Arithmetic::Bound;
 
  public:
@@ -43,7 +43,8 @@ const RegisterConstruction<bGPU2OnHost, Robust, Literal, Double> registered{
     {.name = "bGPU2@host",
      .summary = "the tree of aCPU2 by one block, a thread per pair, a barrier per level",
      .parameters = {HostExecutor::threads_parameter(),
-                    {"block", "768", "threads of the block; it takes twice as many spheres"}}}};
+                    {"block", "768", "threads of the block; it takes twice as many spheres"}},
+     .promises = {.same_bits = true}}};
 
 }  // namespace
 }  // namespace catena

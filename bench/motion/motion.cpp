@@ -63,6 +63,8 @@ std::string name_of(MotionOutcome outcome) {
   return "";
 }
 
+bool MotionCase::exact() const { return StrategyRegistry::instance().describe(variant).exact; }
+
 MotionResult measure_motion(const MotionCase& c) {
   MotionResult result;
   motion::RopeMotion rope = start(c);

@@ -18,6 +18,8 @@ struct MotionCase {
   std::string variant;     ///< finds the contacts
   std::uint32_t n = 120, frames = 51;
   double duration = 100;
+
+  bool exact() const;  ///< the variant must not miss a contact
 };
 
 enum class MotionOutcome {

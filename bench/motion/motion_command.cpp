@@ -124,7 +124,7 @@ class MotionCommand final : public Command {
     if (left_out > 0)
       fmt::print(stderr, "{} motions left out: --seconds {:g} were over\n", left_out, seconds_);
     const bool defect = std::ranges::any_of(rows, [](const MotionRow& row) {
-      return !may_be_wrong(arithmetic_of(row.motion.variant)) && row.result.missed + row.result.invented > 0;
+      return row.motion.exact() && row.result.missed + row.result.invented > 0;
     });
     return defect ? 1 : 0;
   }

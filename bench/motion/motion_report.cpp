@@ -8,6 +8,7 @@
 
 #include "catena/bench/stability.h"
 #include "catena/core/commands/report_text.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
 namespace {
@@ -37,9 +38,9 @@ std::string of_one_stiffness(const std::vector<const MotionRow*>& rows) {
 
 /// Where this row fails and an exact variant does not.
 std::string fault_of_arithmetic(const MotionRow& row, const std::vector<MotionRow>& rows) {
-  if (holds(row) || !may_be_wrong(arithmetic_of(row.motion.variant))) return "";
+  if (holds(row) || row.motion.exact()) return "";
   for (const MotionRow& exact : rows)
-    if (!may_be_wrong(arithmetic_of(exact.motion.variant)) && same_motion(exact.motion, row.motion) &&
+    if (exact.motion.exact() && same_motion(exact.motion, row.motion) &&
         holds(exact))
       return fmt::format("stiffness {:g}, step {:g} ({} of {} contacts missed, {} invented; {} holds)",
                          row.motion.stiffness, row.motion.step, row.result.missed, row.result.contacts,
@@ -58,7 +59,7 @@ nlohmann::ordered_json to_json(const MotionRow& row) {
                               {"frames", motion.frames},
                               {"duration", motion.duration},
                               {"variant", motion.variant},
-                              {"arithmetic", arithmetic_of(motion.variant)},
+                              {"arithmetic", StrategyRegistry::instance().describe(motion.variant).arithmetic},
                               {"outcome", name_of(result.outcome)},
                               {"failed_at", nullptr},
                               {"energy_drift", finite_or_word(result.energy_drift)},

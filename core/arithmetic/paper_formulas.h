@@ -45,12 +45,14 @@ struct PaperFormulas {
 /// The paper in binary32: what its authors ran.
 struct Literal : PaperFormulas<float, Sphere> {
   static constexpr const char* name = "literal";
+  static constexpr bool exact = false;  ///< whether pairs are those of exact real arithmetic
   using InRange = Literal;
 };
 
 /// The paper in binary64.
 struct Double : PaperFormulas<double, Sphere64> {
   static constexpr const char* name = "double";
+  static constexpr bool exact = false;  ///< whether pairs are those of exact real arithmetic
   using InRange = Double;
 };
 

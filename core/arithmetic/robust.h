@@ -16,6 +16,7 @@ namespace catena {
 /// the constants.
 struct Robust {
   static constexpr const char* name = "robust";
+  static constexpr bool exact = true;  ///< whether pairs are those of exact real arithmetic
   using Bound = Sphere;
 
   CATENA_HD static Bound bound(const Sphere& s) { return s; }
@@ -42,6 +43,8 @@ struct Robust {
   /// than the paper's at a node.
   struct InRange {
     using Bound = Sphere;
+    CATENA_HD static Bound bound(const Sphere& s) { return s; }
+    CATENA_HD static bool separate(const Sphere& a, const Sphere& b) { return !may_overlap(a, b); }
     CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
       const Binary32 n(a, b);
       if (n.q > n.t * binary32_slack) return false;

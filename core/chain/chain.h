@@ -1,23 +1,14 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
-#include "catena/core/chain/exclusion.h"
+#include "catena/core/chain/topology.h"
 #include "catena/core/sphere.h"
 
 namespace catena {
-
-/// How the spheres divide into strands (consecutive runs), each open or closed.
-struct Strands {
-  std::vector<std::uint32_t>
-      first;  ///< strands + 1 ascending offsets, from 0 to n; empty means one open strand
-  std::vector<std::uint8_t>
-      closed;  ///< one flag a strand: the last sphere is joined to the first; empty: all open
-
-  static Strands one_closed(std::uint32_t n) { return {{0, n}, {1}}; }
-};
 
 /// A tube as spheres in order along it. Immutable: what is checked when it is made stays true.
 class Chain {
@@ -30,7 +21,8 @@ class Chain {
   explicit Chain(std::vector<Sphere> spheres, Strands strands = {}, Exclusion exclusion = {});
 
   /// The same chain with its spheres moved: strands and neighbours stay, the arc lengths of an arc window
-  /// too. Throws InputError when the number of spheres differs or a sphere is not valid.
+  /// too; they are shared, not copied. O(n). Throws InputError when the number of spheres differs or a sphere
+  /// is not valid.
   Chain moved(std::vector<Sphere> spheres) const;
 
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(spheres_.size()); }
@@ -38,10 +30,10 @@ class Chain {
   const Sphere& operator[](std::uint32_t i) const { return spheres_[i]; }
 
   std::uint32_t strand_count() const noexcept {
-    return static_cast<std::uint32_t>(strands_.first.size() - 1);
+    return static_cast<std::uint32_t>(topology_->strands.first.size() - 1);
   }
-  const Strands& strands() const noexcept { return strands_; }
-  const Exclusion& exclusion() const noexcept { return exclusion_; }  ///< extra pairs sorted, unique, i < j
+  const Strands& strands() const noexcept { return topology_->strands; }
+  const Exclusion& exclusion() const noexcept { return topology_->exclusion; }
 
   bool neighbours(std::uint32_t i, std::uint32_t j) const { return view().neighbours(i, j); }
 
@@ -49,19 +41,12 @@ class Chain {
   ChainView view() const noexcept;
 
  private:
+  Chain(std::vector<Sphere> spheres, std::shared_ptr<const Topology> topology);
   void check_spheres();
-  void check_strands();
-  void check_exclusion();
-  void index_strands();
-  void index_extra_pairs();
-  void measure_arcs();
 
   std::vector<Sphere> spheres_;
   RadiusRange radii_{};
-  Strands strands_;
-  Exclusion exclusion_;
-  std::vector<std::uint32_t> strand_of_, extra_row_, extra_;
-  std::vector<double> arc_, loop_length_;
+  std::shared_ptr<const Topology> topology_;
 };
 
 }  // namespace catena

@@ -22,6 +22,7 @@ struct ChainView {
   std::uint32_t extra_count;  ///< entries of exclusion.extra
   ExclusionView exclusion;
   RadiusRange radii;
+  std::uint64_t topology;  ///< Topology::number: equal numbers, equal exclusion; 0: unknown
 
   CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j) const {
     return exclusion.neighbours(i, j, spheres[i].radius, spheres[j].radius);

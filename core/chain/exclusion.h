@@ -11,13 +11,14 @@ namespace catena {
 /// Who counts as a neighbour, and so never collides. Fixed when the chain is made.
 struct Exclusion {
   enum class Rule {
-    index_window,  ///< on one strand |i - j| <= window, cyclic when the strand is closed (the paper: window 1)
+    index_window,  ///< on one strand |i - j| <= window, cyclic when the strand is closed (the paper: window
+                   ///< 1)
     arc_window     ///< nearer along the strand than factor * (ri + rj)
   };
   Rule rule = Rule::index_window;
-  std::uint32_t window = 1;        ///< index window k >= 1
-  double factor = 0;               ///< arc window f > 0, finite; pi/2 is what a tube of that thickness can bend
-  std::vector<Pair> extra_pairs;   ///< further neighbours: branch joints, ring closures
+  std::uint32_t window = 1;  ///< index window k >= 1
+  double factor = 0;         ///< arc window f > 0, finite; pi/2 is what a tube of that thickness can bend
+  std::vector<Pair> extra_pairs;  ///< further neighbours: branch joints, ring closures
 
   static Exclusion index(std::uint32_t k) { return {Rule::index_window, k, 0, {}}; }
   static Exclusion arc(double f) { return {Rule::arc_window, 0, f, {}}; }
@@ -27,7 +28,7 @@ struct Exclusion {
 /// comparison of the same stored numbers on host and device.
 struct ExclusionView {
   Exclusion::Rule rule;
-  bool one_open_strand;             ///< then strand_of, strand_first and strand_closed need not be read
+  bool one_open_strand;  ///< then strand_of, strand_first and strand_closed need not be read
   std::uint32_t window;
   double factor;
   const std::uint32_t* strand_of;     ///< n entries: strand of a sphere
@@ -48,7 +49,8 @@ struct ExclusionView {
       first = strand_first[strand];
       size = strand_first[strand + 1] - first;
       closed = strand_closed[strand] != 0;
-      if (rule == Exclusion::Rule::arc_window && arc_neighbours(i, j, radius_i, radius_j, closed, strand)) return true;
+      if (rule == Exclusion::Rule::arc_window && arc_neighbours(i, j, radius_i, radius_j, closed, strand))
+        return true;
     } else if (rule == Exclusion::Rule::arc_window && arc_neighbours(i, j, radius_i, radius_j, false, 0)) {
       return true;
     }

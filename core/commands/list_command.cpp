@@ -72,7 +72,7 @@ class ListCommand final : public Command {
           {{"name", name}, {"summary", info.summary}, {"parameters", to_json(info.parameters)}});
     }
     for (const auto& v : strategies.variants()) {
-      nlohmann::json item{{"name", v.name}, {"arithmetic", v.arithmetic}, {"device", v.on_device}};
+      nlohmann::json item{{"name", v.name}, {"arithmetic", v.arithmetic}, {"device", v.on_device()}};
       item["unavailable"] = v.unavailable ? nlohmann::json(*v.unavailable) : nlohmann::json();
       out["variants"].push_back(item);
     }

@@ -134,10 +134,10 @@ TEST_F(Program, ReadsFilesWithAndWithoutRadii) {
 TEST_F(Program, VerifiesByReferenceAndByCertificate) {
   expect_says("verify coincident:n=60 path1:n=200", 0, {"aCPU2+CPU2", "CPU1", "exact"});
   expect_says("verify coincident:n=60 --variant Nothing", 2, {"Nothing"});
-  expect_says("verify coincident:n=60 --variant aCPU2+Dual --certify --no-fcl", 0, {"certified"});
+  expect_says("verify coincident:n=60 --variant aCPU2+Dual --certify", 0, {"certified"});
   expect_says("verify coincident:n=60 --variant mutant:less-for-less-equal lattice:n=60", 1, {"missing"});
   std::istringstream lines(
-      run("verify coincident:n=60 --variant aCPU2+CPU2/literal --variant CPU1 --json --no-fcl").output);
+      run("verify coincident:n=60 --variant aCPU2+CPU2/literal --variant CPU1 --json").output);
   std::vector<nlohmann::json> rows;
   for (std::string line; std::getline(lines, line);) rows.push_back(nlohmann::json::parse(line));
   ASSERT_EQ(rows.size(), 2u);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -11,11 +12,12 @@
 #include "catena/core/policies/visitor.h"
 #include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/parameters.h"
+#include "catena/core/strategy/plan.h"
 
 namespace catena {
 
-/// Runs device policies on host threads, so that the logic of a GPU strategy is tested, with sanitizers, on any
-/// machine. A host run is never a GPU time: strategies run by it carry "@host" in their name.
+/// Runs device policies on host threads, so that the logic of a GPU strategy is tested, with sanitizers, on
+/// any machine. A host run is never a GPU time: strategies run by it carry "@host" in their name.
 class HostExecutor {
  public:
   static ParameterInfo threads_parameter() { return {"threads", "0", "host threads; 0: one a core"}; }
@@ -26,11 +28,13 @@ class HostExecutor {
     if (threads_ == 0) threads_ = std::max(1u, std::thread::hardware_concurrency());
   }
 
-  /// visit(i, visitor) for every sphere i of the chain: the per-sphere strategies. Pairs come in order of i,
-  /// whatever the number of threads.
+  /// visit(i, visitor) for every sphere i that is asked about: the per-sphere strategies. Pairs come in order
+  /// of i, whatever the number of threads.
   template <class Visit>
-  void for_each_sphere(std::uint32_t n, const Request& request, Collisions& result, const Visit& visit) const {
-    collect(n, workers_for(n), request, result, visit, [](std::uint32_t) { return Visitor{}; });
+  void for_each_sphere(std::uint32_t n, const Request& request, Collisions& result,
+                       const Visit& visit) const {
+    collect(n, workers_for(request.queries.within(n).size()), request, result, visit,
+            [](std::uint32_t) { return Visitor{}; });
   }
 
   /// The same on one thread, and the sink is told what every search left out.
@@ -40,16 +44,27 @@ class HostExecutor {
     collect(n, 1, request, result, visit, [&](std::uint32_t i) { return EvidenceVisitor(i, sink); });
   }
 
+  /// What it decides for a search of n spheres.
+  Decision decision(std::uint32_t n) const {
+    const unsigned workers = workers_for(n);
+    return {"threads", workers < threads_,
+            std::to_string(workers) + " of " + std::to_string(threads_) + " for " + std::to_string(n) +
+                " spheres" +
+                (workers < threads_ ? ": one is worth starting for " + std::to_string(items_worth_a_thread)
+                                    : "")};
+  }
+
   /// body(group, block) for every block < blocks, each with its own group of `threads_per_block` threads.
   template <class Body>
   void for_each_block(std::uint32_t blocks, std::uint32_t threads_per_block, const Body& body) const {
-    split(blocks, workers_for(blocks * threads_per_block), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-      HostGroup group(threads_per_block);
-      for (std::uint32_t block = begin; block < end; ++block) {
-        body(group, block);
-        group.barrier();
-      }
-    });
+    split(blocks, workers_for(std::uint64_t{blocks} * threads_per_block),
+          [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+            HostGroup group(threads_per_block);
+            for (std::uint32_t block = begin; block < end; ++block) {
+              body(group, block);
+              group.barrier();
+            }
+          });
   }
 
  private:
@@ -67,12 +82,13 @@ class HostExecutor {
   };
 
   template <class Visit, class Observe>
-  void collect(std::uint32_t n, unsigned workers, const Request& request, Collisions& result, const Visit& visit,
-               const Observe& observe) const {
+  void collect(std::uint32_t n, unsigned workers, const Request& request, Collisions& result,
+               const Visit& visit, const Observe& observe) const {
     PairCollector collector(n, request, result, workers);
-    split(n, workers, [&](unsigned worker, std::uint32_t begin, std::uint32_t end) {
+    const SphereRange queries = collector.queries();
+    split(queries.size(), workers, [&](unsigned worker, std::uint32_t begin, std::uint32_t end) {
       PairCollector::Lane& lane = collector.lane(worker);
-      for (std::uint32_t i = begin; i < end && !lane.satisfied(); ++i) {
+      for (std::uint32_t i = queries.begin + begin; i < queries.begin + end && !lane.satisfied(); ++i) {
         LaneVisitor visitor(i, lane, observe(i));
         visit(i, visitor);
         lane.count(i, visitor.collisions);
@@ -82,9 +98,9 @@ class HostExecutor {
   }
 
   /// Starting a thread costs more than a short chain, unless the caller asked for that many threads.
-  unsigned workers_for(std::uint32_t items) const {
-    const std::uint32_t worth = split_always_ ? items : items / 4096;
-    return std::clamp<std::uint32_t>(worth, 1, threads_);
+  unsigned workers_for(std::uint64_t items) const {
+    const std::uint64_t worth = split_always_ ? items : items / items_worth_a_thread;
+    return static_cast<unsigned>(std::clamp<std::uint64_t>(worth, 1, threads_));
   }
 
   template <class Work>
@@ -112,6 +128,7 @@ class HostExecutor {
       if (failure) std::rethrow_exception(failure);
   }
 
+  static constexpr std::uint64_t items_worth_a_thread = 4096;
   unsigned threads_;
   bool split_always_;
 };

@@ -8,18 +8,18 @@
 
 namespace catena {
 
-/// A thread block, emulated on the host: what `threadIdx`, a strided loop and __syncthreads() are to a kernel.
-/// Between two barriers a real block runs its threads in any order; this one runs them one after the other to the
-/// end, the last thread first, so that an algorithm with a missing barrier gives a wrong tree here, every time,
-/// instead of on some GPU, sometimes.
+/// A thread block, emulated on the host: what `threadIdx`, a strided loop and __syncthreads() are to a
+/// kernel. Between two barriers a real block runs its threads in any order; this one runs them one after the
+/// other to the end, the last thread first, so that an algorithm with a missing barrier gives a wrong tree
+/// here, every time, instead of on some GPU, sometimes.
 class HostGroup {
  public:
   explicit HostGroup(std::uint32_t threads) : threads_(threads) {}
 
   std::uint32_t threads() const { return threads_; }
 
-  /// body(k) for every k < count, thread t taking k = t, t + threads, ... Runs at the next barrier. The body is
-  /// copied and must be plain data, as a kernel's captures are.
+  /// body(k) for every k < count, thread t taking k = t, t + threads, ... Runs at the next barrier. The body
+  /// is copied and must be plain data, as a kernel's captures are.
   template <class Body>
   void parallel(std::uint32_t count, const Body& body) {
     static_assert(std::is_trivially_copyable_v<Body> && sizeof(Body) <= Loop::room);

@@ -8,23 +8,35 @@
 
 namespace catena {
 
-/// Gathers the result of one find on the host: counts everything, keeps pairs while they are wanted and the limit
-/// holds. One Lane a worker; lanes need no lock. Memory for pairs is bounded by the limit.
+/// Gathers the result of one find on the host: counts everything, keeps pairs while they are wanted and the
+/// limit holds, and leaves out what the request's range of queries does. One Lane a worker; lanes need no
+/// lock, and lie apart in memory. Memory for pairs is bounded by the limit. With one lane nothing is
+/// allocated once warm.
 class PairCollector {
  public:
-  class Lane {
+  class alignas(64) Lane {
    public:
-    Lane(PairCollector& owner, std::vector<Pair>& store) : owner_(owner), store_(store) {}
+    explicit Lane(PairCollector& owner) : owner_(owner) {}
 
     /// One colliding pair, i < j, reported once over all lanes.
     void pair(std::uint32_t i, std::uint32_t j) {
+      if (!owner_.queries_.contains(i)) return;
       ++found_;
-      if (owner_.keep_pairs_.load(std::memory_order_relaxed)) store_.push_back({i, j});
+      if (owner_.keep_pairs_.load(std::memory_order_relaxed)) store().push_back({i, j});
       if (found_ - shared_ >= share_every) share();
     }
     /// The number of collisions that sphere i was found to have; each sphere belongs to one lane.
     void count(std::uint32_t i, std::uint32_t collisions) {
-      if (owner_.keep_counts_) owner_.result_.count[i] = collisions;
+      if (owner_.keep_counts_ && owner_.queries_.contains(i)) owner_.result_.count[i] = collisions;
+    }
+    /// A pair, i < j, and one collision more for both: for searches that meet a pair at one place, by one
+    /// lane.
+    void collide(std::uint32_t i, std::uint32_t j) {
+      if (owner_.keep_counts_) {
+        if (owner_.queries_.contains(i)) ++owner_.result_.count[i];
+        if (owner_.queries_.contains(j)) ++owner_.result_.count[j];
+      }
+      pair(i, j);
     }
     /// True when the request is answered already and the search may stop.
     bool satisfied() const {
@@ -35,6 +47,8 @@ class PairCollector {
     friend class PairCollector;
     static constexpr std::uint64_t share_every = 4096;
 
+    std::vector<Pair>& store() { return this == &owner_.first_ ? owner_.result_.pairs : own_; }
+
     /// Tells the other lanes how many were found; past the limit nothing more is kept.
     void share() {
       owner_.found_.fetch_add(found_ - shared_, std::memory_order_relaxed);
@@ -44,7 +58,7 @@ class PairCollector {
     }
 
     PairCollector& owner_;
-    std::vector<Pair>& store_;
+    std::vector<Pair> own_;  // of every lane but the first, which writes the result
     std::uint64_t found_ = 0, shared_ = 0;
   };
 
@@ -52,25 +66,32 @@ class PairCollector {
   PairCollector(std::uint32_t n, const Request& request, Collisions& result, unsigned lanes = 1)
       : result_(result),
         limit_(request.pair_limit),
+        queries_(request.queries.within(n)),
         any_only_(request.want == Request::Want::any),
         keep_counts_(!any_only_),
         pairs_wanted_(request.want == Request::Want::pairs),
-        keep_pairs_(pairs_wanted_),
-        stores_(lanes - 1) {
+        keep_pairs_(pairs_wanted_) {
     result.found = false;
     result.pair_count = 0;
     result.pairs.clear();
     result.count.assign(keep_counts_ ? n : 0, 0);
-    lanes_.reserve(lanes);
-    lanes_.emplace_back(*this, result.pairs);
-    for (auto& store : stores_) lanes_.emplace_back(*this, store);
+    if (lanes > 1) {
+      others_.reserve(lanes - 1);
+      for (unsigned k = 1; k < lanes; ++k) others_.emplace_back(*this);
+    }
   }
+  PairCollector(const PairCollector&) = delete;
+  PairCollector& operator=(const PairCollector&) = delete;
 
-  Lane& lane(unsigned k) { return lanes_[k]; }
+  Lane& lane(unsigned k) { return k == 0 ? first_ : others_[k - 1]; }
+  /// The spheres that are searched for, 0 <= begin <= end <= n.
+  SphereRange queries() const { return queries_; }
 
-  /// Call once when all lanes are done. Throws PairLimitExceeded when pairs were wanted and there are too many.
+  /// Call once when all lanes are done. Throws PairLimitExceeded when pairs were wanted and there are too
+  /// many.
   void finish() {
-    for (Lane& lane : lanes_) lane.share();
+    first_.share();
+    for (Lane& lane : others_) lane.share();
     const std::uint64_t found = found_.load();
     result_.found = found > 0;
     if (any_only_) return;
@@ -79,17 +100,19 @@ class PairCollector {
       std::vector<Pair>().swap(result_.pairs);  // gives the memory back
       throw PairLimitExceeded(found, limit_);
     }
-    for (const auto& store : stores_) result_.pairs.insert(result_.pairs.end(), store.begin(), store.end());
+    for (const Lane& lane : others_)
+      result_.pairs.insert(result_.pairs.end(), lane.own_.begin(), lane.own_.end());
   }
 
  private:
   Collisions& result_;
   const std::uint64_t limit_;
+  const SphereRange queries_;
   const bool any_only_, keep_counts_, pairs_wanted_;
   std::atomic<bool> keep_pairs_;  // false once the limit is passed
-  std::atomic<std::uint64_t> found_{0};
-  std::vector<std::vector<Pair>> stores_;
-  std::vector<Lane> lanes_;
+  alignas(64) std::atomic<std::uint64_t> found_{0};
+  Lane first_{*this};
+  std::vector<Lane> others_;
 };
 
 }  // namespace catena

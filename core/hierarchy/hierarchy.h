@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "catena/core/hierarchy/bounds_visitor.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 
@@ -50,6 +51,19 @@ class Hierarchy {
   std::unique_ptr<Bound[]> bound_;
   std::unique_ptr<Links[]> links_;
 };
+
+/// Shows the paper's tree; ids are slots.
+template <class Bound>
+void show_bounds(const HierarchyView<Bound>& tree, BoundsVisitor& visitor) {
+  const auto shown = [&](std::uint32_t slot) {
+    const Bound& b = tree.bound[slot];
+    return Sphere64{b.x, b.y, b.z, b.radius};
+  };
+  visitor.tree({.levels = tree.height, .nested = true});
+  for (std::uint32_t slot = tree.leaves; slot < tree.size(); ++slot)
+    for (const std::uint32_t child : {tree.links[slot].left, tree.links[slot].right})
+      visitor.edge(slot, shown(slot), child, shown(child));
+}
 
 /// What traversals keep a stack for; a higher hierarchy is refused when it is built. n < 2^31 gives at most
 /// 32 levels by pairs (aCPU2), at most 9 a stage of aGPU2 and 4 stages, that is 37.

@@ -6,8 +6,8 @@
 
 namespace catena {
 
-/// The nodes of one level of a pairwise tree: consecutive slots, but for the last node, which may have moved up
-/// unchanged from a level below and so lie elsewhere (design: "an odd last node keeps its place").
+/// The nodes of one level of a pairwise tree: consecutive slots, but for the last node, which may have moved
+/// up unchanged from a level below and so lie elsewhere (design: "an odd last node keeps its place").
 struct Level {
   std::uint32_t first, size, last;
 
@@ -23,8 +23,8 @@ struct Level {
 
 /// Writes the parent of nodes 2p and 2p + 1 of a level into `slot`.
 template <class Arithmetic>
-CATENA_HD void make_parent(const HierarchyView<typename Arithmetic::Bound>& tree, const Level& level, std::uint32_t p,
-                           std::uint32_t slot) {
+CATENA_HD void make_parent(const HierarchyView<typename Arithmetic::Bound>& tree, const Level& level,
+                           std::uint32_t p, std::uint32_t slot) {
   const std::uint32_t left = level.node(2 * p), right = level.node(2 * p + 1);
   tree.bound[slot] = Arithmetic::parent(tree.bound[left], tree.bound[right]);
   tree.links[slot] = {left, right};

@@ -35,7 +35,9 @@ Parameters::Parameters(std::string owner, const std::vector<ParameterInfo>& decl
   }
 }
 
-bool Parameters::given(const std::string& key) const { return std::ranges::find(given_, key) != given_.end(); }
+bool Parameters::given(const std::string& key) const {
+  return std::ranges::find(given_, key) != given_.end();
+}
 
 const std::string& Parameters::value(const std::string& key) const {
   const auto found = values_.find(key);
@@ -47,7 +49,8 @@ void Parameters::refuse(const std::string& key, const std::string& wanted) const
   throw InputError(fmt::format("{}: {}={} must be {}", owner_, key, value(key), wanted));
 }
 
-std::uint64_t Parameters::unsigned_integer(const std::string& key, std::uint64_t least, std::uint64_t greatest) const {
+std::uint64_t Parameters::unsigned_integer(const std::string& key, std::uint64_t least,
+                                           std::uint64_t greatest) const {
   const std::string& text = value(key);
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -69,14 +72,6 @@ std::string Parameters::choice(const std::string& key, const std::vector<std::st
   if (std::ranges::find(allowed, value(key)) == allowed.end())
     refuse(key, fmt::format("one of: {}", fmt::join(allowed, ", ")));
   return value(key);
-}
-
-StrategySpec StrategySpec::parse(std::string_view text) {
-  const auto open = text.find('(');
-  if (open == std::string_view::npos && text.find(')') == std::string_view::npos) return {std::string(text), ""};
-  if (open == std::string_view::npos || text.back() != ')' || text.find(')') != text.size() - 1)
-    throw InputError(fmt::format("'{}': write parameters as name(key=value,...)", text));
-  return {std::string(text.substr(0, open)), std::string(text.substr(open + 1, text.size() - open - 2))};
 }
 
 }  // namespace catena

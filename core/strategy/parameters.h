@@ -36,10 +36,4 @@ class Parameters {
   std::vector<std::string> given_;
 };
 
-/// "name(key=value,...)" split into its two parts; parameters are empty when there are none.
-struct StrategySpec {
-  std::string name, parameters;
-  static StrategySpec parse(std::string_view text);  ///< throws InputError on unbalanced parentheses
-};
-
 }  // namespace catena

@@ -1,7 +1,11 @@
 #pragma once
 #include <concepts>
 #include <memory>
+#include <typeindex>
 
+#include "catena/core/arithmetic/paper_formulas.h"
+#include "catena/core/arithmetic/robust.h"
+#include "catena/core/strategy/composed.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -9,34 +13,65 @@ namespace catena {
 /// How a strategy file registers itself: one object of one of these at namespace scope.
 ///
 ///     namespace {
-///     template <class Arithmetic> class CPU2 : public Traversal<typename Arithmetic::Bound> { ... };
+///     template <class Arithmetic>
+///     class CPU2 : public Traversal<HierarchyView<typename Arithmetic::Bound>> { ... };
 ///     const RegisterTraversal<CPU2, Robust, Literal, Double> registered{{"CPU2", "each sphere against
 ///     ..."}};
 ///     }
 ///
 /// The class is made from the strategy's Parameters when it has such a constructor, else from nothing.
-template <class Stage, class Base>
+template <class Strategy, class Base>
 std::unique_ptr<Base> make_strategy(const Parameters& parameters) {
-  if constexpr (std::constructible_from<Stage, const Parameters&>)
-    return std::make_unique<Stage>(parameters);
+  if constexpr (std::constructible_from<Strategy, const Parameters&>)
+    return std::make_unique<Strategy>(parameters);
   else
-    return std::make_unique<Stage>();
+    return std::make_unique<Strategy>();
 }
 
-template <template <class> class Stage, class... Arithmetics>
+template <class Arithmetic>
+ArithmeticInfo arithmetic_info() {
+  return {Arithmetic::name, Arithmetic::exact};
+}
+
+/// Which tree type a stage has is read off its base.
+template <class Tree>
+StrategyRegistry::TreeType tree_type() {
+  return {std::type_index(typeid(Tree)), Movable<Tree>,
+          [](std::unique_ptr<Stage> build, Place build_place, std::unique_ptr<Stage> find, Place find_place,
+             std::unique_ptr<Device> device) -> std::unique_ptr<Variant> {
+            return std::make_unique<Composed<Tree>>(
+                std::unique_ptr<Construction<Tree>>(static_cast<Construction<Tree>*>(build.release())),
+                build_place, std::unique_ptr<Traversal<Tree>>(static_cast<Traversal<Tree>*>(find.release())),
+                find_place, std::move(device));
+          }};
+}
+template <class Tree>
+StrategyRegistry::TreeType tree_type_of(const Construction<Tree>*) {
+  return tree_type<Tree>();
+}
+template <class Tree>
+StrategyRegistry::TreeType tree_type_of(const Traversal<Tree>*) {
+  return tree_type<Tree>();
+}
+
+template <template <class> class Strategy, class... Arithmetics>
 struct RegisterConstruction {
   explicit RegisterConstruction(const StrategyInfo& info) {
-    (StrategyRegistry::instance().add_construction<Arithmetics>(
-         info, make_strategy<Stage<Arithmetics>, Construction<typename Arithmetics::Bound>>),
+    (StrategyRegistry::instance().add_construction(
+         info, arithmetic_info<Arithmetics>(),
+         tree_type_of(static_cast<const Strategy<Arithmetics>*>(nullptr)),
+         make_strategy<Strategy<Arithmetics>, Stage>),
      ...);
   }
 };
 
-template <template <class> class Stage, class... Arithmetics>
+template <template <class> class Strategy, class... Arithmetics>
 struct RegisterTraversal {
   explicit RegisterTraversal(const StrategyInfo& info) {
-    (StrategyRegistry::instance().add_traversal<Arithmetics>(
-         info, make_strategy<Stage<Arithmetics>, Traversal<typename Arithmetics::Bound>>),
+    (StrategyRegistry::instance().add_traversal(
+         info, arithmetic_info<Arithmetics>(),
+         tree_type_of(static_cast<const Strategy<Arithmetics>*>(nullptr)),
+         make_strategy<Strategy<Arithmetics>, Stage>),
      ...);
   }
 };
@@ -45,7 +80,7 @@ struct RegisterTraversal {
 template <template <class> class Whole, class... Arithmetics>
 struct RegisterVariant {
   explicit RegisterVariant(const StrategyInfo& info) {
-    (StrategyRegistry::instance().add_variant(info, Arithmetics::name,
+    (StrategyRegistry::instance().add_variant(info, arithmetic_info<Arithmetics>(),
                                               make_strategy<Whole<Arithmetics>, Variant>),
      ...);
   }

@@ -11,9 +11,8 @@
 namespace catena {
 namespace {
 
-std::string full_name(const std::string& strategy, const std::string& arithmetic) {
-  return arithmetic == Robust::name ? strategy : strategy + "/" + arithmetic;
-}
+/// What a name without an arithmetic means, where the strategy has it.
+constexpr const char* usual_arithmetic = "robust";
 
 std::optional<std::string> reason(const StrategyInfo& info) {
   return info.unavailable ? info.unavailable() : std::nullopt;
@@ -24,11 +23,31 @@ void require_available(const StrategyInfo& info) {
     throw CapacityError(fmt::format("{} is not available here: {}", info.name, *why));
 }
 
+/// The arithmetic that a name means: the one written, the usual one, or the only one of `had`.
+std::string arithmetic_meant(const VariantName& name, const std::set<std::string>& had) {
+  if (!name.arithmetic.empty()) return name.arithmetic;
+  return had.size() == 1 ? *had.begin() : usual_arithmetic;
+}
+
+/// The stages' settings, checked against what they declare.
+Parameters parameters_of(const StageName& stage, const StrategyInfo& info) {
+  return Parameters(stage.strategy, info.parameters, stage.settings_text());
+}
+
+/// Which device a stage is to use, by its own parameter where it has one.
+Place place_of(const StrategyInfo& info, const Parameters& parameters) {
+  const bool chosen =
+      info.place.on_device() &&
+      std::ranges::find(info.parameters, "device", &ParameterInfo::name) != info.parameters.end();
+  return chosen ? Place::device(static_cast<std::uint32_t>(parameters.unsigned_integer("device", 0, 1023)))
+                : info.place;
+}
+
 template <class Entries>
-auto* find_entry(Entries& entries, const std::string& name, const std::string& arithmetic) {
-  const auto found = std::ranges::find_if(
-      entries, [&](const auto& e) { return e.info.name == name && e.arithmetic == arithmetic; });
-  return found == entries.end() ? nullptr : &*found;
+std::set<std::string> arithmetics(const Entries& entries) {
+  std::set<std::string> names;
+  for (const auto& e : entries) names.insert(e.arithmetic.name);
+  return names;
 }
 
 }  // namespace
@@ -38,63 +57,94 @@ StrategyRegistry& StrategyRegistry::instance() {
   return registry;
 }
 
-void StrategyRegistry::add_variant(const StrategyInfo& info, std::string arithmetic, MakeVariant make,
-                                   bool hidden) {
-  complete_.push_back({info, std::move(arithmetic), hidden, std::move(make)});
+void StrategyRegistry::add_construction(const StrategyInfo& info, const ArithmeticInfo& arithmetic,
+                                        const TreeType& tree, MakeStage make) {
+  constructions_.push_back({info, arithmetic, tree, std::move(make)});
 }
 
-template <class Arithmetic>
-void StrategyRegistry::list_composed(std::vector<VariantInfo>& out) const {
-  const auto& [constructions, traversals] = stages<typename Arithmetic::Bound>();
-  for (const auto& c : constructions) {
-    if (c.arithmetic != Arithmetic::name) continue;
-    for (const auto& t : traversals) {
-      if (t.arithmetic != Arithmetic::name) continue;
-      const auto why = reason(c.info) ? reason(c.info) : reason(t.info);
-      out.push_back({full_name(c.info.name + "+" + t.info.name, Arithmetic::name), Arithmetic::name,
-                     c.info.summary + "; " + t.info.summary,
-                     c.info.space == Space::device || t.info.space == Space::device, false, false, why});
-    }
-  }
+void StrategyRegistry::add_traversal(const StrategyInfo& info, const ArithmeticInfo& arithmetic,
+                                     const TreeType& tree, MakeStage make) {
+  traversals_.push_back({info, arithmetic, tree, std::move(make)});
+}
+
+void StrategyRegistry::add_variant(const StrategyInfo& info, const ArithmeticInfo& arithmetic,
+                                   MakeVariant make, bool hidden) {
+  complete_.push_back({info, arithmetic, hidden, std::move(make)});
+}
+
+VariantInfo StrategyRegistry::info_of(const VariantEntry& entry) const {
+  const auto namesakes =
+      std::ranges::count(complete_, entry.info.name, [](const auto& e) { return e.info.name; });
+  VariantInfo info;
+  info.parts.stages = {{entry.info.name}};
+  if (entry.arithmetic.name != usual_arithmetic && namesakes > 1)
+    info.parts.arithmetic = entry.arithmetic.name;
+  info.name = info.parts.text();
+  info.places = {entry.info.place};
+  info.arithmetic = entry.arithmetic.name;
+  info.summary = entry.info.summary;
+  info.exact = entry.arithmetic.exact;
+  info.all_pairs = entry.info.all_pairs;
+  info.has_tree = entry.info.has_tree;
+  info.peer = entry.info.peer;
+  info.hidden = entry.hidden;
+  info.promises = entry.info.promises;
+  info.unavailable = reason(entry.info);
+  return info;
+}
+
+VariantInfo StrategyRegistry::info_of(const StageEntry& construction, const StageEntry& traversal) {
+  VariantInfo info;
+  info.parts.stages = {{construction.info.name}, {traversal.info.name}};
+  if (construction.arithmetic.name != usual_arithmetic) info.parts.arithmetic = construction.arithmetic.name;
+  info.name = info.parts.text();
+  info.places = {construction.info.place, traversal.info.place};
+  info.arithmetic = construction.arithmetic.name;
+  info.summary = construction.info.summary + "; " + traversal.info.summary;
+  info.exact = construction.arithmetic.exact && traversal.arithmetic.exact;
+  info.has_tree = true;
+  info.promises = {construction.info.promises.same_bits, traversal.info.promises.same_order};
+  info.unavailable = reason(construction.info);
+  if (!info.unavailable) info.unavailable = reason(traversal.info);
+  return info;
+}
+
+bool StrategyRegistry::combine(const StageEntry& construction, const StageEntry& traversal) {
+  return construction.arithmetic.name == traversal.arithmetic.name &&
+         construction.tree.type == traversal.tree.type &&
+         (construction.tree.movable || construction.info.place == traversal.info.place);
 }
 
 std::vector<VariantInfo> StrategyRegistry::variants(bool with_hidden) const {
   std::vector<VariantInfo> list;
-  for (const Entry& e : complete_)
-    if (with_hidden || !e.hidden)
-      list.push_back({full_name(e.info.name, e.arithmetic), e.arithmetic, e.info.summary,
-                      e.info.space == Space::device, e.info.all_pairs, e.hidden, reason(e.info)});
-  list_composed<Robust>(list);
-  list_composed<Literal>(list);
-  list_composed<Double>(list);
+  for (const VariantEntry& e : complete_)
+    if (with_hidden || !e.hidden) list.push_back(info_of(e));
+  for (const StageEntry& c : constructions_)
+    for (const StageEntry& t : traversals_)
+      if (combine(c, t)) list.push_back(info_of(c, t));
   std::ranges::sort(list, {}, &VariantInfo::name);
   return list;
 }
 
 std::vector<std::string> StrategyRegistry::strategy_names() const {
   std::set<std::string> names;
-  const auto collect = [&](const auto& entries) {
-    for (const auto& e : entries) names.insert(e.info.name);
-  };
-  for (const Entry& e : complete_)
+  for (const VariantEntry& e : complete_)
     if (!e.hidden) names.insert(e.info.name);
-  collect(narrow_.constructions), collect(narrow_.traversals);
-  collect(wide_.constructions), collect(wide_.traversals);
+  for (const auto* stages : {&constructions_, &traversals_})
+    for (const StageEntry& e : *stages) names.insert(e.info.name);
   return {names.begin(), names.end()};
 }
 
-const StrategyInfo* StrategyRegistry::find_strategy(const std::string& name) const {
-  const StrategyInfo* found = nullptr;
-  const auto look = [&](const auto& entries) {
-    for (const auto& e : entries)
-      if (e.info.name == name) found = &e.info;
-  };
-  look(complete_), look(narrow_.constructions), look(narrow_.traversals);
-  look(wide_.constructions), look(wide_.traversals);
-  return found;
+const StrategyInfo* StrategyRegistry::find_strategy(std::string_view name) const {
+  for (const VariantEntry& e : complete_)
+    if (e.info.name == name) return &e.info;
+  for (const auto* stages : {&constructions_, &traversals_})
+    for (const StageEntry& e : *stages)
+      if (e.info.name == name) return &e.info;
+  return nullptr;
 }
 
-const StrategyInfo& StrategyRegistry::strategy(const std::string& name) const {
+const StrategyInfo& StrategyRegistry::strategy(std::string_view name) const {
   const StrategyInfo* found = find_strategy(name);
   if (found == nullptr)
     throw InputError(
@@ -102,66 +152,105 @@ const StrategyInfo& StrategyRegistry::strategy(const std::string& name) const {
   return *found;
 }
 
-template <class Arithmetic>
-std::unique_ptr<Variant> StrategyRegistry::make_composed(const StrategySpec& build,
-                                                         const StrategySpec& find) const {
-  const auto& [constructions, traversals] = stages<typename Arithmetic::Bound>();
-  const auto* c = find_entry(constructions, build.name, Arithmetic::name);
-  const auto* t = find_entry(traversals, find.name, Arithmetic::name);
-  const auto names = [](const auto& entries) {
-    std::set<std::string> set;
-    for (const auto& e : entries)
-      if (e.arithmetic == Arithmetic::name) set.insert(e.info.name);
-    return set;
-  };
-  if (c == nullptr)
-    throw InputError(fmt::format("there is no construction '{}' in {} arithmetic; there are: {}", build.name,
-                                 Arithmetic::name, fmt::join(names(constructions), ", ")));
-  if (t == nullptr)
-    throw InputError(fmt::format("there is no traversal '{}' in {} arithmetic; there are: {}", find.name,
-                                 Arithmetic::name, fmt::join(names(traversals), ", ")));
-  require_available(c->info);
-  require_available(t->info);
-  const bool device = c->info.space == Space::device || t->info.space == Space::device;
-  return std::make_unique<Composed<Arithmetic>>(
-      c->make(Parameters(build.name, c->info.parameters, build.parameters)), c->info.space,
-      t->make(Parameters(find.name, t->info.parameters, find.parameters)), t->info.space,
-      device ? make_mover() : nullptr);
-}
-
-std::unique_ptr<Variant> StrategyRegistry::make_complete(const StrategySpec& spec,
-                                                         const std::string& arithmetic) const {
-  std::vector<std::string> others;
-  for (const Entry& e : complete_) {
-    if (e.info.name != spec.name) continue;
-    if (e.arithmetic == arithmetic) {
-      require_available(e.info);
-      return e.make(Parameters(spec.name, e.info.parameters, spec.parameters));
-    }
-    others.push_back(e.arithmetic);
-  }
-  if (!others.empty())
+const StrategyRegistry::VariantEntry* StrategyRegistry::resolve_whole(const VariantName& name) const {
+  const std::string& wanted = name.stages[0].strategy;
+  std::vector<VariantEntry const*> entries;
+  std::set<std::string> had;
+  for (const VariantEntry& e : complete_)
+    if (e.info.name == wanted) entries.push_back(&e), had.insert(e.arithmetic.name);
+  const std::string arithmetic = arithmetic_meant(name, had);
+  for (const VariantEntry* e : entries)
+    if (e->arithmetic.name == arithmetic) return e;
+  if (!had.empty())
     throw InputError(
-        fmt::format("'{}' has no {} arithmetic; it has: {}", spec.name, arithmetic, fmt::join(others, ", ")));
-  strategy(spec.name);  // throws when there is no such strategy at all
+        fmt::format("'{}' has no {} arithmetic; it has: {}", wanted, arithmetic, fmt::join(had, ", ")));
+  strategy(wanted);  // throws when there is no such strategy at all
   throw InputError(
-      fmt::format("'{}' is one stage only; write construction+traversal, as in aCPU2+CPU2", spec.name));
+      fmt::format("'{}' is one stage only; write construction+traversal, as in aCPU2+CPU2", wanted));
 }
 
-std::unique_ptr<Variant> StrategyRegistry::make(std::string_view name) const {
-  const auto slash = name.find('/');
-  const std::string arithmetic(slash == std::string_view::npos ? Robust::name : name.substr(slash + 1));
-  const std::string_view stem = name.substr(0, slash);
-  const auto plus = stem.find('+');
-  if (plus == std::string_view::npos) return make_complete(StrategySpec::parse(stem), arithmetic);
+StrategyRegistry::Resolved StrategyRegistry::resolve_composed(const VariantName& name) const {
+  const std::string &build = name.stages[0].strategy, &find = name.stages[1].strategy;
+  const auto known = arithmetics(constructions_);
+  std::set<std::string> had;
+  for (const StageEntry& c : constructions_)
+    if (c.info.name == build) had.insert(c.arithmetic.name);
+  const std::string arithmetic = arithmetic_meant(name, had);
+  if (!known.contains(arithmetic))
+    throw InputError(
+        fmt::format("there is no arithmetic '{}'; there are: {}", arithmetic, fmt::join(known, ", ")));
 
-  const auto build = StrategySpec::parse(stem.substr(0, plus)),
-             find = StrategySpec::parse(stem.substr(plus + 1));
-  if (arithmetic == Robust::name) return make_composed<Robust>(build, find);
-  if (arithmetic == Literal::name) return make_composed<Literal>(build, find);
-  if (arithmetic == Double::name) return make_composed<Double>(build, find);
-  throw InputError(fmt::format("there is no arithmetic '{}'; there are: {}, {}, {}", arithmetic, Robust::name,
-                               Literal::name, Double::name));
+  const auto stage = [&](const std::vector<StageEntry>& entries, const std::string& wanted,
+                         const char* kind) {
+    std::set<std::string> names;
+    const StageEntry* found = nullptr;
+    for (const StageEntry& e : entries) {
+      if (e.arithmetic.name != arithmetic) continue;
+      names.insert(e.info.name);
+      if (e.info.name == wanted) found = &e;
+    }
+    if (found == nullptr)
+      throw InputError(fmt::format("there is no {} '{}' in {} arithmetic; there are: {}", kind, wanted,
+                                   arithmetic, fmt::join(names, ", ")));
+    return found;
+  };
+  const StageEntry* c = stage(constructions_, build, "construction");
+  const StageEntry* t = stage(traversals_, find, "traversal");
+  if (!combine(*c, *t)) {
+    std::set<std::string> partners;
+    for (const StageEntry& e : traversals_)
+      if (combine(*c, e)) partners.insert(e.info.name);
+    throw InputError(fmt::format("{} takes another tree than {} makes; with {} go: {}", find, build, build,
+                                 fmt::join(partners, ", ")));
+  }
+  return {nullptr, c, t};
+}
+
+StrategyRegistry::Resolved StrategyRegistry::resolve(const VariantName& name) const {
+  return name.composed() ? resolve_composed(name) : Resolved{resolve_whole(name)};
+}
+
+VariantInfo StrategyRegistry::describe(std::string_view text) const {
+  const VariantName name = VariantName::parse(text);
+  const Resolved found = resolve(name);
+  VariantInfo info = found.whole ? info_of(*found.whole) : info_of(*found.construction, *found.traversal);
+  for (std::size_t k = 0; k < name.stages.size(); ++k) {
+    const StrategyInfo& stage =
+        found.whole ? found.whole->info : (k == 0 ? found.construction : found.traversal)->info;
+    info.places[k] = place_of(stage, parameters_of(name.stages[k], stage));
+    info.parts.stages[k].settings = name.stages[k].settings;
+  }
+  info.name = info.parts.text();
+  return info;
+}
+
+std::unique_ptr<Variant> StrategyRegistry::make(std::string_view text) const {
+  const VariantName name = VariantName::parse(text);
+  const Resolved found = resolve(name);
+  if (found.whole != nullptr) {
+    require_available(found.whole->info);
+    return found.whole->make(parameters_of(name.stages[0], found.whole->info));
+  }
+  const StageEntry &c = *found.construction, &t = *found.traversal;
+  require_available(c.info);
+  require_available(t.info);
+  const Parameters build = parameters_of(name.stages[0], c.info),
+                   find = parameters_of(name.stages[1], t.info);
+  const Place build_place = place_of(c.info, build), find_place = place_of(t.info, find);
+  if (build_place.on_device() && find_place.on_device() && build_place != find_place)
+    throw InputError(fmt::format("{}: both stages must be on one device, got {} and {}", text,
+                                 build_place.index, find_place.index));
+  const Place place = build_place.on_device() ? build_place : find_place;
+  return c.tree.compose(c.make(build), build_place, t.make(find), find_place,
+                        place.on_device() ? make_device(place) : nullptr);
+}
+
+VariantName StrategyRegistry::on_host(VariantName name) const {
+  for (StageName& stage : name.stages) {
+    const std::string twin = stage.strategy + std::string(StageName::on_host);
+    if (find_strategy(twin) != nullptr) stage.strategy = twin;
+  }
+  return name;
 }
 
 }  // namespace catena

@@ -1,27 +1,17 @@
 #pragma once
-#include <cstdint>
 #include <stdexcept>
 
 #include "catena/core/chain/chain.h"
-#include "catena/core/sphere.h"
+#include "catena/core/hierarchy/bounds_visitor.h"
 #include "catena/core/strategy/evidence.h"
+#include "catena/core/strategy/moved.h"
+#include "catena/core/strategy/plan.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/timings.h"
 
 namespace catena {
 
-/// Receives the bounds of a hierarchy, for the enclosure and tree-shape properties.
-class BoundsVisitor {
- public:
-  virtual ~BoundsVisitor() = default;
-  /// One parent and one of its children. Ids below n are leaves, the sphere of that index; others are the
-  /// strategy's own. Bounds are given in binary64, to which the strategy's own numbers convert exactly; an
-  /// infinite radius encloses everything.
-  virtual void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
-                      const Sphere64& child) = 0;
-  /// Levels from root to leaf, as the builder counted them; not called by strategies that do not count.
-  virtual void levels(std::uint32_t) {}
-};
+class ResidentSearch;
 
 /// One complete way from chain to collisions; the only contract that the rest of catena knows. A hierarchy,
 /// if there is one, is the strategy's own affair. Buffers belong to the variant and are reused. Not
@@ -30,18 +20,31 @@ class Variant {
  public:
   virtual ~Variant() = default;
 
-  /// Stage 1. All-pairs variants do nothing here. Throws CapacityError past a declared limit of the strategy.
+  /// What finds after the next build will ask for at most, so that a build can leave out what they do not
+  /// need. Not called: pairs of the whole chain.
+  virtual void prepare(const Request&) {}
+
+  /// Stage 1. All-pairs variants do nothing here. Throws CapacityError past a declared limit of the strategy;
+  /// then nothing is built.
   virtual void build(const Chain& chain) = 0;
 
-  /// Stage 1 again for the same spheres, moved. Gives what build would, and does not allocate once warm.
-  virtual void update(const Chain& moved) { build(moved); }
+  /// Stage 1 again for the same spheres, moved, of which only those of `moved` differ from the last build or
+  /// update. What find gives, and the shape of the tree, are those of build; its bounds enclose, but need not
+  /// be those of build unless the strategy promises it. Does not allocate once warm.
+  virtual void update(const Chain& chain, const Moved& moved = {}) {
+    static_cast<void>(moved);
+    build(chain);
+  }
 
   /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; the pair set is
   /// that of the strategy's arithmetic. Throws PairLimitExceeded with the true number, and leaves `result`
-  /// without pairs.
+  /// without pairs. Throws std::logic_error when there was no such build and one is needed.
   virtual void find(const Chain& chain, const Request& request, Collisions& result) = 0;
 
   virtual Timings timings() const = 0;
+
+  /// What the last build and find did and left out, and why.
+  virtual Plan plan() const { return {}; }
 
   /// Every (parent, child) of the last build; nothing for strategies without a hierarchy.
   virtual void visit_bounds(BoundsVisitor&) const {}
@@ -49,11 +52,16 @@ class Variant {
   /// What find_with_evidence can show; none for strategies that discard nothing or cannot tell.
   virtual Accounting evidence() const { return Accounting::none; }
 
-  /// The same search as find for counts or pairs (a search for `any` stops early and proves nothing), which also tells
-  /// the sink what it left out. Slower, on one thread. Only when evidence() is not none.
+  /// The same search as find for counts or pairs of all spheres (a search for `any` stops early and proves
+  /// nothing), which also tells the sink what it left out. Slower, on one thread. Only when evidence() is not
+  /// none.
   virtual void find_with_evidence(const Chain&, const Request&, Collisions&, EvidenceSink&) {
     throw std::logic_error("find_with_evidence: this variant has no evidence");
   }
+
+  /// The search on a chain that is on the device already, its answer left there; nullptr when the variant has
+  /// none. It and this object's own build and find share their buffers.
+  virtual ResidentSearch* resident() { return nullptr; }
 };
 
 }  // namespace catena

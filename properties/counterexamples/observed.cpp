@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "catena/core/arithmetic/paper_formulas.h"
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/reference/all_pairs.h"
 
@@ -17,7 +19,7 @@ Format format_of() {
   return {Limits::denorm_min(), Limits::min(), Limits::max()};
 }
 
-class Parents final : public BoundsVisitor {
+class Parents final : public SphereBoundsVisitor {
  public:
   void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
               const Sphere64& child) override {

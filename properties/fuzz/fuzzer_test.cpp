@@ -41,7 +41,7 @@ class MissesTouching final : public Variant {
 
 const bool registered = [] {
   StrategyRegistry::instance().add_variant(
-      {.name = "MissesTouching", .summary = "`<` for `<=`"}, Robust::name,
+      {.name = "MissesTouching", .summary = "`<` for `<=`"}, arithmetic_info<Robust>(),
       [](const Parameters&) { return std::make_unique<MissesTouching>(); }, true);
   return true;
 }();

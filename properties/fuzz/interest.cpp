@@ -1,4 +1,5 @@
 #include "catena/properties/fuzz/interest.h"
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,7 @@ namespace catena::properties {
 namespace {
 
 /// A hierarchy of spheres as shown by a variant.
-class ShownTree final : public BoundsVisitor {
+class ShownTree final : public SphereBoundsVisitor {
  public:
   void sphere(std::uint32_t parent, const Sphere64& of_parent, std::uint32_t child,
               const Sphere64& of_child) override {

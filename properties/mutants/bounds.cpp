@@ -61,15 +61,15 @@ const RegisterMutant<StrictDescent> strict{"strict-descent", "libigl#2381: `<` w
 
 /// Bounds that are only as good as when they were built.
 class StaleBounds : public FaultyTree {
-  void update(const Chain& moved) override {
-    if (moved.size() != tree().leaves) return build(moved);
-    std::ranges::copy(moved.spheres(), tree().bound);
+  void update(const Chain& chain, const Moved&) override {
+    if (chain.size() != tree().leaves) return build(chain);
+    std::ranges::copy(chain.spheres(), tree().bound);
   }
 };
 const RegisterMutant<StaleBounds> stale{"stale-bounds-after-update", "fcl#386: a stale AABB ruins culling"};
 
 class RadiusChangeUnnoticed final : public FaultyTree {
-  void update(const Chain& moved) override {
+  void update(const Chain& moved, const Moved&) override {
     const auto still = [](const Sphere& p, const Sphere& q) {
       return p.x == q.x && p.y == q.y && p.z == q.z;
     };
@@ -81,7 +81,7 @@ const RegisterMutant<RadiusChangeUnnoticed> radius{"radius-change-unnoticed",
                                                    "a frame that only swells counts as still"};
 
 class FirstSphereStill final : public FaultyTree {
-  void update(const Chain& moved) override {
+  void update(const Chain& moved, const Moved&) override {
     if (moved.size() != tree().leaves || moved.size() == 0 || moved[0] != tree().bound[0]) build(moved);
   }
 };
@@ -90,7 +90,7 @@ const RegisterMutant<FirstSphereStill> first{"still-by-its-first-sphere",
 
 /// Right, but every frame has buffers of its own.
 class FreshBuffers final : public FaultyTree {
-  void update(const Chain& moved) override {
+  void update(const Chain& moved, const Moved&) override {
     const std::vector<Sphere> frame(moved.spheres().begin(), moved.spheres().end());
     build(moved.moved(frame));
   }

@@ -1,6 +1,7 @@
 #include "catena/properties/mutants/faulty_tree.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
@@ -34,6 +35,8 @@ void FaultyTree::join(std::uint32_t slot, const Links& children) {
 }
 
 void FaultyTree::find(const Chain& chain, const Request& request, Collisions& result) {
+  if (tree_.leaves != chain.size()) throw std::logic_error("find: not the chain of the last build");
+  queries_ = request.queries;
   counts_.assign(chain.size(), 0);
   pairs_.clear();
   for (std::uint32_t i = 0; i < chain.size(); ++i) search(chain.view(), i);
@@ -66,6 +69,7 @@ bool FaultyTree::collide(const ChainView& chain, std::uint32_t i, std::uint32_t 
 }
 
 void FaultyTree::hit(std::uint32_t i, std::uint32_t j) {
+  if (!queries_.contains(i)) return;
   ++counts_[i];
   if (i < j) pairs_.push_back({i, j});
 }
@@ -81,13 +85,14 @@ void FaultyTree::answer(const Request& request, Collisions& result) {
 }
 
 void FaultyTree::visit_bounds(BoundsVisitor& visitor) const {
-  const auto wide = [&](std::uint32_t slot) {
+  const auto shown = [&](std::uint32_t slot) {
     const Sphere& s = tree_.bound[slot];
     return Sphere64{s.x, s.y, s.z, s.radius};
   };
+  visitor.tree({.nested = true});
   for (std::uint32_t slot = tree_.leaves; slot < tree_.size(); ++slot)
     for (const std::uint32_t child : {tree_.links[slot].left, tree_.links[slot].right})
-      if (child != Links::none) visitor.sphere(slot, wide(slot), child, wide(child));
+      if (child != Links::none) visitor.edge(slot, shown(slot), child, shown(child));
 }
 
 }  // namespace catena::properties

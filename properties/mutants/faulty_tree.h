@@ -52,6 +52,7 @@ class FaultyTree : public Variant {
   HierarchyView<Sphere> tree_{};
   std::vector<std::uint32_t> counts_;
   std::vector<Pair> pairs_;
+  SphereRange queries_;
 };
 
 }  // namespace catena::properties

@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ struct RegisterMutant {
     info.name = "mutant:" + name;
     info.summary = imitates;
     info.parameters = parameters;
-    StrategyRegistry::instance().add_variant(info, Robust::name, make_strategy<Mutant, Variant>, true);
+    if (std::derived_from<Mutant, FaultyTree>) info.has_tree = true, info.promises = {true, true};  // as their base keeps
+    StrategyRegistry::instance().add_variant(info, arithmetic_info<Robust>(), make_strategy<Mutant, Variant>, true);
   }
 };
 

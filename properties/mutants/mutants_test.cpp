@@ -108,7 +108,8 @@ TEST(Mutants, AreHiddenFromEveryList) {
 TEST(Mutants, WithoutABugTheirBasePasses) {
   Subject base;
   base.info.name = "FaultyTree";
-  base.info.arithmetic = Robust::name;
+  base.info.has_tree = true;
+  base.info.promises = {true, true};
   base.make = [] { return std::make_unique<FaultyTree>(); };
   for (const auto& property : PropertyRegistry::instance().make_all()) {
     if (!property->applies_to(base)) continue;

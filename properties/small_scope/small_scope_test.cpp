@@ -85,7 +85,7 @@ class Exhaustion {
     std::unique_ptr<Variant> variant;
   };
   void add(Subject subject) {
-    if (subject.exact() && !subject.info.on_device) runners_.push_back({subject.info.name, subject.make()});
+    if (subject.exact() && !subject.info.on_device()) runners_.push_back({subject.info.name, subject.make()});
   }
   void check(const Chain& chain) {
     const Case test = Case::of(chain);

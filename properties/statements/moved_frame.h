@@ -1,5 +1,11 @@
 #pragma once
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
+
 #include "catena/core/chain/chain.h"
+#include "catena/core/strategy/request.h"
 
 namespace catena::properties {
 
@@ -27,6 +33,23 @@ inline Chain anchored_frame(const Chain& chain) {
   std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
   for (std::size_t i = 1; i < spheres.size(); ++i) spheres[i].x = -spheres[i].x;
   return chain.moved(std::move(spheres));
+}
+
+/// A frame in which some stretches move and the rest stays, and those stretches: the first of them the first
+/// sphere alone, one in the middle, one across a power of two, one the last sphere.
+inline std::pair<Chain, std::vector<SphereRange>> partly_moved_frame(const Chain& chain) {
+  const std::uint32_t n = chain.size();
+  std::vector<SphereRange> ranges;
+  if (n == 0) return {chain, ranges};
+  const auto add = [&](std::uint32_t begin, std::uint32_t end) {
+    begin = std::max(begin, ranges.empty() ? 0u : ranges.back().end);
+    if (begin < std::min(end, n)) ranges.push_back({begin, std::min(end, n)});
+  };
+  add(0, 1), add(n / 3, n / 3 + 3), add(std::bit_ceil(n) / 2 - 1, std::bit_ceil(n) / 2 + 1), add(n - 1, n);
+  std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
+  for (const SphereRange& range : ranges)
+    for (std::uint32_t i = range.begin; i < range.end; ++i) spheres[i] = chain[(i + n / 2) % n];
+  return {chain.moved(std::move(spheres)), ranges};
 }
 
 }  // namespace catena::properties

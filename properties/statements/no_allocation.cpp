@@ -16,7 +16,7 @@ class NoAllocation final : public Property {
  public:
   std::string name() const override { return "no allocation in update"; }
   bool applies_to(const Subject& subject) const override {
-    return Allocations::counter() != nullptr && !subject.info.on_device;
+    return Allocations::counter() != nullptr && !subject.info.on_device() && !subject.info.peer;
   }
 
   std::optional<std::string> check(const Subject& subject, Variant&, const Case& test) override {

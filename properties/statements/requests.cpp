@@ -5,18 +5,22 @@
 namespace catena::properties {
 namespace {
 
-/// Whatever is asked for, it is the same answer: `any` knows whether there is a pair, `counts` and `pairs`
-/// count alike, and what was not asked for is not there.
+/// Whatever is asked for, and known before the build, it is the same answer: `any` knows whether there is a
+/// pair, `counts` and `pairs` count alike, and what was not asked for is not there.
 class Requests final : public Property {
+  using Want = Request::Want;
+
  public:
   std::string name() const override { return "requests agree"; }
 
   std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
-    using Want = Request::Want;
-    variant.build(test.chain);
-    variant.find(test.chain, {Want::pairs}, pairs_);
-    variant.find(test.chain, {Want::any}, any_);
-    variant.find(test.chain, {Want::counts}, counts_);
+    ask(variant, test.chain, Want::any, any_);
+    ask(variant, test.chain, Want::counts, counts_);
+    ask(variant, test.chain, Want::pairs, pairs_);
+    variant.find(test.chain, {Want::any}, less_);  // less than was prepared for
+    if (less_.found != pairs_.found) return "found differs when less is asked for than was prepared";
+    variant.find(test.chain, {Want::counts}, less_);
+    if (less_.count != pairs_.count) return "counts differ when less is asked for than was prepared";
     if (pairs_.pairs.size() != pairs_.pair_count)
       return fmt::format("{} pairs, but pair_count {}", pairs_.pairs.size(), pairs_.pair_count);
     if (pairs_.count != counts_.count) return "counts differ between a request for pairs and one for counts";
@@ -31,7 +35,13 @@ class Requests final : public Property {
   }
 
  private:
-  Collisions pairs_, any_, counts_;
+  static void ask(Variant& variant, const Chain& chain, Want want, Collisions& found) {
+    variant.prepare({want});
+    variant.build(chain);
+    variant.find(chain, {want}, found);
+  }
+
+  Collisions pairs_, any_, counts_, less_;
 };
 
 const RegisterProperty<Requests> registered;

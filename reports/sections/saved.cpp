@@ -21,10 +21,10 @@ struct Standing {
   std::unique_ptr<Variant> variant;
 };
 
-std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain, bool all_pairs) {
+std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain, bool VariantInfo::*kind) {
   std::vector<Standing> list;
   for (const auto& info : infos) {
-    if (info.all_pairs != all_pairs) continue;
+    if (!(info.*kind)) continue;
     try {
       auto variant = StrategyRegistry::instance().make(info.name);
       variant->build(chain);
@@ -86,8 +86,8 @@ void hierarchy(Json& rows, const Profile& profile) {
     const std::string spec = fmt::format("path1:n={}", n);
     const Input input = open_input(spec);
     const Chain chain = input.animation->frame(input.animation->frames() / 2);
-    const auto trees = standing(exact_variants(profile), chain, false);
-    const auto all_pairs = standing(exact_variants(profile), chain, true);
+    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree);
+    const auto all_pairs = standing(exact_variants(profile), chain, &VariantInfo::all_pairs);
     const auto tree = quickest_of(trees, chain, profile), pairs = quickest_of(all_pairs, chain, profile);
     if (!tree || !pairs) continue;
     Variant &with = *trees[*tree].variant, &without = *all_pairs[*pairs].variant;
@@ -106,7 +106,7 @@ void pair_list(Json& rows, const Profile& profile) {
   for (const auto& spec : profile.wants_inputs) {
     const auto work = bench::workload({spec});
     const Chain& chain = work->chains.front();
-    const auto trees = standing(exact_variants(profile), chain, false);
+    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree);
     const auto best = quickest_of(trees, chain, profile);
     if (!best) continue;
     Variant& variant = *trees[*best].variant;
@@ -134,7 +134,7 @@ void rebuild(Json& rows, const Profile& profile) {
   for (const auto& spec : profile.coherent_inputs) {
     const auto work = bench::workload({spec});
     const Chain& chain = work->chains.front();
-    const auto trees = standing(exact_variants(profile), chain, false);
+    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree);
     const auto best = quickest_of(trees, chain, profile);
     if (!best) continue;
     Variant& variant = *trees[*best].variant;

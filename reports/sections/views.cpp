@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/reference/compare.h"
@@ -23,7 +24,7 @@ constexpr std::uint32_t frames_shown = 10;  ///< of an animation, spread evenly
 std::string spheres_of(const Chain& chain) { return base64(chain.spheres()); }
 
 /// The bounds of a tree by height: a parent is one above the higher of its children.
-class Levels final : public BoundsVisitor {
+class Levels final : public SphereBoundsVisitor {
  public:
   explicit Levels(const Chain& chain) : chain_(chain) {}
   void sphere(std::uint32_t parent_id, const Sphere64& parent, std::uint32_t child_id,
@@ -64,7 +65,7 @@ class Levels final : public BoundsVisitor {
 /// The tree of the first exact variant on the host that shows one.
 Json levels_of(const Chain& chain, const Profile& profile) {
   for (const auto& info : exact_variants(profile)) {
-    if (info.all_pairs || info.on_device) continue;
+    if (!info.has_tree || info.on_device()) continue;
     try {
       const auto variant = StrategyRegistry::instance().make(info.name);
       variant->build(chain);
@@ -83,7 +84,7 @@ Json wrong_answers(const Chain& chain, std::uint32_t frame, const reference::Ans
   constexpr std::uint64_t pair_limit = 200'000;
   Json list = Json::array();
   for (const auto& info : profile.variants) {
-    if (info.arithmetic == Robust::name) continue;
+    if (info.exact || info.peer) continue;
     if (info.all_pairs && chain.size() > 5000) continue;
     Collisions found;
     try {

@@ -1,9 +1,10 @@
-#include "catena/reference/fcl.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 #include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
 #include "catena/reference/all_pairs.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
@@ -12,12 +13,31 @@
 namespace catena::reference {
 namespace {
 
+VariantInfo fcl() { return StrategyRegistry::instance().describe("FCL"); }
+
+Collisions fcl_collisions(const Chain& chain, const Request& request = {}) {
+  const auto variant = StrategyRegistry::instance().make("FCL");
+  Collisions found;
+  variant->build(chain);
+  variant->find(chain, request, found);
+  return found;
+}
+
 class Fcl : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (const auto why = fcl_unavailable()) GTEST_SKIP() << *why;
+    if (const auto why = fcl().unavailable) GTEST_SKIP() << *why;
   }
 };
+
+TEST(FclVariant, IsListedAsAPeerThatRounds) {
+  EXPECT_TRUE(fcl().peer);
+  EXPECT_FALSE(fcl().exact);
+  EXPECT_EQ(fcl().name, "FCL");
+  EXPECT_EQ(fcl().arithmetic, "binary64");
+  const auto variants = StrategyRegistry::instance().variants();
+  EXPECT_EQ(std::ranges::count(variants, "FCL", &VariantInfo::name), 1);
+}
 
 RC_GTEST_FIXTURE_PROP(Fcl, AgreesWhereNoPairIsNearTouching, ()) {
   const auto at =
@@ -48,7 +68,7 @@ TEST_F(Fcl, NoSpheresOneSphereAndAFlood) {
 }
 
 TEST(FclAbsent, SaysWhy) {
-  if (!fcl_unavailable()) GTEST_SKIP() << "FCL is built in";
+  if (!fcl().unavailable) GTEST_SKIP() << "FCL is built in";
   EXPECT_THROW(fcl_collisions(Chain()), CapacityError);
 }
 

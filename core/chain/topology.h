@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/chain/exclusion.h"
+
+namespace catena {
+
+/// How the spheres divide into strands (consecutive runs), each open or closed.
+struct Strands {
+  std::vector<std::uint32_t>
+      first;  ///< strands + 1 ascending offsets, from 0 to n; empty means one open strand
+  std::vector<std::uint8_t>
+      closed;  ///< one flag a strand: the last sphere is joined to the first; empty: all open
+
+  static Strands one_closed(std::uint32_t n) { return {{0, n}, {1}}; }
+};
+
+/// What all frames of a chain have in common: its strands and who are neighbours, indexed for look-up. Made
+/// once, shared by every chain that was moved from it, and moved to a device once.
+struct Topology {
+  Strands strands;
+  Exclusion exclusion;                   ///< extra pairs sorted, unique, i < j
+  std::vector<std::uint32_t> strand_of;  ///< n entries; empty for one open strand
+  std::vector<std::uint32_t> extra_row,
+      extra;  ///< partners of each sphere, both directions; empty without extra pairs
+  std::vector<double> arc, loop_length;  ///< arc rule only: of the chain that it was made with
+  std::uint64_t number = 0;              ///< no other topology of this program has it; never 0 once made
+};
+
+}  // namespace catena

@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+
+#include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/hierarchy.h"
+#include "catena/core/sphere.h"
+#include "catena/core/strategy/request.h"
+#include "catena/core/strategy/resident.h"
+
+namespace catena {
+
+/// What the host needs of one device: chains and trees moved, work run and timed, answers fetched.
+/// Implemented where the device is (cuda/) and registered with the strategies; owns the buffers that its
+/// views point into and reuses them. Views stay valid until the next call of the same function. Every call
+/// returns when it is done.
+class Device {
+ public:
+  using Work = std::function<void(StreamHandle)>;
+  using Search = std::function<void(const ResidentAnswer&, StreamHandle)>;
+  struct Times {
+    double work_ms = 0;      ///< kernels, by the device's clock
+    double transfer_ms = 0;  ///< answers to the host, wall time
+  };
+
+  virtual ~Device() = default;
+  /// What chains have in common (strands, neighbours) is moved once, not for every frame.
+  virtual ChainView to_device(const ChainView& host) = 0;
+  virtual HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) = 0;
+  virtual HierarchyView<Sphere64> to_device(const HierarchyView<Sphere64>& host) = 0;
+  virtual HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) = 0;
+  virtual HierarchyView<Sphere64> to_host(const HierarchyView<Sphere64>& device) = 0;
+
+  /// Runs what `work` enqueues on the stream that it is given; milliseconds by the device's clock.
+  virtual double run(const Work& work) = 0;
+  /// Runs what `search` enqueues for a chain of n spheres, again with more room until nothing is lost, and
+  /// brings the answer to the host. Throws PairLimitExceeded with the true number. `mend` is told of every
+  /// overflow.
+  virtual Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
+                       const std::function<void(const ResidentState&)>& mend) = 0;
+  /// Fills the device's cache with other data, so that the next stage starts cold; for measurements.
+  virtual void flush_cache() = 0;
+};
+
+/// A tree that can be moved between the host and a device, so that its two stages may live apart.
+template <class Tree>
+concept Movable = requires(Device& device, const Tree& tree) {
+  {device.to_device(tree)};
+  {device.to_host(tree)};
+};
+
+}  // namespace catena

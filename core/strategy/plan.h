@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace catena {
+
+/// One step of a search that a variant decided about: done or left out, and why, with the figure that
+/// decided.
+struct Decision {
+  std::string step;
+  bool left_out;
+  std::string reason;
+};
+
+/// What a variant decided for its last build and find, in the order of the steps; empty when it had no
+/// choice.
+using Plan = std::vector<Decision>;
+
+}  // namespace catena

@@ -1,0 +1,58 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "catena/core/strategy/device.h"
+#include "catena/core/strategy/variant.h"
+
+namespace catena {
+
+/// A variant that is one resident search: it derives from this and enqueues its two stages; building, finding
+/// and fetching from the host are made of them here.
+class ResidentVariant : public Variant, protected ResidentSearch {
+ public:
+  explicit ResidentVariant(std::unique_ptr<Device> device) : device_(std::move(device)) {}
+
+  void prepare(const Request& request) final { request_ = request; }
+
+  void build(const Chain& chain) final {
+    built_.reset();
+    timings_ = {};
+    const Stopwatch watch;
+    chain_ = device_->to_device(chain.view());
+    upload_ms_ = watch.ms();
+    timings_.build_ms = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
+    timings_.transfer_ms = upload_ms_;
+    built_ = chain.size();
+  }
+
+  void find(const Chain& chain, const Request& request, Collisions& result) final {
+    if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
+    const auto times = device_->answer(
+        chain.size(), request, result,
+        [&](const ResidentAnswer& answer, StreamHandle stream) {
+          enqueue_find(chain_, request, answer, stream);
+        },
+        [&](const ResidentState& seen) { mend(seen); });
+    timings_.find_ms = times.work_ms;
+    timings_.transfer_ms = upload_ms_ + times.transfer_ms;
+  }
+
+  Timings timings() const final { return timings_; }
+
+  ResidentSearch* resident() final {
+    built_.reset();  // whoever takes it brings a chain of his own
+    return this;
+  }
+
+ private:
+  std::unique_ptr<Device> device_;
+  Request request_;
+  std::optional<std::uint32_t> built_;
+  ChainView chain_{};
+  Timings timings_;
+  double upload_ms_ = 0;
+};
+
+}  // namespace catena

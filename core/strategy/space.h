@@ -1,8 +1,0 @@
-#pragma once
-
-namespace catena {
-
-/// Where a stage wants its data and leaves its result.
-enum class Space { host, device };
-
-}  // namespace catena

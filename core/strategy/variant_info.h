@@ -1,0 +1,66 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catena/core/strategy/parameters.h"
+#include "catena/core/strategy/place.h"
+#include "catena/core/strategy/variant_name.h"
+
+namespace catena {
+
+/// What a strategy promises beyond what all do; the properties hold it to that.
+struct Promises {
+  bool same_bits = false;   ///< update leaves bounds bit for bit those of build
+  bool same_order = false;  ///< pairs come in the same order, whatever the number of threads
+};
+
+/// What a strategy file says of itself.
+struct StrategyInfo {
+  std::string
+      name;  ///< as in the paper: "aCPU2"; with "@host" when a device algorithm is run by the host executor
+  std::string summary;  ///< one line for `catena list`
+  Place place = Place::host();
+  /// The parameters it understands, with defaults and meaning: `aGPU2@host(subtree=256)`.
+  std::vector<ParameterInfo> parameters = {};
+  bool all_pairs = false;  ///< compares all pairs, O(n^2); benchmarks leave it out on long chains
+  bool has_tree =
+      false;  ///< a variant complete in itself that shows a hierarchy; every combination of stages does
+  bool peer = false;  ///< somebody else's library, asked for comparison
+  Promises promises = {};
+  /// Why it cannot run on this machine; nullopt when it can. Empty function: it always can.
+  std::function<std::optional<std::string>()> unavailable = {};
+};
+
+/// How a variant computes.
+struct ArithmeticInfo {
+  std::string name;  ///< "robust", "literal", "double", or the strategy's own
+  bool exact =
+      true;  ///< its pair set is that of exact real arithmetic; otherwise it may miss and invent pairs
+};
+
+/// One complete variant: everything that others need to know of it without running it.
+struct VariantInfo {
+  std::string name;           ///< what StrategyRegistry::make takes: parts.text()
+  VariantName parts;          ///< its stages with their settings
+  std::vector<Place> places;  ///< of each stage
+  std::string arithmetic;     ///< also where the name does not say it
+  std::string summary;
+  bool exact = true;       ///< the answer must be exactly right; nothing excuses it
+  bool all_pairs = false;  ///< O(n^2)
+  bool has_tree = false;   ///< shows a hierarchy
+  bool peer = false;       ///< somebody else's library
+  bool hidden = false;     ///< a mutant: made by name, never listed among the variants
+  Promises promises = {};
+  std::optional<std::string> unavailable = {};
+
+  /// At least one stage runs on a device.
+  bool on_device() const {
+    for (const Place& place : places)
+      if (place.on_device()) return true;
+    return false;
+  }
+};
+
+}  // namespace catena

@@ -1,0 +1,144 @@
+#include <string>
+#include <vector>
+
+#include "catena/core/strategy/registry.h"
+#include "catena/cuda/device.h"
+#include "catena/cuda/device_answer.h"
+#include "catena/cuda/device_buffer.h"
+#include "catena/cuda/stream.h"
+
+namespace catena::cuda {
+namespace {
+
+/// Chains, trees, work and answers of one CUDA device. What a chain does not need (strands of one open
+/// strand, arc lengths under an index window, extra pairs) is not moved, and what its frames share is moved
+/// once.
+class CudaDevice final : public Device {
+ public:
+  /// To be made within a DeviceScope of that place: its stream and events belong to the device that is
+  /// current.
+  explicit CudaDevice(Place place) : place_(place) {}
+
+  ChainView to_device(const ChainView& host) override {
+    const DeviceScope scope(place_);
+    if (host.topology == 0 || host.topology != topology_.topology) upload_topology(host);
+    ChainView view = topology_;
+    view.spheres = spheres_.upload(host.spheres, host.size, stream_);
+    view.size = host.size;
+    view.radii = host.radii;
+    stream_.synchronize();
+    return view;
+  }
+
+  HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) override {
+    return upload(host, bounds_);
+  }
+  HierarchyView<Sphere64> to_device(const HierarchyView<Sphere64>& host) override {
+    return upload(host, bounds64_);
+  }
+  HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) override {
+    return download(device, host_bounds_);
+  }
+  HierarchyView<Sphere64> to_host(const HierarchyView<Sphere64>& device) override {
+    return download(device, host_bounds64_);
+  }
+
+  double run(const Work& work) override {
+    const DeviceScope scope(place_);
+    timer_.start(stream_);
+    work(stream_);
+    timer_.stop(stream_);
+    return timer_.ms();
+  }
+
+  Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
+               const std::function<void(const ResidentState&)>& mend) override {
+    const DeviceScope scope(place_);
+    return answer_.fetch(n, request, result, search, mend, stream_);
+  }
+
+  void flush_cache() override {
+    const DeviceScope scope(place_);
+    int bytes = 0;
+    CATENA_CUDA(cudaDeviceGetAttribute(&bytes, cudaDevAttrL2CacheSize, static_cast<int>(place_.index)));
+    const std::size_t size = 2 * static_cast<std::size_t>(bytes);
+    CATENA_CUDA(cudaMemsetAsync(flushed_.reserve(size, stream_), 0, size, stream_));
+    stream_.synchronize();
+  }
+
+ private:
+  void upload_topology(const ChainView& host) {
+    topology_ = {};
+    ChainView view = host;
+    const std::size_t n = host.size, strands = host.strand_count;
+    ExclusionView& rule = view.exclusion;
+    const ExclusionView& from = host.exclusion;
+    if (!from.one_open_strand) {
+      rule.strand_of = strand_of_.upload(from.strand_of, n, stream_);
+      rule.strand_first = strand_first_.upload(from.strand_first, strands + 1, stream_);
+      rule.strand_closed = strand_closed_.upload(from.strand_closed, strands, stream_);
+    }
+    if (from.rule == Exclusion::Rule::arc_window) {
+      rule.arc = arc_.upload(from.arc, n, stream_);
+      rule.loop_length = loop_length_.upload(from.loop_length, strands, stream_);
+    }
+    if (from.extra_row != nullptr) {
+      rule.extra_row = extra_row_.upload(from.extra_row, n + 1, stream_);
+      rule.extra = extra_.upload(from.extra, host.extra_count, stream_);
+    }
+    stream_.synchronize();
+    topology_ = view;
+  }
+  template <class Bound>
+  HierarchyView<Bound> upload(HierarchyView<Bound> tree, DeviceBuffer<Bound>& bounds) {
+    const DeviceScope scope(place_);
+    tree.bound = bounds.upload(tree.bound, tree.size(), stream_);
+    tree.links = links_.upload(tree.links, tree.size(), stream_);
+    stream_.synchronize();
+    return tree;
+  }
+  template <class Bound>
+  HierarchyView<Bound> download(HierarchyView<Bound> tree, std::vector<Bound>& bounds) {
+    const DeviceScope scope(place_);
+    const std::size_t slots = tree.size();
+    bounds.resize(slots);
+    host_links_.resize(slots);
+    if (slots > 0) {
+      CATENA_CUDA(
+          cudaMemcpyAsync(bounds.data(), tree.bound, slots * sizeof(Bound), cudaMemcpyDeviceToHost, stream_));
+      CATENA_CUDA(cudaMemcpyAsync(host_links_.data(), tree.links, slots * sizeof(Links),
+                                  cudaMemcpyDeviceToHost, stream_));
+    }
+    stream_.synchronize();
+    tree.bound = bounds.data();
+    tree.links = host_links_.data();
+    return tree;
+  }
+
+  Place place_;
+  Stream stream_;
+  EventTimer timer_;
+  DeviceAnswer answer_;
+  ChainView topology_{};  ///< the last one that was moved, with the device's pointers
+  DeviceBuffer<Sphere> spheres_, bounds_;
+  DeviceBuffer<Sphere64> bounds64_;
+  DeviceBuffer<Links> links_;
+  DeviceBuffer<std::uint32_t> strand_of_, strand_first_, extra_row_, extra_;
+  DeviceBuffer<std::uint8_t> strand_closed_, flushed_;
+  DeviceBuffer<double> arc_, loop_length_;
+  std::vector<Sphere> host_bounds_;
+  std::vector<Sphere64> host_bounds64_;
+  std::vector<Links> host_links_;
+};
+
+[[maybe_unused]] const bool registered = [] {
+  StrategyRegistry::instance().set_device([](Place place) -> std::unique_ptr<Device> {
+    require_device(place);
+    const DeviceScope scope(place);
+    return std::make_unique<CudaDevice>(place);
+  });
+  return true;
+}();
+
+}  // namespace
+}  // namespace catena::cuda

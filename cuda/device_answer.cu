@@ -1,0 +1,70 @@
+#include <algorithm>
+
+#include "catena/core/error.h"
+#include "catena/core/strategy/timings.h"
+#include "catena/cuda/device_answer.h"
+
+namespace catena::cuda {
+
+Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Collisions& result,
+                                  const Device::Search& search,
+                                  const std::function<void(const ResidentState&)>& mend,
+                                  const Stream& stream) {
+  ResidentAnswer answer = prepare(n, request, result, stream);
+  Device::Times times;
+  ResidentState state{};
+  for (;;) {
+    timer_.start(stream);
+    search(answer, stream);
+    timer_.stop(stream);
+    times.work_ms += timer_.ms();
+    const Stopwatch watch;
+    CATENA_CUDA(cudaMemcpyAsync(&state, answer.state, sizeof state, cudaMemcpyDeviceToHost, stream));
+    stream.synchronize();
+    times.transfer_ms += watch.ms();
+    const bool pairs = request.want == Request::Want::pairs;
+    if (pairs && state.found > request.pair_limit) throw PairLimitExceeded(state.found, request.pair_limit);
+    if (state.overflow == 0) break;
+    mend(state);
+    if (pairs && state.found > answer.capacity) {
+      answer.capacity = state.found;
+      answer.pairs = pairs_.reserve(state.found, stream);
+    }
+  }
+  result.found = state.found > 0;
+  if (request.want == Request::Want::any) return times;
+  result.pair_count = state.found;
+  const Stopwatch watch;
+  download(answer, n, result, stream);
+  times.transfer_ms += watch.ms();
+  return times;
+}
+
+ResidentAnswer DeviceAnswer::prepare(std::uint32_t n, const Request& request, Collisions& result,
+                                     cudaStream_t stream) {
+  result.found = false;
+  result.pair_count = 0;
+  result.pairs.clear();
+  const bool counts = request.want != Request::Want::any, pairs = request.want == Request::Want::pairs;
+  result.count.assign(counts ? n : 0, 0);
+  // A first guess of one pair in two spheres; kept from search to search.
+  const std::uint64_t guess = std::max<std::uint64_t>({pairs_.capacity(), n / 2, 1024});
+  const std::uint64_t capacity = pairs ? std::max<std::uint64_t>(1, std::min(guess, request.pair_limit)) : 0;
+  return {counts ? count_.reserve(n, stream) : nullptr, pairs ? pairs_.reserve(capacity, stream) : nullptr,
+          capacity, state_.reserve(1, stream)};
+}
+
+void DeviceAnswer::download(const ResidentAnswer& answer, std::uint32_t n, Collisions& result,
+                            const Stream& stream) {
+  if (answer.count != nullptr && n > 0)
+    CATENA_CUDA(cudaMemcpyAsync(result.count.data(), answer.count, n * sizeof *answer.count,
+                                cudaMemcpyDeviceToHost, stream));
+  if (answer.pairs != nullptr && result.pair_count > 0) {
+    result.pairs.resize(result.pair_count);
+    CATENA_CUDA(cudaMemcpyAsync(result.pairs.data(), answer.pairs, result.pair_count * sizeof(Pair),
+                                cudaMemcpyDeviceToHost, stream));
+  }
+  stream.synchronize();
+}
+
+}  // namespace catena::cuda

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+
+#include "catena/core/strategy/device.h"
+#include "catena/cuda/device_buffer.h"
+#include "catena/cuda/stream.h"
+
+namespace catena::cuda {
+
+/// The buffers that searches of one host object leave their answers in, reused from search to search.
+class DeviceAnswer {
+ public:
+  /// Runs `search` on the stream until nothing was lost, then copies the answer to the host: counts are
+  /// complete at the first run; when the pair buffer was too small it grows to the true number and the search
+  /// runs again, told by `mend`. Throws PairLimitExceeded with the true number.
+  Device::Times fetch(std::uint32_t n, const Request& request, Collisions& result,
+                      const Device::Search& search, const std::function<void(const ResidentState&)>& mend,
+                      const Stream& stream);
+
+ private:
+  ResidentAnswer prepare(std::uint32_t n, const Request& request, Collisions& result, cudaStream_t stream);
+  void download(const ResidentAnswer& answer, std::uint32_t n, Collisions& result, const Stream& stream);
+
+  DeviceBuffer<std::uint32_t> count_;
+  DeviceBuffer<Pair> pairs_;
+  DeviceBuffer<ResidentState> state_;
+  EventTimer timer_;
+};
+
+}  // namespace catena::cuda
