@@ -2,10 +2,10 @@
 #include <limits>
 
 #include "catena/reference/bounds.h"
-#include "catena/reference/bounds/along.h"
 #include "catena/reference/bounds/form.h"
 #include "catena/reference/bounds/halfspaces.h"
 #include "catena/reference/bounds/segments.h"
+#include "catena/reference/bounds/support.h"
 #include "catena/reference/enclosure.h"
 
 namespace catena::reference {
@@ -48,9 +48,10 @@ bool in_box(const Box64& b, const Sphere64& s) {
 }
 
 bool in_slabs(const Slabs64& slabs, const Sphere64& s) {
+  const Support ball{AnyBound(s)};
   for (const Slab& slab : slabs.slabs) {
-    const Range outer = along(slab.direction, slabs.origin, s);
-    if (slab.low <= outer.low && outer.high <= slab.high) continue;
+    const Range range = ball.along(slab.direction, slabs.origin);
+    if (slab.low <= range.low && range.high <= slab.high) continue;
     if (!in_halfspaces(Slabs64{slabs.origin, {&slab, 1}}, s)) return false;
   }
   return true;

@@ -3,10 +3,10 @@
 #include <iterator>
 
 #include "catena/reference/bounds.h"
-#include "catena/reference/bounds/along.h"
 #include "catena/reference/bounds/form.h"
 #include "catena/reference/bounds/halfspaces.h"
 #include "catena/reference/bounds/segments.h"
+#include "catena/reference/bounds/support.h"
 #include "catena/reference/enclosure.h"
 
 // Spheres are capsules, and boxes are slabs, so three questions remain. Two capsules: the distance of two
@@ -90,6 +90,7 @@ bool apart(const Box64& b, const Sphere64& s) {
 bool certainly_apart(const Box64& b, const Capsule64& c) {
   const Vector64 way{c.b.x - c.a.x, c.b.y - c.a.y, c.b.z - c.a.z};
   const double square = way.x * way.x + way.y * way.y + way.z * way.z;
+  const Support box{AnyBound(b)}, round{AnyBound(c)};
   Vector64 p = c.a, q = c.a;
   for (int k = 0; k < 8; ++k) {
     q = {std::clamp(p.x, b.low.x, b.high.x), std::clamp(p.y, b.low.y, b.high.y),
@@ -98,17 +99,39 @@ bool certainly_apart(const Box64& b, const Capsule64& c) {
     const double s = t > 0 ? std::min(t, 1.0) : 0;  // of NaN, when it is a sphere: 0
     p = {c.a.x + s * way.x, c.a.y + s * way.y, c.a.z + s * way.z};
     const Vector64 d{p.x - q.x, p.y - q.y, p.z - q.z};
-    if (along(d, q, b).high < along(d, q, c).low) return true;
+    if (box.along(d, q).high < round.along(d, q).low) return true;
   }
   return false;
 }
 
-/// True when one of the slabs certainly leaves out all of the bound.
-bool certainly_leaves_out(const Slabs64& slabs, const AnyBound& bound) {
-  return std::ranges::any_of(slabs.slabs, [&](const Slab& s) {
-    const Range range = along(s.direction, slabs.origin, bound);
-    return range.high < s.low || s.high < range.low;
-  });
+/// True when one of the bound's slabs, if it has any, certainly leaves out all of the other.
+bool certainly_leaves_out(const AnyBound& bound, const Support& other) {
+  const auto* slabs = std::get_if<Slabs64>(&bound);
+  return slabs && std::ranges::any_of(slabs->slabs, [&](const Slab& s) {
+           const Range range = other.along(s.direction, slabs->origin);
+           return range.high < s.low || s.high < range.low;
+         });
+}
+
+/// True when the two, one of them slabs, are certainly on two sides of a plane: along one of the slabs, or
+/// along an edge of either.
+bool certainly_apart(const AnyBound& a, const AnyBound& b) {
+  const Support p(a), q(b);
+  if (certainly_leaves_out(a, q) || certainly_leaves_out(b, p)) return true;
+  const auto* slabs = std::get_if<Slabs64>(&a);
+  const Vector64 origin = slabs ? slabs->origin : std::get<Slabs64>(b).origin;
+  const auto apart_along = [&](const Vector64& d) {
+    const Range x = p.along(d, origin), y = q.along(d, origin);
+    return x.high < y.low || y.high < x.low;
+  };
+  // The faces of a box have the directions of its edges.
+  for (const auto& [bound, support] : {std::pair(&a, &p), std::pair(&b, &q)})
+    if (std::holds_alternative<Box64>(*bound) && std::ranges::any_of(support->edges(), apart_along))
+      return true;
+  for (const Vector64& e : p.edges())
+    for (const Vector64& f : q.edges())
+      if (apart_along({e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x})) return true;
+  return false;
 }
 
 /// As ByIntegers, by estimates where they are certain.
@@ -130,14 +153,14 @@ struct Apart {
   bool operator()(const Capsule64& c, const Box64& b) const { return (*this)(b, c); }
   template <class A>
   bool operator()(const A& a, const Slabs64& b) const {
-    return certainly_leaves_out(b, a) || ByIntegers{}(a, b);
+    return certainly_apart(AnyBound(a), AnyBound(b)) || ByIntegers{}(a, b);
   }
   template <class B>
   bool operator()(const Slabs64& a, const B& b) const {
-    return certainly_leaves_out(a, b) || ByIntegers{}(a, b);
+    return (*this)(b, a);
   }
   bool operator()(const Slabs64& a, const Slabs64& b) const {
-    return certainly_leaves_out(a, b) || certainly_leaves_out(b, a) || ByIntegers{}(a, b);
+    return certainly_apart(AnyBound(a), AnyBound(b)) || ByIntegers{}(a, b);
   }
 };
 
