@@ -30,7 +30,11 @@ AnyBound drawn(Kind kind, Number number, std::vector<Slab>& slabs) {
   const int count = *rc::gen::inRange(1, 6);
   for (int k = 0; k < count; ++k) {
     Vector64 d = vector();
-    if (d == Vector64{0, 0, 0}) d.x = 1;
+    if (k == 2 && *rc::gen::arbitrary<bool>()) {  // nearly in a plane with those before
+      const Vector64 &e = slabs[0].direction, &f = slabs[1].direction;
+      d = {e.x + f.x, e.y + f.y, std::nextafter(e.z + f.z, 0)};
+    }
+    if (!std::isfinite(d.x + d.y + d.z) || d == Vector64{0, 0, 0}) d = {1, 0, 0};
     const auto end = [&] { return std::fmax(0, std::fabs(number()) * std::hypot(d.x, d.y, d.z)); };
     slabs.push_back({d, -end(), end()});
   }
@@ -78,6 +82,18 @@ RC_GTEST_PROP(BoundsEstimates, AgreeWithIntegersNearTies, ()) {
     near = std::nextafter(near, -infinity), far = std::nextafter(far, infinity);
   }
   RC_TAG("tie of kinds", a.index(), b.index());
+}
+
+RC_GTEST_PROP(BoundsEstimates, AgreeWithIntegersAtCornersOfBoxes, ()) {
+  // A point of a sphere's distance, rounded, from a corner.
+  const auto number = [] { return *rc::gen::inRange(1, 1000001) / 997.0; };
+  for (int k = 0; k < 5; ++k) {
+    const Box64 box{{-1, -1, -1}, {number(), number(), number()}};
+    const double x = number(), y = number(), z = number();
+    const Sphere64 s{box.high.x + x, box.high.y + y, box.high.z + z, std::sqrt(x * x + y * y + z * z)};
+    for (const double r : {std::nextafter(s.radius, 0), s.radius, std::nextafter(s.radius, infinity)})
+      expect_agreement(box, Sphere64{s.x, s.y, s.z, r});
+  }
 }
 
 RC_GTEST_PROP(BoundsEstimates, AgreeWithIntegersOnAnyNumbers, ()) {

@@ -143,8 +143,8 @@ TEST(BoundsSeparate, SlabsThatExcludeEachOther) {
   for (const auto& slabs : {none, parallel}) {
     const Slabs64 empty{{0, 0, 0}, slabs};
     EXPECT_TRUE(separate(empty, Box64{{0, 0, 0}, {1, 1, 1}}));
-    EXPECT_TRUE(separate(empty, Sphere64{0, 0, 0, 1}));
-    EXPECT_TRUE(separate(empty, Capsule64{{0, 0, 0}, {1, 2, 3}, 1}));
+    EXPECT_TRUE(separate(empty, Sphere64{0, 0, 0, 100}));
+    EXPECT_TRUE(separate(empty, Capsule64{{0, 0, 0}, {1, 2, 3}, 100}));
     EXPECT_FALSE(contains(empty, Sphere64{0.5, 0.5, 0, 0}));
   }
 }
