@@ -40,7 +40,7 @@ class AskedOnce final : public FaultyTree {
   }
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     FaultyTree::find(chain, request, result);
-    if (asked_ && want_ == Request::Want::any) std::ranges::fill(result.count, 0u);
+    if (asked_ && want_ == Request::Want::any) result.pairs.clear();
   }
   bool asked_ = false;
   Request::Want want_ = Request::Want::pairs;

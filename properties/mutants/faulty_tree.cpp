@@ -34,11 +34,15 @@ void FaultyTree::join(std::uint32_t slot, const Links& children) {
   tree_.bound[slot] = parent(tree_.bound[children.left], tree_.bound[children.right]);
 }
 
-void FaultyTree::find(const Chain& chain, const Request& request, Collisions& result) {
+void FaultyTree::start(const Chain& chain, const Request& request) {
   if (tree_.leaves != chain.size()) throw std::logic_error("find: not the chain of the last build");
   queries_ = request.queries;
   counts_.assign(chain.size(), 0);
   pairs_.clear();
+}
+
+void FaultyTree::find(const Chain& chain, const Request& request, Collisions& result) {
+  start(chain, request);
   for (std::uint32_t i = 0; i < chain.size(); ++i) search(chain.view(), i);
   answer(request, result);
 }

@@ -25,6 +25,7 @@ class FaultyTree : public Variant {
   virtual Sphere parent(const Sphere& a, const Sphere& b) const;
 
   // Search.
+  void start(const Chain& chain, const Request& request);  ///< empties counts() and pairs()
   virtual void search(const ChainView& chain,
                       std::uint32_t i);  ///< calls hit(i, j) for every j that collides
   virtual bool descend(const Sphere& query, const Sphere& node) const;

@@ -30,7 +30,7 @@ class SharedCursor final : public Threaded {
 
  private:
   void find(const Chain& chain, const Request& request, Collisions& result) override {
-    counts().assign(chain.size(), 0);
+    start(chain, request);
     std::vector<Pair> kept;
     for (std::uint32_t first = 0; first < chain.size(); first += threads()) {
       const std::size_t cursor = kept.size();  // as all threads read it

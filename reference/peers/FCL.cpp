@@ -75,7 +75,7 @@ class FCL final : public Variant {
     /// True: enough was found.
     static bool meet(Object* a, Object* b, void* self) {
       auto& meeting = *static_cast<Meeting*>(self);
-      const auto [i, j] = std::minmax(index(*a), index(*b));
+      const std::uint32_t p = index(*a), q = index(*b), i = std::min(p, q), j = std::max(p, q);
       if (meeting.chain.neighbours(i, j)) return false;
       const fcl::CollisionRequest<double> request;
       fcl::CollisionResult<double> result;
