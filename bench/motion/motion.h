@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "catena/bench/pareto.h"
+#include "catena/bench/work_precision/pareto.h"
 #include "catena/core/pair.h"
 
 namespace catena::bench {

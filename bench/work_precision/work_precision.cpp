@@ -1,0 +1,106 @@
+#include "catena/bench/work_precision/work_precision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+
+#include "catena/bench/stability/cell.h"
+#include "catena/bench/tube/contacts.h"
+#include "catena/bench/tube/error.h"
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+constexpr std::uint32_t most_all_pairs = 5000;
+
+struct Runner {
+  std::unique_ptr<Variant> variant;
+  Point point;
+  std::vector<double> samples;
+};
+
+bool compares_all_pairs(const std::string& name) {
+  for (const auto& info : StrategyRegistry::instance().variants())
+    if (info.name == name) return info.all_pairs;
+  return false;
+}
+
+double answer_error(const Cell& cell) {
+  const auto& c = cell.found.comparison;
+  const double wrong = cell.found.by_pairs ? static_cast<double>(c.missing + c.invented)
+                                           : static_cast<double>(c.wrong_counts) / 2;
+  return wrong / static_cast<double>(std::max<std::uint64_t>(1, cell.exact_pairs));
+}
+
+void time_interleaved(std::vector<Runner>& runners, const Chain& chain, std::size_t repetitions) {
+  std::vector<std::size_t> order(runners.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::mt19937_64 random(chain.size());
+  Collisions found;
+  for (std::size_t round = 0; round < repetitions; ++round) {
+    std::ranges::shuffle(order, random);
+    for (const std::size_t k : order) {
+      const Stopwatch watch;
+      runners[k].variant->update(chain);
+      runners[k].variant->find(chain, {}, found);
+      runners[k].samples.push_back(watch.ms());
+    }
+  }
+}
+
+}  // namespace
+
+WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>& sizes,
+                             const std::vector<std::string>& variants, std::size_t repetitions,
+                             double offset) {
+  WorkPrecision result;
+  const auto all = approaches(tube);
+  const auto leave_out = [&](const std::string& name, const std::string& why) {
+    const auto of_it = [&](const std::string& line) { return line.starts_with(name + ": "); };
+    if (std::ranges::none_of(result.left_out, of_it))
+      result.left_out.push_back(fmt::format("{}: {}", name, why));
+  };
+  for (const std::uint32_t n : sizes) {
+    const Chain chain = inscribed_chain(tube, n, offset);
+    const auto exact = reference::find(chain);
+    const double gap = tube_error(tube, all, n).gap / tube.radius;
+    std::vector<Runner> runners;
+    for (const auto& name : variants) {
+      if (n > most_all_pairs && compares_all_pairs(name)) {
+        leave_out(name, fmt::format("O(n^2), left out above {} spheres", most_all_pairs));
+        continue;
+      }
+      try {
+        auto variant = StrategyRegistry::instance().make(name);
+        const Cell cell = measure(tube.name, name, *variant, chain, exact);
+        if (cell.outcome == Outcome::refused) {
+          leave_out(name, cell.found.reason);
+          continue;
+        }
+        if (cell.defect)
+          throw InputError(
+              fmt::format("{} is wrong on {} with {} spheres: {}", name, tube.name, n, cell.found.reason));
+        runners.push_back(
+            {std::move(variant),
+             {tube.name, name, cell.arithmetic, n, gap, answer_error(cell), repetitions, {}, {}, offset},
+             {}});
+      } catch (const CapacityError& why) {
+        leave_out(name, why.what());
+      }
+    }
+    time_interleaved(runners, chain, repetitions);
+    for (Runner& runner : runners) {
+      runner.point.time = Spread::of(std::move(runner.samples));
+      result.points.push_back(std::move(runner.point));
+    }
+  }
+  mark_dominated(result.points);
+  return result;
+}
+
+}  // namespace catena::bench
