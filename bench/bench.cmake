@@ -2,7 +2,7 @@
 # is not there. It is a part of the programs and not of libcatena, whose users need no benchmark library.
 find_package(benchmark QUIET)
 if(benchmark_FOUND)
-  add_library(catena_timing OBJECT ${PROJECT_SOURCE_DIR}/bench/timing/google/benchmarks.cpp ${PROJECT_SOURCE_DIR}/bench/google/rounds.cpp)
+  add_library(catena_timing OBJECT ${PROJECT_SOURCE_DIR}/bench/timing/google/benchmarks.cpp ${PROJECT_SOURCE_DIR}/bench/timing/google/rounds.cpp)
   target_link_libraries(catena_timing PUBLIC catena catena_options nlohmann_json::nlohmann_json benchmark::benchmark)
   add_executable(catena_bench ${PROJECT_SOURCE_DIR}/bench/timing/google/main.cpp)
   target_link_libraries(catena_bench PRIVATE catena_timing CLI11::CLI11)

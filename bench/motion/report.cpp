@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/bench/stability/cell.h"
+#include "catena/bench/timing/spread.h"
 #include "catena/core/commands/report_text.h"
 
 namespace catena::bench {

@@ -9,14 +9,15 @@ namespace catena::bench {
 /// One thing to time: SCENE/n:N/VARIANT/STAGE.
 struct Case {
   WorkloadSpec spec;
+  WorkloadFacts facts;
   VariantInfo variant;
   Stage stage;
   std::string name() const;
 };
 
 /// Every stage of every variant on every input, but for what is not worth measuring: variants that are not
-/// available here, the build of all-pairs variants, and those above `most_all_pairs` spheres (150,000 on a
-/// device).
+/// available here, updates of inputs that do not move, build and update of all-pairs variants, and those
+/// above `most_all_pairs` spheres (150,000 on a device). Opens each file once.
 std::vector<Case> cases(const std::vector<WorkloadSpec>& inputs, const std::vector<VariantInfo>& variants,
                         std::uint32_t most_all_pairs = 20'000);
 

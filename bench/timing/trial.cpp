@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "catena/core/error.h"
 #include "catena/reference/compare.h"
@@ -10,19 +11,33 @@
 namespace catena::bench {
 
 std::string name_of(Stage stage) {
-  return stage == Stage::build ? "build" : stage == Stage::find ? "find" : "whole";
+  switch (stage) {
+    case Stage::build:
+      return "build";
+    case Stage::update:
+      return "update";
+    case Stage::find:
+      return "find";
+    case Stage::whole:
+      return "whole";
+  }
+  throw std::logic_error("no stage");
 }
 
 const std::string& Trial::prepare() {
   if (variant_ || !reason_.empty()) return reason_;
   try {
     work_ = workload(spec_);
+    moving_.clear();
+    if (work_->beside) moving_.push_back(&*work_->beside);
+    for (const Chain& chain : work_->chains) moving_.push_back(&chain);
     variant_ = StrategyRegistry::instance().make(info_.name);
     variant_->build(work_->chains.front());
+    standing_ = &work_->chains.front();
     if (!compared_)
       compare();
     else
-      variant_->find(work_->chains.front(), {}, found_);
+      variant_->find(*standing_, {}, found_);
     if (flush_cache_ && info_.on_device) mover_ = StrategyRegistry::instance().make_mover();
   } catch (const Error& refused) {
     reason_ = refused.what();
@@ -34,40 +49,71 @@ const std::string& Trial::prepare() {
 
 void Trial::compare() {
   for (std::size_t k = 0; k < work_->chains.size(); ++k) {
-    const Chain& chain = work_->chains[k];
-    if (k > 0) variant_->update(chain);
-    variant_->find(chain, {}, found_);
-    const auto comparison = reference::compare(chain, work_->exact[k], found_);
-    pairs_ = std::max(pairs_, found_.pair_count);
-    missing_ += comparison.missing;
-    invented_ += comparison.invented;
-    if (comparison.right() || (info_.arithmetic != Robust::name && comparison.well_formed())) continue;
-    reason_ =
-        fmt::format("wrong answer: {} pairs missing, {} invented", comparison.missing, comparison.invented);
-    return;
+    stand_on(work_->chains[k]);
+    if (!answers(k)) return;
+  }
+  if (work_->beside && !info_.all_pairs) {
+    missing_ = invented_ = 0;  // counted again
+    stand_on(*work_->beside);
+    stand_on(work_->chains.front());
+    if (!answers(0)) return;
   }
   compared_ = true;
+}
+
+/// Finds on the chain that stands, and says whether the answer may be timed; if not, the reason is set.
+bool Trial::answers(std::size_t k) {
+  variant_->find(*standing_, {}, found_);
+  const auto comparison = reference::compare(*standing_, work_->exact[k], found_);
+  pairs_ = std::max(pairs_, found_.pair_count);
+  missing_ += comparison.missing;
+  invented_ += comparison.invented;
+  if (comparison.right() || (info_.arithmetic != Robust::name && comparison.well_formed())) return true;
+  reason_ =
+      fmt::format("wrong answer: {} pairs missing, {} invented", comparison.missing, comparison.invented);
+  return false;
+}
+
+void Trial::stand_on(const Chain& chain) {
+  if (standing_ == &chain) return;
+  variant_->update(chain);
+  standing_ = &chain;
 }
 
 void Trial::release() {
   variant_.reset();
   mover_.reset();
   work_.reset();
+  standing_ = nullptr;
   found_ = {};
 }
 
 double Trial::run(Stage stage) {
+  if (stage == Stage::update) return run_update();
   const Chain& chain = work_->chains[next_];
   next_ = (next_ + 1) % work_->chains.size();
+  if (stage == Stage::find) stand_on(chain);
   if (mover_) mover_->flush_cache();
-  if (stage == Stage::find && work_->chains.size() > 1)
-    variant_->update(chain);  // another chain than last time
   const Stopwatch wall;
-  if (stage != Stage::find) variant_->update(chain);
+  if (stage != Stage::find) variant_->build(chain);
   if (stage != Stage::build) variant_->find(chain, {}, found_);
-  if (stage == Stage::whole) return wall.ms();
+  const double whole_ms = wall.ms();
+  standing_ = &chain;
+  if (stage == Stage::whole) return whole_ms;
   const Timings timings = variant_->timings();
   return stage == Stage::build ? timings.build_ms : timings.find_ms;
+}
+
+/// From the frame that stands to the next. The first frame is no neighbour of the last and moves from the
+/// second.
+double Trial::run_update() {
+  if (moving_.size() < 2) throw std::logic_error("update: the input does not move");
+  const std::size_t at = std::ranges::find(moving_, standing_) - moving_.begin();
+  const std::size_t next = (at + 1) % moving_.size();
+  stand_on(*moving_[next == 0 ? 1 : next - 1]);
+  if (mover_) mover_->flush_cache();
+  stand_on(*moving_[next]);
+  return variant_->timings().build_ms;
 }
 
 }  // namespace catena::bench

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "catena/bench/timing/workload.h"
 #include "catena/core/strategy/registry.h"
@@ -9,9 +10,10 @@
 namespace catena::bench {
 
 enum class Stage {
-  build,  ///< as the variant times it (CUDA events on a device)
-  find,   ///< likewise
-  whole   ///< wall time around both, with every transfer
+  build,   ///< build(), as the variant times it (CUDA events on a device)
+  update,  ///< update(), likewise, from one frame of a moving input to the next
+  find,    ///< find(), likewise
+  whole    ///< wall time around build and find, with every transfer
 };
 std::string name_of(Stage stage);
 
@@ -22,15 +24,16 @@ class Trial {
   Trial(WorkloadSpec spec, VariantInfo variant, bool flush_cache = false)
       : spec_(std::move(spec)), info_(std::move(variant)), flush_cache_(flush_cache) {}
 
-  /// Makes the variant and runs it once; the first time on every chain, each compared with the reference.
-  /// Returns why there is nothing to time: it refuses the input, or its answer is wrong and its arithmetic
-  /// does not excuse that. Empty when it may be timed. Nothing is done when it is ready already.
+  /// Makes the variant and runs it once; the first time on every chain, each compared with the reference, and
+  /// of a moving input also after an update. Returns why there is nothing to time: it refuses the input, or
+  /// its answer is wrong and its arithmetic does not excuse that. Empty when it may be timed. Nothing is done
+  /// when it is ready already.
   const std::string& prepare();
   /// Gives the variant's memory back; what was compared is kept.
   void release();
 
   /// Milliseconds of one run of a stage on the next chain of the workload. Only when prepare() gave no
-  /// reason.
+  /// reason, and an update only of an input that moves.
   double run(Stage stage);
 
   std::uint64_t pairs() const { return pairs_; }        ///< found, the most of any chain
@@ -42,6 +45,9 @@ class Trial {
 
  private:
   void compare();
+  bool answers(std::size_t k);
+  double run_update();
+  void stand_on(const Chain& chain);
 
   WorkloadSpec spec_;
   VariantInfo info_;
@@ -51,7 +57,9 @@ class Trial {
   std::unique_ptr<Variant> variant_;
   std::unique_ptr<Mover> mover_;
   Collisions found_;
-  std::size_t next_ = 0;
+  std::size_t next_ = 0;              // of the chains
+  std::vector<const Chain*> moving_;  // the frames that an update goes through, each beside the one before it
+  const Chain* standing_ = nullptr;   // of the last build or update
   std::uint64_t pairs_ = 0, missing_ = 0, invented_ = 0;
 };
 

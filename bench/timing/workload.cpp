@@ -5,9 +5,11 @@
 
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <string_view>
 
 #include "catena/core/input/input.h"
+#include "catena/core/readers/number_text.h"
 #include "catena/core/scenes/scene.h"
 
 namespace catena::bench {
@@ -20,29 +22,19 @@ bool same(const WorkloadSpec& a, const WorkloadSpec& b) {
 }
 
 std::uint64_t spheres(const Workload& work) {
-  std::uint64_t sum = 0;
+  std::uint64_t sum = work.beside ? work.beside->size() : 0;
   for (const Chain& chain : work.chains) sum += chain.size();
   return sum;
 }
 
-Workload made(const WorkloadSpec& spec) {
-  Workload work;
-  work.spec = spec;
-  work.label = label_of(spec);
-  const Input input = open_input(spec.input);
-  work.frames = input.animation->frames();
-  work.first_frame = spec.all_frames ? 0 : work.frames / 2;
-  const std::uint32_t end = spec.all_frames ? work.frames : work.first_frame + 1;
-  for (std::uint32_t f = work.first_frame; f < end; ++f) {
-    work.chains.push_back(input.animation->frame(f));
-    work.exact.push_back(reference::find(work.chains.back()));
-  }
-  return work;
-}
+/// What stands before and behind the "/n:" of a label.
+struct Label {
+  std::string scene;
+  std::string n;  ///< as the user wrote it; empty: not said
+  std::string text() const { return fmt::format("{}/n:{}", scene, n); }
+};
 
-}  // namespace
-
-std::string label_of(const WorkloadSpec& spec) {
+Label written_label(const WorkloadSpec& spec) {
   const auto colon = spec.input.find(':');
   std::string name = spec.input.substr(0, colon), n;
   std::vector<std::string> others;
@@ -59,9 +51,55 @@ std::string label_of(const WorkloadSpec& spec) {
   } else {
     name = std::filesystem::path(spec.input).filename();
   }
-  if (n.empty()) n = std::to_string(open_input(spec.input).animation->frame(0).size());
   if (spec.all_frames) others.emplace_back("frames=all");
-  return fmt::format("{}{}{}/n:{}", name, others.empty() ? "" : ":", fmt::join(others, ","), n);
+  return {fmt::format("{}{}{}", name, others.empty() ? "" : ":", fmt::join(others, ",")), n};
+}
+
+Label label_of(const WorkloadSpec& spec, const Input& input) {
+  Label label = written_label(spec);
+  if (label.n.empty()) label.n = std::to_string(input.animation->frame(0).size());
+  return label;
+}
+
+Workload made(const WorkloadSpec& spec) {
+  Workload work;
+  work.spec = spec;
+  const Input input = open_input(spec.input);
+  work.label = label_of(spec, input).text();
+  work.frames = input.animation->frames();
+  work.first_frame = spec.all_frames ? 0 : work.frames / 2;
+  const std::uint32_t end = spec.all_frames ? work.frames : work.first_frame + 1;
+  for (std::uint32_t f = work.first_frame; f < end; ++f) {
+    work.chains.push_back(input.animation->frame(f));
+    work.exact.push_back(reference::find(work.chains.back()));
+  }
+  if (!spec.all_frames && work.frames > 1)
+    work.beside = input.animation->frame(work.first_frame > 0 ? work.first_frame - 1 : 1);
+  return work;
+}
+
+}  // namespace
+
+std::string label_of(const WorkloadSpec& spec) {
+  const Label written = written_label(spec);
+  return written.n.empty() ? label_of(spec, open_input(spec.input)).text() : written.text();
+}
+
+WorkloadFacts facts_of(const WorkloadSpec& spec) {
+  static std::map<std::string, std::uint32_t> frames_of;  // of scenes that say n
+  const Label written = written_label(spec);
+  const auto [n, problem] = parse_integer(written.n);
+  const auto known = frames_of.find(written.scene);
+  if (problem.empty() && n >= 0 && known != frames_of.end())
+    return {written.text(), static_cast<std::uint64_t>(n), known->second};
+  const Input input = open_input(spec.input);  // says what is wrong with n, too
+  const std::uint32_t frames = input.animation->frames();
+  if (written.n.empty()) {
+    const std::uint32_t size = input.animation->frame(0).size();
+    return {label_of(spec, input).text(), size, frames};
+  }
+  frames_of[written.scene] = frames;
+  return {written.text(), static_cast<std::uint64_t>(n), frames};
 }
 
 std::shared_ptr<const Workload> workload(const WorkloadSpec& spec) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ struct WorkloadSpec {
   bool all_frames = false;  ///< a sample then goes through the whole animation
 };
 
+/// What a workload is called and how large it is, known before its chains are made.
+struct WorkloadFacts {
+  std::string label;         ///< how results name it: SCENE/n:N, see label_of
+  std::uint64_t n = 0;       ///< spheres of a chain
+  std::uint32_t frames = 1;  ///< of the input
+};
+
 /// Chains to measure on, with their exact answers.
 struct Workload {
   std::string label;  ///< how results name it: SCENE/n:N, see label_of
@@ -23,11 +31,18 @@ struct Workload {
   std::uint32_t frames = 1;              ///< of the input
   std::vector<Chain> chains;             ///< one, or one for each frame
   std::vector<reference::Answer> exact;  ///< of each chain
+  /// The frame before that of the only chain, or after it when that is the first: what chain it moves from.
+  /// None when all frames are there, or the input has no other.
+  std::optional<Chain> beside;
 };
 
 /// SCENE/n:N. Parameters that are given besides n stay with the scene, "far:exponent=22/n:3000", as does
 /// "frames=all"; of a file the name without its folder. Opens the input only when it does not say n.
 std::string label_of(const WorkloadSpec& spec);
+
+/// Opens a file once; of a scene, whose frames are as many at every n, only the first of several that differ
+/// in n alone. Throws what open_input throws.
+WorkloadFacts facts_of(const WorkloadSpec& spec);
 
 /// The chains and exact answers of `spec`. The last few workloads are kept, as making one takes longer than
 /// measuring. Throws what open_input throws.

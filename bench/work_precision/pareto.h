@@ -4,13 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace catena::bench {
+#include "catena/bench/timing/spread.h"
 
-/// Milliseconds of one case over its repetitions.
-struct Spread {
-  double least = 0, lower = 0, median = 0, upper = 0;  ///< minimum and quartiles
-  static Spread of(std::vector<double> samples);       ///< at least one sample
-};
+namespace catena::bench {
 
 /// One point of error against run time.
 struct Point {

@@ -12,16 +12,6 @@ Point point(double tube_error, double answer_error, double ms) {
   return p;
 }
 
-TEST(Spread, IsMinimumAndQuartiles) {
-  const Spread s = Spread::of({5, 1, 3, 2, 4});
-  EXPECT_EQ(s.least, 1);
-  EXPECT_EQ(s.lower, 2);
-  EXPECT_EQ(s.median, 3);
-  EXPECT_EQ(s.upper, 4);
-  EXPECT_EQ(Spread::of({7}).upper, 7);
-  EXPECT_EQ(Spread::of({1, 2}).median, 1.5);
-}
-
 TEST(Pareto, TheFrontIsWhatNothingBeatsInEveryWay) {
   std::vector<Point> points{point(0.1, 0, 1),       // 0: fast and coarse
                             point(0.01, 0, 10),     // 1: slow and fine

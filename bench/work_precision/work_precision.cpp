@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <memory>
-#include <random>
 
 #include "catena/bench/stability/cell.h"
+#include "catena/bench/timing/sampling.h"
 #include "catena/bench/tube/contacts.h"
 #include "catena/bench/tube/error.h"
 #include "catena/core/error.h"
@@ -21,7 +23,6 @@ constexpr std::uint32_t most_all_pairs = 5000;
 struct Runner {
   std::unique_ptr<Variant> variant;
   Point point;
-  std::vector<double> samples;
 };
 
 bool compares_all_pairs(const std::string& name) {
@@ -38,19 +39,17 @@ double answer_error(const Cell& cell) {
 }
 
 void time_interleaved(std::vector<Runner>& runners, const Chain& chain, std::size_t repetitions) {
-  std::vector<std::size_t> order(runners.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::mt19937_64 random(chain.size());
   Collisions found;
-  for (std::size_t round = 0; round < repetitions; ++round) {
-    std::ranges::shuffle(order, random);
-    for (const std::size_t k : order) {
+  std::vector<std::function<double()>> runs;
+  for (const Runner& runner : runners)
+    runs.emplace_back([&, variant = runner.variant.get()] {
       const Stopwatch watch;
-      runners[k].variant->update(chain);
-      runners[k].variant->find(chain, {}, found);
-      runners[k].samples.push_back(watch.ms());
-    }
-  }
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      return watch.ms();
+    });
+  auto ms = interleave(runs, repetitions, std::numeric_limits<double>::infinity(), chain.size());
+  for (std::size_t k = 0; k < runners.size(); ++k) runners[k].point.time = Spread::of(std::move(ms[k]));
 }
 
 }  // namespace
@@ -87,17 +86,13 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
               fmt::format("{} is wrong on {} with {} spheres: {}", name, tube.name, n, cell.found.reason));
         runners.push_back(
             {std::move(variant),
-             {tube.name, name, cell.arithmetic, n, gap, answer_error(cell), repetitions, {}, {}, offset},
-             {}});
+             {tube.name, name, cell.arithmetic, n, gap, answer_error(cell), repetitions, {}, {}, offset}});
       } catch (const CapacityError& why) {
         leave_out(name, why.what());
       }
     }
     time_interleaved(runners, chain, repetitions);
-    for (Runner& runner : runners) {
-      runner.point.time = Spread::of(std::move(runner.samples));
-      result.points.push_back(std::move(runner.point));
-    }
+    for (Runner& runner : runners) result.points.push_back(std::move(runner.point));
   }
   mark_dominated(result.points);
   return result;

@@ -15,7 +15,7 @@ struct WorkPrecision {
 
 /// Error against run time: the inscribed chain of each size on the tube, moved by `offset` on every axis,
 /// found by every variant. Each variant first answers and is compared with the exact reference; then all are
-/// timed (update and find together, wall time, transfers included), interleaved in a fresh random order each
+/// timed (build and find together, wall time, transfers included), interleaved in a fresh random order each
 /// round, for `repetitions` rounds. O(n^2) variants are left out above 5,000 spheres. A variant whose
 /// arithmetic must be exact and is not is an InputError: no time is given for a wrong answer that nothing
 /// excuses.

@@ -11,17 +11,15 @@
 #include "catena/bench/work_precision/json.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/environment.h"
-#include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
 namespace {
 
-/// `catena bench --work-precision`: error against run time, both from the same run.
-class BenchCommand final : public Command {
+/// `catena work-precision`: error against run time, both from the same run.
+class WorkPrecisionCommand final : public Command {
  public:
   void configure(CLI::App& app) override {
-    app.add_flag("--work-precision", work_precision_, "Error against run time, with the Pareto front");
     app.add_option("TUBE", tubes_, "Tubes that are known exactly, see catena errors (default: lissajous)");
     app.add_option("--n", sizes_, "Spheres of the chain; repeatable (default: spacings 2, 1, 1/2, ... 1/16)")
         ->type_name("N")
@@ -45,10 +43,6 @@ class BenchCommand final : public Command {
   }
 
   int run() override {
-    if (!work_precision_)
-      throw InputError(
-          "bench: say what to measure: --work-precision (error against run time); the times of every variant "
-          "on every scene come from catena_bench");
     require_release_build();
     const auto tubes = tubes_named(tubes_);
     if (variants_.empty())
@@ -99,15 +93,15 @@ class BenchCommand final : public Command {
     fmt::print("\n");
   }
 
-  bool work_precision_ = false, json_ = false;
+  bool json_ = false;
   std::vector<std::string> tubes_{"lissajous"}, variants_;
   std::vector<std::uint32_t> sizes_;
   std::vector<double> offsets_{0, 0x1p20};
   std::size_t repetitions_ = 21;
 };
 
-const RegisterCommand<BenchCommand> registered{
-    "bench", "Measure: error against run time of every variant, with the Pareto front (--work-precision)"};
+const RegisterCommand<WorkPrecisionCommand> registered{
+    "work-precision", "Measure error against run time of every variant, with the Pareto front"};
 
 }  // namespace
 }  // namespace catena::bench

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include "catena/bench/timing/times_told.h"
 
 namespace catena::bench {
 namespace {
@@ -43,6 +47,17 @@ TEST(WorkPrecision, SaysWhatItLeavesOut) {
   EXPECT_EQ(result.points.size(), 2u);
   ASSERT_EQ(result.left_out.size(), 1u);
   EXPECT_TRUE(result.left_out[0].starts_with("CPU1: O(n^2)"));
+}
+
+TEST(WorkPrecision, TimesABuildAndNoUpdate) {
+  TimesTold::calls.clear();
+  const auto result = work_precision(straight_rod(), {20}, {"TimesTold"}, 5);
+  ASSERT_EQ(result.points.size(), 1u);
+  EXPECT_GE(result.points[0].time.least, TimesTold::slept_ms);
+  std::vector<std::string> stages;
+  for (const auto& call : TimesTold::calls) stages.push_back(call.stage);
+  EXPECT_EQ(std::ranges::count(stages, "update"), 0);
+  EXPECT_GE(std::ranges::count(stages, "build"), 5);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "catena/bench/timing/interleave.h"
+#include "catena/bench/timing/sampling.h"
 #include "catena/bench/timing/median_interval.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"

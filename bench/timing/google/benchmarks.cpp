@@ -16,11 +16,10 @@ void measure(benchmark::State& state, Trial& trial, Stage stage) {
   state.counters["transfer_ms"] = trial.transfer_ms();
 }
 
-benchmark::internal::Benchmark* register_benchmark(const Case& c, std::shared_ptr<Trial> trial) {
-  return benchmark::RegisterBenchmark(c.name().c_str(),
-                                      [trial = std::move(trial), stage = c.stage](benchmark::State& state) {
-                                        measure(state, *trial, stage);
-                                      })
+void register_benchmark(const Case& c, std::shared_ptr<Trial> trial) {
+  benchmark::RegisterBenchmark(
+      c.name().c_str(),
+      [trial = std::move(trial), stage = c.stage](benchmark::State& state) { measure(state, *trial, stage); })
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond);
 }

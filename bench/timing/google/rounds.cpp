@@ -1,174 +1,149 @@
 #include "catena/bench/timing/google/rounds.h"
 
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <random>
+#include <optional>
 #include <sstream>
 
 #include "catena/bench/timing/google/benchmarks.h"
-#include "catena/bench/timing/median_interval.h"
 #include "catena/core/commands/progress.h"
-#include "catena/core/input/input.h"
 
 namespace catena::bench {
 namespace {
 
 using Run = benchmark::BenchmarkReporter::Run;
 
-/// A case and what was measured of it so far.
-struct Sampled {
-  const Case* what;
-  std::shared_ptr<Trial> trial;
-  benchmark::IterationCount iterations = 0;  // of one sample; 0: not known yet
-  std::vector<double> ms = {};
-  bool done = false, failed = false;
-};
+/// Whether a run ended in an error: `skipped` since Google Benchmark 1.8, `error_occurred` before.
+template <class AnyRun>
+bool failed(const AnyRun& run) {
+  if constexpr (requires { run.skipped; })
+    return run.skipped != 0;
+  else
+    return run.error_occurred;
+}
 
+/// Takes one sample at a time with Google Benchmark, and keeps its rows.
 class Measurement final : public benchmark::BenchmarkReporter {
  public:
-  Measurement(const std::vector<Case>& cases, const Stopping& stopping)
-      : stopping_(stopping), random_(stopping.seed) {
+  Measurement(const std::vector<Case>& cases, double least_ms) : least_seconds_(least_ms / 1000) {
     std::map<std::string, std::size_t> input_of;
     std::map<std::string, std::shared_ptr<Trial>> trials;
     for (const Case& c : cases) {
-      const std::string label = label_of(c.spec);
-      const auto [input, new_input] = input_of.try_emplace(label, inputs_.size());
-      if (new_input) inputs_.emplace_back();
-      auto& trial = trials[label + "/" + c.variant.name];
+      const auto [input, new_input] = input_of.try_emplace(c.facts.label, groups_.size());
+      if (new_input) groups_.emplace_back();
+      auto& trial = trials[c.facts.label + "/" + c.variant.name];
       if (!trial) {
         trial = std::make_shared<Trial>(c.spec, c.variant);
-        inputs_[input->second].emplace_back();
+        groups_[input->second].emplace_back();
       }
-      inputs_[input->second].back().push_back(sampled_.size());
-      sampled_.push_back({&c, trial});
-      if (c.spec.all_frames) sampled_.back().iterations = open_input(c.spec.input).animation->frames();
+      groups_[input->second].back().push_back(timed_.size());
+      timed_.push_back({&c, trial});
+      if (c.spec.all_frames) timed_.back().iterations = c.facts.frames;
     }
   }
 
-  void round() {
-    std::ranges::shuffle(inputs_, random_);
+  /// Of each input, of each variant on it, its stages.
+  const Groups& groups() const { return groups_; }
+
+  std::optional<double> take(const Turn& turn) {
+    current_ = &timed_[turn.run];
+    if (turn.place == 0) progress_.emplace(turn.places);
+    progress_->step(current_->what->name());
+    if (live_ && (turn.place == 0 || live_ != current_->trial)) live_->release();
+    live_ = current_->trial;
+    ms_.reset();
     benchmark::ClearRegisteredBenchmarks();
-    std::size_t registered = 0;
-    for (auto& units : inputs_) {
-      std::ranges::shuffle(units, random_);
-      for (const auto& unit : units)
-        for (const std::size_t k : unit)
-          if (!sampled_[k].done) enlist(k), ++registered;
-    }
-    ++rounds_;
-    Progress progress(registered);
-    progress_ = &progress;
-    if (registered > 0) benchmark::RunSpecifiedBenchmarks(this, ".");
-    progress_ = nullptr;
+    enlist(*current_);
+    benchmark::RunSpecifiedBenchmarks(this, ".");
+    return ms_;
+  }
+
+  Rounds result(const Samples& samples, double share) {
+    progress_.reset();
     benchmark::ClearRegisteredBenchmarks();
     if (live_) live_->release();
-    live_.reset();
-  }
-
-  bool finished() const {
-    return late() || std::ranges::all_of(sampled_, [](const Sampled& s) { return s.done; });
-  }
-
-  Rounds result() {
     Rounds out;
     std::ostringstream text;
     benchmark::JSONReporter json;
     json.SetOutputStream(&text);
     json.SetErrorStream(&text);
     json.ReportContext({});
-    for (std::size_t k = 0; k < runs_.size(); ++k)
-      runs_[k].repetitions =
-          std::max<std::int64_t>(1, static_cast<std::int64_t>(sampled_[case_of_[k]].ms.size()));
+    for (Run& run : runs_)
+      run.repetitions = std::max<std::int64_t>(1, timed_[static_cast<std::size_t>(run.family_index)].samples);
     json.ReportRuns(runs_);
     json.Finalize();
     auto parsed = nlohmann::ordered_json::parse(text.str());
     out.context = std::move(parsed["context"]);
     out.benchmarks = std::move(parsed["benchmarks"]);
-    out.rounds = rounds_;
-    for (const Sampled& s : sampled_) {
-      if (s.ms.empty() && !s.failed) out.not_reached.push_back(s.what->name());
-      out.cases += !s.ms.empty();
-      out.narrow += narrow(s);
+    out.rounds = samples.rounds;
+    for (std::size_t k = 0; k < timed_.size(); ++k) {
+      if (samples.ms[k].empty() && !timed_[k].refused) out.not_reached.push_back(timed_[k].what->name());
+      out.cases += !samples.ms[k].empty();
+      out.narrow += narrow(samples.ms[k], share);
     }
     return out;
   }
 
  private:
-  bool late() const { return watch_.ms() > 1000 * stopping_.seconds; }
+  struct Timed {
+    const Case* what;
+    std::shared_ptr<Trial> trial;
+    benchmark::IterationCount iterations = 0;  // of one sample; 0: not known yet
+    std::int64_t samples = 0;
+    bool refused = false;
+  };
 
-  bool narrow(const Sampled& s) const {
-    return !s.ms.empty() && median_interval(s.ms).relative_width() < stopping_.share;
-  }
-
-  void enlist(std::size_t k) {
-    Sampled& s = sampled_[k];
-    auto* registered = benchmark::RegisterBenchmark(s.what->name().c_str(),
-                                                    [this, k](benchmark::State& state) { sample(state, k); });
+  void enlist(const Timed& timed) {
+    auto* registered = benchmark::RegisterBenchmark(
+        timed.what->name().c_str(),
+        [&timed](benchmark::State& state) { measure(state, *timed.trial, timed.what->stage); });
     registered->UseManualTime()->Unit(benchmark::kMillisecond);
-    if (s.iterations > 0)
-      registered->Iterations(s.iterations);
+    if (timed.iterations > 0)
+      registered->Iterations(timed.iterations);
     else
-      registered->MinTime(stopping_.least_ms / 1000);
-  }
-
-  void sample(benchmark::State& state, std::size_t k) {
-    Sampled& s = sampled_[k];
-    if (current_ != k) progress_->step(s.what->name());
-    current_ = k;
-    too_late_ = late();
-    if (too_late_) return state.SkipWithError("no time left");
-    if (live_ && live_ != s.trial) live_->release();
-    live_ = s.trial;
-    measure(state, *s.trial, s.what->stage);
+      registered->MinTime(least_seconds_);
   }
 
   bool ReportContext(const Context&) override { return true; }
 
   void ReportRuns(const std::vector<Run>& reported) override {
-    if (too_late_) return;
-    Sampled& s = sampled_[current_];
     for (Run run : reported) {
       if (run.run_type != Run::RT_Iteration) continue;
       run.run_name.min_time.clear();
       run.run_name.iterations.clear();
-      run.family_index = static_cast<std::int64_t>(current_);
+      run.family_index = current_ - timed_.data();
       run.per_family_instance_index = 0;
-      run.repetition_index = static_cast<std::int64_t>(s.ms.size());
-      if (run.error_occurred) {
-        s.done = s.failed = true;
+      run.repetition_index = current_->samples;
+      if (failed(run)) {
+        current_->refused = true;
       } else {
-        s.iterations = run.iterations;
-        s.ms.push_back(run.GetAdjustedRealTime());
-        s.done = s.ms.size() >= stopping_.most_samples || narrow(s);
+        current_->iterations = run.iterations;
+        ++current_->samples;
+        ms_ = run.GetAdjustedRealTime();
       }
       runs_.push_back(std::move(run));
-      case_of_.push_back(current_);
     }
   }
 
-  const Stopping stopping_;
-  const Stopwatch watch_;
-  std::mt19937_64 random_;
-  std::vector<Sampled> sampled_;
-  std::vector<std::vector<std::vector<std::size_t>>> inputs_;  // of each input, of each trial, its cases
+  const double least_seconds_;  // of one sample
+  std::vector<Timed> timed_;
+  Groups groups_;
   std::vector<Run> runs_;
-  std::vector<std::size_t> case_of_;  // of each run
-  std::size_t rounds_ = 0, current_ = ~std::size_t{0};
-  bool too_late_ = false;
+  Timed* current_ = nullptr;
+  std::optional<double> ms_;  // of the sample just taken; none: refused
   std::shared_ptr<Trial> live_;
-  Progress* progress_ = nullptr;
+  std::optional<Progress> progress_;
 };
 
 }  // namespace
 
 Rounds measure_in_rounds(const std::vector<Case>& cases, const Stopping& stopping) {
-  Measurement measurement(cases, stopping);
-  do measurement.round();
-  while (!measurement.finished());
-  return measurement.result();
+  Measurement measurement(cases, stopping.least_ms);
+  const Samples samples = sample_in_rounds(measurement.groups(), stopping,
+                                           [&](const Turn& turn) { return measurement.take(turn); });
+  return measurement.result(samples, stopping.share);
 }
 
 }  // namespace catena::bench

@@ -1,21 +1,12 @@
 #pragma once
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "catena/bench/timing/cases.h"
+#include "catena/bench/timing/sampling.h"
 
 namespace catena::bench {
-
-/// When to stop measuring.
-struct Stopping {
-  double seconds = 100;  ///< no sample begins later
-  double share = 0.05;   ///< a case is done when the interval of its median is narrower than this share of it
-  std::size_t most_samples = 100;
-  double least_ms = 5;     ///< a sample repeats a quick stage for about so long
-  std::uint64_t seed = 1;  ///< of the order
-};
 
 struct Rounds {
   nlohmann::ordered_json context;     ///< Google Benchmark's

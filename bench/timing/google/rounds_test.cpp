@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "catena/bench/timing/median_interval.h"
+#include "catena/bench/timing/times_told.h"
 #include "catena/core/error.h"
 #include "catena/core/strategy/timings.h"
 
@@ -40,7 +40,7 @@ class RoundsTest : public testing::Test {
 /// SCENE/n:N/VARIANT of a row.
 std::string unit_of(const nlohmann::ordered_json& row) {
   std::string name = row["name"];
-  for (const char* stage : {"/build/", "/find/", "/whole/"})
+  for (const char* stage : {"/build/", "/update/", "/find/", "/whole/"})
     if (const auto at = name.find(stage); at != std::string::npos) name.resize(at);
   return name;
 }
@@ -64,7 +64,7 @@ TEST_F(RoundsTest, TakeOneSampleOfEveryCaseInAFreshRandomOrder) {
       EXPECT_EQ(row["repetition_index"], round);
       EXPECT_EQ(row["repetitions"], 7);
       EXPECT_EQ(row["run_type"], "iteration");
-      EXPECT_GT(row["real_time"].get<double>(), -1e-9);
+      EXPECT_GT(row["real_time"].get<double>(), 0) << row["name"];
       names.insert(row["name"]);
       if (order.empty() || order.back() != unit_of(row)) order.push_back(unit_of(row));
     }
@@ -109,7 +109,7 @@ TEST_F(RoundsTest, ARefusedVariantIsAnErrorWithItsReason) {
   const auto all = cases({{"path1:n=2000"}}, named({"bGPU2@host+CPU2"}));
   const auto result = measured(all, {.seconds = 60, .most_samples = 3, .least_ms = 0.01});
   if (result.benchmarks.is_null()) GTEST_SKIP() << "without Google Benchmark";
-  ASSERT_EQ(result.benchmarks.size(), 3u);
+  ASSERT_EQ(result.benchmarks.size(), all.size());
   for (const auto& row : result.benchmarks) {
     EXPECT_TRUE(row["error_occurred"]);
     EXPECT_NE(row["error_message"].get<std::string>().find("1536"), std::string::npos);
@@ -120,34 +120,34 @@ TEST_F(RoundsTest, ASampleOfAnAnimationGoesThroughEveryFrame) {
   const auto all = cases({{"path1:n=200", true}}, named({"aCPU2+CPU2"}));
   const auto result = measured(all, {.seconds = 60, .most_samples = 2, .least_ms = 0.01});
   if (result.benchmarks.is_null()) GTEST_SKIP() << "without Google Benchmark";
-  ASSERT_EQ(result.benchmarks.size(), 6u);
+  ASSERT_EQ(result.benchmarks.size(), 8u);
   for (const auto& row : result.benchmarks) {
     EXPECT_EQ(row["iterations"], 56);
     EXPECT_TRUE(row["name"].get<std::string>().starts_with("path1:frames=all/n:200/aCPU2+CPU2/"));
   }
 }
 
-TEST(Cases, AreNamedByInputVariantAndStage) {
-  EXPECT_EQ(label_of({"path1:n=10"}), "path1/n:10");
-  EXPECT_EQ(label_of({"far:exponent=22,n=30,radius=2"}), "far:exponent=22,radius=2/n:30");
-  EXPECT_EQ(label_of({"path1", true}), "path1:frames=all/n:10000");
-  EXPECT_EQ(label_of({CATENA_SOURCE_DIR "/core/readers/examples/rings.chain"}), "rings.chain/n:11");
-}
-
-TEST(Cases, AreFilteredAsByGoogleBenchmark) {
-  const auto all = some_cases();
-  EXPECT_EQ(filtered(all, "").size(), all.size());
-  EXPECT_EQ(filtered(all, "CPU1/find").size(), 2u);
-  EXPECT_EQ(filtered(all, "path1").size() + filtered(all, "-path1").size(), all.size());
-  EXPECT_TRUE(filtered(all, "nothing").empty());
-  EXPECT_THROW(filtered(all, "("), InputError);
-}
-
-TEST(Cases, LeaveOutAllPairsOnLongChains) {
-  const auto variants = named({"CPU1", "aCPU2+CPU2"});
-  EXPECT_EQ(cases({{"path1:n=20000"}}, variants).size(), 5u);  // CPU1 has no build
-  EXPECT_EQ(cases({{"path1:n=20001"}}, variants).size(), 3u);
-  EXPECT_EQ(cases({{"path1:n=101"}}, variants, 100).size(), 3u);
+TEST_F(RoundsTest, GiveEachStageItsOwnTime) {
+  const auto result = measured(cases({{"path1:n=50"}}, {TimesTold::info()}),
+                               {.seconds = 60, .share = 0, .most_samples = 3, .least_ms = 0.01});
+  if (result.benchmarks.is_null()) GTEST_SKIP() << "without Google Benchmark";
+  const std::map<std::string, double> told{
+      {"build", TimesTold::build_ms}, {"update", TimesTold::update_ms}, {"find", TimesTold::find_ms}};
+  std::map<std::string, int> rows;
+  for (const auto& row : result.benchmarks) {
+    const std::string name = row["name"], prefix = "path1/n:50/TimesTold/", suffix = "/manual_time";
+    ASSERT_TRUE(name.starts_with(prefix) && name.ends_with(suffix)) << name;
+    const auto stage = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+    ++rows[stage];
+    EXPECT_EQ(row["time_unit"], "ms");
+    const double ms = row["real_time"];
+    if (stage == "whole") {
+      EXPECT_GE(ms, TimesTold::slept_ms);
+    } else {
+      EXPECT_NEAR(ms, told.at(stage), 1e-6) << name;
+    }
+  }
+  EXPECT_EQ(rows, (std::map<std::string, int>{{"build", 3}, {"update", 3}, {"find", 3}, {"whole", 3}}));
 }
 
 }  // namespace
