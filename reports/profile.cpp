@@ -111,7 +111,7 @@ Profile paper() {
     for (const auto& v : all)
       for (const char* twin : {"GPU1@host", "aGPU2@host+GPU2@host", "aGPU2@host+GPUv2@host"})
         if (v.name == twin || v.name == std::string(twin) + "/literal") p.variants.push_back(v);
-  p.filter = "-/whole";  // the tables have construction and traversal
+  p.filter = "-/(whole|update)";  // the tables have construction and traversal
   p.most_all_pairs = 10'000;
   p.stopping = {.seconds = 3600, .share = 0.02, .most_samples = 20, .least_ms = 10, .seed = 1};
   return p;

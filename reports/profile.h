@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "catena/bench/google/rounds.h"
-#include "catena/bench/workload.h"
+#include "catena/bench/timing/google/rounds.h"
+#include "catena/bench/timing/workload.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::reports {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <memory>
-#include <random>
 
 #include "catena/bench/motion/knot_determinant.h"
+#include "catena/bench/timing/sampling.h"
 #include "catena/core/error.h"
 #include "catena/core/motion/knot.h"
 #include "catena/core/motion/rope.h"
@@ -103,20 +105,21 @@ MotionResult measure_motion(const MotionCase& c) {
 
 void time_motions(const std::vector<MotionCase>& motions, std::vector<MotionResult>& results,
                   std::size_t repetitions) {
-  std::vector<std::size_t> order(motions.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::mt19937_64 random(motions.size());
-  for (std::size_t round = 0; round < repetitions; ++round) {
-    std::ranges::shuffle(order, random);
-    for (const std::size_t k : order) {
+  std::vector<double> least_find_ms(motions.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::function<double()>> runs;
+  for (std::size_t k = 0; k < motions.size(); ++k)
+    runs.emplace_back([&, k] {
       const Stopwatch watch;
       motion::RopeMotion rope = start(motions[k]);
       play(
           motions[k], rope, [](double) {}, [] {});
-      results[k].ms.push_back(watch.ms());
-      const double find_ms = rope.find_ms();
-      results[k].find_ms = round == 0 ? find_ms : std::min(results[k].find_ms, find_ms);
-    }
+      least_find_ms[k] = std::min(least_find_ms[k], rope.find_ms());
+      return watch.ms();
+    });
+  auto ms = interleave(runs, repetitions, std::numeric_limits<double>::infinity(), motions.size());
+  for (std::size_t k = 0; k < motions.size() && repetitions > 0; ++k) {
+    results[k].ms = std::move(ms[k]);
+    results[k].find_ms = least_find_ms[k];
   }
 }
 

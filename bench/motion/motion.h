@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "catena/bench/pareto.h"
 #include "catena/core/pair.h"
 
 namespace catena::bench {

@@ -10,8 +10,8 @@
 
 #include "catena/bench/motion/knot_determinant.h"
 #include "catena/bench/motion/motion.h"
-#include "catena/bench/motion/motion_report.h"
-#include "catena/bench/stability.h"
+#include "catena/bench/motion/report.h"
+#include "catena/bench/stability/cell.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/environment.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/bench/motion/knot_determinant.h"
-#include "catena/bench/motion/motion_report.h"
+#include "catena/bench/motion/report.h"
 #include "catena/core/motion/knot.h"
 
 namespace catena::bench {

@@ -6,8 +6,8 @@ import re
 
 import numpy
 
-STAGES = ("build", "find", "whole")
-NAME = re.compile(r"(?P<input>[^/]+/n:\d+)/(?P<variant>.+)/(?P<stage>build|find|whole)(/[a-z_]+)*")
+STAGES = ("build", "update", "find", "whole")
+NAME = re.compile(rf"(?P<input>[^/]+/n:\d+)/(?P<variant>.+)/(?P<stage>{'|'.join(STAGES)})(/[a-z_]+)*")
 TO_MS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
 ARRAYS = (
     "scenes",

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "catena/bench/interleave.h"
+#include "catena/bench/timing/sampling.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/reports/section.h"

@@ -1,4 +1,4 @@
-#include "catena/bench/interleave.h"
+#include "catena/bench/timing/sampling.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/timings.h"

@@ -1,5 +1,5 @@
-#include "catena/bench/cases.h"
-#include "catena/bench/work.h"
+#include "catena/bench/counts/count_work.h"
+#include "catena/bench/timing/cases.h"
 #include "catena/core/error.h"
 #include "catena/reports/section.h"
 

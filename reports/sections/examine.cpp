@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "catena/bench/examine_json.h"
+#include "catena/bench/examine/json.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/reference/reference.h"

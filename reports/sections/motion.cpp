@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "catena/bench/motion/motion_report.h"
+#include "catena/bench/motion/report.h"
 #include "catena/core/strategy/timings.h"
 #include "catena/reports/section.h"
 

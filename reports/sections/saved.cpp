@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "catena/bench/interleave.h"
-#include "catena/bench/median_interval.h"
+#include "catena/bench/timing/sampling.h"
+#include "catena/bench/timing/median_interval.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/reports/section.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catena/bench/chain_hash.h"
-#include "catena/bench/margins.h"
+#include "catena/bench/margins/margins.h"
+#include "catena/bench/timing/chain_hash.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/reports/section.h"

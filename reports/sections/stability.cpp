@@ -1,5 +1,5 @@
-#include "catena/bench/stability_report.h"
-#include "catena/bench/stability_run.h"
+#include "catena/bench/stability/report.h"
+#include "catena/bench/stability/run.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {

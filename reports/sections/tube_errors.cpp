@@ -1,7 +1,6 @@
-#include "catena/bench/tube_errors.h"
-
 #include <cmath>
 
+#include "catena/bench/tube/errors_line.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {

@@ -1,4 +1,4 @@
-#include "catena/bench/interleave.h"
+#include "catena/bench/timing/sampling.h"
 #include "catena/core/error.h"
 #include "catena/reports/section.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "catena/bench/tube.h"
-#include "catena/bench/work_precision_json.h"
+#include "catena/bench/tube/tube.h"
+#include "catena/bench/work_precision/json.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {

@@ -22,6 +22,7 @@ COSTS = {
     "GPU1": (None, 2e-3),
     "aCPU2+CPU2/literal": (8e-5, 6e-4),
 }
+UPDATE_COST = 0.5  # of a build
 
 
 def rows(repetitions=8, noise=0.03, slower=None, seed=7):
@@ -49,7 +50,26 @@ def rows(repetitions=8, noise=0.03, slower=None, seed=7):
                                 "invented": 0.0,
                             }
                         )
-    return found
+    return found + updates(repetitions, noise)
+
+
+def updates(repetitions, noise):
+    """Rows of the constructions that update path1, which moves; path2 does not here."""
+    generator = numpy.random.default_rng(12)
+    return [
+        {
+            "name": f"path1/n:{n}/{variant}/update/manual_time",
+            "run_type": "iteration",
+            "iterations": 10,
+            "repetition_index": repetition,
+            "real_time": UPDATE_COST * build * n * generator.normal(1, noise) * 1e6,
+            "time_unit": "ns",
+        }
+        for repetition in range(repetitions)
+        for n in SIZES
+        for variant, (build, _) in COSTS.items()
+        if build is not None
+    ]
 
 
 def run(**options):

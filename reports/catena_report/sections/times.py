@@ -7,7 +7,13 @@ from ..section import Section
 from ..style import Name
 from ..table import Cell, Table
 
-STAGES = {"build": "construction", "find": "traversal", "whole": "whole call"}
+STAGES = {
+    "build": "construction",
+    "update": "update of a moved frame",
+    "find": "traversal",
+    "whole": "whole call",
+}
+OF_CONSTRUCTIONS = ("build", "update")  # what a construction does, whatever the traversal
 SHOWN = 12  # series drawn at first; the legend has the others
 
 
@@ -38,7 +44,7 @@ def curves(run, inputs, stage):
         for (name, variant, measured), times in run.samples.items():
             if name == input_ and measured == stage:
                 parts = Name.of(variant)
-                if stage == "build":
+                if stage in OF_CONSTRUCTIONS:
                     if not parts.construction:
                         continue
                     suffix = "" if parts.arithmetic == "robust" else "/" + parts.arithmetic
@@ -53,7 +59,7 @@ def curves(run, inputs, stage):
 
 
 def _look(report, name, stage):
-    if stage != "build":
+    if stage not in OF_CONSTRUCTIONS:
         return report.looks.variant(name)
     construction, _, arithmetic = name.partition("/")
     return report.looks.stage(construction, arithmetic or "robust")
@@ -62,6 +68,7 @@ def _look(report, name, stage):
 def _figure(report, run, scenes, stage):
     panels, order = [], {}
     drawn = {scene: curves(run, inputs, stage) for scene, inputs in scenes.items()}
+    drawn = {scene: found for scene, found in drawn.items() if found}  # not every scene is updated
     for found in drawn.values():
         for name, points in found.items():
             order.setdefault(name, []).append(float(numpy.median(points[-1][2])))
@@ -70,13 +77,13 @@ def _figure(report, run, scenes, stage):
     ranked = sorted(
         order,
         key=lambda name: (
-            Name.of(name).arithmetic != "robust" if stage != "build" else "/" in name,
+            Name.of(name).arithmetic != "robust" if stage not in OF_CONSTRUCTIONS else "/" in name,
             -sum(len(found.get(name, ())) for found in drawn.values()),
             min(order[name]),
         ),
     )
     shown = set(ranked[:SHOWN]) if len(ranked) > SHOWN else {name for name in ranked}
-    if stage != "build":
+    if stage not in OF_CONSTRUCTIONS:
         shown = {name for name in shown if Name.of(name).arithmetic == "robust"} or shown
     for scene, found in drawn.items():
         panel = Panel(scene, Axis("spheres n", log=True), Axis(f"{STAGES[stage]}, ms", log=True))
@@ -92,7 +99,7 @@ def _figure(report, run, scenes, stage):
             " Points are medians, bars their 95 % bootstrap interval (the range below six repetitions). "
             + (
                 "One line for each construction, pooled over the traversals it was measured with. "
-                if stage == "build"
+                if stage in OF_CONSTRUCTIONS
                 else ""
             )
             + "Hollow markers are device algorithms run on the host."

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "catena/bench/examine/json.h"
+#include "catena/core/commands/command.h"
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+/// `catena examine`: where the paper's parents do not enclose their children, and what that costs.
+class ExamineCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", inputs_, "Scenes and files; none: rod, path1 and yarn by n and offset");
+    app.add_option("--arithmetic", arithmetics_, "literal or double; repeatable (default: both)")
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({"literal", "double"}));
+    app.add_flag("--levels", levels_, "A line for each level of the tree too");
+    app.add_flag("--json", json_, "One JSON object a line for each input and arithmetic");
+  }
+
+  int run() override {
+    if (inputs_.empty()) inputs_ = default_inputs();
+    if (arithmetics_.empty()) arithmetics_ = {"literal", "double"};
+    std::size_t width = 5;
+    for (const auto& input : inputs_) width = std::max(width, input.size());
+    if (!json_)
+      fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10} {:>8} {:>8} {:>8} {:>8}\n", "input", width,
+                 "arithmetic", "level", "parents", "failing", "shortfall", "pairs", "missing", "by tree",
+                 "invented");
+    for (const auto& spec : inputs_) {
+      const Input input = open_input(spec);
+      const Chain chain = input.animation->frame(input.animation->frames() / 2);
+      const auto exact = reference::find(chain);
+      for (const auto& arithmetic : arithmetics_) {
+        const Examination e = examine(arithmetic, chain, exact);
+        json_ ? print_line(to_json(spec, arithmetic, exact, e)) : print(spec, width, arithmetic, exact, e);
+      }
+    }
+    if (!json_)
+      fmt::print(
+          "\nfailing: parents that do not enclose a child, in exact arithmetic; shortfall: the most that a "
+          "child sticks "
+          "out, over\nthe parent's radius; by tree: missing pairs that the same arithmetic finds when it is "
+          "asked for "
+          "them.\n");
+    return 0;
+  }
+
+ private:
+  static std::vector<std::string> default_inputs() {
+    std::vector<std::string> inputs;
+    for (const char* scene : {"rod", "path1", "yarn"}) {
+      for (const char* n : {"1000", "10000", "100000"}) inputs.push_back(fmt::format("{}:n={}", scene, n));
+      for (const char* offset : {"1e3", "1e5", "1e6", "1e7"})
+        inputs.push_back(fmt::format("{}:n=10000,offset={}", scene, offset));
+    }
+    return inputs;
+  }
+
+  void print(const std::string& spec, std::size_t width, const std::string& arithmetic,
+             const reference::Answer& exact, const Examination& e) const {
+    const auto share = [](const LevelExamined& level) {
+      return fmt::format("{:.2f} %", level.parents == 0 ? 0.0
+                                                        : 100.0 * static_cast<double>(level.failing) /
+                                                              static_cast<double>(level.parents));
+    };
+    fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10.1e} {:>8} {:>8} {:>8} {:>8}\n", spec, width,
+               arithmetic, "all", e.all.parents, share(e.all), e.all.worst_shortfall, exact.pair_count,
+               e.missing, e.lost_by_tree, e.invented);
+    if (!levels_) return;
+    for (const LevelExamined& level : e.levels)
+      fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10.1e}\n", "", width, "", level.level, level.parents,
+                 share(level), level.worst_shortfall);
+  }
+
+  static void print_line(const nlohmann::ordered_json& line) {
+    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+
+  std::vector<std::string> inputs_, arithmetics_;
+  bool levels_ = false, json_ = false;
+};
+
+const RegisterCommand<ExamineCommand> registered{
+    "examine", "Where the paper's parents do not enclose their children, by level, and the pairs lost by it"};
+
+}  // namespace
+}  // namespace catena::bench

@@ -1,0 +1,31 @@
+#include "catena/bench/margins/margins.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catena/reference/grid.h"
+
+namespace catena::bench {
+
+void Margins::add(const Pair& pair, bool collides, double margin) {
+  Side& side = collides ? colliding : apart;
+  ++side.pairs;
+  const double place = margin > 0 ? std::floor(-std::log10(margin)) : static_cast<double>(decades);
+  ++side.decade[static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(decades - 1)))];
+  touching += margin == 0;
+  open_in_binary32 += margin <= 12 * 0x1p-24;
+  open_in_binary64 += margin <= 10 * 0x1p-53;
+  if (margin > least || (margin == least && !(pair < tightest))) return;
+  least = margin;
+  tightest = pair;
+  tightest_collides = collides;
+}
+
+Margins margins_of(const Chain& chain) {
+  Margins margins;
+  reference::near_pairs(
+      chain, [&](const Pair& pair, bool collides, double margin) { margins.add(pair, collides, margin); });
+  return margins;
+}
+
+}  // namespace catena::bench

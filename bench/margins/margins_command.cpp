@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "catena/bench/margins/margins.h"
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/frame_option.h"
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/report_text.h"
+#include "catena/core/input/input.h"
+
+namespace catena::bench {
+namespace {
+
+/// `catena margins`: how near the decisions of any input are to changing their mind. What storing its numbers
+/// changed can be said only where the numbers are known better than they are stored: `catena errors`.
+class MarginsCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", inputs_, "Scenes (grazing:margin=1e-7) and files (neuron.swc)")->required();
+    frame_.add_to(app);
+    add_input_options(app, options_);
+    app.add_flag("--json", json_, "One JSON object a line for each frame");
+    app.footer("What storing a tube in binary32 flips: catena errors.");
+  }
+
+  int run() override {
+    for (const auto& spec : inputs_) {
+      const Input input = open_input(spec, options_);
+      for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", input.name, warning);
+      const auto [first, last] = frame_.of(input);
+      for (std::uint32_t frame = first; frame < last; ++frame) {
+        const Chain chain = input.animation->frame(frame);
+        const Margins m = margins_of(chain);
+        json_ ? print_json(spec, frame, chain, m) : print(spec, frame, chain, m);
+      }
+    }
+    return 0;
+  }
+
+ private:
+  static void print(const std::string& spec, std::uint32_t frame, const Chain& chain, const Margins& m) {
+    fmt::print("{} frame {}: {} spheres, {} pairs\n", spec, frame, chain.size(), m.colliding.pairs);
+    if (std::isinf(m.least)) {
+      fmt::print("  no pair has a margin below 1\n");
+      return;
+    }
+    fmt::print("  smallest margin {:.3e}: spheres {} and {}, {}; condition number {:.3e}\n", m.least,
+               m.tightest.i, m.tightest.j,
+               m.least == 0          ? "touching"
+               : m.tightest_collides ? "colliding"
+                                     : "apart",
+               m.condition_number());
+    fmt::print("  binary32 leaves {} pairs open, binary64 {}; {} touch exactly\n", m.open_in_binary32,
+               m.open_in_binary64, m.touching);
+    fmt::print("  {:<18} {:>12} {:>12}\n", "margin", "colliding", "apart");
+    for (std::size_t k = 0; k < Margins::decades; ++k) {
+      const auto colliding = m.colliding.decade[k], apart = m.apart.decade[k];
+      if (colliding + apart == 0) continue;
+      const std::string below = k == 0 ? "1" : fmt::format("1e-{:02}", k);
+      fmt::print("  {:<18} {:>12} {:>12}\n",
+                 k + 1 == Margins::decades ? "below " + below : fmt::format("1e-{:02} to {}", k + 1, below),
+                 colliding, apart);
+    }
+  }
+
+  static void print_json(const std::string& spec, std::uint32_t frame, const Chain& chain, const Margins& m) {
+    nlohmann::ordered_json line{
+        {"input", spec}, {"frame", frame}, {"n", chain.size()}, {"pairs", m.colliding.pairs}};
+    if (std::isfinite(m.least)) {
+      line["least_margin"] = m.least;
+      line["tightest"] = {m.tightest.i, m.tightest.j};
+      line["tightest_collides"] = m.tightest_collides;
+      line["condition_number"] = finite_or_word(m.condition_number());
+    }
+    line["touching"] = m.touching;
+    line["open_in_binary32"] = m.open_in_binary32;
+    line["open_in_binary64"] = m.open_in_binary64;
+    line["colliding_decades"] = m.colliding.decade;
+    line["apart_decades"] = m.apart.decade;
+    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+
+  std::vector<std::string> inputs_;
+  FrameOption frame_;
+  InputOptions options_;
+  bool json_ = false;
+};
+
+const RegisterCommand<MarginsCommand> registered{
+    "margins",
+    "How near the decisions of any input are to changing their mind: margins and condition number"};
+
+}  // namespace
+}  // namespace catena::bench

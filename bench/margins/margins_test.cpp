@@ -1,0 +1,70 @@
+#include "catena/bench/margins/margins.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "catena/core/input/input.h"
+#include "catena/reference/all_pairs.h"
+#include "catena/reference/exact_gap.h"
+
+namespace catena::bench {
+namespace {
+
+Chain scene(const std::string& spec) { return open_input(spec).animation->frame(0); }
+
+/// The definition, pair by pair.
+Margins by_definition(const Chain& chain) {
+  Margins margins;
+  for (std::uint32_t i = 0; i < chain.size(); ++i)
+    for (std::uint32_t j = i + 1; j < chain.size(); ++j) {
+      if (chain.neighbours(i, j)) continue;
+      const double m = reference::margin(chain[i], chain[j]);
+      const bool collides = reference::overlap(chain[i], chain[j]);
+      if (collides || m < 1) margins.add({i, j}, collides, m);
+    }
+  return margins;
+}
+
+TEST(Margins, AreThoseOfThePairByPairDefinition) {
+  for (const char* spec : {"grazing:n=600,margin=1e-7", "lattice:n=600", "mixed_radii:n=600,decades=30",
+                           "points:n=500,share=0.7", "winding:n=500", "largest:n=500", "smallest:n=500",
+                           "far:n=600,exponent=24", "coincident:n=300", "yarn:n=600"}) {
+    const Chain chain = scene(spec);
+    const Margins found = margins_of(chain), right = by_definition(chain);
+    EXPECT_EQ(found.colliding.pairs, right.colliding.pairs) << spec;
+    EXPECT_EQ(found.apart.pairs, right.apart.pairs) << spec;
+    EXPECT_EQ(found.colliding.decade, right.colliding.decade) << spec;
+    EXPECT_EQ(found.apart.decade, right.apart.decade) << spec;
+    EXPECT_EQ(found.touching, right.touching) << spec;
+    EXPECT_EQ(found.open_in_binary32, right.open_in_binary32) << spec;
+    EXPECT_EQ(found.open_in_binary64, right.open_in_binary64) << spec;
+    EXPECT_EQ(found.tightest, right.tightest) << spec;
+    if (right.least < 1e-3) {
+      EXPECT_EQ(found.least, right.least) << spec;
+    }
+  }
+}
+
+TEST(Margins, OfScenesAreThoseTheyWereMadeWith) {
+  const Margins grazing = margins_of(scene("grazing:n=5000,margin=1e-4,align=axes"));
+  EXPECT_GT(grazing.colliding.decade[3] + grazing.colliding.decade[4], 4000u);
+  EXPECT_EQ(grazing.touching, 0u);
+  const Margins lattice = margins_of(scene("lattice:n=1000,align=axes"));
+  EXPECT_EQ(lattice.least, 0);
+  EXPECT_EQ(lattice.touching, lattice.colliding.pairs);
+  EXPECT_EQ(lattice.open_in_binary64, lattice.touching);
+  const Margins apart = margins_of(scene("rod:n=100,spacing=3"));
+  EXPECT_EQ(apart.colliding.pairs + apart.apart.pairs, 0u);
+  EXPECT_TRUE(std::isinf(apart.least));
+}
+
+TEST(Margins, CountEachPairInOneDecade) {
+  const Margins m = margins_of(scene("yarn:n=3000"));
+  for (const auto& side : {m.colliding, m.apart})
+    EXPECT_EQ(std::accumulate(side.decade.begin(), side.decade.end(), std::uint64_t{0}), side.pairs);
+  EXPECT_EQ(m.colliding.pairs, reference::all_pairs(scene("yarn:n=3000")).answer.pair_count);
+}
+
+}  // namespace
+}  // namespace catena::bench

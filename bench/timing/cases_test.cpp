@@ -1,0 +1,98 @@
+#include "catena/bench/timing/cases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/core/scenes/scene.h"
+
+namespace catena::bench {
+namespace {
+
+std::vector<VariantInfo> named(const std::set<std::string>& names) {
+  auto all = StrategyRegistry::instance().variants();
+  std::erase_if(all, [&](const VariantInfo& v) { return !names.contains(v.name); });
+  return all;
+}
+
+std::set<std::string> names_of(const std::vector<Case>& cases) {
+  std::set<std::string> names;
+  for (const Case& c : cases) names.insert(c.name());
+  return names;
+}
+
+TEST(Cases, AreNamedByInputVariantAndStage) {
+  EXPECT_EQ(label_of({"path1:n=10"}), "path1/n:10");
+  EXPECT_EQ(label_of({"far:exponent=22,n=30,radius=2"}), "far:exponent=22,radius=2/n:30");
+  EXPECT_EQ(label_of({"path1", true}), "path1:frames=all/n:10000");
+  EXPECT_EQ(label_of({CATENA_SOURCE_DIR "/core/readers/examples/rings.chain"}), "rings.chain/n:11");
+  EXPECT_EQ(names_of(cases({{"path1:n=100"}}, named({"CPU1", "aCPU2+CPU2"}))),
+            (std::set<std::string>{"path1/n:100/CPU1/find", "path1/n:100/CPU1/whole",
+                                   "path1/n:100/aCPU2+CPU2/build", "path1/n:100/aCPU2+CPU2/find",
+                                   "path1/n:100/aCPU2+CPU2/update", "path1/n:100/aCPU2+CPU2/whole"}));
+}
+
+TEST(Cases, HaveAnUpdateWhereTheInputMoves) {
+  const auto updates = [](const WorkloadSpec& input) {
+    return filtered(cases({input}, named({"aCPU2+CPU2"})), "/update").size();
+  };
+  EXPECT_EQ(updates({"path1:n=100"}), 1u);
+  EXPECT_EQ(updates({"path1:n=100", true}), 1u);
+  EXPECT_EQ(updates({"path1:n=100,frame=3"}), 0u);
+  EXPECT_EQ(updates({"yarn:n=100"}), 0u);
+  EXPECT_EQ(updates({CATENA_SOURCE_DIR "/core/readers/examples/rings.chain"}), 0u);
+}
+
+TEST(Cases, OpenAFileOnceAndNotForTheirNames) {
+  const std::string file = testing::TempDir() + "catena_cases.chain";
+  std::filesystem::copy_file(CATENA_SOURCE_DIR "/core/readers/examples/rings.chain", file,
+                             std::filesystem::copy_options::overwrite_existing);
+  const auto all = cases({{file}}, named({"aCPU2+CPU2"}));
+  std::filesystem::remove(file);
+  EXPECT_EQ(names_of(all), (std::set<std::string>{"catena_cases.chain/n:11/aCPU2+CPU2/build",
+                                                  "catena_cases.chain/n:11/aCPU2+CPU2/find",
+                                                  "catena_cases.chain/n:11/aCPU2+CPU2/whole"}));
+  EXPECT_EQ(filtered(all, "/find").size(), 1u);
+}
+
+TEST(Cases, OfAFileKnowItsSpheres) {
+  const WorkloadSpec rings{CATENA_SOURCE_DIR "/core/readers/examples/rings.chain"};
+  EXPECT_EQ(facts_of(rings).n, 11u);
+  EXPECT_EQ(cases({rings}, named({"CPU1"}), 11).size(), 2u);
+  EXPECT_EQ(cases({rings}, named({"CPU1"}), 10).size(), 0u);
+}
+
+/// So that a scene need not be opened at ten million spheres to know whether it moves.
+TEST(Cases, AScenesFramesAreAsManyAtEveryN) {
+  for (const auto& info : SceneRegistry::instance().scenes()) {
+    const auto frames = [&](int n) {
+      return open_input(info.name + ":n=" + std::to_string(n)).animation->frames();
+    };
+    EXPECT_EQ(frames(500), frames(1000)) << info.name;
+    EXPECT_EQ(facts_of({info.name + ":n=1000"}).frames, frames(500)) << info.name;
+  }
+}
+
+TEST(Cases, AreFilteredAsByGoogleBenchmark) {
+  const auto all =
+      cases({{"path1:n=300"}, {"yarn:n=200"}}, named({"CPU1", "CPU1/literal", "aCPU2+CPU2", "aCPU2+Dual"}));
+  EXPECT_EQ(filtered(all, "").size(), all.size());
+  EXPECT_EQ(filtered(all, "CPU1/find").size(), 2u);
+  EXPECT_EQ(filtered(all, "path1").size() + filtered(all, "-path1").size(), all.size());
+  EXPECT_TRUE(filtered(all, "nothing").empty());
+  EXPECT_THROW(filtered(all, "("), InputError);
+}
+
+TEST(Cases, LeaveOutAllPairsOnLongChains) {
+  const auto variants = named({"CPU1", "aCPU2+CPU2"});
+  EXPECT_EQ(cases({{"path1:n=20000"}}, variants).size(), 6u);  // CPU1 has no build and no update
+  EXPECT_EQ(cases({{"path1:n=20001"}}, variants).size(), 4u);
+  EXPECT_EQ(cases({{"path1:n=101"}}, variants, 100).size(), 4u);
+}
+
+}  // namespace
+}  // namespace catena::bench

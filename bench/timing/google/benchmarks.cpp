@@ -1,0 +1,27 @@
+#include "catena/bench/timing/google/benchmarks.h"
+
+namespace catena::bench {
+
+void measure(benchmark::State& state, Trial& trial, Stage stage) {
+  if (const auto& why = trial.prepare(); !why.empty()) return state.SkipWithError(why.c_str());
+  for (auto iteration : state) {
+    (void)iteration;
+    state.SetIterationTime(trial.run(stage) / 1000);
+  }
+  state.counters["pairs"] = static_cast<double>(trial.pairs());
+  if (trial.missing() + trial.invented() > 0) {
+    state.counters["missing"] = static_cast<double>(trial.missing());
+    state.counters["invented"] = static_cast<double>(trial.invented());
+  }
+  state.counters["transfer_ms"] = trial.transfer_ms();
+}
+
+void register_benchmark(const Case& c, std::shared_ptr<Trial> trial) {
+  benchmark::RegisterBenchmark(
+      c.name().c_str(),
+      [trial = std::move(trial), stage = c.stage](benchmark::State& state) { measure(state, *trial, stage); })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace catena::bench

@@ -1,0 +1,91 @@
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "catena/bench/timing/google/benchmarks.h"
+#include "catena/core/environment.h"
+#include "catena/core/error.h"
+#include "catena/core/scenes/scene.h"
+
+namespace {
+
+using namespace catena;
+
+struct Options {
+  bool flush_cache = false;
+  std::vector<std::string> scenes;
+  std::vector<std::uint32_t> sizes{1000,    10'000,  20'000,    30'000,    40'000,    50'000,
+                                   100'000, 150'000, 1'000'000, 3'000'000, 10'000'000};
+};
+
+/// Takes the options that are catena's own; what is left is Google Benchmark's.
+std::vector<std::string> take_options(int argc, char** argv, Options& options) {
+  CLI::App app;
+  app.allow_extras();
+  app.add_option("--scene", options.scenes, "Scene or file; repeatable (default: scenes that strain nothing)")
+      ->allow_extra_args(false);
+  app.add_option("--n", options.sizes, "Spheres; repeatable")->allow_extra_args(false);
+  app.add_flag("--flush-cache", options.flush_cache, "Empty the device's cache before every sample");
+  app.set_help_flag();  // --help is Google Benchmark's
+  app.parse(argc, argv);
+  auto rest = app.remaining();
+  rest.insert(rest.begin(), argv[0]);
+  return rest;
+}
+
+/// Every input at every size: "yarn:seed=2" is measured at each, "yarn:n=500" and files as they are.
+std::vector<bench::WorkloadSpec> inputs(const Options& options) {
+  std::vector<std::string> scenes = options.scenes;
+  const auto& known = SceneRegistry::instance();
+  if (scenes.empty())
+    for (const auto& info : known.scenes())
+      if (info.strains.empty()) scenes.push_back(info.name);
+  std::vector<bench::WorkloadSpec> specs;
+  for (const auto& scene : scenes) {
+    const auto colon = scene.find(':');
+    const bool sized = !known.contains(scene.substr(0, colon)) || scene.find(":n=") != std::string::npos ||
+                       scene.find(",n=") != std::string::npos;
+    if (sized)
+      specs.push_back({scene});
+    else
+      for (const std::uint32_t n : options.sizes)
+        specs.push_back({fmt::format("{}{}n={}", scene, colon == std::string::npos ? ':' : ',', n)});
+  }
+  return specs;
+}
+
+int run(int argc, char** argv) {
+  require_release_build();
+  const auto facts = environment();
+  Options options;
+  auto rest = take_options(argc, argv, options);
+  std::vector<char*> pointers;
+  for (auto& text : rest) pointers.push_back(text.data());
+  int count = static_cast<int>(pointers.size());
+  for (const auto& [key, value] : facts) benchmark::AddCustomContext(key, value);
+  benchmark::AddCustomContext("device cache", options.flush_cache ? "flushed before every sample" : "warm");
+  for (const auto& c : bench::cases(inputs(options), StrategyRegistry::instance().variants()))
+    bench::register_benchmark(c, std::make_shared<bench::Trial>(c.spec, c.variant, options.flush_cache));
+  benchmark::Initialize(&count, pointers.data());
+  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
+
+}  // namespace
+
+/// catena_bench: Google Benchmark's own options and JSON; --benchmark_filter picks by scene/n/variant/stage.
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const CLI::ParseError& wrong) {
+    fmt::print(stderr, "catena_bench: {}\n", wrong.what());
+  } catch (const Error& error) {
+    fmt::print(stderr, "catena_bench: {}\n", error.what());
+  }
+  return 2;
+}

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+
+/// What to measure on: a scene or file, its middle frame, where the most collides, or all of its frames.
+struct WorkloadSpec {
+  std::string input;        ///< "path1:n=10000", "neuron.swc"
+  bool all_frames = false;  ///< a sample then goes through the whole animation
+};
+
+/// What a workload is called and how large it is, known before its chains are made.
+struct WorkloadFacts {
+  std::string label;         ///< how results name it: SCENE/n:N, see label_of
+  std::uint64_t n = 0;       ///< spheres of a chain
+  std::uint32_t frames = 1;  ///< of the input
+};
+
+/// Chains to measure on, with their exact answers.
+struct Workload {
+  std::string label;  ///< how results name it: SCENE/n:N, see label_of
+  WorkloadSpec spec;
+  std::uint32_t first_frame = 0;         ///< of the input; that of chains[0]
+  std::uint32_t frames = 1;              ///< of the input
+  std::vector<Chain> chains;             ///< one, or one for each frame
+  std::vector<reference::Answer> exact;  ///< of each chain
+  /// The frame before that of the only chain, or after it when that is the first: what chain it moves from.
+  /// None when all frames are there, or the input has no other.
+  std::optional<Chain> beside;
+};
+
+/// SCENE/n:N. Parameters that are given besides n stay with the scene, "far:exponent=22/n:3000", as does
+/// "frames=all"; of a file the name without its folder. Opens the input only when it does not say n.
+std::string label_of(const WorkloadSpec& spec);
+
+/// Opens a file once; of a scene, whose frames are as many at every n, only the first of several that differ
+/// in n alone. Throws what open_input throws.
+WorkloadFacts facts_of(const WorkloadSpec& spec);
+
+/// The chains and exact answers of `spec`. The last few workloads are kept, as making one takes longer than
+/// measuring. Throws what open_input throws.
+std::shared_ptr<const Workload> workload(const WorkloadSpec& spec);
+
+}  // namespace catena::bench

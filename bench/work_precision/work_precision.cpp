@@ -1,0 +1,96 @@
+#include "catena/bench/work_precision/work_precision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include "catena/bench/stability/cell.h"
+#include "catena/bench/timing/sampling.h"
+#include "catena/bench/tube/contacts.h"
+#include "catena/bench/tube/error.h"
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+constexpr std::uint32_t most_all_pairs = 5000;
+
+struct Runner {
+  std::unique_ptr<Variant> variant;
+  Point point;
+};
+
+double answer_error(const Cell& cell) {
+  const auto& c = cell.found.comparison;
+  const double wrong = cell.found.by_pairs ? static_cast<double>(c.missing + c.invented)
+                                           : static_cast<double>(c.wrong_counts) / 2;
+  return wrong / static_cast<double>(std::max<std::uint64_t>(1, cell.exact_pairs));
+}
+
+void time_interleaved(std::vector<Runner>& runners, const Chain& chain, std::size_t repetitions) {
+  Collisions found;
+  std::vector<std::function<double()>> runs;
+  for (const Runner& runner : runners)
+    runs.emplace_back([&, variant = runner.variant.get()] {
+      const Stopwatch watch;
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      return watch.ms();
+    });
+  auto ms = interleave(runs, repetitions, std::numeric_limits<double>::infinity(), chain.size());
+  for (std::size_t k = 0; k < runners.size(); ++k) runners[k].point.time = Spread::of(std::move(ms[k]));
+}
+
+}  // namespace
+
+WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>& sizes,
+                             const std::vector<std::string>& variants, std::size_t repetitions,
+                             double offset) {
+  WorkPrecision result;
+  const auto all = approaches(tube);
+  const auto leave_out = [&](const std::string& name, const std::string& why) {
+    const auto of_it = [&](const std::string& line) { return line.starts_with(name + ": "); };
+    if (std::ranges::none_of(result.left_out, of_it))
+      result.left_out.push_back(fmt::format("{}: {}", name, why));
+  };
+  for (const std::uint32_t n : sizes) {
+    const Chain chain = inscribed_chain(tube, n, offset);
+    const auto exact = reference::find(chain);
+    const double gap = tube_error(tube, all, n).gap / tube.radius;
+    std::vector<Runner> runners;
+    for (const auto& name : variants) {
+      const VariantInfo info = StrategyRegistry::instance().describe(name);
+      if (n > most_all_pairs && info.all_pairs) {
+        leave_out(name, fmt::format("O(n^2), left out above {} spheres", most_all_pairs));
+        continue;
+      }
+      try {
+        auto variant = StrategyRegistry::instance().make(name);
+        const Cell cell = measure(tube.name, info, *variant, chain, exact);
+        if (cell.outcome == Outcome::refused) {
+          leave_out(name, cell.found.reason);
+          continue;
+        }
+        if (cell.defect)
+          throw InputError(
+              fmt::format("{} is wrong on {} with {} spheres: {}", name, tube.name, n, cell.found.reason));
+        runners.push_back(
+            {std::move(variant),
+             {tube.name, name, cell.arithmetic, n, gap, answer_error(cell), repetitions, {}, {}, offset}});
+      } catch (const CapacityError& why) {
+        leave_out(name, why.what());
+      }
+    }
+    time_interleaved(runners, chain, repetitions);
+    for (Runner& runner : runners) result.points.push_back(std::move(runner.point));
+  }
+  mark_dominated(result.points);
+  return result;
+}
+
+}  // namespace catena::bench
