@@ -1,5 +1,6 @@
 #pragma once
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/radius_range.h"
 
 namespace catena {
 
@@ -8,7 +9,7 @@ namespace catena {
 /// registers.
 template <class Arithmetic, class Search>
 void with_tests_for(const ChainView& chain, const Search& search) {
-  if (Arithmetic::in_range(chain.radii))
+  if (Arithmetic::in_range(radius_range(chain.extent)))
     search(typename Arithmetic::InRange{});
   else
     search(Arithmetic{});

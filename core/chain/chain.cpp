@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "catena/core/error.h"
-#include "catena/core/hierarchy/hierarchy.h"
 
 namespace catena {
 namespace {
@@ -19,21 +17,14 @@ double distance(const Sphere& a, const Sphere& b) {
   return std::sqrt(dx * dx + dy * dy + dz * dz);
 }
 
-/// A parent's centre lies between its children's, so in the box of all centres, and its radius is at most
-/// half the box's diagonal above the greater child's: at most max_hierarchy_height times. Twice that
-/// outweighs all rounding.
-RadiusRange radius_range(const std::vector<Sphere>& spheres) {
-  if (spheres.empty()) return {0, 0};
+Extent extent_of(const std::vector<Sphere>& spheres) {
+  if (spheres.empty()) return {};
   Sphere low = spheres[0], high = spheres[0];
   for (const Sphere& s : spheres) {
     low = {std::min(low.x, s.x), std::min(low.y, s.y), std::min(low.z, s.z), std::min(low.radius, s.radius)};
-    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z),
-            std::max(high.radius, s.radius)};
+    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z), std::max(high.radius, s.radius)};
   }
-  const double sides = (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z);
-  const double greatest = high.radius + max_hierarchy_height * sides, reach = 2 * 2 * greatest;
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  return {low.radius, reach < std::numeric_limits<float>::max() ? static_cast<float>(reach) : infinity};
+  return {low.radius, high.radius, (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z)};
 }
 
 }  // namespace
@@ -67,7 +58,7 @@ ChainView Chain::view() const noexcept {
           {exclusion_.rule, one_open, exclusion_.window, exclusion_.factor, strand_of_.data(),
            strands_.first.data(), strands_.closed.data(), arc_.data(), loop_length_.data(),
            extra_row_.empty() ? nullptr : extra_row_.data(), extra_.data()},
-          radii_};
+          extent_};
 }
 
 void Chain::check_spheres() {
@@ -80,7 +71,7 @@ void Chain::check_spheres() {
           fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", i, s.x, s.y, s.z, s.radius));
     if (s.radius < 0) throw InputError(fmt::format("sphere {} has the negative radius {}", i, s.radius));
   }
-  radii_ = radius_range(spheres_);
+  extent_ = extent_of(spheres_);
 }
 
 void Chain::check_strands() {

@@ -5,12 +5,13 @@
 
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/chain/exclusion.h"
+#include "catena/core/export.h"
 #include "catena/core/sphere.h"
 
 namespace catena {
 
 /// How the spheres divide into strands (consecutive runs), each open or closed.
-struct Strands {
+struct CATENA_API Strands {
   std::vector<std::uint32_t>
       first;  ///< strands + 1 ascending offsets, from 0 to n; empty means one open strand
   std::vector<std::uint8_t>
@@ -20,7 +21,7 @@ struct Strands {
 };
 
 /// A tube as spheres in order along it. Immutable: what is checked when it is made stays true.
-class Chain {
+class CATENA_API Chain {
  public:
   Chain() : Chain(std::vector<Sphere>{}) {}
 
@@ -57,7 +58,7 @@ class Chain {
   void measure_arcs();
 
   std::vector<Sphere> spheres_;
-  RadiusRange radii_{};
+  Extent extent_{};
   Strands strands_;
   Exclusion exclusion_;
   std::vector<std::uint32_t> strand_of_, extra_row_, extra_;

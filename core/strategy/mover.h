@@ -1,5 +1,6 @@
 #pragma once
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/export.h"
 #include "catena/core/hierarchy/hierarchy.h"
 #include "catena/core/sphere.h"
 
@@ -8,7 +9,7 @@ namespace catena {
 /// Moves chains and hierarchies between host and device. Implemented where the device is (cuda/) and
 /// registered with the strategies; owns the buffers that its views point into and reuses them. Views stay
 /// valid until the next call of the same function. Every call returns when the data has arrived.
-class Mover {
+class CATENA_API Mover {
  public:
   virtual ~Mover() = default;
   virtual ChainView to_device(const ChainView& host) = 0;

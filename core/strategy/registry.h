@@ -8,6 +8,7 @@
 
 #include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/core/arithmetic/robust.h"
+#include "catena/core/export.h"
 #include "catena/core/strategy/composed.h"
 #include "catena/core/strategy/parameters.h"
 #include "catena/core/strategy/space.h"
@@ -17,7 +18,7 @@
 namespace catena {
 
 /// What a strategy file says of itself.
-struct StrategyInfo {
+struct CATENA_API StrategyInfo {
   std::string
       name;  ///< as in the paper: "aCPU2"; with "@host" when a device algorithm is run by the host executor
   std::string summary;  ///< one line for `catena list`
@@ -31,7 +32,7 @@ struct StrategyInfo {
 };
 
 /// One complete variant as `catena list` shows it.
-struct VariantInfo {
+struct CATENA_API VariantInfo {
   std::string name;        ///< "aCPU2+CPU2/literal"; robust is the default and not written
   std::string arithmetic;  ///< "robust", "literal", "double", or the strategy's own
   std::string summary;
@@ -42,7 +43,7 @@ struct VariantInfo {
 };
 
 /// All strategies of the program. Strategy files register themselves before main; afterwards it is read only.
-class StrategyRegistry {
+class CATENA_API StrategyRegistry {
  public:
   static StrategyRegistry& instance();
 

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/export.h"
 #include "catena/core/hierarchy/hierarchy.h"
 #include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/request.h"
@@ -11,7 +12,7 @@ namespace catena {
 /// Stage 1 of the paper's two-stage strategies: a chain becomes a hierarchy. Both live in the stage's own
 /// space.
 template <class Bound>
-class Construction {
+class CATENA_API Construction {
  public:
   virtual ~Construction() = default;
   /// Builds the hierarchy, which stays valid until the next build. Does not allocate when n has not grown.
@@ -26,7 +27,7 @@ class Construction {
 
 /// Stage 2: a chain and its hierarchy, both in the stage's own space, become collisions on the host.
 template <class Bound>
-class Traversal {
+class CATENA_API Traversal {
  public:
   virtual ~Traversal() = default;
   virtual void find(const ChainView& chain, const HierarchyView<Bound>& tree, const Request& request,

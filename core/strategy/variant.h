@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/export.h"
 #include "catena/core/sphere.h"
 #include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/request.h"
@@ -11,7 +12,7 @@
 namespace catena {
 
 /// Receives the bounds of a hierarchy, for the enclosure and tree-shape properties.
-class BoundsVisitor {
+class CATENA_API BoundsVisitor {
  public:
   virtual ~BoundsVisitor() = default;
   /// One parent and one of its children. Ids below n are leaves, the sphere of that index; others are the
@@ -26,7 +27,7 @@ class BoundsVisitor {
 /// One complete way from chain to collisions; the only contract that the rest of catena knows. A hierarchy,
 /// if there is one, is the strategy's own affair. Buffers belong to the variant and are reused. Not
 /// thread-safe: one object, one thread at a time.
-class Variant {
+class CATENA_API Variant {
  public:
   virtual ~Variant() = default;
 
