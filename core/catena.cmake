@@ -45,11 +45,12 @@ if(CATENA_SANITIZE)
   set_source_files_properties(${parsing} ${PROJECT_SOURCE_DIR}/core/main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
-# catena_sources(OUT FOLDER...): the .cpp files below these folders, but for tests, main.cpp and what needs Google Benchmark.
+# catena_sources(OUT FOLDER...): the .cpp files below these folders, but for tests, other projects, main.cpp and what needs
+# Google Benchmark.
 function(catena_sources out)
   list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.cpp" OUTPUT_VARIABLE patterns)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
-  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$|/google/")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$|/google/|/consumer/")
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 

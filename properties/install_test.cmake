@@ -68,6 +68,6 @@ run(${WORK}/build/wrong_copy)
 
 must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target fast_math)
 must_fail("catena has no component 'engine'; there are: library, program"
-          ${configure} -B ${WORK}/refused -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=engine)
+          ${configure} -B ${WORK}/unknown_component -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=engine)
 must_fail("catena's component 'program' is not installed"
-          ${configure} -B ${WORK}/refused -DCMAKE_PREFIX_PATH=${WORK}/library_alone -DMORE_COMPONENTS=program)
+          ${configure} -B ${WORK}/without_program -DCMAKE_PREFIX_PATH=${WORK}/library_alone -DMORE_COMPONENTS=program)
