@@ -1,5 +1,7 @@
-# How every folder becomes part of the one library. A new source file in a folder is in the build with no edit
-# here (CONFIGURE_DEPENDS), and its self-registered strategies are never dropped (OBJECT libraries).
+# How every folder becomes part of one of two libraries. libcatena.so, what other projects use: chains, arithmetic,
+# trees, strategies. libcatena_program.so, for this project's programs alone: scenes, readers, commands, the reference,
+# the properties, the measurements. A new source file in a folder is in the build with no edit here (CONFIGURE_DEPENDS),
+# and what it registers is never dropped, as nothing goes through a static library.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -13,13 +15,13 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/catena SYMBOLIC)
 
-# What every part of catena is compiled with. No contraction: host and device must round alike (design.md).
+# What every part of catena is compiled with. No contraction: host and device must round alike.
 add_library(catena_options INTERFACE)
 target_compile_features(catena_options INTERFACE cxx_std_20)
 target_compile_options(catena_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -ffp-contract=off>)
 target_compile_definitions(catena_options INTERFACE CATENA_VERSION="${PROJECT_VERSION}")
 target_include_directories(catena_options INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
-target_link_libraries(catena_options INTERFACE fmt::fmt Threads::Threads)
+target_link_libraries(catena_options INTERFACE Threads::Threads)
 if(CATENA_SANITIZE)
   target_compile_options(catena_options INTERFACE -fsanitize=${CATENA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(catena_options INTERFACE -fsanitize=${CATENA_SANITIZE})
@@ -43,19 +45,49 @@ if(CATENA_SANITIZE)
   set_source_files_properties(${parsing} ${PROJECT_SOURCE_DIR}/core/main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
-set(CATENA_PARTS "")
-# catena_part(name [libraries...]): all .cpp files below this folder, but for tests, main.cpp and what needs Google
-# Benchmark, as one OBJECT library.
-function(catena_part name)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$|/google/")
-  if(NOT sources)
-    return()
-  endif()
-  add_library(catena_part_${name} OBJECT ${sources})
-  target_link_libraries(catena_part_${name} PUBLIC catena_options ${ARGN})
-  target_precompile_headers(catena_part_${name} PRIVATE ${CATENA_PRECOMPILED})
-  set(CATENA_PARTS ${CATENA_PARTS} catena_part_${name} PARENT_SCOPE)
+# catena_sources(OUT FOLDER...): the .cpp files below these folders, but for tests, other projects, main.cpp and what needs
+# Google Benchmark.
+function(catena_sources out)
+  list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.cpp" OUTPUT_VARIABLE patterns)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
+  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$|/google/|/consumer/")
+  set(${out} ${sources} PARENT_SCOPE)
+endfunction()
+
+# The library. Everything is hidden but what says CATENA_API (core/export.h), the standard library's templates too, and
+# it calls its own functions: no other program's copy, compiled with other flags, takes their place.
+set(CATENA_LIBRARY_FOLDERS arithmetic chain executor hierarchy parameters policies strategy)  # of core
+list(TRANSFORM CATENA_LIBRARY_FOLDERS PREPEND core/ OUTPUT_VARIABLE folders)
+catena_sources(library_sources ${folders} variants)
+add_library(catena SHARED ${library_sources})
+add_library(catena::catena ALIAS catena)
+set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0 EXPORT_NAME catena
+  CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${PROJECT_SOURCE_DIR}/core/exports.map)
+target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only)
+target_link_options(catena PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/core/exports.map LINKER:-Bsymbolic-functions)
+if(NOT CATENA_SANITIZE)
+  target_link_options(catena PRIVATE LINKER:--no-undefined)  # nothing of the program is missed
+endif()
+target_precompile_headers(catena PRIVATE ${CATENA_PRECOMPILED})
+target_compile_features(catena PUBLIC cxx_std_20)
+# Whoever builds trees by the library's headers must get the bits of the library's own.
+target_compile_options(catena INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>
+                                        "$<$<COMPILE_LANGUAGE:CUDA>:SHELL:--fmad=false -Xcompiler=-ffp-contract=off>")
+target_include_directories(catena PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+                                         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+include(${PROJECT_SOURCE_DIR}/cuda/cuda.cmake)
+
+# The program's library.
+add_library(catena_program SHARED)
+target_link_libraries(catena_program PUBLIC catena catena_options fmt::fmt)
+# catena_part(FOLDER [libraries...]): what the library has not of this folder, compiled with these libraries.
+function(catena_part folder)
+  catena_sources(sources ${folder})
+  list(REMOVE_ITEM sources ${library_sources})
+  add_library(catena_part_${folder} OBJECT ${sources})
+  target_link_libraries(catena_part_${folder} PUBLIC catena_options fmt::fmt ${ARGN})
+  target_precompile_headers(catena_part_${folder} PRIVATE ${CATENA_PRECOMPILED})
+  target_link_libraries(catena_program PRIVATE catena_part_${folder})
 endfunction()
 
 # What every measurement says of its build; the commit is looked up again at every build.
@@ -68,30 +100,21 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIE
   OBJECT_DEPENDS ${commit_header})
 
 catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
+if(TARGET catena_cuda)
+  target_sources(catena_part_core PRIVATE ${PROJECT_SOURCE_DIR}/cuda/environment.cpp)
+endif()
 add_dependencies(catena_part_core catena_commit)
-catena_part(variants)
-include(${PROJECT_SOURCE_DIR}/cuda/cuda.cmake)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
 catena_part(properties)
 catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
 
-add_library(catena SHARED)
-add_library(catena::catena ALIAS catena)
-set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0)
-foreach(part ${CATENA_PARTS})
-  target_link_libraries(catena PRIVATE ${part})
-endforeach()
-target_compile_features(catena PUBLIC cxx_std_20)
-target_include_directories(catena PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
-                                         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-
 add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)
-set_target_properties(catena_cli PROPERTIES OUTPUT_NAME catena INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR}
-                                            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+add_executable(catena::program ALIAS catena_cli)
+set_target_properties(catena_cli PROPERTIES OUTPUT_NAME catena EXPORT_NAME program RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 include(${PROJECT_SOURCE_DIR}/core/install.cmake)
 include(${PROJECT_SOURCE_DIR}/bench/bench.cmake)
 include(${PROJECT_SOURCE_DIR}/reports/reports.cmake)
-target_link_libraries(catena_cli PRIVATE catena catena_options catena_reports catena_timing CLI11::CLI11)
+target_link_libraries(catena_cli PRIVATE catena_program catena_reports catena_timing CLI11::CLI11)
 if(CATENA_TESTS)
   enable_testing()
   include(${PROJECT_SOURCE_DIR}/properties/tests.cmake)

@@ -3,29 +3,31 @@
 #include <stdexcept>
 #include <string>
 
+#include "catena/core/export.h"
+
 namespace catena {
 
 /// Base of every error that a user can act on. The command line prints what() as one line and exits with 2.
-class Error : public std::runtime_error {
+class CATENA_API Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// Input that cannot be used: a malformed file, an impossible chain, an unknown name or parameter.
-class InputError : public Error {
+class CATENA_API InputError : public Error {
  public:
   using Error::Error;
 };
 
 /// A strategy that cannot run here (no device, library not built in), or not on this input (a declared
 /// limit).
-class CapacityError : public Error {
+class CATENA_API CapacityError : public Error {
  public:
   using Error::Error;
 };
 
 /// More pairs were found than the request allows. Nothing is dropped in silence: `found` is the true number.
-class PairLimitExceeded : public Error {
+class CATENA_API PairLimitExceeded : public Error {
  public:
   PairLimitExceeded(std::uint64_t found, std::uint64_t limit)
       : Error("found " + std::to_string(found) + " colliding pairs, more than the limit of " +

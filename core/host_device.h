@@ -1,4 +1,8 @@
 #pragma once
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || __FINITE_MATH_ONLY__
+#error "catena cannot be compiled with -ffast-math or a part of it: its bounds hold for IEEE-754 arithmetic only"
+#endif
+
 /// Marks functions that both the host compiler and nvcc compile. Everything marked CATENA_HD is plain
 /// IEEE-754 arithmetic without contraction, so host and device give the same bits.
 #ifdef __CUDACC__

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "catena/core/error.h"
+#include "catena/core/export.h"
 
 static_assert(__cplusplus >= 202002L, "nvcc was not given -std=c++20");
 
 namespace catena::cuda {
 
 /// A CUDA call failed: what() names file, line, call and CUDA's own words.
-class CudaError : public Error {
+class CATENA_API CudaError : public Error {
  public:
   CudaError(cudaError_t code, const char* call, const char* file, int line)
       : Error(std::string(file) + ":" + std::to_string(line) + ": " + call + ": " + cudaGetErrorName(code) +

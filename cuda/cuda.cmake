@@ -1,4 +1,4 @@
-# GPU strategies. AUTO builds them when nvcc is found; OFF leaves no trace of CUDA in the build. On a machine
+# GPU strategies, a part of the library. AUTO builds them when nvcc is found; OFF leaves no trace of CUDA in the build. On a machine
 # without a device or driver they build all the same and are listed as unavailable, with the reason.
 set(CATENA_CUDA AUTO CACHE STRING "GPU strategies: AUTO, ON or OFF")
 set(CATENA_CUDA_ARCHITECTURES "" CACHE STRING "CUDA architectures; empty: native when a device is here, else 75, whose PTX suits every later one")
@@ -27,8 +27,8 @@ if(CATENA_NVCC AND NOT CATENA_CUDA STREQUAL "OFF")
   target_link_libraries(catena_cuda PUBLIC catena_options)
   # CMake 3.25 does not know C++20 for nvcc 13 and drops it in silence, so the flag is written here and checked in
   # cuda/call.h. Contraction is off: parents must have the host's bits.
-  set_target_properties(catena_cuda PROPERTIES CUDA_STANDARD_REQUIRED OFF)
+  set_target_properties(catena_cuda PROPERTIES CUDA_STANDARD_REQUIRED OFF CUDA_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(catena_cuda PRIVATE
     $<$<COMPILE_LANGUAGE:CUDA>:-std=c++20 --fmad=false -Xcompiler=-Wall,-Wextra,-ffp-contract=off -lineinfo>)
-  list(APPEND CATENA_PARTS catena_cuda)
+  target_link_libraries(catena PRIVATE catena_cuda)
 endif()

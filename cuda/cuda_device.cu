@@ -25,7 +25,7 @@ class CudaDevice final : public Device {
     ChainView view = topology_;
     view.spheres = spheres_.upload(host.spheres, host.size, stream_);
     view.size = host.size;
-    view.radii = host.radii;
+    view.extent = host.extent;
     stream_.synchronize();
     return view;
   }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "catena/core/strategy/parameters.h"
+#include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/place.h"
 
 namespace catena::cuda {

@@ -1,5 +1,8 @@
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... [-DEXTRA=file.cpp -DVARIANT=name] -P install_test.cmake
-# Installs catena below WORK, builds a stranger's project against it with find_package, and runs it.
+# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DFOLDERS=core's;folders [-DFLAGS=...] -P install_test.cmake
+# Installs catena below WORK, builds a stranger's project against it with find_package, and runs it. That project is
+# compiled with -O3 -march=native, as researchers do, and must get the library's bits.
+cmake_minimum_required(VERSION 3.25)
+
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
@@ -8,8 +11,30 @@ function(run)
   message("${output}")
 endfunction()
 
+# must_fail(WORDS COMMAND...): fails, and says so in these words.
+function(must_fail words)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")  # CMake breaks the lines of its errors
+  string(FIND "${output}" "${words}" found)
+  if(code EQUAL 0 OR found EQUAL -1)
+    message(FATAL_ERROR "${ARGN}: exit code ${code}, expected a failure that says '${words}'\n${output}")
+  endif()
+  message("refused, as it should be: ${words}")
+endfunction()
+
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/library_alone --component library)
+
+# The library's headers and no others.
+file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/catena ${WORK}/prefix/include/*)
+list(JOIN FOLDERS "|" folders)
+set(foreign ${headers})
+list(FILTER foreign EXCLUDE REGEX "^core/((${folders})/)?[a-zA-Z0-9_]+\\.h$")
+list(FILTER headers INCLUDE REGEX "^core/strategy/registry\\.h$")
+if(foreign OR NOT headers)
+  message(FATAL_ERROR "installed, but no headers of the library: '${foreign}'; its registry: '${headers}'")
+endif()
 
 # README's example of a variant in one file, taken from README itself.
 file(READ ${SOURCE}/README.md readme)
@@ -22,8 +47,27 @@ endif()
 string(SUBSTRING "${rest}" 0 ${end} example)
 file(WRITE ${WORK}/example.cpp "${example}")
 
-run(${CMAKE_COMMAND} -S ${SOURCE}/properties/consumer -B ${WORK}/build -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DEXTRA_SOURCES=${WORK}/example.cpp "-DCMAKE_CXX_FLAGS=${FLAGS}")
+set(configure ${CMAKE_COMMAND} -S ${SOURCE}/properties/consumer -DCMAKE_BUILD_TYPE=Release
+    -DEXTRA_SOURCES=${WORK}/example.cpp "-DCMAKE_CXX_FLAGS=-march=native ${FLAGS}")
+run(${configure} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=program)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer CPU1 aCPU2+CPU2 aGPU2@host+GPUv2@host Sweep)
 run(${WORK}/prefix/bin/catena --version)
+
+# The library and the library's headers compiled elsewhere give the same trees and pairs; with contraction they do not.
+execute_process(COMMAND ${WORK}/build/same_bits RESULT_VARIABLE code OUTPUT_VARIABLE bits)
+message("${bits}")
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "a consumer compiled with -O3 -march=native does not get the library's bits")
+endif()
+execute_process(COMMAND ${WORK}/build/contracted RESULT_VARIABLE code OUTPUT_VARIABLE contracted)
+if(bits MATCHES "has fused multiply-add" AND NOT code EQUAL 1)
+  message(FATAL_ERROR "contraction goes unnoticed (exit code ${code}), so the check before shows nothing\n${contracted}")
+endif()
+run(${WORK}/build/wrong_copy)
+
+must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target fast_math)
+must_fail("catena has no component 'engine'; there are: library, program"
+          ${configure} -B ${WORK}/unknown_component -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=engine)
+must_fail("catena's component 'program' is not installed"
+          ${configure} -B ${WORK}/without_program -DCMAKE_PREFIX_PATH=${WORK}/library_alone -DMORE_COMPONENTS=program)

@@ -9,9 +9,10 @@ file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp 
      ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/*_test.cpp
      ${PROJECT_SOURCE_DIR}/bench/*_test.cpp ${PROJECT_SOURCE_DIR}/reports/*_test.cpp)
 add_executable(catena_tests ${tests})
-target_link_libraries(catena_tests PRIVATE catena catena_options catena_reports catena_timing GTest::gtest_main rapidcheck
+target_link_libraries(catena_tests PRIVATE catena_reports catena_timing GTest::gtest_main rapidcheck
                       nlohmann_json::nlohmann_json Eigen3::Eigen)
-target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+string(JOIN " " library_folders ${CATENA_LIBRARY_FOLDERS})
+target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CATENA_LIBRARY_FOLDERS="${library_folders}"
                            CATENA_PROGRAM="$<TARGET_FILE:catena_cli>")
 target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
 add_dependencies(catena_tests catena_cli)  # tests run the program too
@@ -20,13 +21,29 @@ gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*:Device*" PROPERTIES TIME
 gtest_discover_tests(catena_tests TEST_FILTER "Device*" TEST_SUFFIX " (gpu)" PROPERTIES LABELS gpu TIMEOUT 300 DISCOVERY_TIMEOUT 120)
 gtest_discover_tests(catena_tests TEST_FILTER "*Long.*" TEST_SUFFIX " (long)" PROPERTIES LABELS long TIMEOUT 3600 DISCOVERY_TIMEOUT 120)
 
+# Each header of the library compiles alone, and twice: a header that does not fails the build of the tests.
+foreach(header ${CATENA_LIBRARY_HEADERS})
+  string(REPLACE .h .cpp source ${PROJECT_BINARY_DIR}/headers/${header})
+  file(CONFIGURE OUTPUT ${source} CONTENT "#include \"catena/${header}\"\n#include \"catena/${header}\"\n")
+  list(APPEND header_sources ${source})
+endforeach()
+add_library(catena_headers OBJECT ${header_sources})
+target_link_libraries(catena_headers PRIVATE catena)
+target_compile_options(catena_headers PRIVATE -O0 -Wall -Wextra -Wshadow -Werror)
+set_target_properties(catena_headers PROPERTIES CXX_VISIBILITY_PRESET hidden)  # what a user's library may choose
+add_dependencies(catena_tests catena_headers)
+
+add_test(NAME library.border COMMAND ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:catena> -DNM=${CMAKE_NM} -DREADELF=${CMAKE_READELF}
+         -DSANITIZE=${CATENA_SANITIZE} -P ${PROJECT_SOURCE_DIR}/properties/library_test.cmake)
+
 # An installed catena is found by another project, which adds README's one-file variant from outside.
 set(sanitize_flags "")
 if(CATENA_SANITIZE)
   set(sanitize_flags "-fsanitize=${CATENA_SANITIZE}")
 endif()
 add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
-         -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
+         -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} "-DFOLDERS=${CATENA_LIBRARY_FOLDERS}"
+         -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
 
 if(CATENA_COVERAGE)
   include(${PROJECT_SOURCE_DIR}/properties/coverage.cmake)

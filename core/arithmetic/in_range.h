@@ -1,12 +1,13 @@
 #pragma once
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/radius_range.h"
 
 namespace catena {
 
 /// True when the chain proves the arithmetic's range checks idle.
 template <class Arithmetic>
 bool in_range(const ChainView& chain) {
-  return Arithmetic::in_range(chain.radii);
+  return Arithmetic::in_range(radius_range(chain.extent));
 }
 
 /// Calls search(tests) with the arithmetic's tests for this chain: those without range checks where the chain

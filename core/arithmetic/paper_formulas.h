@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/radius_range.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "catena/core/arithmetic/exact_sign.h"
-#include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/radius_range.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 

@@ -4,32 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "catena/core/chain/make_topology.h"
 #include "catena/core/error.h"
-#include "catena/core/hierarchy/hierarchy.h"
 
 namespace catena {
 namespace {
 
 constexpr std::size_t max_spheres = (std::size_t{1} << 31) - 1;
 
-/// A parent's centre lies between its children's, so in the box of all centres, and its radius is at most
-/// half the box's diagonal above the greater child's: at most max_hierarchy_height times. Twice that
-/// outweighs all rounding.
-RadiusRange radius_range(const std::vector<Sphere>& spheres) {
-  if (spheres.empty()) return {0, 0};
+Extent extent_of(const std::vector<Sphere>& spheres) {
+  if (spheres.empty()) return {};
   Sphere low = spheres[0], high = spheres[0];
   for (const Sphere& s : spheres) {
     low = {std::min(low.x, s.x), std::min(low.y, s.y), std::min(low.z, s.z), std::min(low.radius, s.radius)};
-    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z),
-            std::max(high.radius, s.radius)};
+    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z), std::max(high.radius, s.radius)};
   }
-  const double sides = (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z);
-  const double greatest = high.radius + max_hierarchy_height * sides, reach = 2 * 2 * greatest;
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  return {low.radius, reach < std::numeric_limits<float>::max() ? static_cast<float>(reach) : infinity};
+  return {low.radius, high.radius, (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z)};
 }
 
 }  // namespace
@@ -62,7 +53,7 @@ ChainView Chain::view() const noexcept {
           {t.exclusion.rule, one_open, t.exclusion.window, t.exclusion.factor, t.strand_of.data(),
            t.strands.first.data(), t.strands.closed.data(), t.arc.data(), t.loop_length.data(),
            t.extra_row.empty() ? nullptr : t.extra_row.data(), t.extra.data()},
-          radii_,
+          extent_,
           t.number};
 }
 
@@ -76,7 +67,7 @@ void Chain::check_spheres() {
           fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", i, s.x, s.y, s.z, s.radius));
     if (s.radius < 0) throw InputError(fmt::format("sphere {} has the negative radius {}", i, s.radius));
   }
-  radii_ = radius_range(spheres_);
+  extent_ = extent_of(spheres_);
 }
 
 }  // namespace catena

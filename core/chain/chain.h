@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "catena/core/export.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/chain/topology.h"
 #include "catena/core/sphere.h"
@@ -11,7 +12,7 @@
 namespace catena {
 
 /// A tube as spheres in order along it. Immutable: what is checked when it is made stays true.
-class Chain {
+class CATENA_API Chain {
  public:
   Chain() : Chain(std::vector<Sphere>{}) {}
 
@@ -45,7 +46,7 @@ class Chain {
   void check_spheres();
 
   std::vector<Sphere> spheres_;
-  RadiusRange radii_{};
+  Extent extent_{};
   std::shared_ptr<const Topology> topology_;
 };
 

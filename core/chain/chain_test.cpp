@@ -2,13 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 
-#include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
 
 namespace catena {
@@ -117,26 +114,6 @@ TEST(Chain, MovedKeepsNeighboursAndChecksItsSpheres) {
   auto bad = row(6);
   bad[1].radius = -1;
   EXPECT_THROW(chain.moved(bad), InputError);
-}
-
-/// What lets a search leave out its range checks.
-TEST(Chain, RadiusRangeHoldsForEveryTreeOverIt) {
-  std::mt19937 random(1);
-  for (const float scale : {0x1p-40f, 1.0f, 0x1p40f, 0x1p100f})
-    for (const float spread : {0.0f, 0.1f, 1e6f}) {
-      std::uniform_real_distribution<float> place(-spread * scale, spread * scale),
-          radius(0.5f * scale, scale);
-      std::vector<Sphere> level(500);
-      for (Sphere& s : level) s = {place(random), place(random), place(random), radius(random)};
-      const Chain chain(level);
-      const RadiusRange radii = chain.view().radii;
-      EXPECT_EQ(radii.least, std::ranges::min(level, {}, &Sphere::radius).radius);
-      for (; level.size() > 1; level.resize((level.size() + 1) / 2)) {
-        for (const Sphere& s : level) EXPECT_GE(radii.reach, 2 * s.radius) << scale << " " << spread;
-        for (std::size_t i = 0; i < level.size(); i += 2)
-          level[i / 2] = i + 1 < level.size() ? Robust::parent(level[i], level[i + 1]) : level[i];
-      }
-    }
 }
 
 TEST(Chain, EmptyAndSingle) {

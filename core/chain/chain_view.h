@@ -1,27 +1,28 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/export.h"
 #include "catena/core/chain/exclusion.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 
 namespace catena {
 
-/// What scale a chain's radii have, known since its numbers were checked: arithmetic may leave out what is
-/// for other scales (Robust::in_range).
-struct RadiusRange {
-  float least;  ///< no sphere has a smaller radius
-  float reach;  ///< no two bounds of a tree of parents over the chain have radii of a greater sum
+/// How large a chain's spheres are and how far they lie apart, known since its numbers were checked; all 0 for no
+/// spheres.
+struct CATENA_API Extent {
+  float least_radius, greatest_radius;
+  double sides;  ///< sum of the three sides of the box of all centres
 };
 
 /// A chain as plain pointers, valid in one memory space; what kernels and policies take.
-struct ChainView {
+struct CATENA_API ChainView {
   const Sphere* spheres;
   std::uint32_t size;
   std::uint32_t strand_count;
   std::uint32_t extra_count;  ///< entries of exclusion.extra
   ExclusionView exclusion;
-  RadiusRange radii;
+  Extent extent;
   std::uint64_t topology;  ///< Topology::number: equal numbers, equal exclusion; 0: unknown
 
   CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j) const {

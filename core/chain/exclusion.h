@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "catena/core/export.h"
 #include "catena/core/host_device.h"
 #include "catena/core/pair.h"
 #include "catena/core/sphere.h"
@@ -9,7 +10,7 @@
 namespace catena {
 
 /// Who counts as a neighbour, and so never collides. Fixed when the chain is made.
-struct Exclusion {
+struct CATENA_API Exclusion {
   enum class Rule {
     index_window,  ///< on one strand |i - j| <= window, cyclic when the strand is closed (the paper: window
                    ///< 1)
@@ -26,7 +27,7 @@ struct Exclusion {
 
 /// The exclusion rule as plain pointers, valid in one memory space. A pure function of the chain: the same
 /// comparison of the same stored numbers on host and device.
-struct ExclusionView {
+struct CATENA_API ExclusionView {
   Exclusion::Rule rule;
   bool one_open_strand;  ///< then strand_of, strand_first and strand_closed need not be read
   std::uint32_t window;

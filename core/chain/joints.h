@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/export.h"
 
 namespace catena {
 
@@ -18,7 +19,7 @@ namespace catena {
 /// Cost: O(n log n), and for each sphere that a joint can concern O(m log m), m spheres lying within its
 /// reach: k edges, or 2 * f * radius. The result can be that large, too: a window as long as the tube makes
 /// all pairs.
-std::vector<Pair> pairs_across_joints(std::span<const Sphere> spheres, const Strands& strands,
+CATENA_API std::vector<Pair> pairs_across_joints(std::span<const Sphere> spheres, const Strands& strands,
                                       std::span<const Pair> joints, const Exclusion& rule);
 
 }  // namespace catena

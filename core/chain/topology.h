@@ -2,12 +2,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "catena/core/export.h"
 #include "catena/core/chain/exclusion.h"
 
 namespace catena {
 
 /// How the spheres divide into strands (consecutive runs), each open or closed.
-struct Strands {
+struct CATENA_API Strands {
   std::vector<std::uint32_t>
       first;  ///< strands + 1 ascending offsets, from 0 to n; empty means one open strand
   std::vector<std::uint8_t>
@@ -18,7 +19,7 @@ struct Strands {
 
 /// What all frames of a chain have in common: its strands and who are neighbours, indexed for look-up. Made
 /// once, shared by every chain that was moved from it, and moved to a device once.
-struct Topology {
+struct CATENA_API Topology {
   Strands strands;
   Exclusion exclusion;                   ///< extra pairs sorted, unique, i < j
   std::vector<std::uint32_t> strand_of;  ///< n entries; empty for one open strand

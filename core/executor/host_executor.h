@@ -11,7 +11,7 @@
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/policies/visitor.h"
 #include "catena/core/strategy/evidence.h"
-#include "catena/core/strategy/parameters.h"
+#include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/plan.h"
 
 namespace catena {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+
 namespace catena {
 
 /// A thread block, emulated on the host: what `threadIdx`, a strided loop and __syncthreads() are to a

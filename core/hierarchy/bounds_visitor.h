@@ -1,12 +1,13 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/export.h"
 #include "catena/core/hierarchy/bound.h"
 
 namespace catena {
 
 /// What a strategy says of its tree as a whole.
-struct TreeFacts {
+struct CATENA_API TreeFacts {
   std::uint32_t levels = 0;  ///< from root to leaf, as the builder counted them; 0: it does not count
   /// Each parent's bound encloses the *bounds* of its children: the paper's trees. Otherwise only what every
   /// tree promises: each node's bound encloses all *spheres* below it.
@@ -17,7 +18,7 @@ struct TreeFacts {
 /// every (parent, child) once, in any order. Ids below n are leaves, the sphere of that index; others are the
 /// strategy's own, below 4n where it gives evidence. A block of spheres is a node with those spheres as
 /// children.
-class BoundsVisitor {
+class CATENA_API BoundsVisitor {
  public:
   virtual ~BoundsVisitor() = default;
   virtual void tree(const TreeFacts&) {}

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "catena/core/input/animation.h"
+#include "catena/core/scenes/animation.h"
 
 namespace catena {
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "catena/core/input/animation.h"
+#include "catena/core/scenes/animation.h"
 #include "catena/core/input/input.h"
 
 namespace catena {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "catena/core/input/animation.h"
-#include "catena/core/strategy/parameters.h"
+#include "catena/core/scenes/animation.h"
+#include "catena/core/parameters/parameters.h"
 
 namespace catena {
 

@@ -5,7 +5,7 @@
 
 #include "catena/core/scenes/vec3.h"
 #include "catena/core/sphere.h"
-#include "catena/core/strategy/parameters.h"
+#include "catena/core/parameters/parameters.h"
 
 namespace catena {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "catena/core/input/animation.h"
+#include "catena/core/scenes/animation.h"
 #include "catena/core/scenes/setup.h"
 
 namespace catena {

@@ -1,5 +1,5 @@
 #pragma once
-#include "catena/core/input/animation.h"
+#include "catena/core/scenes/animation.h"
 
 namespace catena {
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "catena/core/export.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/hierarchy.h"
 #include "catena/core/sphere.h"
@@ -13,7 +14,7 @@ namespace catena {
 /// Implemented where the device is (cuda/) and registered with the strategies; owns the buffers that its
 /// views point into and reuses them. Views stay valid until the next call of the same function. Every call
 /// returns when it is done.
-class Device {
+class CATENA_API Device {
  public:
   using Work = std::function<void(StreamHandle)>;
   using Search = std::function<void(const ResidentAnswer&, StreamHandle)>;

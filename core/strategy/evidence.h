@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/export.h"
 #include "catena/core/policies/visitor.h"
 
 namespace catena {
@@ -16,7 +17,7 @@ enum class Accounting {
 /// one discarded pair of nodes, or tested, or excluded; reference/certificate.h checks it. A node is named by
 /// its id in Variant::visit_bounds: below n it is the sphere of that index, and all ids are below 4n. Calls
 /// come from one thread.
-class EvidenceSink {
+class CATENA_API EvidenceSink {
  public:
   virtual ~EvidenceSink() = default;
   /// No sphere below `a` overlaps a sphere below `b`; accounts for all those pairs, ordered (below a, below
@@ -32,7 +33,7 @@ class EvidenceSink {
 };
 
 /// What the search for sphere i reports to a sink; base of visitors that also gather its hits.
-struct EvidenceVisitor : Visitor {
+struct CATENA_API EvidenceVisitor : Visitor {
   EvidenceVisitor(std::uint32_t sphere, EvidenceSink& to) : i(sphere), sink(to) {}
   void tested_node(std::uint32_t slot) { sink.compared(i, slot); }
   void discarded(std::uint32_t slot) { sink.discarded(i, slot); }

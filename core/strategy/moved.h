@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "catena/core/export.h"
 #include "catena/core/strategy/request.h"
 
 namespace catena {
@@ -8,7 +9,7 @@ namespace catena {
 /// Which spheres of a chain differ from those of the last build or update: everything, or some ranges. A
 /// view; the ranges are the caller's, ascend and do not overlap. What lies outside of them is the same, bit
 /// for bit.
-class Moved {
+class CATENA_API Moved {
  public:
   Moved() = default;  ///< everything may have moved
   explicit Moved(std::span<const SphereRange> ranges) : everything_(false), ranges_(ranges) {}

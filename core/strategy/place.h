@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/export.h"
+
 namespace catena {
 
 /// The memory where a stage wants its data and leaves its result: the host's, or that of device k.
-struct Place {
+struct CATENA_API Place {
   enum class Kind { host, device };
   Kind kind = Kind::host;
   std::uint32_t index = 0;  ///< of the device, as its driver counts; 0 for the host

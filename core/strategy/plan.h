@@ -2,11 +2,13 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/export.h"
+
 namespace catena {
 
 /// One step of a search that a variant decided about: done or left out, and why, with the figure that
 /// decided.
-struct Decision {
+struct CATENA_API Decision {
   std::string step;
   bool left_out;
   std::string reason;

@@ -6,6 +6,7 @@
 #include <typeindex>
 #include <vector>
 
+#include "catena/core/export.h"
 #include "catena/core/strategy/device.h"
 #include "catena/core/strategy/stages.h"
 #include "catena/core/strategy/variant.h"
@@ -14,7 +15,7 @@
 namespace catena {
 
 /// All strategies of the program. Strategy files register themselves before main; afterwards it is read only.
-class StrategyRegistry {
+class CATENA_API StrategyRegistry {
  public:
   using MakeStage = std::function<std::unique_ptr<Stage>(const Parameters&)>;
   using MakeVariant = std::function<std::unique_ptr<Variant>(const Parameters&)>;

@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "catena/core/export.h"
 #include "catena/core/host_device.h"
 #include "catena/core/pair.h"
 
 namespace catena {
 
 /// Consecutive spheres of a chain: begin <= i < end. By default all of them.
-struct SphereRange {
+struct CATENA_API SphereRange {
   std::uint32_t begin = 0, end = 0xFFFFFFFFu;
 
   CATENA_HD bool contains(std::uint32_t i) const { return begin <= i && i < end; }
@@ -22,7 +23,7 @@ struct SphereRange {
 };
 
 /// What the caller wants to know. Asking for less lets a strategy leave work out.
-struct Request {
+struct CATENA_API Request {
   enum class Want {
     any,     ///< only whether anything collides: the search may stop at the first pair
     counts,  ///< collisions of each sphere (the paper's output array)
@@ -39,7 +40,7 @@ struct Request {
 };
 
 /// The answer. Reused from call to call, so that its memory is too.
-struct Collisions {
+struct CATENA_API Collisions {
   bool found = false;                ///< at least one pair; the only member that Want::any fills
   std::uint64_t pair_count = 0;      ///< colliding pairs, each counted once
   std::vector<std::uint32_t> count;  ///< n entries: collisions of each sphere; 0 outside of Request::queries

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/export.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/pair.h"
 #include "catena/core/strategy/request.h"
@@ -11,13 +12,13 @@ namespace catena {
 using StreamHandle = void*;
 
 /// How a resident search went; lies on the device, and is written by the search alone.
-struct ResidentState {
+struct CATENA_API ResidentState {
   unsigned long long found;  ///< pairs found, each once: the true number, also where the buffer was too small
   std::uint32_t overflow;    ///< not 0: something was lost for want of room, and the search must be run again
 };
 
 /// Where a resident search leaves its answer: plain pointers on the device, the caller's memory.
-struct ResidentAnswer {
+struct CATENA_API ResidentAnswer {
   std::uint32_t* count;    ///< n counts; nullptr under Want::any
   Pair* pairs;             ///< nullptr unless pairs are wanted
   std::uint64_t capacity;  ///< of `pairs`; what is found beyond it is counted and sets `overflow`
@@ -32,7 +33,7 @@ struct ResidentAnswer {
 ///     search.enqueue_find(chain, request, answer, stream);
 ///     ... later, when the stream is done and `state` was read:
 ///     if (state.overflow) search.mend(state), give room for state.found pairs, and enqueue the find again
-class ResidentSearch {
+class CATENA_API ResidentSearch {
  public:
   virtual ~ResidentSearch() = default;
   /// Stage 1 on a chain whose pointers are all of the device (Device::to_device makes one). Throws

@@ -1,6 +1,7 @@
 #pragma once
 #include <stdexcept>
 
+#include "catena/core/export.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/hierarchy.h"
 #include "catena/core/strategy/evidence.h"
@@ -14,7 +15,7 @@ namespace catena {
 /// One of the two stages of a strategy. A construction and a traversal combine when they make and take the
 /// same Tree type: plain pointers, valid in one memory, with `height`, its levels from root to leaf, and a
 /// function show_bounds(tree, visitor) beside it.
-class Stage {
+class CATENA_API Stage {
  public:
   virtual ~Stage() = default;
   /// Like Variant::prepare.
@@ -25,7 +26,7 @@ class Stage {
 
 /// Stage 1 of the paper's two-stage strategies: a chain becomes a hierarchy, in the stage's own place.
 template <class Tree>
-class Construction : public Stage {
+class CATENA_API Construction : public Stage {
  public:
   /// On the host: builds the hierarchy, which stays valid until the next build. Does not allocate when n has
   /// not grown. Throws CapacityError past a declared limit on n.
@@ -44,7 +45,7 @@ class Construction : public Stage {
 
 /// Stage 2: a chain and its hierarchy, both in the stage's own place, become collisions.
 template <class Tree>
-class Traversal : public Stage {
+class CATENA_API Traversal : public Stage {
  public:
   /// On the host: fills `result`.
   virtual void find(const ChainView&, const Tree&, const Request&, Collisions&) {

@@ -1,18 +1,20 @@
 #pragma once
 #include <chrono>
 
+#include "catena/core/export.h"
+
 namespace catena {
 
 /// Milliseconds of the last build or update and of the last find. Host stages are wall time; device stages
 /// are CUDA events around the kernels. Moves between memories are never part of a stage.
-struct Timings {
+struct CATENA_API Timings {
   double build_ms = 0;
   double find_ms = 0;
   double transfer_ms = 0;
 };
 
 /// Wall clock of one stage.
-class Stopwatch {
+class CATENA_API Stopwatch {
  public:
   double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
 

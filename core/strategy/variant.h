@@ -1,6 +1,7 @@
 #pragma once
 #include <stdexcept>
 
+#include "catena/core/export.h"
 #include "catena/core/chain/chain.h"
 #include "catena/core/hierarchy/bounds_visitor.h"
 #include "catena/core/strategy/evidence.h"
@@ -16,7 +17,7 @@ class ResidentSearch;
 /// One complete way from chain to collisions; the only contract that the rest of catena knows. A hierarchy,
 /// if there is one, is the strategy's own affair. Buffers belong to the variant and are reused. Not
 /// thread-safe: one object, one thread at a time.
-class Variant {
+class CATENA_API Variant {
  public:
   virtual ~Variant() = default;
 

@@ -4,20 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "catena/core/strategy/parameters.h"
+#include "catena/core/export.h"
+#include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/place.h"
 #include "catena/core/strategy/variant_name.h"
 
 namespace catena {
 
 /// What a strategy promises beyond what all do; the properties hold it to that.
-struct Promises {
+struct CATENA_API Promises {
   bool same_bits = false;   ///< update leaves bounds bit for bit those of build
   bool same_order = false;  ///< pairs come in the same order, whatever the number of threads
 };
 
 /// What a strategy file says of itself.
-struct StrategyInfo {
+struct CATENA_API StrategyInfo {
   std::string
       name;  ///< as in the paper: "aCPU2"; with "@host" when a device algorithm is run by the host executor
   std::string summary;  ///< one line for `catena list`
@@ -34,14 +35,14 @@ struct StrategyInfo {
 };
 
 /// How a variant computes.
-struct ArithmeticInfo {
+struct CATENA_API ArithmeticInfo {
   std::string name;  ///< "robust", "literal", "double", or the strategy's own
   bool exact =
       true;  ///< its pair set is that of exact real arithmetic; otherwise it may miss and invent pairs
 };
 
 /// One complete variant: everything that others need to know of it without running it.
-struct VariantInfo {
+struct CATENA_API VariantInfo {
   std::string name;           ///< what StrategyRegistry::make takes: parts.text()
   VariantName parts;          ///< its stages with their settings
   std::vector<Place> places;  ///< of each stage

@@ -3,16 +3,18 @@
 #include <string_view>
 #include <vector>
 
+#include "catena/core/export.h"
+
 namespace catena {
 
 /// A parameter and its value, as written.
-struct Setting {
+struct CATENA_API Setting {
   std::string key, value;
   friend bool operator==(const Setting&, const Setting&) = default;
 };
 
 /// One stage of a variant's name, "aGPU2@host(subtree=6,block=2)".
-struct StageName {
+struct CATENA_API StageName {
   std::string strategy;  ///< as registered: "aGPU2@host"
   std::vector<Setting> settings = {};
 
@@ -30,7 +32,7 @@ struct StageName {
 
 /// The name of a variant taken apart: what `make` takes, and what everything else prints, compares and
 /// changes. Nothing here says whether there is such a variant; StrategyRegistry::describe does.
-struct VariantName {
+struct CATENA_API VariantName {
   std::vector<StageName> stages;  ///< one, complete in itself, or construction and traversal
   std::string arithmetic = {};    ///< as written; empty: not written, the strategy's usual one
 

@@ -6,7 +6,7 @@ file(GLOB targets CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/properties/fuzz_target
 foreach(source ${targets})
   get_filename_component(name ${source} NAME_WE)
   add_executable(${name} ${source})
-  target_link_libraries(${name} PRIVATE catena catena_options)
+  target_link_libraries(${name} PRIVATE catena_program)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 endforeach()

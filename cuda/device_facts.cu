@@ -1,8 +1,9 @@
+#include "catena/cuda/device_facts.h"
+
 #include <cuda_runtime.h>
 
 #include <fstream>
 
-#include "catena/core/environment.h"
 #include "catena/cuda/call.h"
 #include "catena/cuda/device.h"
 
@@ -13,7 +14,9 @@ std::string version(int number) {
   return std::to_string(number / 1000) + "." + std::to_string(number % 1000 / 10);
 }
 
-const RegisterEnvironment registered([] {
+}  // namespace
+
+std::map<std::string, std::string> device_facts() {
   std::map<std::string, std::string> facts{{"cuda toolkit", version(CUDART_VERSION)}};
   if (const auto why = unavailable()) {
     facts["gpu unavailable"] = *why;
@@ -31,7 +34,6 @@ const RegisterEnvironment registered([] {
   for (std::string line; std::getline(driver_file, line);)
     if (line.starts_with("NVRM version:")) facts["gpu driver"] = line.substr(line.find(':') + 2);
   return facts;
-});
+}
 
-}  // namespace
 }  // namespace catena::cuda

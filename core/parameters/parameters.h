@@ -5,17 +5,19 @@
 #include <string_view>
 #include <vector>
 
+#include "catena/core/export.h"
+
 namespace catena {
 
 /// One parameter of a strategy or scene.
-struct ParameterInfo {
+struct CATENA_API ParameterInfo {
   std::string name, default_value, meaning;
 };
 
 /// key=value parameters as written by the user, over declared defaults. Values are read with their type; a
 /// value that does not parse or lies outside its range is an InputError that names owner, key, value and
 /// range.
-class Parameters {
+class CATENA_API Parameters {
  public:
   Parameters() = default;
   /// `text` is "key=value,key=value" or empty. Throws InputError for an unknown, repeated or malformed key.

@@ -1,4 +1,4 @@
-#include "catena/core/strategy/parameters.h"
+#include "catena/core/parameters/parameters.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,9 +35,7 @@ Parameters::Parameters(std::string owner, const std::vector<ParameterInfo>& decl
   }
 }
 
-bool Parameters::given(const std::string& key) const {
-  return std::ranges::find(given_, key) != given_.end();
-}
+bool Parameters::given(const std::string& key) const { return std::ranges::find(given_, key) != given_.end(); }
 
 const std::string& Parameters::value(const std::string& key) const {
   const auto found = values_.find(key);
@@ -49,8 +47,7 @@ void Parameters::refuse(const std::string& key, const std::string& wanted) const
   throw InputError(fmt::format("{}: {}={} must be {}", owner_, key, value(key), wanted));
 }
 
-std::uint64_t Parameters::unsigned_integer(const std::string& key, std::uint64_t least,
-                                           std::uint64_t greatest) const {
+std::uint64_t Parameters::unsigned_integer(const std::string& key, std::uint64_t least, std::uint64_t greatest) const {
   const std::string& text = value(key);
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

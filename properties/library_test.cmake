@@ -1,0 +1,53 @@
+# cmake -DLIBRARY=libcatena.so -DNM=nm -DREADELF=readelf [-DSANITIZE=...] -P library_test.cmake
+# Prints what libcatena.so weighs, shows and needs. It shows names of catena alone, none of its arithmetic, and needs
+# nothing but the C++ runtime, threads and, if built in, CUDA's.
+cmake_minimum_required(VERSION 3.25)
+
+function(lines_of out)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE "[];[]" "." text "${text}")  # these three would be read as list syntax
+  string(REPLACE "\n" ";" lines "${text}")
+  list(REMOVE_ITEM lines "")
+  set(${out} ${lines} PARENT_SCOPE)
+endfunction()
+
+file(SIZE ${LIBRARY} size)
+message("${LIBRARY}: ${size} bytes")
+
+lines_of(symbols ${NM} -D --defined-only ${LIBRARY})
+lines_of(readable ${NM} -DC --defined-only ${LIBRARY})
+list(LENGTH symbols count)
+message("${count} symbols are exported:")
+foreach(line ${readable})
+  message("  ${line}")
+endforeach()
+if(NOT symbols MATCHES "_ZN6catena16StrategyRegistry8instanceEv")
+  message(FATAL_ERROR "StrategyRegistry::instance() is not exported, or ${NM} says nothing")
+endif()
+foreach(line ${symbols})
+  if(NOT line MATCHES "^[0-9a-f]+ . _Z(N|NK|TVN|TIN|TSN)6catena")
+    list(APPEND leaked ${line})
+  elseif(line MATCHES " _ZNK?6catena(6Robust|7Literal|6Double|13PaperFormulas|9ExactSign|6policy|11make_parent)")
+    list(APPEND leaked ${line})  # a consumer's own copy would take its place, or the library's the consumer's
+  endif()
+endforeach()
+
+lines_of(dynamic ${READELF} -d ${LIBRARY})
+list(FILTER dynamic INCLUDE REGEX "NEEDED")
+if(NOT dynamic)
+  message(FATAL_ERROR "${READELF} names no library that ${LIBRARY} needs, not even the C library")
+endif()
+foreach(line ${dynamic})
+  string(REGEX REPLACE ".*: *\\.(.*)\\." "\\1" name "${line}")
+  message("needs ${name}")
+  if(SANITIZE AND name MATCHES "^lib(asan|ubsan|tsan)\\.")
+    continue()
+  endif()
+  if(NOT name MATCHES "^(libstdc\\+\\+|libm|libgcc_s|libc|libpthread|libcudart|ld-linux[^.]*)\\.so")
+    list(APPEND leaked "needs ${name}")
+  endif()
+endforeach()
+if(leaked)
+  list(JOIN leaked "\n  " leaked)
+  message(FATAL_ERROR "not the library's to show or to need:\n  ${leaked}")
+endif()
