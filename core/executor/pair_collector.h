@@ -56,21 +56,22 @@ class PairCollector {
         keep_counts_(!any_only_),
         pairs_wanted_(request.want == Request::Want::pairs),
         keep_pairs_(pairs_wanted_),
-        stores_(lanes - 1) {
+        stores_(lanes - 1),
+        first_(*this, result.pairs) {
     result.found = false;
     result.pair_count = 0;
     result.pairs.clear();
     result.count.assign(keep_counts_ ? n : 0, 0);
-    lanes_.reserve(lanes);
-    lanes_.emplace_back(*this, result.pairs);
-    for (auto& store : stores_) lanes_.emplace_back(*this, store);
+    others_.reserve(stores_.size());
+    for (auto& store : stores_) others_.emplace_back(*this, store);
   }
 
-  Lane& lane(unsigned k) { return lanes_[k]; }
+  Lane& lane(unsigned k) { return k == 0 ? first_ : others_[k - 1]; }
 
   /// Call once when all lanes are done. Throws PairLimitExceeded when pairs were wanted and there are too many.
   void finish() {
-    for (Lane& lane : lanes_) lane.share();
+    first_.share();
+    for (Lane& lane : others_) lane.share();
     const std::uint64_t found = found_.load();
     result_.found = found > 0;
     if (any_only_) return;
@@ -89,7 +90,8 @@ class PairCollector {
   std::atomic<bool> keep_pairs_;  // false once the limit is passed
   std::atomic<std::uint64_t> found_{0};
   std::vector<std::vector<Pair>> stores_;
-  std::vector<Lane> lanes_;
+  Lane first_;  // apart, so that one lane allocates nothing once the result is warm
+  std::vector<Lane> others_;
 };
 
 }  // namespace catena

@@ -36,9 +36,9 @@ class Variant {
   /// Stage 1 again for the same spheres, moved. Gives what build would, and does not allocate once warm.
   virtual void update(const Chain& moved) { build(moved); }
 
-  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; the pair set is
-  /// that of the strategy's arithmetic. Throws PairLimitExceeded with the true number, and leaves `result`
-  /// without pairs.
+  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; one host thread allocates
+  /// nothing when variant and `result` have held as much before. The pair set is that of the strategy's arithmetic.
+  /// Throws PairLimitExceeded with the true number, and leaves `result` without pairs.
   virtual void find(const Chain& chain, const Request& request, Collisions& result) = 0;
 
   virtual Timings timings() const = 0;
