@@ -37,6 +37,9 @@ int run(int argc, char** argv) {
     fmt::print("{}", text.str());
     return code;
   } catch (const CLI::ParseError& wrong) {
+    const auto unknown = app.remaining();
+    if (app.get_subcommands().empty() && !unknown.empty())
+      throw catena::InputError(fmt::format("no command is named '{}'; see catena --help", unknown.front()));
     throw catena::InputError(fmt::format("{}; see catena --help", wrong.what()));
   }
   return chosen();

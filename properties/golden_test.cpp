@@ -78,6 +78,9 @@ std::vector<Row> read_golden() {
   return rows;
 }
 
+/// A rope is simulated by Eigen, whose sums depend on the machine's vectors: it is not in the golden file.
+bool is_simulated(const std::string& input) { return input.starts_with("rope:"); }
+
 void write_golden() {
   std::ofstream out(golden_file());
   out << "# input, hash of its floats, pairs, hash of the pair set; written by golden_test.cpp\n";
@@ -93,9 +96,6 @@ void write_golden() {
 bool uses_sines(const std::string& input) {
   return input.starts_with("family coil ") || input.starts_with("family knot ");
 }
-
-/// A rope is simulated by Eigen, whose sums depend on the machine's vectors: it is not in the golden file.
-bool is_simulated(const std::string& input) { return input.starts_with("rope:"); }
 
 /// Every chain with its row. A simulated one, and one that this machine's sines make other floats of, has the
 /// reference's own answer instead; all others have the golden file's floats on every machine.

@@ -80,7 +80,7 @@ TEST_F(Program, SaysWhatItIs) {
 
 TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("", "A subcommand is required");
-  expect_refused("nonsense", "not expected: nonsense");
+  expect_refused("nonsense", "no command is named 'nonsense'");
   expect_refused("detect", "INPUT is required");
   expect_refused("detect nowhere", "no scene is named 'nowhere'");
   expect_refused("detect path1:x=1", "no parameter 'x'");
