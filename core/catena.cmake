@@ -15,7 +15,8 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/catena SYMBOLIC)
 
-# What every part of catena is compiled with. No contraction: host and device must round alike.
+# What every part of catena is compiled with. No contraction: host and device must round alike, and the
+# constants of robust.h are proved for operations that are rounded one by one.
 add_library(catena_options INTERFACE)
 target_compile_features(catena_options INTERFACE cxx_std_20)
 target_compile_options(catena_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -ffp-contract=off>)

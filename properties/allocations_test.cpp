@@ -8,7 +8,7 @@
 #include <new>
 #include <vector>
 
-/// The test program counts its allocations, for the property "no allocation in update".
+/// The test program counts its allocations, for the property "no allocation once warm".
 namespace {
 
 thread_local std::uint64_t calls = 0;

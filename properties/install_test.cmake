@@ -47,11 +47,24 @@ endif()
 string(SUBSTRING "${rest}" 0 ${end} example)
 file(WRITE ${WORK}/example.cpp "${example}")
 
+# What README says under "Using the library", made a program.
+string(REGEX MATCH "## Using the library.*" rest "${readme}")
+string(FIND "${rest}" "```cpp\n" begin)
+string(SUBSTRING "${rest}" ${begin} -1 rest)
+string(SUBSTRING "${rest}" 7 -1 rest)
+string(FIND "${rest}" "```" end)
+if(begin LESS 1 OR end LESS 1)
+  message(FATAL_ERROR "README does not show how to use the library")
+endif()
+string(SUBSTRING "${rest}" 0 ${end} library_example)
+configure_file(${SOURCE}/properties/consumer/library_example.cpp.in ${WORK}/library_example.cpp @ONLY)
+
 set(configure ${CMAKE_COMMAND} -S ${SOURCE}/properties/consumer -DCMAKE_BUILD_TYPE=Release
-    -DEXTRA_SOURCES=${WORK}/example.cpp "-DCMAKE_CXX_FLAGS=-march=native ${FLAGS}")
+    -DEXTRA_SOURCES=${WORK}/example.cpp -DLIBRARY_EXAMPLE=${WORK}/library_example.cpp "-DCMAKE_CXX_FLAGS=-march=native ${FLAGS}")
 run(${configure} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=program)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer CPU1 aCPU2+CPU2 aGPU2@host+GPUv2@host Sweep)
+run(${WORK}/build/library_example)
 run(${WORK}/prefix/bin/catena --version)
 
 # The library and the library's headers compiled elsewhere give the same trees and pairs; with contraction they do not.

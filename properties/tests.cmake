@@ -1,6 +1,5 @@
-# Every *_test.cpp of the tree is part of one test program; a new one is found with no edit here. A test whose
-# suite name ends in "Long" gets the label `long` and is left out of the fast suite (ctest -LE long). A test of the
-# instantiation "Device" runs device variants and gets the label `gpu` (ctest -L gpu); without a device it is skipped.
+# Every *_test.cpp of the tree is part of one test program; a new one is found with no edit here. labels.cmake says which
+# tests carry a label: `long` is left out of the fast suite, `gpu` needs a device and is skipped without one.
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 include(GoogleTest)
@@ -17,9 +16,16 @@ target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOU
 target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
 add_dependencies(catena_tests catena_cli)  # tests run the program too
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-gtest_discover_tests(catena_tests TEST_FILTER "-*Long.*:Device*" PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
-gtest_discover_tests(catena_tests TEST_FILTER "Device*" TEST_SUFFIX " (gpu)" PROPERTIES LABELS gpu TIMEOUT 300 DISCOVERY_TIMEOUT 120)
-gtest_discover_tests(catena_tests TEST_FILTER "*Long.*" TEST_SUFFIX " (long)" PROPERTIES LABELS long TIMEOUT 3600 DISCOVERY_TIMEOUT 120)
+gtest_discover_tests(catena_tests PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
+set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/properties/labels.cmake)
+
+# ThreadSanitizer needs the tests about threads only, and so a quarter of the build.
+if(CATENA_SANITIZE MATCHES thread)
+  file(GLOB threads_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/executor/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/threads_test.cpp)
+  add_executable(catena_threads_tests ${threads_tests})
+  target_link_libraries(catena_threads_tests PRIVATE catena_program GTest::gtest_main rapidcheck)
+  gtest_discover_tests(catena_threads_tests TEST_PREFIX threads. PROPERTIES LABELS threads TIMEOUT 600 DISCOVERY_TIMEOUT 120)
+endif()
 
 # Each header of the library compiles alone, and twice: a header that does not fails the build of the tests.
 foreach(header ${CATENA_LIBRARY_HEADERS})
@@ -44,6 +50,7 @@ endif()
 add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
          -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} "-DFOLDERS=${CATENA_LIBRARY_FOLDERS}"
          -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
+set_tests_properties(install.find_package PROPERTIES LABELS install)
 
 if(CATENA_COVERAGE)
   include(${PROJECT_SOURCE_DIR}/properties/coverage.cmake)

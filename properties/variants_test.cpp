@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "catena/core/readers/chain_format.h"
+#include "catena/properties/declared_limit.h"
 #include "catena/properties/generators/family.h"
 #include "catena/properties/generators/simplifications.h"
 #include "catena/properties/suite.h"
@@ -54,25 +55,42 @@ std::string explain(const Suite& suite, const Finding& finding, const Chain& cha
   return text.str();
 }
 
+/// `refused` of the checks on a chain of n spheres were refused: none, but for a declared limit, and some
+/// past it.
+void expect_refusals(const std::optional<DeclaredLimit>& limit, std::uint32_t n, std::uint64_t refused) {
+  if (!may_refuse(limit, n)) {
+    EXPECT_EQ(refused, 0u) << "refuses " << n << " spheres, which it declares to take";
+  } else if (n <= limit->takes) {
+    EXPECT_LE(refused, 1u) << "only subdivision asks of more than " << n << " spheres";
+  } else if (n > limit->refuses_past) {
+    EXPECT_GT(refused, 0u) << "takes " << n << " spheres, which is past its declared limit";
+  }
+}
+
 class Variants : public testing::TestWithParam<Subject> {};
 
 TEST_P(Variants, HoldEveryPropertyOnEveryFamily) {
   const Subject& subject = GetParam();
   if (subject.info.unavailable) GTEST_SKIP() << *subject.info.unavailable;
   Suite suite({subject});
-  std::uint64_t seed = 0;
+  const auto limit = declared_limit(subject);
+  std::uint64_t seed = 0, taken = 0;
   for (const Family& family : FamilyRegistry::instance().families())
     for (std::uint32_t round = 0; round < rounds; ++round) {
       Dice dice(++seed);
       const Case test = Case::of(generate(family, dice, size_of(family, round)));
+      const std::uint64_t refused_before = suite.tally().refusals;
       if (const auto finding = suite.check(test)) {
         ADD_FAILURE() << family.name << ", seed " << seed << ": " << explain(suite, *finding, test.chain);
         break;
       }
+      const std::uint64_t refused = suite.tally().refusals - refused_before;
+      expect_refusals(limit, test.chain.size(), refused);
+      taken += refused == 0;
     }
   const auto& tally = suite.tally();
   EXPECT_GT(tally.checks, tally.chains);
-  EXPECT_LT(tally.refusals, tally.checks) << "refuses everything";
+  EXPECT_GT(taken, FamilyRegistry::instance().families().size()) << "refuses too much to be tested";
   RecordProperty("checks", static_cast<int>(tally.checks));
 }
 

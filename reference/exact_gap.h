@@ -37,7 +37,7 @@ int gap_sign(const Sphere& a, const Sphere& b) noexcept;
 /// The same from integers alone, without the binary64 estimate; what the estimate is tested against.
 int gap_sign_by_integers(const Sphere& a, const Sphere& b) noexcept;
 
-/// True when the spheres overlap or touch: the definition of design.md.
+/// True when the spheres overlap or touch, |cA - cB|^2 <= (rA + rB)^2: the only definition (README, What it is).
 inline bool overlap(const Sphere& a, const Sphere& b) noexcept { return gap_sign(a, b) <= 0; }
 
 /// |q - t| / t, rounded once, to nearest: how far a pair is from changing its mind. 0 for touching spheres.

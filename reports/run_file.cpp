@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
 
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
+#include "catena/core/output_file.h"
 #include "catena/core/strategy/timings.h"
 #include "catena/reports/section.h"
 
@@ -71,15 +68,7 @@ Json measure_run(const Profile& profile, const std::string& command) {
 }
 
 void write_run(const Json& run, const std::string& file) {
-  const std::string unfinished = file + ".unfinished";
-  {
-    std::ofstream out(unfinished, std::ios::binary);
-    out << run.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
-    out.close();
-    if (!out) throw InputError(fmt::format("cannot write {}: {}", unfinished, std::strerror(errno)));
-  }
-  if (std::rename(unfinished.c_str(), file.c_str()) != 0)
-    throw InputError(fmt::format("cannot write {}: {}", file, std::strerror(errno)));
+  write_file(file, run.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace catena::reports

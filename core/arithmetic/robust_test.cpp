@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "catena/core/arithmetic/paper_formulas.h"
+#include "catena/reference/enclosure.h"
 
 namespace catena {
 namespace {
@@ -49,15 +51,24 @@ TEST(Robust, TheEndsOfTheRange) {
   EXPECT_TRUE(Robust::overlap({-largest, 0, 0, largest}, {0, 0, 0, denormal}));
 }
 
-TEST(Robust, ParentsAreFiniteOrEncloseEverything) {
-  const float values[] = {0, denormal, 1e-30f, 1, 1e30f, largest, -largest};
+/// Judged by the reference, in exact arithmetic. An infinite radius encloses everything, but may be given
+/// only where no finite one can enclose both.
+TEST(Robust, ParentsEncloseBothChildrenFromEndToEndOfTheRange) {
+  const auto exactly = [](const Sphere& s) { return Sphere64{s.x, s.y, s.z, s.radius}; };
+  const float values[] = {0, denormal, 1e-30f, 1, 0x1.000002p0f, 1e30f, largest, -largest};
   for (float x : values)
     for (float y : values)
       for (float ra : {0.0f, denormal, 1.0f, largest})
         for (float rb : {0.0f, denormal, 1.0f, largest}) {
-          const Sphere parent = Robust::parent({x, 0, y, ra}, {y, x, 0, rb});
+          const Sphere a{x, 0, y, ra}, b{y, x, 0, rb}, parent = Robust::parent(a, b);
           EXPECT_TRUE(std::isfinite(parent.x) && std::isfinite(parent.y) && std::isfinite(parent.z));
-          EXPECT_FALSE(std::isnan(parent.radius));
+          EXPECT_TRUE(reference::encloses(exactly(parent), exactly(a)))
+              << x << ' ' << y << ' ' << ra << ' ' << rb;
+          EXPECT_TRUE(reference::encloses(exactly(parent), exactly(b)))
+              << x << ' ' << y << ' ' << ra << ' ' << rb;
+          const float far = std::max({std::fabs(x), std::fabs(y), ra, rb});
+          EXPECT_TRUE(far > largest / 8 || std::isfinite(parent.radius))
+              << x << ' ' << y << ' ' << ra << ' ' << rb;
         }
 }
 

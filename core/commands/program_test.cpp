@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,9 +36,14 @@ class Program : public testing::Test {
   ~Program() override { std::filesystem::remove_all(folder_); }
 
   Outcome run(const std::string& arguments) const {
+    return shell("catena " + arguments + " > '" + file("out") + "'");
+  }
+  /// A line of the shell, in which the program is called catena.
+  Outcome shell(const std::string& line) const {
     const std::string out = file("out"), err = file("err");
+    std::ofstream(out).close();
     const std::string command =
-        std::string("'") + CATENA_PROGRAM + "' " + arguments + " > '" + out + "' 2> '" + err + "'";
+        std::string("catena() { '") + CATENA_PROGRAM + "' \"$@\"; }; exec 2> '" + err + "'; " + line;
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out) + text_of(err)};
   }
@@ -66,14 +72,16 @@ const std::string examples = std::string(CATENA_SOURCE_DIR) + "/core/readers/exa
 
 TEST_F(Program, SaysWhatItIs) {
   expect_says("--help", 0, {"detect", "verify", "fuzz", "list"});
-  expect_says("--version", 0, {"."});
+  const Outcome version = run("--version");
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.output, CATENA_VERSION "\n");
   expect_says("detect --help", 0, {"--variant", "--frame", "--pairs"});
 }
 
 TEST_F(Program, RefusesBadUsageInOneLine) {
-  expect_refused("", "--help");
-  expect_refused("nonsense", "--help");
-  expect_refused("detect", "INPUT");
+  expect_refused("", "A subcommand is required");
+  expect_refused("nonsense", "no command is named 'nonsense'");
+  expect_refused("detect", "INPUT is required");
   expect_refused("detect nowhere", "no scene is named 'nowhere'");
   expect_refused("detect path1:x=1", "no parameter 'x'");
   expect_refused("detect path1:n=10 --frame 99", "there is no frame 99");
@@ -83,7 +91,7 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect path1:n=10 --counts-only --pairs p.csv", "--counts-only");
   expect_refused("detect path1:n=10 --radius wide", "--radius wide");
   expect_refused("detect path1:n=10 --radius -1", "--radius -1");
-  expect_refused("detect path1:n=10 --window 2 --arc-window 1", "--help");
+  expect_refused("detect path1:n=10 --window 2 --arc-window 1", "excludes");
   expect_refused("detect path1:n=10 --window 0", "window");
   expect_refused("detect path1:n=3000 --variant bGPU2@host+CPU2", "aGPU2");
   expect_refused("detect coincident:n=200 --pair-limit 5", "5");
@@ -121,6 +129,65 @@ TEST_F(Program, WritesPairsAndCounts) {
   EXPECT_EQ(std::ranges::count(pair_text, '\n'), 813);
   EXPECT_TRUE(count_text.starts_with("frame,sphere,count\n0,0,")) << count_text.substr(0, 40);
   EXPECT_EQ(std::ranges::count(count_text, '\n'), 61);
+}
+
+/// Of a name that is not a regular file, the thing stays, and gets the text.
+TEST_F(Program, WritesThroughWhatIsNoRegularFile) {
+  const std::string csv = "frame,sphere,count\n0,0,1\n0,1,0\n0,2,1\n",
+                    scene = "detect coincident:n=3 --counts ";
+  const Outcome both = run(scene + "/dev/stdout --any");
+  EXPECT_EQ(both.code, 2) << "--any counts nothing";
+  const Outcome printed = run(scene + "/dev/stdout");
+  EXPECT_EQ(printed.code, 0);
+  EXPECT_NE(printed.output.find(csv), std::string::npos) << printed.output;
+  EXPECT_NE(printed.output.find("1 pairs, at most 1 a sphere"), std::string::npos) << printed.output;
+
+  const std::string fifo = file("fifo"), read = file("read"), link = file("link");
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  EXPECT_EQ(shell("cat '" + fifo + "' > '" + read + "' & catena " + scene + "'" + fifo + "'; wait").code, 0);
+  EXPECT_TRUE(std::filesystem::is_fifo(fifo));
+  EXPECT_EQ(text_of(read), csv);
+
+  std::filesystem::create_symlink("read", link);
+  expect_says(scene + "'" + link + "' --window 2", 0, {"0 pairs"});
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(text_of(read), "frame,sphere,count\n0,0,0\n0,1,0\n0,2,0\n");
+
+  std::filesystem::create_symlink("/dev/full", file("full"));
+  expect_says(scene + "'" + file("full") + "'", 2,
+              {"cannot write " + file("full") + ": No space left on device"});
+  EXPECT_TRUE(std::filesystem::is_symlink(file("full")));
+}
+
+TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
+  for (const std::string command :
+       {"list", "list --json", "--help", "--version", "detect path1:n=10",
+        "detect path1:n=10 --frame all --json", "verify path1:n=10 --variant CPU1 --no-fcl", "fuzz --cases 3",
+        "margins path1:n=10"}) {
+    const Outcome full = shell("catena " + command + " > /dev/full");
+    EXPECT_EQ(full.code, 2) << command;
+    EXPECT_EQ(full.output, "catena: cannot write the output: No space left on device\n") << command;
+  }
+  const Outcome closed = shell("catena detect coincident:n=60 --pairs '" + file("p.csv") + "' >&-");
+  EXPECT_EQ(closed.code, 2);
+  EXPECT_EQ(closed.output, "catena: cannot write the output: Bad file descriptor\n");
+  EXPECT_EQ(std::ranges::count(text_of(file("p.csv")), '\n'), 813) << "what is printed got into the table";
+}
+
+TEST_F(Program, EndsQuietlyWhenNobodyReadsOn) {
+  const Outcome left = shell(
+      "{ catena detect path1:n=3000 --frame all --json; echo $? >&2; } | head -c 1 > '" + file("out") + "'");
+  EXPECT_EQ(left.output, "{2\n");
+}
+
+TEST_F(Program, LeavesNothingBehindWhenAFileCannotBeWrittenToItsEnd) {
+  const std::string folder = file("tables");
+  std::filesystem::create_directories(folder);
+  const Outcome cut =
+      shell("cd '" + folder + "'; ulimit -f 1; catena detect coincident:n=100 --pairs p --counts c");
+  EXPECT_EQ(cut.code, 2);
+  EXPECT_TRUE(cut.output.ends_with("catena: cannot write p: File too large\n")) << cut.output;
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 TEST_F(Program, ReadsFilesWithAndWithoutRadii) {

@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <charconv>
-#include <fstream>
 #include <ostream>
+#include <string>
 
 #include "catena/core/error.h"
+#include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
 
 namespace catena {
@@ -25,9 +24,9 @@ void append_line(std::string& line, Number first, More... more) {
   line += '\n';
 }
 
-}  // namespace
-
-void write_chain(std::ostream& out, const Chain& chain) {
+/// Hands the text to `write`, strand by strand.
+template <class Write>
+void write_text(const Chain& chain, const Write& write) {
   const Exclusion& exclusion = chain.exclusion();
   std::string text = "catena-chain 1\n";
   const bool by_index = exclusion.rule == Exclusion::Rule::index_window;
@@ -40,7 +39,7 @@ void write_chain(std::ostream& out, const Chain& chain) {
     append_line(text, strands.first[s + 1] - strands.first[s]);
     for (std::uint32_t i = strands.first[s]; i < strands.first[s + 1]; ++i)
       append_line(text, chain[i].x, chain[i].y, chain[i].z, chain[i].radius);
-    out << text;
+    write(text);
     text.clear();
   }
   if (!exclusion.extra_pairs.empty()) {
@@ -48,17 +47,20 @@ void write_chain(std::ostream& out, const Chain& chain) {
     append_line(text, exclusion.extra_pairs.size());
     for (const Pair& pair : exclusion.extra_pairs) append_line(text, pair.i, pair.j);
   }
-  out << text << "end\n";
+  write(text += "end\n");
+}
+
+}  // namespace
+
+void write_chain(std::ostream& out, const Chain& chain) {
+  write_text(chain, [&](const std::string& text) { out << text; });
   if (!out) throw InputError("a chain cannot be written: the output does not take it all");
 }
 
-void write_chain(const std::filesystem::path& file, const Chain& chain) {
-  std::ofstream out(file, std::ios::binary);
-  if (!out) throw InputError(fmt::format("{}: cannot be opened for writing", file.string()));
-  write_chain(out, chain);
-  out.close();
-  if (!out)
-    throw InputError(fmt::format("{}: cannot be written to its end; is the disk full?", file.string()));
+void write_chain(const std::filesystem::path& name, const Chain& chain) {
+  OutputFile file(name);
+  write_text(chain, [&](const std::string& text) { file.write(text); });
+  file.close();
 }
 
 }  // namespace catena

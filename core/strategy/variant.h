@@ -37,9 +37,10 @@ class CATENA_API Variant {
     build(chain);
   }
 
-  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; the pair set is
-  /// that of the strategy's arithmetic. Throws PairLimitExceeded with the true number, and leaves `result`
-  /// without pairs. Throws std::logic_error when there was no such build and one is needed.
+  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; one host thread allocates
+  /// nothing when variant and `result` have held as much before. The pair set is that of the strategy's arithmetic.
+  /// Throws PairLimitExceeded with the true number, and leaves `result` without pairs. Throws std::logic_error when
+  /// there was no such build and one is needed.
   virtual void find(const Chain& chain, const Request& request, Collisions& result) = 0;
 
   virtual Timings timings() const = 0;

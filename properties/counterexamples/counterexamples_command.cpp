@@ -3,12 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "catena/core/commands/command.h"
-#include "catena/core/error.h"
+#include "catena/core/output_file.h"
 #include "catena/properties/counterexamples/search.h"
 #include "catena/properties/fuzz/failure_store.h"
 
@@ -60,10 +59,7 @@ class CounterexamplesCommand final : public Command {
     std::error_code failed;
     std::filesystem::create_directories(out_, failed);
     const auto path = std::filesystem::path(out_) / file_name_of(counterexample);
-    std::ofstream file(path, std::ios::binary);
-    file << text_of(counterexample);
-    file.close();
-    if (!file) throw InputError(fmt::format("{}: cannot be written", path.string()));
+    write_file(path, text_of(counterexample));
   }
 
   void replay(const std::string& arithmetic) const {

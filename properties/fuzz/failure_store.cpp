@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <fstream>
 #include <sstream>
 
-#include "catena/core/error.h"
+#include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
 #include "catena/core/readers/reader.h"
 
@@ -37,13 +36,10 @@ std::filesystem::path store(const std::filesystem::path& folder, const Fuzzer::C
   std::filesystem::create_directories(folder, failed);
   const auto path = folder / fmt::format("{}-{}-{:08x}.chain", as_file_name(f.property),
                                          as_file_name(f.variant), hash(chain.str()));
-  std::ofstream out(path, std::ios::binary);
-  out << fmt::format("# {}: {}\n# first seen: {}\n# family {}, seed {}, case {}, shrunk from {} spheres\n",
-                     f.variant, f.property, f.what, counterexample.family, seed, counterexample.number,
-                     counterexample.found.size())
-      << chain.str();
-  out.close();
-  if (!out) throw InputError(fmt::format("{}: a failure cannot be written", path.string()));
+  write_file(path,
+             fmt::format("# {}: {}\n# first seen: {}\n# family {}, seed {}, case {}, shrunk from {} spheres\n{}",
+                         f.variant, f.property, f.what, counterexample.family, seed, counterexample.number,
+                         counterexample.found.size(), chain.str()));
   return path;
 }
 

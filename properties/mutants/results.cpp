@@ -133,5 +133,22 @@ class LostUpdate final : public WrongAnswer {
 const RegisterMutant<LostUpdate> race{"lost-update-now-and-then",
                                       "warp#588, culbvh: a race that loses a pair sometimes"};
 
+/// The same race on a counter: the pairs are all there.
+class LostCount final : public WrongAnswer {
+  void spoil(Collisions& result) override {
+    if (++searches_ % 3 == 0 && !result.pairs.empty()) --result.count[result.pairs.back().j];
+  }
+  std::uint64_t searches_ = 0;
+};
+const RegisterMutant<LostCount> lost_count{"lost-count-now-and-then",
+                                           "a counter without an atomic that loses one sometimes"};
+
+/// The answer is right, and its memory made anew each time.
+class NewBuffers final : public WrongAnswer {
+  void spoil(Collisions& result) override { result.pairs = std::vector<Pair>(result.pairs); }
+};
+const RegisterMutant<NewBuffers> new_buffers{"new-buffers-every-search",
+                                             "culbvh allocates in every search and leaves it out of the figure"};
+
 }  // namespace
 }  // namespace catena::properties

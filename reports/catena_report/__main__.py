@@ -1,5 +1,6 @@
 """python3 -m catena_report --output DIR RUN.json [...] | --compare OLD.json NEW.json"""
 import argparse
+import os
 import sys
 
 from . import compare, runfile
@@ -67,5 +68,18 @@ def _page(paths, output):
     return 0
 
 
+def written(work):
+    """The exit code that `work` gives, once all that it printed is written; 2 when it cannot be."""
+    try:
+        code = work()
+        sys.stdout.flush()
+        return code
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or the interpreter fails again at its end
+        if not isinstance(error, BrokenPipeError):
+            print(f"catena report: cannot write the output: {error.strerror}", file=sys.stderr)
+        return 2
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(written(main))

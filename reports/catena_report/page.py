@@ -6,7 +6,7 @@ import pathlib
 
 import jinja2
 
-from . import sections
+from . import sections, whole_file
 from .drawn import interactive, static
 from .figure import Figure
 from .section import Code, Heading, Prose, Raw
@@ -34,7 +34,7 @@ def write(report, output):
         [run.raw for run in report.runs] if len(report.runs) > 1 else report.runs[0].raw,
         separators=(",", ":"),
     )
-    (output / "run.json").write_text(raw, encoding="utf-8")
+    whole_file.write(output / "run.json", raw)
     library, left_out = interactive.library(), []
     if not library:
         left_out.append(
@@ -45,7 +45,7 @@ def write(report, output):
         left_out.append(f"the three-dimensional view of the chains: {viewer.missing(report)}")
     text = _render(report, built, drawings, library, left_out)
     path = output / "index.html"
-    path.write_text(text, encoding="utf-8")
+    whole_file.write(path, text)
     return path
 
 
@@ -56,13 +56,13 @@ def _write_markdown(built, path):
         tables = [block for block in section.blocks if isinstance(block, Table)]
         parts += [f"\n## {section.title}\n"] if tables else []
         parts += [f"\n**{table.title}.** {table.caption}\n\n{table.markdown()}" for table in tables]
-    path.write_text("".join(parts), encoding="utf-8")
+    whole_file.write(path, "".join(parts))
 
 
 def _draw(figure, output):
     canvas = static.draw(figure)
     text = static.svg(canvas, figure.key)
-    (output / "figures" / f"{figure.key}.svg").write_text(static.on_white(text), encoding="utf-8")
+    whole_file.write(output / "figures" / f"{figure.key}.svg", static.on_white(text))
     static.pdf(canvas, output / "figures" / f"{figure.key}.pdf")
     return static.themed(text)
 

@@ -1,7 +1,10 @@
 """A table, and the two files it becomes: CSV with every digit, LaTeX (booktabs) as shown."""
 import csv
 import dataclasses
+import io
 import re
+
+from . import whole_file
 
 
 @dataclasses.dataclass
@@ -35,10 +38,11 @@ class Table:
         ]
 
     def write_csv(self, path):
-        with open(path, "w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(self.columns)
-            writer.writerows([cell.raw for cell in row] for row in self.rows)
+        text = io.StringIO(newline="")
+        writer = csv.writer(text)
+        writer.writerow(self.columns)
+        writer.writerows([cell.raw for cell in row] for row in self.rows)
+        whole_file.write(path, text.getvalue())
 
     def markdown(self):
         lines = [self.columns, ["---"] * self.words + ["---:"] * (len(self.columns) - self.words)]
@@ -67,7 +71,7 @@ class Table:
             ]
             lines.append(" & ".join(cells) + r" \\")
         lines += [r"\bottomrule", r"\end{tabular}", r"\end{table}", ""]
-        path.write_text("\n".join(lines), encoding="utf-8")
+        whole_file.write(path, "\n".join(lines))
 
 
 SPECIAL = {

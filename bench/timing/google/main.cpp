@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "catena/bench/timing/google/benchmarks.h"
+#include "catena/core/commands/guarded_main.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/scenes/scene.h"
@@ -30,7 +31,11 @@ std::vector<std::string> take_options(int argc, char** argv, Options& options) {
   app.add_option("--n", options.sizes, "Spheres; repeatable")->allow_extra_args(false);
   app.add_flag("--flush-cache", options.flush_cache, "Empty the device's cache before every sample");
   app.set_help_flag();  // --help is Google Benchmark's
-  app.parse(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& wrong) {
+    throw InputError(wrong.what());
+  }
   auto rest = app.remaining();
   rest.insert(rest.begin(), argv[0]);
   return rest;
@@ -80,12 +85,5 @@ int run(int argc, char** argv) {
 
 /// catena_bench: Google Benchmark's own options and JSON; --benchmark_filter picks by scene/n/variant/stage.
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const CLI::ParseError& wrong) {
-    fmt::print(stderr, "catena_bench: {}\n", wrong.what());
-  } catch (const Error& error) {
-    fmt::print(stderr, "catena_bench: {}\n", error.what());
-  }
-  return 2;
+  return catena::guarded_main("catena_bench", [&] { return run(argc, argv); });
 }

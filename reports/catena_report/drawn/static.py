@@ -13,6 +13,7 @@ import matplotlib.ticker
 import numpy
 from matplotlib.path import Path
 
+from .. import whole_file
 from ..style import LIGHT
 
 MARKERS = {
@@ -287,4 +288,6 @@ NAMES = {value: name for name, value in LIGHT.items()}
 
 def pdf(canvas, path):
     with matplotlib.rc_context(RC):
-        canvas.savefig(path, format="pdf", metadata={"CreationDate": None})
+        content = io.BytesIO()
+        canvas.savefig(content, format="pdf", metadata={"CreationDate": None})
+    whole_file.write(path, content.getvalue())

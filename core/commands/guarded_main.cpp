@@ -1,0 +1,72 @@
+#include "catena/core/commands/guarded_main.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+/// Says it in one line. Not fmt::print: that throws when standard error takes nothing, and there is nobody to
+/// tell.
+int refuse(std::string_view program, std::string what) {
+  std::ranges::replace(what, '\n', ' ');
+  const std::string line = fmt::format("{}: {}\n", program, what);
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  return 2;
+}
+
+int refuse_output(std::string_view program, int reason) {
+  if (reason == EPIPE) return 2;
+  if (reason == 0) return refuse(program, "cannot write the output");  // a stream failed long ago and kept no reason
+  return refuse(program, fmt::format("cannot write the output: {}", std::strerror(reason)));
+}
+
+/// A closed standard stream would give its number to the next file that is opened, which then takes what is
+/// printed.
+void keep_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+}  // namespace
+
+int guarded_main(std::string_view program, const std::function<int()>& body) {
+  keep_standard_streams();
+  for (const int signal : {SIGPIPE, SIGXFSZ})  // a closed pipe or too long a file is an error like others
+    std::signal(signal, SIG_IGN);
+  std::clearerr(stdout);
+  try {
+    const int code = body();
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout.flush())
+      return refuse_output(program, errno);
+    return code;
+  } catch (const Error& error) {
+    return refuse(program, error.what());
+  } catch (const std::bad_alloc&) {
+    return refuse(program, "out of memory; take fewer spheres or ask for counts instead of pairs");
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout)) return refuse_output(program, error.code().value());
+    return refuse(program, error.what());
+  } catch (const std::exception& error) {
+    return refuse(program,
+                  fmt::format("internal error: {}; please report it with the command line", error.what()));
+  } catch (...) {
+    return refuse(program, "internal error of an unknown kind; please report it with the command line");
+  }
+}
+
+}  // namespace catena

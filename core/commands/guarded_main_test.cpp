@@ -1,0 +1,57 @@
+#include "catena/core/commands/guarded_main.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+struct Outcome {
+  int code;
+  std::string said;  ///< on standard error
+};
+
+Outcome of(const std::function<int()>& body) {
+  testing::internal::CaptureStderr();
+  const int code = guarded_main("program", body);
+  return {code, testing::internal::GetCapturedStderr()};
+}
+
+template <class Thrown>
+void expect_one_line(const Thrown& thrown, const std::string& line) {
+  const Outcome outcome = of([&]() -> int { throw thrown; });
+  EXPECT_EQ(outcome.code, 2) << line;
+  EXPECT_EQ(outcome.said, line + "\n");
+}
+
+TEST(GuardedMain, GivesTheExitCodeOfItsBody) {
+  for (const int code : {0, 1, 2}) {
+    const Outcome outcome = of([&] { return code; });
+    EXPECT_EQ(outcome.code, code);
+    EXPECT_EQ(outcome.said, "");
+  }
+}
+
+TEST(GuardedMain, SaysEveryExceptionInOneLine) {
+  expect_one_line(InputError("no scene\nis named so"), "program: no scene is named so");
+  expect_one_line(CapacityError("too long"), "program: too long");
+  expect_one_line(std::bad_alloc(),
+                  "program: out of memory; take fewer spheres or ask for counts instead of pairs");
+  expect_one_line(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)),
+                  "program: Resource temporarily unavailable");
+  expect_one_line(std::logic_error("find before build"),
+                  "program: internal error: find before build; please report it with the command line");
+  expect_one_line(std::runtime_error("unforeseen"),
+                  "program: internal error: unforeseen; please report it with the command line");
+  expect_one_line(7, "program: internal error of an unknown kind; please report it with the command line");
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,101 @@
+#include "catena/core/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The number of the open descriptor that this name stands for: /dev/fd/N, /proc/self/fd/N.
+std::optional<int> descriptor_of(const fs::path& name) {
+  std::error_code absent;
+  const auto folder = fs::canonical(name.parent_path(), absent);
+  const std::string number = name.filename().string();
+  if (absent || folder != fs::path("/proc") / std::to_string(getpid()) / "fd") return std::nullopt;
+  if (number.empty() || !std::ranges::all_of(number, [](unsigned char c) { return std::isdigit(c); }))
+    return std::nullopt;
+  return std::atoi(number.c_str());
+}
+
+/// Follows links to what is not one (it need not exist), or to the name of an open descriptor.
+fs::path followed(fs::path name) {
+  constexpr int most_links = 40;  // the kernel's limit
+  std::error_code none;
+  for (int link = 0; link < most_links && !descriptor_of(name); ++link) {
+    const auto to = fs::read_symlink(name, none);
+    if (none) return name;
+    name = name.parent_path() / to;  // `to` itself, when it is absolute
+  }
+  return name;
+}
+
+bool regular_or_new(const fs::path& name) {
+  std::error_code unknown;
+  const auto status = fs::symlink_status(name, unknown);
+  return status.type() == fs::file_type::regular || status.type() == fs::file_type::not_found;
+}
+
+/// A name beside this one that no other file being written has.
+fs::path unfinished_beside(const fs::path& target) {
+  static std::atomic<unsigned> files{0};
+  return fmt::format("{}.{}-{}.unfinished", target.string(), getpid(), ++files);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const fs::path& name) : name_(name), target_(followed(name)) {
+  int file = -1;
+  if (const auto open_already = descriptor_of(target_)) {
+    file = fcntl(*open_already, F_DUPFD_CLOEXEC, 3);
+  } else if (regular_or_new(target_)) {
+    unfinished_ = unfinished_beside(target_);
+    file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+  } else {
+    file = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  }
+  if (file >= 0) out_ = fdopen(file, "wb");
+  if (out_ == nullptr) fail(errno);
+}
+
+OutputFile::~OutputFile() {
+  if (out_ != nullptr) std::fclose(out_);
+  if (!unfinished_.empty()) unlink(unfinished_.c_str());
+}
+
+void OutputFile::write(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), out_) != text.size()) fail(errno);
+}
+
+void OutputFile::close() {
+  std::FILE* const out = std::exchange(out_, nullptr);
+  if (std::fclose(out) != 0) fail(errno);
+  if (unfinished_.empty()) return;
+  if (std::rename(unfinished_.c_str(), target_.c_str()) != 0) fail(errno);
+  unfinished_.clear();
+}
+
+void OutputFile::fail(int reason) const {
+  throw InputError(fmt::format("cannot write {}: {}", name_.string(), std::strerror(reason)));
+}
+
+void write_file(const fs::path& name, std::string_view text) {
+  OutputFile file(name);
+  file.write(text);
+  file.close();
+}
+
+}  // namespace catena

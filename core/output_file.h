@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace catena {
+
+/// A file being written; every file of catena is written by this.
+///
+/// A regular file, or a new one, gets its name only when it is complete: a failed run leaves no half file and
+/// does not touch an older one. Where the name is a symbolic link, the file that it points to is replaced,
+/// and the link stays. What is no regular file (a device, a FIFO) is written through, and so is an open
+/// descriptor, /dev/stdout or /dev/fd/N, whatever is behind it.
+///
+/// Every function throws InputError, naming the file and the system's reason, when not all can be written.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::filesystem::path& name);
+  ~OutputFile();  ///< without close(): what was written of a regular file is removed
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view text);
+  void close();
+
+ private:
+  [[noreturn]] void fail(int reason) const;
+
+  std::filesystem::path name_;        // as the caller wrote it
+  std::filesystem::path target_;      // what it stands for
+  std::filesystem::path unfinished_;  // beside target_; empty when written through
+  std::FILE* out_ = nullptr;
+};
+
+/// All of a file at once.
+void write_file(const std::filesystem::path& name, std::string_view text);
+
+}  // namespace catena

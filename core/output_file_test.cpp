@@ -1,0 +1,143 @@
+#include "catena/core/output_file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// In a folder of its own. Devices are reached by links in it: a wrong OutputFile replaces the link, not the
+/// device.
+class OutputFiles : public testing::Test {
+ protected:
+  OutputFiles() : folder_(fs::temp_directory_path() / ("catena-output-" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~OutputFiles() override { fs::remove_all(folder_); }
+
+  fs::path file(const std::string& name) const { return folder_ / name; }
+  std::set<std::string> names() const {
+    std::set<std::string> all;
+    for (const auto& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename().string());
+    return all;
+  }
+  /// What is said when nothing can be written there.
+  static std::string refusal(const fs::path& name, const std::string& text = "x") {
+    try {
+      write_file(name, text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(OutputFiles, HaveTheirNameOnlyWhenComplete) {
+  write_file(file("a"), "old");
+  {
+    OutputFile half(file("a"));
+    half.write("new");
+    EXPECT_EQ(text_of(file("a")), "old");
+  }
+  EXPECT_EQ(text_of(file("a")), "old");
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+  write_file(file("a"), "new");
+  EXPECT_EQ(text_of(file("a")), "new");
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+}
+
+TEST_F(OutputFiles, TwoOfOneNameDoNotMix) {
+  OutputFile first(file("a")), second(file("a"));
+  first.write("first");
+  second.write("second");
+  first.close();
+  EXPECT_EQ(text_of(file("a")), "first");
+  second.close();
+  EXPECT_EQ(text_of(file("a")), "second");
+}
+
+TEST_F(OutputFiles, ALinkStaysAndItsTargetIsReplaced) {
+  fs::create_directory(file("below"));
+  write_file(file("below/a"), "old");
+  fs::create_symlink("below/a", file("link"));
+  fs::create_symlink(file("link"), file("link to link"));
+  fs::create_symlink("new", file("link to nothing"));
+  write_file(file("link to link"), "one");
+  EXPECT_EQ(text_of(file("below/a")), "one");
+  EXPECT_FALSE(fs::is_symlink(file("below/a")));
+  write_file(file("link to nothing"), "two");
+  EXPECT_EQ(text_of(file("new")), "two");
+  for (const char* link : {"link", "link to link", "link to nothing"})
+    EXPECT_TRUE(fs::is_symlink(file(link))) << link;
+  EXPECT_EQ(names(), (std::set<std::string>{"below", "link", "link to link", "link to nothing", "new"}));
+}
+
+TEST_F(OutputFiles, AFifoIsWrittenThrough) {
+  ASSERT_EQ(mkfifo(file("fifo").c_str(), 0600), 0);
+  const int keep_open = open(file("fifo").c_str(), O_RDWR | O_CLOEXEC);  // nobody waits, whatever goes wrong
+  write_file(file("fifo"), "through");
+  char text[7] = {};
+  ASSERT_TRUE(fs::is_fifo(file("fifo")));
+  EXPECT_EQ(read(keep_open, text, sizeof text), 7);
+  EXPECT_EQ(std::string(text, sizeof text), "through");
+  close(keep_open);
+}
+
+TEST_F(OutputFiles, ADeviceIsWrittenThrough) {
+  fs::create_symlink("/dev/full", file("full"));
+  fs::create_symlink("/dev/null", file("null"));
+  EXPECT_EQ(refusal(file("full")), "cannot write " + file("full").string() + ": No space left on device");
+  EXPECT_EQ(refusal(file("full"), std::string(100'000, 'x')),
+            "cannot write " + file("full").string() + ": No space left on device");
+  write_file(file("null"), "nothing");
+  EXPECT_EQ(fs::read_symlink(file("full")), "/dev/full");
+  EXPECT_EQ(fs::read_symlink(file("null")), "/dev/null");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(names(), (std::set<std::string>{"full", "null"}));
+}
+
+TEST_F(OutputFiles, AnOpenDescriptorIsWrittenWhereItStands) {
+  const int open_already = open(file("a").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  ASSERT_EQ(write(open_already, "before ", 7), 7);
+  const std::string number = std::to_string(open_already);
+  write_file("/dev/fd/" + number, "one ");
+  write_file("/proc/self/fd/" + number, "two ");
+  fs::create_symlink("/dev/fd/" + number, file("link"));
+  write_file(file("link"), "three ");
+  ASSERT_EQ(write(open_already, "after", 5), 5);
+  close(open_already);
+  EXPECT_EQ(text_of(file("a")), "before one two three after");
+  EXPECT_TRUE(fs::is_symlink(file("link")));
+}
+
+TEST_F(OutputFiles, SayWhatIsWrong) {
+  EXPECT_EQ(refusal("/nowhere/a"), "cannot write /nowhere/a: No such file or directory");
+  EXPECT_EQ(refusal(file("")), "cannot write " + file("").string() + ": Is a directory");
+  fs::create_symlink("round", file("round"));
+  EXPECT_EQ(refusal(file("round")),
+            "cannot write " + file("round").string() + ": Too many levels of symbolic links");
+  EXPECT_EQ(refusal("/dev/fd/999"), "cannot write /dev/fd/999: Bad file descriptor");
+}
+
+}  // namespace
+}  // namespace catena
