@@ -10,6 +10,7 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/commands/table_file.h"
+#include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -30,6 +31,7 @@ class DetectCommand final : public Command {
         ->capture_default_str();
     app.add_flag("--counts-only", counts_only_, "Find counts, keep no pairs");
     app.add_flag("--any", any_only_, "Only whether anything collides");
+    app.add_flag("--plan", plan_, "Say what the variant left out of its work, and why");
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
   }
@@ -37,6 +39,7 @@ class DetectCommand final : public Command {
   int run() override {
     check_options();
     const auto variant = StrategyRegistry::instance().make(variant_);
+    variant->prepare(request_);
     const Input input = open_input(input_, options_);
     for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", input.name, warning);
     const auto [first, last] = frame_.of(input);
@@ -51,7 +54,7 @@ class DetectCommand final : public Command {
       f == first ? variant->build(chain) : variant->update(chain);
       variant->find(chain, request_, found);
       progress.clear();
-      print(f, chain, found, variant->timings());
+      print(f, chain, found, *variant);
       write_files(f, found);
     }
     if (pairs_out_) pairs_out_->close();
@@ -70,7 +73,8 @@ class DetectCommand final : public Command {
                                    : Request::Want::pairs;
   }
 
-  void print(std::uint32_t frame, const Chain& chain, const Collisions& found, const Timings& t) const {
+  void print(std::uint32_t frame, const Chain& chain, const Collisions& found, const Variant& variant) const {
+    const Timings t = variant.timings();
     const std::uint32_t most = found.count.empty() ? 0 : *std::ranges::max_element(found.count);
     if (json_) {
       nlohmann::ordered_json line{{"input", input_},
@@ -82,6 +86,11 @@ class DetectCommand final : public Command {
       line["build_ms"] = t.build_ms;
       line["find_ms"] = t.find_ms;
       line["transfer_ms"] = t.transfer_ms;
+      if (plan_) {
+        line["plan"] = nlohmann::ordered_json::array();
+        for (const Decision& d : variant.plan())
+          line["plan"].push_back({{"step", d.step}, {"left_out", d.left_out}, {"reason", d.reason}});
+      }
       fmt::print("{}\n", line.dump());
       return;
     }
@@ -90,6 +99,9 @@ class DetectCommand final : public Command {
     fmt::print("{} frame {}: {} spheres, {}; {}: build {:.3f} ms, find {:.3f} ms{}\n", input_, frame,
                chain.size(), what, variant_, t.build_ms, t.find_ms,
                t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
+    if (plan_)
+      for (const Decision& d : variant.plan())
+        fmt::print("  {} {}: {}\n", d.step, d.left_out ? "left out" : "done", d.reason);
   }
 
   void write_files(std::uint32_t frame, Collisions& found) {
@@ -106,7 +118,7 @@ class DetectCommand final : public Command {
   FrameOption frame_;
   InputOptions options_;
   Request request_;
-  bool json_ = false, counts_only_ = false, any_only_ = false;
+  bool json_ = false, counts_only_ = false, any_only_ = false, plan_ = false;
   std::optional<TableFile> pairs_out_, counts_out_;
 };
 

@@ -47,7 +47,7 @@ class HostExecutor {
   /// What it decides for a search of n spheres.
   Decision decision(std::uint32_t n) const {
     const unsigned workers = workers_for(n);
-    return {"threads", workers < threads_,
+    return {"more threads", workers < threads_,
             std::to_string(workers) + " of " + std::to_string(threads_) + " for " + std::to_string(n) +
                 " spheres" +
                 (workers < threads_ ? ": one is worth starting for " + std::to_string(items_worth_a_thread)

@@ -1,4 +1,5 @@
 #pragma once
+#include <catena/core/hierarchy/sphere_bounds_visitor.h>
 #include <catena/core/strategy/registry.h>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ inline catena::Chain tangle(float scale) {
 
 /// What a variant of the library makes of a chain.
 inline Bits bits_of(const std::string& variant, const catena::Chain& chain) {
-  class Nodes final : public catena::BoundsVisitor {
+  class Nodes final : public catena::SphereBoundsVisitor {
    public:
     explicit Nodes(Bits& to) : to_(to) {}
     void sphere(std::uint32_t id, const catena::Sphere64& parent, std::uint32_t,

@@ -1,0 +1,130 @@
+#include <cuda_runtime.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "catena/core/input/input.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/resident.h"
+#include "catena/cuda/call.h"
+#include "catena/cuda/device.h"
+#include "catena/cuda/device_buffer.h"
+#include "catena/cuda/stream.h"
+#include "catena/reference/compare.h"
+#include "catena/reference/reference.h"
+
+namespace catena::properties {
+namespace {
+
+/// A caller who has its chain, its stream and its buffers on the device.
+class DeviceResident : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (const auto why = cuda::unavailable()) GTEST_SKIP() << *why;
+    stream_ = std::make_unique<cuda::Stream>();
+    device_ = StrategyRegistry::instance().make_device();
+    variant_ = StrategyRegistry::instance().make(GetParam());
+    ASSERT_NE(variant_->resident(), nullptr);
+  }
+
+  ResidentAnswer room_for(std::uint32_t n, std::uint64_t pairs) {
+    return {count_.reserve(n, *stream_), pairs_.reserve(pairs, *stream_), pairs, state_.reserve(1, *stream_)};
+  }
+  void enqueue(const ChainView& chain, const ResidentAnswer& answer) {
+    variant_->resident()->enqueue_build(chain, {}, static_cast<cudaStream_t>(*stream_));
+    variant_->resident()->enqueue_find(chain, {}, answer, static_cast<cudaStream_t>(*stream_));
+  }
+  ResidentState state(const ResidentAnswer& answer) {
+    ResidentState state{};
+    CATENA_CUDA(cudaMemcpyAsync(&state, answer.state, sizeof state, cudaMemcpyDeviceToHost, *stream_));
+    stream_->synchronize();
+    return state;
+  }
+  Collisions fetched(const Chain& chain, const ResidentAnswer& answer) {
+    Collisions found;
+    found.pair_count = state(answer).found;
+    found.found = found.pair_count > 0;
+    found.count.resize(chain.size());
+    found.pairs.resize(found.pair_count);
+    CATENA_CUDA(cudaMemcpy(found.count.data(), answer.count, found.count.size() * sizeof(std::uint32_t),
+                           cudaMemcpyDeviceToHost));
+    CATENA_CUDA(
+        cudaMemcpy(found.pairs.data(), answer.pairs, found.pairs.size() * sizeof(Pair), cudaMemcpyDeviceToHost));
+    return found;
+  }
+
+  std::unique_ptr<cuda::Stream> stream_;
+  std::unique_ptr<Device> device_;
+  std::unique_ptr<Variant> variant_;
+  cuda::DeviceBuffer<std::uint32_t> count_;
+  cuda::DeviceBuffer<Pair> pairs_;
+  cuda::DeviceBuffer<ResidentState> state_;
+};
+
+const Chain& yarn() {
+  static const Chain chain = open_input("yarn:n=3000").animation->frame(0);
+  return chain;
+}
+
+TEST_P(DeviceResident, OverflowIsAFlagWithTheTrueNumberAndASecondCallMendsIt) {
+  const auto exact = reference::find(yarn());
+  ASSERT_GT(exact.pair_count, 100u);
+  const ChainView chain = device_->to_device(yarn().view());
+  const ResidentAnswer small = room_for(chain.size, 10);
+  enqueue(chain, small);
+  const ResidentState seen = state(small);
+  EXPECT_NE(seen.overflow, 0u);
+  EXPECT_EQ(seen.found, exact.pair_count);
+  variant_->resident()->mend(seen);
+  const ResidentAnswer enough = room_for(chain.size, seen.found);
+  variant_->resident()->enqueue_find(chain, {}, enough, static_cast<cudaStream_t>(*stream_));
+  EXPECT_EQ(state(enough).overflow, 0u);
+  EXPECT_TRUE(reference::compare(yarn(), exact, fetched(yarn(), enough)).right());
+}
+
+// What waits for the device cannot be captured: a graph proves that nothing does.
+TEST_P(DeviceResident, IsPartOfACallersGraphWithoutWaiting) {
+  const auto exact = reference::find(yarn());
+  const ChainView chain = device_->to_device(yarn().view());
+  const ResidentAnswer answer = room_for(chain.size, exact.pair_count);
+  enqueue(chain, answer);  // takes its memory
+  stream_->synchronize();
+  cudaGraph_t graph = nullptr;
+  cudaGraphExec_t program = nullptr;
+  CATENA_CUDA(cudaStreamBeginCapture(*stream_, cudaStreamCaptureModeGlobal));
+  enqueue(chain, answer);
+  CATENA_CUDA(cudaStreamEndCapture(*stream_, &graph));
+  CATENA_CUDA(cudaGraphInstantiate(&program, graph, 0));
+  for (int round = 0; round < 3; ++round) {
+    CATENA_CUDA(cudaMemsetAsync(answer.pairs, 0xFF, exact.pair_count * sizeof(Pair), *stream_));
+    CATENA_CUDA(cudaGraphLaunch(program, *stream_));
+    EXPECT_TRUE(reference::compare(yarn(), exact, fetched(yarn(), answer)).right()) << "round " << round;
+  }
+  CATENA_CUDA(cudaGraphExecDestroy(program));
+  CATENA_CUDA(cudaGraphDestroy(graph));
+}
+
+TEST_P(DeviceResident, AHostBuildAfterwardsIsOfTheHostsChain) {
+  const auto exact = reference::find(yarn());
+  const Chain other = open_input("path1:n=700").animation->frame(28);
+  const ChainView chain = device_->to_device(other.view());
+  enqueue(chain, room_for(chain.size, 1000));
+  stream_->synchronize();
+  Collisions found;
+  EXPECT_THROW(variant_->find(yarn(), {}, found), std::logic_error);
+  variant_->build(yarn());
+  variant_->find(yarn(), {}, found);
+  EXPECT_TRUE(reference::compare(yarn(), exact, found).right());
+}
+
+INSTANTIATE_TEST_SUITE_P(Device, DeviceResident,
+                         testing::Values("GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aGPU2+GPU2/double", "ResidentBlocks"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace catena::properties
