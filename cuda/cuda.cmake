@@ -25,10 +25,13 @@ if(CATENA_NVCC AND NOT CATENA_CUDA STREQUAL "OFF")
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cuda/*.cu)
   add_library(catena_cuda OBJECT ${sources})
   target_link_libraries(catena_cuda PUBLIC catena_options)
-  # CMake 3.25 does not know C++20 for nvcc 13 and drops it in silence, so the flag is written here and checked in
-  # cuda/call.h. Contraction is off: parents must have the host's bits.
-  set_target_properties(catena_cuda PROPERTIES CUDA_STANDARD_REQUIRED OFF CUDA_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  target_compile_options(catena_cuda PRIVATE
-    $<$<COMPILE_LANGUAGE:CUDA>:-std=c++20 --fmad=false -Xcompiler=-Wall,-Wextra,-ffp-contract=off -lineinfo>)
+  # How .cu files of a target are compiled. CMake 3.25 does not know C++20 for nvcc 13 and drops it in silence, so the
+  # flag is written here and checked in cuda/call.h. Contraction is off: parents must have the host's bits.
+  function(catena_compile_cuda target)
+    set_target_properties(${target} PROPERTIES CUDA_STANDARD_REQUIRED OFF CUDA_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_compile_options(${target} PRIVATE
+      $<$<COMPILE_LANGUAGE:CUDA>:-std=c++20 --fmad=false -Xcompiler=-Wall,-Wextra,-ffp-contract=off -lineinfo>)
+  endfunction()
+  catena_compile_cuda(catena_cuda)
   target_link_libraries(catena PRIVATE catena_cuda)
 endif()

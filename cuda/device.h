@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/export.h"
 #include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/place.h"
 
@@ -10,7 +11,7 @@ namespace catena::cuda {
 
 /// Why no GPU strategy can run here ("no CUDA device: ..."), or nullopt when device 0 can be used. Asked
 /// once.
-std::optional<std::string> unavailable();
+CATENA_API std::optional<std::string> unavailable();
 
 /// Throws CapacityError, naming how many there are, when there is no such device.
 void require_device(Place place);

@@ -1,11 +1,10 @@
-#include "catena/cuda/device_facts.h"
-
 #include <cuda_runtime.h>
 
 #include <fstream>
 
 #include "catena/cuda/call.h"
 #include "catena/cuda/device.h"
+#include "catena/cuda/device_facts.h"
 
 namespace catena::cuda {
 namespace {

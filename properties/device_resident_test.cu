@@ -11,6 +11,7 @@
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/stream.h"
+#include "catena/properties/testing/certified.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
 
@@ -49,8 +50,8 @@ class DeviceResident : public testing::TestWithParam<const char*> {
     found.pairs.resize(found.pair_count);
     CATENA_CUDA(cudaMemcpy(found.count.data(), answer.count, found.count.size() * sizeof(std::uint32_t),
                            cudaMemcpyDeviceToHost));
-    CATENA_CUDA(
-        cudaMemcpy(found.pairs.data(), answer.pairs, found.pairs.size() * sizeof(Pair), cudaMemcpyDeviceToHost));
+    CATENA_CUDA(cudaMemcpy(found.pairs.data(), answer.pairs, found.pairs.size() * sizeof(Pair),
+                           cudaMemcpyDeviceToHost));
     return found;
   }
 
@@ -81,6 +82,11 @@ TEST_P(DeviceResident, OverflowIsAFlagWithTheTrueNumberAndASecondCallMendsIt) {
   variant_->resident()->enqueue_find(chain, {}, enough, static_cast<cudaStream_t>(*stream_));
   EXPECT_EQ(state(enough).overflow, 0u);
   EXPECT_TRUE(reference::compare(yarn(), exact, fetched(yarn(), enough)).right());
+}
+
+TEST_P(DeviceResident, IsCertifiedWhereItHasEvidence) {
+  if (variant_->evidence() == Accounting::none) GTEST_SKIP() << "its twin on the host has the evidence";
+  expect_certified(GetParam());
 }
 
 // What waits for the device cannot be captured: a graph proves that nothing does.
@@ -119,10 +125,12 @@ TEST_P(DeviceResident, AHostBuildAfterwardsIsOfTheHostsChain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Device, DeviceResident,
-                         testing::Values("GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aGPU2+GPU2/double", "ResidentBlocks"),
+                         testing::Values("GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aGPU2+GPU2/double",
+                                         "ResidentBlocks"),
                          [](const auto& info) {
                            std::string name = info.param;
-                           std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+                           std::erase_if(name,
+                                         [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
                            return name;
                          });
 

@@ -14,6 +14,11 @@ string(JOIN " " library_folders ${CATENA_LIBRARY_FOLDERS})
 target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CATENA_LIBRARY_FOLDERS="${library_folders}"
                            CATENA_PROGRAM="$<TARGET_FILE:catena_cli>")
 target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
+if(TARGET catena_cuda)  # what a user's own resident search looks like, and a caller of one
+  target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu
+                                      ${PROJECT_SOURCE_DIR}/properties/device_resident_test.cu)
+  catena_compile_cuda(catena_tests)
+endif()
 add_dependencies(catena_tests catena_cli)  # tests run the program too
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 gtest_discover_tests(catena_tests PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)

@@ -29,8 +29,8 @@ class StabilityReport {
   void cell_line(const Cell& cell) const;
 
   Form form_;
-  std::vector<std::string> arithmetics_;
   std::size_t scene_width_, variant_width_;
+  std::vector<std::string> arithmetics_;
   std::map<std::string, std::map<Outcome, std::uint64_t>> outcomes_;  // by arithmetic
   struct LeftOut {
     std::set<std::string> variants, scenes;

@@ -55,7 +55,9 @@ class Silent final : public Variant {
 TEST(Stability, ARobustVariantThatMissesAPairIsADefect) {
   const Chain chain = open_input("lattice:n=100").animation->frame(0);
   Silent silent;
-  const Cell cell = measure("lattice", {.name = "Silent", .arithmetic = "robust"}, silent, chain, reference::find(chain));
+  VariantInfo info;
+  info.name = "Silent", info.arithmetic = "robust";
+  const Cell cell = measure("lattice", info, silent, chain, reference::find(chain));
   EXPECT_TRUE(cell.defect);
   EXPECT_EQ(cell.outcome, Outcome::wrong);
   EXPECT_EQ(cell.found.comparison.missing, cell.exact_pairs);

@@ -162,7 +162,7 @@ TEST_F(Program, WritesThroughWhatIsNoRegularFile) {
 TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
   for (const std::string command :
        {"list", "list --json", "--help", "--version", "detect path1:n=10",
-        "detect path1:n=10 --frame all --json", "verify path1:n=10 --variant CPU1 --no-fcl", "fuzz --cases 3",
+        "detect path1:n=10 --frame all --json", "verify path1:n=10 --variant CPU1", "fuzz --cases 3",
         "margins path1:n=10"}) {
     const Outcome full = shell("catena " + command + " > /dev/full");
     EXPECT_EQ(full.code, 2) << command;

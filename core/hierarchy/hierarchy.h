@@ -59,10 +59,12 @@ void show_bounds(const HierarchyView<Bound>& tree, BoundsVisitor& visitor) {
     const Bound& b = tree.bound[slot];
     return Sphere64{b.x, b.y, b.z, b.radius};
   };
-  visitor.tree({.levels = tree.height, .nested = true});
-  for (std::uint32_t slot = tree.leaves; slot < tree.size(); ++slot)
-    for (const std::uint32_t child : {tree.links[slot].left, tree.links[slot].right})
-      visitor.edge(slot, shown(slot), child, shown(child));
+  visitor.tree(TreeFacts{tree.height, true});
+  for (std::uint32_t slot = tree.leaves; slot < tree.size(); ++slot) {
+    const Links children = tree.links[slot];
+    visitor.edge(slot, shown(slot), children.left, shown(children.left));
+    visitor.edge(slot, shown(slot), children.right, shown(children.right));
+  }
 }
 
 /// What traversals keep a stack for; a higher hierarchy is refused when it is built. n < 2^31 gives at most

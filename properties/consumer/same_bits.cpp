@@ -1,4 +1,5 @@
 #include <catena/core/arithmetic/in_range.h>
+#include <catena/core/arithmetic/robust.h>
 #include <catena/core/executor/host_group.h>
 #include <catena/core/policies/GPU2.h>
 #include <catena/core/policies/bGPU2.h>

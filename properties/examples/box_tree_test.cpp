@@ -143,6 +143,7 @@ class BoxesAgainstBoxes final : public Traversal<BoxTree> {
     }
     void between(std::uint32_t level, std::uint32_t a, std::uint32_t b) const {
       if (lane.satisfied()) return;
+      if (sink != nullptr) sink->compared(tree.id(level, a), tree.id(level, b));
       if (apart(tree.at(level, a), tree.at(level, b))) {
         if (sink != nullptr) sink->discarded(tree.id(level, a), tree.id(level, b));
         return;

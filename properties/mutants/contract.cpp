@@ -53,9 +53,9 @@ class StretchTooShort final : public FaultyTree {
   void update(const Chain& chain, const Moved& moved) override {
     if (moved.everything() || chain.size() != tree().leaves) return build(chain);
     std::vector<Sphere> spheres(tree().bound, tree().bound + tree().leaves);
-    for (const SphereRange& range : moved.ranges())
-      std::copy(chain.spheres().begin() + range.begin, chain.spheres().begin() + range.end - 1,
-                spheres.begin() + range.begin);
+    for (const SphereRange& part : moved.ranges())
+      std::copy(chain.spheres().begin() + part.begin, chain.spheres().begin() + part.end - 1,
+                spheres.begin() + part.begin);
     std::ranges::copy(spheres, tree().bound);
     construct();
   }
