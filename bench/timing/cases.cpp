@@ -30,7 +30,7 @@ std::vector<Case> cases(const std::vector<WorkloadSpec>& inputs, const std::vect
   for (const auto& input : inputs) {
     const WorkloadFacts facts = facts_of(input);
     for (const auto& variant : variants)
-      for (const Stage stage : {Stage::build, Stage::update, Stage::find, Stage::whole})
+      for (const Stage stage : {Stage::build, Stage::update, Stage::find, Stage::whole, Stage::resident})
         if (worth_measuring(facts, variant, stage, most_all_pairs))
           all.push_back({input, facts, variant, stage});
   }
