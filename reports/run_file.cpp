@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
+#include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/timings.h"
 #include "catena/reports/section.h"
 
@@ -30,6 +33,23 @@ Json stopping_of(const bench::Stopping& s, const bench::Rounds& measured) {
           {"cases", measured.cases},
           {"narrow", measured.narrow},
           {"not_reached", measured.not_reached}};
+}
+
+/// Every name that stands under a key "variant" of `json`, at any depth.
+void collect_variants(const Json& json, std::set<std::string>& names) {
+  if (json.is_object() && json.contains("variant")) names.insert(json["variant"].get<std::string>());
+  for (const Json& inner : json)
+    if (inner.is_structured()) collect_variants(inner, names);
+}
+
+/// What is known of every variant of the run: those it timed, and those that only a section names.
+Json variants_of(const Profile& profile, const Json& measured_sections) {
+  std::set<std::string> names;
+  for (const VariantInfo& v : profile.variants) names.insert(v.name);
+  collect_variants(measured_sections, names);
+  Json variants = Json::object();
+  for (const auto& name : names) variants[name] = to_json(StrategyRegistry::instance().describe(name));
+  return variants;
 }
 
 }  // namespace
@@ -63,6 +83,7 @@ Json measure_run(const Profile& profile, const std::string& command) {
   Json& own = run["catena"] = {
       {"schema", 1}, {"profile", profile.name}, {"command", command}, {"seconds", watch.ms() / 1000}};
   own["stopping"] = stopping_of(stopping, measured);
+  own["variants"] = variants_of(profile, measured_sections);
   own.update(measured_sections);
   return run;
 }

@@ -108,7 +108,7 @@ class Everything(Made):
 
     def test_carries_its_data(self):
         value = json.loads(json.dumps(self.values[0]))
-        value["catena"].pop("views", None)
+        value["catena"].pop("viewer", None)
         self.assertEqual(self.page.unpacked("data"), [value])
         self.assertEqual(json.loads((self.output / "run.json").read_text()), self.values[0])
 
@@ -298,7 +298,7 @@ class Drawing(unittest.TestCase):
 class Views(unittest.TestCase):
     def test_a_chain_without_a_view_shows_the_nearest_of_its_scene(self):
         value = made.run()
-        value["catena"]["views"] = [
+        value["catena"]["viewer"] = [
             {"input": name} for name in ("path1/n:20", "path1/n:9000", "far:exponent=22/n:50")
         ]
         with tempfile.TemporaryDirectory() as folder:
