@@ -42,17 +42,16 @@ void collect_variants(const Json& json, std::set<std::string>& names) {
     if (inner.is_structured()) collect_variants(inner, names);
 }
 
-/// What is known of every variant of the run: those it timed, and those that only a section names.
-Json variants_of(const Profile& profile, const Json& measured_sections) {
+}  // namespace
+
+Json described_variants(const std::vector<VariantInfo>& timed, const Json& sections) {
   std::set<std::string> names;
-  for (const VariantInfo& v : profile.variants) names.insert(v.name);
-  collect_variants(measured_sections, names);
+  for (const VariantInfo& v : timed) names.insert(v.name);
+  collect_variants(sections, names);
   Json variants = Json::object();
   for (const auto& name : names) variants[name] = to_json(StrategyRegistry::instance().describe(name));
   return variants;
 }
-
-}  // namespace
 
 Json measure_run(const Profile& profile, const std::string& command) {
   require_release_build();
@@ -83,7 +82,7 @@ Json measure_run(const Profile& profile, const std::string& command) {
   Json& own = run["catena"] = {
       {"schema", 1}, {"profile", profile.name}, {"command", command}, {"seconds", watch.ms() / 1000}};
   own["stopping"] = stopping_of(stopping, measured);
-  own["variants"] = variants_of(profile, measured_sections);
+  own["variants"] = described_variants(profile.variants, measured_sections);
   own.update(measured_sections);
   return run;
 }
