@@ -161,10 +161,10 @@ TEST_F(RunFile, DescribesEveryVariantThatItNames) {
 TEST(Report, DescribesVariantsThatOnlyASectionNames) {
   const auto described = [](const char* name) { return StrategyRegistry::instance().describe(name); };
   const Json sections = Json::parse(R"({"motion": [{"variant": "aCPU2+CPU2/double", "step": 1}],
-                                        "work_precision": {"points": [{"variant": "aGPU2@host(subtree=8)+CPU2"}]}})");
+                                        "work_precision": {"points": [{"variant": "aGPU2@host(subtree=256)+CPU2"}]}})");
   const Json variants = described_variants({described("CPU1")}, sections);
   Json expected = Json::object();
-  for (const char* name : {"CPU1", "aCPU2+CPU2/double", "aGPU2@host(subtree=8)+CPU2"})
+  for (const char* name : {"CPU1", "aCPU2+CPU2/double", "aGPU2@host(subtree=256)+CPU2"})
     expected[name] = to_json(described(name));
   EXPECT_EQ(variants, expected);
 }

@@ -73,7 +73,8 @@ class Run:
 
     def _read_variants(self):
         try:
-            return {name: Variant.of(name, value) for name, value in (self.catena.get("variants") or {}).items()}
+            described = self.catena.get("variants") or {}
+            return {name: Variant.of(name, value) for name, value in described.items()}
         except (AttributeError, KeyError, TypeError) as error:
             raise BadRunFile(
                 f"{self.path}: catena.variants is not as in reports/run_file.md ({error}); measure again with"

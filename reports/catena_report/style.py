@@ -1,8 +1,8 @@
 """One look for every figure: a variant keeps its colour, marker and dash all through the page.
 
 Colour: the traversal (of a stage shown alone: the algorithm). Marker: the construction. Dash: the
-arithmetic. Hollow: a device algorithm run on the host. Grey crosses: a peer. Colours are names that the page resolves for light
-and dark and for print.
+arithmetic. Hollow: a device algorithm run on the host. Grey crosses: a peer. Colours are names that the
+page resolves for light and dark and for print.
 """
 import dataclasses
 

@@ -1,4 +1,4 @@
-"""What a run file says of a variant (`catena.variants`, written by catena). Nobody takes a name apart here."""
+"""What a run file says of a variant (`catena.variants`, written by catena). No name is taken apart here."""
 import dataclasses
 
 
@@ -20,10 +20,11 @@ class Variant:
     @staticmethod
     def of(name, described):
         """From an entry of `catena.variants`. Throws KeyError and TypeError where it is not one."""
-        stages = [Stage(*(stage[key] for key in ("text", "algorithm", "on_host"))) for stage in described["stages"]]
+        keys = [field.name for field in dataclasses.fields(Stage)]
+        stages = tuple(Stage(*(stage[key] for key in keys)) for stage in described["stages"])
         if not stages:
             raise TypeError("no stages")
-        return Variant(name, tuple(stages), *(described[key] for key in ("arithmetic", "exact", "peer")))
+        return Variant(name, stages, *(described[key] for key in ("arithmetic", "exact", "peer")))
 
     @property
     def composed(self):
@@ -46,7 +47,7 @@ class Variant:
 
     @property
     def rounded(self):
-        """In one of the rounded arithmetics that the report sets against the exact one; a peer's is its own."""
+        """In a rounded arithmetic that the report sets against the exact one; a peer's is its own."""
         return not self.exact and not self.peer
 
     @property
@@ -60,8 +61,9 @@ class Variant:
         return f"{self.name} (peer)" if self.peer else self.name
 
     def construction_label(self):
-        """The construction alone, with the arithmetic where it is rounded; of a variant complete in itself, the
-        whole."""
+        """The construction alone, with the arithmetic where it is rounded; of a variant complete in itself,
+        the whole.
+        """
         if not self.composed:
             return self.label
         return self.construction.text if self.exact else f"{self.construction.text}/{self.arithmetic}"

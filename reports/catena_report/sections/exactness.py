@@ -1,4 +1,4 @@
-"""What exact answers cost: the exact variant against the same stages in rounded arithmetic, on the same chain."""
+"""What exact answers cost: the exact variant against the same stages in rounded arithmetic, on one chain."""
 from .. import statistics, words
 from ..section import Section
 from ..table import Cell, Table

@@ -111,8 +111,8 @@ def _figure(report, run, lines):
             f" {exact or 'none'} of them of an exact variant"
         ),
         (
-            "One row for each scene, one column for each variant, grouped by arithmetic, peers last. Hover for what is"
-            " wrong and by how much: the worst margin is the largest relative distance from touching, |q -"
+            "One row for each scene, one column for each variant, grouped by arithmetic, peers last. Hover for"
+            " what is wrong and by how much: the worst margin is the largest relative distance from touching, |q -"
             f" t| / t, of a pair that was missed or invented. Click for the command that replays it.{left}"
         ),
         [panel],

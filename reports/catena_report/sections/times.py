@@ -35,8 +35,8 @@ def build(report):
 
 
 def curves(run, inputs, stage):
-    """label -> [(input, one of its variants, samples)]: constructions are pooled over the traversals that they were
-    measured with.
+    """label -> [(input, one of its variants, samples)]: constructions are pooled over the traversals that
+    they were measured with.
     """
     found = {}
     for input_ in inputs:
@@ -91,7 +91,8 @@ def _figure(report, run, scenes, stage):
         _message(run, drawn, stage),
         (
             "Both axes are logarithmic: a straight line is a power of n, a parallel shift a constant factor."
-            " Points are medians, bars their 95 % interval by order statistics (the range below six repetitions). "
+            " Points are medians, bars their 95 % interval by order statistics (the range below six"
+            " repetitions). "
             + (
                 "One line for each construction, pooled over the traversals it was measured with. "
                 if stage in OF_CONSTRUCTIONS
