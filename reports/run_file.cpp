@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
+#include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/timings.h"
 #include "catena/reports/section.h"
 
@@ -32,7 +35,23 @@ Json stopping_of(const bench::Stopping& s, const bench::Rounds& measured) {
           {"not_reached", measured.not_reached}};
 }
 
+/// Every name that stands under a key "variant" of `json`, at any depth.
+void collect_variants(const Json& json, std::set<std::string>& names) {
+  if (json.is_object() && json.contains("variant")) names.insert(json["variant"].get<std::string>());
+  for (const Json& inner : json)
+    if (inner.is_structured()) collect_variants(inner, names);
+}
+
 }  // namespace
+
+Json described_variants(const std::vector<VariantInfo>& timed, const Json& sections) {
+  std::set<std::string> names;
+  for (const VariantInfo& v : timed) names.insert(v.name);
+  collect_variants(sections, names);
+  Json variants = Json::object();
+  for (const auto& name : names) variants[name] = to_json(StrategyRegistry::instance().describe(name));
+  return variants;
+}
 
 Json measure_run(const Profile& profile, const std::string& command) {
   require_release_build();
@@ -63,6 +82,7 @@ Json measure_run(const Profile& profile, const std::string& command) {
   Json& own = run["catena"] = {
       {"schema", 1}, {"profile", profile.name}, {"command", command}, {"seconds", watch.ms() / 1000}};
   own["stopping"] = stopping_of(stopping, measured);
+  own["variants"] = described_variants(profile.variants, measured_sections);
   own.update(measured_sections);
   return run;
 }

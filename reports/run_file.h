@@ -1,6 +1,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "catena/reports/profile.h"
 
@@ -10,6 +11,11 @@ namespace catena::reports {
 /// the user typed. Progress and what was left out go to stderr. Throws InputError in a build that is not
 /// Release, and when nothing matches the filter.
 nlohmann::ordered_json measure_run(const Profile& profile, const std::string& command);
+
+/// The run file's `variants`: what is known of each that was timed, and of each that stands under a key
+/// "variant" in `sections`, at any depth. Throws InputError for a name of no variant.
+nlohmann::ordered_json described_variants(const std::vector<VariantInfo>& timed,
+                                          const nlohmann::ordered_json& sections);
 
 /// Writes it whole or not at all. Throws InputError naming the file.
 void write_run(const nlohmann::ordered_json& run, const std::string& file);

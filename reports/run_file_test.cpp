@@ -8,6 +8,7 @@
 #include <set>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/reports/base64.h"
@@ -100,7 +101,7 @@ TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
   EXPECT_EQ(own["profile"], "quick");
   EXPECT_EQ(own["command"], "catena report --quick");
   EXPECT_GT(own["seconds"], 0);
-  for (const char* section : {"scenes", "counts", "wants", "saved", "animation", "coherence", "views"}) {
+  for (const char* section : {"scenes", "counts", "wants", "savings", "animation", "coherence", "viewer"}) {
     ASSERT_TRUE(own.contains(section)) << section;
     const auto keys = described(section);
     EXPECT_GE(keys.size(), 3u) << section;
@@ -127,8 +128,49 @@ TEST_F(RunFile, NamesInputsAlikeEverywhere) {
   for (const Json& row : small_run()["catena"]["counts"]) EXPECT_TRUE(inputs.contains(row["input"])) << row;
 }
 
+/// Every name that stands under a key "variant", at any depth.
+std::set<std::string> variants_named(const Json& json) {
+  std::set<std::string> names;
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object() && key == "variant") names.insert(value.get<std::string>());
+    if (value.is_structured()) names.merge(variants_named(value));
+  }
+  return names;
+}
+
+TEST_F(RunFile, DescribesEveryVariantThatItNames) {
+  const Json& variants = small_run()["catena"]["variants"];
+  auto named = variants_named(small_run()["catena"]);
+  for (const auto& v : small_profile().variants) named.insert(v.name);
+  for (const Json& row : small_run()["benchmarks"]) {
+    const std::string name = row["name"];  // SCENE/n:N/VARIANT/STAGE/manual_time
+    const auto begin = name.find('/', name.find("/n:") + 1) + 1;
+    const auto end = name.rfind('/', name.rfind("/manual_time") - 1);
+    named.insert(name.substr(begin, end - begin));
+  }
+  std::set<std::string> described;
+  for (const auto& [name, value] : variants.items()) {
+    described.insert(name);
+    EXPECT_EQ(value, to_json(StrategyRegistry::instance().describe(name))) << name;
+  }
+  EXPECT_EQ(described, named);
+  EXPECT_GE(described.size(), 4u);
+}
+
+/// As the stiff rope, which is found by variants that the user may not have asked for.
+TEST(Report, DescribesVariantsThatOnlyASectionNames) {
+  const auto described = [](const char* name) { return StrategyRegistry::instance().describe(name); };
+  const Json sections = Json::parse(R"({"motion": [{"variant": "aCPU2+CPU2/double", "step": 1}],
+                                        "work_precision": {"points": [{"variant": "aGPU2@host(subtree=256)+CPU2"}]}})");
+  const Json variants = described_variants({described("CPU1")}, sections);
+  Json expected = Json::object();
+  for (const char* name : {"CPU1", "aCPU2+CPU2/double", "aGPU2@host(subtree=256)+CPU2"})
+    expected[name] = to_json(described(name));
+  EXPECT_EQ(variants, expected);
+}
+
 TEST_F(RunFile, ViewsHaveTheNumbersOfTheirChains) {
-  for (const Json& view : small_run()["catena"]["views"]) {
+  for (const Json& view : small_run()["catena"]["viewer"]) {
     const std::string input = view["input"];
     const auto n = std::stoul(input.substr(input.find("/n:") + 3));
     for (const Json& frame : view["frames"]) {
@@ -146,7 +188,7 @@ TEST_F(RunFile, ViewsHaveTheNumbersOfTheirChains) {
 }
 
 TEST_F(RunFile, SavingsGiveTheSameAnswer) {
-  for (const Json& row : small_run()["catena"]["saved"]) {
+  for (const Json& row : small_run()["catena"]["savings"]) {
     EXPECT_TRUE(row["identical"]) << row;
     EXPECT_EQ(row["with_ms"].size(), row["without_ms"].size());
     EXPECT_GE(row["with_ms"].size(), 3u);

@@ -74,7 +74,8 @@ void StabilityReport::scene(const std::vector<Cell>& cells) {
       left_out.variants.insert(cell.variant);
       left_out.scenes.insert(cell.scene);
     }
-    if (form_ == Form::json) fmt::print("{}\n", to_json(cell));
+    if (form_ == Form::json)
+      fmt::print("{}\n", to_json(cell).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     if (form_ == Form::cells) cell_line(cell);
   }
   if (form_ == Form::table && !cells.empty()) table_line(cells);
@@ -129,7 +130,7 @@ void StabilityReport::finish() const {
     fmt::print("DEFECT: {} on {}: {} {}\n", cell.variant, cell.scene, in_short(cell), cell.found.reason);
 }
 
-std::string to_json(const Cell& cell) {
+nlohmann::ordered_json to_json(const Cell& cell) {
   const auto& v = cell.found;
   nlohmann::ordered_json line{{"scene", cell.scene},
                               {"n", cell.spheres},
@@ -152,7 +153,7 @@ std::string to_json(const Cell& cell) {
     line["not_finite_nodes"] = cell.not_finite_nodes;
   }
   if (!v.reason.empty()) line["reason"] = v.reason;
-  return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return line;
 }
 
 }  // namespace catena::bench

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -39,7 +40,7 @@ class StabilityReport {
   std::vector<Cell> defects_;
 };
 
-/// What a cell holds, as one JSON object on one line.
-std::string to_json(const Cell& cell);
+/// What a cell holds, as one JSON object: a line of `catena stability --json`.
+nlohmann::ordered_json to_json(const Cell& cell);
 
 }  // namespace catena::bench

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/variant_json.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/strategy/registry.h"
@@ -72,7 +73,9 @@ class ListCommand final : public Command {
           {{"name", name}, {"summary", info.summary}, {"parameters", to_json(info.parameters)}});
     }
     for (const auto& v : strategies.variants()) {
-      nlohmann::json item{{"name", v.name}, {"arithmetic", v.arithmetic}, {"device", v.on_device()}};
+      nlohmann::json item(catena::to_json(v));
+      item["name"] = v.name;
+      item["device"] = v.on_device();
       item["unavailable"] = v.unavailable ? nlohmann::json(*v.unavailable) : nlohmann::json();
       out["variants"].push_back(item);
     }

@@ -105,6 +105,11 @@ TEST_F(Program, ListsVariantsScenesAndReaders) {
   expect_says("list", 0, {"aCPU2+CPU2", "path1", ".swc", "subtree=384"});
   const auto list = nlohmann::json::parse(run("list --json").output);
   EXPECT_GE(list["variants"].size(), 40u);
+  for (const auto& variant : list["variants"]) {
+    for (const char* key : {"name", "arithmetic", "device", "unavailable", "stages", "exact", "peer"})
+      EXPECT_TRUE(variant.contains(key)) << variant << " lacks " << key;
+    EXPECT_EQ(variant["device"], variant["on_device"]) << variant;
+  }
   EXPECT_GE(list["scenes"].size(), 20u);
   for (const auto& scene : list["scenes"]) EXPECT_FALSE(scene["parameters"].empty()) << scene["name"];
 }

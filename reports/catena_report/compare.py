@@ -2,7 +2,7 @@
 it.
 
 For each case (chain, variant, stage) that both runs timed: the ratio NEW / OLD of the medians with its 95 %
-bootstrap interval, and the two-sided Mann-Whitney test, its p adjusted by Holm over all cases.
+interval, and the two-sided Mann-Whitney test, its p adjusted by Holm over all cases.
   slower     p < 5 % and the ratio is at least LEAST
   faster     p < 5 % and the ratio is at most 1 / LEAST
   same       the whole interval of the ratio lies within 1 / LEAST and LEAST

@@ -78,7 +78,7 @@ def data(report):
                 row for row in run.raw["benchmarks"] if row.get("run_type", "iteration") == "iteration"
             ],
             **(
-                {"catena": {key: value for key, value in run.catena.items() if key != "views"}}
+                {"catena": {key: value for key, value in run.catena.items() if key != "viewer"}}
                 if run.catena
                 else {}
             ),

@@ -5,18 +5,23 @@ import math
 
 from . import runfile, statistics
 from .section import Heading
-from .style import Looks, Name
+from .style import Looks
 
 
 class Report:
     def __init__(self, runs):
         self.runs = runs
-        self.looks = Looks(sorted({name for run in runs for name in _named(run)}))
+        described = {name: run.info(name) for run in runs for name in sorted(run.named())}
+        self.looks = Looks(list(described.values()))
         devices = collections.Counter(run.device for run in runs)
         # One word for each run: its device, and where two share it the commit or the file too.
         self.labels = [
             run.device if devices[run.device] == 1 else f"{run.device}, {run.path.stem}" for run in runs
         ]
+
+    def look(self, run, variant):
+        """The look of the variant of that name."""
+        return self.looks.variant(run.info(variant))
 
     def label(self, run):
         return self.labels[self.runs.index(run)]
@@ -53,7 +58,7 @@ class Report:
         views = {
             view["input"]: runfile.scene_and_n(view["input"])
             for run in self.runs
-            for view in run.list("views")
+            for view in run.list("viewer")
         }
         near = [
             (abs(math.log((n or other) / other)), name)
@@ -68,15 +73,3 @@ class Report:
         for name in run.inputs():
             found[runfile.scene_of(name)].append(name)
         return dict(found)
-
-
-def _named(run):
-    """Every variant that occurs anywhere in a run."""
-    yield from run.variants()
-    for key in ("stability", "counts", "wants", "animation", "coherence"):
-        yield from (row["variant"] for row in run.list(key) if "variant" in row)
-    yield from (row["variant"] for row in (run.catena.get("work_precision") or {}).get("points", []))
-
-
-def exact_arithmetic(variant):
-    return Name.of(variant).arithmetic == "robust"

@@ -6,21 +6,23 @@ import re
 
 import numpy
 
-STAGES = ("build", "update", "find", "whole")
+from .variant import Variant
+
+STAGES = ("build", "update", "find", "whole", "resident")
 NAME = re.compile(rf"(?P<input>[^/]+/n:\d+)/(?P<variant>.+)/(?P<stage>{'|'.join(STAGES)})(/[a-z_]+)*")
 TO_MS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
 ARRAYS = (
     "scenes",
     "counts",
     "wants",
-    "saved",
+    "savings",
     "animation",
     "coherence",
     "stability",
     "tube_errors",
     "examine",
     "motion",
-    "views",
+    "viewer",
 )
 
 
@@ -40,6 +42,7 @@ class Run:
         self.path, self.raw = pathlib.Path(path), raw
         self.context = raw["context"]
         self.catena = raw.get("catena", {})
+        self._described = self._read_variants()
         self.samples, self.refused, self.counters = {}, {}, {}
         for at, row in enumerate(raw["benchmarks"]):
             if row.get("run_type", "iteration") == "iteration":
@@ -68,6 +71,29 @@ class Run:
             key: row[key] for key in ("pairs", "missing", "invented", "transfer_ms") if key in row
         }
 
+    def _read_variants(self):
+        try:
+            described = self.catena.get("variants") or {}
+            return {name: Variant.of(name, value) for name, value in described.items()}
+        except (AttributeError, KeyError, TypeError) as error:
+            raise BadRunFile(
+                f"{self.path}: catena.variants is not as in reports/run_file.md ({error}); measure again with"
+                " catena report"
+            ) from None
+
+    def info(self, variant):
+        """What the run says of the variant of that name. A BadRunFile where it says nothing."""
+        if not self._described:
+            raise BadRunFile(
+                f"{self.path}: no catena.variants, which says what each variant is; measure again with this"
+                " catena report"
+            )
+        if variant not in self._described:
+            raise BadRunFile(
+                f"{self.path}: catena.variants does not have {variant}; measure again with this catena report"
+            )
+        return self._described[variant]
+
     @property
     def device(self):
         """What it ran on, in a few words."""
@@ -95,7 +121,16 @@ class Run:
         return sorted({case[0] for case in self.samples}, key=lambda name: (scene_of(name), n_of(name)))
 
     def variants(self):
+        """The names of those that were timed."""
         return sorted({case[1] for case in self.samples})
+
+    def recommended(self):
+        """Of those, the exact ones of catena itself."""
+        return [name for name in self.variants() if self.info(name).recommended]
+
+    def named(self):
+        """The names of all that occur anywhere in the run."""
+        return {case[1] for case in [*self.samples, *self.refused]} | set(_named(self.catena))
 
     def pairs(self, input_):
         """The number of pairs of an input, or None."""
@@ -119,9 +154,18 @@ class Run:
         if build is not None and find is not None:
             size = min(len(build), len(find))
             return build[:size] + find[:size]
-        if find is not None and "+" not in variant:
+        if find is not None and not self.info(variant).composed:
             return find  # complete in itself: nothing to build
         return self.samples.get((input_, variant, "whole"))
+
+
+def _named(value):
+    """What stands under a key "variant", at any depth."""
+    if isinstance(value, dict) and isinstance(value.get("variant"), str):
+        yield value["variant"]
+    if isinstance(value, (dict, list)):
+        for inner in value.values() if isinstance(value, dict) else value:
+            yield from _named(inner)
 
 
 def scene_of(input_):
@@ -145,7 +189,7 @@ def scene_and_n(input_):
 def replay(run, input_, variant=None):
     """The command that shows this chain again."""
     view = next(
-        (view for view in run.list("views") if view.get("input") == input_ and view.get("command")), None
+        (view for view in run.list("viewer") if view.get("input") == input_ and view.get("command")), None
     )
     if view and not variant:
         return view["command"]

@@ -1,8 +1,8 @@
 """One look for every figure: a variant keeps its colour, marker and dash all through the page.
 
 Colour: the traversal (of a stage shown alone: the algorithm). Marker: the construction. Dash: the
-arithmetic. Hollow: a device algorithm run on the host. Colours are names that the page resolves for light
-and dark and for print.
+arithmetic. Hollow: a device algorithm run on the host. Grey crosses: a peer. Colours are names that the
+page resolves for light and dark and for print.
 """
 import dataclasses
 
@@ -77,61 +77,40 @@ class Look:
     hollow: bool = False
 
 
-@dataclasses.dataclass(frozen=True)
-class Name:
-    """A variant's name, taken apart: aGPU2(subtree=256)@host+CPU2/literal."""
-
-    construction: str
-    traversal: str
-    arithmetic: str
-    host: bool
-
-    @staticmethod
-    def of(variant):
-        stages, _, arithmetic = variant.partition("/")
-        construction, plus, traversal = stages.partition("+")
-        if not plus:
-            construction, traversal = "", construction
-        return Name(construction, traversal, arithmetic or "robust", "@host" in stages)
-
-
-def algorithm(stage):
-    """An algorithm without its executor and parameters: aGPU2(subtree=256)@host is aGPU2."""
-    return stage.partition("@")[0].partition("(")[0]
+PEER = Look("muted", "cross", "dashdot")  # somebody else's library
 
 
 class Looks:
-    """The looks of all variants of a page."""
+    """The looks of all variants (variant.Variant) of a page."""
 
     def __init__(self, variants):
-        names = [Name.of(variant) for variant in variants]
-        found = {algorithm(stage) for name in names for stage in (name.construction, name.traversal) if stage}
+        found = {stage.algorithm for variant in variants for stage in variant.stages if not variant.peer}
         known = [name for name in PAPER if name in found]
         self.order = known + sorted(found - set(known))
-        constructions = sorted({algorithm(name.construction) for name in names})
+        constructions = sorted({v.construction.algorithm if v.composed else "" for v in variants if not v.peer})
         self.markers = {name: MARKERS[at % len(MARKERS)] for at, name in enumerate(constructions)}
 
-    def _colour(self, stage):
-        return (
-            COLOURS[self.order.index(algorithm(stage)) % len(COLOURS)]
-            if algorithm(stage) in self.order
-            else "ink"
-        )
+    def _colour(self, algorithm):
+        return COLOURS[self.order.index(algorithm) % len(COLOURS)] if algorithm in self.order else "ink"
 
     def variant(self, variant):
-        name = Name.of(variant)
+        if variant.peer:
+            return PEER
         return Look(
-            self._colour(name.traversal),
-            self.markers.get(algorithm(name.construction), "circle"),
-            DASHES.get(name.arithmetic, "solid"),
-            name.host,
+            self._colour(variant.traversal.algorithm),
+            self.markers.get(variant.construction.algorithm if variant.composed else "", "circle"),
+            DASHES.get(variant.arithmetic, "solid"),
+            any(stage.on_host for stage in variant.stages),
         )
 
-    def stage(self, stage, arithmetic="robust"):
-        """The look of a construction shown alone."""
+    def construction(self, variant):
+        """The look of a variant's construction shown alone; of one complete in itself, its own."""
+        if not variant.composed:
+            return self.variant(variant)
+        stage = variant.construction
         return Look(
-            self._colour(stage),
-            self.markers.get(algorithm(stage), "circle"),
-            DASHES.get(arithmetic, "solid"),
-            "@host" in stage,
+            self._colour(stage.algorithm),
+            self.markers.get(stage.algorithm, "circle"),
+            DASHES.get(variant.arithmetic, "solid"),
+            stage.on_host,
         )

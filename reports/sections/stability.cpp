@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "catena/bench/stability/report.h"
 #include "catena/bench/stability/run.h"
 #include "catena/reports/section.h"
@@ -12,8 +14,7 @@ nlohmann::ordered_json stability(const Profile& profile) {
   std::vector<std::string> names;
   for (const auto& variant : profile.variants) names.push_back(variant.name);
   for (const auto& spec : bench::stability_scenes(profile.stability_n))
-    for (const auto& cell : bench::measure_scene(spec, names))
-      rows.push_back(nlohmann::ordered_json::parse(bench::to_json(cell)));
+    for (const auto& cell : bench::measure_scene(spec, names)) rows.push_back(bench::to_json(cell));
   return rows;
 }
 

@@ -25,6 +25,32 @@ COSTS = {
 UPDATE_COST = 0.5  # of a build
 
 
+def described(name):
+    """The entry of `catena.variants` that catena writes for a variant of these tests."""
+    stages, _, arithmetic = name.partition("/")
+    stages = [
+        {
+            "text": text,
+            "strategy": text.partition("(")[0],
+            "algorithm": text.partition("@")[0].partition("(")[0],
+            "on_host": "@host" in text,
+            "settings": {},
+            "place": "device" if "GPU" in text and "@host" not in text else "host",
+        }
+        for text in stages.split("+")
+    ]
+    peer = name == "FCL"
+    return {
+        "stages": stages,
+        "arithmetic": "binary64" if peer else arithmetic or "robust",
+        "exact": not arithmetic and not peer,
+        "has_tree": len(stages) == 2,
+        "all_pairs": len(stages) == 1 and not peer,
+        "peer": peer,
+        "on_device": any(stage["place"] == "device" for stage in stages),
+    }
+
+
 def rows(repetitions=8, noise=0.03, slower=None, seed=7):
     """benchmarks[]; `slower` is {(variant, stage): factor}."""
     generator = numpy.random.default_rng(seed)
@@ -166,6 +192,7 @@ def run(**options):
         ],
         "catena": {
             "schema": 1,
+            "variants": {variant: described(variant) for variant in (*COSTS, "bGPU2+GPU2")},
             "profile": "custom",
             "command": "catena report --quick --output report",
             "seconds": 12.5,
@@ -210,7 +237,7 @@ def run(**options):
                 for v in exact
                 for want, cost in (("any", 0.1), ("counts", 1), ("pairs", 1.5))
             ],
-            "saved": [
+            "savings": [
                 {
                     "input": inputs[1],
                     "what": "pair list",

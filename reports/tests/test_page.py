@@ -18,7 +18,7 @@ import unittest
 import unittest.mock
 
 import made
-from catena_report import page, paper, report, runfile, whole_file
+from catena_report import compare, page, paper, report, runfile, whole_file
 from catena_report.drawn import static
 from catena_report.figure import Axis, Figure, Panel, Series
 from catena_report.style import Look
@@ -108,7 +108,7 @@ class Everything(Made):
 
     def test_carries_its_data(self):
         value = json.loads(json.dumps(self.values[0]))
-        value["catena"].pop("views", None)
+        value["catena"].pop("viewer", None)
         self.assertEqual(self.page.unpacked("data"), [value])
         self.assertEqual(json.loads((self.output / "run.json").read_text()), self.values[0])
 
@@ -211,6 +211,103 @@ class OtherData(Made):
         self.assertEqual(verdicts["Despite the GPU, GPU1 is the slowest traversal."], "does not hold")
 
 
+def with_peer_and_resident():
+    """The made run with FCL, the fastest of all and wrong in places, and a search of a chain on the device."""
+    value = made.run()
+    value["catena"]["variants"]["FCL"] = made.described("FCL")
+    added = []
+    for row in value["benchmarks"]:
+        if "/aGPU2+GPUv2/" in row["name"] and "/update" not in row["name"]:
+            added.append({**row, "name": row["name"].replace("aGPU2+GPUv2", "FCL"), "real_time": row["real_time"] / 9})
+        if "/aGPU2+GPU2/find" in row["name"]:
+            added.append({**row, "name": row["name"].replace("/find", "/resident"), "real_time": row["real_time"] / 9})
+    value["benchmarks"] += added
+    for line in [line for line in value["catena"]["stability"] if line["variant"] == "GPU1"]:
+        value["catena"]["stability"].append({**line, "variant": "FCL", "arithmetic": "binary64", "outcome": "wrong"})
+    for point in [p for p in value["catena"]["work_precision"]["points"] if p["variant"] == "GPU1"]:
+        value["catena"]["work_precision"]["points"].append({**point, "variant": "FCL", "front": True})
+    return value
+
+
+class Peer(Made):
+    values = [with_peer_and_resident()]
+
+    def names(self, figure):
+        return {trace["name"] for panel in self.page.unpacked("figures")[figure]["panels"] for trace in panel["data"]}
+
+    def test_it_is_timed_and_labelled(self):
+        for figure in ("times-build", "times-find", "work-precision"):
+            self.assertIn("FCL (peer)", self.names(figure))
+        self.assertIn("FCL (peer) wrong or not finite in 3 of 3", self.text)
+
+    def test_it_is_never_recommended_nor_ranked(self):
+        self.assertTrue(all("FCL" not in " ".join(row) for row in self.page.tables["choice"]))
+        self.assertIn("aGPU2+GPUv2 on 6 of 6 chains (significantly on 6)", self.text)
+        ranks = self.page.unpacked("figures")["ranks"]["panels"][0]
+        self.assertEqual({t["name"] for t in ranks["data"]} & {"FCL", "FCL (peer)"}, set())
+        self.assertNotIn("FCL is fastest", self.text)
+
+    def test_it_is_no_rounded_arithmetic_and_no_claim(self):
+        alone = page.sections.build(report.Report([runfile.load(made.write(self.folder.name, made.run()))]))
+        tables = {block.key: block for section in alone for block in section.blocks if hasattr(block, "columns")}
+        for key in ("exactness", "claims"):
+            shown = [[cell.text for cell in row] for row in tables[key].rows]
+            self.assertEqual(self.page.tables[key][1:], shown, key)
+        self.assertNotIn("binary64 arithmetic", self.text)
+
+    def test_a_resident_search_has_its_own_figure(self):
+        self.assertEqual(self.names("times-resident"), {"aGPU2+GPU2"})
+        one = self.page.unpacked("figures")["times-find"]["panels"][0]
+        times = next(trace["y"] for trace in one["data"] if trace["name"] == "aGPU2+GPU2")
+        self.assertAlmostEqual(times[0], 1e-4 * 1000, delta=0.02)
+
+
+class WithoutVariants(unittest.TestCase):
+    """Nothing takes a name apart: a page needs the run's own table."""
+
+    def refused(self, variants):
+        value = made.run()
+        value["catena"]["variants"] = variants
+        with tempfile.TemporaryDirectory() as folder:
+            path = made.write(folder, value)
+            with self.assertRaises(runfile.BadRunFile) as raised:
+                report.Report([runfile.load(path)])
+        return str(raised.exception)
+
+    def test_one_line_says_what_to_do(self):
+        full = made.run()["catena"]["variants"]
+        less = {name: value for name, value in full.items() if name != "GPU1"}
+        for variants, says in (
+            (None, "no catena.variants"),
+            (less, "does not have GPU1"),
+            ({**full, "GPU1": {}}, "not as in reports/run_file.md"),
+            ({**full, "GPU1": {**full["GPU1"], "stages": []}}, "not as in reports/run_file.md"),
+            ([1], "not as in reports/run_file.md"),
+        ):
+            line = self.refused(variants)
+            self.assertIn(says, line)
+            self.assertIn("measure again", line)
+            self.assertNotIn("\n", line)
+
+    def test_two_runs_are_compared_all_the_same(self):
+        value = made.run()
+        del value["catena"]["variants"]
+        run = runfile.Run("run.json", value)
+        self.assertTrue(compare.compared(run, run))
+
+    def test_what_a_variant_is_comes_from_the_table_alone(self):
+        value = made.run()
+        text = json.dumps(value)
+        for at, name in enumerate(sorted(value["catena"]["variants"], key=len, reverse=True)):
+            text = text.replace(name, f"v{at}")
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "run.json").write_text(text)
+            run = runfile.load(pathlib.Path(folder) / "run.json")
+            pages = report.Report([run])
+        self.assertEqual(len(run.recommended()), 5)
+        self.assertEqual(sum(run.info(name).rounded for name in run.variants()), 1)
+
+
 class H200(Made):
     """The stored run: a plain file of Google Benchmark."""
 
@@ -298,7 +395,7 @@ class Drawing(unittest.TestCase):
 class Views(unittest.TestCase):
     def test_a_chain_without_a_view_shows_the_nearest_of_its_scene(self):
         value = made.run()
-        value["catena"]["views"] = [
+        value["catena"]["viewer"] = [
             {"input": name} for name in ("path1/n:20", "path1/n:9000", "far:exponent=22/n:50")
         ]
         with tempfile.TemporaryDirectory() as folder:

@@ -18,6 +18,31 @@ class Intervals(unittest.TestCase):
     def test_few_samples_give_their_range(self):
         self.assertEqual(statistics.median([3.0, 1.0, 2.0]), statistics.Interval(2.0, 1.0, 3.0))
 
+    def test_median_takes_the_tabulated_order_statistics(self):
+        """As bench/timing/median_interval_test.cpp: Conover 1999, two-sided 95 %."""
+        for n, low, high in ((6, 1, 6), (9, 2, 8), (20, 6, 15), (50, 18, 33), (100, 40, 61)):
+            self.assertEqual(statistics.rank_of_bound(n), low)
+            found = statistics.median(range(n, 0, -1))
+            self.assertEqual((found.low, found.high), (low, high), n)
+        self.assertEqual(statistics.rank_of_bound(5), 0)
+        self.assertEqual(statistics.median([1.0, 2.0]).value, 1.5)
+
+    def test_ratio_covers_the_true_ratio(self):
+        generator = numpy.random.default_rng(17)
+        draw = lambda centre: centre * generator.lognormal(0, 0.2, 25)  # noqa: E731
+        inside = sum(1.5 in statistics.ratio(draw(3), draw(2)) for _ in range(400))
+        self.assertGreater(inside, 400 * 0.92)
+        self.assertLess(inside, 400)
+
+    def test_ratio_by_hand(self):
+        # Six samples: the intervals are the ranges. Of new median 4 in [2, 8], of old 2 in [1, 4]: every end is
+        # a factor 2 away, so the ratio's are 2^sqrt(2) away.
+        found = statistics.ratio([2, 4, 4, 4, 4, 8], [1, 2, 2, 2, 2, 4])
+        self.assertAlmostEqual(found.value, 2)
+        self.assertAlmostEqual(found.low, 2 / 2 ** math.sqrt(2))
+        self.assertAlmostEqual(found.high, 2 * 2 ** math.sqrt(2))
+        self.assertEqual(statistics.ratio([2, 4, 8], [1, 2, 4]), statistics.Interval(2.0, 0.5, 8.0))
+
     def test_ratio(self):
         generator = numpy.random.default_rng(5)
         found = statistics.ratio(generator.normal(3, 0.1, 40), generator.normal(2, 0.1, 40))

@@ -26,7 +26,7 @@ MARKERS = {
     "star": "*",
     "hexagon": "h",
 }
-LINES = {"solid": "-", "dot": (0, (1, 1.6)), "dash": (0, (4, 2))}
+LINES = {"solid": "-", "dot": (0, (1, 1.6)), "dash": (0, (4, 2)), "dashdot": (0, (4, 2, 1, 2))}
 INCH = 96  # CSS pixels
 PANEL = 460  # CSS pixels across
 RC = {

@@ -5,6 +5,7 @@ from . import (
     advice,
     animation,
     claims,
+    coherence,
     counts,
     environment,
     exactness,
@@ -18,6 +19,7 @@ from . import (
     times,
     tube_errors,
     viewer,
+    wants,
     work_precision,
 )
 from ..runfile import BadRunFile
@@ -35,8 +37,10 @@ ORDER = (
     stability,
     exactness,
     savings,
+    wants,
     counts,
     animation,
+    coherence,
     motion,
     environment,
     reproduce,

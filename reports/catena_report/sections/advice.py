@@ -1,7 +1,6 @@
 """Which variant to use: over the number of spheres, the density of contacts and the coherence of frames."""
 from .. import runfile, statistics, words
 from ..figure import Axis, Figure, Panel, Series
-from ..report import exact_arithmetic
 from ..section import Section
 from ..style import Look
 from ..table import Cell, Table
@@ -33,8 +32,8 @@ def build(report):
                     " colour and marker are the variant with the least median; a grey ring says that at least"
                     " one other variant does not differ from it significantly (Mann-Whitney with Holm's"
                     " correction; overlapping ranges where the repetitions are too few for it, within a"
-                    " factor of 2 below three): hover for which, and take either. Variants in robust"
-                    " arithmetic only."
+                    " factor of 2 below three): hover for which, and take either. Exact variants"
+                    " of catena's own only."
                 ),
                 panels,
             ),
@@ -47,7 +46,7 @@ def _one_off(run):
     """input -> {variant: samples}, where two variants or more were timed."""
     found = {}
     for input_ in run.inputs():
-        row = {variant: run.total(input_, variant) for variant in run.variants() if exact_arithmetic(variant)}
+        row = {variant: run.total(input_, variant) for variant in run.recommended()}
         row = {variant: times for variant, times in row.items() if times is not None}
         if len(row) > 1:
             found[input_] = row
@@ -59,7 +58,7 @@ def _moving(run):
     found = {}
     for row in run.list("coherence"):
         find = run.samples.get((row["input"], row["variant"], "find"))
-        if find is not None and exact_arithmetic(row["variant"]) and row.get("update_ms"):
+        if find is not None and run.info(row["variant"]).recommended and row.get("update_ms"):
             size = min(len(find), len(row["update_ms"]))
             found.setdefault(row["input"], {})[row["variant"]] = find[:size] + row["update_ms"][:size]
     return {input_: row for input_, row in found.items() if len(row) > 1}
@@ -91,7 +90,7 @@ def _panel(report, run, cases, title):
                 leader,
                 [places[input_] for input_, _ in several],
                 [_height(run, input_) for input_, _ in several],
-                report.looks.variant(leader),
+                report.look(run, leader),
                 line=False,
                 size=1.4,
                 hover=[

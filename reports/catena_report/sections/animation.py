@@ -1,23 +1,18 @@
-"""An animation frame by frame: what each frame costs, and what a moved frame saves over a new chain."""
+"""An animation frame by frame: what each frame costs."""
 import numpy
 
-from .. import compare, statistics, words
+from .. import words
 from ..figure import Axis, Figure, Panel, Series
 from ..section import Section
 from ..style import Look
-from ..table import Cell, Table
 
 
 def build(report):
     section = Section("animation", "Frame by frame")
     for run in report.runs:
         rows = [row for row in run.list("animation") if len(row.get("frames", [])) > 1]
-        if rows or run.list("coherence"):
-            section.blocks += report.heading(run)
         if rows:
-            section.blocks.append(_figure(report, run, rows))
-        if run.list("coherence"):
-            section.blocks.append(_table(report, run))
+            section.blocks += report.heading(run) + [_figure(report, run, rows)]
     return section if section.blocks else None
 
 
@@ -33,7 +28,7 @@ def _figure(report, run, rows):
                     row["variant"],
                     [frame["frame"] for frame in row["frames"]],
                     costs,
-                    report.looks.variant(row["variant"]),
+                    report.look(run, row["variant"]),
                     size=0.6,
                     hover=[_hover(row["variant"], frame, cost) for frame, cost in zip(row["frames"], costs)],
                     chains=[
@@ -88,39 +83,4 @@ def _hover(variant, frame, cost):
         f"<b>{variant}</b><br>frame {frame['frame']}: {words.duration(cost)}<br>update"
         f" {words.ms(frame['update_ms'])}, find"
         f" {words.ms(frame['find_ms'])} ms<br>{words.plural(frame['pairs'], 'pair')}{moved}"
-    )
-
-
-def _table(report, run):
-    rows = []
-    for row in run.list("coherence"):
-        if not row.get("rebuild_ms") or not row.get("update_ms"):
-            continue
-        ratio = statistics.ratio(row["rebuild_ms"], row["update_ms"])
-        p = statistics.mann_whitney(row["rebuild_ms"], row["update_ms"])
-        verdict = {compare.FASTER: "rebuild is faster", compare.SLOWER: "update is faster"}.get(
-            compare.verdict(ratio, p, compare.LEAST_RATIO), "no significant difference"
-        )
-        rows.append(
-            [
-                row["input"],
-                row["variant"],
-                verdict,
-                *[
-                    Cell(words.ms(numpy.median(row[key])), float(numpy.median(row[key])))
-                    for key in ("rebuild_ms", "update_ms")
-                ],
-                Cell(words.interval(ratio), ratio.value),
-            ]
-        )
-    return Table(
-        f"coherence{report.key(run)}",
-        "A new chain against update() of a moved frame",
-        (
-            f"Median milliseconds; faster is a ratio past {compare.LEAST_RATIO:g} and significant by"
-            " Mann-Whitney at 5 %."
-        ),
-        ["chain", "variant", "verdict", "rebuild, ms", "update, ms", "ratio"],
-        rows,
-        words=3,
     )

@@ -1,7 +1,6 @@
 """Costs free of noise: pair tests, node visits and bytes moved."""
 from .. import runfile, words
 from ..figure import Axis, Figure, Panel, Series
-from ..report import exact_arithmetic
 from ..section import Section
 from ..table import Cell, Table
 
@@ -34,20 +33,20 @@ def _figure(report, run, rows):
                     if row["variant"] == variant and runfile.scene_of(row["input"]) == scene and row.get(key)
                 )
                 if points:
-                    exact = exact_arithmetic(variant)
+                    info = run.info(variant)
                     panel.series.append(
                         Series(
-                            variant,
+                            info.label,
                             [p[0] for p in points],
                             [p[1] / p[0] for p in points],
-                            report.looks.variant(variant),
+                            report.looks.variant(info),
                             hover=[
-                                f"<b>{variant}</b><br>{i}<br>{words.count(c)} {name},"
+                                f"<b>{info.label}</b><br>{i}<br>{words.count(c)} {name},"
                                 f" {words.significant(c / n, 3)} a sphere"
                                 for n, c, i in points
                             ],
                             chains=[report.chain(run, i, variant) for _, _, i in points],
-                            shown=exact,
+                            shown=not info.rounded,
                         )
                     )
             if panel.series and max(len(s.x) for s in panel.series) > 1:

@@ -1,8 +1,6 @@
-"""What exact answers cost: robust arithmetic against the paper's own, the same algorithm on the same chain.
-"""
+"""What exact answers cost: the exact variant against the same stages in rounded arithmetic, on one chain."""
 from .. import statistics, words
 from ..section import Section
-from ..style import Name
 from ..table import Cell, Table
 
 STAGES = {"build": "construction", "find": "traversal"}
@@ -18,10 +16,13 @@ def build(report):
 
 
 def _table(report, run):
+    infos = [run.info(variant) for variant in run.variants()]
+    exact_of = {info.stages: info.name for info in infos if info.recommended}
     ratios = {}
     for (input_, variant, stage), times in run.samples.items():
-        exact = run.samples.get((input_, variant.partition("/")[0], stage))
-        if Name.of(variant).arithmetic != "robust" and exact is not None and stage in STAGES:
+        info = run.info(variant)
+        exact = run.samples.get((input_, exact_of.get(info.stages), stage))
+        if info.rounded and exact is not None and stage in STAGES:
             ratios.setdefault((variant, stage), []).append(statistics.ratio(exact, times).value)
     rows = [
         [variant, *[_cell(ratios.get((variant, stage))) for stage in STAGES]]
@@ -38,7 +39,7 @@ def _table(report, run):
         f"exactness{report.key(run)}",
         message,
         (
-            "Median time of the robust variant over that of the same algorithm in the arithmetic named at the"
+            "Median time of the exact variant over that of the same algorithm in the arithmetic named at the"
             " left: the geometric mean over all chains, with its 95 % t interval. Above 1 the exact one is"
             " slower."
         ),

@@ -4,7 +4,6 @@
 from .. import words
 from ..figure import Axis, Figure, Heat, Panel, Series
 from ..section import Section
-from ..style import Name
 from ..table import Cell, Table
 
 CATEGORIES = [("holds", "good"), ("slips through itself", "bad"), ("diverges", "lost")]
@@ -83,7 +82,7 @@ def _drift(report, run, lines):
     ):
         panel = Panel(rope, Axis("time step", log=True), Axis("energy drift", log=True), height=250)
         for variant in sorted(
-            {line["variant"] for line in lines}, key=lambda v: (Name.of(v).arithmetic != "robust", v)
+            {line["variant"] for line in lines}, key=lambda v: (not run.info(v).exact, v)
         ):
             mine = sorted(
                 (
@@ -102,7 +101,7 @@ def _drift(report, run, lines):
                         variant,
                         [line["step"] for line in mine],
                         [line["energy_drift"] for line in mine],
-                        report.looks.variant(variant),
+                        report.look(run, variant),
                         hover=[_hover(line) for line in mine],
                     )
                 )

@@ -3,7 +3,6 @@ import numpy
 
 from .. import statistics, words
 from ..figure import Axis, Figure, Line, Panel, Series
-from ..report import exact_arithmetic
 from ..section import Section
 from ..style import Look
 
@@ -23,7 +22,7 @@ def ranks(run):
     """
     table = {}
     for input_ in run.inputs():
-        row = {variant: run.total(input_, variant) for variant in run.variants() if exact_arithmetic(variant)}
+        row = {variant: run.total(input_, variant) for variant in run.recommended()}
         row = {variant: float(numpy.median(times)) for variant, times in row.items() if times is not None}
         if len(row) > 1:
             table[input_] = row
@@ -65,7 +64,7 @@ def _figure(report, run):
                 name,
                 [result.mean[name]],
                 [at],
-                report.looks.variant(name),
+                report.look(run, name),
                 line=False,
                 size=1.4,
                 legend=False,

@@ -1,4 +1,4 @@
-"""What each scene could do without, what that saved, and what it costs to ask for more."""
+"""What each scene could do without, and what that saved."""
 import numpy
 
 from .. import statistics, words
@@ -7,18 +7,11 @@ from ..section import Section
 from ..style import Look
 from ..table import Cell, Table
 
-WANTS = ("any", "counts", "pairs")
-
 
 def build(report):
     section = Section("savings", "What could be left out, and what that saved")
-    for run in report.runs:
-        if run.list("saved") or run.list("wants"):
-            section.blocks += report.heading(run)
-        if run.list("saved"):
-            section.blocks += [_figure(report, run), _table(report, run)]
-        if run.list("wants"):
-            section.blocks.append(_wants(report, run))
+    for run in report.having("savings"):
+        section.blocks += report.heading(run) + [_figure(report, run), _table(report, run)]
     return section if section.blocks else None
 
 
@@ -31,7 +24,7 @@ def _saved(row):
 
 
 def _figure(report, run):
-    rows = [(row, _saved(row)) for row in run.list("saved")]
+    rows = [(row, _saved(row)) for row in run.list("savings")]
     rows = sorted(((row, ratio) for row, ratio in rows if ratio), key=lambda entry: -entry[1].value)
     names = [f"{row['input']}: {row['what']}" for row, _ in rows]
     clear = sum(ratio.low > 1 for _, ratio in rows)
@@ -80,7 +73,7 @@ def _figure(report, run):
 
 def _table(report, run):
     rows = []
-    for row in run.list("saved"):
+    for row in run.list("savings"):
         ratio = _saved(row)
         same = row.get("identical")
         rows.append(
@@ -103,42 +96,10 @@ def _table(report, run):
             ]
         )
     return Table(
-        f"saved{report.key(run)}",
+        f"savings{report.key(run)}",
         "What was left out, and why",
         "Medians; the result with and without must be identical.",
         ["scene", "left out", "because", "result", "with, ms", "without, ms", "ratio"],
         rows,
         words=4,
-    )
-
-
-def _wants(report, run):
-    found = {}
-    for row in run.list("wants"):
-        found.setdefault((row["input"], row["variant"]), {})[row["want"]] = row["ms"]
-    rows = [
-        [
-            input_,
-            variant,
-            *[
-                (
-                    Cell(words.ms(numpy.median(asked[want])), float(numpy.median(asked[want])))
-                    if asked.get(want)
-                    else ""
-                )
-                for want in WANTS
-            ],
-        ]
-        for (input_, variant), asked in sorted(found.items())
-    ]
-    return Table(
-        f"wants{report.key(run)}",
-        "What find costs by what is asked for",
-        (
-            "Median milliseconds: whether anything collides, counts for each sphere, or counts and the list"
-            " of pairs."
-        ),
-        ["scene", "variant", *[f"{want}, ms" for want in WANTS]],
-        rows,
-        words=2,
     )

@@ -4,7 +4,7 @@ import html
 from .. import words
 from ..figure import Axis, Figure, Heat, Line, Panel
 from ..section import Prose, Section
-from ..style import DASHES, Name
+from ..style import DASHES
 
 CATEGORIES = [
     ("exact", "good"),
@@ -20,27 +20,31 @@ def build(report):
     section = Section("stability", "Stability on stiff and extreme scenes")
     for run in report.having("stability"):
         lines = run.list("stability")
-        section.blocks += report.heading(run) + [_summary(lines), _figure(report, run, lines)]
+        section.blocks += report.heading(run) + [_summary(run, lines), _figure(report, run, lines)]
     return section if section.blocks else None
 
 
-def tally(lines):
-    """arithmetic -> outcome -> how often"""
+def group(run, line):
+    """What a cell is counted under: its arithmetic; of a peer, its own name."""
+    info = run.info(line["variant"])
+    return info.label if info.peer else f"{info.arithmetic} arithmetic"
+
+
+def tally(run):
+    """group -> outcome -> how often, the exact ones first"""
     found = {}
-    for line in lines:
-        row = found.setdefault(line["arithmetic"], {})
+    for line in sorted(run.list("stability"), key=lambda line: _order(run.info(line["variant"]))):
+        row = found.setdefault(group(run, line), {})
         row[line["outcome"]] = row.get(line["outcome"], 0) + 1
     return found
 
 
-def _summary(lines):
+def _summary(run, lines):
     points = []
-    counted = tally(lines)
-    for arithmetic in sorted(counted, key=_arithmetic):
-        outcomes = counted[arithmetic]
+    for name, outcomes in tally(run).items():
         tried = sum(number for outcome, number in outcomes.items() if outcome != "refused")
         points.append(
-            f"<strong>{html.escape(arithmetic)}</strong>: "
+            f"<strong>{html.escape(name)}</strong>: "
             + words.listed(
                 f"{number} {html.escape(outcome)}"
                 for outcome, number in sorted(outcomes.items(), key=lambda item: OUTCOMES.get(item[0], 9))
@@ -65,24 +69,24 @@ def _figure(report, run, lines):
     cell = {(line["scene"], line["variant"]): line for line in lines}
     scenes = list(dict.fromkeys(line["scene"] for line in lines))
     groups, refusing = {}, {}
-    for variant in sorted(
-        {line["variant"] for line in lines}, key=lambda name: (Name.of(name).traversal, name)
-    ):
+    infos = [run.info(name) for name in {line["variant"] for line in lines}]
+    for info in sorted(infos, key=lambda info: (_order(info), info.traversal.text, info.name)):
+        variant = info.name
         mine = [line for line in lines if line["variant"] == variant]
         if all(line["outcome"] == "refused" for line in mine):
             refusing.setdefault(mine[0].get("reason", "no reason given"), []).append(variant)
         else:
-            groups.setdefault(mine[0]["arithmetic"], []).append(variant)
+            groups.setdefault("peers" if info.peer else info.arithmetic, []).append(variant)
     columns, starts = [], []
-    for arithmetic in sorted(groups, key=_arithmetic):
+    for name, variants in groups.items():
         columns += [None] if columns else []
-        starts.append(Line(len(columns) - 0.5, label=arithmetic))
-        columns += groups[arithmetic]
+        starts.append(Line(len(columns) - 0.5, label=name))
+        columns += variants
     rows = [[cell.get((scene, variant)) for variant in columns] for scene in scenes]
     common, labels = _short(lines, scenes)
     panel = Panel(
         "",
-        Axis("", categories=[variant.partition("/")[0] if variant else "" for variant in columns]),
+        Axis("", categories=[run.info(variant).algorithms if variant else "" for variant in columns]),
         Axis(common, categories=labels),
         lines=starts,
         height=15 * len(scenes) + 190,
@@ -95,7 +99,7 @@ def _figure(report, run, lines):
         ),
     )
     wrong = [line for line in lines if line["outcome"] in ("wrong", "not finite")]
-    robust = sum(line["arithmetic"] == "robust" for line in wrong)
+    exact = sum(run.info(line["variant"]).exact for line in wrong)
     left = "".join(
         f" Left out, since refused on every scene: {words.listed(names)} ({reason})."
         for reason, names in refusing.items()
@@ -104,11 +108,11 @@ def _figure(report, run, lines):
         f"stability{report.key(run)}",
         (
             f"{words.plural(len(wrong), 'wrong or not finite answer')} in {words.count(len(lines))} cases,"
-            f" {robust or 'none'} of them in robust arithmetic"
+            f" {exact or 'none'} of them of an exact variant"
         ),
         (
-            "One row for each scene, one column for each variant, grouped by arithmetic. Hover for what is"
-            " wrong and by how much: the worst margin is the largest relative distance from touching, |q -"
+            "One row for each scene, one column for each variant, grouped by arithmetic, peers last. Hover for"
+            " what is wrong and by how much: the worst margin is the largest relative distance from touching, |q -"
             f" t| / t, of a pair that was missed or invented. Click for the command that replays it.{left}"
         ),
         [panel],
@@ -116,8 +120,10 @@ def _figure(report, run, lines):
     )
 
 
-def _arithmetic(name):
-    return list(DASHES).index(name) if name in DASHES else len(DASHES)
+def _order(info):
+    """Of groups: exact first, rounded next in the order of the paper, peers last."""
+    known = list(DASHES)
+    return info.peer, known.index(info.arithmetic) if info.arithmetic in known else len(known)
 
 
 def _short(lines, scenes):

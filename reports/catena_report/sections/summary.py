@@ -87,7 +87,7 @@ def _wrong(run, on):
     }
     points = []
     if wrong:
-        names = sorted({case[1] for case in wrong})
+        names = sorted({run.info(case[1]).label for case in wrong})
         points.append(
             f"<strong>Wrong answers while timed</strong>{on}: {html.escape(words.listed(names, 5))}, on "
             f"{html.escape(words.listed(sorted({case[0] for case in wrong}), 5))}."
@@ -101,20 +101,20 @@ def _wrong(run, on):
         reason = next(iter(run.refused.values()))
         points.append(
             f"<strong>Refused</strong>{on}: {words.plural(len(run.refused), 'measurement')} of "
-            f"{html.escape(words.listed(sorted({case[1] for case in run.refused}), 4))} (“{html.escape(reason)}”)."
+            f"{html.escape(words.listed(sorted({run.info(case[1]).label for case in run.refused}), 4))} (“{html.escape(reason)}”)."
         )
     return points
 
 
 def _stable(run, on):
-    counted = stability.tally(run.list("stability"))
+    counted = stability.tally(run)
     if not counted:
         return []
     parts = []
-    for arithmetic, outcomes in sorted(counted.items(), key=lambda item: item[0] != "robust"):
+    for name, outcomes in counted.items():
         bad = outcomes.get("wrong", 0) + outcomes.get("not finite", 0)
         tried = sum(outcomes.values()) - outcomes.get("refused", 0)
-        parts.append(f"{html.escape(arithmetic)} arithmetic wrong or not finite in {bad:,} of {tried:,}")
+        parts.append(f"{html.escape(name)} wrong or not finite in {bad:,} of {tried:,}")
     return [f"<strong>On stiff and extreme scenes</strong>{on}: {words.listed(parts)} cases."]
 
 

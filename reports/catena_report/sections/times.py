@@ -4,7 +4,6 @@ import numpy
 from .. import runfile, statistics, words
 from ..figure import Axis, Figure, Panel, Series
 from ..section import Section
-from ..style import Name
 from ..table import Cell, Table
 
 STAGES = {
@@ -12,6 +11,7 @@ STAGES = {
     "update": "update of a moved frame",
     "find": "traversal",
     "whole": "whole call",
+    "resident": "search of a chain that stays on the device",
 }
 OF_CONSTRUCTIONS = ("build", "update")  # what a construction does, whatever the traversal
 SHOWN = 12  # series drawn at first; the legend has the others
@@ -35,22 +35,17 @@ def build(report):
 
 
 def curves(run, inputs, stage):
-    """name -> (look key, [(input, samples)]): constructions are pooled over the traversals that they were
-    measured with.
+    """label -> [(input, one of its variants, samples)]: constructions are pooled over the traversals that
+    they were measured with.
     """
     found = {}
     for input_ in inputs:
         pooled = {}
         for (name, variant, measured), times in run.samples.items():
             if name == input_ and measured == stage:
-                parts = Name.of(variant)
-                if stage in OF_CONSTRUCTIONS:
-                    if not parts.construction:
-                        continue
-                    suffix = "" if parts.arithmetic == "robust" else "/" + parts.arithmetic
-                    pooled.setdefault(parts.construction + suffix, []).append((variant, times))
-                else:
-                    pooled[variant] = [(variant, times)]
+                info = run.info(variant)
+                label = info.construction_label() if stage in OF_CONSTRUCTIONS else info.label
+                pooled.setdefault(label, []).append((variant, times))
         for name, several in pooled.items():
             found.setdefault(name, []).append(
                 (input_, several[0][0], numpy.concatenate([times for _, times in several]))
@@ -58,33 +53,33 @@ def curves(run, inputs, stage):
     return found
 
 
-def _look(report, name, stage):
-    if stage not in OF_CONSTRUCTIONS:
-        return report.looks.variant(name)
-    construction, _, arithmetic = name.partition("/")
-    return report.looks.stage(construction, arithmetic or "robust")
+def _look(report, info, stage):
+    return report.looks.construction(info) if stage in OF_CONSTRUCTIONS else report.looks.variant(info)
 
 
 def _figure(report, run, scenes, stage):
-    panels, order = [], {}
+    panels, order, infos = [], {}, {}
     drawn = {scene: curves(run, inputs, stage) for scene, inputs in scenes.items()}
     drawn = {scene: found for scene, found in drawn.items() if found}  # not every scene is updated
     for found in drawn.values():
         for name, points in found.items():
             order.setdefault(name, []).append(float(numpy.median(points[-1][2])))
+            infos[name] = run.info(points[0][1])
     if not order:
         return None
     ranked = sorted(
         order,
         key=lambda name: (
-            Name.of(name).arithmetic != "robust" if stage not in OF_CONSTRUCTIONS else "/" in name,
+            infos[name].peer,
+            not infos[name].exact,
             -sum(len(found.get(name, ())) for found in drawn.values()),
             min(order[name]),
         ),
     )
-    shown = set(ranked[:SHOWN]) if len(ranked) > SHOWN else {name for name in ranked}
+    shown = set(ranked[:SHOWN])
     if stage not in OF_CONSTRUCTIONS:
-        shown = {name for name in shown if Name.of(name).arithmetic == "robust"} or shown
+        shown = {name for name in shown if infos[name].exact} or shown
+    shown |= {name for name in ranked if infos[name].peer}
     for scene, found in drawn.items():
         panel = Panel(scene, Axis("spheres n", log=True), Axis(f"{STAGES[stage]}, ms", log=True))
         for name in ranked:
@@ -93,16 +88,17 @@ def _figure(report, run, scenes, stage):
         panels.append(panel)
     return Figure(
         f"times-{stage}{report.key(run)}",
-        _message(drawn, stage),
+        _message(run, drawn, stage),
         (
             "Both axes are logarithmic: a straight line is a power of n, a parallel shift a constant factor."
-            " Points are medians, bars their 95 % bootstrap interval (the range below six repetitions). "
+            " Points are medians, bars their 95 % interval by order statistics (the range below six"
+            " repetitions). "
             + (
                 "One line for each construction, pooled over the traversals it was measured with. "
                 if stage in OF_CONSTRUCTIONS
                 else ""
             )
-            + "Hollow markers are device algorithms run on the host."
+            + "Hollow markers are device algorithms run on the host; a peer is somebody else's library."
         ),
         panels,
         columns=3 if len(panels) % 3 == 0 else 2,
@@ -115,7 +111,7 @@ def _series(report, run, name, points, stage, shown):
         name,
         [runfile.n_of(input_) for input_, _, _ in points],
         [e.value for e in estimates],
-        _look(report, name, stage),
+        _look(report, run.info(points[0][1]), stage),
         low=[e.low for e in estimates],
         high=[e.high for e in estimates],
         shown=shown,
@@ -128,7 +124,7 @@ def _series(report, run, name, points, stage, shown):
     )
 
 
-def _message(drawn, stage):
+def _message(run, drawn, stage):
     """Who is fastest at the largest n of each scene, where the samples can tell."""
     wins, open_ = {}, []
     for scene, found in drawn.items():
@@ -136,7 +132,7 @@ def _message(drawn, stage):
         last = {
             name: points[-1][2]
             for name, points in found.items()
-            if runfile.n_of(points[-1][0]) == top and "/" not in name
+            if runfile.n_of(points[-1][0]) == top and run.info(points[-1][1]).recommended
         }
         if last:
             leader, alike = statistics.best(last)

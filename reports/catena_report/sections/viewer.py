@@ -13,13 +13,13 @@ def available():
 
 def missing(report):
     """Why chains are not shown, or None."""
-    if not report.having("views"):
+    if not report.having("viewer"):
         return None
     return available().missing() if available() else "reports/catena_report/viewer.py is not there"
 
 
 def build(report):
-    views = [view for run in report.having("views") for view in run.list("views")]
+    views = [view for run in report.having("viewer") for view in run.list("viewer")]
     if not views or not available():
         return None
     fragment = available().render(views)

@@ -4,7 +4,7 @@ import html
 from .. import words
 from ..figure import Axis, Figure, Panel, Series
 from ..section import Prose, Section
-from ..style import Look, Name
+from ..style import Look
 
 
 def build(report):
@@ -40,6 +40,7 @@ def _figure(report, run, points):
         panels.append(
             _panel(
                 report,
+                run,
                 mine,
                 [point for point in front if _tube(point) == tube],
                 "tube_error",
@@ -52,6 +53,7 @@ def _figure(report, run, points):
             panels.append(
                 _panel(
                     report,
+                    run,
                     wrong,
                     [],
                     "answer_error",
@@ -59,7 +61,7 @@ def _figure(report, run, points):
                     f"{tube}: what the arithmetic adds",
                 )
             )
-    names = sorted({point["variant"] for point in front})
+    names = sorted({run.info(point["variant"]).label for point in front})
     return Figure(
         f"work-precision{report.key(run)}",
         (
@@ -81,23 +83,23 @@ def _tube(point):
     return point["tube"] + (f", moved by {point['offset']:g} radii" if point.get("offset") else "")
 
 
-def _panel(report, points, front, key, what, title):
+def _panel(report, run, points, front, key, what, title):
     panel = Panel(
         title, Axis("build + find, ms", log=True), Axis(f"{what}, tube radii", log=True), height=420
     )
     for variant in sorted(
-        {point["variant"] for point in points}, key=lambda name: (Name.of(name).arithmetic != "robust", name)
+        {point["variant"] for point in points}, key=lambda name: (not run.info(name).exact, name)
     ):
         for on_front in (False, True):
             rows = [
                 p for p in points if p["variant"] == variant and p["front"] is on_front and _error(p, key) > 0
             ]
             if rows:
-                look = report.looks.variant(variant)
+                look = report.look(run, variant)
                 look = look if on_front else Look("faint", look.marker, look.dash, look.hollow)
                 panel.series.append(
                     Series(
-                        variant if on_front else "dominated",
+                        run.info(variant).label if on_front else "dominated",
                         [p["median_ms"] for p in rows],
                         [_error(p, key) for p in rows],
                         look,
@@ -105,7 +107,7 @@ def _panel(report, points, front, key, what, title):
                         low=[p["lower_quartile_ms"] for p in rows],
                         high=[p["upper_quartile_ms"] for p in rows],
                         across=True,
-                        hover=[_hover(p) for p in rows],
+                        hover=[_hover(run, p) for p in rows],
                         size=1.25 if on_front else 0.8,
                         legend=on_front or not any(s.name == "dominated" for s in panel.series),
                     )
@@ -128,9 +130,9 @@ def _error(point, key):
     return point[key] if key == "answer_error" else point["tube_error"] + point["answer_error"]
 
 
-def _hover(point):
+def _hover(run, point):
     return (
-        f"<b>{point['variant']}</b><br>{_tube(point)}, n ="
+        f"<b>{run.info(point['variant']).label}</b><br>{_tube(point)}, n ="
         f" {words.count(point['n'])}<br>{words.duration(point['median_ms'])}, quartiles"
         f" {words.ms(point['lower_quartile_ms'])} to {words.ms(point['upper_quartile_ms'])} ms<br>error of"
         f" the tube {point['tube_error']:.2e}, of the answer {point['answer_error']:.2e} radii"

@@ -172,7 +172,7 @@ void rebuild(Json& rows, const Profile& profile) {
 }
 
 /// What each scene could do without, and what that saves.
-Json saved(const Profile& profile) {
+Json savings(const Profile& profile) {
   Json rows = Json::array();
   hierarchy(rows, profile);
   pair_list(rows, profile);
@@ -180,7 +180,7 @@ Json saved(const Profile& profile) {
   return rows;
 }
 
-const RegisterSection registered{"saved", saved};
+const RegisterSection registered{"savings", savings};
 
 }  // namespace
 }  // namespace catena::reports

@@ -143,13 +143,14 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
   return out;
 }
 
-Json views(const Profile& profile) {
+/// The chains that the viewer shows.
+Json viewer(const Profile& profile) {
   Json list = Json::array();
   for (const auto& shown : profile.shown) list.push_back(view(shown, profile));
   return list;
 }
 
-const RegisterSection registered{"views", views};
+const RegisterSection registered{"viewer", viewer};
 
 }  // namespace
 }  // namespace catena::reports

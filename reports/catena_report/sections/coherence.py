@@ -1,0 +1,48 @@
+"""What update() of a moved frame saves over a new chain."""
+import numpy
+
+from .. import compare, statistics, words
+from ..section import Section
+from ..table import Cell, Table
+
+
+def build(report):
+    section = Section("coherence", "What moving saves over building anew")
+    for run in report.having("coherence"):
+        section.blocks += report.heading(run) + [_table(report, run)]
+    return section if section.blocks else None
+
+
+def _table(report, run):
+    rows = []
+    for row in run.list("coherence"):
+        if not row.get("rebuild_ms") or not row.get("update_ms"):
+            continue
+        ratio = statistics.ratio(row["rebuild_ms"], row["update_ms"])
+        p = statistics.mann_whitney(row["rebuild_ms"], row["update_ms"])
+        verdict = {compare.FASTER: "rebuild is faster", compare.SLOWER: "update is faster"}.get(
+            compare.verdict(ratio, p, compare.LEAST_RATIO), "no significant difference"
+        )
+        rows.append(
+            [
+                row["input"],
+                row["variant"],
+                verdict,
+                *[
+                    Cell(words.ms(numpy.median(row[key])), float(numpy.median(row[key])))
+                    for key in ("rebuild_ms", "update_ms")
+                ],
+                Cell(words.interval(ratio), ratio.value),
+            ]
+        )
+    return Table(
+        f"coherence{report.key(run)}",
+        "A new chain against update() of a moved frame",
+        (
+            f"Median milliseconds; faster is a ratio past {compare.LEAST_RATIO:g} and significant by"
+            " Mann-Whitney at 5 %."
+        ),
+        ["chain", "variant", "verdict", "rebuild, ms", "update, ms", "ratio"],
+        rows,
+        words=3,
+    )
