@@ -3,7 +3,6 @@
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 #include "catena/core/strategy/resident_variant.h"
-#include "catena/cuda/clear_answer.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_visitor.cuh"
 #include "catena/cuda/launch.cuh"
@@ -36,11 +35,10 @@ class GPU1 final : public ResidentVariant {
  private:
   void enqueue_build(const ChainView&, const Request&, StreamHandle) override {}
 
-  void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
+  void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                     StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     const SphereRange queries = request.queries.within(chain.size);
-    clear_answer(answer, chain.size, stream);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
       launch(search<decltype(tests)>, queries.size(), threads_, stream, chain, answer, queries);
     });

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "catena/core/strategy/registry.h"
+#include "catena/cuda/clear_answer.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_answer.h"
 #include "catena/cuda/device_buffer.h"
@@ -49,6 +50,10 @@ class CudaDevice final : public Device {
     work(stream_);
     timer_.stop(stream_);
     return timer_.ms();
+  }
+
+  void clear(const ResidentAnswer& answer, std::uint32_t n, StreamHandle stream) override {
+    clear_answer(answer, n, static_cast<cudaStream_t>(stream));
   }
 
   Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,

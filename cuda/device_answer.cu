@@ -2,6 +2,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/strategy/timings.h"
+#include "catena/cuda/clear_answer.h"
 #include "catena/cuda/device_answer.h"
 
 namespace catena::cuda {
@@ -14,6 +15,7 @@ Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Colli
   Device::Times times;
   ResidentState state{};
   for (;;) {
+    clear_answer(answer, n, stream);
     timer_.start(stream);
     search(answer, stream);
     timer_.stop(stream);

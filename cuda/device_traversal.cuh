@@ -2,7 +2,6 @@
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/stages.h"
-#include "catena/cuda/clear_answer.h"
 #include "catena/cuda/launch.cuh"
 
 namespace catena::cuda {
@@ -19,7 +18,6 @@ class DeviceTraversal final : public Traversal<HierarchyView<typename Arithmetic
                const Request& request, const ResidentAnswer& answer, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     const SphereRange queries = request.queries.within(chain.size);
-    clear_answer(answer, chain.size, stream);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
       using Chosen = Search<decltype(tests)>;
       launch(Chosen::kernel, std::uint64_t{Chosen::threads_per_sphere} * queries.size(), threads_, stream,

@@ -44,15 +44,17 @@ class CPU1 final : public Variant {
   static void compare_all(const ChainView& view, PairCollector& collector, const Met& met) {
     PairCollector::Lane& lane = collector.lane(0);
     const SphereRange queries = collector.queries();
+    const Sphere* const spheres = view.spheres;
     for (std::uint32_t i = 0; i < queries.end && !lane.satisfied(); ++i) {
-      const auto sphere = Tests::bound(view.spheres[i]);
+      const auto sphere = Tests::bound(spheres[i]);
       // A sphere before the range is compared with those in it alone, whose counts need it.
       const std::uint32_t first = std::max(i + 1, i < queries.begin ? queries.begin : 0u);
       const std::uint32_t end = i < queries.begin ? queries.end : view.size;
       for (std::uint32_t j = first; j < end; ++j) {
         met(i, j);
-        if (Tests::overlap(sphere, Tests::bound(view.spheres[j])) && !view.neighbours(i, j))
-          lane.collide(i, j);
+        if (!Tests::overlap(sphere, Tests::bound(spheres[j]))) [[likely]]
+          continue;
+        if (!view.neighbours(i, j)) lane.collide(i, j);
       }
     }
   }

@@ -104,6 +104,7 @@ class Composed final : public Variant, private ResidentSearch {
   }
   void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                     StreamHandle stream) override {
+    device_->clear(answer, chain.size, stream);
     traversal_->enqueue(chain, construction_->hierarchy(), request, answer, stream);
   }
   void mend(const ResidentState& seen) override { traversal_->mend(seen); }

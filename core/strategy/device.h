@@ -33,7 +33,9 @@ class CATENA_API Device {
 
   /// Runs what `work` enqueues on the stream that it is given; milliseconds by the device's clock.
   virtual double run(const Work& work) = 0;
-  /// Runs what `search` enqueues for a chain of n spheres, again with more room until nothing is lost, and
+  /// Enqueues what every search begins with: counts, if wanted, and state of an answer for n spheres set to nothing.
+  virtual void clear(const ResidentAnswer& answer, std::uint32_t n, StreamHandle stream) = 0;
+  /// Runs what `search` enqueues for a chain of n spheres into an answer that was cleared, again with more room until nothing is lost, and
   /// brings the answer to the host. Throws PairLimitExceeded with the true number. `mend` is told of every
   /// overflow.
   virtual Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,

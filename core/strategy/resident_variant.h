@@ -8,8 +8,8 @@
 
 namespace catena {
 
-/// A variant that is one resident search: it derives from this and enqueues its two stages; building, finding
-/// and fetching from the host are made of them here.
+/// A variant that is one resident search: it derives from this and enqueues its build and, into an answer that was
+/// cleared, its search; building, finding and fetching from the host are made of them here.
 class ResidentVariant : public Variant, protected ResidentSearch {
  public:
   explicit ResidentVariant(std::unique_ptr<Device> device) : device_(std::move(device)) {}
@@ -32,7 +32,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
     const auto times = device_->answer(
         chain.size(), request, result,
         [&](const ResidentAnswer& answer, StreamHandle stream) {
-          enqueue_find(chain_, request, answer, stream);
+          enqueue_search(chain_, request, answer, stream);
         },
         [&](const ResidentState& seen) { mend(seen); });
     timings_.find_ms = times.work_ms;
@@ -46,7 +46,17 @@ class ResidentVariant : public Variant, protected ResidentSearch {
     return this;
   }
 
+ protected:
+  virtual void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
+                              StreamHandle stream) = 0;
+
  private:
+  void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
+                    StreamHandle stream) final {
+    device_->clear(answer, chain.size, stream);
+    enqueue_search(chain, request, answer, stream);
+  }
+
   std::unique_ptr<Device> device_;
   Request request_;
   std::optional<std::uint32_t> built_;

@@ -51,7 +51,7 @@ class CATENA_API Traversal : public Stage {
   virtual void find(const ChainView&, const Tree&, const Request&, Collisions&) {
     throw std::logic_error("find: this traversal runs on a device");
   }
-  /// On a device: like ResidentSearch::enqueue_find.
+  /// On a device: like ResidentSearch::enqueue_find, into an answer that was cleared.
   virtual void enqueue(const ChainView&, const Tree&, const Request&, const ResidentAnswer&, StreamHandle) {
     throw std::logic_error("enqueue: this traversal runs on the host");
   }

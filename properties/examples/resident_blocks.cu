@@ -6,7 +6,6 @@
 #include "catena/core/executor/host_executor.h"
 #include "catena/core/strategy/register.h"
 #include "catena/core/strategy/resident_variant.h"
-#include "catena/cuda/clear_answer.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/device_visitor.cuh"
@@ -122,11 +121,10 @@ class ResidentBlocks final : public ResidentVariant {
     BlockBox* boxes = boxes_.reserve(blocks, stream);
     cuda::launch(make_boxes, blocks, 128, stream, chain, boxes, blocks);
   }
-  void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
+  void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                     StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     const SphereRange queries = request.queries.within(chain.size);
-    cuda::clear_answer(answer, chain.size, stream);
     const BlockBox* boxes = boxes_.data();
     cuda::launch(search_boxes<Arithmetic>, queries.size(), 128, stream, chain, boxes, answer, queries);
   }
