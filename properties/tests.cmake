@@ -21,7 +21,11 @@ if(TARGET catena_cuda)  # what a user's own resident search looks like, and a ca
 endif()
 add_dependencies(catena_tests catena_cli)  # tests run the program too
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-gtest_discover_tests(catena_tests PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
+set(timeout 300)
+if(CATENA_SANITIZE)
+  set(timeout 1500)
+endif()
+gtest_discover_tests(catena_tests PROPERTIES TIMEOUT ${timeout} DISCOVERY_TIMEOUT 120)
 set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/properties/labels.cmake)
 
 # ThreadSanitizer needs the tests about threads only, and so a quarter of the build.
