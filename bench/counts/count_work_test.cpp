@@ -46,7 +46,9 @@ TEST(Work, IsTheSameInEveryRunAndForTheSameSearch) {
     EXPECT_EQ(work, count_work(info, chain)) << info.name;
     if (!work || info.all_pairs) continue;
     EXPECT_GT(work->node_visits, chain.size()) << info.name;
-    EXPECT_LT(work->pair_tests, admissible_pairs(chain) / 2) << info.name;
+    // The tests' own example of a tree has coarse leaves, of eight spheres.
+    const std::uint64_t share = info.name == "Boxes+BoxesAgainstBoxes" ? 2 : 4;
+    EXPECT_LT(work->pair_tests, admissible_pairs(chain) / share) << info.name;
   }
   const auto recursive = count_work(named("aCPU2+CPU2"), chain);
   EXPECT_EQ(recursive, count_work(named("aCPU2+GPU2@host"), chain)) << "the same tests in another order";
