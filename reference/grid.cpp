@@ -160,9 +160,10 @@ void near_pairs(const Chain& chain, const NearVisitor& visit) {
     const Sphere &a = spheres[i], &b = spheres[j];
     const auto rough = GapEstimate::of(a, b);
     if (rough.gap > 1.0001 * rough.radii || view.neighbours(i, j)) return;
-    // A rough margin above 2^-8 has relative error below 2^-40, as in all_pairs; below, only exact will do.
-    const double m =
-        std::fabs(rough.gap) > 0x1p-8 * rough.radii ? std::fabs(rough.gap) / rough.radii : margin(a, b);
+    // A rough margin above 2^-8 has relative error below 2^-40, as in all_pairs; below it, and next to 1,
+    // where it decides who is near, only exact will do.
+    double m = std::fabs(rough.gap) / rough.radii;
+    if (!(m > 0x1p-8) || std::fabs(m - 1) < 0x1p-38) m = margin(a, b);
     const bool collides = overlap(a, b);
     if (m < 1 || collides) visit({std::min(i, j), std::max(i, j)}, collides, m);
   });

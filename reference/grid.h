@@ -17,8 +17,8 @@ Answer by_grid(const Chain& chain, const Request& request = {});
 using NearVisitor = std::function<void(const Pair&, bool collides, double margin)>;
 
 /// Every pair that collides or has a margin below 1 (a distance below sqrt 2 times the sum of the radii),
-/// each once, in no order: all that a small change could flip. Margins below 2^-8 are exact, rounded once;
-/// those above to a relative 2^-39. Cost as of by_grid, with eight times as many spheres in a cell.
+/// each once, in no order: all that a small change could flip. Margins below 2^-8 are margin() itself, and
+/// it is margin() that is compared with 1; those between are told to a relative 2^-39. Cost as of by_grid, with eight times as many spheres in a cell.
 void near_pairs(const Chain& chain, const NearVisitor& visit);
 
 }  // namespace catena::reference

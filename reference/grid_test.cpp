@@ -67,6 +67,16 @@ RC_GTEST_PROP(Grid, NearPairsAreThoseOfTheDefinition, ()) {
   RC_ASSERT(found == right);
 }
 
+TEST(Grid, NearPairsEndAtAMarginOfOneExactly) {
+  // Distance^2 = 2 (1 + 1)^2 but for the step in x, which is lost when binary64 subtracts it from 2.
+  for (const float step : {0x1p-53f, 0.0f, -0x1p-53f}) {
+    std::size_t found = 0;
+    near_pairs(Chain({{step, 0, 0, 1}, {100, 0, 0, 0}, {2, 2, 0, 1}}),
+               [&](const Pair&, bool, double) { ++found; });
+    EXPECT_EQ(found, step > 0 ? 1u : 0u) << step;
+  }
+}
+
 RC_GTEST_PROP(Grid, EqualsAllPairsEqualsTheDefinition, ()) {
   const Chain chain = *nasty_chain();
   const AllPairs right = by_definition(chain), fast = all_pairs(chain);
