@@ -10,6 +10,7 @@ find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(hwy REQUIRED)
 
 # Headers are included as "catena/core/chain/chain.h", here and after installation.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
@@ -57,14 +58,14 @@ endfunction()
 
 # The library. Everything is hidden but what says CATENA_API (core/export.h), the standard library's templates too, and
 # it calls its own functions: no other program's copy, compiled with other flags, takes their place.
-set(CATENA_LIBRARY_FOLDERS arithmetic chain executor hierarchy parameters policies strategy)  # of core
+set(CATENA_LIBRARY_FOLDERS arithmetic blocks chain executor hierarchy parameters policies strategy)  # of core
 list(TRANSFORM CATENA_LIBRARY_FOLDERS PREPEND core/ OUTPUT_VARIABLE folders)
 catena_sources(library_sources ${folders} variants)
 add_library(catena SHARED ${library_sources})
 add_library(catena::catena ALIAS catena)
 set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0 EXPORT_NAME catena
   CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${PROJECT_SOURCE_DIR}/core/exports.map)
-target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only)
+target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy hwy::hwy_contrib)
 target_link_options(catena PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/core/exports.map LINKER:-Bsymbolic-functions)
 if(NOT CATENA_SANITIZE)
   target_link_options(catena PRIVATE LINKER:--no-undefined)  # nothing of the program is missed

@@ -20,7 +20,8 @@ Extent extent_of(const std::vector<Sphere>& spheres) {
     low = {std::min(low.x, s.x), std::min(low.y, s.y), std::min(low.z, s.z), std::min(low.radius, s.radius)};
     high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z), std::max(high.radius, s.radius)};
   }
-  return {low.radius, high.radius, (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z)};
+  return {low.radius, high.radius, (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z),
+          std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z, 0.0f})};
 }
 
 }  // namespace

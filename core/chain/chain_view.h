@@ -13,6 +13,7 @@ namespace catena {
 struct CATENA_API Extent {
   float least_radius, greatest_radius;
   double sides;  ///< sum of the three sides of the box of all centres
+  float greatest_coordinate;  ///< greatest |x|, |y| or |z| of a centre
 };
 
 /// A chain as plain pointers, valid in one memory space; what kernels and policies take.

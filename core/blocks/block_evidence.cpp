@@ -1,0 +1,72 @@
+#include "catena/core/blocks/block_evidence.h"
+
+namespace catena {
+namespace {
+
+constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
+
+/// Capsule k of fields laid out sixteen at a time.
+Capsule64 capsule(const std::vector<float>& fields, std::uint32_t k, double unit) {
+  const float* const f = fields.data() + std::size_t{k / group} * group * BlockTree::capsule_fields + k % group;
+  const auto at = [&](int field) { return double{f[group * field]}; };
+  const auto end = [&](double side) -> Vector64 {
+    return {(at(0) + side * at(3)) * unit, (at(1) + side * at(4)) * unit, (at(2) + side * at(5)) * unit};
+  };
+  return {end(-1), end(1), at(6) * unit};
+}
+
+Box64 box(const BlockTree::Level& level, std::uint32_t k, double unit) {
+  const float* const f = level.at(k) + k % group;
+  const auto at = [&](int field) { return f[group * field] * unit; };
+  return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
+}
+
+}  // namespace
+
+std::uint32_t BlockEvidence::box_id(std::size_t level, std::uint32_t k) const {
+  std::uint32_t id = capsule_id(tree_.level[0].count);
+  for (std::size_t l = 0; l < level; ++l) id += tree_.level[l].count;
+  return id + k;
+}
+
+void BlockEvidence::ordered(std::uint32_t b, bool before) const {
+  const std::uint32_t begin = tree_.first[b];
+  for (std::uint32_t i = 0; i < 2 * block; ++i)
+    for (std::uint32_t j = i + 1; j < 2 * block; ++j) {
+      if (before && j < block) continue;  // within block b
+      if (j > i + 1)
+        sink_.discarded(begin + i, begin + j);
+      else
+        compared(begin + i, begin + j);
+    }
+}
+
+void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& visitor) {
+  if (tree.blocks == 0) return;
+  struct Silent final : EvidenceSink {
+    void discarded(std::uint32_t, std::uint32_t) override {}
+    void tested(std::uint32_t, std::uint32_t) override {}
+    void excluded(std::uint32_t, std::uint32_t) override {}
+  } silent;
+  const BlockEvidence ids(chain, tree, silent);
+  const double unit = 1 / double{tree.scale};
+  visitor.tree({.levels = static_cast<std::uint32_t>(tree.level.size()) + 3});
+  for (std::size_t l = tree.level.size() - 1; l > 0; --l)
+    for (std::uint32_t k = 0; k < tree.level[l - 1].count; ++k)
+      visitor.edge(ids.box_id(l, k / group), box(tree.level[l], k / group, unit), ids.box_id(l - 1, k),
+                   box(tree.level[l - 1], k, unit));
+  for (std::uint32_t node = 0; node < tree.level[0].count; ++node) {
+    const Capsule64 around = capsule(tree.node_capsules, node, unit);
+    visitor.edge(ids.box_id(0, node), box(tree.level[0], node, unit), ids.capsule_id(node), around);
+    const std::uint32_t g = tree.node_group[node];
+    for (std::uint32_t b = g * group; b < g * group + tree.blocks_of(g); ++b) {
+      const Capsule64 of_block = capsule(tree.capsules, b, unit);
+      visitor.edge(ids.capsule_id(node), around, ids.block_id(b), of_block);
+      for (std::uint32_t k = 0; k < block; ++k)
+        if (const std::uint32_t i = tree.index(b, k); i != BlockTree::no_sphere)
+          visitor.edge(ids.block_id(b), of_block, i, Everything{});
+    }
+  }
+}
+
+}  // namespace catena

@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+
+#include "catena/core/blocks/block_tree.h"
+#include "catena/core/hierarchy/bounds_visitor.h"
+#include "catena/core/strategy/evidence.h"
+
+namespace catena {
+
+/// The ids of a BlockTree's nodes, and what a search tells of them. Below n spheres, then blocks, then for each node its
+/// capsule and its box (one node of the tree each, the box above the capsule), then the boxes of each further level.
+class BlockEvidence {
+ public:
+  static constexpr bool listens = true;
+
+  /// Both must outlive this.
+  BlockEvidence(const ChainView& chain, const BlockTree& tree, EvidenceSink& sink)
+      : chain_(chain), tree_(tree), sink_(sink) {}
+
+  void compared(std::uint32_t i, std::uint32_t j) const {
+    chain_.neighbours(i, j) ? sink_.excluded(i, j) : sink_.tested(i, j);
+  }
+  void blocks_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(block_id(a), block_id(b)); }
+  void block_apart(std::uint32_t a, std::uint32_t node) const { sink_.discarded(block_id(a), box_id(0, node)); }
+  void nodes_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(capsule_id(a), capsule_id(b)); }
+  void boxes_apart(std::size_t la, std::uint32_t a, std::size_t lb, std::uint32_t b) const {
+    sink_.discarded(box_id(la, a), box_id(lb, b));
+  }
+  /// The window of blocks b and b + 1 is ordered; `before` when that of b - 1 and b is too, which accounted for block b.
+  void ordered(std::uint32_t b, bool before) const;
+
+  std::uint32_t block_id(std::uint32_t b) const { return chain_.size + b; }
+  std::uint32_t capsule_id(std::uint32_t node) const { return block_id(tree_.blocks) + node; }
+  std::uint32_t box_id(std::size_t level, std::uint32_t k) const;
+
+ private:
+  const ChainView& chain_;
+  const BlockTree& tree_;
+  EvidenceSink& sink_;
+};
+
+/// Costs nothing.
+struct NoBlockEvidence {
+  static constexpr bool listens = false;
+  void compared(std::uint32_t, std::uint32_t) const {}
+  void blocks_apart(std::uint32_t, std::uint32_t) const {}
+  void block_apart(std::uint32_t, std::uint32_t) const {}
+  void nodes_apart(std::uint32_t, std::uint32_t) const {}
+  void boxes_apart(std::size_t, std::uint32_t, std::size_t, std::uint32_t) const {}
+  void ordered(std::uint32_t, bool) const {}
+};
+
+/// Shows a tree as BlockEvidence names it. Bounds are in the chain's own units.
+void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& visitor);
+
+}  // namespace catena

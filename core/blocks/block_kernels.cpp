@@ -1,0 +1,51 @@
+// Compiled once for each instruction set; the best that the machine has is chosen at the first call.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "catena/core/blocks/block_kernels.cpp"
+#include "catena/core/blocks/simd_targets.h"
+#include "hwy/foreach_target.h"
+// After foreach_target.h:
+#include "catena/core/blocks/block_kernels.h"
+#include "catena/core/blocks/build_tree-inl.h"
+#include "catena/core/blocks/search_blocks-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+void build_blocks_here(const ChainView& chain, BlockTree& tree) {
+  for (std::uint32_t g = 0; g * BlockTree::group < tree.blocks; ++g) build_group(chain, tree, g);
+}
+
+void build_tree_here(BlockTree& tree) {
+  build_nodes(tree);
+  build_levels(tree);
+}
+
+void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
+                 const BlockEvidence* evidence) {
+  if (evidence != nullptr)
+    BlockSearch<BlockEvidence>(chain, tree, queues, lane, *evidence).run();
+  else
+    BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run();
+}
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace catena {
+
+HWY_EXPORT(build_blocks_here);
+HWY_EXPORT(build_tree_here);
+HWY_EXPORT(search_here);
+
+void build_blocks(const ChainView& chain, BlockTree& tree) {
+  HWY_DYNAMIC_DISPATCH(build_blocks_here)(chain, tree);
+}
+void build_nodes_and_levels(BlockTree& tree) { HWY_DYNAMIC_DISPATCH(build_tree_here)(tree); }
+void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
+                   const BlockEvidence* evidence) {
+  HWY_DYNAMIC_DISPATCH(search_here)(chain, tree, queues, lane, evidence);
+}
+
+}  // namespace catena
+#endif

@@ -1,0 +1,19 @@
+#pragma once
+#include "catena/core/blocks/block_evidence.h"
+#include "catena/core/blocks/block_queues.h"
+#include "catena/core/blocks/block_tree.h"
+#include "catena/core/executor/pair_collector.h"
+
+namespace catena {
+
+/// Fills capsules and order of the blocks that are laid out. O(blocks).
+void build_blocks(const ChainView& chain, BlockTree& tree);
+
+/// Fills the nodes of tree.node_group, and all levels above, for which there must be room. O(nodes).
+void build_nodes_and_levels(BlockTree& tree);
+
+/// Reports every colliding pair to the lane, once. `evidence` may be null; with it the search is slower.
+void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
+                   const BlockEvidence* evidence);
+
+}  // namespace catena

@@ -1,0 +1,44 @@
+#include "catena/core/blocks/block_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace catena {
+namespace {
+
+constexpr std::uint32_t block = BlockTree::block;
+
+/// A block of its own for `size` consecutive spheres, fewer than eight.
+void copy_block(const ChainView& chain, std::uint32_t begin, std::uint32_t size, BlockTree& tree) {
+  tree.first.push_back(BlockTree::copied | static_cast<std::uint32_t>(tree.copies.size()));
+  for (std::uint32_t k = 0; k < block; ++k) {
+    tree.copies.push_back(chain.spheres[begin + std::min(k, size - 1)]);
+    tree.copied_from.push_back(k < size ? begin + k : BlockTree::no_sphere);
+  }
+}
+
+}  // namespace
+
+float block_scale(const Extent& extent) {
+  const float greatest = std::max(extent.greatest_coordinate, extent.greatest_radius);
+  if (greatest == 0) return 1;
+  return std::ldexp(1.0f, std::clamp(19 - std::ilogb(greatest), -126, 127));
+}
+
+void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
+  tree.scale = block_scale(chain.extent);
+  tree.first.clear(), tree.copies.clear(), tree.copied_from.clear();
+  for (std::uint32_t s = 0; s < chain.strand_count; ++s) {
+    const bool one = chain.strand_count == 1;
+    std::uint32_t at = one ? 0 : chain.exclusion.strand_first[s];
+    const std::uint32_t end = one ? chain.size : chain.exclusion.strand_first[s + 1];
+    for (; at + block <= end; at += block) tree.first.push_back(at);
+    if (at < end) copy_block(chain, at, end - at, tree);
+  }
+  tree.blocks = tree.chain_blocks = static_cast<std::uint32_t>(tree.first.size());
+  const std::size_t groups = (tree.blocks + BlockTree::group - 1) / BlockTree::group;
+  tree.capsules.resize(groups * BlockTree::group * BlockTree::capsule_fields);
+  tree.ordered.assign(groups, 0);
+}
+
+}  // namespace catena

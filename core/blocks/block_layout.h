@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "catena/core/blocks/block_tree.h"
+
+namespace catena {
+
+/// The power of two that brings the chain's greatest coordinate or radius to 2^19 .. 2^20, as far as binary32 holds it; 1
+/// for a chain of zeros.
+float block_scale(const Extent& extent);
+
+/// Lays every strand out in blocks of eight consecutive spheres, the last one copied where it is short. Sets scale, blocks,
+/// chain_blocks, first, copies; makes room for capsules and order. O(n); does not allocate when n has not grown.
+void lay_out_blocks(const ChainView& chain, BlockTree& tree);
+
+}  // namespace catena

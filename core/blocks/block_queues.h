@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "catena/core/pair.h"
+
+namespace catena {
+
+/// What a block search has found and not looked into yet. Queues instead of nested loops: each test runs over many things
+/// at a time, without a branch that is hard to foretell between them, and what the next ones need is fetched ahead.
+class BlockQueues {
+ public:
+  /// A block against those of a group of sixteen.
+  struct Row {
+    std::uint32_t block, group, lanes;
+  };
+
+  BlockQueues() : rows_(row_room), pairs_(pair_room) {}
+
+  void clear() { row_count_ = pair_count_ = 0; }
+
+  /// Ignored when no lane is left. At most one node against another between two calls of rows_full.
+  void add_row(const Row& row) {
+    rows_[row_count_] = row;
+    row_count_ += row.lanes != 0;
+  }
+  bool rows_full() const { return row_count_ > row_limit; }
+  std::span<const Row> rows() const { return {rows_.data(), row_count_}; }
+  void clear_rows() { row_count_ = 0; }
+
+  /// Blocks i and j. At most one row between two calls of pairs_full.
+  void add_pair(const Pair& pair) { pairs_[pair_count_++] = pair; }
+  bool pairs_full() const { return pair_count_ > pair_limit; }
+  std::span<const Pair> pairs() const { return {pairs_.data(), pair_count_}; }
+  void clear_pairs() { pair_count_ = 0; }
+
+ private:
+  static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024, pair_room = pair_limit + 64;
+
+  std::vector<Row> rows_;
+  std::vector<Pair> pairs_;
+  std::size_t row_count_ = 0, pair_count_ = 0;
+};
+
+}  // namespace catena

@@ -1,0 +1,188 @@
+// Sixteen binary32 numbers side by side, in as many vectors as the target needs. Compiled once a target: no include
+// guard but Highway's.
+#if defined(CATENA_CORE_BLOCKS_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_LANES_INL_H
+#undef CATENA_CORE_BLOCKS_LANES_INL_H
+#else
+#define CATENA_CORE_BLOCKS_LANES_INL_H
+#endif
+
+#include <cstdint>
+#include <cstring>
+
+#include "catena/core/blocks/simd_targets.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// `count` lanes of float, 16 or 8, each operation done on all of them.
+template <std::size_t count>
+struct Lanes {
+  using Tag = hn::CappedTag<float, count>;
+  static constexpr std::size_t width = hn::MaxLanes(Tag()), parts = count / width;
+  hn::Vec<Tag> part[parts];
+
+  template <class Make>
+  static HWY_INLINE Lanes from(const Make& make) {
+    Lanes result;
+    for (std::size_t k = 0; k < parts; ++k) result.part[k] = make(k);
+    return result;
+  }
+  static HWY_INLINE Lanes all(float value) {
+    return from([&](std::size_t) { return hn::Set(Tag(), value); });
+  }
+  static HWY_INLINE Lanes load(const float* from_memory) {
+    return from([&](std::size_t k) { return hn::LoadU(Tag(), from_memory + k * width); });
+  }
+  HWY_INLINE void store(float* to) const {
+    for (std::size_t k = 0; k < parts; ++k) hn::StoreU(part[k], Tag(), to + k * width);
+  }
+  friend HWY_INLINE Lanes operator+(const Lanes& a, const Lanes& b) {
+    return from([&](std::size_t k) { return hn::Add(a.part[k], b.part[k]); });
+  }
+  friend HWY_INLINE Lanes operator-(const Lanes& a, const Lanes& b) {
+    return from([&](std::size_t k) { return hn::Sub(a.part[k], b.part[k]); });
+  }
+  friend HWY_INLINE Lanes operator*(const Lanes& a, const Lanes& b) {
+    return from([&](std::size_t k) { return hn::Mul(a.part[k], b.part[k]); });
+  }
+  friend HWY_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
+    return from([&](std::size_t k) { return hn::Div(a.part[k], b.part[k]); });
+  }
+};
+
+/// A flag a lane, as the target keeps it.
+template <std::size_t count>
+struct Flags {
+  using Tag = typename Lanes<count>::Tag;
+  static constexpr std::size_t width = Lanes<count>::width, parts = Lanes<count>::parts;
+  hn::Mask<Tag> part[parts];
+
+  template <class Make>
+  static HWY_INLINE Flags from(const Make& make) {
+    Flags result;
+    for (std::size_t k = 0; k < parts; ++k) result.part[k] = make(k);
+    return result;
+  }
+  /// Bit k is the flag of lane k.
+  HWY_INLINE std::uint32_t bits() const {
+    std::uint32_t result = 0;
+    for (std::size_t k = 0; k < parts; ++k) {
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(Tag(), part[k], bytes);
+      std::uint32_t some;
+      std::memcpy(&some, bytes, sizeof some);
+      result |= some << (k * width);
+    }
+    return result;
+  }
+  friend HWY_INLINE Flags operator&(const Flags& a, const Flags& b) {
+    return from([&](std::size_t k) { return hn::And(a.part[k], b.part[k]); });
+  }
+};
+
+template <std::size_t n>
+HWY_INLINE Lanes<n> min(const Lanes<n>& a, const Lanes<n>& b) {
+  return Lanes<n>::from([&](std::size_t k) { return hn::Min(a.part[k], b.part[k]); });
+}
+template <std::size_t n>
+HWY_INLINE Lanes<n> max(const Lanes<n>& a, const Lanes<n>& b) {
+  return Lanes<n>::from([&](std::size_t k) { return hn::Max(a.part[k], b.part[k]); });
+}
+template <std::size_t n>
+HWY_INLINE Lanes<n> abs(const Lanes<n>& a) {
+  return Lanes<n>::from([&](std::size_t k) { return hn::Abs(a.part[k]); });
+}
+template <std::size_t n>
+HWY_INLINE Lanes<n> sqrt(const Lanes<n>& a) {
+  return Lanes<n>::from([&](std::size_t k) { return hn::Sqrt(a.part[k]); });
+}
+/// About 1 / a, of the target's own accuracy: for guesses, never for what must be the same everywhere.
+template <std::size_t n>
+HWY_INLINE Lanes<n> guess_reciprocal(const Lanes<n>& a) {
+  return Lanes<n>::from([&](std::size_t k) { return hn::ApproximateReciprocal(a.part[k]); });
+}
+/// a * b + c, rounded once or twice.
+template <std::size_t n>
+HWY_INLINE Lanes<n> mul_add(const Lanes<n>& a, const Lanes<n>& b, const Lanes<n>& c) {
+  return Lanes<n>::from([&](std::size_t k) { return hn::MulAdd(a.part[k], b.part[k], c.part[k]); });
+}
+/// c - a * b, rounded once or twice.
+template <std::size_t n>
+HWY_INLINE Lanes<n> neg_mul_add(const Lanes<n>& a, const Lanes<n>& b, const Lanes<n>& c) {
+  return Lanes<n>::from([&](std::size_t k) { return hn::NegMulAdd(a.part[k], b.part[k], c.part[k]); });
+}
+template <std::size_t n>
+HWY_INLINE Flags<n> operator<(const Lanes<n>& a, const Lanes<n>& b) {
+  return Flags<n>::from([&](std::size_t k) { return hn::Lt(a.part[k], b.part[k]); });
+}
+template <std::size_t n>
+HWY_INLINE Flags<n> operator<=(const Lanes<n>& a, const Lanes<n>& b) {
+  return Flags<n>::from([&](std::size_t k) { return hn::Le(a.part[k], b.part[k]); });
+}
+template <std::size_t n>
+HWY_INLINE Lanes<n> select(const Flags<n>& flags, const Lanes<n>& yes, const Lanes<n>& no) {
+  return Lanes<n>::from(
+      [&](std::size_t k) { return hn::IfThenElse(flags.part[k], yes.part[k], no.part[k]); });
+}
+template <std::size_t n>
+HWY_INLINE float least(const Lanes<n>& a) {
+  auto folded = a.part[0];
+  for (std::size_t k = 1; k < Lanes<n>::parts; ++k) folded = hn::Min(folded, a.part[k]);
+  return hn::GetLane(hn::MinOfLanes(typename Lanes<n>::Tag(), folded));
+}
+template <std::size_t n>
+HWY_INLINE float greatest(const Lanes<n>& a) {
+  auto folded = a.part[0];
+  for (std::size_t k = 1; k < Lanes<n>::parts; ++k) folded = hn::Max(folded, a.part[k]);
+  return hn::GetLane(hn::MaxOfLanes(typename Lanes<n>::Tag(), folded));
+}
+/// The flags of lanes 0 to used - 1.
+template <std::size_t n>
+HWY_INLINE Flags<n> first_lanes(std::size_t used) {
+  using Tag = typename Lanes<n>::Tag;
+  constexpr std::size_t width = Lanes<n>::width;
+  return Flags<n>::from(
+      [&](std::size_t k) { return hn::FirstN(Tag(), used > k * width ? used - k * width : 0); });
+}
+
+using Lanes16 = Lanes<16>;
+using Lanes8 = Lanes<8>;
+
+/// A vector of space a lane.
+struct Vectors {
+  Lanes16 x, y, z;
+
+  static HWY_INLINE Vectors load(const float* fields) {
+    return {Lanes16::load(fields), Lanes16::load(fields + 16), Lanes16::load(fields + 32)};
+  }
+  /// Lane `lane` of fields laid out for load(), in all lanes.
+  static HWY_INLINE Vectors all(const float* fields, std::uint32_t lane) {
+    return {Lanes16::all(fields[lane]), Lanes16::all(fields[16 + lane]), Lanes16::all(fields[32 + lane])};
+  }
+  HWY_INLINE void store(float* fields) const { x.store(fields), y.store(fields + 16), z.store(fields + 32); }
+  friend HWY_INLINE Vectors operator+(const Vectors& a, const Vectors& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend HWY_INLINE Vectors operator-(const Vectors& a, const Vectors& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+};
+HWY_INLINE Lanes16 dot(const Vectors& a, const Vectors& b) {
+  return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));
+}
+/// a + t b and a - t b.
+HWY_INLINE Vectors plus(const Vectors& a, const Lanes16& t, const Vectors& b) {
+  return {mul_add(t, b.x, a.x), mul_add(t, b.y, a.y), mul_add(t, b.z, a.z)};
+}
+HWY_INLINE Vectors minus(const Vectors& a, const Lanes16& t, const Vectors& b) {
+  return {neg_mul_add(t, b.x, a.x), neg_mul_add(t, b.y, a.y), neg_mul_add(t, b.z, a.z)};
+}
+/// |x| + |y| + |z|, at least the length.
+HWY_INLINE Lanes16 sum_of_sides(const Vectors& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

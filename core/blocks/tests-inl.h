@@ -1,0 +1,95 @@
+// One against sixteen: capsules, boxes; and eight spheres against eight. Each says "may collide" unless it is certain.
+#if defined(CATENA_CORE_BLOCKS_TESTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_TESTS_INL_H
+#undef CATENA_CORE_BLOCKS_TESTS_INL_H
+#else
+#define CATENA_CORE_BLOCKS_TESTS_INL_H
+#endif
+
+#include "catena/core/blocks/capsules-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Bits of the lanes in which two capsules may collide. A direction is guessed, between the nearest points of the two
+/// axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra + rb) |w|.
+HWY_INLINE std::uint32_t may_collide(const Capsules& a, const Capsules& b) {
+  const Lanes16 one = Lanes16::all(1), minus_one = Lanes16::all(-1);
+  const Vectors t = b.centre - a.centre;
+  const Lanes16 ta = dot(t, a.half), tb = dot(t, b.half), ab = dot(a.half, b.half), ab_b = ab * b.inverse;
+  const Lanes16 sine = max(neg_mul_add(ab * a.inverse, ab_b, one), Lanes16::all(1e-4f));
+  Lanes16 p = neg_mul_add(tb, ab_b, ta) * a.inverse * guess_reciprocal(sine);
+  p = max(min(p, one), minus_one);
+  Lanes16 q = (p * ab - tb) * b.inverse;
+  q = max(min(q, one), minus_one);
+  p = mul_add(q, ab, ta) * a.inverse;
+  p = max(min(p, one), minus_one);
+  const Vectors w = minus(plus(t, q, b.half), p, a.half);
+  const Lanes16 square = dot(w, w);
+  const Lanes16 gap = abs(dot(t, w)) - abs(dot(a.half, w)) - abs(dot(b.half, w));
+  const Lanes16 reach = mul_add(sum_of_sides(t), Lanes16::all(BlockTree::slack), a.radius + b.radius);
+  const Flags<16> separate = (reach * reach * square < gap * gap) & (Lanes16::all(0) < gap) &
+                             (Lanes16::all(0x1p-60f) < square);
+  return ~separate.bits() & 0xFFFFu;
+}
+
+/// Boxes of sixteen.
+struct Boxes {
+  Vectors low, high;
+
+  static HWY_INLINE Boxes load(const float* fields) {
+    return {Vectors::load(fields), Vectors::load(fields + 48)};
+  }
+  static HWY_INLINE Boxes all(const float* fields, std::uint32_t lane) {
+    return {Vectors::all(fields, lane), Vectors::all(fields + 48, lane)};
+  }
+  HWY_INLINE void store(float* fields) const { low.store(fields), high.store(fields + 48); }
+};
+
+/// Boxes around capsules, rounded outward.
+HWY_INLINE Boxes boxes_around(const Capsules& c) {
+  const Lanes16 rounding = Lanes16::all(0x1p-22f);  // 4 u
+  const auto side = [&](const Lanes16& centre, const Lanes16& half) {
+    return mul_add(abs(centre), rounding, mul_add(c.radius, rounding, abs(half) + c.radius));
+  };
+  const Vectors sides{side(c.centre.x, c.half.x), side(c.centre.y, c.half.y), side(c.centre.z, c.half.z)};
+  return {c.centre - sides, c.centre + sides};
+}
+
+/// Bits of the lanes in which boxes meet; exact.
+HWY_INLINE std::uint32_t meet(const Boxes& a, const Boxes& b) {
+  const Flags<16> x = (a.low.x <= b.high.x) & (b.low.x <= a.high.x);
+  const Flags<16> y = (a.low.y <= b.high.y) & (b.low.y <= a.high.y);
+  const Flags<16> z = (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
+  return (x & y & z).bits();
+}
+
+/// Bit 8 i + j: sphere i of one block may collide with, or for certain overlaps, sphere j of another.
+struct SpherePairs {
+  std::uint64_t may, certain;
+};
+
+/// Stage 1 of Robust, eight at a time: q = |cA - cB|^2 against t = (rA + rB)^2.
+HWY_INLINE SpherePairs sphere_pairs(const Sphere* a, const Sphere* b) {
+  using Tag = Lanes8::Tag;
+  Lanes8 x, y, z, r;
+  for (std::size_t k = 0; k < Lanes8::parts; ++k)
+    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(b + k * Lanes8::width), x.part[k], y.part[k],
+                         z.part[k], r.part[k]);
+  const Lanes8 slack = Lanes8::all(1 + 12 * 0x1p-24f), floor = Lanes8::all(0x1p-120f);
+  SpherePairs result{0, 0};
+  for (std::uint32_t i = 0; i < BlockTree::block; ++i) {
+    const Lanes8 dx = x - Lanes8::all(a[i].x), dy = y - Lanes8::all(a[i].y), dz = z - Lanes8::all(a[i].z);
+    const Lanes8 reach = r + Lanes8::all(a[i].radius);
+    const Lanes8 q = mul_add(dx, dx, mul_add(dy, dy, dz * dz)), t = reach * reach;
+    // A NaN of two infinities is neither less nor more: it may collide, and is not certain.
+    const std::uint64_t separate = (mul_add(t, slack, floor) < q).bits(), inside = (mul_add(q, slack, floor) < t).bits();
+    result.may |= (~separate & 0xFFu) << (8 * i);
+    result.certain |= inside << (8 * i);
+  }
+  return result;
+}
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,98 @@
+#include <algorithm>
+
+#include "catena/core/blocks/block_kernels.h"
+#include "catena/core/blocks/block_layout.h"
+#include "catena/core/blocks/space_order.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// ChainTree: blocks of eight consecutive spheres in capsules, sixteen blocks a node, boxes above in space order. Where the
+/// spheres of two blocks follow one another like beads along a direction, they are not compared at all.
+template <class Arithmetic>
+class ChainTree final : public Variant {
+ public:
+  void build(const Chain& chain) override {
+    const Stopwatch watch;
+    built_ = false;
+    view_ = chain.view();
+    lay_out_blocks(view_, tree_);
+    build_blocks(view_, tree_);
+    order_nodes();
+    build_nodes_and_levels(tree_);
+    spheres_ = chain.size();
+    built_ = true;
+    timings_.build_ms = watch.ms();
+  }
+
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    search(chain, request, result, nullptr);
+  }
+
+  Accounting evidence() const override { return Accounting::each_pair; }
+
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    const ChainView view = chain.view();
+    const BlockEvidence evidence(view, tree_, sink);
+    search(chain, request, result, &evidence);
+  }
+
+  void visit_bounds(BoundsVisitor& visitor) const override {
+    if (built_) show_blocks(view_, tree_, visitor);
+  }
+
+  Timings timings() const override { return timings_; }
+
+ private:
+  void search(const Chain& chain, const Request& request, Collisions& result, const BlockEvidence* evidence) {
+    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+    const Stopwatch watch;
+    PairCollector collector(spheres_, request, result);
+    search_blocks(chain.view(), tree_, queues_, collector.lane(0), evidence);
+    collector.finish();
+    timings_.find_ms = watch.ms();
+  }
+
+  /// Nodes in space order, and room for them and the levels above.
+  void order_nodes() {
+    constexpr std::uint32_t group = BlockTree::group;
+    const std::uint32_t nodes = (tree_.blocks + group - 1) / group;
+    centres_.resize(nodes);
+    for (std::uint32_t g = 0; g < nodes; ++g) {
+      const float* const f = tree_.capsules_of(g) + tree_.blocks_of(g) / 2;
+      centres_[g] = {f[0], f[group], f[2 * group]};
+    }
+    tree_.node_group = order_.of(centres_);
+    const auto groups = [](std::uint32_t count) { return (count + group - 1) / group; };
+    tree_.node_capsules.resize(std::size_t{groups(nodes)} * group * BlockTree::capsule_fields);
+    std::size_t levels = 1;
+    for (std::uint32_t count = nodes; count > 1; count = groups(count)) ++levels;
+    tree_.level.resize(levels);
+    std::uint32_t count = nodes;
+    for (BlockTree::Level& level : tree_.level) {
+      level.count = count;
+      level.boxes.resize(std::size_t{groups(count)} * group * BlockTree::box_fields);
+      count = groups(count);
+    }
+  }
+
+  BlockTree tree_;
+  BlockQueues queues_;
+  SpaceOrder order_;
+  std::vector<SpaceOrder::Point> centres_;
+  ChainView view_{};
+  std::uint32_t spheres_ = 0;
+  bool built_ = false;
+  Timings timings_;
+};
+
+const RegisterVariant<ChainTree, Robust> registered{
+    {.name = "ChainTree",
+     .summary = "capsules of 8 consecutive spheres, 16 a node, SIMD, sequential",
+     .has_tree = true,
+     .promises = {.same_bits = false}}};
+
+}  // namespace
+}  // namespace catena
