@@ -66,7 +66,7 @@ class ChainTree final : public Variant {
     }
     tree_.node_group = order_.of(centres_);
     const auto groups = [](std::uint32_t count) { return (count + group - 1) / group; };
-    tree_.node_capsules.resize(std::size_t{groups(nodes)} * group * BlockTree::capsule_fields);
+    tree_.oriented.resize(std::size_t{groups(nodes)} * group * BlockTree::oriented_fields);
     std::size_t levels = 1;
     for (std::uint32_t count = nodes; count > 1; count = groups(count)) ++levels;
     tree_.level.resize(levels);

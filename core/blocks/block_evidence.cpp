@@ -1,5 +1,7 @@
 #include "catena/core/blocks/block_evidence.h"
 
+#include <array>
+
 namespace catena {
 namespace {
 
@@ -21,24 +23,40 @@ Box64 box(const BlockTree::Level& level, std::uint32_t k, double unit) {
   return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
 }
 
+/// Of the oriented box of a node.
+Vector64 centre(const BlockTree& tree, std::uint32_t node, double unit) {
+  const float* const f = tree.oriented_of(node) + node % group;
+  return {f[0] * unit, f[group] * unit, f[2 * group] * unit};
+}
+std::array<Slab, 3> slabs(const BlockTree& tree, std::uint32_t node, double unit) {
+  const float* const f = tree.oriented_of(node) + node % group;
+  std::array<Slab, 3> result;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const float* const axis = f + (3 + 3 * k) * group;
+    const double half = f[(12 + k) * group] * unit;
+    result[k] = {{axis[0], axis[group], axis[2 * group]}, -half, half};
+  }
+  return result;
+}
+
 }  // namespace
 
 std::uint32_t BlockEvidence::box_id(std::size_t level, std::uint32_t k) const {
-  std::uint32_t id = capsule_id(tree_.level[0].count);
+  std::uint32_t id = oriented_id(tree_.level[0].count);
   for (std::size_t l = 0; l < level; ++l) id += tree_.level[l].count;
   return id + k;
 }
 
-void BlockEvidence::ordered(std::uint32_t b, bool before) const {
+void BlockEvidence::ordered_inside(std::uint32_t b) const {
   const std::uint32_t begin = tree_.first[b];
-  for (std::uint32_t i = 0; i < 2 * block; ++i)
-    for (std::uint32_t j = i + 1; j < 2 * block; ++j) {
-      if (before && j < block) continue;  // within block b
-      if (j > i + 1)
-        sink_.discarded(begin + i, begin + j);
-      else
-        compared(begin + i, begin + j);
-    }
+  for (std::uint32_t i = begin; i < begin + block; ++i)
+    for (std::uint32_t j = i + 1; j < begin + block; ++j) j == i + 1 ? compared(i, j) : sink_.discarded(i, j);
+}
+
+void BlockEvidence::ordered_between(std::uint32_t b) const {
+  const std::uint32_t begin = tree_.first[b], next = begin + block;
+  for (std::uint32_t i = begin; i < next; ++i)
+    for (std::uint32_t j = next; j < next + block; ++j) j == i + 1 ? compared(i, j) : sink_.discarded(i, j);
 }
 
 void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& visitor) {
@@ -56,12 +74,13 @@ void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& v
       visitor.edge(ids.box_id(l, k / group), box(tree.level[l], k / group, unit), ids.box_id(l - 1, k),
                    box(tree.level[l - 1], k, unit));
   for (std::uint32_t node = 0; node < tree.level[0].count; ++node) {
-    const Capsule64 around = capsule(tree.node_capsules, node, unit);
-    visitor.edge(ids.box_id(0, node), box(tree.level[0], node, unit), ids.capsule_id(node), around);
+    const auto sides = slabs(tree, node, unit);
+    const Slabs64 around{centre(tree, node, unit), sides};
+    visitor.edge(ids.box_id(0, node), box(tree.level[0], node, unit), ids.oriented_id(node), around);
     const std::uint32_t g = tree.node_group[node];
     for (std::uint32_t b = g * group; b < g * group + tree.blocks_of(g); ++b) {
       const Capsule64 of_block = capsule(tree.capsules, b, unit);
-      visitor.edge(ids.capsule_id(node), around, ids.block_id(b), of_block);
+      visitor.edge(ids.oriented_id(node), around, ids.block_id(b), of_block);
       for (std::uint32_t k = 0; k < block; ++k)
         if (const std::uint32_t i = tree.index(b, k); i != BlockTree::no_sphere)
           visitor.edge(ids.block_id(b), of_block, i, Everything{});

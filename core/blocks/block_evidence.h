@@ -8,7 +8,7 @@
 namespace catena {
 
 /// The ids of a BlockTree's nodes, and what a search tells of them. Below n spheres, then blocks, then for each node its
-/// capsule and its box (one node of the tree each, the box above the capsule), then the boxes of each further level.
+/// oriented box and its box (one node of the tree each, the box above the oriented one), then the boxes of each further level.
 class BlockEvidence {
  public:
   static constexpr bool listens = true;
@@ -21,16 +21,17 @@ class BlockEvidence {
     chain_.neighbours(i, j) ? sink_.excluded(i, j) : sink_.tested(i, j);
   }
   void blocks_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(block_id(a), block_id(b)); }
-  void block_apart(std::uint32_t a, std::uint32_t node) const { sink_.discarded(block_id(a), box_id(0, node)); }
-  void nodes_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(capsule_id(a), capsule_id(b)); }
+  void block_apart(std::uint32_t a, std::uint32_t node) const { sink_.discarded(block_id(a), oriented_id(node)); }
+  void nodes_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(oriented_id(a), oriented_id(b)); }
   void boxes_apart(std::size_t la, std::uint32_t a, std::size_t lb, std::uint32_t b) const {
     sink_.discarded(box_id(la, a), box_id(lb, b));
   }
-  /// The window of blocks b and b + 1 is ordered; `before` when that of b - 1 and b is too, which accounted for block b.
-  void ordered(std::uint32_t b, bool before) const;
+  /// Of the pairs within block b, or of b with b + 1, those of spheres that are not next to one another are apart.
+  void ordered_inside(std::uint32_t b) const;
+  void ordered_between(std::uint32_t b) const;
 
   std::uint32_t block_id(std::uint32_t b) const { return chain_.size + b; }
-  std::uint32_t capsule_id(std::uint32_t node) const { return block_id(tree_.blocks) + node; }
+  std::uint32_t oriented_id(std::uint32_t node) const { return block_id(tree_.blocks) + node; }
   std::uint32_t box_id(std::size_t level, std::uint32_t k) const;
 
  private:
@@ -47,7 +48,8 @@ struct NoBlockEvidence {
   void block_apart(std::uint32_t, std::uint32_t) const {}
   void nodes_apart(std::uint32_t, std::uint32_t) const {}
   void boxes_apart(std::size_t, std::uint32_t, std::size_t, std::uint32_t) const {}
-  void ordered(std::uint32_t, bool) const {}
+  void ordered_inside(std::uint32_t) const {}
+  void ordered_between(std::uint32_t) const {}
 };
 
 /// Shows a tree as BlockEvidence names it. Bounds are in the chain's own units.

@@ -9,7 +9,7 @@
 namespace catena {
 
 /// A tree over *blocks* of eight spheres, laid out for sixteen things a test. A block lies in a capsule; sixteen blocks are
-/// a node, which lies in a box and, where its blocks follow one another along the tube, in a capsule too; sixteen boxes are
+/// a node, which lies in a box along the axes of space and in one along axes of its own; sixteen boxes of the first kind are
 /// a node of the next level. A block holds eight consecutive spheres of one strand, or copies of eight that lie near one
 /// another in space.
 ///
@@ -24,9 +24,15 @@ struct BlockTree {
   /// is needed of it.
   static constexpr float slack = 0x1p-19f;  // 32 u
   static constexpr float tiny = 0x1p-28f;
+  /// Axes of an oriented box are orthonormal to within axes_error, computed; then it reaches axes_slack times the sum of
+  /// its half sides farther than orthonormal axes would.
+  static constexpr float axes_error = 0x1p-20f;
+  static constexpr float axes_slack = 0x1p-17f;
 
   /// Fields of sixteen capsules: centre x y z, half axis x y z, radius, about 1 / |half axis|^2 (0 for a point).
   static constexpr std::uint32_t capsule_fields = 8;
+  /// Fields of sixteen oriented boxes: centre x y z, three axes x y z, three half sides.
+  static constexpr std::uint32_t oriented_fields = 15;
   /// Fields of sixteen boxes: low x y z, high x y z.
   static constexpr std::uint32_t box_fields = 6;
 
@@ -48,12 +54,15 @@ struct BlockTree {
   std::vector<std::uint16_t> ordered;
 
   std::vector<std::uint32_t> node_group;  ///< which sixteen blocks a node has; nodes in the order of level[0]
-  std::vector<float> node_capsules;       ///< groups of sixteen; infinite radius: none
+  std::vector<float> oriented;            ///< their oriented boxes, groups of sixteen
   std::vector<Level> level;               ///< boxes of nodes, of sixteen nodes each, and so on to one
 
   static constexpr std::uint32_t no_sphere = 0xFFFFFFFFu;
 
   const float* capsules_of(std::uint32_t g) const { return capsules.data() + std::size_t{g} * group * capsule_fields; }
+  const float* oriented_of(std::uint32_t node) const {
+    return oriented.data() + std::size_t{node / group} * group * oriented_fields;
+  }
   float* capsules_of(std::uint32_t g) { return capsules.data() + std::size_t{g} * group * capsule_fields; }
   std::uint32_t blocks_of(std::uint32_t g) const {
     const std::uint32_t left = blocks - g * group;

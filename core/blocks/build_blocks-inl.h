@@ -55,30 +55,6 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
   tree.ordered[g] = static_cast<std::uint16_t>(ordered);
 }
 
-/// A capsule around the first `used` of sixteen, about the way from the start of the first to the end of the last; with
-/// the index `lane` among sixteen of `to`.
-HWY_INLINE void enclose(const Capsules& c, const float* fields, std::uint32_t used, float* to, std::uint32_t lane) {
-  const auto field = [&](std::uint32_t f, std::uint32_t k) { return fields[16 * f + k]; };
-  const std::uint32_t last = used - 1, middle = used / 2;
-  float centre[3], half[3], square = 0;
-  for (std::uint32_t d = 0; d < 3; ++d) {
-    const float start = field(d, 0) - field(3 + d, 0), end = field(d, last) + field(3 + d, last);
-    half[d] = 0.5f * (end - start);
-    const float chord_middle = start + half[d];
-    centre[d] = chord_middle + 0.5f * (field(d, middle) - chord_middle);
-    square += half[d] * half[d];
-  }
-  const Vectors h{Lanes16::all(half[0]), Lanes16::all(half[1]), Lanes16::all(half[2])};
-  const Vectors offset = c.centre - Vectors{Lanes16::all(centre[0]), Lanes16::all(centre[1]), Lanes16::all(centre[2])};
-  const Lanes16 inverse = inverse_square(Lanes16::all(square));
-  const Lanes16 ends = max(distance_to_segment(offset + c.half, h, inverse), distance_to_segment(offset - c.half, h, inverse));
-  // The rounding of offset +- half is relative to their lengths, which the slack of the reach covers.
-  const Lanes16 radius = with_slack(sqrt(ends) + c.radius, Lanes16::all(square));
-  for (std::uint32_t d = 0; d < 3; ++d) to[16 * d + lane] = centre[d], to[48 + 16 * d + lane] = half[d];
-  to[96 + lane] = greatest(select(first_lanes<16>(used), radius, Lanes16::all(0)));
-  to[112 + lane] = square > 0x1p-60f ? 1 / square : 0;
-}
-
 /// The box around the first `used` of sixteen.
 HWY_INLINE void enclose(const Boxes& b, std::uint32_t used, float* to, std::uint32_t lane) {
   constexpr float infinity = std::numeric_limits<float>::infinity();

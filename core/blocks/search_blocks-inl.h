@@ -11,7 +11,7 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
-#include "catena/core/blocks/tests-inl.h"
+#include "catena/core/blocks/oriented_boxes-inl.h"
 #include "catena/core/executor/pair_collector.h"
 #include "hwy/cache_control.h"
 
@@ -26,8 +26,6 @@ class BlockSearch {
               Sink sink)
       : chain_(chain), tree_(tree), queues_(queues), lane_(lane), sink_(sink) {
     queues_.clear();
-    const bool adjacent_are_neighbours = chain.exclusion.rule == Exclusion::Rule::index_window;
-    skip_adjacent_ = adjacent_are_neighbours;
   }
 
   void run() {
@@ -41,32 +39,39 @@ class BlockSearch {
  private:
   static constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 
-  /// Blocks against themselves and the next along the chain, but for those that are ordered.
+  /// Blocks against themselves, and against the next of their node along the chain, but for those that are ordered.
   void along_the_chain() {
-    bool before = false;  // the window of the block before is ordered
-    for (std::uint32_t b = 0; b < tree_.blocks; ++b) {
-      const bool in_chain = b < tree_.chain_blocks;
-      const bool ordered = in_chain && tree_.is_ordered(b);
-      if (ordered) {
-        sink_.ordered(b, before);
-        if (!skip_adjacent_) adjacent(b, before);
+    std::uint32_t before = 0;  // 1: the last window of the group before is ordered
+    for (std::uint32_t g = 0; g * group < tree_.blocks; ++g) {
+      const std::uint32_t begin = g * group, all = lanes(tree_.blocks_of(g));
+      const bool in_chain = begin < tree_.chain_blocks;
+      const std::uint32_t windows = in_chain ? tree_.ordered[g] : 0;
+      const std::uint32_t inside = (windows | windows << 1 | before) & all, between = in_chain ? all >> 1 : 0;
+      before = windows >> (group - 1);
+      for_each(all & ~inside, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k}); });
+      for_each(between & ~windows, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k + 1}); });
+      if (Sink::listens || !adjacent_are_neighbours_) {
+        for_each(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
+        for_each(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
       }
-      if (!ordered && !before) meet_blocks(b, b);
-      if (!ordered && b + 1 < tree_.chain_blocks) meet_blocks(b, b + 1);
-      before = ordered;
       if (queues_.pairs_full()) flush_pairs();
       if (lane_.satisfied()) return;
     }
   }
 
-  /// Spheres next to one another in an ordered window, where they need not be neighbours; those of block b were met
-  /// `before`, with the window of the block before.
-  void adjacent(std::uint32_t b, bool before) {
-    const std::uint32_t i = tree_.first[b];
-    for (std::uint32_t k = before ? block - 1 : 0; k + 1 < 2 * block; ++k)
-      if (!chain_.neighbours(i + k, i + k + 1) &&
-          Robust::overlap(chain_.spheres[i + k], chain_.spheres[i + k + 1]))
-        lane_.collide(i + k, i + k + 1);
+  /// Block b is ordered: of its spheres only those next to one another may collide, if they are not neighbours anyway.
+  void ordered_inside(std::uint32_t b) {
+    sink_.ordered_inside(b);
+    for (std::uint32_t k = 0; k + 1 < block; ++k) adjacent(tree_.first[b] + k);
+  }
+  /// Of block b and the next only the last sphere and the first may collide.
+  void ordered_between(std::uint32_t b) {
+    sink_.ordered_between(b);
+    adjacent(tree_.first[b] + block - 1);
+  }
+  void adjacent(std::uint32_t i) {
+    if (!chain_.neighbours(i, i + 1) && Robust::overlap(chain_.spheres[i], chain_.spheres[i + 1]))
+      lane_.collide(i, i + 1);
   }
 
   /// All pairs below box k of level l.
@@ -106,31 +111,21 @@ class BlockSearch {
     met &= candidates;
     for_each(candidates & ~met, [&](std::uint32_t j) { sink_.boxes_apart(l, a, l, b + j); });
     if (l == 0 && met != 0) {
-      const std::uint32_t near = may_collide(node_capsule(a), node_capsules(b)) & met;
+      const std::uint32_t near = may_meet(OrientedBoxes::all(tree_.oriented_of(a), a % group), OrientedBoxes::load(tree_.oriented_of(b))) & met;
       for_each(met & ~near, [&](std::uint32_t j) { sink_.nodes_apart(a, b + j); });
       met = near;
     }
     for_each(met, [&](std::uint32_t j) { between(l, a, b + j); });
   }
 
-  Capsules node_capsules(std::uint32_t k) const {
-    return Capsules::load(tree_.node_capsules.data() + std::size_t{k / group} * group * BlockTree::capsule_fields);
-  }
-  Capsules node_capsule(std::uint32_t k) const {
-    return Capsules::all(tree_.node_capsules.data() + std::size_t{k / group} * group * BlockTree::capsule_fields, k % group);
-  }
-
   /// Blocks of one node against each other; those next to one another along the chain have met.
   void within_node(std::uint32_t k) {
     const std::uint32_t g = tree_.node_group[k], count = tree_.blocks_of(g), begin = g * group;
-    const Boxes all = boxes_around(Capsules::load(tree_.capsules_of(g)));
-    alignas(64) float boxes[BlockTree::box_fields * group];
-    all.store(boxes);
+    const Intervals all = in_frame_of(k, Capsules::load(tree_.capsules_of(g)));
+    const StoredIntervals single(all);
     const std::uint32_t skip = begin < tree_.chain_blocks ? 2 : 1;
-    for (std::uint32_t i = 0; i + skip < count; ++i) {
-      const std::uint32_t later = lanes(count) & ~((1u << (i + skip)) - 1);
-      row(begin + i, g, meet(Boxes::all(boxes, i), all), later);
-    }
+    for (std::uint32_t i = 0; i + skip < count; ++i)
+      row(begin + i, g, meet(single.all(i), all), lanes(count) & ~((1u << (i + skip)) - 1));
     make_room();
   }
 
@@ -138,19 +133,46 @@ class BlockSearch {
   void between_nodes(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t ga = tree_.node_group[a], gb = tree_.node_group[b];
     const std::uint32_t all_a = lanes(tree_.blocks_of(ga)), all_b = lanes(tree_.blocks_of(gb));
-    const Capsules capsules_a = Capsules::load(tree_.capsules_of(ga)), capsules_b = Capsules::load(tree_.capsules_of(gb));
-    const Boxes of_a = boxes_around(capsules_a), of_b = boxes_around(capsules_b);
-    std::uint32_t mine = meet(of_a, Boxes::all(tree_.level[0].at(b), b % group)) & all_a;
-    std::uint32_t theirs = meet(of_b, Boxes::all(tree_.level[0].at(a), a % group)) & all_b;
-    for_each(all_a & ~mine, [&](std::uint32_t i) { sink_.block_apart(ga * group + i, b); });
-    alignas(64) float boxes[BlockTree::box_fields * group];
-    of_a.store(boxes);
-    const bool follows = gb == ga + 1 && gb * group < tree_.chain_blocks;
+    const Capsules of_a = Capsules::load(tree_.capsules_of(ga)), of_b = Capsules::load(tree_.capsules_of(gb));
+    const Intervals b_by_a = in_frame_of(a, of_b);
+    const std::uint32_t theirs = meet(b_by_a, own_intervals(a)) & all_b;
+    for_each(all_b & ~theirs, [&](std::uint32_t j) { sink_.block_apart(gb * group + j, a); });
+    if (theirs == 0) return;
+    const std::uint32_t mine = meet(in_frame_of(b, of_a), own_intervals(b)) & all_a;
+    if (Sink::listens)
+      for_each(all_a & ~mine, [&](std::uint32_t i) { row(ga * group + i, gb, 0, theirs); });
+    if (mine == 0) return;
+    // An ordered window from the last block of one node to the first of the next.
+    const bool ahead = gb == ga + 1 && window_leaves(ga), behind = ga == gb + 1 && window_leaves(gb);
+    if (ahead && mine == 1u << (group - 1) && theirs == 1) return ordered_between(ga * group + group - 1);
+    if (behind && mine == 1 && theirs == 1u << (group - 1)) return ordered_between(gb * group + group - 1);
+    const StoredIntervals a_by_a(in_frame_of(a, of_a));
     for_each(mine, [&](std::uint32_t i) {
-      const std::uint32_t met = follows && i == group - 1 ? 1u : 0u;
-      row(ga * group + i, gb, meet(Boxes::all(boxes, i), of_b) & theirs, all_b & ~met);
+      std::uint32_t candidates = theirs;
+      if (ahead && i == group - 1 && (theirs & 1)) {
+        candidates &= ~1u;
+        ordered_between(ga * group + i);
+      } else if (behind && i == 0 && theirs >> (group - 1)) {
+        candidates &= ~(1u << (group - 1));
+        ordered_between(gb * group + group - 1);
+      }
+      row(ga * group + i, gb, meet(a_by_a.all(i), b_by_a), candidates);
     });
     make_room();
+  }
+
+  /// Whether the last block of group g and the next block are ordered.
+  bool window_leaves(std::uint32_t g) const {
+    return g * group < tree_.chain_blocks && tree_.ordered[g] >> (group - 1) != 0;
+  }
+
+  /// How far sixteen capsules reach along the axes of a node.
+  HWY_INLINE Intervals in_frame_of(std::uint32_t node, const Capsules& capsules) const {
+    const auto box = OrientedBoxes::all(tree_.oriented_of(node), node % group);
+    return intervals(capsules, box.centre, box.axis);
+  }
+  HWY_INLINE Intervals own_intervals(std::uint32_t node) const {
+    return intervals(OrientedBoxes::all(tree_.oriented_of(node), node % group).half);
   }
 
   /// Block a against those of group g in `candidates`, of which those in `met` may collide with it by their boxes.
@@ -177,8 +199,6 @@ class BlockSearch {
     }
     queues_.clear_rows();
   }
-
-  void meet_blocks(std::uint32_t a, std::uint32_t b) { queues_.add_pair({a, b}); }
 
   void flush_pairs() {
     const auto pairs = queues_.pairs();
@@ -235,7 +255,8 @@ class BlockSearch {
   BlockQueues& queues_;
   PairCollector::Lane& lane_;
   Sink sink_;
-  bool skip_adjacent_ = true;
+  /// An ordered window is of one strand, where an index window of 1 or more takes in the next sphere.
+  const bool adjacent_are_neighbours_ = chain_.exclusion.rule == Exclusion::Rule::index_window;
 };
 
 }  // namespace catena::HWY_NAMESPACE

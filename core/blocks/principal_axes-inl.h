@@ -1,0 +1,93 @@
+// The axes along which sixteen clouds of points are longest and flattest, lane = cloud.
+#if defined(CATENA_CORE_BLOCKS_PRINCIPAL_AXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_PRINCIPAL_AXES_INL_H
+#undef CATENA_CORE_BLOCKS_PRINCIPAL_AXES_INL_H
+#else
+#define CATENA_CORE_BLOCKS_PRINCIPAL_AXES_INL_H
+#endif
+
+#include "catena/core/blocks/block_tree.h"
+#include "catena/core/blocks/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Symmetric 3 x 3 matrices, a lane.
+struct Symmetric {
+  Lanes16 xx, xy, xz, yy, yz, zz;
+
+  HWY_INLINE Lanes16 trace() const { return xx + yy + zz; }
+  HWY_INLINE Symmetric scaled(const Lanes16& s) const {
+    return {xx * s, xy * s, xz * s, yy * s, yz * s, zz * s};
+  }
+  /// With trace 1, unless it is 0.
+  HWY_INLINE Symmetric normalized() const {
+    return scaled(Lanes16::all(1) / max(trace(), Lanes16::all(1e-30f)));
+  }
+  HWY_INLINE Symmetric squared() const {
+    const Vectors x{xx, xy, xz}, y{xy, yy, yz}, z{xz, yz, zz};
+    return {dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)};
+  }
+  /// The adjugate: the same eigenvectors, the greatest for the least.
+  HWY_INLINE Symmetric adjugate() const {
+    return {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy,
+            xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+  }
+  /// The column of the greatest diagonal element: after some squarings the eigenvector of the greatest eigenvalue.
+  HWY_INLINE Vectors main_column() const {
+    const Flags<16> y = xx < yy;
+    const Lanes16 greater = max(xx, yy);
+    const Flags<16> z = greater < zz;
+    return {select(z, xz, select(y, xy, xx)), select(z, yz, select(y, yy, xy)), select(z, zz, select(y, yz, xz))};
+  }
+};
+
+HWY_INLINE Vectors scaled(const Vectors& v, const Lanes16& s) { return {v.x * s, v.y * s, v.z * s}; }
+HWY_INLINE Vectors select(const Flags<16>& flags, const Vectors& yes, const Vectors& no) {
+  return {select(flags, yes.x, no.x), select(flags, yes.y, no.y), select(flags, yes.z, no.z)};
+}
+HWY_INLINE Vectors unit(const Vectors& v) {
+  return scaled(v, Lanes16::all(1) / sqrt(dot(v, v)));
+}
+HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Orthonormal to within BlockTree::axes_error, checked: where the guess is not, the axes of space are taken. A guess by
+/// eight powers of the covariance, longest first, and of its adjugate, flattest last.
+HWY_INLINE void principal_axes(const Symmetric& covariance, Vectors (&axis)[3]) {
+  const Lanes16 one = Lanes16::all(1), zero = Lanes16::all(0);
+  Symmetric longest = covariance.normalized(), flattest = longest.adjugate();
+  const Flags<16> line = flattest.trace() < Lanes16::all(1e-5f);  // then only the longest is sharp
+  flattest = flattest.normalized();
+  for (int k = 0; k < 3; ++k) longest = longest.squared().normalized(), flattest = flattest.squared().normalized();
+  const Vectors t = unit(longest.main_column()), n = unit(flattest.main_column());
+  const Vectors kept = select(line, t, n);
+  Vectors turned = select(line, n, t);
+  const auto turn = [&] { turned = minus(turned, dot(kept, turned), kept); };
+  turn();
+  // Where the two were one, any direction across will do: the axis of space that is least along it.
+  const Lanes16 x = abs(kept.x), y = abs(kept.y), z = abs(kept.z);
+  const Flags<16> least_x = (x <= y) & (x <= z), least_y = y <= z;
+  const Vectors across = select(least_x, Vectors{one, zero, zero}, select(least_y, Vectors{zero, one, zero}, Vectors{zero, zero, one}));
+  turned = select(Lanes16::all(1e-3f) < dot(turned, turned), turned, across);
+  turn();
+  turned = unit(turned);
+  turn();
+  turned = unit(turned);
+  axis[0] = select(line, kept, turned), axis[2] = select(line, turned, kept);
+  axis[1] = cross(axis[2], axis[0]);
+  // A comparison with a NaN is false, so that it is not orthonormal.
+  const Lanes16 error = Lanes16::all(BlockTree::axes_error);
+  Flags<16> orthonormal = abs(dot(axis[0], axis[1])) < error;
+  for (int i = 0; i < 3; ++i) {
+    orthonormal = orthonormal & (abs(dot(axis[i], axis[i]) - one) < error);
+    orthonormal = orthonormal & (abs(dot(axis[i], axis[(i + 1) % 3])) < error);
+  }
+  const Vectors space[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  for (int i = 0; i < 3; ++i) axis[i] = select(orthonormal, axis[i], space[i]);
+}
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
