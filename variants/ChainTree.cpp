@@ -1,14 +1,12 @@
-#include <algorithm>
-
 #include "catena/core/blocks/block_kernels.h"
 #include "catena/core/blocks/block_layout.h"
-#include "catena/core/blocks/space_order.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
 namespace {
 
-/// ChainTree: blocks of eight consecutive spheres in capsules, sixteen blocks a node, boxes above in space order. Where the
+/// ChainTree: blocks of eight consecutive spheres in capsules, sixteen blocks a node,
+/// sixteen nodes the next, in boxes along axes of their own. Where the
 /// spheres of two blocks follow one another like beads along a direction, they are not compared at all.
 template <class Arithmetic>
 class ChainTree final : public Variant {
@@ -19,8 +17,7 @@ class ChainTree final : public Variant {
     view_ = chain.view();
     lay_out_blocks(view_, tree_);
     build_blocks(view_, tree_);
-    order_nodes();
-    build_nodes_and_levels(tree_);
+    build_nodes(tree_);
     spheres_ = chain.size();
     built_ = true;
     timings_.build_ms = watch.ms();
@@ -55,33 +52,8 @@ class ChainTree final : public Variant {
     timings_.find_ms = watch.ms();
   }
 
-  /// Nodes in space order, and room for them and the levels above.
-  void order_nodes() {
-    constexpr std::uint32_t group = BlockTree::group;
-    const std::uint32_t nodes = (tree_.blocks + group - 1) / group;
-    centres_.resize(nodes);
-    for (std::uint32_t g = 0; g < nodes; ++g) {
-      const float* const f = tree_.capsules_of(g) + tree_.blocks_of(g) / 2;
-      centres_[g] = {f[0], f[group], f[2 * group]};
-    }
-    tree_.node_group = order_.of(centres_);
-    const auto groups = [](std::uint32_t count) { return (count + group - 1) / group; };
-    tree_.oriented.resize(std::size_t{groups(nodes)} * group * BlockTree::oriented_fields);
-    std::size_t levels = 1;
-    for (std::uint32_t count = nodes; count > 1; count = groups(count)) ++levels;
-    tree_.level.resize(levels);
-    std::uint32_t count = nodes;
-    for (BlockTree::Level& level : tree_.level) {
-      level.count = count;
-      level.boxes.resize(std::size_t{groups(count)} * group * BlockTree::box_fields);
-      count = groups(count);
-    }
-  }
-
   BlockTree tree_;
   BlockQueues queues_;
-  SpaceOrder order_;
-  std::vector<SpaceOrder::Point> centres_;
   ChainView view_{};
   std::uint32_t spheres_ = 0;
   bool built_ = false;

@@ -17,19 +17,13 @@ Capsule64 capsule(const std::vector<float>& fields, std::uint32_t k, double unit
   return {end(-1), end(1), at(6) * unit};
 }
 
-Box64 box(const BlockTree::Level& level, std::uint32_t k, double unit) {
-  const float* const f = level.at(k) + k % group;
-  const auto at = [&](int field) { return f[group * field] * unit; };
-  return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
-}
-
-/// Of the oriented box of a node.
-Vector64 centre(const BlockTree& tree, std::uint32_t node, double unit) {
-  const float* const f = tree.oriented_of(node) + node % group;
+/// Of the box of a node.
+Vector64 centre(const BlockTree::Level& level, std::uint32_t node, double unit) {
+  const float* const f = level.at(node) + node % group;
   return {f[0] * unit, f[group] * unit, f[2 * group] * unit};
 }
-std::array<Slab, 3> slabs(const BlockTree& tree, std::uint32_t node, double unit) {
-  const float* const f = tree.oriented_of(node) + node % group;
+std::array<Slab, 3> slabs(const BlockTree::Level& level, std::uint32_t node, double unit) {
+  const float* const f = level.at(node) + node % group;
   std::array<Slab, 3> result;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const float* const axis = f + (3 + 3 * k) * group;
@@ -41,8 +35,8 @@ std::array<Slab, 3> slabs(const BlockTree& tree, std::uint32_t node, double unit
 
 }  // namespace
 
-std::uint32_t BlockEvidence::box_id(std::size_t level, std::uint32_t k) const {
-  std::uint32_t id = oriented_id(tree_.level[0].count);
+std::uint32_t BlockEvidence::node_id(std::size_t level, std::uint32_t k) const {
+  std::uint32_t id = block_id(tree_.blocks);
   for (std::size_t l = 0; l < level; ++l) id += tree_.level[l].count;
   return id + k;
 }
@@ -68,24 +62,24 @@ void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& v
   } silent;
   const BlockEvidence ids(chain, tree, silent);
   const double unit = 1 / double{tree.scale};
-  visitor.tree({.levels = static_cast<std::uint32_t>(tree.level.size()) + 3});
-  for (std::size_t l = tree.level.size() - 1; l > 0; --l)
-    for (std::uint32_t k = 0; k < tree.level[l - 1].count; ++k)
-      visitor.edge(ids.box_id(l, k / group), box(tree.level[l], k / group, unit), ids.box_id(l - 1, k),
-                   box(tree.level[l - 1], k, unit));
-  for (std::uint32_t node = 0; node < tree.level[0].count; ++node) {
-    const auto sides = slabs(tree, node, unit);
-    const Slabs64 around{centre(tree, node, unit), sides};
-    visitor.edge(ids.box_id(0, node), box(tree.level[0], node, unit), ids.oriented_id(node), around);
-    const std::uint32_t g = tree.node_group[node];
-    for (std::uint32_t b = g * group; b < g * group + tree.blocks_of(g); ++b) {
-      const Capsule64 of_block = capsule(tree.capsules, b, unit);
-      visitor.edge(ids.oriented_id(node), around, ids.block_id(b), of_block);
-      for (std::uint32_t k = 0; k < block; ++k)
-        if (const std::uint32_t i = tree.index(b, k); i != BlockTree::no_sphere)
-          visitor.edge(ids.block_id(b), of_block, i, Everything{});
+  visitor.tree({.levels = static_cast<std::uint32_t>(tree.level.size()) + 2});
+  for (std::size_t l = tree.level.size(); l-- > 0;)
+    for (std::uint32_t k = 0; k < tree.level[l].count; ++k) {
+      const auto sides = slabs(tree.level[l], k, unit);
+      const Slabs64 around{centre(tree.level[l], k, unit), sides};
+      const auto show_node = [&](std::uint32_t c, const Slabs64& parent) {
+        const auto own_sides = slabs(tree.level[l - 1], c, unit);
+        visitor.edge(ids.node_id(l, k), parent, ids.node_id(l - 1, c),
+                     Slabs64{centre(tree.level[l - 1], c, unit), own_sides});
+      };
+      for (std::uint32_t c = k * group; c < k * group + tree.children_of(l, k); ++c)
+        l == 0 ? visitor.edge(ids.node_id(0, k), around, ids.block_id(c), capsule(tree.capsules, c, unit))
+               : show_node(c, around);
     }
-  }
+  for (std::uint32_t b = 0; b < tree.blocks; ++b)
+    for (std::uint32_t k = 0; k < block; ++k)
+      if (const std::uint32_t i = tree.index(b, k); i != BlockTree::no_sphere)
+        visitor.edge(ids.block_id(b), capsule(tree.capsules, b, unit), i, Everything{});
 }
 
 }  // namespace catena

@@ -7,8 +7,8 @@
 
 namespace catena {
 
-/// The ids of a BlockTree's nodes, and what a search tells of them. Below n spheres, then blocks, then for each node its
-/// oriented box and its box (one node of the tree each, the box above the oriented one), then the boxes of each further level.
+/// The ids of a BlockTree's nodes, and what a search tells of them. Below n spheres, then blocks, then
+/// the nodes of each level.
 class BlockEvidence {
  public:
   static constexpr bool listens = true;
@@ -21,18 +21,19 @@ class BlockEvidence {
     chain_.neighbours(i, j) ? sink_.excluded(i, j) : sink_.tested(i, j);
   }
   void blocks_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(block_id(a), block_id(b)); }
-  void block_apart(std::uint32_t a, std::uint32_t node) const { sink_.discarded(block_id(a), oriented_id(node)); }
-  void nodes_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(oriented_id(a), oriented_id(b)); }
-  void boxes_apart(std::size_t la, std::uint32_t a, std::size_t lb, std::uint32_t b) const {
-    sink_.discarded(box_id(la, a), box_id(lb, b));
+  void nodes_apart(std::size_t l, std::uint32_t a, std::uint32_t b) const {
+    sink_.discarded(node_id(l, a), node_id(l, b));
+  }
+  /// Child a of a node of level l and node b of that level.
+  void child_apart(std::size_t l, std::uint32_t a, std::uint32_t b) const {
+    sink_.discarded(l == 0 ? block_id(a) : node_id(l - 1, a), node_id(l, b));
   }
   /// Of the pairs within block b, or of b with b + 1, those of spheres that are not next to one another are apart.
   void ordered_inside(std::uint32_t b) const;
   void ordered_between(std::uint32_t b) const;
 
   std::uint32_t block_id(std::uint32_t b) const { return chain_.size + b; }
-  std::uint32_t oriented_id(std::uint32_t node) const { return block_id(tree_.blocks) + node; }
-  std::uint32_t box_id(std::size_t level, std::uint32_t k) const;
+  std::uint32_t node_id(std::size_t level, std::uint32_t k) const;
 
  private:
   const ChainView& chain_;
@@ -45,9 +46,8 @@ struct NoBlockEvidence {
   static constexpr bool listens = false;
   void compared(std::uint32_t, std::uint32_t) const {}
   void blocks_apart(std::uint32_t, std::uint32_t) const {}
-  void block_apart(std::uint32_t, std::uint32_t) const {}
-  void nodes_apart(std::uint32_t, std::uint32_t) const {}
-  void boxes_apart(std::size_t, std::uint32_t, std::size_t, std::uint32_t) const {}
+  void nodes_apart(std::size_t, std::uint32_t, std::uint32_t) const {}
+  void child_apart(std::size_t, std::uint32_t, std::uint32_t) const {}
   void ordered_inside(std::uint32_t) const {}
   void ordered_between(std::uint32_t) const {}
 };

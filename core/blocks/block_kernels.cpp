@@ -16,8 +16,7 @@ void build_blocks_here(const ChainView& chain, BlockTree& tree) {
 }
 
 void build_tree_here(BlockTree& tree) {
-  build_nodes(tree);
-  build_levels(tree);
+  for (std::size_t l = 0; l < tree.level.size(); ++l) build_level(tree, l);
 }
 
 void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
@@ -41,7 +40,7 @@ HWY_EXPORT(search_here);
 void build_blocks(const ChainView& chain, BlockTree& tree) {
   HWY_DYNAMIC_DISPATCH(build_blocks_here)(chain, tree);
 }
-void build_nodes_and_levels(BlockTree& tree) { HWY_DYNAMIC_DISPATCH(build_tree_here)(tree); }
+void build_nodes(BlockTree& tree) { HWY_DYNAMIC_DISPATCH(build_tree_here)(tree); }
 void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
                    const BlockEvidence* evidence) {
   HWY_DYNAMIC_DISPATCH(search_here)(chain, tree, queues, lane, evidence);

@@ -9,8 +9,8 @@ namespace catena {
 /// Fills capsules and order of the blocks that are laid out. O(blocks).
 void build_blocks(const ChainView& chain, BlockTree& tree);
 
-/// Fills the nodes of tree.node_group, and all levels above, for which there must be room. O(nodes).
-void build_nodes_and_levels(BlockTree& tree);
+/// Fills all levels, for which there must be room. O(nodes).
+void build_nodes(BlockTree& tree);
 
 /// Reports every colliding pair to the lane, once. `evidence` may be null; with it the search is slower.
 void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,

@@ -17,6 +17,20 @@ void copy_block(const ChainView& chain, std::uint32_t begin, std::uint32_t size,
   }
 }
 
+void make_room(BlockTree& tree) {
+  constexpr std::uint32_t group = BlockTree::group;
+  const auto groups = [](std::uint32_t count) { return count / group + (count % group != 0); };
+  tree.capsules.resize(std::size_t{groups(tree.blocks)} * group * BlockTree::capsule_fields);
+  tree.ordered.assign(groups(tree.blocks), 0);
+  std::size_t l = 0;
+  for (std::uint32_t count = groups(tree.blocks); count > 0; count = count > 1 ? groups(count) : 0, ++l) {
+    if (l == tree.level.size()) tree.level.emplace_back();
+    tree.level[l].count = count;
+    tree.level[l].oriented.resize(std::size_t{groups(count)} * group * BlockTree::oriented_fields);
+  }
+  tree.level.resize(l);
+}
+
 }  // namespace
 
 float block_scale(const Extent& extent) {
@@ -36,9 +50,7 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     if (at < end) copy_block(chain, at, end - at, tree);
   }
   tree.blocks = tree.chain_blocks = static_cast<std::uint32_t>(tree.first.size());
-  const std::size_t groups = (tree.blocks + BlockTree::group - 1) / BlockTree::group;
-  tree.capsules.resize(groups * BlockTree::group * BlockTree::capsule_fields);
-  tree.ordered.assign(groups, 0);
+  make_room(tree);
 }
 
 }  // namespace catena

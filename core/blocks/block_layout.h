@@ -12,7 +12,7 @@ namespace catena {
 float block_scale(const Extent& extent);
 
 /// Lays every strand out in blocks of eight consecutive spheres, the last one copied where it is short. Sets scale, blocks,
-/// chain_blocks, first, copies; makes room for capsules and order. O(n); does not allocate when n has not grown.
+/// chain_blocks, first, copies; makes room for capsules, order and nodes. O(n); does not allocate when n has not grown.
 void lay_out_blocks(const ChainView& chain, BlockTree& tree);
 
 }  // namespace catena

@@ -9,8 +9,7 @@
 namespace catena {
 
 /// A tree over *blocks* of eight spheres, laid out for sixteen things a test. A block lies in a capsule; sixteen blocks are
-/// a node, which lies in a box along the axes of space and in one along axes of its own; sixteen boxes of the first kind are
-/// a node of the next level. A block holds eight consecutive spheres of one strand, or copies of eight that lie near one
+/// a node, which lies in a box along axes of its own; sixteen nodes are a node of the next level. A block holds eight consecutive spheres of one strand, or copies of eight that lie near one
 /// another in space.
 ///
 /// Numbers are those of the chain times `scale`, a power of two, which brings the greatest to 2^19 .. 2^20: no product
@@ -33,13 +32,14 @@ struct BlockTree {
   static constexpr std::uint32_t capsule_fields = 8;
   /// Fields of sixteen oriented boxes: centre x y z, three axes x y z, three half sides.
   static constexpr std::uint32_t oriented_fields = 15;
-  /// Fields of sixteen boxes: low x y z, high x y z.
-  static constexpr std::uint32_t box_fields = 6;
 
   struct Level {
-    std::uint32_t count = 0;   ///< boxes
-    std::vector<float> boxes;  ///< groups of sixteen; those past `count` are empty (low > high)
-    const float* at(std::uint32_t k) const { return boxes.data() + std::size_t{k / group} * group * box_fields; }
+    std::uint32_t count = 0;      ///< nodes
+    std::vector<float> oriented;  ///< their boxes, groups of sixteen
+    const float* at(std::uint32_t k) const {
+      return oriented.data() + std::size_t{k / group} * group * oriented_fields;
+    }
+    float* at(std::uint32_t k) { return oriented.data() + std::size_t{k / group} * group * oriented_fields; }
   };
 
   float scale = 1;
@@ -53,22 +53,22 @@ struct BlockTree {
   /// Bit k of group g: in block 16 g + k and the next no two spheres collide that are not next to one another.
   std::vector<std::uint16_t> ordered;
 
-  std::vector<std::uint32_t> node_group;  ///< which sixteen blocks a node has; nodes in the order of level[0]
-  std::vector<float> oriented;            ///< their oriented boxes, groups of sixteen
-  std::vector<Level> level;               ///< boxes of nodes, of sixteen nodes each, and so on to one
+  std::vector<Level> level;  ///< nodes of sixteen blocks, in order; of sixteen nodes each; and so on to one
 
   static constexpr std::uint32_t no_sphere = 0xFFFFFFFFu;
 
   const float* capsules_of(std::uint32_t g) const { return capsules.data() + std::size_t{g} * group * capsule_fields; }
-  const float* oriented_of(std::uint32_t node) const {
-    return oriented.data() + std::size_t{node / group} * group * oriented_fields;
-  }
   float* capsules_of(std::uint32_t g) { return capsules.data() + std::size_t{g} * group * capsule_fields; }
   std::uint32_t blocks_of(std::uint32_t g) const {
     const std::uint32_t left = blocks - g * group;
     return left < group ? left : group;
   }
-  bool is_ordered(std::uint32_t b) const { return ordered[b / group] >> b % group & 1; }
+  /// Children of node k of level l.
+  std::uint32_t children_of(std::size_t l, std::uint32_t k) const {
+    if (l == 0) return blocks_of(k);
+    const std::uint32_t left = level[l - 1].count - k * group;
+    return left < group ? left : group;
+  }
 
   /// The eight spheres of a block; those that fill up a short block repeat its last.
   const Sphere* spheres(const ChainView& chain, std::uint32_t b) const {

@@ -6,10 +6,7 @@
 #define CATENA_CORE_BLOCKS_BUILD_BLOCKS_INL_H
 #endif
 
-#include <limits>
-
 #include "catena/core/blocks/ordered-inl.h"
-#include "catena/core/blocks/tests-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -53,16 +50,6 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
     }
   }
   tree.ordered[g] = static_cast<std::uint16_t>(ordered);
-}
-
-/// The box around the first `used` of sixteen.
-HWY_INLINE void enclose(const Boxes& b, std::uint32_t used, float* to, std::uint32_t lane) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const Flags<16> in_use = first_lanes<16>(used);
-  const auto low = [&](const Lanes16& v) { return least(select(in_use, v, Lanes16::all(infinity))); };
-  const auto high = [&](const Lanes16& v) { return greatest(select(in_use, v, Lanes16::all(-infinity))); };
-  to[lane] = low(b.low.x), to[16 + lane] = low(b.low.y), to[32 + lane] = low(b.low.z);
-  to[48 + lane] = high(b.high.x), to[64 + lane] = high(b.high.y), to[80 + lane] = high(b.high.z);
 }
 
 }  // namespace catena::HWY_NAMESPACE

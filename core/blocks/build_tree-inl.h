@@ -1,4 +1,4 @@
-// Nodes over groups of blocks, and boxes over nodes up to one.
+// Nodes over sixteen blocks each, over sixteen nodes each, and so on to one.
 #if defined(CATENA_CORE_BLOCKS_BUILD_TREE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_BUILD_TREE_INL_H
 #undef CATENA_CORE_BLOCKS_BUILD_TREE_INL_H
@@ -12,14 +12,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Axes for nodes first .. first + 15 and a guess of their centres, lane = node, from the centres of their blocks.
-HWY_INLINE void guess_oriented(const BlockTree& tree, std::uint32_t first, float* to) {
+/// Axes for nodes first .. first + 15 of level l and a guess of their centres, lane = node, from the centres of their
+/// children.
+HWY_INLINE void guess_axes(const BlockTree& tree, std::size_t l, std::uint32_t first, float* to) {
   constexpr std::uint32_t group = BlockTree::group;
-  alignas(64) float centres[group][3][group];  // [block][coordinate][node]
+  alignas(64) float centres[group][3][group];  // [child][coordinate][node]
   for (std::uint32_t lane = 0; lane < group; ++lane) {
-    const std::uint32_t node = std::min(first + lane, static_cast<std::uint32_t>(tree.node_group.size()) - 1);
-    const std::uint32_t g = tree.node_group[node], last = tree.blocks_of(g) - 1;
-    const float* const fields = tree.capsules_of(g);
+    const std::uint32_t k = std::min(first + lane, tree.level[l].count - 1), last = tree.children_of(l, k) - 1;
+    const float* const fields = l == 0 ? tree.capsules_of(k) : tree.level[l - 1].at(k * group);
     for (std::uint32_t b = 0; b < group; ++b)
       for (std::uint32_t d = 0; d < 3; ++d) centres[b][d][lane] = fields[group * d + std::min(b, last)];
   }
@@ -42,31 +42,17 @@ HWY_INLINE void guess_oriented(const BlockTree& tree, std::uint32_t first, float
   for (int k = 0; k < 3; ++k) axis[k].store(to + 48 + 48 * k);
 }
 
-/// Both boxes of the nodes of tree.node_group.
-HWY_INLINE void build_nodes(BlockTree& tree) {
-  const auto nodes = static_cast<std::uint32_t>(tree.node_group.size());
-  BlockTree::Level& level = tree.level[0];
-  for (std::uint32_t k = 0; k < nodes; ++k) {
-    const std::uint32_t lane = k % BlockTree::group;
-    float* const oriented = tree.oriented.data() + std::size_t{k - lane} * BlockTree::oriented_fields;
-    if (lane == 0) guess_oriented(tree, k, oriented);
-    const std::uint32_t used = tree.blocks_of(tree.node_group[k]);
-    const Capsules capsules = Capsules::load(tree.capsules_of(tree.node_group[k]));
-    fit(capsules, used, oriented, lane);
-    enclose(boxes_around(capsules), used, level.boxes.data() + std::size_t{k - lane} * BlockTree::box_fields, lane);
-  }
-}
-
-/// Boxes of sixteen boxes of the level below, up to one.
-HWY_INLINE void build_levels(BlockTree& tree) {
-  for (std::size_t l = 1; l < tree.level.size(); ++l) {
-    const BlockTree::Level& below = tree.level[l - 1];
-    BlockTree::Level& level = tree.level[l];
-    for (std::uint32_t k = 0; k < level.count; ++k) {
-      const std::uint32_t begin = k * BlockTree::group, lane = k % BlockTree::group;
-      enclose(Boxes::load(below.at(begin)), std::min(BlockTree::group, below.count - begin),
-              level.boxes.data() + std::size_t{k - lane} * BlockTree::box_fields, lane);
-    }
+/// The boxes of all nodes of level l, from its children's.
+HWY_INLINE void build_level(BlockTree& tree, std::size_t l) {
+  BlockTree::Level& level = tree.level[l];
+  for (std::uint32_t k = 0; k < level.count; ++k) {
+    const std::uint32_t lane = k % BlockTree::group, used = tree.children_of(l, k);
+    float* const oriented = level.at(k);
+    if (lane == 0) guess_axes(tree, l, k, oriented);
+    if (l == 0)
+      fit(Capsules::load(tree.capsules_of(k)), used, oriented, lane);
+    else
+      fit(OrientedBoxes::load(tree.level[l - 1].at(k * BlockTree::group)), used, oriented, lane);
   }
 }
 

@@ -6,6 +6,8 @@
 #define CATENA_CORE_BLOCKS_ORIENTED_BOXES_INL_H
 #endif
 
+#include <limits>
+
 #include "catena/core/blocks/principal_axes-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 
@@ -43,6 +45,21 @@ HWY_INLINE Intervals intervals(const Capsules& c, const Vectors& centre, const V
   Intervals result;
   for (int k = 0; k < 3; ++k) {
     const Lanes16 middle = dot(t, axis[k]), reach = abs(dot(c.half, axis[k])) + radius;
+    result.low[k] = middle - reach, result.high[k] = middle + reach;
+  }
+  return result;
+}
+
+/// The same of boxes: see may_meet.
+HWY_INLINE Intervals intervals(const OrientedBoxes& b, const Vectors& centre, const Vectors (&axis)[3]) {
+  const Vectors t = b.centre - centre;
+  const Lanes16 slack = mul_add(b.half[0] + b.half[1] + b.half[2], Lanes16::all(BlockTree::axes_slack),
+                                mul_add(sum_of_sides(t), Lanes16::all(0x1p-20f), Lanes16::all(BlockTree::tiny)));
+  Intervals result;
+  for (int k = 0; k < 3; ++k) {
+    const Lanes16 middle = dot(t, axis[k]);
+    Lanes16 reach = slack;
+    for (int j = 0; j < 3; ++j) reach = mul_add(abs(dot(b.axis[j], axis[k])), b.half[j], reach);
     result.low[k] = middle - reach, result.high[k] = middle + reach;
   }
   return result;
@@ -99,9 +116,10 @@ HWY_INLINE std::uint32_t may_meet(const OrientedBoxes& a, const OrientedBoxes& b
   return meeting.bits();
 }
 
-/// The oriented box of the node whose blocks have the capsules c, into lane `lane` of sixteen, whose axes are there already;
+/// The oriented box around the first `used` capsules or boxes, into lane `lane` of sixteen, whose axes are there already;
 /// its centre there is a guess.
-HWY_INLINE void fit(const Capsules& c, std::uint32_t used, float* to, std::uint32_t lane) {
+template <class Sixteen>
+HWY_INLINE void fit(const Sixteen& c, std::uint32_t used, float* to, std::uint32_t lane) {
   const auto axes = OrientedBoxes::all(to, lane);
   const Flags<16> in_use = first_lanes<16>(used);
   constexpr float infinity = std::numeric_limits<float>::infinity();

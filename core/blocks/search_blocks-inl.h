@@ -31,7 +31,7 @@ class BlockSearch {
   void run() {
     if (tree_.blocks == 0) return;
     along_the_chain();
-    within(static_cast<std::uint32_t>(tree_.level.size()) - 1, 0);
+    within(tree_.level.size() - 1, 0);
     flush_rows();
     flush_pairs();
   }
@@ -62,117 +62,93 @@ class BlockSearch {
   /// Block b is ordered: of its spheres only those next to one another may collide, if they are not neighbours anyway.
   void ordered_inside(std::uint32_t b) {
     sink_.ordered_inside(b);
+    if (adjacent_are_neighbours_) return;
     for (std::uint32_t k = 0; k + 1 < block; ++k) adjacent(tree_.first[b] + k);
   }
   /// Of block b and the next only the last sphere and the first may collide.
   void ordered_between(std::uint32_t b) {
     sink_.ordered_between(b);
-    adjacent(tree_.first[b] + block - 1);
+    if (!adjacent_are_neighbours_) adjacent(tree_.first[b] + block - 1);
   }
   void adjacent(std::uint32_t i) {
     if (!chain_.neighbours(i, i + 1) && Robust::overlap(chain_.spheres[i], chain_.spheres[i + 1]))
       lane_.collide(i, i + 1);
   }
 
-  /// All pairs below box k of level l.
-  void within(std::uint32_t l, std::uint32_t k) {
+  /// All pairs of blocks below node k of level l, but for those that along_the_chain met.
+  void within(std::size_t l, std::uint32_t k) {
     if (lane_.satisfied()) return;
-    if (l == 0) return within_node(k);
-    const BlockTree::Level& children = tree_.level[l - 1];
-    const std::uint32_t begin = k * group, count = std::min(group, children.count - begin);
-    const float* const boxes = children.at(begin);
-    const Boxes all = Boxes::load(boxes);
+    const std::uint32_t begin = k * group, count = tree_.children_of(l, k), all = lanes(count);
+    const Intervals reach = in_frame_of(l, k, l, k);
+    const StoredIntervals single(reach);
+    if (l == 0) {
+      const std::uint32_t skip = begin < tree_.chain_blocks ? 2 : 1;
+      for (std::uint32_t i = 0; i + skip < count; ++i)
+        row(begin + i, k, meet(single.all(i), reach), all & ~((1u << (i + skip)) - 1));
+      return make_room();
+    }
     for (std::uint32_t i = 0; i < count; ++i) {
       within(l - 1, begin + i);
-      const std::uint32_t later = ((1u << count) - 1) & ~((2u << i) - 1);
-      between_children(l - 1, begin + i, begin, meet(Boxes::all(boxes, i), all), later);
+      nodes(l - 1, begin + i, k, meet(single.all(i), reach), all & ~((2u << i) - 1));
     }
   }
 
-  /// All pairs of a block below box a of level l with one below b > a.
-  void between(std::uint32_t l, std::uint32_t a, std::uint32_t b) {
-    if (l == 0) return between_nodes(a, b);
-    const BlockTree::Level &level = tree_.level[l], &children = tree_.level[l - 1];
-    const std::uint32_t begin_a = a * group, begin_b = b * group;
-    const std::uint32_t all_a = lanes(children.count - begin_a), all_b = lanes(children.count - begin_b);
-    const float *const boxes_a = children.at(begin_a), *const boxes_b = children.at(begin_b);
-    const Boxes of_b = Boxes::load(boxes_b);
-    const std::uint32_t mine = meet(Boxes::load(boxes_a), Boxes::all(level.at(b), b % group)) & all_a;
-    const std::uint32_t theirs = meet(of_b, Boxes::all(level.at(a), a % group)) & all_b;
-    for_each(all_a & ~mine, [&](std::uint32_t i) { sink_.boxes_apart(l - 1, begin_a + i, l, b); });
-    for_each(mine, [&](std::uint32_t i) {
-      if (!lane_.satisfied())
-        between_children(l - 1, begin_a + i, begin_b, meet(Boxes::all(boxes_a, i), of_b) & theirs, all_b);
-    });
-  }
-
-  /// Box a of level l against those from b on, of which those in `candidates` count and those in `met` may meet it.
-  void between_children(std::uint32_t l, std::uint32_t a, std::uint32_t b, std::uint32_t met, std::uint32_t candidates) {
-    met &= candidates;
-    for_each(candidates & ~met, [&](std::uint32_t j) { sink_.boxes_apart(l, a, l, b + j); });
-    if (l == 0 && met != 0) {
-      const std::uint32_t near = may_meet(OrientedBoxes::all(tree_.oriented_of(a), a % group), OrientedBoxes::load(tree_.oriented_of(b))) & met;
-      for_each(met & ~near, [&](std::uint32_t j) { sink_.nodes_apart(a, b + j); });
-      met = near;
-    }
-    for_each(met, [&](std::uint32_t j) { between(l, a, b + j); });
-  }
-
-  /// Blocks of one node against each other; those next to one another along the chain have met.
-  void within_node(std::uint32_t k) {
-    const std::uint32_t g = tree_.node_group[k], count = tree_.blocks_of(g), begin = g * group;
-    const Intervals all = in_frame_of(k, Capsules::load(tree_.capsules_of(g)));
-    const StoredIntervals single(all);
-    const std::uint32_t skip = begin < tree_.chain_blocks ? 2 : 1;
-    for (std::uint32_t i = 0; i + skip < count; ++i)
-      row(begin + i, g, meet(single.all(i), all), lanes(count) & ~((1u << (i + skip)) - 1));
-    make_room();
-  }
-
-  /// Blocks of node a against those of node b.
-  void between_nodes(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t ga = tree_.node_group[a], gb = tree_.node_group[b];
-    const std::uint32_t all_a = lanes(tree_.blocks_of(ga)), all_b = lanes(tree_.blocks_of(gb));
-    const Capsules of_a = Capsules::load(tree_.capsules_of(ga)), of_b = Capsules::load(tree_.capsules_of(gb));
-    const Intervals b_by_a = in_frame_of(a, of_b);
-    const std::uint32_t theirs = meet(b_by_a, own_intervals(a)) & all_b;
-    for_each(all_b & ~theirs, [&](std::uint32_t j) { sink_.block_apart(gb * group + j, a); });
+  /// All pairs of a block below node a of level l with one below node b > a.
+  void between(std::size_t l, std::uint32_t a, std::uint32_t b) {
+    if (lane_.satisfied()) return;
+    const std::uint32_t all_a = lanes(tree_.children_of(l, a)), all_b = lanes(tree_.children_of(l, b));
+    const Intervals b_by_a = in_frame_of(l, a, l, b);
+    const std::uint32_t theirs = meet(b_by_a, own_intervals(l, a)) & all_b;
+    for_each(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(l, b * group + j, a); });
     if (theirs == 0) return;
-    const std::uint32_t mine = meet(in_frame_of(b, of_a), own_intervals(b)) & all_a;
-    if (Sink::listens)
-      for_each(all_a & ~mine, [&](std::uint32_t i) { row(ga * group + i, gb, 0, theirs); });
+    const std::uint32_t mine = meet(in_frame_of(l, b, l, a), own_intervals(l, b)) & all_a;
+    if (Sink::listens) for_each(all_a & ~mine, [&](std::uint32_t i) { children(l, a * group + i, b, 0, theirs); });
     if (mine == 0) return;
     // An ordered window from the last block of one node to the first of the next.
-    const bool ahead = gb == ga + 1 && window_leaves(ga), behind = ga == gb + 1 && window_leaves(gb);
-    if (ahead && mine == 1u << (group - 1) && theirs == 1) return ordered_between(ga * group + group - 1);
-    if (behind && mine == 1 && theirs == 1u << (group - 1)) return ordered_between(gb * group + group - 1);
-    const StoredIntervals a_by_a(in_frame_of(a, of_a));
+    const bool ahead = l == 0 && b == a + 1 && window_leaves(a);
+    if (ahead && mine == 1u << (group - 1) && theirs == 1) return ordered_between(a * group + group - 1);
+    const StoredIntervals a_by_a(in_frame_of(l, a, l, a));
     for_each(mine, [&](std::uint32_t i) {
       std::uint32_t candidates = theirs;
       if (ahead && i == group - 1 && (theirs & 1)) {
         candidates &= ~1u;
-        ordered_between(ga * group + i);
-      } else if (behind && i == 0 && theirs >> (group - 1)) {
-        candidates &= ~(1u << (group - 1));
-        ordered_between(gb * group + group - 1);
+        ordered_between(a * group + i);
       }
-      row(ga * group + i, gb, meet(a_by_a.all(i), b_by_a), candidates);
+      children(l, a * group + i, b, meet(a_by_a.all(i), b_by_a), candidates);
     });
-    make_room();
+    if (l == 0) make_room();
   }
 
-  /// Whether the last block of group g and the next block are ordered.
-  bool window_leaves(std::uint32_t g) const {
-    return g * group < tree_.chain_blocks && tree_.ordered[g] >> (group - 1) != 0;
+  /// Child a of a node of level l against those of node k in `candidates`, of which those in `met` may meet it.
+  void children(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t met, std::uint32_t candidates) {
+    l == 0 ? row(a, k, met, candidates) : nodes(l - 1, a, k, met, candidates);
   }
 
-  /// How far sixteen capsules reach along the axes of a node.
-  HWY_INLINE Intervals in_frame_of(std::uint32_t node, const Capsules& capsules) const {
-    const auto box = OrientedBoxes::all(tree_.oriented_of(node), node % group);
-    return intervals(capsules, box.centre, box.axis);
+  /// Node a of level l against the sixteen of group k in `candidates`, of which those in `met` may meet it.
+  void nodes(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t met, std::uint32_t candidates) {
+    met &= candidates;
+    // A node and the next along the chain touch each other, so that a test would be in vain.
+    const std::uint32_t next = a + 1 - k * group < group ? 1u << (a + 1 - k * group) : 0u;
+    if ((met & ~next) != 0) {
+      const float* const fields = tree_.level[l].at(k * group);
+      met &= may_meet(OrientedBoxes::all(tree_.level[l].at(a), a % group), OrientedBoxes::load(fields)) | next;
+    }
+    for_each(candidates & ~met, [&](std::uint32_t j) { sink_.nodes_apart(l, a, k * group + j); });
+    for_each(met, [&](std::uint32_t j) { between(l, a, k * group + j); });
   }
-  HWY_INLINE Intervals own_intervals(std::uint32_t node) const {
-    return intervals(OrientedBoxes::all(tree_.oriented_of(node), node % group).half);
+
+  /// How far the children of `node` of level m reach along the axes of node `frame` of level l.
+  HWY_INLINE Intervals in_frame_of(std::size_t l, std::uint32_t frame, std::size_t m, std::uint32_t node) const {
+    const auto box = OrientedBoxes::all(tree_.level[l].at(frame), frame % group);
+    return m == 0 ? intervals(Capsules::load(tree_.capsules_of(node)), box.centre, box.axis)
+                  : intervals(OrientedBoxes::load(tree_.level[m - 1].at(node * group)), box.centre, box.axis);
+  }
+  HWY_INLINE Intervals own_intervals(std::size_t l, std::uint32_t node) const {
+    return intervals(OrientedBoxes::all(tree_.level[l].at(node), node % group).half);
+  }
+  /// Whether the last block of node k and the next block are ordered.
+  bool window_leaves(std::uint32_t k) const {
+    return k * group < tree_.chain_blocks && tree_.ordered[k] >> (group - 1) != 0;
   }
 
   /// Block a against those of group g in `candidates`, of which those in `met` may collide with it by their boxes.

@@ -1,4 +1,4 @@
-// One against sixteen: capsules, boxes; and eight spheres against eight. Each says "may collide" unless it is certain.
+// One capsule against sixteen, and eight spheres against eight. Each says "may collide" unless it is certain.
 #if defined(CATENA_CORE_BLOCKS_TESTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_TESTS_INL_H
 #undef CATENA_CORE_BLOCKS_TESTS_INL_H
@@ -31,37 +31,6 @@ HWY_INLINE std::uint32_t may_collide(const Capsules& a, const Capsules& b) {
   const Flags<16> separate = (reach * reach * square < gap * gap) & (Lanes16::all(0) < gap) &
                              (Lanes16::all(0x1p-60f) < square);
   return ~separate.bits() & 0xFFFFu;
-}
-
-/// Boxes of sixteen.
-struct Boxes {
-  Vectors low, high;
-
-  static HWY_INLINE Boxes load(const float* fields) {
-    return {Vectors::load(fields), Vectors::load(fields + 48)};
-  }
-  static HWY_INLINE Boxes all(const float* fields, std::uint32_t lane) {
-    return {Vectors::all(fields, lane), Vectors::all(fields + 48, lane)};
-  }
-  HWY_INLINE void store(float* fields) const { low.store(fields), high.store(fields + 48); }
-};
-
-/// Boxes around capsules, rounded outward.
-HWY_INLINE Boxes boxes_around(const Capsules& c) {
-  const Lanes16 rounding = Lanes16::all(0x1p-22f);  // 4 u
-  const auto side = [&](const Lanes16& centre, const Lanes16& half) {
-    return mul_add(abs(centre), rounding, mul_add(c.radius, rounding, abs(half) + c.radius));
-  };
-  const Vectors sides{side(c.centre.x, c.half.x), side(c.centre.y, c.half.y), side(c.centre.z, c.half.z)};
-  return {c.centre - sides, c.centre + sides};
-}
-
-/// Bits of the lanes in which boxes meet; exact.
-HWY_INLINE std::uint32_t meet(const Boxes& a, const Boxes& b) {
-  const Flags<16> x = (a.low.x <= b.high.x) & (b.low.x <= a.high.x);
-  const Flags<16> y = (a.low.y <= b.high.y) & (b.low.y <= a.high.y);
-  const Flags<16> z = (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
-  return (x & y & z).bits();
 }
 
 /// Bit 8 i + j: sphere i of one block may collide with, or for certain overlaps, sphere j of another.
