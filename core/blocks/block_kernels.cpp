@@ -19,6 +19,15 @@ void build_tree_here(BlockTree& tree) {
   for (std::size_t l = 0; l < tree.level.size(); ++l) build_level(tree, l);
 }
 
+void find_crowds_here(const BlockTree& tree, Crowding& crowding) {
+  if (tree.blocks > 0) NodeWalk(tree, crowding, NoBlockEvidence{}).run();
+}
+
+void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, BlockQueues& queues,
+                           PairCollector::Lane& lane) {
+  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run(crowding);
+}
+
 void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
                  const BlockEvidence* evidence) {
   if (evidence != nullptr)
@@ -35,12 +44,22 @@ namespace catena {
 
 HWY_EXPORT(build_blocks_here);
 HWY_EXPORT(build_tree_here);
+HWY_EXPORT(find_crowds_here);
+HWY_EXPORT(search_uncrowded_here);
 HWY_EXPORT(search_here);
 
 void build_blocks(const ChainView& chain, BlockTree& tree) {
   HWY_DYNAMIC_DISPATCH(build_blocks_here)(chain, tree);
 }
 void build_nodes(BlockTree& tree) { HWY_DYNAMIC_DISPATCH(build_tree_here)(tree); }
+void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding) {
+  crowding.reset(tree, limit);
+  HWY_DYNAMIC_DISPATCH(find_crowds_here)(tree, crowding);
+}
+void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, BlockQueues& queues,
+                      PairCollector::Lane& lane) {
+  HWY_DYNAMIC_DISPATCH(search_uncrowded_here)(chain, tree, crowding, queues, lane);
+}
 void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
                    const BlockEvidence* evidence) {
   HWY_DYNAMIC_DISPATCH(search_here)(chain, tree, queues, lane, evidence);

@@ -2,6 +2,7 @@
 #include "catena/core/blocks/block_evidence.h"
 #include "catena/core/blocks/block_queues.h"
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/blocks/crowding.h"
 #include "catena/core/executor/pair_collector.h"
 
 namespace catena {
@@ -11,6 +12,14 @@ void build_blocks(const ChainView& chain, BlockTree& tree);
 
 /// Fills all levels, for which there must be room. O(nodes).
 void build_nodes(BlockTree& tree);
+
+/// Fills `crowding` with the pairs of nodes that met, but for those of two nodes that had met more than `limit` others
+/// before. O(limit * nodes) but for tests in upper levels.
+void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding);
+
+/// Reports every colliding pair to the lane, once, but for those of spheres that are both in crowded nodes.
+void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, BlockQueues& queues,
+                      PairCollector::Lane& lane);
 
 /// Reports every colliding pair to the lane, once. `evidence` may be null; with it the search is slower.
 void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,

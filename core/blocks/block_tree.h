@@ -25,8 +25,8 @@ struct BlockTree {
   static constexpr float tiny = 0x1p-28f;
   /// Axes of an oriented box are orthonormal to within axes_error, computed; then it reaches axes_slack times the sum of
   /// its half sides farther than orthonormal axes would.
-  static constexpr float axes_error = 0x1p-20f;
-  static constexpr float axes_slack = 0x1p-17f;
+  static constexpr float axes_error = 0x1p-20f;  // 16 u
+  static constexpr float axes_slack = 0x1p-17f;  // 128 u
 
   /// Fields of sixteen capsules: centre x y z, half axis x y z, radius, about 1 / |half axis|^2 (0 for a point).
   static constexpr std::uint32_t capsule_fields = 8;

@@ -14,6 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
+/// Slack of intervals for the way from a centre to another, relative to the sum of its sides.
+constexpr float centre_slack = 0x1p-20f;  // 16 u
+
 /// How far things reach along three axes, from a box's centre: sixteen things, or one in all lanes.
 struct Intervals {
   Lanes16 low[3], high[3];
@@ -40,7 +43,7 @@ struct OrientedBoxes {
 /// the rest that of the centre's, of the sums, and of axes a little longer than 1.
 HWY_INLINE Intervals intervals(const Capsules& c, const Vectors& centre, const Vectors (&axis)[3]) {
   const Vectors t = c.centre - centre;
-  const Lanes16 radius = mul_add(sum_of_sides(t), Lanes16::all(0x1p-20f),
+  const Lanes16 radius = mul_add(sum_of_sides(t), Lanes16::all(centre_slack),
                                  c.radius * Lanes16::all(1 + BlockTree::axes_slack));
   Intervals result;
   for (int k = 0; k < 3; ++k) {
@@ -54,7 +57,7 @@ HWY_INLINE Intervals intervals(const Capsules& c, const Vectors& centre, const V
 HWY_INLINE Intervals intervals(const OrientedBoxes& b, const Vectors& centre, const Vectors (&axis)[3]) {
   const Vectors t = b.centre - centre;
   const Lanes16 slack = mul_add(b.half[0] + b.half[1] + b.half[2], Lanes16::all(BlockTree::axes_slack),
-                                mul_add(sum_of_sides(t), Lanes16::all(0x1p-20f), Lanes16::all(BlockTree::tiny)));
+                                mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny)));
   Intervals result;
   for (int k = 0; k < 3; ++k) {
     const Lanes16 middle = dot(t, axis[k]);
@@ -98,7 +101,7 @@ HWY_INLINE Intervals intervals(const Lanes16 (&half)[3]) {
 HWY_INLINE std::uint32_t may_meet(const OrientedBoxes& a, const OrientedBoxes& b) {
   const Vectors t = b.centre - a.centre;
   const Lanes16 slack = Lanes16::all(BlockTree::axes_slack);
-  const Lanes16 rounding = mul_add(sum_of_sides(t), Lanes16::all(0x1p-20f), Lanes16::all(BlockTree::tiny));
+  const Lanes16 rounding = mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny));
   const Lanes16 sides_a = mul_add(a.half[0] + a.half[1] + a.half[2], slack, rounding);
   const Lanes16 sides_b = mul_add(b.half[0] + b.half[1] + b.half[2], slack, rounding);
   Lanes16 reach_b[3] = {b.half[0] + sides_a, b.half[1] + sides_a, b.half[2] + sides_a};

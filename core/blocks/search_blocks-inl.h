@@ -1,5 +1,5 @@
-// The pairs of a BlockTree: boxes of nodes against each other from the root down, then blocks against blocks, capsules
-// one against sixteen, and eight spheres against eight.
+// The colliding pairs of a BlockTree: nodes that may meet, then their blocks, capsules one against sixteen, and eight
+// spheres against eight.
 #if defined(CATENA_CORE_BLOCKS_SEARCH_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_SEARCH_BLOCKS_INL_H
 #undef CATENA_CORE_BLOCKS_SEARCH_BLOCKS_INL_H
@@ -7,11 +7,11 @@
 #define CATENA_CORE_BLOCKS_SEARCH_BLOCKS_INL_H
 #endif
 
-#include <bit>
-
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
-#include "catena/core/blocks/oriented_boxes-inl.h"
+#include "catena/core/blocks/crowding.h"
+#include "catena/core/blocks/node_walk-inl.h"
+#include "catena/core/blocks/tests-inl.h"
 #include "catena/core/executor/pair_collector.h"
 #include "hwy/cache_control.h"
 
@@ -28,31 +28,50 @@ class BlockSearch {
     queues_.clear();
   }
 
+  /// Every pair of the tree.
   void run() {
     if (tree_.blocks == 0) return;
-    along_the_chain();
-    within(tree_.level.size() - 1, 0);
-    flush_rows();
-    flush_pairs();
+    along_the_chain([](std::uint32_t) { return true; });
+    for (std::uint32_t k = 0; k < tree_.level[0].count && !stop(); ++k) within(k);
+    NodeWalk(tree_, *this, sink_).run();
+    finish();
   }
+
+  /// Every pair but those of two crowded nodes, or within one.
+  void run(const Crowding& crowding) {
+    if (tree_.blocks == 0) return;
+    along_the_chain([&](std::uint32_t k) { return !crowding.crowded(k); });
+    for (std::uint32_t k = 0; k < tree_.level[0].count && !stop(); ++k)
+      if (!crowding.crowded(k)) within(k);
+    for (const Pair& nodes : crowding.pairs)
+      if (!crowding.left_out(nodes) && !stop()) met(nodes.i, nodes.j);
+    finish();
+  }
+
+  // What NodeWalk asks for.
+  void met(std::uint32_t a, std::uint32_t b) { between(a, b); }
+  bool left_out(std::size_t, std::uint32_t, std::uint32_t) const { return false; }
+  bool stop() const { return lane_.satisfied(); }
 
  private:
   static constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 
   /// Blocks against themselves, and against the next of their node along the chain, but for those that are ordered.
-  void along_the_chain() {
+  template <class Wanted>
+  void along_the_chain(const Wanted& wanted) {
     std::uint32_t before = 0;  // 1: the last window of the group before is ordered
     for (std::uint32_t g = 0; g * group < tree_.blocks; ++g) {
-      const std::uint32_t begin = g * group, all = lanes(tree_.blocks_of(g));
+      const std::uint32_t begin = g * group, all = lane_bits(tree_.blocks_of(g));
       const bool in_chain = begin < tree_.chain_blocks;
       const std::uint32_t windows = in_chain ? tree_.ordered[g] : 0;
       const std::uint32_t inside = (windows | windows << 1 | before) & all, between = in_chain ? all >> 1 : 0;
       before = windows >> (group - 1);
-      for_each(all & ~inside, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k}); });
-      for_each(between & ~windows, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k + 1}); });
+      if (!wanted(g)) continue;
+      for_each_lane(all & ~inside, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k}); });
+      for_each_lane(between & ~windows, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k + 1}); });
       if (Sink::listens || !adjacent_are_neighbours_) {
-        for_each(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
-        for_each(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
+        for_each_lane(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
+        for_each_lane(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
       }
       if (queues_.pairs_full()) flush_pairs();
       if (lane_.satisfied()) return;
@@ -75,92 +94,55 @@ class BlockSearch {
       lane_.collide(i, i + 1);
   }
 
-  /// All pairs of blocks below node k of level l, but for those that along_the_chain met.
-  void within(std::size_t l, std::uint32_t k) {
-    if (lane_.satisfied()) return;
-    const std::uint32_t begin = k * group, count = tree_.children_of(l, k), all = lanes(count);
-    const Intervals reach = in_frame_of(l, k, l, k);
+  /// Blocks of one node against each other, but for those that along_the_chain met.
+  void within(std::uint32_t k) {
+    const std::uint32_t begin = k * group, count = tree_.blocks_of(k), skip = begin < tree_.chain_blocks ? 2 : 1;
+    const Intervals reach = in_frame_of(tree_, 0, k, 0, k);
     const StoredIntervals single(reach);
-    if (l == 0) {
-      const std::uint32_t skip = begin < tree_.chain_blocks ? 2 : 1;
-      for (std::uint32_t i = 0; i + skip < count; ++i)
-        row(begin + i, k, meet(single.all(i), reach), all & ~((1u << (i + skip)) - 1));
-      return make_room();
-    }
-    for (std::uint32_t i = 0; i < count; ++i) {
-      within(l - 1, begin + i);
-      nodes(l - 1, begin + i, k, meet(single.all(i), reach), all & ~((2u << i) - 1));
-    }
+    for (std::uint32_t i = 0; i + skip < count; ++i)
+      row(begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((1u << (i + skip)) - 1));
+    make_room();
   }
 
-  /// All pairs of a block below node a of level l with one below node b > a.
-  void between(std::size_t l, std::uint32_t a, std::uint32_t b) {
-    if (lane_.satisfied()) return;
-    const std::uint32_t all_a = lanes(tree_.children_of(l, a)), all_b = lanes(tree_.children_of(l, b));
-    const Intervals b_by_a = in_frame_of(l, a, l, b);
-    const std::uint32_t theirs = meet(b_by_a, own_intervals(l, a)) & all_b;
-    for_each(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(l, b * group + j, a); });
+  /// Blocks of node a against those of node b > a.
+  void between(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t all_a = lane_bits(tree_.blocks_of(a)), all_b = lane_bits(tree_.blocks_of(b));
+    const Intervals b_by_a = in_frame_of(tree_, 0, a, 0, b);
+    const std::uint32_t theirs = meet(b_by_a, own_intervals(tree_, 0, a)) & all_b;
+    for_each_lane(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(0, b * group + j, a); });
     if (theirs == 0) return;
-    const std::uint32_t mine = meet(in_frame_of(l, b, l, a), own_intervals(l, b)) & all_a;
-    if (Sink::listens) for_each(all_a & ~mine, [&](std::uint32_t i) { children(l, a * group + i, b, 0, theirs); });
+    const std::uint32_t mine = meet(in_frame_of(tree_, 0, b, 0, a), own_intervals(tree_, 0, b)) & all_a;
+    if (Sink::listens)
+      for_each_lane(all_a & ~mine, [&](std::uint32_t i) { row(a * group + i, b, 0, theirs); });
     if (mine == 0) return;
     // An ordered window from the last block of one node to the first of the next.
-    const bool ahead = l == 0 && b == a + 1 && window_leaves(a);
+    const bool ahead = b == a + 1 && b * group < tree_.chain_blocks && tree_.ordered[a] >> (group - 1) != 0;
     if (ahead && mine == 1u << (group - 1) && theirs == 1) return ordered_between(a * group + group - 1);
-    const StoredIntervals a_by_a(in_frame_of(l, a, l, a));
-    for_each(mine, [&](std::uint32_t i) {
+    const StoredIntervals a_by_a(in_frame_of(tree_, 0, a, 0, a));
+    for_each_lane(mine, [&](std::uint32_t i) {
       std::uint32_t candidates = theirs;
       if (ahead && i == group - 1 && (theirs & 1)) {
         candidates &= ~1u;
         ordered_between(a * group + i);
       }
-      children(l, a * group + i, b, meet(a_by_a.all(i), b_by_a), candidates);
+      row(a * group + i, b, meet(a_by_a.all(i), b_by_a), candidates);
     });
-    if (l == 0) make_room();
-  }
-
-  /// Child a of a node of level l against those of node k in `candidates`, of which those in `met` may meet it.
-  void children(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t met, std::uint32_t candidates) {
-    l == 0 ? row(a, k, met, candidates) : nodes(l - 1, a, k, met, candidates);
-  }
-
-  /// Node a of level l against the sixteen of group k in `candidates`, of which those in `met` may meet it.
-  void nodes(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t met, std::uint32_t candidates) {
-    met &= candidates;
-    // A node and the next along the chain touch each other, so that a test would be in vain.
-    const std::uint32_t next = a + 1 - k * group < group ? 1u << (a + 1 - k * group) : 0u;
-    if ((met & ~next) != 0) {
-      const float* const fields = tree_.level[l].at(k * group);
-      met &= may_meet(OrientedBoxes::all(tree_.level[l].at(a), a % group), OrientedBoxes::load(fields)) | next;
-    }
-    for_each(candidates & ~met, [&](std::uint32_t j) { sink_.nodes_apart(l, a, k * group + j); });
-    for_each(met, [&](std::uint32_t j) { between(l, a, k * group + j); });
-  }
-
-  /// How far the children of `node` of level m reach along the axes of node `frame` of level l.
-  HWY_INLINE Intervals in_frame_of(std::size_t l, std::uint32_t frame, std::size_t m, std::uint32_t node) const {
-    const auto box = OrientedBoxes::all(tree_.level[l].at(frame), frame % group);
-    return m == 0 ? intervals(Capsules::load(tree_.capsules_of(node)), box.centre, box.axis)
-                  : intervals(OrientedBoxes::load(tree_.level[m - 1].at(node * group)), box.centre, box.axis);
-  }
-  HWY_INLINE Intervals own_intervals(std::size_t l, std::uint32_t node) const {
-    return intervals(OrientedBoxes::all(tree_.level[l].at(node), node % group).half);
-  }
-  /// Whether the last block of node k and the next block are ordered.
-  bool window_leaves(std::uint32_t k) const {
-    return k * group < tree_.chain_blocks && tree_.ordered[k] >> (group - 1) != 0;
+    make_room();
   }
 
   /// Block a against those of group g in `candidates`, of which those in `met` may collide with it by their boxes.
   void row(std::uint32_t a, std::uint32_t g, std::uint32_t met, std::uint32_t candidates) {
     met &= candidates;
-    for_each(candidates & ~met, [&](std::uint32_t j) { sink_.blocks_apart(a, g * group + j); });
+    for_each_lane(candidates & ~met, [&](std::uint32_t j) { sink_.blocks_apart(a, g * group + j); });
     queues_.add_row({a, g, met});
   }
 
   void make_room() {
-    if (!queues_.rows_full()) return;
+    if (queues_.rows_full()) flush_rows();
+  }
+  void finish() {
     flush_rows();
+    flush_pairs();
   }
 
   void flush_rows() {
@@ -168,7 +150,7 @@ class BlockSearch {
       const std::uint32_t a = r.block;
       const std::uint32_t near = may_collide(Capsules::all(tree_.capsules_of(a / group), a % group),
                                              Capsules::load(tree_.capsules_of(r.group))) & r.lanes;
-      for_each(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
+      for_each_lane(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
       for (std::uint32_t bits = near; bits != 0; bits &= bits - 1)
         queues_.add_pair({a, r.group * group + static_cast<std::uint32_t>(std::countr_zero(bits))});
       if (queues_.pairs_full()) flush_pairs();
@@ -217,13 +199,6 @@ class BlockSearch {
       if (i == BlockTree::no_sphere || j == BlockTree::no_sphere) continue;
       sink_.compared(std::min(i, j), std::max(i, j));
     }
-  }
-
-  static std::uint32_t lanes(std::uint32_t count) { return count >= group ? 0xFFFFu : (1u << count) - 1; }
-
-  template <class Body>
-  static HWY_INLINE void for_each(std::uint32_t bits, const Body& body) {
-    for (; bits != 0; bits &= bits - 1) body(static_cast<std::uint32_t>(std::countr_zero(bits)));
   }
 
   const ChainView& chain_;

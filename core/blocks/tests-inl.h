@@ -45,7 +45,8 @@ HWY_INLINE SpherePairs sphere_pairs(const Sphere* a, const Sphere* b) {
   for (std::size_t k = 0; k < Lanes8::parts; ++k)
     hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(b + k * Lanes8::width), x.part[k], y.part[k],
                          z.part[k], r.part[k]);
-  const Lanes8 slack = Lanes8::all(1 + 12 * 0x1p-24f), floor = Lanes8::all(0x1p-120f);
+  constexpr float overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;
+  const Lanes8 slack = Lanes8::all(overlap_slack), floor = Lanes8::all(overlap_floor);
   SpherePairs result{0, 0};
   for (std::uint32_t i = 0; i < BlockTree::block; ++i) {
     const Lanes8 dx = x - Lanes8::all(a[i].x), dy = y - Lanes8::all(a[i].y), dz = z - Lanes8::all(a[i].z);

@@ -48,5 +48,24 @@ TEST(Proofs, CoverEverySlackOfTheCode) {
       << "a new slack needs a proof, and a line in the test above";
 }
 
+TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
+  for (const Proved& p :
+       {Proved{"core/blocks/block_tree.h", "capsule_binary32.g", "slack = 0x1p-19f;  // 32 u"},
+        Proved{"core/blocks/block_tree.h", "oriented_box_binary32.g", "axes_error = 0x1p-20f;  // 16 u"},
+        Proved{"core/blocks/block_tree.h", "oriented_box_binary32.g", "axes_slack = 0x1p-17f;  // 128 u"},
+        Proved{"core/blocks/block_evidence.cpp", "capsule_binary32.g", "bare = 0x1p-20;  // 16 u"},
+        Proved{"core/blocks/oriented_boxes-inl.h", "capsule_binary32.g", "centre_slack = 0x1p-20f;  // 16 u"},
+        Proved{"core/blocks/tests-inl.h", "overlap_binary32.g", "overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;"}}) {
+    EXPECT_NE(text_of(p.declared).find(p.formula), std::string::npos) << p.declared << " no longer says " << p.formula;
+    EXPECT_NE(text_of("properties/proofs/" + p.script).find("Covers:"), std::string::npos) << p.script;
+  }
+  for (const auto& [script, covered] : {std::pair{"capsule_binary32.g", "slack = 32u"},
+                                        std::pair{"capsule_binary32.g", "the bare radius's 16u"},
+                                        std::pair{"capsule_binary32.g", "centre_slack = 16u"},
+                                        std::pair{"oriented_box_binary32.g", "axes_error = 16u"},
+                                        std::pair{"oriented_box_binary32.g", "axes_slack = 128u"}})
+    EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(covered), std::string::npos) << script;
+}
+
 }  // namespace
 }  // namespace catena

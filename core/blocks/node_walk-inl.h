@@ -1,0 +1,100 @@
+// The pairs of nodes of a BlockTree that may have colliding spheres, from the root down.
+#if defined(CATENA_CORE_BLOCKS_NODE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_NODE_WALK_INL_H
+#undef CATENA_CORE_BLOCKS_NODE_WALK_INL_H
+#else
+#define CATENA_CORE_BLOCKS_NODE_WALK_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+
+#include "catena/core/blocks/oriented_boxes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// The bits of `count` lanes.
+HWY_INLINE std::uint32_t lane_bits(std::uint32_t count) {
+  return count >= BlockTree::group ? 0xFFFFu : (1u << count) - 1;
+}
+template <class Body>
+HWY_INLINE void for_each_lane(std::uint32_t bits, const Body& body) {
+  for (; bits != 0; bits &= bits - 1) body(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
+
+/// How far the children of `node` of level m reach along the axes of node `frame` of level l.
+HWY_INLINE Intervals in_frame_of(const BlockTree& tree, std::size_t l, std::uint32_t frame, std::size_t m,
+                                 std::uint32_t node) {
+  const auto box = OrientedBoxes::all(tree.level[l].at(frame), frame % BlockTree::group);
+  return m == 0 ? intervals(Capsules::load(tree.capsules_of(node)), box.centre, box.axis)
+                : intervals(OrientedBoxes::load(tree.level[m - 1].at(node * BlockTree::group)), box.centre, box.axis);
+}
+HWY_INLINE Intervals own_intervals(const BlockTree& tree, std::size_t l, std::uint32_t node) {
+  return intervals(OrientedBoxes::all(tree.level[l].at(node), node % BlockTree::group).half);
+}
+
+/// Goes down a tree. Met has met(a, b), called once for each pair a < b of nodes of level 0 that may have blocks that
+/// collide, with left_out(level, a, b) which says that a pair of nodes, or of nodes below one, is of no interest, and
+/// stop(), which ends the walk. Sink as for BlockSearch.
+template <class Met, class Sink>
+class NodeWalk {
+ public:
+  NodeWalk(const BlockTree& tree, Met& met, const Sink& sink) : tree_(tree), met_(met), sink_(sink) {}
+
+  void run() { within(tree_.level.size() - 1, 0); }
+
+ private:
+  static constexpr std::uint32_t group = BlockTree::group;
+
+  /// All pairs of nodes of level 0 below node k of level l.
+  void within(std::size_t l, std::uint32_t k) {
+    if (l == 0 || met_.stop() || met_.left_out(l, k, k)) return;
+    const std::uint32_t begin = k * group, count = tree_.children_of(l, k);
+    const Intervals reach = in_frame_of(tree_, l, k, l, k);
+    const StoredIntervals single(reach);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      within(l - 1, begin + i);
+      against(l - 1, begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((2u << i) - 1));
+    }
+  }
+
+  /// Those of a node below node a of level l with one below node b > a.
+  void between(std::size_t l, std::uint32_t a, std::uint32_t b) {
+    if (met_.stop() || met_.left_out(l, a, b)) return;
+    if (l == 0) return met_.met(a, b);
+    const std::uint32_t all_a = lane_bits(tree_.children_of(l, a)), all_b = lane_bits(tree_.children_of(l, b));
+    const Intervals b_by_a = in_frame_of(tree_, l, a, l, b);
+    const std::uint32_t theirs = meet(b_by_a, own_intervals(tree_, l, a)) & all_b;
+    for_each_lane(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(l, b * group + j, a); });
+    if (theirs == 0) return;
+    const std::uint32_t mine = meet(in_frame_of(tree_, l, b, l, a), own_intervals(tree_, l, b)) & all_a;
+    if (Sink::listens)
+      for_each_lane(all_a & ~mine, [&](std::uint32_t i) { against(l - 1, a * group + i, b, 0, theirs); });
+    if (mine == 0) return;
+    const StoredIntervals a_by_a(in_frame_of(tree_, l, a, l, a));
+    for_each_lane(mine, [&](std::uint32_t i) {
+      against(l - 1, a * group + i, b, meet(a_by_a.all(i), b_by_a), theirs);
+    });
+  }
+
+  /// Node a of level l against the sixteen of group k in `candidates`, of which those in `near` may meet it.
+  void against(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t near, std::uint32_t candidates) {
+    near &= candidates;
+    // A node and the next along the chain touch each other, so that a test would be in vain.
+    const std::uint32_t next = a + 1 - k * group < group ? 1u << (a + 1 - k * group) & candidates : 0u;
+    if ((near & ~next) != 0)
+      near &= may_meet(OrientedBoxes::all(tree_.level[l].at(a), a % group),
+                       OrientedBoxes::load(tree_.level[l].at(k * group))) | next;
+    for_each_lane(candidates & ~near, [&](std::uint32_t j) { sink_.nodes_apart(l, a, k * group + j); });
+    for_each_lane(near, [&](std::uint32_t j) { between(l, a, k * group + j); });
+  }
+
+  const BlockTree& tree_;
+  Met& met_;
+  const Sink& sink_;
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
