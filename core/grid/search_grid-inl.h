@@ -1,0 +1,200 @@
+// The pairs of a SphereGrid: each bucket with half of those around it, and each finer level with the coarser ones.
+#if defined(CATENA_CORE_GRID_SEARCH_GRID_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_GRID_SEARCH_GRID_INL_H
+#undef CATENA_CORE_GRID_SEARCH_GRID_INL_H
+#else
+#define CATENA_CORE_GRID_SEARCH_GRID_INL_H
+#endif
+
+#include <algorithm>
+#include <array>
+
+#include "catena/core/grid/buckets-inl.h"
+#include "catena/core/grid/candidates-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+class GridSearch {
+ public:
+  GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane)
+      : grid_(grid), queues_(queues), lane_(lane), candidates_(chain, grid, queues, lane) {}
+
+  void run() {
+    for (std::size_t l = 0; l < grid_.levels.size() && !lane_.satisfied(); ++l) {
+      within(grid_.levels[l]);
+      for (std::size_t coarser = 0; coarser < l && !lane_.satisfied(); ++coarser)
+        across(grid_.levels[l], grid_.levels[coarser]);
+    }
+  }
+
+ private:
+  using Level = SphereGrid::Level;
+  static constexpr std::uint32_t group = 2;  // buckets that share their candidates
+
+  /// Candidates at consecutive places.
+  struct Run {
+    std::uint32_t first, end;
+  };
+  /// Runs of buckets; one that passes the last bucket goes on at bucket 0.
+  class Runs {
+   public:
+    explicit Runs(const std::uint32_t* start, std::uint32_t buckets) : start_(start), buckets_(buckets) {}
+    HWY_INLINE void add(std::uint32_t bucket, std::uint32_t count) {
+      if (HWY_UNLIKELY(bucket + count > buckets_)) {
+        push(start_[0], start_[bucket + count - buckets_]);
+        count = buckets_ - bucket;
+      }
+      push(start_[bucket], start_[bucket + count]);
+    }
+    HWY_INLINE void push(std::uint32_t first, std::uint32_t end) {
+      run_[size_++] = {first, end};
+      candidates_ += end - first;
+    }
+    std::uint32_t candidates() const { return candidates_; }
+    const Run* begin() const { return run_.data(); }
+    const Run* end() const { return run_.data() + size_; }
+
+   private:
+    const std::uint32_t* const start_;
+    const std::uint32_t buckets_;
+    std::array<Run, 18> run_;
+    std::size_t size_ = 0;
+    std::uint32_t candidates_ = 0;
+  };
+
+  /// Where three or more buckets begin that lie `step` and one bucket before them on from bucket b.
+  static HWY_INLINE std::uint32_t before(std::uint32_t b, std::uint32_t step, std::uint32_t buckets) {
+    const std::uint32_t to = b + step;
+    return to >= buckets ? to - buckets : to;
+  }
+
+  /// The step to the bucket before the one that lies y rows and z layers on.
+  static std::uint32_t step_before(const BucketMap& map, int y, int z) {
+    const std::uint32_t step = map.step(y, z);
+    return (step == 0 ? map.buckets : step) - 1;
+  }
+
+  /// Pairs of one level. A sphere is compared with those after it in its own group of buckets and the bucket behind, and
+  /// with the four rows of cells that come after its own: the other half of its neighbourhood is compared with it.
+  void within(const Level& level) {
+    const std::uint32_t* const start = grid_.start.data() + level.starts;
+    const std::uint32_t buckets = level.map.buckets;
+    const std::uint32_t steps[4] = {step_before(level.map, 1, 0), step_before(level.map, -1, 1),
+                                    step_before(level.map, 0, 1), step_before(level.map, 1, 1)};
+    for (std::uint32_t at = 0; at < buckets && !lane_.satisfied(); at += group * groups_at_a_time) {
+      for (const std::uint32_t b : groups(start, at, buckets)) {
+        const std::uint32_t size = std::min(group, buckets - b);
+        const Run own{start[b], start[b + size]};
+        Runs runs(start, buckets);
+        // The own run comes first, and goes on to the next bucket; past the last bucket it is in two parts.
+        if (HWY_LIKELY(b + size < buckets)) {
+          runs.push(own.first, start[b + size + 1]);
+        } else {
+          runs.push(own.first, own.end);
+          runs.push(start[0], start[1]);
+        }
+        for (const std::uint32_t step : steps) runs.add(before(b, step, buckets), size + 2);
+        meet(own, runs);
+      }
+    }
+    candidates_.finish();
+  }
+
+  /// The spheres of a run against what comes after each in the runs, whose first begins with the same.
+  HWY_INLINE void meet(const Run& own, const Runs& runs) {
+    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), own.end - own.first))) {
+      const std::uint32_t first = candidates_.size();
+      for (const Run& run : runs) candidates_.add(run.first, run.end);
+      candidates_.fill_up();
+      for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test(p, first + (p - own.first) + 1);
+      return;
+    }
+    bool of_own = true;
+    for (const Run& run : runs) {
+      for (std::uint32_t part = run.first; part < run.end; part += Candidates::part) {
+        const std::uint32_t part_end = std::min(run.end, part + Candidates::part);
+        candidates_.start_over();
+        candidates_.add(part, part_end);
+        candidates_.fill_up();
+        for (std::uint32_t p = own.first; p < own.end; ++p) {
+          const std::uint32_t from = of_own && p + 1 > part ? p + 1 - part : 0;
+          candidates_.test_crowded(p, from);
+        }
+        if (lane_.satisfied()) return;
+      }
+      of_own = false;
+    }
+  }
+
+  /// Spheres of one level against those of a coarser one, in all 27 cells around each.
+  void across(const Level& fine, const Level& coarse) {
+    const std::uint32_t* const start = grid_.start.data() + coarse.starts;
+    const std::uint32_t buckets = coarse.map.buckets;
+    std::array<std::uint32_t, 9> steps;
+    for (int k = 0; k < 9; ++k) steps[k] = step_before(coarse.map, k % 3 - 1, k / 3 - 1);
+    const BucketFinder find(coarse.map);
+    constexpr std::uint32_t chunk = 64;
+    std::int32_t of_sphere[chunk];
+    for (std::uint32_t at = fine.first; at < fine.end && !lane_.satisfied(); at += chunk) {
+      const std::uint32_t size = std::min(chunk, fine.end - at);
+      for (std::uint32_t k = 0; k < size; k += BucketFinder::lanes) {
+        const auto load = [&](const std::vector<float>& field) {
+          return hn::LoadU(BucketFinder::Narrow(), field.data() + at + k);
+        };
+        hn::StoreU(find(load(grid_.x), load(grid_.y), load(grid_.z)), BucketFinder::Whole(), of_sphere + k);
+      }
+      for (std::uint32_t k = 0, next; k < size; k = next) {
+        next = k + 1;
+        while (next < size && of_sphere[next] == of_sphere[k]) ++next;
+        Runs runs(start, buckets);
+        for (const std::uint32_t step : steps)
+          runs.add(before(static_cast<std::uint32_t>(of_sphere[k]), step, buckets), 3);
+        if (runs.candidates() > 0) meet_all({at + k, at + next}, runs);
+      }
+    }
+    candidates_.finish();
+  }
+
+  /// Every sphere of a run against all candidates.
+  HWY_INLINE void meet_all(const Run& own, const Runs& runs) {
+    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), own.end - own.first))) {
+      const std::uint32_t first = candidates_.size();
+      for (const Run& run : runs) candidates_.add(run.first, run.end);
+      candidates_.fill_up();
+      for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test(p, first);
+      return;
+    }
+    for (const Run& run : runs)
+      for (std::uint32_t part = run.first; part < run.end; part += Candidates::part) {
+        candidates_.start_over();
+        candidates_.add(part, std::min(run.end, part + Candidates::part));
+        candidates_.fill_up();
+        for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test_crowded(p, 0);
+        if (lane_.satisfied()) return;
+      }
+  }
+
+  static constexpr std::uint32_t groups_at_a_time = 1024;
+
+  /// The first buckets of those of the next groups that have spheres; without a branch, which would be foretold badly.
+  std::span<const std::uint32_t> groups(const std::uint32_t* start, std::uint32_t at, std::uint32_t buckets) {
+    queues_.groups.resize(groups_at_a_time + 1);
+    std::size_t size = 0;
+    const std::uint32_t end = std::min(buckets, at + group * groups_at_a_time);
+    for (std::uint32_t b = at; b < end; b += group) {
+      queues_.groups[size] = b;
+      size += start[b] != start[std::min(b + group, buckets)];
+    }
+    return {queues_.groups.data(), size};
+  }
+
+  const SphereGrid& grid_;
+  GridQueues& queues_;
+  PairCollector::Lane& lane_;
+  Candidates candidates_;
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

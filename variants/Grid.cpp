@@ -1,0 +1,44 @@
+#include "catena/core/grid/grid_kernels.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// Grid: spheres in cells as wide as two of them, a level of cells for each octave of the radii; each against half of its
+/// neighbourhood, a vector of candidates a test.
+template <class Arithmetic>
+class Grid final : public Variant {
+ public:
+  void build(const Chain& chain) override {
+    const Stopwatch watch;
+    built_ = false;
+    build_grid(chain.view(), grid_);
+    spheres_ = chain.size();
+    built_ = true;
+    timings_.build_ms = watch.ms();
+  }
+
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+    const Stopwatch watch;
+    PairCollector collector(spheres_, request, result);
+    search_grid(chain.view(), grid_, queues_, collector.lane(0));
+    collector.finish();
+    timings_.find_ms = watch.ms();
+  }
+
+  Timings timings() const override { return timings_; }
+
+ private:
+  SphereGrid grid_;
+  GridQueues queues_;
+  std::uint32_t spheres_ = 0;
+  bool built_ = false;
+  Timings timings_;
+};
+
+const RegisterVariant<Grid, Robust> registered{
+    {.name = "Grid", .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD, sequential"}};
+
+}  // namespace
+}  // namespace catena
