@@ -1,5 +1,4 @@
 #include "catena/core/blocks/block_kernels.h"
-#include "catena/core/blocks/block_layout.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -15,9 +14,7 @@ class ChainTree final : public Variant {
     const Stopwatch watch;
     built_ = false;
     view_ = chain.view();
-    lay_out_blocks(view_, tree_);
-    build_blocks(view_, tree_);
-    build_nodes(tree_);
+    build_block_tree(view_, tree_);
     spheres_ = chain.size();
     built_ = true;
     timings_.build_ms = watch.ms();
@@ -63,8 +60,7 @@ class ChainTree final : public Variant {
 const RegisterVariant<ChainTree, Robust> registered{
     {.name = "ChainTree",
      .summary = "capsules of 8 consecutive spheres, 16 a node, SIMD, sequential",
-     .has_tree = true,
-     .promises = {.same_bits = false}}};
+     .has_tree = true}};
 
 }  // namespace
 }  // namespace catena

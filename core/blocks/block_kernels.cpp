@@ -5,17 +5,15 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include "catena/core/blocks/block_kernels.h"
+#include "catena/core/blocks/block_layout.h"
 #include "catena/core/blocks/build_tree-inl.h"
 #include "catena/core/blocks/search_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-void build_blocks_here(const ChainView& chain, BlockTree& tree) {
+void build_here(const ChainView& chain, BlockTree& tree) {
   for (std::uint32_t g = 0; g * BlockTree::group < tree.blocks; ++g) build_group(chain, tree, g);
-}
-
-void build_tree_here(BlockTree& tree) {
   for (std::size_t l = 0; l < tree.level.size(); ++l) build_level(tree, l);
 }
 
@@ -42,16 +40,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace catena {
 
-HWY_EXPORT(build_blocks_here);
-HWY_EXPORT(build_tree_here);
+HWY_EXPORT(build_here);
 HWY_EXPORT(find_crowds_here);
 HWY_EXPORT(search_uncrowded_here);
 HWY_EXPORT(search_here);
 
-void build_blocks(const ChainView& chain, BlockTree& tree) {
-  HWY_DYNAMIC_DISPATCH(build_blocks_here)(chain, tree);
+void build_block_tree(const ChainView& chain, BlockTree& tree) {
+  lay_out_blocks(chain, tree);
+  HWY_DYNAMIC_DISPATCH(build_here)(chain, tree);
 }
-void build_nodes(BlockTree& tree) { HWY_DYNAMIC_DISPATCH(build_tree_here)(tree); }
 void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding) {
   crowding.reset(tree, limit);
   HWY_DYNAMIC_DISPATCH(find_crowds_here)(tree, crowding);

@@ -7,11 +7,8 @@
 
 namespace catena {
 
-/// Fills capsules and order of the blocks that are laid out. O(blocks).
-void build_blocks(const ChainView& chain, BlockTree& tree);
-
-/// Fills all levels, for which there must be room. O(nodes).
-void build_nodes(BlockTree& tree);
+/// The tree over a chain. O(n); does not allocate when n has not grown.
+void build_block_tree(const ChainView& chain, BlockTree& tree);
 
 /// Fills `crowding` with the pairs of nodes that met, but for those of two nodes that had met more than `limit` others
 /// before. O(limit * nodes) but for tests in upper levels.

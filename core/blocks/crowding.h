@@ -42,6 +42,9 @@ struct Crowding {
     }
   }
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return open[l][a] == 0 && open[l][b] == 0; }
+  bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
+    return open[l][a] == 0 && open[l + 1][parent] == 0;
+  }
   bool stop() const { return false; }
 };
 

@@ -35,8 +35,8 @@ HWY_INLINE Intervals own_intervals(const BlockTree& tree, std::size_t l, std::ui
 }
 
 /// Goes down a tree. Met has met(a, b), called once for each pair a < b of nodes of level 0 that may have blocks that
-/// collide, with left_out(level, a, b) which says that a pair of nodes, or of nodes below one, is of no interest, and
-/// stop(), which ends the walk. Sink as for BlockSearch.
+/// collide, with left_out(level, a, b) and left_out_group(level, a, k) which say that pairs below nodes a and b, or a and the children
+/// of k, are of no interest, and stop(), which ends the walk. Sink as for BlockSearch.
 template <class Met, class Sink>
 class NodeWalk {
  public:
@@ -80,6 +80,7 @@ class NodeWalk {
 
   /// Node a of level l against the sixteen of group k in `candidates`, of which those in `near` may meet it.
   void against(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t near, std::uint32_t candidates) {
+    if (met_.left_out_group(l, a, k)) return;
     near &= candidates;
     // A node and the next along the chain touch each other, so that a test would be in vain.
     const std::uint32_t next = a + 1 - k * group < group ? 1u << (a + 1 - k * group) & candidates : 0u;

@@ -51,6 +51,7 @@ class BlockSearch {
   // What NodeWalk asks for.
   void met(std::uint32_t a, std::uint32_t b) { between(a, b); }
   bool left_out(std::size_t, std::uint32_t, std::uint32_t) const { return false; }
+  bool left_out_group(std::size_t, std::uint32_t, std::uint32_t) const { return false; }
   bool stop() const { return lane_.satisfied(); }
 
  private:

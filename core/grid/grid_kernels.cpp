@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-void build_grid_here(const ChainView& chain, SphereGrid& grid) {
-  lay_out_grid(chain, box_of_centres(chain), grid);
+void build_grid_here(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only) {
+  lay_out_grid(chain, only, box_of_centres(chain), grid);
   for (const SphereGrid::Level& level : grid.levels) SphereSort(chain, grid).sort(level);
 }
 
@@ -31,7 +31,9 @@ namespace catena {
 HWY_EXPORT(build_grid_here);
 HWY_EXPORT(search_grid_here);
 
-void build_grid(const ChainView& chain, SphereGrid& grid) { HWY_DYNAMIC_DISPATCH(build_grid_here)(chain, grid); }
+void build_grid(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only) {
+  HWY_DYNAMIC_DISPATCH(build_grid_here)(chain, grid, only);
+}
 void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane) {
   HWY_DYNAMIC_DISPATCH(search_grid_here)(chain, grid, queues, lane);
 }

@@ -26,8 +26,10 @@ struct Octaves {
 
 }  // namespace
 
-void lay_out_grid(const ChainView& chain, const CentreBox& box, SphereGrid& grid) {
-  const std::uint32_t n = chain.size;
+void lay_out_grid(const ChainView& chain, std::span<const std::uint32_t> only, const CentreBox& box,
+                  SphereGrid& grid) {
+  const std::uint32_t n = only.empty() ? chain.size : static_cast<std::uint32_t>(only.size());
+  const auto sphere = [&](std::uint32_t k) { return only.empty() ? k : only[k]; };
   const float greatest = chain.extent.greatest_radius;
   grid.levels.clear();
   grid.members.clear();
@@ -43,12 +45,12 @@ void lay_out_grid(const ChainView& chain, const CentreBox& box, SphereGrid& grid
   };
   if (n == 0) {
     // no levels
-  } else if (octave(chain.extent.least_radius, greatest) == 0) {
+  } else if (only.empty() && octave(chain.extent.least_radius, greatest) == 0) {
     add_level(greatest, 0, n);
   } else {
     Octaves all;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const float r = chain.spheres[i].radius;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const float r = chain.spheres[sphere(k)].radius;
       const std::size_t o = octave(r, greatest);
       ++all.spheres[o];
       all.greatest[o] = std::max(all.greatest[o], r);
@@ -74,7 +76,8 @@ void lay_out_grid(const ChainView& chain, const CentreBox& box, SphereGrid& grid
       widest = 0;
     }
     grid.members.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) grid.members[next[octave(chain.spheres[i].radius, greatest)]++] = i;
+    for (std::uint32_t k = 0; k < n; ++k)
+      grid.members[next[octave(chain.spheres[sphere(k)].radius, greatest)]++] = sphere(k);
   }
   grid.start.assign(starts, 0);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
@@ -31,9 +32,10 @@ struct SphereGrid {
   static constexpr std::size_t margin = 16;
 };
 
-/// Sorts the spheres into levels: sets their places, buckets and `members`, and makes room for everything. A level has the
+/// Sorts the spheres, or `only` those of these indices, into levels: sets their places, buckets and `members`, and makes room for everything. A level has the
 /// radii of one octave below the greatest radius, and at least `least_level` spheres. O(n); does not allocate when neither
 /// n nor the number of levels has grown.
-void lay_out_grid(const ChainView& chain, const CentreBox& box, SphereGrid& grid);
+void lay_out_grid(const ChainView& chain, std::span<const std::uint32_t> only, const CentreBox& box,
+                  SphereGrid& grid);
 
 }  // namespace catena

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include "catena/core/blocks/block_kernels.h"
+#include "catena/core/grid/grid_kernels.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// Hybrid: the tree of ChainTree, but for nodes that meet more than `crowd` others: where the chain's order says so little
+/// of what is near, the spheres of these nodes are searched among each other by Grid's cells. Every other pair is the
+/// tree's, whose work is so bounded by `crowd` times the number of nodes. Where a node has just so many others, one costs
+/// about as much as the other, so that no small change of a chain makes a great one of the time.
+template <class Arithmetic>
+class Hybrid final : public Variant {
+ public:
+  explicit Hybrid(const Parameters& parameters)
+      : limit_(static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20))) {}
+
+  void build(const Chain& chain) override {
+    const Stopwatch watch;
+    built_ = false;
+    const ChainView view = chain.view();
+    build_block_tree(view, tree_);
+    find_crowds(tree_, limit_, crowding_);
+    gather_crowd();
+    if (!crowd_.empty()) build_grid(view, grid_, crowd_);
+    spheres_ = chain.size();
+    built_ = true;
+    timings_.build_ms = watch.ms();
+  }
+
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+    const Stopwatch watch;
+    const ChainView view = chain.view();
+    PairCollector collector(spheres_, request, result);
+    search_uncrowded(view, tree_, crowding_, block_queues_, collector.lane(0));
+    if (!crowd_.empty()) search_grid(view, grid_, grid_queues_, collector.lane(0));
+    collector.finish();
+    timings_.find_ms = watch.ms();
+  }
+
+  Plan plan() const override {
+    return {{"grid of spheres", crowd_.empty(),
+             fmt::format("{} of {} nodes of 128 spheres meet more than {} others", crowding_.crowded_nodes(),
+                         crowding_.partners.size(), limit_)}};
+  }
+
+  Timings timings() const override { return timings_; }
+
+ private:
+  /// The spheres of all crowded nodes.
+  void gather_crowd() {
+    crowd_.clear();
+    for (std::uint32_t node = 0; node < crowding_.partners.size(); ++node) {
+      if (!crowding_.crowded(node)) continue;
+      const std::uint32_t begin = node * BlockTree::group;
+      for (std::uint32_t b = begin; b < begin + tree_.blocks_of(node); ++b)
+        for (std::uint32_t k = 0; k < BlockTree::block; ++k)
+          if (const std::uint32_t i = tree_.index(b, k); i != BlockTree::no_sphere) crowd_.push_back(i);
+    }
+  }
+
+  const std::uint32_t limit_;
+  BlockTree tree_;
+  BlockQueues block_queues_;
+  Crowding crowding_;
+  std::vector<std::uint32_t> crowd_;
+  SphereGrid grid_;
+  GridQueues grid_queues_;
+  std::uint32_t spheres_ = 0;
+  bool built_ = false;
+  Timings timings_;
+};
+
+const RegisterVariant<Hybrid, Robust> registered{
+    {.name = "Hybrid",
+     .summary = "ChainTree, and Grid among the spheres whose nodes of 128 meet too many others",
+     .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others is left to the grid"}}}};
+
+}  // namespace
+}  // namespace catena
