@@ -78,6 +78,14 @@ struct Flags {
     }
     return result;
   }
+  HWY_INLINE bool none() const {
+    auto folded = part[0];
+    for (std::size_t k = 1; k < parts; ++k) folded = hn::Or(folded, part[k]);
+    return hn::AllFalse(Tag(), folded);
+  }
+  friend HWY_INLINE Flags operator|(const Flags& a, const Flags& b) {
+    return from([&](std::size_t k) { return hn::Or(a.part[k], b.part[k]); });
+  }
   friend HWY_INLINE Flags operator&(const Flags& a, const Flags& b) {
     return from([&](std::size_t k) { return hn::And(a.part[k], b.part[k]); });
   }
@@ -117,6 +125,11 @@ HWY_INLINE Lanes<n> neg_mul_add(const Lanes<n>& a, const Lanes<n>& b, const Lane
 template <std::size_t n>
 HWY_INLINE Flags<n> operator<(const Lanes<n>& a, const Lanes<n>& b) {
   return Flags<n>::from([&](std::size_t k) { return hn::Lt(a.part[k], b.part[k]); });
+}
+/// True for a NaN.
+template <std::size_t n>
+HWY_INLINE Flags<n> not_less(const Lanes<n>& a, const Lanes<n>& b) {
+  return Flags<n>::from([&](std::size_t k) { return hn::Not(hn::Lt(a.part[k], b.part[k])); });
 }
 template <std::size_t n>
 HWY_INLINE Flags<n> operator<=(const Lanes<n>& a, const Lanes<n>& b) {

@@ -182,12 +182,13 @@ class BlockSearch {
     std::uint64_t wanted = a == b ? later : ~std::uint64_t{0};
     if constexpr (Sink::listens) account(a, b, wanted);
     wanted &= pairs.may;
+    if (wanted == 0) return;
     for (; wanted != 0; wanted &= wanted - 1) {
       const auto bit = static_cast<std::uint32_t>(std::countr_zero(wanted));
       std::uint32_t i = tree_.index(a, bit / block), j = tree_.index(b, bit % block);
       if (i == BlockTree::no_sphere || j == BlockTree::no_sphere) continue;
       if (i > j) std::swap(i, j);
-      if (chain_.neighbours(i, j)) continue;
+      if (window_is_all_ ? j - i <= chain_.exclusion.window : chain_.neighbours(i, j)) continue;
       if ((pairs.certain >> bit & 1) || Robust::overlap(sa[bit / block], sb[bit % block])) lane_.collide(i, j);
     }
   }
@@ -207,6 +208,9 @@ class BlockSearch {
   BlockQueues& queues_;
   PairCollector::Lane& lane_;
   Sink sink_;
+  /// Only the index window makes neighbours.
+  const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
+                              chain_.exclusion.rule == Exclusion::Rule::index_window;
   /// An ordered window is of one strand, where an index window of 1 or more takes in the next sphere.
   const bool adjacent_are_neighbours_ = chain_.exclusion.rule == Exclusion::Rule::index_window;
 };

@@ -38,7 +38,8 @@ struct SpherePairs {
   std::uint64_t may, certain;
 };
 
-/// Stage 1 of Robust, eight at a time: q = |cA - cB|^2 against t = (rA + rB)^2.
+/// Stage 1 of Robust, eight at a time: q = |cA - cB|^2 against t = (rA + rB)^2. Most blocks that are compared have no such
+/// spheres, so that bits are made, and what is certain is asked, only where there are some.
 HWY_INLINE SpherePairs sphere_pairs(const Sphere* a, const Sphere* b) {
   using Tag = Lanes8::Tag;
   Lanes8 x, y, z, r;
@@ -47,15 +48,29 @@ HWY_INLINE SpherePairs sphere_pairs(const Sphere* a, const Sphere* b) {
                          z.part[k], r.part[k]);
   constexpr float overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;
   const Lanes8 slack = Lanes8::all(overlap_slack), floor = Lanes8::all(overlap_floor);
-  SpherePairs result{0, 0};
-  for (std::uint32_t i = 0; i < BlockTree::block; ++i) {
+  struct Squares {
+    Lanes8 q, t;
+  };
+  const auto squares = [&](std::uint32_t i) -> Squares {
     const Lanes8 dx = x - Lanes8::all(a[i].x), dy = y - Lanes8::all(a[i].y), dz = z - Lanes8::all(a[i].z);
     const Lanes8 reach = r + Lanes8::all(a[i].radius);
-    const Lanes8 q = mul_add(dx, dx, mul_add(dy, dy, dz * dz)), t = reach * reach;
-    // A NaN of two infinities is neither less nor more: it may collide, and is not certain.
-    const std::uint64_t separate = (mul_add(t, slack, floor) < q).bits(), inside = (mul_add(q, slack, floor) < t).bits();
-    result.may |= (~separate & 0xFFu) << (8 * i);
-    result.certain |= inside << (8 * i);
+    return {mul_add(dx, dx, mul_add(dy, dy, dz * dz)), reach * reach};
+  };
+  // Not less, rather than at most: a NaN of two infinities is neither, and may collide.
+  Flags<8> near[BlockTree::block];
+  for (std::uint32_t i = 0; i < BlockTree::block; ++i) {
+    const Squares s = squares(i);
+    near[i] = not_less(mul_add(s.t, slack, floor), s.q);
+  }
+  const Flags<8> any = ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
+  SpherePairs result{0, 0};
+  if (any.none()) return result;
+  for (std::uint32_t i = 0; i < BlockTree::block; ++i) {
+    const std::uint64_t may = near[i].bits();
+    if (may == 0) continue;
+    const Squares s = squares(i);
+    result.may |= may << (8 * i);
+    result.certain |= std::uint64_t{(mul_add(s.q, slack, floor) < s.t).bits()} << (8 * i);
   }
   return result;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -16,65 +17,68 @@ class PairCollector {
  public:
   class alignas(64) Lane {
    public:
-    explicit Lane(PairCollector& owner) : owner_(owner) {}
+    explicit Lane(PairCollector& owner)
+        : owner_(owner),
+          counts_(owner.keep_counts_ ? owner.result_.count.data() : nullptr),
+          room_(owner.any_only_ ? 1 : buffer_.size()) {}
 
     /// One colliding pair, i < j, reported once over all lanes.
     void pair(std::uint32_t i, std::uint32_t j) {
-      if (!owner_.queries_.contains(i)) return;
-      ++found_;
-      if (owner_.keep_pairs_.load(std::memory_order_relaxed)) store().push_back({i, j});
-      if (found_ - shared_ >= share_every) share();
+      if (!owner_.everything_ && !owner_.queries_.contains(i)) return;
+      buffer_[buffered_++] = {i, j};
+      if (buffered_ == room_) hand_over();
     }
     /// The number of collisions that sphere i was found to have; each sphere belongs to one lane.
     void count(std::uint32_t i, std::uint32_t collisions) {
-      if (owner_.keep_counts_ && owner_.queries_.contains(i)) owner_.result_.count[i] = collisions;
+      if (counts_ != nullptr && owner_.queries_.contains(i)) counts_[i] = collisions;
     }
     /// A pair, i < j, and one collision more for both: for searches that meet a pair at one place, by one
     /// lane.
     void collide(std::uint32_t i, std::uint32_t j) {
-      if (owner_.keep_counts_) {
-        if (owner_.queries_.contains(i)) ++owner_.result_.count[i];
-        if (owner_.queries_.contains(j)) ++owner_.result_.count[j];
+      if (counts_ != nullptr) {
+        if (owner_.everything_ || owner_.queries_.contains(i)) ++counts_[i];
+        if (owner_.everything_ || owner_.queries_.contains(j)) ++counts_[j];
       }
       pair(i, j);
     }
     /// True when the request is answered already and the search may stop.
     bool satisfied() const {
-      return owner_.any_only_ && (found_ > 0 || owner_.found_.load(std::memory_order_relaxed) > 0);
+      return owner_.any_only_ && owner_.found_.load(std::memory_order_relaxed) > 0;
     }
 
    private:
     friend class PairCollector;
-    static constexpr std::uint64_t share_every = 4096;
 
     std::vector<Pair>& store() { return this == &owner_.first_ ? owner_.result_.pairs : own_; }
 
-    /// Tells the other lanes how many were found; past the limit nothing more is kept.
-    void share() {
-      owner_.found_.fetch_add(found_ - shared_, std::memory_order_relaxed);
-      shared_ = found_;
-      if (owner_.found_.load(std::memory_order_relaxed) > owner_.limit_)
-        owner_.keep_pairs_.store(false, std::memory_order_relaxed);
+    /// Stores what is buffered while pairs are kept, and tells the other lanes how many were found; past the limit nothing
+    /// more is kept.
+    void hand_over() {
+      if (owner_.keep_pairs_.load(std::memory_order_relaxed))
+        store().insert(store().end(), buffer_.begin(), buffer_.begin() + buffered_);
+      const std::uint64_t before = owner_.found_.fetch_add(buffered_, std::memory_order_relaxed);
+      if (before + buffered_ > owner_.limit_) owner_.keep_pairs_.store(false, std::memory_order_relaxed);
+      buffered_ = 0;
     }
 
     PairCollector& owner_;
-    std::vector<Pair> own_;  // of every lane but the first, which writes the result
-    std::uint64_t found_ = 0, shared_ = 0;
+    std::uint32_t* const counts_;  // null when counts are not wanted
+    const std::size_t room_;        // one pair is all, when any will do
+    std::size_t buffered_ = 0;
+    std::array<Pair, 512> buffer_;  // pairs found and not handed over yet
+    std::vector<Pair> own_;         // of every lane but the first, which writes the result
   };
 
   /// Empties `result` (keeping its memory) for n spheres and opens `lanes` lanes.
   PairCollector(std::uint32_t n, const Request& request, Collisions& result, unsigned lanes = 1)
-      : result_(result),
+      : result_(emptied(result, n, request)),
         limit_(request.pair_limit),
         queries_(request.queries.within(n)),
+        everything_(queries_ == SphereRange{0, n}),
         any_only_(request.want == Request::Want::any),
         keep_counts_(!any_only_),
         pairs_wanted_(request.want == Request::Want::pairs),
         keep_pairs_(pairs_wanted_) {
-    result.found = false;
-    result.pair_count = 0;
-    result.pairs.clear();
-    result.count.assign(keep_counts_ ? n : 0, 0);
     if (lanes > 1) {
       others_.reserve(lanes - 1);
       for (unsigned k = 1; k < lanes; ++k) others_.emplace_back(*this);
@@ -90,8 +94,8 @@ class PairCollector {
   /// Call once when all lanes are done. Throws PairLimitExceeded when pairs were wanted and there are too
   /// many.
   void finish() {
-    first_.share();
-    for (Lane& lane : others_) lane.share();
+    first_.hand_over();
+    for (Lane& lane : others_) lane.hand_over();
     const std::uint64_t found = found_.load();
     result_.found = found > 0;
     if (any_only_) return;
@@ -105,9 +109,18 @@ class PairCollector {
   }
 
  private:
+  static Collisions& emptied(Collisions& result, std::uint32_t n, const Request& request) {
+    result.found = false;
+    result.pair_count = 0;
+    result.pairs.clear();
+    result.count.assign(request.want == Request::Want::any ? 0 : n, 0);
+    return result;
+  }
+
   Collisions& result_;
   const std::uint64_t limit_;
   const SphereRange queries_;
+  const bool everything_;  // the queries are all spheres
   const bool any_only_, keep_counts_, pairs_wanted_;
   std::atomic<bool> keep_pairs_;  // false once the limit is passed
   alignas(64) std::atomic<std::uint64_t> found_{0};
