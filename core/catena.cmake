@@ -65,7 +65,7 @@ add_library(catena SHARED ${library_sources})
 add_library(catena::catena ALIAS catena)
 set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0 EXPORT_NAME catena
   CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${PROJECT_SOURCE_DIR}/core/exports.map)
-target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy hwy::hwy_contrib)
+target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy)
 target_link_options(catena PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/core/exports.map LINKER:-Bsymbolic-functions)
 if(NOT CATENA_SANITIZE)
   target_link_options(catena PRIVATE LINKER:--no-undefined)  # nothing of the program is missed

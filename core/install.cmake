@@ -6,6 +6,7 @@ install(TARGETS catena EXPORT catena-library-targets LIBRARY DESTINATION ${CMAKE
         COMPONENT library NAMELINK_COMPONENT library)
 foreach(folder ${CATENA_LIBRARY_FOLDERS})
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/core/${folder}/*.h)
+  list(FILTER headers EXCLUDE REGEX "-inl\\.h$")  # compiled once a target, and only in this library
   list(APPEND CATENA_LIBRARY_HEADERS ${headers})
 endforeach()
 list(APPEND CATENA_LIBRARY_HEADERS core/error.h core/export.h core/host_device.h core/pair.h core/sphere.h)

@@ -7,10 +7,11 @@
 namespace catena {
 namespace {
 
-/// Hybrid: the tree of ChainTree, but for nodes that meet more than `crowd` others: where the chain's order says so little
-/// of what is near, the spheres of these nodes are searched among each other by Grid's cells. Every other pair is the
-/// tree's, whose work is so bounded by `crowd` times the number of nodes. Where a node has just so many others, one costs
-/// about as much as the other, so that no small change of a chain makes a great one of the time.
+/// Hybrid: the tree of ChainTree, but for nodes that meet more than `crowd` others: where the chain's order
+/// says so little of what is near, the spheres of these nodes are searched among each other by Grid's cells.
+/// Every other pair is the tree's, whose work is so bounded by `crowd` times the number of nodes. Where a
+/// node has just so many others, one costs about as much as the other, so that no small change of a chain
+/// makes a great one of the time.
 template <class Arithmetic>
 class Hybrid final : public Variant {
  public:

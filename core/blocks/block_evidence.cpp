@@ -8,13 +8,14 @@ namespace {
 
 constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 
-/// The part of a capsule's reach that its stored radius has for the rounding of tests alone: without it the capsule
-/// encloses, and is apart from what a test finds it apart from.
+/// The part of a capsule's reach that its stored radius has for the rounding of tests alone: without it the
+/// capsule encloses, and is apart from what a test finds it apart from.
 constexpr double bare = 0x1p-20;  // 16 u
 
 /// Capsule k of fields laid out sixteen at a time, its radius bare.
 Capsule64 capsule(const std::vector<float>& fields, std::uint32_t k, double unit) {
-  const float* const f = fields.data() + std::size_t{k / group} * group * BlockTree::capsule_fields + k % group;
+  const float* const f =
+      fields.data() + std::size_t{k / group} * group * BlockTree::capsule_fields + k % group;
   const auto at = [&](int field) { return double{f[group * field]}; };
   const auto end = [&](double side) -> Vector64 {
     return {(at(0) + side * at(3)) * unit, (at(1) + side * at(4)) * unit, (at(2) + side * at(5)) * unit};

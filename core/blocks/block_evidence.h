@@ -28,7 +28,8 @@ class BlockEvidence {
   void child_apart(std::size_t l, std::uint32_t a, std::uint32_t b) const {
     sink_.discarded(l == 0 ? block_id(a) : node_id(l - 1, a), node_id(l, b));
   }
-  /// Of the pairs within block b, or of b with b + 1, those of spheres that are not next to one another are apart.
+  /// Of the pairs within block b, or of b with b + 1, those of spheres that are not next to one another are
+  /// apart.
   void ordered_inside(std::uint32_t b) const;
   void ordered_between(std::uint32_t b) const;
 

@@ -21,13 +21,13 @@ void find_crowds_here(const BlockTree& tree, Crowding& crowding) {
   if (tree.blocks > 0) NodeWalk(tree, crowding, NoBlockEvidence{}).run();
 }
 
-void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, BlockQueues& queues,
-                           PairCollector::Lane& lane) {
+void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                           BlockQueues& queues, PairCollector::Lane& lane) {
   BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run(crowding);
 }
 
-void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
-                 const BlockEvidence* evidence) {
+void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
+                 PairCollector::Lane& lane, const BlockEvidence* evidence) {
   if (evidence != nullptr)
     BlockSearch<BlockEvidence>(chain, tree, queues, lane, *evidence).run();
   else
@@ -53,12 +53,12 @@ void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding)
   crowding.reset(tree, limit);
   HWY_DYNAMIC_DISPATCH(find_crowds_here)(tree, crowding);
 }
-void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, BlockQueues& queues,
-                      PairCollector::Lane& lane) {
+void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                      BlockQueues& queues, PairCollector::Lane& lane) {
   HWY_DYNAMIC_DISPATCH(search_uncrowded_here)(chain, tree, crowding, queues, lane);
 }
-void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
-                   const BlockEvidence* evidence) {
+void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
+                   PairCollector::Lane& lane, const BlockEvidence* evidence) {
   HWY_DYNAMIC_DISPATCH(search_here)(chain, tree, queues, lane, evidence);
 }
 

@@ -4,22 +4,23 @@
 #include "catena/core/blocks/block_tree.h"
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/export.h"
 
 namespace catena {
 
 /// The tree over a chain. O(n); does not allocate when n has not grown.
-void build_block_tree(const ChainView& chain, BlockTree& tree);
+CATENA_API void build_block_tree(const ChainView& chain, BlockTree& tree);
 
-/// Fills `crowding` with the pairs of nodes that met, but for those of two nodes that had met more than `limit` others
-/// before. O(limit * nodes) but for tests in upper levels.
-void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding);
+/// Fills `crowding` with the pairs of nodes that met, but for those of two nodes that had met more than
+/// `limit` others before. O(limit * nodes) but for tests in upper levels.
+CATENA_API void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding);
 
 /// Reports every colliding pair to the lane, once, but for those of spheres that are both in crowded nodes.
-void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, BlockQueues& queues,
-                      PairCollector::Lane& lane);
+CATENA_API void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                                 BlockQueues& queues, PairCollector::Lane& lane);
 
 /// Reports every colliding pair to the lane, once. `evidence` may be null; with it the search is slower.
-void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
-                   const BlockEvidence* evidence);
+CATENA_API void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
+                              PairCollector::Lane& lane, const BlockEvidence* evidence);
 
 }  // namespace catena

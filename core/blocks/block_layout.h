@@ -7,12 +7,13 @@
 
 namespace catena {
 
-/// The power of two that brings the chain's greatest coordinate or radius to 2^19 .. 2^20, as far as binary32 holds it; 1
-/// for a chain of zeros.
+/// The power of two that brings the chain's greatest coordinate or radius to 2^19 .. 2^20, as far as binary32
+/// holds it; 1 for a chain of zeros.
 float block_scale(const Extent& extent);
 
-/// Lays every strand out in blocks of eight consecutive spheres, the last one copied where it is short. Sets scale, blocks,
-/// chain_blocks, first, copies; makes room for capsules, order and nodes. O(n); does not allocate when n has not grown.
+/// Lays every strand out in blocks of eight consecutive spheres, the last one copied where it is short. Sets
+/// scale, blocks, chain_blocks, first, copies; makes room for capsules, order and nodes. O(n); does not
+/// allocate when n has not grown.
 void lay_out_blocks(const ChainView& chain, BlockTree& tree);
 
 }  // namespace catena

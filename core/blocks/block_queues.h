@@ -7,8 +7,9 @@
 
 namespace catena {
 
-/// What a block search has found and not looked into yet. Queues instead of nested loops: each test runs over many things
-/// at a time, without a branch that is hard to foretell between them, and what the next ones need is fetched ahead.
+/// What a block search has found and not looked into yet. Queues instead of nested loops: each test runs over
+/// many things at a time, without a branch that is hard to foretell between them, and what the next ones need
+/// is fetched ahead.
 class BlockQueues {
  public:
   /// A block against those of a group of sixteen.
@@ -36,7 +37,8 @@ class BlockQueues {
   void clear_pairs() { pair_count_ = 0; }
 
  private:
-  static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024, pair_room = pair_limit + 64;
+  static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024,
+                               pair_room = pair_limit + 64;
 
   std::vector<Row> rows_;
   std::vector<Pair> pairs_;

@@ -8,27 +8,29 @@
 
 namespace catena {
 
-/// A tree over *blocks* of eight spheres, laid out for sixteen things a test. A block lies in a capsule; sixteen blocks are
-/// a node, which lies in a box along axes of its own; sixteen nodes are a node of the next level. A block holds eight consecutive spheres of one strand, or copies of eight that lie near one
-/// another in space.
+/// A tree over *blocks* of eight spheres, laid out for sixteen things a test. A block lies in a capsule;
+/// sixteen blocks are a node, which lies in a box along axes of its own; sixteen nodes are a node of the next
+/// level. A block holds eight consecutive spheres of one strand, or copies of eight that lie near one another
+/// in space.
 ///
-/// Numbers are those of the chain times `scale`, a power of two, which brings the greatest to 2^19 .. 2^20: no product
-/// overflows, and what underflows is less than the `tiny` that every bound and test has on top.
+/// Numbers are those of the chain times `scale`, a power of two, which brings the greatest to 2^19 .. 2^20:
+/// no product overflows, and what underflows is less than the `tiny` that every bound and test has on top.
 struct BlockTree {
   static constexpr std::uint32_t block = 8;   ///< spheres of a block
   static constexpr std::uint32_t group = 16;  ///< blocks of a node, children of an inner node
   static constexpr std::uint32_t copied = 0x80000000u;
 
-  /// Slack of capsules and tests, relative to the lengths they have to do with, and absolute. properties/proofs/ has what
-  /// is needed of it.
+  /// Slack of capsules and tests, relative to the lengths they have to do with, and absolute.
+  /// properties/proofs/ has what is needed of it.
   static constexpr float slack = 0x1p-19f;  // 32 u
   static constexpr float tiny = 0x1p-28f;
-  /// Axes of an oriented box are orthonormal to within axes_error, computed; then it reaches axes_slack times the sum of
-  /// its half sides farther than orthonormal axes would.
+  /// Axes of an oriented box are orthonormal to within axes_error, computed; then it reaches axes_slack times
+  /// the sum of its half sides farther than orthonormal axes would.
   static constexpr float axes_error = 0x1p-20f;  // 16 u
   static constexpr float axes_slack = 0x1p-17f;  // 128 u
 
-  /// Fields of sixteen capsules: centre x y z, half axis x y z, radius, about 1 / |half axis|^2 (0 for a point).
+  /// Fields of sixteen capsules: centre x y z, half axis x y z, radius, about 1 / |half axis|^2 (0 for a
+  /// point).
   static constexpr std::uint32_t capsule_fields = 8;
   /// Fields of sixteen oriented boxes: centre x y z, three axes x y z, three half sides.
   static constexpr std::uint32_t oriented_fields = 15;
@@ -45,19 +47,23 @@ struct BlockTree {
   float scale = 1;
   std::uint32_t blocks = 0;        ///< with blocks that no node has, which hold nothing
   std::uint32_t chain_blocks = 0;  ///< the first ones follow the chain: b and b + 1 follow one another
-  /// Where a block's spheres are: the index of the first, or `copied` + eight times its number among the copies.
+  /// Where a block's spheres are: the index of the first, or `copied` + eight times its number among the
+  /// copies.
   std::vector<std::uint32_t> first;
   std::vector<Sphere> copies;              ///< eight a copied block; the last sphere repeated to fill up
   std::vector<std::uint32_t> copied_from;  ///< index of each copy; no_sphere for what fills up
   std::vector<float> capsules;             ///< groups of sixteen
-  /// Bit k of group g: in block 16 g + k and the next no two spheres collide that are not next to one another.
+  /// Bit k of group g: in block 16 g + k and the next no two spheres collide that are not next to one
+  /// another.
   std::vector<std::uint16_t> ordered;
 
   std::vector<Level> level;  ///< nodes of sixteen blocks, in order; of sixteen nodes each; and so on to one
 
   static constexpr std::uint32_t no_sphere = 0xFFFFFFFFu;
 
-  const float* capsules_of(std::uint32_t g) const { return capsules.data() + std::size_t{g} * group * capsule_fields; }
+  const float* capsules_of(std::uint32_t g) const {
+    return capsules.data() + std::size_t{g} * group * capsule_fields;
+  }
   float* capsules_of(std::uint32_t g) { return capsules.data() + std::size_t{g} * group * capsule_fields; }
   std::uint32_t blocks_of(std::uint32_t g) const {
     const std::uint32_t left = blocks - g * group;

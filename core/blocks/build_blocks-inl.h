@@ -25,7 +25,8 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
     spheres = chain.spheres + tree.first[begin];
   } else {
     for (std::uint32_t k = 0; k <= group; ++k)
-      std::memcpy(copy + k * block, tree.spheres(chain, begin + k < tree.blocks ? begin + k : tree.blocks - 1),
+      std::memcpy(copy + k * block,
+                  tree.spheres(chain, begin + k < tree.blocks ? begin + k : tree.blocks - 1),
                   sizeof(Sphere) * block);
   }
   const Lanes16 scale = Lanes16::all(tree.scale);

@@ -12,13 +12,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Axes for nodes first .. first + 15 of level l and a guess of their centres, lane = node, from the centres of their
-/// children.
+/// Axes for nodes first .. first + 15 of level l and a guess of their centres, lane = node, from the centres
+/// of their children.
 HWY_INLINE void guess_axes(const BlockTree& tree, std::size_t l, std::uint32_t first, float* to) {
   constexpr std::uint32_t group = BlockTree::group;
   alignas(64) float centres[group][3][group];  // [child][coordinate][node]
   for (std::uint32_t lane = 0; lane < group; ++lane) {
-    const std::uint32_t k = std::min(first + lane, tree.level[l].count - 1), last = tree.children_of(l, k) - 1;
+    const std::uint32_t k = std::min(first + lane, tree.level[l].count - 1),
+                        last = tree.children_of(l, k) - 1;
     const float* const fields = l == 0 ? tree.capsules_of(k) : tree.level[l - 1].at(k * group);
     for (std::uint32_t b = 0; b < group; ++b)
       for (std::uint32_t d = 0; d < 3; ++d) centres[b][d][lane] = fields[group * d + std::min(b, last)];

@@ -35,8 +35,8 @@ HWY_INLINE Lanes16 inverse_square(const Lanes16& square) {
   return select(least_square < square, Lanes16::all(1) / max(square, least_square), Lanes16::all(0));
 }
 
-/// How far a point p lies from the segment +- half, from above but for rounding: the point of the segment is a guess, and
-/// any point of it will do.
+/// How far a point p lies from the segment +- half, from above but for rounding: the point of the segment is
+/// a guess, and any point of it will do.
 HWY_INLINE Lanes16 distance_to_segment(const Vectors& p, const Vectors& half, const Lanes16& inverse) {
   const Lanes16 one = Lanes16::all(1);
   const Lanes16 t = max(min(dot(p, half) * inverse, one), Lanes16::all(-1));
@@ -78,29 +78,29 @@ HWY_INLINE void load_place(const Sphere* spheres, std::uint32_t j, const Lanes16
   for (std::size_t k = 0; k < Lanes16::parts; ++k) {
     const Sphere* const s = spheres + k * Lanes16::width * block + j;
 #if HWY_TARGET == HWY_SCALAR
-      at.x.part[k] = hn::Set(Tag(), s->x), at.y.part[k] = hn::Set(Tag(), s->y);
-      at.z.part[k] = hn::Set(Tag(), s->z), radius.part[k] = hn::Set(Tag(), s->radius);
+    at.x.part[k] = hn::Set(Tag(), s->x), at.y.part[k] = hn::Set(Tag(), s->y);
+    at.z.part[k] = hn::Set(Tag(), s->z), radius.part[k] = hn::Set(Tag(), s->radius);
 #else
-      // Quad q of `a` is block 4 q of this part, of `b` block 4 q + 1, and so on; then four by four transposed.
-      const hn::Repartition<double, Tag> two;
-      const auto a = quads(Tag(), s, 4 * block), b = quads(Tag(), s + block, 4 * block);
-      const auto c = quads(Tag(), s + 2 * block, 4 * block), d = quads(Tag(), s + 3 * block, 4 * block);
-      const auto xy_ab = hn::BitCast(two, hn::InterleaveLower(Tag(), a, b));
-      const auto xy_cd = hn::BitCast(two, hn::InterleaveLower(Tag(), c, d));
-      const auto zr_ab = hn::BitCast(two, hn::InterleaveUpper(Tag(), a, b));
-      const auto zr_cd = hn::BitCast(two, hn::InterleaveUpper(Tag(), c, d));
-      at.x.part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, xy_ab, xy_cd));
-      at.y.part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, xy_ab, xy_cd));
-      at.z.part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, zr_ab, zr_cd));
-      radius.part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, zr_ab, zr_cd));
+    // Quad q of `a` is block 4 q of this part, of `b` block 4 q + 1, and so on; then four by four transposed.
+    const hn::Repartition<double, Tag> two;
+    const auto a = quads(Tag(), s, 4 * block), b = quads(Tag(), s + block, 4 * block);
+    const auto c = quads(Tag(), s + 2 * block, 4 * block), d = quads(Tag(), s + 3 * block, 4 * block);
+    const auto xy_ab = hn::BitCast(two, hn::InterleaveLower(Tag(), a, b));
+    const auto xy_cd = hn::BitCast(two, hn::InterleaveLower(Tag(), c, d));
+    const auto zr_ab = hn::BitCast(two, hn::InterleaveUpper(Tag(), a, b));
+    const auto zr_cd = hn::BitCast(two, hn::InterleaveUpper(Tag(), c, d));
+    at.x.part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, xy_ab, xy_cd));
+    at.y.part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, xy_ab, xy_cd));
+    at.z.part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, zr_ab, zr_cd));
+    radius.part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, zr_ab, zr_cd));
 #endif
   }
   at = {at.x * scale, at.y * scale, at.z * scale};
   radius = radius * scale;
 }
 
-/// Capsules around the spheres, about the chord from first to last, moved half way to the middle of the arc. Leaves the
-/// spheres relative to the centres. `reach` becomes a bound of |centre of sphere| + radius.
+/// Capsules around the spheres, about the chord from first to last, moved half way to the middle of the arc.
+/// Leaves the spheres relative to the centres. `reach` becomes a bound of |centre of sphere| + radius.
 HWY_INLINE Capsules capsules_around(BlockSpheres& s, Lanes16& reach) {
   constexpr std::uint32_t last = BlockTree::block - 1;
   const Lanes16 half = Lanes16::all(0.5f), quarter = Lanes16::all(0.25f);

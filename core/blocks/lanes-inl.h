@@ -1,5 +1,5 @@
-// Sixteen binary32 numbers side by side, in as many vectors as the target needs. Compiled once a target: no include
-// guard but Highway's.
+// Sixteen binary32 numbers side by side, in as many vectors as the target needs. Compiled once a target: no
+// include guard but Highway's.
 #if defined(CATENA_CORE_BLOCKS_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_LANES_INL_H
 #undef CATENA_CORE_BLOCKS_LANES_INL_H

@@ -28,15 +28,17 @@ HWY_INLINE Intervals in_frame_of(const BlockTree& tree, std::size_t l, std::uint
                                  std::uint32_t node) {
   const auto box = OrientedBoxes::all(tree.level[l].at(frame), frame % BlockTree::group);
   return m == 0 ? intervals(Capsules::load(tree.capsules_of(node)), box.centre, box.axis)
-                : intervals(OrientedBoxes::load(tree.level[m - 1].at(node * BlockTree::group)), box.centre, box.axis);
+                : intervals(OrientedBoxes::load(tree.level[m - 1].at(node * BlockTree::group)), box.centre,
+                            box.axis);
 }
 HWY_INLINE Intervals own_intervals(const BlockTree& tree, std::size_t l, std::uint32_t node) {
   return intervals(OrientedBoxes::all(tree.level[l].at(node), node % BlockTree::group).half);
 }
 
-/// Goes down a tree. Met has met(a, b), called once for each pair a < b of nodes of level 0 that may have blocks that
-/// collide, with left_out(level, a, b) and left_out_group(level, a, k) which say that pairs below nodes a and b, or a and the children
-/// of k, are of no interest, and stop(), which ends the walk. Sink as for BlockSearch.
+/// Goes down a tree. Met has met(a, b), called once for each pair a < b of nodes of level 0 that may have
+/// blocks that collide, with left_out(level, a, b) and left_out_group(level, a, k) which say that pairs below
+/// nodes a and b, or a and the children of k, are of no interest, and stop(), which ends the walk. Sink as
+/// for BlockSearch.
 template <class Met, class Sink>
 class NodeWalk {
  public:
@@ -63,7 +65,8 @@ class NodeWalk {
   void between(std::size_t l, std::uint32_t a, std::uint32_t b) {
     if (met_.stop() || met_.left_out(l, a, b)) return;
     if (l == 0) return met_.met(a, b);
-    const std::uint32_t all_a = lane_bits(tree_.children_of(l, a)), all_b = lane_bits(tree_.children_of(l, b));
+    const std::uint32_t all_a = lane_bits(tree_.children_of(l, a)),
+                        all_b = lane_bits(tree_.children_of(l, b));
     const Intervals b_by_a = in_frame_of(tree_, l, a, l, b);
     const std::uint32_t theirs = meet(b_by_a, own_intervals(tree_, l, a)) & all_b;
     for_each_lane(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(l, b * group + j, a); });
@@ -79,14 +82,16 @@ class NodeWalk {
   }
 
   /// Node a of level l against the sixteen of group k in `candidates`, of which those in `near` may meet it.
-  void against(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t near, std::uint32_t candidates) {
+  void against(std::size_t l, std::uint32_t a, std::uint32_t k, std::uint32_t near,
+               std::uint32_t candidates) {
     if (met_.left_out_group(l, a, k)) return;
     near &= candidates;
     // A node and the next along the chain touch each other, so that a test would be in vain.
     const std::uint32_t next = a + 1 - k * group < group ? 1u << (a + 1 - k * group) & candidates : 0u;
     if ((near & ~next) != 0)
       near &= may_meet(OrientedBoxes::all(tree_.level[l].at(a), a % group),
-                       OrientedBoxes::load(tree_.level[l].at(k * group))) | next;
+                       OrientedBoxes::load(tree_.level[l].at(k * group))) |
+              next;
     for_each_lane(candidates & ~near, [&](std::uint32_t j) { sink_.nodes_apart(l, a, k * group + j); });
     for_each_lane(near, [&](std::uint32_t j) { between(l, a, k * group + j); });
   }

@@ -1,5 +1,5 @@
-// Which two consecutive blocks are certain to have no collision within and between them but of spheres next to one
-// another: along one direction the spheres follow one another like beads.
+// Which two consecutive blocks are certain to have no collision within and between them but of spheres next
+// to one another: along one direction the spheres follow one another like beads.
 #if defined(CATENA_CORE_BLOCKS_ORDERED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_ORDERED_INL_H
 #undef CATENA_CORE_BLOCKS_ORDERED_INL_H
@@ -12,10 +12,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Bit k: block k and the next are ordered. `own` are the blocks' spheres relative to `centre`, as capsules_around leaves
-/// them, and `next` those of the following block in place. Along a direction U of length at most `length`, sphere i
-/// reaches from L_i = s_i - r_i length to H_i = s_i + r_i length; where L never falls and H_i < L_(i+2), sphere i ends
-/// before every sphere from i + 2 on begins. The slack is for the rounding of s, L and H.
+/// Bit k: block k and the next are ordered. `own` are the blocks' spheres relative to `centre`, as
+/// capsules_around leaves them, and `next` those of the following block in place. Along a direction U of
+/// length at most `length`, sphere i reaches from L_i = s_i - r_i length to H_i = s_i + r_i length; where L
+/// never falls and H_i < L_(i+2), sphere i ends before every sphere from i + 2 on begins. The slack is for
+/// the rounding of s, L and H.
 HWY_INLINE std::uint32_t ordered_windows(const BlockSpheres& own, const Vectors& centre, const Lanes16& reach,
                                          const BlockSpheres& next) {
   constexpr std::uint32_t places = 2 * BlockTree::block, last = BlockTree::block - 1;

@@ -22,7 +22,8 @@ struct Intervals {
   Lanes16 low[3], high[3];
 };
 
-/// The points p with |(p - centre) . axis| <= half for each of three axes, which are orthonormal to within axes_error.
+/// The points p with |(p - centre) . axis| <= half for each of three axes, which are orthonormal to within
+/// axes_error.
 struct OrientedBoxes {
   Vectors centre, axis[3];
   Lanes16 half[3];
@@ -39,8 +40,8 @@ struct OrientedBoxes {
   }
 };
 
-/// How far capsules reach along the axes, outward: what the radius has on top covers the rounding of the half axis's part,
-/// the rest that of the centre's, of the sums, and of axes a little longer than 1.
+/// How far capsules reach along the axes, outward: what the radius has on top covers the rounding of the half
+/// axis's part, the rest that of the centre's, of the sums, and of axes a little longer than 1.
 HWY_INLINE Intervals intervals(const Capsules& c, const Vectors& centre, const Vectors (&axis)[3]) {
   const Vectors t = c.centre - centre;
   const Lanes16 radius = mul_add(sum_of_sides(t), Lanes16::all(centre_slack),
@@ -56,8 +57,9 @@ HWY_INLINE Intervals intervals(const Capsules& c, const Vectors& centre, const V
 /// The same of boxes: see may_meet.
 HWY_INLINE Intervals intervals(const OrientedBoxes& b, const Vectors& centre, const Vectors (&axis)[3]) {
   const Vectors t = b.centre - centre;
-  const Lanes16 slack = mul_add(b.half[0] + b.half[1] + b.half[2], Lanes16::all(BlockTree::axes_slack),
-                                mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny)));
+  const Lanes16 slack =
+      mul_add(b.half[0] + b.half[1] + b.half[2], Lanes16::all(BlockTree::axes_slack),
+              mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny)));
   Intervals result;
   for (int k = 0; k < 3; ++k) {
     const Lanes16 middle = dot(t, axis[k]);
@@ -96,12 +98,13 @@ HWY_INLINE Intervals intervals(const Lanes16 (&half)[3]) {
   return {{zero - half[0], zero - half[1], zero - half[2]}, {half[0], half[1], half[2]}};
 }
 
-/// Bits of the lanes in which boxes may have a point in common. A box reaches sum |v_j . u| half_j along u, and for axes
-/// that are orthonormal but for axes_error, axes_slack times sum half_j more.
+/// Bits of the lanes in which boxes may have a point in common. A box reaches sum |v_j . u| half_j along u,
+/// and for axes that are orthonormal but for axes_error, axes_slack times sum half_j more.
 HWY_INLINE std::uint32_t may_meet(const OrientedBoxes& a, const OrientedBoxes& b) {
   const Vectors t = b.centre - a.centre;
   const Lanes16 slack = Lanes16::all(BlockTree::axes_slack);
-  const Lanes16 rounding = mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny));
+  const Lanes16 rounding =
+      mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny));
   const Lanes16 sides_a = mul_add(a.half[0] + a.half[1] + a.half[2], slack, rounding);
   const Lanes16 sides_b = mul_add(b.half[0] + b.half[1] + b.half[2], slack, rounding);
   Lanes16 reach_b[3] = {b.half[0] + sides_a, b.half[1] + sides_a, b.half[2] + sides_a};
@@ -119,8 +122,8 @@ HWY_INLINE std::uint32_t may_meet(const OrientedBoxes& a, const OrientedBoxes& b
   return meeting.bits();
 }
 
-/// The oriented box around the first `used` capsules or boxes, into lane `lane` of sixteen, whose axes are there already;
-/// its centre there is a guess.
+/// The oriented box around the first `used` capsules or boxes, into lane `lane` of sixteen, whose axes are
+/// there already; its centre there is a guess.
 template <class Sixteen>
 HWY_INLINE void fit(const Sixteen& c, std::uint32_t used, float* to, std::uint32_t lane) {
   const auto axes = OrientedBoxes::all(to, lane);

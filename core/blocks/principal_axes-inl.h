@@ -33,12 +33,14 @@ struct Symmetric {
     return {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy,
             xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
   }
-  /// The column of the greatest diagonal element: after some squarings the eigenvector of the greatest eigenvalue.
+  /// The column of the greatest diagonal element: after some squarings the eigenvector of the greatest
+  /// eigenvalue.
   HWY_INLINE Vectors main_column() const {
     const Flags<16> y = xx < yy;
     const Lanes16 greater = max(xx, yy);
     const Flags<16> z = greater < zz;
-    return {select(z, xz, select(y, xy, xx)), select(z, yz, select(y, yy, xy)), select(z, zz, select(y, yz, xz))};
+    return {select(z, xz, select(y, xy, xx)), select(z, yz, select(y, yy, xy)),
+            select(z, zz, select(y, yz, xz))};
   }
 };
 
@@ -46,21 +48,20 @@ HWY_INLINE Vectors scaled(const Vectors& v, const Lanes16& s) { return {v.x * s,
 HWY_INLINE Vectors select(const Flags<16>& flags, const Vectors& yes, const Vectors& no) {
   return {select(flags, yes.x, no.x), select(flags, yes.y, no.y), select(flags, yes.z, no.z)};
 }
-HWY_INLINE Vectors unit(const Vectors& v) {
-  return scaled(v, Lanes16::all(1) / sqrt(dot(v, v)));
-}
+HWY_INLINE Vectors unit(const Vectors& v) { return scaled(v, Lanes16::all(1) / sqrt(dot(v, v))); }
 HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Orthonormal to within BlockTree::axes_error, checked: where the guess is not, the axes of space are taken. A guess by
-/// eight powers of the covariance, longest first, and of its adjugate, flattest last.
+/// Orthonormal to within BlockTree::axes_error, checked: where the guess is not, the axes of space are taken.
+/// A guess by eight powers of the covariance, longest first, and of its adjugate, flattest last.
 HWY_INLINE void principal_axes(const Symmetric& covariance, Vectors (&axis)[3]) {
   const Lanes16 one = Lanes16::all(1), zero = Lanes16::all(0);
   Symmetric longest = covariance.normalized(), flattest = longest.adjugate();
   const Flags<16> line = flattest.trace() < Lanes16::all(1e-5f);  // then only the longest is sharp
   flattest = flattest.normalized();
-  for (int k = 0; k < 3; ++k) longest = longest.squared().normalized(), flattest = flattest.squared().normalized();
+  for (int k = 0; k < 3; ++k)
+    longest = longest.squared().normalized(), flattest = flattest.squared().normalized();
   const Vectors t = unit(longest.main_column()), n = unit(flattest.main_column());
   const Vectors kept = select(line, t, n);
   Vectors turned = select(line, n, t);
@@ -69,7 +70,8 @@ HWY_INLINE void principal_axes(const Symmetric& covariance, Vectors (&axis)[3]) 
   // Where the two were one, any direction across will do: the axis of space that is least along it.
   const Lanes16 x = abs(kept.x), y = abs(kept.y), z = abs(kept.z);
   const Flags<16> least_x = (x <= y) & (x <= z), least_y = y <= z;
-  const Vectors across = select(least_x, Vectors{one, zero, zero}, select(least_y, Vectors{zero, one, zero}, Vectors{zero, zero, one}));
+  const Vectors across = select(least_x, Vectors{one, zero, zero},
+                                select(least_y, Vectors{zero, one, zero}, Vectors{zero, zero, one}));
   turned = select(Lanes16::all(1e-3f) < dot(turned, turned), turned, across);
   turn();
   turned = unit(turned);

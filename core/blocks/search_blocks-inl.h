@@ -1,5 +1,5 @@
-// The colliding pairs of a BlockTree: nodes that may meet, then their blocks, capsules one against sixteen, and eight
-// spheres against eight.
+// The colliding pairs of a BlockTree: nodes that may meet, then their blocks, capsules one against sixteen,
+// and eight spheres against eight.
 #if defined(CATENA_CORE_BLOCKS_SEARCH_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_SEARCH_BLOCKS_INL_H
 #undef CATENA_CORE_BLOCKS_SEARCH_BLOCKS_INL_H
@@ -57,7 +57,8 @@ class BlockSearch {
  private:
   static constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 
-  /// Blocks against themselves, and against the next of their node along the chain, but for those that are ordered.
+  /// Blocks against themselves, and against the next of their node along the chain, but for those that are
+  /// ordered.
   template <class Wanted>
   void along_the_chain(const Wanted& wanted) {
     std::uint32_t before = 0;  // 1: the last window of the group before is ordered
@@ -69,7 +70,9 @@ class BlockSearch {
       before = windows >> (group - 1);
       if (!wanted(g)) continue;
       for_each_lane(all & ~inside, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k}); });
-      for_each_lane(between & ~windows, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k + 1}); });
+      for_each_lane(between & ~windows, [&](std::uint32_t k) {
+        queues_.add_pair({begin + k, begin + k + 1});
+      });
       if (Sink::listens || !adjacent_are_neighbours_) {
         for_each_lane(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
         for_each_lane(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
@@ -79,7 +82,8 @@ class BlockSearch {
     }
   }
 
-  /// Block b is ordered: of its spheres only those next to one another may collide, if they are not neighbours anyway.
+  /// Block b is ordered: of its spheres only those next to one another may collide, if they are not
+  /// neighbours anyway.
   void ordered_inside(std::uint32_t b) {
     sink_.ordered_inside(b);
     if (adjacent_are_neighbours_) return;
@@ -97,7 +101,8 @@ class BlockSearch {
 
   /// Blocks of one node against each other, but for those that along_the_chain met.
   void within(std::uint32_t k) {
-    const std::uint32_t begin = k * group, count = tree_.blocks_of(k), skip = begin < tree_.chain_blocks ? 2 : 1;
+    const std::uint32_t begin = k * group, count = tree_.blocks_of(k),
+                        skip = begin < tree_.chain_blocks ? 2 : 1;
     const Intervals reach = in_frame_of(tree_, 0, k, 0, k);
     const StoredIntervals single(reach);
     for (std::uint32_t i = 0; i + skip < count; ++i)
@@ -131,7 +136,8 @@ class BlockSearch {
     make_room();
   }
 
-  /// Block a against those of group g in `candidates`, of which those in `met` may collide with it by their boxes.
+  /// Block a against those of group g in `candidates`, of which those in `met` may collide with it by their
+  /// boxes.
   void row(std::uint32_t a, std::uint32_t g, std::uint32_t met, std::uint32_t candidates) {
     met &= candidates;
     for_each_lane(candidates & ~met, [&](std::uint32_t j) { sink_.blocks_apart(a, g * group + j); });
@@ -150,7 +156,8 @@ class BlockSearch {
     for (const BlockQueues::Row& r : queues_.rows()) {
       const std::uint32_t a = r.block;
       const std::uint32_t near = may_collide(Capsules::all(tree_.capsules_of(a / group), a % group),
-                                             Capsules::load(tree_.capsules_of(r.group))) & r.lanes;
+                                             Capsules::load(tree_.capsules_of(r.group))) &
+                                 r.lanes;
       for_each_lane(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
       for (std::uint32_t bits = near; bits != 0; bits &= bits - 1)
         queues_.add_pair({a, r.group * group + static_cast<std::uint32_t>(std::countr_zero(bits))});
@@ -189,7 +196,8 @@ class BlockSearch {
       if (i == BlockTree::no_sphere || j == BlockTree::no_sphere) continue;
       if (i > j) std::swap(i, j);
       if (window_is_all_ ? j - i <= chain_.exclusion.window : chain_.neighbours(i, j)) continue;
-      if ((pairs.certain >> bit & 1) || Robust::overlap(sa[bit / block], sb[bit % block])) lane_.collide(i, j);
+      if ((pairs.certain >> bit & 1) || Robust::overlap(sa[bit / block], sb[bit % block]))
+        lane_.collide(i, j);
     }
   }
 

@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Bits of the lanes in which two capsules may collide. A direction is guessed, between the nearest points of the two
-/// axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra + rb) |w|.
+/// Bits of the lanes in which two capsules may collide. A direction is guessed, between the nearest points of
+/// the two axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra + rb) |w|.
 HWY_INLINE std::uint32_t may_collide(const Capsules& a, const Capsules& b) {
   const Lanes16 one = Lanes16::all(1), minus_one = Lanes16::all(-1);
   const Vectors t = b.centre - a.centre;
@@ -28,8 +28,8 @@ HWY_INLINE std::uint32_t may_collide(const Capsules& a, const Capsules& b) {
   const Lanes16 square = dot(w, w);
   const Lanes16 gap = abs(dot(t, w)) - abs(dot(a.half, w)) - abs(dot(b.half, w));
   const Lanes16 reach = mul_add(sum_of_sides(t), Lanes16::all(BlockTree::slack), a.radius + b.radius);
-  const Flags<16> separate = (reach * reach * square < gap * gap) & (Lanes16::all(0) < gap) &
-                             (Lanes16::all(0x1p-60f) < square);
+  const Flags<16> separate =
+      (reach * reach * square < gap * gap) & (Lanes16::all(0) < gap) & (Lanes16::all(0x1p-60f) < square);
   return ~separate.bits() & 0xFFFFu;
 }
 
@@ -38,8 +38,8 @@ struct SpherePairs {
   std::uint64_t may, certain;
 };
 
-/// Stage 1 of Robust, eight at a time: q = |cA - cB|^2 against t = (rA + rB)^2. Most blocks that are compared have no such
-/// spheres, so that bits are made, and what is certain is asked, only where there are some.
+/// Stage 1 of Robust, eight at a time: q = |cA - cB|^2 against t = (rA + rB)^2. Most blocks that are compared
+/// have no such spheres, so that bits are made, and what is certain is asked, only where there are some.
 HWY_INLINE SpherePairs sphere_pairs(const Sphere* a, const Sphere* b) {
   using Tag = Lanes8::Tag;
   Lanes8 x, y, z, r;
@@ -62,7 +62,8 @@ HWY_INLINE SpherePairs sphere_pairs(const Sphere* a, const Sphere* b) {
     const Squares s = squares(i);
     near[i] = not_less(mul_add(s.t, slack, floor), s.q);
   }
-  const Flags<8> any = ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
+  const Flags<8> any =
+      ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
   SpherePairs result{0, 0};
   if (any.none()) return result;
   for (std::uint32_t i = 0; i < BlockTree::block; ++i) {

@@ -42,17 +42,15 @@ class PairCollector {
       pair(i, j);
     }
     /// True when the request is answered already and the search may stop.
-    bool satisfied() const {
-      return owner_.any_only_ && owner_.found_.load(std::memory_order_relaxed) > 0;
-    }
+    bool satisfied() const { return owner_.any_only_ && owner_.found_.load(std::memory_order_relaxed) > 0; }
 
    private:
     friend class PairCollector;
 
     std::vector<Pair>& store() { return this == &owner_.first_ ? owner_.result_.pairs : own_; }
 
-    /// Stores what is buffered while pairs are kept, and tells the other lanes how many were found; past the limit nothing
-    /// more is kept.
+    /// Stores what is buffered while pairs are kept, and tells the other lanes how many were found; past the
+    /// limit nothing more is kept.
     void hand_over() {
       if (owner_.keep_pairs_.load(std::memory_order_relaxed))
         store().insert(store().end(), buffer_.begin(), buffer_.begin() + buffered_);
@@ -63,7 +61,7 @@ class PairCollector {
 
     PairCollector& owner_;
     std::uint32_t* const counts_;  // null when counts are not wanted
-    const std::size_t room_;        // one pair is all, when any will do
+    const std::size_t room_;       // one pair is all, when any will do
     std::size_t buffered_ = 0;
     std::array<Pair, 512> buffer_;  // pairs found and not handed over yet
     std::vector<Pair> own_;         // of every lane but the first, which writes the result

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+
+#include "catena/core/blocks/block_kernels.h"
+#include "catena/properties/mutants/mutant.h"
+
+// Bugs of searches by blocks of eight spheres: what a capsule, an order, a box or a queue may forget.
+namespace catena::properties {
+namespace {
+
+/// ChainTree with its tree tampered with.
+class FaultyBlocks : public Variant {
+ public:
+  void build(const Chain& chain) override {
+    view_ = chain.view();
+    build_block_tree(view_, tree_);
+    tamper(view_, tree_);
+    spheres_ = chain.size();
+    built_ = true;
+  }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+    PairCollector collector(spheres_, request, result);
+    search(chain.view(), collector.lane(0));
+    collector.finish();
+  }
+  Timings timings() const override { return {}; }
+
+ protected:
+  virtual void tamper(const ChainView&, BlockTree&) {}
+  virtual void search(const ChainView& chain, PairCollector::Lane& lane) {
+    search_blocks(chain, tree_, queues_, lane, nullptr);
+  }
+  const BlockTree& tree() const { return tree_; }
+  BlockQueues& queues() { return queues_; }
+
+ private:
+  ChainView view_{};
+  BlockTree tree_;
+  BlockQueues queues_;
+  std::uint32_t spheres_ = 0;
+  bool built_ = false;
+};
+
+class NoSagitta final : public FaultyBlocks {
+  void tamper(const ChainView& chain, BlockTree& tree) override {
+    for (std::uint32_t b = 0; b < tree.blocks; ++b) {
+      const Sphere* const s = tree.spheres(chain, b);
+      float thickest = 0;
+      for (std::uint32_t k = 0; k < BlockTree::block; ++k) thickest = std::max(thickest, s[k].radius);
+      tree.capsules_of(b / BlockTree::group)[6 * BlockTree::group + b % BlockTree::group] =
+          thickest * tree.scale;
+    }
+  }
+};
+const RegisterMutant<NoSagitta> sagitta{"capsule-without-sagitta",
+                                        "as thick as its spheres, wherever they lie"};
+
+/// Calls order(spheres, window) for each window of two full blocks of one strand, and takes its word.
+class FaultyOrder : public FaultyBlocks {
+  void tamper(const ChainView& chain, BlockTree& tree) override {
+    for (std::uint32_t b = 0; b + 1 < tree.chain_blocks; ++b) {
+      const std::uint32_t i = tree.first[b];
+      if ((i & BlockTree::copied) != 0 || tree.first[b + 1] != i + BlockTree::block) continue;
+      if (chain.strand_count > 1 &&
+          chain.exclusion.strand_of[i] != chain.exclusion.strand_of[tree.first[b + 1]])
+        continue;
+      const auto bit = static_cast<std::uint16_t>(1u << b % BlockTree::group);
+      if (ordered(chain.spheres + i)) tree.ordered[b / BlockTree::group] |= bit;
+    }
+  }
+  virtual bool ordered(const Sphere* window) const = 0;
+};
+
+class OrderOfCentres final : public FaultyOrder {
+  bool ordered(const Sphere* s) const override {
+    const std::uint32_t last = 2 * BlockTree::block - 1;
+    const double x = double{s[last].x} - s[0].x, y = double{s[last].y} - s[0].y,
+                 z = double{s[last].z} - s[0].z;
+    const auto along = [&](std::uint32_t k) { return x * s[k].x + y * s[k].y + z * s[k].z; };
+    for (std::uint32_t k = 0; k < last; ++k)
+      if (!(along(k) < along(k + 1))) return false;
+    return true;
+  }
+};
+const RegisterMutant<OrderOfCentres> centres{"order-of-centres",
+                                             "an order that forgets the radii: no slack for what touches"};
+
+class OrderOfTheFirst final : public FaultyOrder {
+  bool ordered(const Sphere* s) const override {
+    for (std::uint32_t k = 0; k + 2 < BlockTree::block; ++k) {
+      const double x = double{s[k + 2].x} - s[k].x, y = double{s[k + 2].y} - s[k].y,
+                   z = double{s[k + 2].z} - s[k].z;
+      const double reach = double{s[k + 2].radius} + s[k].radius;
+      if (x * x + y * y + z * z <= reach * reach * 1.000001) return false;
+    }
+    return true;
+  }
+};
+const RegisterMutant<OrderOfTheFirst> first{"order-of-the-next-but-one",
+                                            "a chain that comes back within a window"};
+
+class BoxOfAxes final : public FaultyBlocks {
+  void tamper(const ChainView&, BlockTree& tree) override {
+    for (BlockTree::Level& level : tree.level)
+      for (std::uint32_t k = 0; k < level.count; ++k)
+        for (std::uint32_t d = 12; d < 15; ++d)
+          level.at(k)[d * BlockTree::group + k % BlockTree::group] *= 0.75f;
+  }
+};
+const RegisterMutant<BoxOfAxes> box{"node-box-too-small", "half sides that leave the thickness out"};
+
+/// The last pair of nodes that met is lost.
+class LastRowLost final : public FaultyBlocks {
+  void search(const ChainView& chain, PairCollector::Lane& lane) override {
+    find_crowds(tree(), 1u << 20, crowding_);
+    if (!crowding_.pairs.empty()) crowding_.pairs.pop_back();
+    search_uncrowded(chain, tree(), crowding_, queues(), lane);
+  }
+  Crowding crowding_;
+};
+const RegisterMutant<LastRowLost> row{"queue-drops-its-last", "a queue emptied one short"};
+
+/// Crowded nodes are left to a grid that is not there for pairs of them.
+class CrowdWithoutGrid final : public FaultyBlocks {
+  void search(const ChainView& chain, PairCollector::Lane& lane) override {
+    find_crowds(tree(), 1, crowding_);
+    search_uncrowded(chain, tree(), crowding_, queues(), lane);
+  }
+  Crowding crowding_;
+};
+const RegisterMutant<CrowdWithoutGrid> crowd{"crowd-left-alone",
+                                             "each of two searches leaves a pair to the other"};
+
+}  // namespace
+}  // namespace catena::properties
