@@ -1,0 +1,111 @@
+#include "catena/reference/peers/peer.h"
+
+#ifdef CATENA_HAS_PEER
+#include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
+#include <type_traits>
+
+#include "catena/core/hierarchy/box.h"
+#endif
+
+// Embree, Intel's ray tracer, as it is used for collisions: spheres are user primitives of one dynamic scene,
+// and rtcCollide holds the scene against itself. A build makes the scene anew at low quality, as for what
+// changes each frame; an update refits its boxes. Embree takes no box beyond 1.844e18: it leaves such a
+// sphere out, and so loses its pairs.
+namespace catena::reference {
+namespace {
+
+const PeerInfo info{
+    .name = "Embree",
+    .summary = "Embree's rtcCollide: a wide tree of boxes, built at low quality; update refits",
+    .broad_phase = "binary32",
+    .source = "libembree-dev"};
+
+#ifdef CATENA_HAS_PEER
+
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+template <class Handle>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+
+class Embree final : public Peer {
+  void make(const ChainView& chain) override {
+    one_thread_.execute([&] {
+      if (!device_) device_.reset(rtcNewDevice("threads=1,set_affinity=0"));
+      require();
+      scene_.reset(rtcNewScene(device_.get()));
+      rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
+      rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
+      geometry_ = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+      rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);  // the first commit builds
+      rtcSetGeometryUserPrimitiveCount(geometry_, chain.size);
+      rtcSetGeometryUserData(geometry_, this);
+      rtcSetGeometryBoundsFunction(geometry_, bounds, nullptr);
+      rtcAttachGeometry(scene_.get(), geometry_);
+      rtcReleaseGeometry(geometry_);  // the scene's now
+      commit(chain);
+    });
+  }
+
+  void move(const ChainView& chain) override {
+    one_thread_.execute([&] { commit(chain); });
+  }
+
+  void offer(const ChainView&, const Candidates& candidates) override {
+    Offered offered{candidates, {}};
+    one_thread_.execute([&] { rtcCollide(scene_.get(), scene_.get(), collide, &offered); });
+    require();
+  }
+
+  void commit(const ChainView& chain) {
+    spheres_ = chain.spheres;
+    rtcCommitGeometry(geometry_);
+    rtcCommitScene(scene_.get());
+    require();
+  }
+
+  void require() const {
+    if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
+      throw CapacityError("Embree failed with its error " + std::to_string(error) +
+                          (error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory" : ""));
+  }
+
+  static void bounds(const RTCBoundsFunctionArguments* asked) {
+    const Box box = Box::around(static_cast<const Embree*>(asked->geometryUserPtr)->spheres_[asked->primID]);
+    RTCBounds& to = *asked->bounds_o;
+    to.lower_x = box.low[0], to.lower_y = box.low[1], to.lower_z = box.low[2];
+    to.upper_x = box.high[0], to.upper_y = box.high[1], to.upper_z = box.high[2];
+  }
+
+  /// Embree may call from several threads at once, by its manual.
+  struct Offered {
+    const Candidates& candidates;
+    std::mutex mutex;
+  };
+  /// A pair comes from both ends.
+  static void collide(void* to, RTCCollision* collisions, unsigned count) {
+    auto& offered = *static_cast<Offered*>(to);
+    const std::lock_guard lock(offered.mutex);
+    for (unsigned k = 0; k < count && !offered.candidates.enough(); ++k)
+      if (collisions[k].primID0 < collisions[k].primID1)
+        offered.candidates(collisions[k].primID0, collisions[k].primID1);
+  }
+
+  tbb::task_arena one_thread_{1};
+  Owned<RTCDevice> device_;
+  Owned<RTCScene> scene_;
+  RTCGeometry geometry_ = nullptr;   ///< the scene's
+  const Sphere* spheres_ = nullptr;  ///< while it commits
+};
+
+[[maybe_unused]] const RegisterPeer<Embree> registered{info};
+#else
+[[maybe_unused]] const RegisterAbsentPeer registered{info};
+#endif
+
+}  // namespace
+}  // namespace catena::reference
