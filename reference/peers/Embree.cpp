@@ -11,15 +11,19 @@
 #endif
 
 // Embree, Intel's ray tracer, as it is used for collisions: spheres are user primitives of one dynamic scene,
-// and rtcCollide holds the scene against itself. A build makes the scene anew at low quality, as for what
-// changes each frame; an update refits its boxes. Embree takes no box beyond 1.844e18: it leaves such a
-// sphere out, and so loses its pairs.
+// and rtcCollide holds the scene against itself. Its manual has two ways for what moves: boxes are refitted
+// in a tree that took longer to build, or the tree is built again at low quality. Embree takes no box
+// beyond 1.844e18: it leaves such a sphere out, and so loses its pairs.
 namespace catena::reference {
 namespace {
 
-const PeerInfo info{
-    .name = "Embree",
-    .summary = "Embree's rtcCollide: a wide tree of boxes, built at low quality; update refits",
+const PeerInfo refit{.name = "Embree",
+                     .summary = "Embree's rtcCollide: a wide tree of boxes, which an update refits",
+                     .broad_phase = "binary32",
+                     .source = "libembree-dev"};
+const PeerInfo rebuild{
+    .name = "EmbreeRebuild",
+    .summary = "Embree's rtcCollide: a wide tree of boxes, built fast, and again by an update",
     .broad_phase = "binary32",
     .source = "libembree-dev"};
 
@@ -32,6 +36,8 @@ struct Release {
 template <class Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
+/// `quality` says how Embree updates: RTC_BUILD_QUALITY_REFIT, or builds again.
+template <RTCBuildQuality quality>
 class Embree final : public Peer {
   void make(const ChainView& chain) override {
     one_thread_.execute([&] {
@@ -41,7 +47,7 @@ class Embree final : public Peer {
       rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
       rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
       geometry_ = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
-      rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);  // the first commit builds
+      rtcSetGeometryBuildQuality(geometry_, quality);
       rtcSetGeometryUserPrimitiveCount(geometry_, chain.size);
       rtcSetGeometryUserData(geometry_, this);
       rtcSetGeometryBoundsFunction(geometry_, bounds, nullptr);
@@ -102,9 +108,10 @@ class Embree final : public Peer {
   const Sphere* spheres_ = nullptr;  ///< while it commits
 };
 
-[[maybe_unused]] const RegisterPeer<Embree> registered{info};
+[[maybe_unused]] const RegisterPeer<Embree<RTC_BUILD_QUALITY_REFIT>> registered{refit};
+[[maybe_unused]] const RegisterPeer<Embree<RTC_BUILD_QUALITY_LOW>> registered_rebuild{rebuild};
 #else
-[[maybe_unused]] const RegisterAbsentPeer registered{info};
+[[maybe_unused]] const RegisterAbsentPeer registered{refit}, registered_rebuild{rebuild};
 #endif
 
 }  // namespace

@@ -39,10 +39,11 @@ TEST(PeersListed, AreThoseThatAUserWouldPickAndNoneIsExactByAssumption) {
         << *peer.unavailable;
     EXPECT_THROW(StrategyRegistry::instance().make(peer.name), CapacityError);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"Bullet", "CGAL", "Embree", "FCL", "nanoflann"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"Bullet", "CGAL", "Embree", "EmbreeRebuild", "FCL", "nanoflann"}));
 }
 
-class Peers : public testing::TestWithParam<VariantInfo> {
+class Peers : public ::testing::TestWithParam<VariantInfo> {
  protected:
   void SetUp() override {
     if (const auto& why = GetParam().unavailable) GTEST_SKIP() << *why;
@@ -51,7 +52,7 @@ class Peers : public testing::TestWithParam<VariantInfo> {
 };
 
 TEST_P(Peers, AgreeWhereNoPairIsNearTouching) {
-  rc::check([&] {
+  EXPECT_TRUE(rc::check([&] {
     const auto at =
         rc::gen::map(rc::gen::inRange(-1000, 1000), [](int k) { return static_cast<float>(k) / 64; });
     const auto sphere =
@@ -61,14 +62,14 @@ TEST_P(Peers, AgreeWhereNoPairIsNearTouching) {
     RC_PRE(exact.tightest.margin > 0x1p-40);
     RC_TAG(exact.answer.pair_count > 0 ? "pairs" : "no pairs");
     RC_ASSERT(compare(chain, exact.answer, found_by(name(), chain)).right());
-  });
+  }));
 }
 
 /// Embree is promised no box beyond 1.844e18. All others digest every valid chain.
 TEST_P(Peers, DigestWhatTheyTakeAndErrOnlyNearTies) {
-  rc::check([&] {
+  EXPECT_TRUE(rc::check([&] {
     auto spheres = *testing::nasty_spheres();
-    if (name() == "Embree")
+    if (name().starts_with("Embree"))
       std::erase_if(spheres, [](const Sphere& s) {
         return std::max({std::fabs(s.x), std::fabs(s.y), std::fabs(s.z)}) > 8e17f || s.radius > 8e17f;
       });
@@ -77,7 +78,7 @@ TEST_P(Peers, DigestWhatTheyTakeAndErrOnlyNearTies) {
     RC_ASSERT(c.well_formed());
     RC_ASSERT(c.inconsistent_counts == 0u);
     RC_ASSERT(c.worst_margin <= 0x1p-50);
-  });
+  }));
 }
 
 TEST_P(Peers, FollowAMovingChain) {
@@ -120,7 +121,7 @@ TEST_P(Peers, LeaveTheProcessorsArithmeticAsItWas) {
   EXPECT_GT(0x1p-126f * half, 0.0f);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Peers, testing::ValuesIn(peers()),
+INSTANTIATE_TEST_SUITE_P(All, Peers, ::testing::ValuesIn(peers()),
                          [](const auto& peer) { return peer.param.name; });
 
 /// A tree by insertion is as deep as many spheres lie at one place; recursion over it would end the program.
