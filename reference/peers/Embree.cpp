@@ -4,7 +4,10 @@
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
+#include <cmath>
+#include <limits>
 #include <mutex>
+#include <span>
 #include <type_traits>
 
 #include "catena/core/hierarchy/box.h"
@@ -12,8 +15,9 @@
 
 // Embree, Intel's ray tracer, as it is used for collisions: spheres are user primitives of one dynamic scene,
 // and rtcCollide holds the scene against itself. Its manual has two ways for what moves: boxes are refitted
-// in a tree that took longer to build, or the tree is built again at low quality. Embree takes no box
-// beyond 1.844e18: it leaves such a sphere out, and so loses its pairs.
+// in a tree that took longer to build, or the tree is built again at low quality. It leaves out what is
+// beyond 1.844e18, and Debian's build ends the program where a scene has no extent; so scenes are scaled to
+// size 1, by a power of two, and points widened.
 namespace catena::reference {
 namespace {
 
@@ -39,6 +43,8 @@ using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 /// `quality` says how Embree updates: RTC_BUILD_QUALITY_REFIT, or builds again.
 template <RTCBuildQuality quality>
 class Embree final : public Peer {
+  static constexpr float least_extent = 0x1p-60f;  ///< outweighs what scaling rounds, and has a normal square
+
   void make(const ChainView& chain) override {
     one_thread_.execute([&] {
       if (!device_) device_.reset(rtcNewDevice("threads=1,set_affinity=0"));
@@ -69,6 +75,7 @@ class Embree final : public Peer {
 
   void commit(const ChainView& chain) {
     spheres_ = chain.spheres;
+    scale_ = scale_for(chain);
     rtcCommitGeometry(geometry_);
     rtcCommitScene(scene_.get());
     require();
@@ -81,10 +88,24 @@ class Embree final : public Peer {
   }
 
   static void bounds(const RTCBoundsFunctionArguments* asked) {
-    const Box box = Box::around(static_cast<const Embree*>(asked->geometryUserPtr)->spheres_[asked->primID]);
+    const Embree& self = *static_cast<const Embree*>(asked->geometryUserPtr);
+    const Box box = Box::around(self.spheres_[asked->primID]);
     RTCBounds& to = *asked->bounds_o;
-    to.lower_x = box.low[0], to.lower_y = box.low[1], to.lower_z = box.low[2];
-    to.upper_x = box.high[0], to.upper_y = box.high[1], to.upper_z = box.high[2];
+    to.lower_x = self.scaled(box.low[0]) - least_extent, to.upper_x = self.scaled(box.high[0]) + least_extent;
+    to.lower_y = self.scaled(box.low[1]) - least_extent, to.upper_y = self.scaled(box.high[1]) + least_extent;
+    to.lower_z = self.scaled(box.low[2]) - least_extent, to.upper_z = self.scaled(box.high[2]) + least_extent;
+  }
+  /// No centre is beyond the greatest float, so boxes cut there meet as before.
+  float scaled(float end) const {
+    constexpr float greatest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(end, -greatest, greatest) * scale_);
+  }
+  static double scale_for(const ChainView& chain) {
+    double greatest = 0;
+    for (const Sphere& s : std::span(chain.spheres, chain.size))
+      greatest = std::max({greatest, std::fabs(double{s.x}) + s.radius, std::fabs(double{s.y}) + s.radius,
+                           std::fabs(double{s.z}) + s.radius});
+    return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest) - 1) : 1;
   }
 
   /// Embree may call from several threads at once, by its manual.
@@ -106,6 +127,7 @@ class Embree final : public Peer {
   Owned<RTCScene> scene_;
   RTCGeometry geometry_ = nullptr;   ///< the scene's
   const Sphere* spheres_ = nullptr;  ///< while it commits
+  double scale_ = 1;
 };
 
 [[maybe_unused]] const RegisterPeer<Embree<RTC_BUILD_QUALITY_REFIT>> registered{refit};
