@@ -4,11 +4,13 @@
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "catena/core/hierarchy/box.h"
 #endif
@@ -36,6 +38,17 @@ const PeerInfo rebuild{
 struct Release {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+/// As the program's own: while one lives, nothing is flushed to zero.
+class UsualArithmetic {
+ public:
+  UsualArithmetic() { std::fegetenv(&before_), std::fesetenv(FE_DFL_ENV); }
+  ~UsualArithmetic() { std::fesetenv(&before_); }
+  UsualArithmetic(const UsualArithmetic&) = delete;
+  UsualArithmetic& operator=(const UsualArithmetic&) = delete;
+
+ private:
+  std::fenv_t before_;
 };
 template <class Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
@@ -74,8 +87,7 @@ class Embree final : public Peer {
   }
 
   void commit(const ChainView& chain) {
-    spheres_ = chain.spheres;
-    scale_ = scale_for(chain);
+    make_boxes(chain);
     rtcCommitGeometry(geometry_);
     rtcCommitScene(scene_.get());
     require();
@@ -87,18 +99,25 @@ class Embree final : public Peer {
                           (error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory" : ""));
   }
 
-  static void bounds(const RTCBoundsFunctionArguments* asked) {
-    const Embree& self = *static_cast<const Embree*>(asked->geometryUserPtr);
-    const Box box = Box::around(self.spheres_[asked->primID]);
-    RTCBounds& to = *asked->bounds_o;
-    to.lower_x = self.scaled(box.low[0]) - least_extent, to.upper_x = self.scaled(box.high[0]) + least_extent;
-    to.lower_y = self.scaled(box.low[1]) - least_extent, to.upper_y = self.scaled(box.high[1]) + least_extent;
-    to.lower_z = self.scaled(box.low[2]) - least_extent, to.upper_z = self.scaled(box.high[2]) + least_extent;
+  /// Embree computes with subnormal numbers flushed to zero, in callbacks too; so boxes are made before.
+  void make_boxes(const ChainView& chain) {
+    const double scale = scale_for(chain);
+    // No centre is beyond the greatest float, so boxes cut there meet as before.
+    const auto scaled = [scale](float end) {
+      constexpr float greatest = std::numeric_limits<float>::max();
+      return static_cast<float>(std::clamp(end, -greatest, greatest) * scale);
+    };
+    boxes_.resize(chain.size);
+    for (std::uint32_t i = 0; i < chain.size; ++i) {
+      const Box box = Box::around(chain.spheres[i]);
+      RTCBounds& to = boxes_[i];
+      to.lower_x = scaled(box.low[0]) - least_extent, to.upper_x = scaled(box.high[0]) + least_extent;
+      to.lower_y = scaled(box.low[1]) - least_extent, to.upper_y = scaled(box.high[1]) + least_extent;
+      to.lower_z = scaled(box.low[2]) - least_extent, to.upper_z = scaled(box.high[2]) + least_extent;
+    }
   }
-  /// No centre is beyond the greatest float, so boxes cut there meet as before.
-  float scaled(float end) const {
-    constexpr float greatest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(end, -greatest, greatest) * scale_);
+  static void bounds(const RTCBoundsFunctionArguments* asked) {
+    *asked->bounds_o = static_cast<const Embree*>(asked->geometryUserPtr)->boxes_[asked->primID];
   }
   static double scale_for(const ChainView& chain) {
     double greatest = 0;
@@ -117,6 +136,7 @@ class Embree final : public Peer {
   static void collide(void* to, RTCCollision* collisions, unsigned count) {
     auto& offered = *static_cast<Offered*>(to);
     const std::lock_guard lock(offered.mutex);
+    const UsualArithmetic usual;
     for (unsigned k = 0; k < count && !offered.candidates.enough(); ++k)
       if (collisions[k].primID0 < collisions[k].primID1)
         offered.candidates(collisions[k].primID0, collisions[k].primID1);
@@ -125,9 +145,8 @@ class Embree final : public Peer {
   tbb::task_arena one_thread_{1};
   Owned<RTCDevice> device_;
   Owned<RTCScene> scene_;
-  RTCGeometry geometry_ = nullptr;   ///< the scene's
-  const Sphere* spheres_ = nullptr;  ///< while it commits
-  double scale_ = 1;
+  RTCGeometry geometry_ = nullptr;  ///< the scene's
+  std::vector<RTCBounds> boxes_;
 };
 
 [[maybe_unused]] const RegisterPeer<Embree<RTC_BUILD_QUALITY_REFIT>> registered{refit};

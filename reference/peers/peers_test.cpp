@@ -65,14 +65,15 @@ TEST_P(Peers, AgreeWhereNoPairIsNearTouching) {
   }));
 }
 
-/// Embree was seen to lose a pair of margin 2^-22, though the boxes that it was given overlap.
+/// Embree flushes subnormal numbers to zero within its callbacks, where neither boxes nor the final test may
+/// be made.
 TEST_P(Peers, DigestEveryValidChainAndErrOnlyNearTies) {
   EXPECT_TRUE(rc::check([&] {
     const Chain chain(*testing::nasty_spheres());
     const Comparison c = compare(chain, find(chain), found_by(name(), chain));
     RC_ASSERT(c.well_formed());
     RC_ASSERT(c.inconsistent_counts == 0u);
-    RC_ASSERT(c.worst_margin <= (name().starts_with("Embree") ? 0x1p-16 : 0x1p-50));
+    RC_ASSERT(c.worst_margin <= 0x1p-50);
   }));
 }
 
