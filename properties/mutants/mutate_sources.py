@@ -89,7 +89,8 @@ class Scratch:
         shutil.rmtree(work, ignore_errors=True)
         shutil.copytree(source, self.tree, ignore=shutil.ignore_patterns("build", ".git"))
         self.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                  "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DCATENA_CUDA=OFF", "-DCATENA_FCL=OFF", "-DCATENA_TESTS=ON"], None)
+                  "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DCATENA_CUDA=OFF", "-DCATENA_TESTS=ON",
+                  *(f"-DCATENA_{peer}=OFF" for peer in ("FCL", "EMBREE", "NANOFLANN", "BULLET"))], None)
 
     @staticmethod
     def run(command, timeout):

@@ -1,117 +1,73 @@
-#include "catena/core/executor/pair_collector.h"
-#include "catena/core/strategy/register.h"
+#include "catena/reference/peers/peer.h"
 
-#ifdef CATENA_HAS_FCL
+#ifdef CATENA_HAS_PEER
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/collision_object.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <memory>
 #include <vector>
 #endif
 
-// FCL, the Flexible Collision Library, in binary64: fcl::Sphere<double> in a DynamicAABBTreeCollisionManager,
-// neighbours left out by the chain's rule. It compares |cA - cB| with rA + rB, both rounded, and boxes with
-// rounded faces, so a pair within some 2^-50 of touching may go either way. It digests every valid chain: no
-// binary32 number can overflow or underflow in it.
+// FCL, the Flexible Collision Library, in binary64: fcl::Sphere<double> in a DynamicAABBTreeCollisionManager.
+// Its boxes have rounded faces, so a pair within some 2^-50 of touching may go either way. It digests every
+// valid chain: no binary32 number can overflow or underflow in it.
 namespace catena::reference {
 namespace {
 
-#ifdef CATENA_HAS_FCL
+const PeerInfo info{.name = "FCL",
+                    .summary = "the Flexible Collision Library: a dynamic tree of boxes",
+                    .broad_phase = "binary64",
+                    .source = "libfcl-dev"};
 
-std::optional<std::string> unavailable() { return std::nullopt; }
+#ifdef CATENA_HAS_PEER
 
-class FCL final : public Variant {
+class FCL final : public Peer {
   using Object = fcl::CollisionObject<double>;
   using Manager = fcl::DynamicAABBTreeCollisionManager<double>;
 
- public:
-  void build(const Chain& chain) override {
-    const Stopwatch watch;
+  void make(const ChainView& chain) override {
     manager_.reset();
     objects_.clear();
     // The tree refers to the objects by address, so they must not move once registered.
-    objects_.reserve(chain.size());
+    objects_.reserve(chain.size);
     std::vector<Object*> pointers;
-    for (std::uint32_t i = 0; i < chain.size(); ++i) {
-      const Sphere& s = chain[i];
+    for (std::uint32_t i = 0; i < chain.size; ++i) {
+      const Sphere& s = chain.spheres[i];
       fcl::Transform3<double> place = fcl::Transform3<double>::Identity();
       place.translation() = fcl::Vector3<double>(s.x, s.y, s.z);
       objects_.emplace_back(std::make_shared<fcl::Sphere<double>>(s.radius), place);
       objects_.back().setUserData(reinterpret_cast<void*>(std::uintptr_t{i}));
       pointers.push_back(&objects_.back());
     }
-    if (chain.size() > 1) {  // a tree of one leaf or none has nothing to say
+    if (chain.size > 1) {  // a tree of one leaf or none has nothing to say
       manager_ = std::make_unique<Manager>();
       manager_->registerObjects(pointers);
       manager_->setup();
     }
-    timings_.build_ms = watch.ms();
   }
 
-  void find(const Chain& chain, const Request& request, Collisions& result) override {
-    if (objects_.size() != chain.size()) throw std::logic_error("find: not the chain of the last build");
-    const Stopwatch watch;
-    PairCollector collector(chain.size(), request, result);
-    Meeting meeting{chain, collector.lane(0)};
-    if (manager_) manager_->collide(&meeting, &Meeting::meet);
-    collector.finish();
-    timings_.find_ms = watch.ms();
+  void offer(const ChainView&, const Candidates& candidates) override {
+    manager_->collide(const_cast<Candidates*>(&candidates), &meet);
   }
 
-  Timings timings() const override { return timings_; }
-
- private:
-  struct Meeting {
-    const Chain& chain;
-    PairCollector::Lane& lane;
-
-    static std::uint32_t index(const Object& object) {
-      return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object.getUserData()));
-    }
-    /// True: enough was found.
-    static bool meet(Object* a, Object* b, void* self) {
-      auto& meeting = *static_cast<Meeting*>(self);
-      const std::uint32_t p = index(*a), q = index(*b), i = std::min(p, q), j = std::max(p, q);
-      if (meeting.chain.neighbours(i, j)) return false;
-      const fcl::CollisionRequest<double> request;
-      fcl::CollisionResult<double> result;
-      if (fcl::collide(a, b, request, result) > 0) meeting.lane.collide(i, j);
-      return meeting.lane.satisfied();
-    }
-  };
+  static std::uint32_t index(const Object& object) {
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object.getUserData()));
+  }
+  /// True: enough was found.
+  static bool meet(Object* a, Object* b, void* candidates) {
+    const auto& offered = *static_cast<const Candidates*>(candidates);
+    offered(index(*a), index(*b));
+    return offered.enough();
+  }
 
   std::vector<Object> objects_;
   std::unique_ptr<Manager> manager_;  // refers to the objects, so it goes first
-  Timings timings_;
 };
 
+[[maybe_unused]] const RegisterPeer<FCL> registered{info};
 #else
-
-std::optional<std::string> unavailable() { return "catena was built without FCL (libfcl-dev)"; }
-
-class FCL final : public Variant {
- public:
-  void build(const Chain&) override { throw CapacityError(*unavailable()); }
-  void find(const Chain&, const Request&, Collisions&) override { throw CapacityError(*unavailable()); }
-  Timings timings() const override { return {}; }
-};
-
+[[maybe_unused]] const RegisterAbsentPeer registered{info};
 #endif
-
-[[maybe_unused]] const bool registered = [] {
-  StrategyInfo info;
-  info.name = "FCL";
-  info.summary = "the Flexible Collision Library: a dynamic tree of boxes in binary64, refined pair by pair";
-  info.peer = true;
-  info.unavailable = unavailable;
-  StrategyRegistry::instance().add_variant(info, {.name = "binary64", .exact = false},
-                                           make_strategy<FCL, Variant>);
-  return true;
-}();
 
 }  // namespace
 }  // namespace catena::reference

@@ -1,8 +1,8 @@
 """One look for every figure: a variant keeps its colour, marker and dash all through the page.
 
 Colour: the traversal (of a stage shown alone: the algorithm). Marker: the construction. Dash: the
-arithmetic. Hollow: a device algorithm run on the host. Grey crosses: a peer. Colours are names that the
-page resolves for light and dark and for print.
+arithmetic. Hollow: a device algorithm run on the host. Grey: a peer, with a marker of its own. Colours are
+names that the page resolves for light and dark and for print.
 """
 import dataclasses
 
@@ -77,7 +77,7 @@ class Look:
     hollow: bool = False
 
 
-PEER = Look("muted", "cross", "dashdot")  # somebody else's library
+PEERS = ["cross", "star", "hexagon", "triangle-down", "diamond", "square"]  # markers of others' libraries
 
 
 class Looks:
@@ -90,12 +90,15 @@ class Looks:
         constructions = sorted({v.construction.algorithm if v.composed else "" for v in variants if not v.peer})
         self.markers = {name: MARKERS[at % len(MARKERS)] for at, name in enumerate(constructions)}
 
+        peers = sorted({variant.name for variant in variants if variant.peer})
+        self.peers = {name: Look("muted", PEERS[at % len(PEERS)], "dashdot") for at, name in enumerate(peers)}
+
     def _colour(self, algorithm):
         return COLOURS[self.order.index(algorithm) % len(COLOURS)] if algorithm in self.order else "ink"
 
     def variant(self, variant):
         if variant.peer:
-            return PEER
+            return self.peers[variant.name]
         return Look(
             self._colour(variant.traversal.algorithm),
             self.markers.get(variant.construction.algorithm if variant.composed else "", "circle"),

@@ -3,6 +3,7 @@ alone.
 """
 import base64
 import csv
+import dataclasses
 import gzip
 import html.parser
 import json
@@ -18,7 +19,7 @@ import unittest
 import unittest.mock
 
 import made
-from catena_report import compare, page, paper, report, runfile, whole_file
+from catena_report import compare, page, paper, report, runfile, style, variant, whole_file
 from catena_report.drawn import static
 from catena_report.figure import Axis, Figure, Panel, Series
 from catena_report.style import Look
@@ -239,6 +240,13 @@ class Peer(Made):
         for figure in ("times-build", "times-find", "work-precision"):
             self.assertIn("FCL (peer)", self.names(figure))
         self.assertIn("FCL (peer) wrong or not finite in 3 of 3", self.text)
+
+    def test_each_peer_has_a_marker_of_its_own(self):
+        fcl = variant.Variant.of("FCL", made.described("FCL"))
+        several = [dataclasses.replace(fcl, name=name) for name in ("Bullet", "CGAL", "Embree", "FCL", "nanoflann")]
+        looks = style.Looks(several)
+        self.assertEqual(len({looks.variant(peer).marker for peer in several}), len(several))
+        self.assertEqual({looks.variant(peer).colour for peer in several}, {"muted"})
 
     def test_it_is_never_recommended_nor_ranked(self):
         self.assertTrue(all("FCL" not in " ".join(row) for row in self.page.tables["choice"]))
