@@ -31,8 +31,11 @@ namespace catena {
 HWY_EXPORT(build_grid_here);
 HWY_EXPORT(search_grid_here);
 
-void build_grid(const ChainView& chain, SphereGrid& grid) { HWY_DYNAMIC_DISPATCH(build_grid_here)(chain, grid); }
-void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane) {
+void build_grid(const ChainView& chain, SphereGrid& grid) {
+  HWY_DYNAMIC_DISPATCH(build_grid_here)(chain, grid);
+}
+void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues,
+                 PairCollector::Lane& lane) {
   HWY_DYNAMIC_DISPATCH(search_grid_here)(chain, grid, queues, lane);
 }
 

@@ -1,4 +1,5 @@
-// The pairs of a SphereGrid: each bucket with half of those around it, and each finer level with the coarser ones.
+// The pairs of a SphereGrid: each bucket with half of those around it, and each finer level with the coarser
+// ones.
 #if defined(CATENA_CORE_GRID_SEARCH_GRID_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_GRID_SEARCH_GRID_INL_H
 #undef CATENA_CORE_GRID_SEARCH_GRID_INL_H
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "catena/core/grid/buckets-inl.h"
 #include "catena/core/grid/candidates-inl.h"
@@ -32,10 +34,6 @@ class GridSearch {
   using Level = SphereGrid::Level;
   static constexpr std::uint32_t group = 2;  // buckets that share their candidates
 
-  /// Candidates at consecutive places.
-  struct Run {
-    std::uint32_t first, end;
-  };
   /// Runs of buckets; one that passes the last bucket goes on at bucket 0.
   class Runs {
    public:
@@ -75,8 +73,9 @@ class GridSearch {
     return (step == 0 ? map.buckets : step) - 1;
   }
 
-  /// Pairs of one level. A sphere is compared with those after it in its own group of buckets and the bucket behind, and
-  /// with the four rows of cells that come after its own: the other half of its neighbourhood is compared with it.
+  /// Pairs of one level. A sphere is compared with those after it in its own group of buckets and the bucket
+  /// behind, and with the four rows of cells that come after its own: the other half of its neighbourhood is
+  /// compared with it.
   void within(const Level& level) {
     const std::uint32_t* const start = grid_.start.data() + level.starts;
     const std::uint32_t buckets = level.map.buckets;
@@ -95,35 +94,32 @@ class GridSearch {
           runs.push(start[0], start[1]);
         }
         for (const std::uint32_t step : steps) runs.add(before(b, step, buckets), size + 2);
-        meet(own, runs);
+        meet(own, runs, true);
       }
     }
     candidates_.finish();
   }
 
-  /// The spheres of a run against what comes after each in the runs, whose first begins with the same.
-  HWY_INLINE void meet(const Run& own, const Runs& runs) {
-    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), own.end - own.first))) {
-      const std::uint32_t first = candidates_.size();
-      for (const Run& run : runs) candidates_.add(run.first, run.end);
-      candidates_.fill_up();
-      for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test(p, first + (p - own.first) + 1);
-      return;
-    }
-    bool of_own = true;
+  /// The spheres of a run against the candidates of the runs: all of them, or those behind each sphere, when
+  /// the first run begins with them.
+  HWY_INLINE void meet(const Run& own, const Runs& runs, bool behind) {
+    if (HWY_UNLIKELY(!candidates_.make_room(runs.candidates(), own.end - own.first)))
+      return meet_crowd(own, runs, behind);
+    const std::uint32_t first = candidates_.gather(runs);
+    candidates_.test(own, first + behind, behind);
+  }
+
+  /// The same part by part, where it is too much for the queues.
+  HWY_NOINLINE void meet_crowd(const Run& own, const Runs& runs, bool behind) {
     for (const Run& run : runs) {
-      for (std::uint32_t part = run.first; part < run.end; part += Candidates::part) {
-        const std::uint32_t part_end = std::min(run.end, part + Candidates::part);
+      for (Run part{run.first, 0}; part.first < run.end && !lane_.satisfied(); part.first = part.end) {
+        part.end = std::min(run.end, part.first + Candidates::part);
         candidates_.start_over();
-        candidates_.add(part, part_end);
-        candidates_.fill_up();
-        for (std::uint32_t p = own.first; p < own.end; ++p) {
-          const std::uint32_t from = of_own && p + 1 > part ? p + 1 - part : 0;
-          candidates_.test_crowded(p, from);
-        }
-        if (lane_.satisfied()) return;
+        const std::uint32_t first = candidates_.gather(std::array{part});
+        for (std::uint32_t p = own.first; p < own.end; ++p)
+          candidates_.test_crowded(p, first + (behind && p >= part.first ? p + 1 - part.first : 0));
       }
-      of_own = false;
+      behind = false;
     }
   }
 
@@ -150,43 +146,25 @@ class GridSearch {
         Runs runs(start, buckets);
         for (const std::uint32_t step : steps)
           runs.add(before(static_cast<std::uint32_t>(of_sphere[k]), step, buckets), 3);
-        if (runs.candidates() > 0) meet_all({at + k, at + next}, runs);
+        if (runs.candidates() > 0) meet({at + k, at + next}, runs, false);
       }
     }
     candidates_.finish();
   }
 
-  /// Every sphere of a run against all candidates.
-  HWY_INLINE void meet_all(const Run& own, const Runs& runs) {
-    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), own.end - own.first))) {
-      const std::uint32_t first = candidates_.size();
-      for (const Run& run : runs) candidates_.add(run.first, run.end);
-      candidates_.fill_up();
-      for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test(p, first);
-      return;
-    }
-    for (const Run& run : runs)
-      for (std::uint32_t part = run.first; part < run.end; part += Candidates::part) {
-        candidates_.start_over();
-        candidates_.add(part, std::min(run.end, part + Candidates::part));
-        candidates_.fill_up();
-        for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test_crowded(p, 0);
-        if (lane_.satisfied()) return;
-      }
-  }
+  static constexpr std::uint32_t groups_at_a_time = GridQueues::group_room;
 
-  static constexpr std::uint32_t groups_at_a_time = 1024;
-
-  /// The first buckets of those of the next groups that have spheres; without a branch, which would be foretold badly.
+  /// The first buckets of those of the next groups that have spheres; without a branch, which would be
+  /// foretold badly.
   std::span<const std::uint32_t> groups(const std::uint32_t* start, std::uint32_t at, std::uint32_t buckets) {
-    queues_.groups.resize(groups_at_a_time + 1);
+    std::uint32_t* const list = queues_.groups.data();
     std::size_t size = 0;
     const std::uint32_t end = std::min(buckets, at + group * groups_at_a_time);
     for (std::uint32_t b = at; b < end; b += group) {
-      queues_.groups[size] = b;
+      list[size] = b;
       size += start[b] != start[std::min(b + group, buckets)];
     }
-    return {queues_.groups.data(), size};
+    return {list, size};
   }
 
   const SphereGrid& grid_;

@@ -7,7 +7,8 @@
 namespace catena {
 namespace {
 
-/// Fewer spheres are not worth a level: they join the next coarser one. So few cost nothing even if all lie in one cell.
+/// Fewer spheres are not worth a level: they join the next coarser one. So few cost nothing even if all lie
+/// in one cell.
 constexpr std::uint32_t least_level = 64;
 
 /// Every octave from the greatest binary32 number to the least; points are the last.
@@ -53,7 +54,8 @@ void lay_out_grid(const ChainView& chain, const CentreBox& box, SphereGrid& grid
       ++all.spheres[o];
       all.greatest[o] = std::max(all.greatest[o], r);
     }
-    // From the finest on, octaves are put together until they are worth a level; the coarsest takes what is left.
+    // From the finest on, octaves are put together until they are worth a level; the coarsest takes what is
+    // left.
     std::array<bool, octaves> coarsest{};  // of its level
     std::uint32_t gathered = 0;
     for (std::size_t o = octaves; o-- > 0;) {
