@@ -11,8 +11,8 @@
 #include <array>
 #include <span>
 
-#include "catena/core/grid/buckets-inl.h"
 #include "catena/core/grid/candidates-inl.h"
+#include "catena/core/grid/member_buckets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -20,7 +20,7 @@ namespace catena::HWY_NAMESPACE {
 class GridSearch {
  public:
   GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane)
-      : grid_(grid), queues_(queues), lane_(lane), candidates_(chain, grid, queues, lane) {}
+      : chain_(chain), grid_(grid), queues_(queues), lane_(lane), candidates_(chain, grid, queues, lane) {}
 
   void run() {
     for (std::size_t l = 0; l < grid_.levels.size() && !lane_.satisfied(); ++l) {
@@ -46,7 +46,8 @@ class GridSearch {
       push(start_[bucket], start_[bucket + count]);
     }
     HWY_INLINE void push(std::uint32_t first, std::uint32_t end) {
-      run_[size_++] = {first, end};
+      run_[size_] = {first, end};
+      size_ += first != end;
       candidates_ += end - first;
     }
     std::uint32_t candidates() const { return candidates_; }
@@ -94,22 +95,21 @@ class GridSearch {
           runs.push(start[0], start[1]);
         }
         for (const std::uint32_t step : steps) runs.add(before(b, step, buckets), size + 2);
-        meet(own, runs, true);
+        meet(own, runs);
       }
     }
     candidates_.finish();
   }
 
-  /// The spheres of a run against the candidates of the runs: all of them, or those behind each sphere, when
-  /// the first run begins with them.
-  HWY_INLINE void meet(const Run& own, const Runs& runs, bool behind) {
+  /// The spheres of a run against the candidates behind each in the runs, the first of which begins with
+  /// them.
+  HWY_INLINE void meet(const Run& own, const Runs& runs) {
     if (HWY_UNLIKELY(!candidates_.make_room(runs.candidates(), own.end - own.first)))
-      return meet_crowd(own, runs, behind);
-    const std::uint32_t first = candidates_.gather(runs);
-    candidates_.test(own, first + behind, behind);
+      return meet_crowd(own, runs, true);
+    candidates_.test(own, candidates_.gather(runs) + 1, 1);
   }
 
-  /// The same part by part, where it is too much for the queues.
+  /// The same, or all candidates, part by part: where they are too many for the queues.
   HWY_NOINLINE void meet_crowd(const Run& own, const Runs& runs, bool behind) {
     for (const Run& run : runs) {
       for (Run part{run.first, 0}; part.first < run.end && !lane_.satisfied(); part.first = part.end) {
@@ -123,33 +123,42 @@ class GridSearch {
     }
   }
 
-  /// Spheres of one level against those of a coarser one, in all 27 cells around each.
+  /// Spheres of one level against those of a coarser one, in all 27 cells around each. They come in the order
+  /// of the chain: those that follow one another often lie in one of the wider cells, and share its
+  /// candidates.
   void across(const Level& fine, const Level& coarse) {
     const std::uint32_t* const start = grid_.start.data() + coarse.starts;
     const std::uint32_t buckets = coarse.map.buckets;
     std::array<std::uint32_t, 9> steps;
     for (int k = 0; k < 9; ++k) steps[k] = step_before(coarse.map, k % 3 - 1, k / 3 - 1);
     const BucketFinder find(coarse.map);
-    constexpr std::uint32_t chunk = 64;
-    std::int32_t of_sphere[chunk];
-    for (std::uint32_t at = fine.first; at < fine.end && !lane_.satisfied(); at += chunk) {
-      const std::uint32_t size = std::min(chunk, fine.end - at);
-      for (std::uint32_t k = 0; k < size; k += BucketFinder::lanes) {
-        const auto load = [&](const std::vector<float>& field) {
-          return hn::LoadU(BucketFinder::Narrow(), field.data() + at + k);
-        };
-        hn::StoreU(find(load(grid_.x), load(grid_.y), load(grid_.z)), BucketFinder::Whole(), of_sphere + k);
-      }
+    MemberBuckets of_coarse;
+    for (std::uint32_t at = fine.first; at < fine.end && !lane_.satisfied(); at += MemberBuckets::most) {
+      const std::uint32_t size = std::min(MemberBuckets::most, fine.end - at);
+      const std::uint32_t* const bucket = of_coarse.find(find, chain_, grid_, at, size);
       for (std::uint32_t k = 0, next; k < size; k = next) {
         next = k + 1;
-        while (next < size && of_sphere[next] == of_sphere[k]) ++next;
+        while (next < size && bucket[next] == bucket[k]) ++next;
         Runs runs(start, buckets);
-        for (const std::uint32_t step : steps)
-          runs.add(before(static_cast<std::uint32_t>(of_sphere[k]), step, buckets), 3);
-        if (runs.candidates() > 0) meet({at + k, at + next}, runs, false);
+        for (const std::uint32_t step : steps) runs.add(before(bucket[k], step, buckets), 3);
+        if (runs.candidates() > 0) meet_members(fine, at + k, at + next, runs);
       }
     }
     candidates_.finish();
+  }
+
+  /// Consecutive members of a level against all candidates of the runs.
+  void meet_members(const Level& level, std::uint32_t first, std::uint32_t end, const Runs& runs) {
+    const std::uint32_t* const start = grid_.start.data() + level.starts;
+    const auto each = [&](const auto& meet) {
+      for (std::uint32_t at = first; at < end; ++at) meet(start[grid_.bucket[at]] + grid_.rank[at]);
+    };
+    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), end - first))) {
+      const std::uint32_t from = candidates_.gather(runs);
+      each([&](std::uint32_t place) { candidates_.test({place, place + 1}, from, 0); });
+    } else {
+      each([&](std::uint32_t place) { meet_crowd({place, place + 1}, runs, false); });
+    }
   }
 
   static constexpr std::uint32_t groups_at_a_time = GridQueues::group_room;
@@ -167,6 +176,7 @@ class GridSearch {
     return {list, size};
   }
 
+  const ChainView& chain_;
   const SphereGrid& grid_;
   GridQueues& queues_;
   PairCollector::Lane& lane_;

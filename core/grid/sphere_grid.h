@@ -28,6 +28,8 @@ struct SphereGrid {
   /// many came into it before.
   std::vector<std::uint32_t> members, bucket, rank;
 
+  std::uint32_t member(std::uint32_t at) const { return members.empty() ? at : members[at]; }
+
   /// How many numbers past the last may be read from the fields.
   static constexpr std::size_t margin = 16;
 };
