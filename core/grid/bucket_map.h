@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "catena/core/sphere.h"
+#include "catena/core/export.h"
 
 namespace catena {
 
@@ -23,7 +23,7 @@ namespace catena {
 /// properties/proofs/grid_cells.g. From far_cell on, binary32 numbers lie more than a cell apart, so only
 /// equal coordinates are within reach; their cells are numbered by a hash of their bits, the same for equal
 /// ones. And a number before far_cell is not within reach of one behind it.
-struct BucketMap {
+struct CATENA_API BucketMap {
   static constexpr double cell_slack = 0x1p-16;
   static constexpr double far_cell = 0x1p25;
   /// All numbers up to (1 + row + layer) far_cell are exact in binary64.
@@ -40,14 +40,14 @@ struct BucketMap {
 };
 
 /// The box of all centres.
-struct CentreBox {
+struct CATENA_API CentreBox {
   std::array<float, 3> low, high;
 };
 
 /// The cells for spheres of radius <= r, `count` of them, all in the box, in at most about 2 count buckets.
-BucketMap map_buckets(float r, const CentreBox& box, std::uint32_t count);
+CATENA_API BucketMap map_buckets(float r, const CentreBox& box, std::uint32_t count);
 
 /// True when all steps of at most 2 along x, and 1 along y and z, lead to different buckets.
-bool different_steps(const BucketMap& map);
+CATENA_API bool different_steps(const BucketMap& map);
 
 }  // namespace catena

@@ -5,6 +5,7 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include "catena/core/grid/centre_box-inl.h"
+#include "catena/core/grid/form_levels-inl.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/grid/search_grid-inl.h"
 #include "catena/core/grid/sort_spheres-inl.h"
@@ -13,7 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 void build_grid_here(const ChainView& chain, SphereGrid& grid) {
-  lay_out_grid(chain, box_of_centres(chain), grid);
+  const CentreBox box = box_of_centres(chain);
+  sort_by_octave(chain, grid);
+  LevelForming(chain, box, grid).form();
   for (const SphereGrid::Level& level : grid.levels) SphereSort(chain, grid).sort(level);
 }
 
