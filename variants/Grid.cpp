@@ -4,8 +4,8 @@
 namespace catena {
 namespace {
 
-/// Grid: spheres in cells as wide as two of them, a level of cells for each octave of the radii; each against half of its
-/// neighbourhood, a vector of candidates a test.
+/// Grid: spheres in cells as wide as two of them, a level of cells for each octave of the radii; each against
+/// half of its neighbourhood, a vector of candidates a test.
 template <class Arithmetic>
 class Grid final : public Variant {
  public:
@@ -38,7 +38,8 @@ class Grid final : public Variant {
 };
 
 const RegisterVariant<Grid, Robust> registered{
-    {.name = "Grid", .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD, sequential"}};
+    {.name = "Grid",
+     .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD, sequential"}};
 
 }  // namespace
 }  // namespace catena

@@ -16,8 +16,8 @@ bool is_prime(std::uint32_t n) {
   return n > 1;
 }
 
-/// Lays the box out row by row, when it has at most `most` cells. A row of 5, 3 rows a layer and 3 layers make all
-/// steps different.
+/// Lays the box out row by row, when it has at most `most` cells. A row of 5, 3 rows a layer and 3 layers
+/// make all steps different.
 bool lay_out(const CentreBox& box, std::uint32_t most, BucketMap& map) {
   std::array<double, 3> low, cells;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -52,7 +52,8 @@ BucketMap map_buckets(float r, const CentreBox& box, std::uint32_t count) {
   map.wraps = true;
   map.buckets = most;
   while (!is_prime(map.buckets)) ++map.buckets;
-  // 1 / p and 1 / p^2 for p^3 = p + 1: of all lattices in space that of step 1 among these is nearly the most even.
+  // 1 / p and 1 / p^2 for p^3 = p + 1: of all lattices in space that of step 1 among these is nearly the most
+  // even.
   map.row = std::round(0.75487766624669276 * map.buckets);
   map.layer = std::round(0.56984029099805327 * map.buckets);
   while (!different_steps(map)) ++map.row;
@@ -64,7 +65,8 @@ bool different_steps(const BucketMap& map) {
   std::size_t steps = 0;
   for (const int z : {-1, 0, 1})
     for (const int y : {-1, 0, 1})
-      for (const std::uint64_t x : {-2, -1, 0, 1, 2}) to[steps++] = (map.buckets + x + map.step(y, z)) % map.buckets;
+      for (const std::uint64_t x : {-2, -1, 0, 1, 2})
+        to[steps++] = (map.buckets + x + map.step(y, z)) % map.buckets;
   std::ranges::sort(to);
   return std::ranges::adjacent_find(to) == to.end();
 }

@@ -29,7 +29,8 @@ class BucketFinder {
   HWY_INLINE hn::Vec<Whole> operator()(hn::Vec<Narrow> x, hn::Vec<Narrow> y, hn::Vec<Narrow> z) const {
     const Wide wide;
     const auto buckets = hn::Set(wide, map_.buckets), zero = hn::Zero(wide);
-    auto b = hn::MulAdd(cell(z), hn::Set(wide, map_.layer), hn::MulAdd(cell(y), hn::Set(wide, map_.row), cell(x)));
+    auto b =
+        hn::MulAdd(cell(z), hn::Set(wide, map_.layer), hn::MulAdd(cell(y), hn::Set(wide, map_.row), cell(x)));
     b = hn::Sub(b, hn::Set(wide, map_.origin));
     if (map_.wraps) {
       // The quotient may be one off.

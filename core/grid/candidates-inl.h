@@ -13,6 +13,7 @@
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/simd_targets.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/grid/compress_table.h"
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/sphere_grid.h"
 #include "hwy/highway.h"
@@ -21,25 +22,33 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Consecutive places of a grid.
+struct Run {
+  std::uint32_t first, end;
+};
+
 class Candidates {
  public:
   static constexpr std::uint32_t part = 1024;  ///< candidates at a time where a neighbourhood is too crowded
 
   Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane)
-      : chain_(chain), grid_(grid), q_(queues), lane_(lane) {
+      : chain_(chain),
+        from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
+        q_(queues),
+        lane_(lane) {
     const ExclusionView& rule = chain.exclusion;
     const bool window = rule.rule == Exclusion::Rule::index_window && rule.one_open_strand;
     window_ = window ? std::min(rule.window, chain.size) : 0;
     window_is_all_ = window && rule.extra_row == nullptr;
   }
 
-  std::uint32_t size() const { return size_; }
-
   /// False when so many candidates and spheres are too many for the queues.
   HWY_INLINE bool make_room(std::uint32_t candidates, std::uint32_t spheres) {
-    const std::uint64_t tests = std::uint64_t{spheres} * (candidates / lanes + 1);
-    if (HWY_UNLIKELY(candidates + 2 * lanes > GridQueues::room || tests > GridQueues::test_room)) return false;
-    if (size_ + candidates + 2 * lanes > GridQueues::room || tests_ > GridQueues::test_limit) start_over();
+    const std::uint64_t tests = std::uint64_t{spheres} * (candidates / lanes + at_once);
+    if (HWY_UNLIKELY(candidates + 2 * lanes > CandidateFields::room || tests > GridQueues::test_room))
+      return false;
+    if (size_ + candidates + 2 * lanes > CandidateFields::room || tests_ > GridQueues::test_limit)
+      start_over();
     return true;
   }
 
@@ -54,87 +63,131 @@ class Candidates {
     flush();
   }
 
-  /// The spheres at these places become candidates.
-  HWY_INLINE void add(std::uint32_t first, std::uint32_t end) {
-    const std::uint32_t to = size_;
-    for (std::uint32_t k = 0; first + k < end; k += lanes) {
-      const auto move = [&](const auto& from, auto& field) {
-        hn::StoreU(hn::LoadU(hn::CappedTag<typename std::decay_t<decltype(from)>::value_type, lanes>(),
-                             from.data() + first + k),
-                   hn::CappedTag<typename std::decay_t<decltype(from)>::value_type, lanes>(),
-                   field.data() + to + k);
-      };
-      move(grid_.x, q_.x), move(grid_.y, q_.y), move(grid_.z, q_.z), move(grid_.radius, q_.radius);
-      move(grid_.index, q_.index);
+  /// The spheres of these runs become candidates, for which there is room. Returns the first; end() is behind
+  /// the last.
+  template <class Runs>
+  HWY_INLINE std::uint32_t gather(const Runs& runs) {
+    const Places from = from_;
+    CandidateFields& to = q_.candidates;
+    std::uint32_t size = size_;
+    for (const Run& run : runs) {
+      const std::uint32_t count = run.end - run.first;
+      std::uint32_t k = 0;
+      do {  // mostly once, and never a branch for a run that is empty
+        const std::uint32_t at = run.first + k;
+        hn::StoreU(hn::LoadU(Tag(), from.x + at), Tag(), to.x + size + k);
+        hn::StoreU(hn::LoadU(Tag(), from.y + at), Tag(), to.y + size + k);
+        hn::StoreU(hn::LoadU(Tag(), from.z + at), Tag(), to.z + size + k);
+        hn::StoreU(hn::LoadU(Tag(), from.radius + at), Tag(), to.radius + size + k);
+        hn::StoreU(hn::LoadU(Bits(), from.index + at), Bits(), to.index + size + k);
+        k += lanes;
+      } while (HWY_UNLIKELY(k < count));
+      size += count;
     }
-    size_ += end - first;
+    // What follows the last candidate in its vector overlaps nothing.
+    hn::StoreU(hn::Set(Tag(), std::numeric_limits<float>::quiet_NaN()), Tag(), to.x + size);
+    const std::uint32_t first = size_;
+    end_ = size;
+    size_ = size + lanes;
+    return first;
   }
+  std::uint32_t end() const { return end_; }
 
-  /// No candidate more for the next tests: what follows the last one in its vector overlaps nothing.
-  HWY_INLINE void fill_up() {
-    hn::StoreU(hn::Set(Tag(), std::numeric_limits<float>::quiet_NaN()), Tag(), q_.x.data() + size_);
-    end_ = size_;
-    size_ += lanes;
+  /// The spheres of a run are to be compared with the candidates from `from` on, each `step` further than the
+  /// one before.
+  HWY_INLINE void test(const Run& spheres, std::uint32_t from, std::uint32_t step) {
+    const std::uint32_t end = end_;
+    GridQueues::Test* to = q_.tests.data() + tests_;
+    const GridQueues::Test* const start = to;
+    for (std::uint32_t p = spheres.first; p < spheres.end; ++p, from += step) {
+      for (std::uint32_t k = 0; k < at_once; ++k) to[k] = {p, from + k * lanes};
+      const std::uint32_t tests = (end - from + lanes - 1) / lanes;
+      for (std::uint32_t k = at_once; HWY_UNLIKELY(k < tests); ++k) to[k] = {p, from + k * lanes};
+      to += tests;
+    }
+    tests_ += static_cast<std::uint32_t>(to - start);
   }
-
-  /// The sphere at a place is to be compared with the candidates from `from` on.
-  HWY_INLINE void test(std::uint32_t place, std::uint32_t from) {
-    for (; from < end_; from += lanes) q_.tests[tests_++] = {place, from};
-  }
-  HWY_INLINE void test_crowded(std::uint32_t place, std::uint32_t from) {
+  /// One sphere, where no room was made.
+  void test_crowded(std::uint32_t place, std::uint32_t from) {
     if (tests_ > GridQueues::test_limit) work_off();
-    test(place, from);
+    if (from < end_) test({place, place + 1}, from, 0);
   }
 
  private:
   using Tag = hn::CappedTag<float, GridQueues::most_lanes>;
   using Bits = hn::RebindToUnsigned<Tag>;
   static constexpr std::uint32_t lanes = hn::MaxLanes(Tag());
+  static constexpr std::uint32_t at_once = 4;  // tests that are written without asking
 
-  void work_off() {
-    for (std::uint32_t k = 0; k < tests_; ++k) {
-      compare(q_.tests[k]);
-      if (hits_ >= GridQueues::hit_limit) flush();
+  struct Places {
+    const float *x, *y, *z, *radius;
+    const std::uint32_t* index;
+  };
+
+  HWY_NOINLINE void work_off() {
+    const Places from =
+        from_;  // a copy: what is stored below might be this object, for all the compiler knows
+    const GridQueues::Test* const tests = q_.tests.data();
+    std::uint32_t *const hit_i = q_.hit_i.data(), *const hit_j = q_.hit_j.data();
+    const CandidateFields& of = q_.candidates;
+    const std::uint32_t window = window_, count = tests_;
+    std::uint32_t hits = hits_;
+    // Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. No number is a NaN
+    // but where there is no candidate.
+    const auto slack = hn::Set(Tag(), 1 + 12 * 0x1p-24f), floor = hn::Set(Tag(), 0x1p-120f);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t p = tests[k].place, c = tests[k].candidate;
+      const auto dx = hn::Sub(hn::LoadU(Tag(), of.x + c), hn::Set(Tag(), from.x[p]));
+      const auto dy = hn::Sub(hn::LoadU(Tag(), of.y + c), hn::Set(Tag(), from.y[p]));
+      const auto dz = hn::Sub(hn::LoadU(Tag(), of.z + c), hn::Set(Tag(), from.z[p]));
+      const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), from.radius[p]));
+      const auto q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), t = hn::Mul(reach, reach);
+      const auto may = hn::Le(q, hn::MulAdd(t, slack, floor)),
+                 certain = hn::Lt(hn::MulAdd(q, slack, floor), t);
+      // Spheres are met once, so j is not i; and |j - i| > window is one comparison of what wraps.
+      const std::uint32_t i = from.index[p];
+      const auto j = hn::LoadU(Bits(), of.index + c);
+      const auto far = hn::Gt(hn::Sub(j, hn::Set(Bits(), i - window)), hn::Set(Bits(), 2 * window));
+      auto keep = hn::And(hn::RebindMask(Bits(), may), far);
+      const auto undecided = hn::AndNot(hn::RebindMask(Bits(), certain), keep);
+      if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) keep = decide(i, c, keep, undecided);
+      hn::StoreU(hn::Set(Bits(), i), Bits(), hit_i + hits);
+      hits += store_kept(j, keep, hit_j + hits);
+      if (HWY_UNLIKELY(hits >= GridQueues::hit_limit)) hits_ = hits, flush(), hits = 0;
     }
+    hits_ = hits;
     tests_ = 0;
   }
 
-  /// Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. No number is a NaN but where
-  /// there is no candidate.
-  HWY_INLINE void compare(const GridQueues::Test& test) {
-    const std::uint32_t p = test.place, c = test.candidate;
-    const auto slack = hn::Set(Tag(), 1 + 12 * 0x1p-24f), floor = hn::Set(Tag(), 0x1p-120f);
-    const auto difference = [&](const std::vector<float>& fields, const std::vector<float>& of) {
-      return hn::Sub(hn::LoadU(Tag(), of.data() + c), hn::Set(Tag(), fields[p]));
-    };
-    const auto dx = difference(grid_.x, q_.x), dy = difference(grid_.y, q_.y), dz = difference(grid_.z, q_.z);
-    const auto reach = hn::Add(hn::LoadU(Tag(), q_.radius.data() + c), hn::Set(Tag(), grid_.radius[p]));
-    const auto q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), t = hn::Mul(reach, reach);
-    const auto may = hn::Le(q, hn::MulAdd(t, slack, floor)), certain = hn::Lt(hn::MulAdd(q, slack, floor), t);
-    // Spheres are met once, so j is not i; and |j - i| > window is one comparison of what wraps.
-    const std::uint32_t i = grid_.index[p];
-    const auto j = hn::LoadU(Bits(), q_.index.data() + c);
-    const auto far = hn::Gt(hn::Sub(j, hn::Set(Bits(), i - window_)), hn::Set(Bits(), 2 * window_));
-    auto keep = hn::And(hn::RebindMask(Bits(), may), far);
-    const auto undecided = hn::AndNot(hn::RebindMask(Bits(), certain), keep);
-    if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) keep = decide(i, c, keep, undecided);
-    hn::StoreU(hn::Set(Bits(), i), Bits(), q_.hit_i.data() + hits_);
-    hits_ += static_cast<std::uint32_t>(hn::CompressStore(j, keep, Bits(), q_.hit_j.data() + hits_));
+  /// Stores the lanes that are kept side by side; returns their number. May write a whole vector.
+  static HWY_INLINE std::uint32_t store_kept(hn::Vec<Bits> v, hn::Mask<Bits> keep, std::uint32_t* to) {
+    if constexpr (lanes == 8) {  // for which Highway 1.0 copies its table to the stack at each call
+      std::uint8_t bits[8];
+      hn::StoreMaskBits(Bits(), keep, bits);
+      const hn::Rebind<std::uint8_t, Bits> bytes;
+      const auto order = hn::PromoteTo(Bits(), hn::LoadU(bytes, compress_table[bits[0]].data()));
+      hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(Bits(), order)), Bits(), to);
+      return static_cast<std::uint32_t>(std::popcount(bits[0]));
+    } else {
+      return static_cast<std::uint32_t>(hn::CompressStore(v, keep, Bits(), to));
+    }
   }
 
   /// `keep` without those undecided that do not overlap.
-  HWY_NOINLINE hn::Mask<Bits> decide(std::uint32_t i, std::uint32_t c, hn::Mask<Bits> keep, hn::Mask<Bits> undecided) {
+  HWY_NOINLINE hn::Mask<Bits> decide(std::uint32_t i, std::uint32_t c, hn::Mask<Bits> keep,
+                                     hn::Mask<Bits> undecided) {
     std::uint8_t open[8] = {}, kept[8] = {};
     hn::StoreMaskBits(Bits(), undecided, open);
     hn::StoreMaskBits(Bits(), keep, kept);
     for (std::uint32_t k = 0; k < lanes; ++k)
-      if ((open[k / 8] >> k % 8 & 1) && !Robust::overlap(chain_.spheres[i], chain_.spheres[q_.index[c + k]]))
+      if ((open[k / 8] >> k % 8 & 1) &&
+          !Robust::overlap(chain_.spheres[i], chain_.spheres[q_.candidates.index[c + k]]))
         kept[k / 8] = static_cast<std::uint8_t>(kept[k / 8] & ~(1u << k % 8));
     return hn::LoadMaskBits(Bits(), kept);
   }
 
   /// Reports the hits that are no neighbours.
-  void flush() {
+  HWY_NOINLINE void flush() {
     for (std::uint32_t k = 0; k < hits_; ++k) {
       const std::uint32_t i = std::min(q_.hit_i[k], q_.hit_j[k]), j = std::max(q_.hit_i[k], q_.hit_j[k]);
       if (window_is_all_ || !chain_.neighbours(i, j)) lane_.collide(i, j);
@@ -143,7 +196,7 @@ class Candidates {
   }
 
   const ChainView& chain_;
-  const SphereGrid& grid_;
+  const Places from_;
   GridQueues& q_;
   PairCollector::Lane& lane_;
   std::uint32_t window_;

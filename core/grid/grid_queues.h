@@ -4,27 +4,35 @@
 
 namespace catena {
 
-/// What a search of a SphereGrid works on: candidates side by side, which stay in the first cache; a flat list of tests
-/// of a sphere against a vector of them; and the pairs that a test leaves. Flat lists instead of nested loops, whose ends
-/// are hard to foretell.
+/// Spheres to be compared, field by field. Past `room` candidates the list is not filled; what is read or
+/// written in vectors may pass it.
+struct CandidateFields {
+  /// Not a multiple of 1,024, for the fields must not lie on the same lines of the cache.
+  static constexpr std::uint32_t room = 2048, size = room + 48;
+  alignas(64) float x[size], y[size], z[size], radius[size];
+  alignas(64) std::uint32_t index[size];
+};
+
+/// What a search of a SphereGrid works on: candidates side by side, which stay in the first cache; a flat
+/// list of tests of a sphere against a vector of them; and the pairs that a test leaves. Flat lists instead
+/// of nested loops, whose ends are hard to foretell.
 struct GridQueues {
   static constexpr std::uint32_t most_lanes = 16;
-  /// Candidates; not a multiple of 1,024, for the fields must not lie on the same lines of the cache.
-  static constexpr std::uint32_t room = 2048 + 48;
-  /// Past so many tests the list is worked off; `test_room` is what one group of buckets may add.
-  static constexpr std::uint32_t test_limit = 128, test_room = 4096;
+  /// Past so many tests the list is worked off; so many may be added at once.
+  static constexpr std::uint32_t test_limit = 256, test_room = 4096;
   static constexpr std::uint32_t hit_limit = 1024;
+  static constexpr std::uint32_t group_room = 1024;
 
   struct Test {
     std::uint32_t place;      ///< of the sphere
     std::uint32_t candidate;  ///< the first of a vector of candidates
   };
 
-  std::vector<float> x = std::vector<float>(room + most_lanes), y = x, z = x, radius = x;
-  std::vector<std::uint32_t> index = std::vector<std::uint32_t>(room + most_lanes);
+  CandidateFields candidates{};
   std::vector<Test> tests = std::vector<Test>(test_limit + test_room);
   std::vector<std::uint32_t> hit_i = std::vector<std::uint32_t>(hit_limit + most_lanes), hit_j = hit_i;
-  std::vector<std::uint32_t> groups;  ///< buckets at which a group begins that has spheres
+  std::vector<std::uint32_t> groups =
+      std::vector<std::uint32_t>(group_room + 1);  ///< buckets where one begins
 };
 
 }  // namespace catena

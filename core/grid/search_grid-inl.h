@@ -1,4 +1,5 @@
-// The pairs of a SphereGrid: each bucket with half of those around it, and each finer level with the coarser ones.
+// The pairs of a SphereGrid: each bucket with half of those around it, and each finer level with the coarser
+// ones.
 #if defined(CATENA_CORE_GRID_SEARCH_GRID_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_GRID_SEARCH_GRID_INL_H
 #undef CATENA_CORE_GRID_SEARCH_GRID_INL_H
@@ -8,9 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
-#include "catena/core/grid/buckets-inl.h"
 #include "catena/core/grid/candidates-inl.h"
+#include "catena/core/grid/member_buckets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -18,7 +20,7 @@ namespace catena::HWY_NAMESPACE {
 class GridSearch {
  public:
   GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane)
-      : grid_(grid), queues_(queues), lane_(lane), candidates_(chain, grid, queues, lane) {}
+      : chain_(chain), grid_(grid), queues_(queues), lane_(lane), candidates_(chain, grid, queues, lane) {}
 
   void run() {
     for (std::size_t l = 0; l < grid_.levels.size() && !lane_.satisfied(); ++l) {
@@ -32,10 +34,6 @@ class GridSearch {
   using Level = SphereGrid::Level;
   static constexpr std::uint32_t group = 2;  // buckets that share their candidates
 
-  /// Candidates at consecutive places.
-  struct Run {
-    std::uint32_t first, end;
-  };
   /// Runs of buckets; one that passes the last bucket goes on at bucket 0.
   class Runs {
    public:
@@ -48,7 +46,8 @@ class GridSearch {
       push(start_[bucket], start_[bucket + count]);
     }
     HWY_INLINE void push(std::uint32_t first, std::uint32_t end) {
-      run_[size_++] = {first, end};
+      run_[size_] = {first, end};
+      size_ += first != end;
       candidates_ += end - first;
     }
     std::uint32_t candidates() const { return candidates_; }
@@ -75,8 +74,9 @@ class GridSearch {
     return (step == 0 ? map.buckets : step) - 1;
   }
 
-  /// Pairs of one level. A sphere is compared with those after it in its own group of buckets and the bucket behind, and
-  /// with the four rows of cells that come after its own: the other half of its neighbourhood is compared with it.
+  /// Pairs of one level. A sphere is compared with those after it in its own group of buckets and the bucket
+  /// behind, and with the four rows of cells that come after its own: the other half of its neighbourhood is
+  /// compared with it.
   void within(const Level& level) {
     const std::uint32_t* const start = grid_.start.data() + level.starts;
     const std::uint32_t buckets = level.map.buckets;
@@ -101,94 +101,82 @@ class GridSearch {
     candidates_.finish();
   }
 
-  /// The spheres of a run against what comes after each in the runs, whose first begins with the same.
+  /// The spheres of a run against the candidates behind each in the runs, the first of which begins with
+  /// them.
   HWY_INLINE void meet(const Run& own, const Runs& runs) {
-    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), own.end - own.first))) {
-      const std::uint32_t first = candidates_.size();
-      for (const Run& run : runs) candidates_.add(run.first, run.end);
-      candidates_.fill_up();
-      for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test(p, first + (p - own.first) + 1);
-      return;
-    }
-    bool of_own = true;
+    if (HWY_UNLIKELY(!candidates_.make_room(runs.candidates(), own.end - own.first)))
+      return meet_crowd(own, runs, true);
+    candidates_.test(own, candidates_.gather(runs) + 1, 1);
+  }
+
+  /// The same, or all candidates, part by part: where they are too many for the queues.
+  HWY_NOINLINE void meet_crowd(const Run& own, const Runs& runs, bool behind) {
     for (const Run& run : runs) {
-      for (std::uint32_t part = run.first; part < run.end; part += Candidates::part) {
-        const std::uint32_t part_end = std::min(run.end, part + Candidates::part);
+      for (Run part{run.first, 0}; part.first < run.end && !lane_.satisfied(); part.first = part.end) {
+        part.end = std::min(run.end, part.first + Candidates::part);
         candidates_.start_over();
-        candidates_.add(part, part_end);
-        candidates_.fill_up();
-        for (std::uint32_t p = own.first; p < own.end; ++p) {
-          const std::uint32_t from = of_own && p + 1 > part ? p + 1 - part : 0;
-          candidates_.test_crowded(p, from);
-        }
-        if (lane_.satisfied()) return;
+        const std::uint32_t first = candidates_.gather(std::array{part});
+        for (std::uint32_t p = own.first; p < own.end; ++p)
+          candidates_.test_crowded(p, first + (behind && p >= part.first ? p + 1 - part.first : 0));
       }
-      of_own = false;
+      behind = false;
     }
   }
 
-  /// Spheres of one level against those of a coarser one, in all 27 cells around each.
+  /// Spheres of one level against those of a coarser one, in all 27 cells around each. They come in the order
+  /// of the chain: those that follow one another often lie in one of the wider cells, and share its
+  /// candidates.
   void across(const Level& fine, const Level& coarse) {
     const std::uint32_t* const start = grid_.start.data() + coarse.starts;
     const std::uint32_t buckets = coarse.map.buckets;
     std::array<std::uint32_t, 9> steps;
     for (int k = 0; k < 9; ++k) steps[k] = step_before(coarse.map, k % 3 - 1, k / 3 - 1);
     const BucketFinder find(coarse.map);
-    constexpr std::uint32_t chunk = 64;
-    std::int32_t of_sphere[chunk];
-    for (std::uint32_t at = fine.first; at < fine.end && !lane_.satisfied(); at += chunk) {
-      const std::uint32_t size = std::min(chunk, fine.end - at);
-      for (std::uint32_t k = 0; k < size; k += BucketFinder::lanes) {
-        const auto load = [&](const std::vector<float>& field) {
-          return hn::LoadU(BucketFinder::Narrow(), field.data() + at + k);
-        };
-        hn::StoreU(find(load(grid_.x), load(grid_.y), load(grid_.z)), BucketFinder::Whole(), of_sphere + k);
-      }
+    MemberBuckets of_coarse;
+    for (std::uint32_t at = fine.first; at < fine.end && !lane_.satisfied(); at += MemberBuckets::most) {
+      const std::uint32_t size = std::min(MemberBuckets::most, fine.end - at);
+      const std::uint32_t* const bucket = of_coarse.find(find, chain_, grid_, at, size);
       for (std::uint32_t k = 0, next; k < size; k = next) {
         next = k + 1;
-        while (next < size && of_sphere[next] == of_sphere[k]) ++next;
+        while (next < size && bucket[next] == bucket[k]) ++next;
         Runs runs(start, buckets);
-        for (const std::uint32_t step : steps)
-          runs.add(before(static_cast<std::uint32_t>(of_sphere[k]), step, buckets), 3);
-        if (runs.candidates() > 0) meet_all({at + k, at + next}, runs);
+        for (const std::uint32_t step : steps) runs.add(before(bucket[k], step, buckets), 3);
+        if (runs.candidates() > 0) meet_members(fine, at + k, at + next, runs);
       }
     }
     candidates_.finish();
   }
 
-  /// Every sphere of a run against all candidates.
-  HWY_INLINE void meet_all(const Run& own, const Runs& runs) {
-    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), own.end - own.first))) {
-      const std::uint32_t first = candidates_.size();
-      for (const Run& run : runs) candidates_.add(run.first, run.end);
-      candidates_.fill_up();
-      for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test(p, first);
-      return;
+  /// Consecutive members of a level against all candidates of the runs.
+  void meet_members(const Level& level, std::uint32_t first, std::uint32_t end, const Runs& runs) {
+    const std::uint32_t* const start = grid_.start.data() + level.starts;
+    const auto each = [&](const auto& meet) {
+      for (std::uint32_t at = first; at < end; ++at) meet(start[grid_.bucket[at]] + grid_.rank[at]);
+    };
+    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), end - first))) {
+      const std::uint32_t from = candidates_.gather(runs);
+      each([&](std::uint32_t place) { candidates_.test({place, place + 1}, from, 0); });
+    } else {
+      each([&](std::uint32_t place) { meet_crowd({place, place + 1}, runs, false); });
     }
-    for (const Run& run : runs)
-      for (std::uint32_t part = run.first; part < run.end; part += Candidates::part) {
-        candidates_.start_over();
-        candidates_.add(part, std::min(run.end, part + Candidates::part));
-        candidates_.fill_up();
-        for (std::uint32_t p = own.first; p < own.end; ++p) candidates_.test_crowded(p, 0);
-        if (lane_.satisfied()) return;
-      }
   }
 
-  static constexpr std::uint32_t groups_at_a_time = 1024;
+  static constexpr std::uint32_t groups_at_a_time = GridQueues::group_room;
 
-  /// The first buckets of those of the next groups that have spheres; without a branch, which would be foretold badly.
+  /// The first buckets of those of the next groups that have spheres; without a branch, which would be
+  /// foretold badly.
   std::span<const std::uint32_t> groups(const std::uint32_t* start, std::uint32_t at, std::uint32_t buckets) {
-    queues_.groups.resize(groups_at_a_time + 1);
+    std::uint32_t* const list = queues_.groups.data();
     std::size_t size = 0;
     const std::uint32_t end = std::min(buckets, at + group * groups_at_a_time);
     for (std::uint32_t b = at; b < end; b += group) {
-      queues_.groups[size] = b;
+      list[size] = b;
       size += start[b] != start[std::min(b + group, buckets)];
     }
-    return {queues_.groups.data(), size};
+    return {list, size};
   }
 
+  const ChainView& chain_;
   const SphereGrid& grid_;
   GridQueues& queues_;
   PairCollector::Lane& lane_;

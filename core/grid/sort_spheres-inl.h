@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-#include "catena/core/grid/buckets-inl.h"
-#include "catena/core/grid/sphere_grid.h"
+#include "catena/core/grid/member_buckets-inl.h"
 #include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,30 +27,18 @@ class SphereSort {
   }
 
  private:
-  static constexpr std::uint32_t chunk = 64;  // spheres; a multiple of all lanes
   static constexpr std::uint32_t ahead = 32;  // how far ahead memory is fetched
 
   void count(const SphereGrid::Level& level) {
     const BucketFinder find(level.map);
     std::uint32_t* const counts = grid_.start.data() + level.starts;
-    alignas(64) Sphere copies[chunk] = {};
-    alignas(64) std::int32_t buckets[chunk];
-    for (std::uint32_t at = level.first; at < level.end; at += chunk) {
-      const std::uint32_t size = std::min(chunk, level.end - at);
-      const Sphere* spheres = chain_.spheres + at;
-      if (!grid_.members.empty() || size < chunk) {
-        for (std::uint32_t k = 0; k < size; ++k) copies[k] = chain_.spheres[member(at + k)];
-        spheres = copies;
-      }
-      for (std::uint32_t k = 0; k < chunk; k += BucketFinder::lanes) {
-        hn::Vec<BucketFinder::Narrow> x, y, z, r;
-        hn::LoadInterleaved4(BucketFinder::Narrow(), reinterpret_cast<const float*>(spheres + k), x, y, z, r);
-        hn::Store(find(x, y, z), BucketFinder::Whole(), buckets + k);
-      }
+    MemberBuckets members;
+    for (std::uint32_t at = level.first; at < level.end; at += MemberBuckets::most) {
+      const std::uint32_t size = std::min(MemberBuckets::most, level.end - at);
+      const std::uint32_t* const buckets = members.find(find, chain_, grid_, at, size);
       for (std::uint32_t k = 0; k < size; ++k) {
-        const auto b = static_cast<std::uint32_t>(buckets[k]);
-        grid_.bucket[at + k] = b;
-        grid_.rank[at + k] = counts[b]++;
+        grid_.bucket[at + k] = buckets[k];
+        grid_.rank[at + k] = counts[buckets[k]]++;
       }
     }
   }
@@ -70,7 +57,7 @@ class SphereSort {
   void place(const SphereGrid::Level& level) {
     const std::uint32_t* const start = grid_.start.data() + level.starts;
     for (std::uint32_t at = level.first; at < level.end; ++at)
-      grid_.index[start[grid_.bucket[at]] + grid_.rank[at]] = member(at);
+      grid_.index[start[grid_.bucket[at]] + grid_.rank[at]] = grid_.member(at);
   }
 
   void copy(const SphereGrid::Level& level) {
@@ -85,8 +72,6 @@ class SphereSort {
     }
     for (; place < level.end; ++place) one(place);
   }
-
-  std::uint32_t member(std::uint32_t at) const { return grid_.members.empty() ? at : grid_.members[at]; }
 
   const ChainView& chain_;
   SphereGrid& grid_;

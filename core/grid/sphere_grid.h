@@ -8,15 +8,16 @@
 
 namespace catena {
 
-/// The spheres of a chain sorted into the buckets of cells. Spheres of similar radius make a *level*, coarse ones first:
-/// the cells of a level are as wide as two of its greatest radius, so what overlaps a sphere of this or a finer level lies
-/// in the 27 cells around it. The fields of the spheres stand in the order of levels and buckets; a place in that order is
-/// a *place*. 36 bytes a sphere, 4 more where there are several levels.
+/// The spheres of a chain sorted into the buckets of cells. Spheres of similar radius make a *level*, coarse
+/// ones first: the cells of a level are as wide as two of its greatest radius, so what overlaps a sphere of
+/// this or a finer level lies in the 27 cells around it. The fields of the spheres stand in the order of
+/// levels and buckets; a place in that order is a *place*. 36 bytes a sphere, 4 more where radii differ by
+/// more than a factor of 2.
 struct SphereGrid {
   struct Level {
     BucketMap map;
     std::uint32_t first, end;  ///< its places
-    std::size_t starts;        ///< where its part of `start` begins: buckets + 1 places, each where a bucket starts
+    std::size_t starts;  ///< where its part of `start` begins: buckets + 1 places, each where a bucket starts
   };
 
   std::vector<Level> levels;
@@ -24,18 +25,25 @@ struct SphereGrid {
   std::vector<float> x, y, z, radius;  ///< by place
   std::vector<std::uint32_t> index;    ///< of the sphere in the chain, by place
 
-  /// Of the build: the spheres by level, empty when there is one; and by their number there, bucket and how many came into
-  /// it before.
+  /// Spheres whose radii are within a factor of 2.
+  struct Octave {
+    std::uint32_t first, end;  ///< among the members
+    float greatest;            ///< radius
+  };
+
+  /// Of the build: the octaves, coarse ones first; the spheres by octave, empty where there is one level; and by their
+  /// number there, bucket and how many came into it before.
+  std::vector<Octave> octaves;
   std::vector<std::uint32_t> members, bucket, rank;
+
+  std::uint32_t member(std::uint32_t at) const { return members.empty() ? at : members[at]; }
 
   /// How many numbers past the last may be read from the fields.
   static constexpr std::size_t margin = 16;
 };
 
-/// Sorts the spheres, or `only` those of these indices, into levels: sets their places, buckets and `members`, and makes room for everything. A level has the
-/// radii of one octave below the greatest radius, and at least `least_level` spheres. O(n); does not allocate when neither
-/// n nor the number of levels has grown.
-void lay_out_grid(const ChainView& chain, std::span<const std::uint32_t> only, const CentreBox& box,
-                  SphereGrid& grid);
+/// Sorts the spheres, or `only` those of these indices, by octave of their radius and makes room for all but the levels. O(n); does not allocate
+/// when neither n nor the number of octaves has grown.
+void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid);
 
 }  // namespace catena

@@ -1,0 +1,73 @@
+#include "catena/core/grid/bucket_map.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace catena {
+namespace {
+
+CentreBox cube(float side) { return {{0, 0, 0}, {side, side, side}}; }
+
+TEST(BucketMap, LeadsDifferentStepsToDifferentBuckets) {
+  for (std::uint32_t count = 0; count < 3000; ++count) {
+    const BucketMap wrapped = map_buckets(1, cube(1e6f), count);
+    ASSERT_TRUE(wrapped.wraps);
+    ASSERT_TRUE(different_steps(wrapped)) << count;
+  }
+  for (const std::uint32_t count : {10000u, 99991u, 150000u, 1000000u, 10000000u, 2000000000u})
+    EXPECT_TRUE(different_steps(map_buckets(1, cube(1e6f), count))) << count;
+  for (const float x : {0.f, 3.f, 30.f})
+    for (const float y : {0.f, 3.f, 30.f})
+      for (const float z : {0.f, 3.f, 30.f}) {
+        const BucketMap rows = map_buckets(1, {{-1, -1, -1}, {x, y, z}}, 5000);
+        EXPECT_FALSE(rows.wraps);
+        EXPECT_TRUE(different_steps(rows)) << x << ' ' << y << ' ' << z;
+      }
+}
+
+TEST(BucketMap, TellsEqualSteps) {
+  BucketMap map = map_buckets(1, cube(1e6f), 1000);
+  map.layer = 2 * map.row;  // one layer on is one row on, and another one
+  EXPECT_FALSE(different_steps(map));
+}
+
+TEST(BucketMap, HasAboutTwoBucketsASphereAtMost) {
+  for (const std::uint32_t count : {0u, 1u, 1000u, 150000u, 10000000u})
+    for (const float side : {1.f, 100.f, 1e4f, 1e30f}) {
+      const BucketMap map = map_buckets(1, cube(side), count);
+      EXPECT_LE(map.buckets, std::max<std::uint64_t>(2 * std::uint64_t{count}, 512) + 300) << count << ' ' << side;
+      EXPECT_LE(map.buckets, BucketMap::most_buckets);
+    }
+}
+
+/// How many of 20,000 cells, `step` apart in lines, planes or space, meet in one bucket at most.
+std::uint32_t most_in_one(const std::vector<std::array<double, 3>>& cells) {
+  const BucketMap map = map_buckets(1, cube(1e6f), static_cast<std::uint32_t>(cells.size()));
+  std::vector<std::uint32_t> in(map.buckets, 0);
+  for (const auto& [x, y, z] : cells) {
+    const double on = x + map.row * y + map.layer * z;
+    ++in[static_cast<std::size_t>(on - std::floor(on / map.buckets) * map.buckets)];
+  }
+  return *std::ranges::max_element(in);
+}
+
+TEST(BucketMap, SpreadsLinesPlanesAndSpace) {
+  for (const double step : {1.0, 2.0, 3.0, 16.0, 64.0, 100.0, 1024.0})
+    for (int directions = 1; directions < 8; ++directions) {
+      std::vector<std::array<double, 3>> cells;
+      const int axes = (directions & 1) + (directions >> 1 & 1) + (directions >> 2);
+      const int side = static_cast<int>(std::lround(std::pow(20000.0, 1.0 / axes)));
+      const auto sides = [&](int axis) { return directions >> axis & 1 ? side : 1; };
+      for (int x = 0; x < sides(0); ++x)
+        for (int y = 0; y < sides(1); ++y)
+          for (int z = 0; z < sides(2); ++z) cells.push_back({step * x, step * y, step * z});
+      EXPECT_LE(most_in_one(cells), 4u) << "step " << step << " along axes " << directions;
+    }
+}
+
+}  // namespace
+}  // namespace catena

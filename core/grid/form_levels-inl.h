@@ -1,0 +1,78 @@
+// Puts octaves of spheres together as levels of a grid.
+#if defined(CATENA_CORE_GRID_FORM_LEVELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_GRID_FORM_LEVELS_INL_H
+#undef CATENA_CORE_GRID_FORM_LEVELS_INL_H
+#else
+#define CATENA_CORE_GRID_FORM_LEVELS_INL_H
+#endif
+
+#include <algorithm>
+#include <span>
+
+#include "catena/core/grid/member_buckets-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// A level spares its spheres the look into another one's cells, and costs comparisons where small spheres
+/// crowd in cells that are wide for them. So a level takes in finer octaves while these stay thin in its
+/// cells, as counted.
+class LevelForming {
+ public:
+  LevelForming(const ChainView& chain, std::span<const std::uint32_t> only, const CentreBox& box,
+               SphereGrid& grid)
+      : chain_(chain), only_(only), box_(box), grid_(grid) {}
+
+  void form() {
+    grid_.levels.clear();
+    grid_.levels.reserve(grid_.octaves.size());
+    // Whatever the layouts turn out to be: two buckets a sphere, and what a level has at least.
+    grid_.start.reserve(2 * grid_.bucket.size() + 1024 * grid_.octaves.size());
+    std::size_t starts = 0;
+    for (std::size_t o = 0, next; o < grid_.octaves.size(); o = next) {
+      next = first_left_out(o);
+      const std::uint32_t first = grid_.octaves[o].first, end = grid_.octaves[next - 1].end;
+      grid_.levels.push_back({map_buckets(grid_.octaves[o].greatest, box_, end - first), first, end, starts});
+      starts += grid_.levels.back().map.buckets + 1;
+    }
+    // The order of the chain is the better one.
+    if (grid_.levels.size() == 1) grid_.members.assign(only_.begin(), only_.end());
+    grid_.start.assign(starts, 0);
+  }
+
+ private:
+  /// Of those taken in as many may be in the cell of one, itself among them, on average.
+  static constexpr std::uint64_t most_in_a_cell = 4;
+  /// So few are taken in in any case.
+  static constexpr std::uint64_t few = 64;
+
+  /// The first octave that the level which begins with octave o does not take in.
+  std::size_t first_left_out(std::size_t o) {
+    if (o + 1 == grid_.octaves.size()) return o + 1;
+    const BucketMap map = map_buckets(grid_.octaves[o].greatest, box_, static_cast<std::uint32_t>(grid_.bucket.size()) - grid_.octaves[o].first);
+    const BucketFinder find(map);
+    grid_.start.assign(map.buckets, 0);
+    std::uint64_t met = 0;  // for each one taken in, those in its cell
+    for (std::size_t next = o + 1; next < grid_.octaves.size(); ++next) {
+      const auto [first, end, greatest] = grid_.octaves[next];
+      for (std::uint32_t at = first; at < end; at += MemberBuckets::most) {
+        const std::uint32_t size = std::min(MemberBuckets::most, end - at);
+        const std::uint32_t* const buckets = members_.find(find, chain_, grid_, at, size);
+        for (std::uint32_t k = 0; k < size; ++k) met += 2 * std::uint64_t{grid_.start[buckets[k]]++} + 1;
+      }
+      const std::uint64_t taken_in = end - grid_.octaves[o].end;
+      if (taken_in > few && met > most_in_a_cell * taken_in) return next;
+    }
+    return grid_.octaves.size();
+  }
+
+  const ChainView& chain_;
+  const std::span<const std::uint32_t> only_;
+  const CentreBox& box_;
+  SphereGrid& grid_;
+  MemberBuckets members_;
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
