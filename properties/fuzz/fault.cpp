@@ -1,5 +1,7 @@
 #include "catena/properties/fuzz/fault.h"
 
+#include <algorithm>
+
 #include "catena/core/strategy/timings.h"
 #include "catena/properties/fuzz/watched.h"
 #include "catena/properties/generators/simplifications.h"
@@ -7,11 +9,12 @@
 namespace catena::properties {
 
 ShrunkFault shrink_fault(const Finding& finding, Chain chain, double timeout, double seconds) {
+  constexpr double least_timeout = 1;  // seconds: starting a process on a busy machine is no hang
   const Stopwatch watch;
   const auto fails = [&](const Chain& simpler) {
     if (watch.ms() > 1000 * seconds) return false;
     Notebook notebook;
-    const Ending ending = tried(notebook, timeout, [&] {
+    const Ending ending = tried(notebook, timeout > 0 ? std::max(timeout, least_timeout) : 0, [&] {
       Suite({Subject::named(finding.variant)}).repeats(finding, simpler);
       return 0;
     });
