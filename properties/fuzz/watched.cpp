@@ -44,7 +44,8 @@ void on_interrupt(int signal) {
 class NotesInterrupts {
  public:
   NotesInterrupts() {
-    interrupts = killed = 0;
+    interrupts = 0;
+    killed = 0;
     struct sigaction action {};
     action.sa_handler = on_interrupt;
     sigemptyset(&action.sa_mask);
