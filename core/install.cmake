@@ -9,7 +9,7 @@ foreach(folder ${CATENA_LIBRARY_FOLDERS})
   list(FILTER headers EXCLUDE REGEX "-inl\\.h$")  # compiled once a target, and only in this library
   list(APPEND CATENA_LIBRARY_HEADERS ${headers})
 endforeach()
-list(APPEND CATENA_LIBRARY_HEADERS core/error.h core/export.h core/host_device.h core/pair.h core/sphere.h)
+list(APPEND CATENA_LIBRARY_HEADERS core/default_floats.h core/error.h core/export.h core/host_device.h core/pair.h core/sphere.h)
 foreach(header ${CATENA_LIBRARY_HEADERS})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/catena/${folder} COMPONENT library)

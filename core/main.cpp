@@ -4,11 +4,13 @@
 #include <functional>
 #include <memory>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/guarded_main.h"
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
 
 namespace {
 
@@ -21,8 +23,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", CATENA_VERSION);
 
   std::vector<std::unique_ptr<catena::Command>> commands;
+  std::vector<std::string> names;
   std::function<int()> chosen;
   for (const auto& info : catena::CommandRegistry::instance().commands()) {
+    names.push_back(info.name);
     auto* command = commands.emplace_back(info.make()).get();
     auto* sub = app.add_subcommand(info.name, info.summary);
     command->configure(*sub);
@@ -39,7 +43,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& wrong) {
     const auto unknown = app.remaining();
     if (app.get_subcommands().empty() && !unknown.empty())
-      throw catena::InputError(fmt::format("no command is named '{}'; see catena --help", unknown.front()));
+      throw catena::InputError(fmt::format("no command is named '{}'{}; see catena --help", unknown.front(),
+                                           catena::did_you_mean(unknown.front(), names)));
     throw catena::InputError(fmt::format("{}; see catena --help", wrong.what()));
   }
   return chosen();

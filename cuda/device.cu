@@ -19,6 +19,9 @@ std::optional<std::string> probe_device() {
   }
   if (code == cudaSuccess) return std::nullopt;
   cudaGetLastError();
+  int driver = 0;  // without one CUDA speaks of its version
+  if (code == cudaErrorNoDevice || (cudaDriverGetVersion(&driver) == cudaSuccess && driver == 0))
+    return std::string("no device: this machine has no NVIDIA GPU, or no driver for it");
   return std::string("no usable CUDA device: ") + cudaGetErrorString(code);
 }
 

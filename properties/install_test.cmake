@@ -78,6 +78,11 @@ if(bits MATCHES "has fused multiply-add" AND NOT code EQUAL 1)
   message(FATAL_ERROR "contraction goes unnoticed (exit code ${code}), so the check before shows nothing\n${contracted}")
 endif()
 run(${WORK}/build/wrong_copy)
+execute_process(COMMAND ${WORK}/build/flushed RESULT_VARIABLE code OUTPUT_VARIABLE flushed)
+message("${flushed}")
+if(NOT code EQUAL 0 AND NOT (code EQUAL 2 AND NOT CMAKE_HOST_SYSTEM_PROCESSOR STREQUAL "x86_64"))
+  message(FATAL_ERROR "a program linked with -ffast-math gets another answer, or nothing was flushed: ${code}")
+endif()
 
 must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target fast_math)
 must_fail("catena has no component 'engine'; there are: library, program"

@@ -180,5 +180,30 @@ TEST(Flood, IsAClearErrorWithTheTrueNumberAndCountsStayRight) {
   EXPECT_EQ(found.count[n / 2], n - 3);
 }
 
+/// Half a minute for each traversal, as every pair is counted.
+TEST(SizesLong, MoreThan2To32PairsAreCounted) {
+  const std::uint32_t n = 93'000;
+  const Chain chain(std::vector<Sphere>(n, Sphere{0, 0, 0, 1}));
+  const std::uint64_t expected = std::uint64_t{n} * (n - 1) / 2 - (n - 1);
+  ASSERT_GT(expected, std::uint64_t{1} << 32);
+  for (const Subject& subject : Subject::available()) {
+    const auto& stages = subject.info.parts.stages;
+    const bool asked = stages.size() == 2 && stages[0].strategy == "aCPU2" && subject.exact();
+    if (!asked || subject.info.on_device()) continue;
+    const auto variant = subject.make();
+    Collisions found;
+    variant->build(chain);
+    variant->find(chain, {Request::Want::counts}, found);
+    EXPECT_EQ(found.pair_count, expected) << subject.info.name;
+    EXPECT_EQ(found.count[n / 2], n - 3) << subject.info.name;
+    try {
+      variant->find(chain, {Request::Want::pairs, 1000}, found);
+      ADD_FAILURE() << subject.info.name << " takes a flood";
+    } catch (const PairLimitExceeded& error) {
+      EXPECT_EQ(error.found(), expected) << subject.info.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace catena::properties

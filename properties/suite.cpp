@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "catena/core/error.h"
+#include "catena/core/thrown.h"
 
 namespace catena::properties {
 namespace {
@@ -13,7 +16,7 @@ constexpr std::uint32_t longest_for_all_pairs = 600;
 
 Suite::Suite(std::vector<Subject> subjects) {
   for (Subject& subject : subjects) {
-    auto variant = subject.make();
+    auto variant = blaming(subject.info.name, subject.make);
     runners_.push_back({std::move(subject), std::move(variant)});
   }
   for (auto& property : PropertyRegistry::instance().make_all())
@@ -24,6 +27,12 @@ std::vector<std::string> Suite::variants() const {
   std::vector<std::string> names;
   for (const Runner& runner : runners_) names.push_back(runner.subject.info.name);
   return names;
+}
+
+Subject Suite::subject(const std::string& variant) const {
+  for (const Runner& runner : runners_)
+    if (runner.subject.info.name == variant) return runner.subject;
+  throw std::logic_error("not a variant of this suite: " + variant);
 }
 
 std::optional<Finding> Suite::check(const Case& test) {
@@ -57,11 +66,21 @@ std::optional<Finding> Suite::check_some(const Case& test, std::uint64_t turn) {
   return std::nullopt;
 }
 
+std::optional<Finding> Suite::check_always(const Case& test) {
+  ++tally_.chains;
+  for (Runner& runner : runners_)
+    if (runner.subject.exact())
+      for (auto& property : always_)
+        if (auto finding = check(*property, runner, test)) return finding;
+  return std::nullopt;
+}
+
 std::optional<Finding> Suite::check(Property& property, Runner& runner, const Case& test) {
   const Subject& subject = runner.subject;
   if (subject.info.all_pairs && test.chain.size() > longest_for_all_pairs) return std::nullopt;
   if (!property.applies_to(subject)) return std::nullopt;
   ++tally_.checks;
+  if (watch_) watch_(subject, property);
   try {
     auto what = failure(property, subject, *runner.variant, test);
     if (!what) return std::nullopt;
@@ -93,8 +112,8 @@ std::optional<std::string> Suite::failure(Property& property, const Subject& sub
     return property.check(subject, variant, test);
   } catch (const CapacityError&) {
     throw;
-  } catch (const std::exception& error) {
-    return fmt::format("threw: {}", error.what());
+  } catch (...) {
+    return "threw: " + thrown_words();
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,8 +37,16 @@ class Suite {
   /// True when that property still does not hold for that variant on this chain; the variant is made afresh.
   bool repeats(const Finding& finding, const Chain& chain) const;
 
+  /// What is asked of every chain, of the exact variants alone: for the giants. The first that does not hold.
+  std::optional<Finding> check_always(const Case& test);
+
+  /// Called before each check: this variant is about to be held against this property.
+  using Watch = std::function<void(const Subject&, const Property&)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }
+
   const Tally& tally() const { return tally_; }
   std::vector<std::string> variants() const;
+  Subject subject(const std::string& variant) const;  ///< one of them
 
  private:
   struct Runner {
@@ -51,6 +60,7 @@ class Suite {
   std::vector<Runner> runners_;
   std::vector<std::unique_ptr<Property>> always_, in_turn_;
   Tally tally_;
+  Watch watch_;
 };
 
 }  // namespace catena::properties

@@ -8,6 +8,7 @@
 #include "catena/properties/declared_limit.h"
 #include "catena/properties/generators/family.h"
 #include "catena/properties/generators/simplifications.h"
+#include "catena/properties/giants.h"
 #include "catena/properties/suite.h"
 #include "catena/properties/variant_name.h"
 #include "catena/reference/reference.h"
@@ -89,6 +90,9 @@ TEST_P(Variants, HoldEveryPropertyOnEveryFamily) {
       expect_refusals(limit, test.chain.size(), refused);
       taken += refused == 0;
     }
+  for (const Case& giant : giants())
+    if (const auto finding = suite.check_always(giant))
+      ADD_FAILURE() << giant.chain.size() << " spheres: " << finding->property << ": " << finding->what;
   const auto& tally = suite.tally();
   EXPECT_GT(tally.checks, tally.chains);
   EXPECT_GT(20 * taken, rounds_for(subject) * FamilyRegistry::instance().families().size())

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catena/core/error.h"
+#include "catena/core/thrown.h"
 #include "catena/reference/reference.h"
 
 namespace catena::reference {
@@ -65,6 +66,22 @@ void judge(Verification& v, bool rounded) {
   v.reason = what_differs(v);
 }
 
+/// What `ask` finds out of a variant. A declared limit is a refusal; whatever else is thrown is the variant's fault.
+template <class Ask>
+Verification answered(const Ask& ask) {
+  Verification v;
+  try {
+    ask(v);
+  } catch (const CapacityError& limit) {
+    v.verdict = Verdict::refused;
+    v.reason = limit.what();
+  } catch (...) {
+    v.verdict = Verdict::wrong;
+    v.reason = "threw: " + thrown_words();
+  }
+  return v;
+}
+
 }  // namespace
 
 std::string name_of(Verdict verdict) {
@@ -92,29 +109,22 @@ Answer exact_answer(const Chain& chain, std::uint64_t pair_limit) {
 }
 
 Verification verify(Variant& variant, bool rounded, const Chain& chain, const Answer& exact) {
-  Verification v;
-  try {
+  return answered([&](Verification& v) {
     variant.build(chain);
     ask_and_compare([&](const Request& request, Collisions& found) { variant.find(chain, request, found); },
                     chain, exact, v);
-  } catch (const CapacityError& limit) {
-    v.verdict = Verdict::refused;
-    v.reason = limit.what();
-    return v;
-  }
-  EnclosureChecker checker(chain);
-  variant.visit_bounds(checker);
-  v.enclosure = checker.report();
-  v.shape = checker.shape();
-  judge(v, rounded);
-  return v;
+    EnclosureChecker checker(chain);
+    variant.visit_bounds(checker);
+    v.enclosure = checker.report();
+    v.shape = checker.shape();
+    judge(v, rounded);
+  });
 }
 
 Verification verify_by_certificate(Variant& variant, const Chain& chain, std::uint64_t pair_limit,
                                    std::uint64_t& exact_pairs) {
-  Verification v;
   exact_pairs = 0;
-  try {
+  return answered([&](Verification& v) {
     Collisions found;
     Certified certified;
     v.by_pairs = find_pairs([&](Request request, Collisions& to) {
@@ -128,23 +138,17 @@ Verification verify_by_certificate(Variant& variant, const Chain& chain, std::ui
     if (!certified.report.holds()) {
       v.verdict = Verdict::wrong;
       v.reason = "not certified: " + certified.report.fault();
-      return v;
+      return;
     }
     exact_pairs = certified.answer.pair_count;
     v.comparison = compare(chain, certified.answer, found);
     v.ran = true;
+    judge(v, false);
     if (v.comparison.right() && !compare(chain, certified.answer, certified.shown).right()) {
       v.verdict = Verdict::wrong;
       v.reason = "the search with evidence gives another answer than its evidence proves";
-      return v;
     }
-  } catch (const CapacityError& limit) {
-    v.verdict = Verdict::refused;
-    v.reason = limit.what();
-    return v;
-  }
-  judge(v, false);
-  return v;
+  });
 }
 
 }  // namespace catena::reference

@@ -42,7 +42,7 @@ Answer exact_answer(const Chain& chain, std::uint64_t pair_limit);
 /// Builds and searches with the variant and compares with `exact`, which says whether pairs are wanted. A variant
 /// that is not exact by its VariantInfo (`rounded`) may miss and invent pairs, and have bounds that do not enclose; a repeated
 /// or malformed pair, a neighbour or a tree that is no tree is wrong for all. CapacityError becomes
-/// `refused`; other errors pass.
+/// `refused`, and whatever else the variant throws `wrong`, with "threw: " and what it said.
 Verification verify(Variant& variant, bool rounded, const Chain& chain, const Answer& exact);
 
 /// The same with the variant's own evidence in place of the reference, for variants whose evidence() is not none: it is

@@ -14,7 +14,9 @@
 #include "catena/core/commands/progress.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/input/scene_input.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/thrown.h"
 #include "catena/reference/verify.h"
 #include "catena/reference/verify_inputs.h"
 #include "catena/reference/verify_report.h"
@@ -31,7 +33,7 @@ struct Candidate {
 Candidate candidate(const std::string& name) {
   const auto& registry = StrategyRegistry::instance();
   Candidate result{registry.describe(name), nullptr};
-  if (!result.info.unavailable) result.variant = registry.make(name);
+  if (!result.info.unavailable) result.variant = blaming(name, [&] { return registry.make(name); });
   return result;
 }
 
@@ -54,9 +56,7 @@ class VerifyCommand final : public Command {
     if (samples) inputs_ = default_inputs();
     auto candidates = make_candidates();
 
-    std::vector<std::string> names;
-    for (const auto& c : candidates) names.push_back(c.info.name);
-    VerifyReport report(json_, inputs_, names);
+    VerifyReport report(json_);
     Progress progress(inputs_.size() * candidates.size());
     for (const auto& spec : inputs_) {
       const Input input = open_for_verification(spec, options_, samples);
@@ -90,9 +90,10 @@ class VerifyCommand final : public Command {
       if (!found) found = exact_answer(chain, pair_limit);
       return *found;
     };
-    const auto print = [&](const std::string& variant, std::uint64_t exact_pairs, Verification result) {
+    const std::uint32_t first_frame = written_frame(input.name);
+    const auto print = [&](const VariantInfo& variant, std::uint64_t exact_pairs, Verification result) {
       progress.clear();
-      report.row({input.name, frame, chain.size(), exact_pairs, variant, std::move(result)});
+      report.row({input.name, first_frame + frame, chain.size(), exact_pairs, variant, std::move(result)});
     };
     for (auto& c : candidates) {
       progress.step(fmt::format("{} on {}", c.info.name, input.name));
@@ -100,13 +101,13 @@ class VerifyCommand final : public Command {
         Verification v;
         v.verdict = Verdict::unavailable;
         v.reason = *c.info.unavailable;
-        print(c.info.name, certify_ ? 0 : exact().pair_count, std::move(v));
+        print(c.info, certify_ ? 0 : exact().pair_count, std::move(v));
       } else if (certify_ && c.info.exact && c.variant->evidence() != Accounting::none) {
         std::uint64_t proved;
         Verification v = verify_by_certificate(*c.variant, chain, pair_limit, proved);
-        print(c.info.name, proved, std::move(v));
+        print(c.info, proved, std::move(v));
       } else {
-        print(c.info.name, exact().pair_count, verify(*c.variant, !c.info.exact, chain, exact()));
+        print(c.info, exact().pair_count, verify(*c.variant, !c.info.exact, chain, exact()));
       }
     }
   }

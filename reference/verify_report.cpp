@@ -14,55 +14,100 @@
 namespace catena::reference {
 namespace {
 
-constexpr auto table_line = "{:<{}}  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {}\n";
+constexpr auto table_line = "  {:<{}}  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {}\n";
 
 /// Files by their name alone, so that a long path does not push the figures off the screen.
-std::string label(const std::string& input) {
-  const std::filesystem::path path(input);
-  return path.has_parent_path() ? path.filename().string() : input;
+std::string label(const VerifyRow& row) {
+  const std::filesystem::path path(row.input);
+  const std::string name = path.has_parent_path() ? path.filename().string() : row.input;
+  return row.frame == 0 ? name : fmt::format("{} #{}", name, row.frame);
+}
+
+std::string verdict_of(const Verification& v) {
+  if (!v.reason.empty()) return name_of(v.verdict) + ": " + v.reason;
+  if (!v.certificate) return name_of(v.verdict);
+  return fmt::format("{}, certified: {} node pairs discarded, {} pairs tested", name_of(v.verdict),
+                     v.certificate->discarded, v.certificate->tested);
+}
+
+VerifyReport::Figures figures_of(const Verification& v) {
+  const auto figure = [](bool known, std::uint64_t value) { return known ? fmt::format("{}", value) : "-"; };
+  return {figure(v.ran, v.comparison.pairs), figure(v.ran && v.by_pairs, v.comparison.missing),
+          figure(v.ran && v.by_pairs, v.comparison.invented),
+          figure(v.enclosure.bounds > 0, v.enclosure.violations)};
+}
+
+/// Few names as they are, many by their number and the first.
+std::string named(const std::vector<std::string>& variants, std::size_t all) {
+  if (variants.size() <= 2) return fmt::format("{}", fmt::join(variants, ", "));
+  if (variants.size() == all) return fmt::format("all {}", all);
+  return fmt::format("{} and {} more", variants.front(), variants.size() - 1);
 }
 
 }  // namespace
 
-VerifyReport::VerifyReport(bool json, const std::vector<std::string>& inputs,
-                           const std::vector<std::string>& variants)
-    : json_(json), input_width_(0), variant_width_(widest(variants, 7)) {
-  std::vector<std::string> labels;
-  for (const auto& input : inputs) labels.push_back(label(input));
-  input_width_ = widest(labels, 5);
-  if (!json_)
-    fmt::print(table_line, "input", input_width_, "variant", variant_width_, "pairs", "missing", "invented",
-               "unenclosed", "verdict");
-}
-
 void VerifyReport::row(const VerifyRow& row) {
   ++verdicts_[row.result.verdict];
-  json_ ? json_row(row) : table_row(row);
+  inputs_.insert(label(row));
+  if (json_) {
+    json_row(row);
+  } else {
+    if (row.result.verdict == Verdict::wrong)
+      fmt::print("{} on {}: {}\n", row.variant.name, label(row), verdict_of(row.result));
+    gather(row);
+  }
   std::fflush(stdout);
 }
 
-void VerifyReport::table_row(const VerifyRow& row) const {
-  const Verification& v = row.result;
-  const auto figure = [](bool known, std::uint64_t value) { return known ? fmt::format("{}", value) : "-"; };
-  const std::string input =
-      row.frame == 0 ? label(row.input) : fmt::format("{} #{}", label(row.input), row.frame);
-  const std::string why = !v.reason.empty() ? ": " + v.reason
-                          : v.certificate
-                              ? fmt::format(", certified: {} node pairs discarded, {} pairs tested",
-                                            v.certificate->discarded, v.certificate->tested)
-                              : "";
-  fmt::print(table_line, input, input_width_, row.variant, variant_width_, figure(v.ran, v.comparison.pairs),
-             figure(v.ran && v.by_pairs, v.comparison.missing),
-             figure(v.ran && v.by_pairs, v.comparison.invented),
-             figure(v.enclosure.bounds > 0, v.enclosure.violations), name_of(v.verdict) + why);
+void VerifyReport::gather(const VerifyRow& row) {
+  const std::string& name = row.variant.name;
+  if (row.result.verdict == Verdict::unavailable) {
+    absent_[row.result.reason].insert(name);
+    return;
+  }
+  if (row.variant.exact && row.result.verdict == Verdict::wrong) faulty_.insert(name);
+  if (row.variant.exact && row.result.verdict == Verdict::exact) right_.insert(name);
+  variants_[row.variant.arithmetic].insert(name);
+  auto& lines = lines_[row.variant.arithmetic];
+  Line line{label(row), figures_of(row.result), verdict_of(row.result), {}};
+  auto same = std::ranges::find_if(lines, [&](const Line& other) {
+    return other.input == line.input && other.figures == line.figures && other.verdict == line.verdict;
+  });
+  if (same == lines.end()) same = lines.insert(lines.end(), std::move(line));
+  same->variants.push_back(name);
 }
 
-void VerifyReport::json_row(const VerifyRow& row) const {
+void VerifyReport::print_headline() const {
+  std::vector<std::string> right;
+  std::ranges::set_difference(right_, faulty_, std::back_inserter(right));
+  if (!faulty_.empty())
+    fmt::print("\nNOT every exact variant is exact. Wrong: {}\n", fmt::join(faulty_, ", "));
+  else if (!right.empty())
+    fmt::print("Every exact variant is exact, on {} input{}: {}\n", inputs_.size(),
+               inputs_.size() == 1 ? "" : "s", fmt::join(right, ", "));
+}
+
+void VerifyReport::print_arithmetic(const std::string& arithmetic, const std::vector<Line>& lines) const {
+  const std::size_t all = variants_.at(arithmetic).size();
+  std::vector<std::string> inputs, names;
+  for (const Line& line : lines) inputs.push_back(line.input), names.push_back(named(line.variants, all));
+  const std::size_t input_width = widest(inputs, 5), name_width = widest(names, 8);
+  fmt::print("\n{}: {}\n", arithmetic, fmt::join(variants_.at(arithmetic), ", "));
+  fmt::print(table_line, "input", input_width, "variants", name_width, "pairs", "missing", "invented",
+             "unenclosed", "verdict");
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const auto& [pairs, missing, invented, unenclosed] = lines[k].figures;
+    fmt::print(table_line, inputs[k], input_width, names[k], name_width, pairs, missing, invented, unenclosed,
+               lines[k].verdict);
+  }
+}
+
+void VerifyReport::json_row(const VerifyRow& row) {
   const Verification& v = row.result;
   nlohmann::ordered_json line{{"input", row.input},
                               {"frame", row.frame},
                               {"n", row.spheres},
-                              {"variant", row.variant},
+                              {"variant", row.variant.name},
                               {"exact_pairs", row.exact_pairs}};
   if (v.ran) {
     const Comparison& c = v.comparison;
@@ -94,6 +139,10 @@ void VerifyReport::json_row(const VerifyRow& row) const {
 
 void VerifyReport::finish() const {
   if (json_) return;
+  print_headline();
+  for (const auto& [arithmetic, lines] : lines_) print_arithmetic(arithmetic, lines);
+  for (const auto& [reason, variants] : absent_)
+    fmt::print("\nnot available here, {}: {}\n", reason, fmt::join(variants, ", "));
   std::vector<std::string> parts;
   for (const auto& [verdict, number] : verdicts_)
     parts.push_back(fmt::format("{} {}", number, name_of(verdict)));

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/page_writer.h"
 #include "catena/reports/profile.h"
 #include "catena/reports/run_file.h"
@@ -48,7 +50,9 @@ class ReportCommand final : public Command {
     app.add_option("--seconds", seconds_, "Limit of the timing")
         ->type_name("S")
         ->check(CLI::Range(1e-3, 1e6));
-    app.add_option("--seed", seed_, "Of the random order of the measurements")->type_name("X");
+    app.add_option("--seed", seed_, "Of the random order of the measurements")
+        ->type_name("X")
+        ->transform(whole_number_option());
     app.add_flag("--no-page", no_page_, "Write run.json only");
   }
 
@@ -70,7 +74,8 @@ class ReportCommand final : public Command {
     write_run(measure_run(profile, command()), file);
     fmt::print("{}: the raw samples of every measurement\n", file);
     std::fflush(stdout);  // before what the page writer says
-    return no_page_ ? 0 : write_page({file});
+    const int code = no_page_ ? 0 : write_page({file});
+    return code == 0 && !noted_faults().empty() ? 1 : code;
   }
 
   int write_page(const std::vector<std::string>& runs) const {
@@ -128,7 +133,8 @@ class ReportCommand final : public Command {
   std::vector<VariantInfo> named_variants() const {
     std::vector<VariantInfo> chosen;
     for (const auto& name : variants_) {
-      StrategyRegistry::instance().make(name);  // says what is wrong with it, or missing here
+      // Says what is wrong with it, or missing here.
+      blaming(name, [&] { return StrategyRegistry::instance().make(name); });
       chosen.push_back(StrategyRegistry::instance().describe(name));
     }
     return chosen;

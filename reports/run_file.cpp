@@ -11,6 +11,7 @@
 #include "catena/core/output_file.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/timings.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -33,6 +34,16 @@ Json stopping_of(const bench::Stopping& s, const bench::Rounds& measured) {
           {"cases", measured.cases},
           {"narrow", measured.narrow},
           {"not_reached", measured.not_reached}};
+}
+
+/// What a section measures; nothing, and a fault, when a variant throws in the middle of it.
+Json measured(const Section& section, const Profile& profile) {
+  try {
+    return section.measure(profile);
+  } catch (const VariantThrew& fault) {
+    note_fault(fmt::format("{}; the section {} is left out", fault.what(), section.name));
+    return {};
+  }
 }
 
 /// Every name that stands under a key "variant" of `json`, at any depth.
@@ -65,7 +76,7 @@ Json measure_run(const Profile& profile, const std::string& command) {
   Json measured_sections;
   for (const Section& section : sections()) {
     const Stopwatch own_watch;
-    Json content = section.measure(profile);
+    Json content = measured(section, profile);
     if (content.is_null() || content.empty()) continue;
     measured_sections[section.name] = std::move(content);
     fmt::print(stderr, "catena report: {} in {:.1f} s\n", section.name, own_watch.ms() / 1000);
@@ -75,15 +86,16 @@ Json measure_run(const Profile& profile, const std::string& command) {
   if (profile.whole_seconds > 0)
     stopping.seconds = std::min(stopping.seconds, std::max(20.0, profile.whole_seconds - watch.ms() / 1000));
   fmt::print(stderr, "catena report: timing {} cases for at most {:.0f} s\n", cases.size(), stopping.seconds);
-  bench::Rounds measured = bench::measure_in_rounds(cases, stopping);
+  bench::Rounds timed = bench::measure_in_rounds(cases, stopping);
 
-  Json run{{"context", std::move(measured.context)}, {"benchmarks", std::move(measured.benchmarks)}};
+  Json run{{"context", std::move(timed.context)}, {"benchmarks", std::move(timed.benchmarks)}};
   for (const auto& [key, value] : facts) run["context"][key] = value;
   Json& own = run["catena"] = {
       {"schema", 1}, {"profile", profile.name}, {"command", command}, {"seconds", watch.ms() / 1000}};
-  own["stopping"] = stopping_of(stopping, measured);
+  own["stopping"] = stopping_of(stopping, timed);
   own["variants"] = described_variants(profile.variants, measured_sections);
   own.update(measured_sections);
+  for (const auto& fault : timed.faults) note_fault(fault);
   return run;
 }
 

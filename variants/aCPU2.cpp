@@ -14,10 +14,7 @@ class aCPU2 final : public Construction<HierarchyView<typename Arithmetic::Bound
   void build(const ChainView& chain) override {
     tree_ = storage_.reset(chain.size);
     if (chain.size == 0) return;
-    for (std::uint32_t i = 0; i < chain.size; ++i) {
-      tree_.bound[i] = Arithmetic::bound(chain.spheres[i]);
-      tree_.links[i] = Links::of_leaf();
-    }
+    for (std::uint32_t i = 0; i < chain.size; ++i) make_leaf<Arithmetic>(tree_, chain.spheres, i);
     construct(Level::leaves(chain.size), chain.size);
   }
 

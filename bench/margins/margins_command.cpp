@@ -12,6 +12,7 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/report_text.h"
 #include "catena/core/input/input.h"
+#include "catena/core/input/scene_input.h"
 
 namespace catena::bench {
 namespace {
@@ -36,7 +37,8 @@ class MarginsCommand final : public Command {
       for (std::uint32_t frame = first; frame < last; ++frame) {
         const Chain chain = input.animation->frame(frame);
         const Margins m = margins_of(chain);
-        json_ ? print_json(spec, frame, chain, m) : print(spec, frame, chain, m);
+        const std::uint32_t of_scene = written_frame(spec) + frame;
+        json_ ? print_json(spec, of_scene, chain, m) : print(spec, of_scene, chain, m);
       }
     }
     return 0;

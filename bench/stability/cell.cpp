@@ -6,14 +6,16 @@
 
 #include "catena/bench/stability/not_finite.h"
 #include "catena/core/scenes/scene.h"
+#include "catena/core/thrown.h"
 
 namespace catena::bench {
 namespace {
 
 Outcome judge(const reference::Verification& v, std::uint64_t not_finite_nodes) {
-  if (!v.ran) return v.verdict == reference::Verdict::unavailable ? Outcome::unavailable : Outcome::refused;
+  if (v.verdict == reference::Verdict::unavailable) return Outcome::unavailable;
+  if (v.verdict == reference::Verdict::refused) return Outcome::refused;
   if (not_finite_nodes > 0) return Outcome::not_finite;
-  if (!v.comparison.right()) return Outcome::wrong;
+  if (!v.ran || !v.comparison.right()) return Outcome::wrong;
   return v.verdict == reference::Verdict::exact ? Outcome::exact : Outcome::unenclosed;
 }
 
@@ -43,7 +45,7 @@ Cell measure(const std::string& scene, const VariantInfo& info, Variant& variant
   cell.found = reference::verify(variant, !info.exact, chain, exact);
   if (cell.found.ran) {
     NotFiniteNodes nodes;
-    variant.visit_bounds(nodes);
+    blaming(info.name, [&] { variant.visit_bounds(nodes); });
     cell.not_finite_nodes = nodes.count();
   }
   cell.outcome = judge(cell.found, cell.not_finite_nodes);

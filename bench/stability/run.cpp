@@ -9,6 +9,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/thrown.h"
 #include "catena/reference/exact_gap.h"
 
 namespace catena::bench {
@@ -56,13 +57,13 @@ double estimated_overlaps(const Chain& chain) {
 
 double estimated_seconds(const std::string& name, const Chain& chain, double enough) {
   if (chain.size() < 50'000) return 0;
-  const auto variant = StrategyRegistry::instance().make(name);
+  const auto variant = blaming(name, [&] { return StrategyRegistry::instance().make(name); });
   try {
     const double shorter = seconds_on_first(*variant, chain, chain.size() / 16);
     if (16 * shorter > enough) return 16 * shorter;
     const double longer = seconds_on_first(*variant, chain, chain.size() / 4);
     return longer * std::clamp(longer / shorter, 4.0, 16.0);
-  } catch (const CapacityError&) {
+  } catch (...) {
     return 0;  // the measurement itself says why
   }
 }
@@ -96,7 +97,7 @@ std::vector<Cell> measure_scene(const std::string& spec, const std::vector<std::
   for (const VariantInfo& info : infos) {
     if (before) before(info.name);
     try {
-      const auto variant = StrategyRegistry::instance().make(info.name);
+      const auto variant = blaming(info.name, [&] { return StrategyRegistry::instance().make(info.name); });
       const std::string why = too_much(info, chain, limits);
       cells.push_back(why.empty() ? measure(spec, info, *variant, chain, exact)
                                   : unavailable(spec, info, chain, exact, why));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "catena/core/error.h"
+#include "catena/core/thrown.h"
 #include "catena/reference/compare.h"
 
 namespace catena::bench {
@@ -39,23 +40,27 @@ const std::string& Trial::prepare() {
   if (variant_ || !reason_.empty()) return reason_;
   try {
     work_ = workload(spec_);
-    if (info_.on_device()) device_ = StrategyRegistry::instance().make_device(place_of(info_));
-    moving_.clear();
-    if (work_->beside) moving_.push_back(&*work_->beside);
-    for (const Chain& chain : work_->chains) moving_.push_back(&chain);
-    variant_ = StrategyRegistry::instance().make(info_.name);
-    variant_->build(work_->chains.front());
-    standing_ = &work_->chains.front();
-    if (!compared_)
-      compare();
-    else
-      variant_->find(*standing_, {}, found_);
+    blaming(info_.name, [this] { warm_up(); });
   } catch (const Error& refused) {
-    reason_ = refused.what();
+    give_up(refused);
   }
   if (!reason_.empty()) release();
   next_ = 0;
   return reason_;
+}
+
+void Trial::warm_up() {
+  if (info_.on_device()) device_ = StrategyRegistry::instance().make_device(place_of(info_));
+  moving_.clear();
+  if (work_->beside) moving_.push_back(&*work_->beside);
+  for (const Chain& chain : work_->chains) moving_.push_back(&chain);
+  variant_ = StrategyRegistry::instance().make(info_.name);
+  variant_->build(work_->chains.front());
+  standing_ = &work_->chains.front();
+  if (!compared_)
+    compare();
+  else
+    variant_->find(*standing_, {}, found_);
 }
 
 void Trial::compare() {
@@ -107,6 +112,7 @@ bool Trial::is_answer(std::size_t k) {
   missing_ += comparison.missing;
   invented_ += comparison.invented;
   if (comparison.right() || (!info_.exact && comparison.well_formed())) return true;
+  at_fault_ = true;
   reason_ =
       fmt::format("wrong answer: {} pairs missing, {} invented", comparison.missing, comparison.invented);
   return false;
@@ -127,6 +133,22 @@ void Trial::release() {
 }
 
 double Trial::run(Stage stage) {
+  if (stage == Stage::update && moving_.size() < 2) throw std::logic_error("update: the input does not move");
+  try {
+    return blaming(info_.name, [&] { return run_now(stage); });
+  } catch (const Error& thrown) {
+    give_up(thrown);
+    release();
+    throw;
+  }
+}
+
+void Trial::give_up(const Error& because) {
+  reason_ = because.what();
+  at_fault_ = dynamic_cast<const VariantThrew*>(&because) != nullptr;
+}
+
+double Trial::run_now(Stage stage) {
   if (stage == Stage::update) return run_update();
   const Chain& chain = work_->chains[next_];
   next_ = (next_ + 1) % work_->chains.size();
@@ -146,7 +168,6 @@ double Trial::run(Stage stage) {
 /// From the frame that stands to the next. The first frame is no neighbour of the last and moves from the
 /// second.
 double Trial::run_update() {
-  if (moving_.size() < 2) throw std::logic_error("update: the input does not move");
   const std::size_t at = std::ranges::find(moving_, standing_) - moving_.begin();
   const std::size_t next = (at + 1) % moving_.size();
   stand_on(*moving_[next == 0 ? 1 : next - 1]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catena/bench/timing/workload.h"
+#include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
@@ -27,15 +28,20 @@ class Trial {
 
   /// Makes the variant and runs it once; the first time on every chain, each compared with the reference, and
   /// of a moving input also after an update. Returns why there is nothing to time: it refuses the input, or
-  /// its answer is wrong and its arithmetic does not excuse that. Empty when it may be timed. Nothing is done
-  /// when it is ready already.
+  /// throws, or its answer is wrong and its arithmetic does not excuse that. Empty when it may be timed. Nothing
+  /// is done when it is ready already.
   const std::string& prepare();
   /// Gives the variant's memory back; what was compared is kept.
   void release();
 
   /// Milliseconds of one run of a stage on the next chain of the workload. Only when prepare() gave no
-  /// reason, and an update only of an input that moves.
+  /// reason, and an update only of an input that moves. Throws VariantThrew, or an Error of the variant, and
+  /// prepare() gives it as its reason from then on.
   double run(Stage stage);
+
+  /// The reason that prepare() gives is the variant's fault, not a refusal: it threw, or its answer is wrong.
+  bool at_fault() const { return at_fault_; }
+  const std::string& reason() const { return reason_; }  ///< that prepare() gave last
 
   std::uint64_t pairs() const { return pairs_; }        ///< found, the most of any chain
   std::uint64_t missing() const { return missing_; }    ///< over all chains
@@ -45,16 +51,19 @@ class Trial {
   const VariantInfo& info() const { return info_; }
 
  private:
+  void warm_up();
+  void give_up(const Error& because);
   void compare();
   bool answers(std::size_t k);
   bool is_answer(std::size_t k);
+  double run_now(Stage stage);
   double search_resident(const Chain& chain);
   double run_update();
   void stand_on(const Chain& chain);
 
   WorkloadSpec spec_;
   VariantInfo info_;
-  bool flush_cache_, compared_ = false;
+  bool flush_cache_, compared_ = false, at_fault_ = false;
   std::string reason_;
   std::shared_ptr<const Workload> work_;
   std::unique_ptr<Variant> variant_;

@@ -78,6 +78,21 @@ TEST(Trial, ComparesTheAnswerAfterAnUpdateToo) {
                                                  {"find", frames[28]}}));
 }
 
+TEST(Trial, AThrowIsTheVariantsFaultAndARefusalIsNot) {
+  const auto& registry = StrategyRegistry::instance();
+  Trial throws({"path1:n=50"}, registry.describe("mutant:throws-past-32-spheres"));
+  EXPECT_TRUE(throws.prepare().starts_with("mutant:throws-past-32-spheres threw: stack slot 32 of 32"));
+  EXPECT_TRUE(throws.at_fault());
+  Trial refuses({"path1:n=2000"}, registry.describe("bGPU2@host+CPU2"));
+  EXPECT_NE(refuses.prepare(), "");
+  EXPECT_FALSE(refuses.at_fault());
+  Trial wrong({"lattice:n=60"}, registry.describe("mutant:less-for-less-equal"));
+  EXPECT_TRUE(wrong.prepare().starts_with("wrong answer: "));
+  EXPECT_TRUE(wrong.at_fault());
+}
+
+TEST(Trial, ALabelSaysNInDigits) { EXPECT_EQ(label_of({"path1:spacing=2,n=1e3"}), "path1:spacing=2/n:1000"); }
+
 TEST(Trial, WhatDoesNotMoveHasNoUpdate) {
   Trial trial({"yarn:n=50"}, TimesTold::info());
   ASSERT_EQ(trial.prepare(), "");

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "catena/core/input/input.h"
+#include "catena/core/parameters/whole_number.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/scenes/scene.h"
 
@@ -30,9 +31,15 @@ std::uint64_t spheres(const Workload& work) {
 /// What stands before and behind the "/n:" of a label.
 struct Label {
   std::string scene;
-  std::string n;  ///< as the user wrote it; empty: not said
+  std::string n;  ///< in digits, or what the user wrote instead; empty: not said
   std::string text() const { return fmt::format("{}/n:{}", scene, n); }
 };
+
+/// 1e6 as 1000000: one label for one input.
+std::string in_digits(std::string_view n) {
+  const auto number = whole_number(n);
+  return number ? std::to_string(*number) : std::string(n);
+}
 
 Label written_label(const WorkloadSpec& spec) {
   const auto colon = spec.input.find(':');
@@ -44,7 +51,7 @@ Label written_label(const WorkloadSpec& spec) {
       const std::string_view item = rest.substr(0, rest.find(','));
       rest.remove_prefix(std::min(rest.size(), item.size() + 1));
       if (item.starts_with("n="))
-        n = item.substr(2);
+        n = in_digits(item.substr(2));
       else
         others.emplace_back(item);
     }

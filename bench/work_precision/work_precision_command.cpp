@@ -38,7 +38,7 @@ class WorkPrecisionCommand final : public Command {
     app.add_option("--repetitions", repetitions_, "Timed rounds, each over all variants in random order")
         ->capture_default_str()
         ->check(CLI::Range(1, 100000));
-    app.add_flag("--json", json_, "One JSON object with every point and the environment");
+    app.add_flag("--json", json_, "One JSON object, in one line, with every point and the environment");
     app.footer("Build and find times of every variant on every scene: catena_bench, on Google Benchmark.");
   }
 
@@ -54,7 +54,7 @@ class WorkPrecisionCommand final : public Command {
         const auto result = work_precision(tube, sizes_of(tube), variants_, repetitions_, offset);
         json_ ? add_to_json(out, result) : print_table(tube, offset, result);
       }
-    if (json_) fmt::print("{}\n", out.dump(2));
+    if (json_) fmt::print("{}\n", out.dump());
     return 0;
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "catena/core/chain/make_topology.h"
+#include "catena/core/default_floats.h"
 #include "catena/core/error.h"
 
 namespace catena {
@@ -28,12 +29,14 @@ Extent extent_of(const std::vector<Sphere>& spheres) {
 
 Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion)
     : spheres_(std::move(spheres)) {
+  const DefaultFloats floats;
   check_spheres();
   topology_ = make_topology(spheres_, std::move(strands), std::move(exclusion));
 }
 
 Chain::Chain(std::vector<Sphere> spheres, std::shared_ptr<const Topology> topology)
     : spheres_(std::move(spheres)), topology_(std::move(topology)) {
+  const DefaultFloats floats;
   check_spheres();
 }
 

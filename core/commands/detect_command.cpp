@@ -10,8 +10,11 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/commands/table_file.h"
+#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/error.h"
+#include "catena/core/input/scene_input.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/thrown.h"
 
 namespace catena {
 namespace {
@@ -28,6 +31,7 @@ class DetectCommand final : public Command {
                    "Write the collisions of each sphere to this CSV file: frame,sphere,count");
     app.add_option("--pair-limit", request_.pair_limit,
                    "Most pairs to keep; more is an error with the true number")
+        ->transform(whole_number_option())
         ->capture_default_str();
     app.add_flag("--counts-only", counts_only_, "Find counts, keep no pairs");
     app.add_flag("--any", any_only_, "Only whether anything collides");
@@ -38,11 +42,11 @@ class DetectCommand final : public Command {
 
   int run() override {
     check_options();
-    const auto variant = StrategyRegistry::instance().make(variant_);
-    variant->prepare(request_);
+    const auto variant = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     const Input input = open_input(input_, options_);
     for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", input.name, warning);
     const auto [first, last] = frame_.of(input);
+    first_frame_ = written_frame(input_);
     if (!pairs_file_.empty()) pairs_out_.emplace(pairs_file_, "frame,i,j");
     if (!counts_file_.empty()) counts_out_.emplace(counts_file_, "frame,sphere,count");
 
@@ -51,11 +55,14 @@ class DetectCommand final : public Command {
     for (std::uint32_t f = first; f < last; ++f) {
       progress.step(fmt::format("frame {}", f));
       const Chain chain = input.animation->frame(f);
-      f == first ? variant->build(chain) : variant->update(chain);
-      variant->find(chain, request_, found);
+      blaming(variant_, [&] {
+        if (f == first) variant->prepare(request_);
+        f == first ? variant->build(chain) : variant->update(chain);
+        variant->find(chain, request_, found);
+      });
       progress.clear();
       print(f, chain, found, *variant);
-      write_files(f, found);
+      write_files(first_frame_ + f, found);
     }
     if (pairs_out_) pairs_out_->close();
     if (counts_out_) counts_out_->close();
@@ -78,7 +85,7 @@ class DetectCommand final : public Command {
     const std::uint32_t most = found.count.empty() ? 0 : *std::ranges::max_element(found.count);
     if (json_) {
       nlohmann::ordered_json line{{"input", input_},
-                                  {"frame", frame},
+                                  {"frame", first_frame_ + frame},
                                   {"n", chain.size()},
                                   {"variant", variant_},
                                   {"collides", found.found}};
@@ -96,7 +103,7 @@ class DetectCommand final : public Command {
     }
     const std::string what = any_only_ ? (found.found ? "collides" : "does not collide")
                                        : fmt::format("{} pairs, at most {} a sphere", found.pair_count, most);
-    fmt::print("{} frame {}: {} spheres, {}; {}: build {:.3f} ms, find {:.3f} ms{}\n", input_, frame,
+    fmt::print("{} frame {}: {} spheres, {}; {}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
                chain.size(), what, variant_, t.build_ms, t.find_ms,
                t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
     if (plan_)
@@ -117,6 +124,7 @@ class DetectCommand final : public Command {
   std::string input_, variant_ = "aCPU2+CPU2", pairs_file_, counts_file_;
   FrameOption frame_;
   InputOptions options_;
+  std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   Request request_;
   bool json_ = false, counts_only_ = false, any_only_ = false, plan_ = false;
   std::optional<TableFile> pairs_out_, counts_out_;

@@ -2,12 +2,14 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/variant_json.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/scenes/scene.h"
+#include "catena/core/scenes/setup.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -17,7 +19,7 @@ namespace {
 class ListCommand final : public Command {
  public:
   void configure(CLI::App& app) override {
-    app.add_flag("--json", json_, "One JSON object on standard output");
+    app.add_flag("--json", json_, "One JSON object, in one line");
   }
 
   int run() override {
@@ -28,6 +30,18 @@ class ListCommand final : public Command {
  private:
   static void print_parameters(const std::vector<ParameterInfo>& parameters) {
     for (const auto& p : parameters) fmt::print("      {}={}  {}\n", p.name, p.default_value, p.meaning);
+  }
+
+  /// Those that are not common to all, as they stand there.
+  static std::vector<ParameterInfo> own(std::vector<ParameterInfo> parameters,
+                                        const std::vector<ParameterInfo>& common) {
+    const auto same = [](const ParameterInfo& a, const ParameterInfo& b) {
+      return a.name == b.name && a.default_value == b.default_value && a.meaning == b.meaning;
+    };
+    std::erase_if(parameters, [&](const ParameterInfo& p) {
+      return std::ranges::any_of(common, [&](const ParameterInfo& c) { return same(p, c); });
+    });
+    return parameters;
   }
 
   static void print_text() {
@@ -45,11 +59,14 @@ class ListCommand final : public Command {
         fmt::print("  {:<30} not available: {}\n", v.name, *v.unavailable);
       else
         fmt::print("  {}\n", v.name);
-    fmt::print("\nScenes (name:key=value,...)\n");
+    fmt::print("\nScenes (name:key=value,...); every scene takes\n");
+    const auto& common = SceneSetup::declared();
+    print_parameters(common);
+    fmt::print("      frame=F  this frame alone, of one that moves\n  and, or with another default,\n");
     for (const auto& scene : SceneRegistry::instance().scenes()) {
       fmt::print("  {:<13} {}\n", scene.name, scene.summary);
       if (!scene.strains.empty()) fmt::print("      hard because {}\n", scene.strains);
-      print_parameters(scene.parameters);
+      print_parameters(own(scene.parameters, common));
     }
     fmt::print("\nReaders (by file extension)\n");
     for (const auto& reader : ReaderRegistry::instance().readers())
@@ -88,7 +105,7 @@ class ListCommand final : public Command {
            {"parameters", to_json(s.parameters)}});
     for (const auto& r : ReaderRegistry::instance().readers())
       out["readers"].push_back({{"name", r.name}, {"extensions", r.extensions}, {"summary", r.summary}});
-    fmt::print("{}\n", out.dump(2));
+    fmt::print("{}\n", out.dump());
   }
 
   bool json_ = false;

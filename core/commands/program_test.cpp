@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -12,61 +9,12 @@
 #include <string>
 #include <vector>
 
-/// The program as a user runs it: its exit codes, its one line for bad input, its files and its JSON.
+#include "catena/core/commands/test_program.h"
+
 namespace catena {
 namespace {
 
-struct Outcome {
-  int code;
-  std::string output;  ///< standard output, then standard error
-};
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-class Program : public testing::Test {
- protected:
-  Program()
-      : folder_(std::filesystem::temp_directory_path() / ("catena-program-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Program() override { std::filesystem::remove_all(folder_); }
-
-  Outcome run(const std::string& arguments) const {
-    return shell("catena " + arguments + " > '" + file("out") + "'");
-  }
-  /// A line of the shell, in which the program is called catena.
-  Outcome shell(const std::string& line) const {
-    const std::string out = file("out"), err = file("err");
-    std::ofstream(out).close();
-    const std::string command =
-        std::string("catena() { '") + CATENA_PROGRAM + "' \"$@\"; }; exec 2> '" + err + "'; " + line;
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out) + text_of(err)};
-  }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
-  void expect_refused(const std::string& arguments, const std::string& because) const {
-    const Outcome r = run(arguments);
-    EXPECT_EQ(r.code, 2) << arguments;
-    EXPECT_NE(r.output.find(because), std::string::npos) << arguments << ": " << r.output;
-    EXPECT_EQ(std::ranges::count(r.output, '\n'), 1) << arguments << ": " << r.output;
-    EXPECT_TRUE(r.output.starts_with("catena: ")) << r.output;
-  }
-  void expect_says(const std::string& arguments, int code, const std::vector<std::string>& parts) const {
-    const Outcome r = run(arguments);
-    EXPECT_EQ(r.code, code) << arguments << ": " << r.output;
-    for (const std::string& part : parts)
-      EXPECT_NE(r.output.find(part), std::string::npos)
-          << arguments << " does not say '" << part << "': " << r.output;
-  }
-
- private:
-  std::filesystem::path folder_;
-};
+using Outcome = ProgramOutcome;
 
 const std::string examples = std::string(CATENA_SOURCE_DIR) + "/core/readers/examples/";
 
@@ -95,15 +43,59 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect path1:n=10 --window 0", "window");
   expect_refused("detect path1:n=3000 --variant bGPU2@host+CPU2", "aGPU2");
   expect_refused("detect coincident:n=200 --pair-limit 5", "5");
+  expect_refused("detect path1:n=10 --pair-limit -5", "--pair-limit: -5 is not a whole number from 0");
+  expect_refused("detect path1:n=10 --pair-limit 1.5", "1.5 is not a whole number");
+  expect_refused("fuzz --seed -1", "--seed: -1 is not a whole number from 0");
+  expect_refused("report --seed -1", "--seed: -1 is not a whole number from 0");
+  expect_refused("detect path1:n=1e20", "must be a whole number");
   expect_refused("detect path1:n=10 --pairs /nowhere/p.csv", "cannot write /nowhere/p.csv");
   expect_refused("verify path1:n=10 --variant None", "'None'");
   expect_refused("fuzz --scene-family none", "no family 'none'");
   expect_refused("fuzz --replay /nowhere.chain", "/nowhere.chain");
 }
 
+TEST_F(Program, KnowsWhatWasMeant) {
+  expect_refused("detct path1", "did you mean 'detect'?");
+  expect_refused("detect pth1:n=10", "did you mean 'path1'?");
+  expect_refused("detect path1:spcing=2", "did you mean 'spacing'?");
+  expect_refused("detect path1:n=10 --variant aCPU2+CPU3", "did you mean 'CPU2'?");
+  expect_refused("detect path1:n=10 --variant cpu1", "did you mean 'CPU1'?");
+  expect_refused("detect path1:n=10 --variant aCPU2+CPU2/robst", "did you mean 'robust'?");
+  expect_refused("fuzz --scene-family coils", "did you mean 'coil'?");
+}
+
+/// An algorithm of a device, where there is none: why, and what runs instead.
+TEST_F(Program, NamesTheHostTwinWhereThereIsNoDevice) {
+  const Outcome r = run("detect path1:n=100 --variant aGPU2+GPUv2");
+  if (r.code == 0) GTEST_SKIP() << "there is a device";
+  expect_refused("detect path1:n=100 --variant aGPU2+GPUv2", "'aGPU2@host' runs the same on the host");
+  EXPECT_NE(r.output.find("device"), std::string::npos) << r.output;
+}
+
+TEST_F(Program, TakesWholeNumbersWithAnExponent) {
+  expect_says("detect path1:n=1e3 --frame 28", 0, {"1000 spheres"});
+  expect_says("detect coincident:n=60 --pair-limit 1e3", 0, {"812 pairs"});
+}
+
+TEST_F(Program, PrintsTheFrameItUsed) {
+  expect_says("detect path1:n=100,frame=3", 0, {"frame 3: 100 spheres"});
+  EXPECT_EQ(nlohmann::json::parse(run("detect path1:n=100,frame=3 --json").output)["frame"], 3);
+  EXPECT_EQ(nlohmann::json::parse(run("verify path1:n=100,frame=3 --variant CPU1 --json").output)["frame"], 3);
+  EXPECT_EQ(nlohmann::json::parse(run("margins path1:n=100,frame=3 --json").output)["frame"], 3);
+  const std::string pairs = file("p.csv");
+  expect_says("detect path1:n=1000,frame=28 --pairs '" + pairs + "'", 0, {"frame 28"});
+  EXPECT_TRUE(text_of(pairs).starts_with("frame,i,j\n28,")) << text_of(pairs).substr(0, 40);
+}
+
 TEST_F(Program, ListsVariantsScenesAndReaders) {
   expect_says("list", 0, {"aCPU2+CPU2", "path1", ".swc", "subtree=384"});
-  const auto list = nlohmann::json::parse(run("list --json").output);
+  const std::string spoken = run("list").output;
+  const std::string scale = "factor on every coordinate and radius";
+  EXPECT_NE(spoken.find(scale), std::string::npos);
+  EXPECT_EQ(spoken.find(scale), spoken.rfind(scale)) << "what is common to all scenes, once";
+  const std::string printed = run("list --json").output;
+  EXPECT_EQ(std::ranges::count(printed, '\n'), 1);
+  const auto list = nlohmann::json::parse(printed);
   EXPECT_GE(list["variants"].size(), 40u);
   for (const auto& variant : list["variants"]) {
     for (const char* key : {"name", "arithmetic", "device", "unavailable", "stages", "exact", "peer"})
@@ -205,6 +197,15 @@ TEST_F(Program, ReadsFilesWithAndWithoutRadii) {
 
 TEST_F(Program, VerifiesByReferenceAndByCertificate) {
   expect_says("verify coincident:n=60 path1:n=200", 0, {"aCPU2+CPU2", "CPU1", "exact"});
+  const Outcome right = run("verify coincident:n=60 path1:n=200");
+  EXPECT_TRUE(right.output.starts_with("Every exact variant is exact, on 2 inputs: ")) << right.output;
+  EXPECT_LT(std::ranges::count(right.output, '\n'), 40) << "variants of one answer share a line: " << right.output;
+  const Outcome wrong = run("verify lattice:n=60 --variant mutant:less-for-less-equal --variant CPU1");
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_TRUE(wrong.output.starts_with("mutant:less-for-less-equal on lattice:n=60: WRONG")) << wrong.output;
+  EXPECT_NE(wrong.output.find("NOT every exact variant is exact. Wrong: mutant:less-for-less-equal\n"),
+            std::string::npos)
+      << wrong.output;
   expect_says("verify coincident:n=60 --variant Nothing", 2, {"Nothing"});
   expect_says("verify coincident:n=60 --variant aCPU2+Dual --certify", 0, {"certified"});
   expect_says("verify coincident:n=60 --variant mutant:less-for-less-equal lattice:n=60", 1, {"missing"});

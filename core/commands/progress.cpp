@@ -7,6 +7,15 @@
 #include <cstdio>
 
 namespace catena {
+namespace {
+
+/// Not fmt::print, which throws when the terminal is gone: clear() is called by a destructor.
+void show(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
 
 Progress::Progress(std::uint64_t total)
     : total_(std::max<std::uint64_t>(total, 1)), terminal_(isatty(STDERR_FILENO)) {}
@@ -27,15 +36,13 @@ void Progress::draw(std::string_view doing) {
       44;  // the whole line stays within 80 columns: a wrapped bar cannot be taken back
   const std::uint64_t done = std::min(begun_, total_) - 1;
   const std::string bar(width * done / total_, '#');
-  fmt::print(stderr, "\r\033[K[{:<{}}] {:3}% {}", bar, width, 100 * done / total_, doing.substr(0, room));
-  std::fflush(stderr);
+  show(fmt::format("\r\033[K[{:<{}}] {:3}% {}", bar, width, 100 * done / total_, doing.substr(0, room)));
   drawn_ = true;
 }
 
 void Progress::clear() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  show("\r\033[K");
   drawn_ = false;
 }
 

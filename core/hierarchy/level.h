@@ -21,6 +21,14 @@ struct Level {
   }
 };
 
+/// Writes leaf i of the tree: sphere i of the chain.
+template <class Arithmetic>
+CATENA_HD void make_leaf(const HierarchyView<typename Arithmetic::Bound>& tree, const Sphere* spheres,
+                         std::uint32_t i) {
+  tree.bound[i] = Arithmetic::bound(spheres[i]);
+  tree.links[i] = Links::of_leaf();
+}
+
 /// Writes the parent of nodes 2p and 2p + 1 of a level into `slot`.
 template <class Arithmetic>
 CATENA_HD void make_parent(const HierarchyView<typename Arithmetic::Bound>& tree, const Level& level,

@@ -62,7 +62,7 @@ std::optional<std::int64_t> take_frame(std::string& spec) {
     }
     if (frame) throw InputError(fmt::format("{}: frame is given twice", spec));
     const auto [number, problem] = parse_integer(item.substr(6));
-    if (!problem.empty() || number < 0)
+    if (!problem.empty() || number < 0 || number > 0xFFFFFFFF)
       throw InputError(fmt::format("{}: {} must be a frame number from 0", spec, item));
     frame = number;
   }
@@ -73,6 +73,12 @@ std::optional<std::int64_t> take_frame(std::string& spec) {
 }  // namespace
 
 std::string scene_name(const std::string& spec) { return spec.substr(0, spec.find(':')); }
+
+std::uint32_t written_frame(const std::string& spec) {
+  std::string rest = spec;
+  if (!SceneRegistry::instance().contains(scene_name(spec))) return 0;
+  return static_cast<std::uint32_t>(take_frame(rest).value_or(0));
+}
 
 std::unique_ptr<Animation> open_scene(const std::string& spec, const InputOptions& options) {
   if (options.radius || options.radius_half_spacing)

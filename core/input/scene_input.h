@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,9 @@ namespace catena {
 /// strands and extra pairs stay. Throws InputError: what SceneRegistry::open throws, a frame that is not
 /// there, options for files.
 std::unique_ptr<Animation> open_scene(const std::string& spec, const InputOptions& options);
+
+/// The F of frame=F in the name of a scene, which is then all of its animation; 0 where there is none.
+std::uint32_t written_frame(const std::string& spec);
 
 /// The name in front of the colon.
 std::string scene_name(const std::string& spec);

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
+#include "catena/core/parameters/whole_number.h"
 
 namespace catena {
 
@@ -27,8 +29,8 @@ Parameters::Parameters(std::string owner, const std::vector<ParameterInfo>& decl
       throw InputError(fmt::format("{}: '{}' is not key=value", owner_, item));
     if (!values_.contains(key))
       throw InputError(known.empty() ? fmt::format("{} takes no parameters, got '{}'", owner_, key)
-                                     : fmt::format("{} has no parameter '{}'; it has: {}", owner_, key,
-                                                   fmt::join(known, ", ")));
+                                     : fmt::format("{} has no parameter '{}'; it has: {}{}", owner_, key,
+                                                   fmt::join(known, ", "), did_you_mean(key, known)));
     if (given(key)) throw InputError(fmt::format("{}: '{}' is given twice", owner_, key));
     values_[key] = item.substr(equals + 1);
     given_.push_back(key);
@@ -48,12 +50,10 @@ void Parameters::refuse(const std::string& key, const std::string& wanted) const
 }
 
 std::uint64_t Parameters::unsigned_integer(const std::string& key, std::uint64_t least, std::uint64_t greatest) const {
-  const std::string& text = value(key);
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size() || number < least || number > greatest)
+  const auto number = whole_number(value(key));
+  if (!number || *number < least || *number > greatest)
     refuse(key, fmt::format("a whole number from {} to {}", least, greatest));
-  return number;
+  return *number;
 }
 
 double Parameters::real(const std::string& key, double least, double greatest) const {

@@ -12,10 +12,8 @@ template <class Arithmetic, class Group>
 CATENA_HD void copy_leaves(Group& group, const HierarchyView<typename Arithmetic::Bound>& tree,
                            const Sphere* spheres, std::uint32_t begin = 0, std::uint32_t count = ~0u) {
   const std::uint32_t left = tree.leaves - begin;
-  group.parallel(count < left ? count : left, [=](std::uint32_t k) {
-    tree.bound[begin + k] = Arithmetic::bound(spheres[begin + k]);
-    tree.links[begin + k] = Links::of_leaf();
-  });
+  group.parallel(count < left ? count : left,
+                 [=](std::uint32_t k) { make_leaf<Arithmetic>(tree, spheres, begin + k); });
 }
 
 /// bGPU2 (Section 4.2): one block builds a tree over a level, a thread per pair and a barrier per level.

@@ -5,8 +5,16 @@
 
 namespace catena {
 
-/// What a per-sphere search reports as it goes. A visitor derives from this, adds hit(j) and overrides what
-/// it wants to know; what it does not override costs nothing.
+/// What the search of one sphere i reports as it goes. A visitor derives from this, adds hit(j) and overrides
+/// what it wants to know; what it does not override costs nothing.
+///
+/// Order of the calls. Of an inner node: tested_node, then discarded, unless its children are looked at, at
+/// once or later. Of another sphere j that is met: excluded, or tested_pair and then, if they collide, hit.
+/// Of a batch: tested_batch, then this for those that are near. Spheres and nodes themselves come in any
+/// order.
+/// Each pair from both ends: the search of i accounts for every j != i once, and calls hit(j) where that of j
+/// calls hit(i), but for rounded bounds, which may lose one end. Counting all hits gives the collisions of i;
+/// who wants each pair once takes i < j.
 struct Visitor {
   /// The sphere was compared with an inner node ...
   CATENA_HD void tested_node(std::uint32_t /*slot*/) {}

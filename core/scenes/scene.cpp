@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
 #include "catena/core/scenes/setup.h"
 
 namespace catena {
@@ -46,7 +47,8 @@ std::unique_ptr<Animation> SceneRegistry::open(std::string_view spec) const {
   if (found == entries_.end()) {
     std::vector<std::string> known;  // not views::keys, which clang 14 cannot compile
     for (const auto& entry : entries_) known.push_back(entry.first);
-    throw InputError(fmt::format("no scene is named '{}'; there are: {}", name, fmt::join(known, ", ")));
+    throw InputError(fmt::format("no scene is named '{}'; there are: {}{}", name, fmt::join(known, ", "),
+                                 did_you_mean(name, known)));
   }
   const std::string_view values = colon == std::string_view::npos ? "" : spec.substr(colon + 1);
   return found->second.make(Parameters(fmt::format("scene {}", name), found->second.info.parameters, values));

@@ -3,6 +3,7 @@
 #include <memory>
 #include <typeindex>
 
+#include "catena/core/arithmetic/arithmetic_policy.h"
 #include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/strategy/composed.h"
@@ -28,7 +29,7 @@ std::unique_ptr<Base> make_strategy(const Parameters& parameters) {
     return std::make_unique<Strategy>();
 }
 
-template <class Arithmetic>
+template <ArithmeticPolicy Arithmetic>
 ArithmeticInfo arithmetic_info() {
   return {Arithmetic::name, Arithmetic::exact};
 }
@@ -54,7 +55,7 @@ StrategyRegistry::TreeType tree_type_of(const Traversal<Tree>*) {
   return tree_type<Tree>();
 }
 
-template <template <class> class Strategy, class... Arithmetics>
+template <template <class> class Strategy, ArithmeticPolicy... Arithmetics>
 struct RegisterConstruction {
   explicit RegisterConstruction(const StrategyInfo& info) {
     (StrategyRegistry::instance().add_construction(
@@ -65,7 +66,7 @@ struct RegisterConstruction {
   }
 };
 
-template <template <class> class Strategy, class... Arithmetics>
+template <template <class> class Strategy, ArithmeticPolicy... Arithmetics>
 struct RegisterTraversal {
   explicit RegisterTraversal(const StrategyInfo& info) {
     (StrategyRegistry::instance().add_traversal(
@@ -77,7 +78,7 @@ struct RegisterTraversal {
 };
 
 /// A variant complete in itself, in several arithmetics.
-template <template <class> class Whole, class... Arithmetics>
+template <template <class> class Whole, ArithmeticPolicy... Arithmetics>
 struct RegisterVariant {
   explicit RegisterVariant(const StrategyInfo& info) {
     (StrategyRegistry::instance().add_variant(info, arithmetic_info<Arithmetics>(),

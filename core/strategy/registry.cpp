@@ -7,6 +7,8 @@
 #include <set>
 
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
+#include "catena/core/strategy/in_default_floats.h"
 
 namespace catena {
 namespace {
@@ -18,9 +20,16 @@ std::optional<std::string> reason(const StrategyInfo& info) {
   return info.unavailable ? info.unavailable() : std::nullopt;
 }
 
+/// "; 'aGPU2@host' runs ...", of a device's algorithm that has such a twin.
+std::string twin_of(const StrategyInfo& info) {
+  const std::string twin = info.name + std::string(StageName::on_host);
+  if (StrategyRegistry::instance().find_strategy(twin) == nullptr) return "";
+  return fmt::format("; '{}' runs the same on the host", twin);
+}
+
 void require_available(const StrategyInfo& info) {
   if (const auto why = reason(info))
-    throw CapacityError(fmt::format("{} is not available here: {}", info.name, *why));
+    throw CapacityError(fmt::format("{} is not available here: {}{}", info.name, *why, twin_of(info)));
 }
 
 /// The arithmetic that a name means: the one written, the usual one, or the only one of `had`.
@@ -41,6 +50,15 @@ Place place_of(const StrategyInfo& info, const Parameters& parameters) {
       std::ranges::find(info.parameters, "device", &ParameterInfo::name) != info.parameters.end();
   return chosen ? Place::device(static_cast<std::uint32_t>(parameters.unsigned_integer("device", 0, 1023)))
                 : info.place;
+}
+
+/// "; did you mean ...", from these names and, of a device's algorithm where none is built in, its host twin.
+template <class Names>
+std::string instead_of(const std::string& wanted, const Names& names) {
+  const std::string twin = wanted + std::string(StageName::on_host);
+  if (std::ranges::find(names, twin) != std::ranges::end(names))
+    return fmt::format("; catena is built without devices here, and '{}' runs the same on the host", twin);
+  return did_you_mean(wanted, {names.begin(), names.end()});
 }
 
 template <class Entries>
@@ -147,8 +165,9 @@ const StrategyInfo* StrategyRegistry::find_strategy(std::string_view name) const
 const StrategyInfo& StrategyRegistry::strategy(std::string_view name) const {
   const StrategyInfo* found = find_strategy(name);
   if (found == nullptr)
-    throw InputError(
-        fmt::format("there is no strategy '{}'; there are: {}", name, fmt::join(strategy_names(), ", ")));
+    throw InputError(fmt::format("there is no strategy '{}'; there are: {}{}", name,
+                                 fmt::join(strategy_names(), ", "),
+                                 instead_of(std::string(name), strategy_names())));
   return *found;
 }
 
@@ -178,7 +197,8 @@ StrategyRegistry::Resolved StrategyRegistry::resolve_composed(const VariantName&
   const std::string arithmetic = arithmetic_meant(name, had);
   if (!known.contains(arithmetic))
     throw InputError(
-        fmt::format("there is no arithmetic '{}'; there are: {}", arithmetic, fmt::join(known, ", ")));
+        fmt::format("there is no arithmetic '{}'; there are: {}{}", arithmetic, fmt::join(known, ", "),
+                    did_you_mean(arithmetic, {known.begin(), known.end()})));
 
   const auto stage = [&](const std::vector<StageEntry>& entries, const std::string& wanted,
                          const char* kind) {
@@ -190,8 +210,8 @@ StrategyRegistry::Resolved StrategyRegistry::resolve_composed(const VariantName&
       if (e.info.name == wanted) found = &e;
     }
     if (found == nullptr)
-      throw InputError(fmt::format("there is no {} '{}' in {} arithmetic; there are: {}", kind, wanted,
-                                   arithmetic, fmt::join(names, ", ")));
+      throw InputError(fmt::format("there is no {} '{}' in {} arithmetic; there are: {}{}", kind, wanted,
+                                   arithmetic, fmt::join(names, ", "), instead_of(wanted, names)));
     return found;
   };
   const StageEntry* c = stage(constructions_, build, "construction");
@@ -229,7 +249,8 @@ std::unique_ptr<Variant> StrategyRegistry::make(std::string_view text) const {
   const Resolved found = resolve(name);
   if (found.whole != nullptr) {
     require_available(found.whole->info);
-    return found.whole->make(parameters_of(name.stages[0], found.whole->info));
+    return std::make_unique<InDefaultFloats>(
+        found.whole->make(parameters_of(name.stages[0], found.whole->info)));
   }
   const StageEntry &c = *found.construction, &t = *found.traversal;
   require_available(c.info);
@@ -241,8 +262,8 @@ std::unique_ptr<Variant> StrategyRegistry::make(std::string_view text) const {
     throw InputError(fmt::format("{}: both stages must be on one device, got {} and {}", text,
                                  build_place.index, find_place.index));
   const Place place = build_place.on_device() ? build_place : find_place;
-  return c.tree.compose(c.make(build), build_place, t.make(find), find_place,
-                        place.on_device() ? make_device(place) : nullptr);
+  return std::make_unique<InDefaultFloats>(c.tree.compose(
+      c.make(build), build_place, t.make(find), find_place, place.on_device() ? make_device(place) : nullptr));
 }
 
 VariantName StrategyRegistry::on_host(VariantName name) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/output_file.h"
 #include "catena/properties/counterexamples/search.h"
 #include "catena/properties/fuzz/failure_store.h"
@@ -26,7 +27,10 @@ class CounterexamplesCommand final : public Command {
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
-    app.add_option("--seed", seed_, "Start of the random numbers")->type_name("X")->capture_default_str();
+    app.add_option("--seed", seed_, "Start of the random numbers")
+        ->type_name("X")
+        ->transform(whole_number_option())
+        ->capture_default_str();
     app.add_option("--out", out_, "Folder to store them in as .chain files; none: they are printed only")
         ->type_name("DIR");
     app.add_option("--replay", replay_, "Say how each arithmetic fails on this file instead; repeatable")

@@ -27,20 +27,42 @@ std::string as_file_name(std::string text) {
 
 }  // namespace
 
-std::filesystem::path store(const std::filesystem::path& folder, const Fuzzer::Counterexample& counterexample,
-                            std::uint64_t seed) {
-  const Finding& f = counterexample.finding;
-  std::ostringstream chain;
-  write_chain(chain, counterexample.shrunk);
+std::filesystem::path store(const std::filesystem::path& folder, const Finding& finding,
+                            const std::string& origin, const std::string& chain_file,
+                            const std::string& suffix) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  const auto path = folder / fmt::format("{}-{}-{:08x}.chain", as_file_name(f.property),
-                                         as_file_name(f.variant), hash(chain.str()));
-  write_file(path,
-             fmt::format("# {}: {}\n# first seen: {}\n# family {}, seed {}, case {}, shrunk from {} spheres\n{}",
-                         f.variant, f.property, f.what, counterexample.family, seed, counterexample.number,
-                         counterexample.found.size(), chain.str()));
+  const auto path = folder / fmt::format("{}-{}-{:08x}{}.chain", as_file_name(finding.property),
+                                         as_file_name(finding.variant), hash(chain_file), suffix);
+  write_file(path, fmt::format("# {}: {}\n# first seen: {}\n# {}\n{}", finding.variant, finding.property,
+                               finding.what, origin, chain_file));
   return path;
+}
+
+std::vector<std::filesystem::path> store(const std::filesystem::path& folder, const Fuzzer::Counterexample& c,
+                                         std::uint64_t seed) {
+  std::vector<std::filesystem::path> paths;
+  const std::string origin =
+      fmt::format("{}, shrunk from {} spheres", origin_of(c.family, seed, c.number), c.found.size());
+  for (const Chain& chain : c.shrunk) {
+    const bool alone = c.shrunk.size() == 1;
+    paths.push_back(store(
+        folder, c.finding,
+        alone ? origin
+              : fmt::format("{}; chain {} of {}, by one object", origin, paths.size() + 1, c.shrunk.size()),
+        chain_file_of(chain), alone ? "" : fmt::format("-{}", paths.size() + 1)));
+  }
+  return paths;
+}
+
+std::string origin_of(const std::string& family, std::uint64_t seed, std::uint64_t number) {
+  return fmt::format("family {}, seed {}, case {}", family, seed, number);
+}
+
+std::string chain_file_of(const Chain& chain) {
+  std::ostringstream text;
+  write_chain(text, chain);
+  return text.str();
 }
 
 Chain load_chain(const std::filesystem::path& file) {

@@ -2,17 +2,21 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
-#include <sstream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/progress.h"
+#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/error.h"
-#include "catena/core/readers/chain_format.h"
 #include "catena/properties/fuzz/failure_store.h"
+#include "catena/properties/fuzz/fault.h"
+#include "catena/properties/fuzz/fuzz_report.h"
 #include "catena/properties/fuzz/fuzzer.h"
+#include "catena/properties/fuzz/watched.h"
 #include "catena/properties/variant_name.h"
 
 namespace catena::properties {
@@ -29,8 +33,14 @@ class FuzzCommand final : public Command {
     auto* seconds = app.add_option("--seconds", seconds_, "Stop after so long (default 10)")
                         ->type_name("S")
                         ->check(CLI::NonNegativeNumber);
-    app.add_option("--cases", cases_, "Stop after so many chains")->type_name("N")->excludes(seconds);
-    app.add_option("--seed", seed_, "Start of the random numbers")->type_name("X")->capture_default_str();
+    app.add_option("--cases", cases_, "Stop after so many chains")
+        ->type_name("N")
+        ->transform(whole_number_option(1))
+        ->excludes(seconds);
+    app.add_option("--seed", seed_, "Start of the random numbers")
+        ->type_name("X")
+        ->transform(whole_number_option())
+        ->capture_default_str();
     app.add_option("--scene-family", families_, "Only chains of this family; repeatable")
         ->type_name("F")
         ->allow_extra_args(false);
@@ -43,6 +53,12 @@ class FuzzCommand final : public Command {
         ->type_name("N")
         ->check(CLI::Range(0u, 4000u))
         ->capture_default_str();
+    app.add_option(
+           "--timeout", timeout_,
+           "A variant that works on one chain for longer hangs, which is a finding; 0: it may take for ever")
+        ->type_name("S")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     app.add_option("--failures", failures_, "Folder that counterexamples are stored in")
         ->type_name("DIR")
         ->capture_default_str();
@@ -52,39 +68,62 @@ class FuzzCommand final : public Command {
         ->allow_extra_args(false);
   }
 
-  int run() override { return replay_.empty() ? fuzz() : replay(); }
+  /// The search is a process of its own, so that a variant that crashes or hangs leaves its chain.
+  int run() override {
+    Notebook notebook;
+    bool mine = false;
+    const Ending ending = watched(
+        notebook, timeout_, [&] { return replay_.empty() ? fuzz(notebook) : replay(notebook); }, mine);
+    if (mine || ending.fault.empty()) return ending.code;
+    if (notebook.variant().empty())
+      throw Error(fmt::format("the search {} before its first check; leave out variants until it does not",
+                              ending.fault));
+    if (replay_.empty()) return tell_fault(notebook, ending);
+    fmt::print("{}: {}: {}: {}\n", notebook.chain_file(), notebook.variant(), notebook.property(),
+               ending.fault);
+    return 1;
+  }
 
  private:
-  int fuzz() {
+  int fuzz(Notebook& notebook) {
     Fuzzer::Options options{seed_, size_, long_size_, {}};
     for (const auto& name : families_) options.families.push_back(FamilyRegistry::instance().family(name));
     Fuzzer fuzzer(subjects(), std::move(options));
+    fuzzer.watch(
+        [&](const std::string& family, std::uint64_t number, const Chain& chain) {
+          notebook.begin(origin_of(family, seed_, number) + '\n' + chain_file_of(chain));
+        },
+        beats(notebook));
     const auto start = Clock::now();
     const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     Progress progress(cases_ > 0 ? cases_ : static_cast<std::uint64_t>(10 * seconds_) + 1);
     std::uint64_t tenths = 0;
-    while (cases_ > 0 ? fuzzer.cases() < cases_ : elapsed() < seconds_) {
-      const auto counterexample = fuzzer.step();
-      if (counterexample) {
-        progress.clear();
-        tell(*counterexample);
-        return 1;
-      }
+    const auto finding = [&](const std::optional<Fuzzer::Counterexample>& counterexample) {
+      if (!counterexample) return false;
+      progress.clear();
+      tell(*counterexample, seed_, store(failures_, *counterexample, seed_), variants_);
+      return true;
+    };
+    while (!interrupted() && (cases_ > 0 ? fuzzer.cases() < cases_ : elapsed() < seconds_)) {
+      if (finding(fuzzer.step())) return 1;
       // The bar counts chains, or tenths of a second.
       if (cases_ > 0 || static_cast<std::uint64_t>(10 * elapsed()) >= tenths) {
         ++tenths;
         progress.step(fmt::format("{} chains, no finding", fuzzer.cases()));
       }
     }
+    if (!interrupted() && finding(fuzzer.giants_once())) return 1;
     progress.clear();
-    summarise(fuzzer, elapsed());
+    summarise(fuzzer, elapsed(), interrupted());
     return 0;
   }
 
-  int replay() const {
+  int replay(Notebook& notebook) const {
     Suite suite(subjects());
+    suite.watch(beats(notebook));
     bool anything = false;
     for (const auto& file : replay_) {
+      notebook.begin(file);
       const Case test = Case::of(load_chain(file));
       const auto findings = suite.check_all(test);
       for (const Finding& f : findings) fmt::print("{}: {}: {}: {}\n", file, f.variant, f.property, f.what);
@@ -107,38 +146,33 @@ class FuzzCommand final : public Command {
     return subjects;
   }
 
-  void tell(const Fuzzer::Counterexample& c) const {
-    std::ostringstream chain;
-    write_chain(chain, c.shrunk);
-    const auto path = store(failures_, c, seed_);
-    fmt::print("FOUND by case {} ({}, seed {}): {}\n  {}: {}\nshrunk from {} to {} spheres:\n\n{}\n",
-               c.number, c.family, seed_, c.finding.variant, c.finding.property, c.finding.what,
-               c.found.size(), c.shrunk.size(), chain.str());
-    fmt::print("stored in {}\nrun it again: catena fuzz --replay {}{}\n", path.string(), path.string(),
-               variants_.empty() ? "" : fmt::format(" --variant '{}'", c.finding.variant));
+  static Suite::Watch beats(Notebook& notebook) {
+    return [&notebook](const Subject& subject, const Property& property) {
+      notebook.check(subject.info.name, property.name());
+    };
   }
 
-  static void summarise(const Fuzzer& fuzzer, double seconds) {
-    const auto& tally = fuzzer.suite().tally();
+  /// Of a crash or a hang there is what the notebook says. It is stored before it is shrunk.
+  int tell_fault(const Notebook& notebook, const Ending& ending) const {
+    const Finding finding{notebook.variant(), notebook.property(), ending.fault};
+    const std::string text = notebook.chain_file(), origin = text.substr(0, text.find('\n'));
+    const auto found = store(failures_, finding, origin, text.substr(origin.size() + 1));
+    fmt::print("FOUND ({}): {}\n  {}: {}\nstored in {}\n", origin, finding.variant, finding.property,
+               finding.what, found.string());
+    std::fflush(stdout);
+    const auto fault = shrink_fault(finding, load_chain(found), timeout_, ending.hung ? 5 * timeout_ : 20);
+    if (!fault.repeats)
+      fmt::print("no new object does so on this chain alone: it depends on what was met before\n");
+    const auto shrunk = store(failures_, finding, origin + ", shrunk", chain_file_of(fault.chain));
+    if (shrunk != found) std::filesystem::remove(found);
     fmt::print(
-        "{} chains in {:.1f} s ({:.0f} a minute), {} checks on {} variants, {} refusals within declared "
-        "limits: "
-        "no finding\n\nchains drawn\n",
-        fuzzer.cases(), seconds, 60 * static_cast<double>(fuzzer.cases()) / seconds, tally.checks,
-        fuzzer.suite().variants().size(), tally.refusals);
-    for (const auto& [family, cases] : fuzzer.by_family()) fmt::print("  {:<12}{:>10}\n", family, cases);
-    fmt::print("  {:<12}{:>10}\n", "(long ones)", fuzzer.long_cases());
-    fmt::print("\nreached\n");
-    const Interest best = fuzzer.pool().best();
-    for (std::size_t t = 0; t < Interest::targets; ++t)
-      if (t == 2)
-        fmt::print("  {:<16}{:>10}\n", Interest::names[t], fmt::format("2^-{:.0f}", best.score[t]));
-      else
-        fmt::print("  {:<16}{:>10.0f}\n", Interest::names[t], best.score[t]);
+        "shrunk to {} spheres:\n\n{}\nstored in {}\nrun it again: catena fuzz --replay {} --variant '{}'\n",
+        fault.chain.size(), printed(fault.chain), shrunk.string(), shrunk.string(), finding.variant);
+    return 1;
   }
 
   std::vector<std::string> variants_, families_, replay_;
-  double seconds_ = 10;
+  double seconds_ = 10, timeout_ = 60;
   std::uint64_t cases_ = 0, seed_ = 1;
   std::uint32_t size_ = Fuzzer::Options{}.size, long_size_ = Fuzzer::Options{}.long_size;
   std::string failures_ = "catena-failures";

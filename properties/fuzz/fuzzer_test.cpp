@@ -14,6 +14,7 @@
 #include "catena/core/readers/chain_format.h"
 #include "catena/core/strategy/register.h"
 #include "catena/properties/fuzz/failure_store.h"
+#include "catena/properties/fuzz/sequence.h"
 #include "catena/properties/generators/mutate.h"
 #include "catena/reference/exact_gap.h"
 
@@ -64,11 +65,14 @@ TEST(Fuzzer, FindsAndShrinksAnError) {
   const auto found = fuzz(fuzzer, 1000);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->finding.variant, "MissesTouching");
-  EXPECT_LE(found->shrunk.size(), 3u);
-  EXPECT_TRUE(fuzzer.suite().repeats(found->finding, found->shrunk));
-  for (const Sphere& s : found->shrunk.spheres())
+  ASSERT_EQ(found->shrunk.size(), 1u);
+  EXPECT_TRUE(found->repeats);
+  const Chain& shrunk = found->shrunk.front();
+  EXPECT_LE(shrunk.size(), 3u);
+  EXPECT_TRUE(fuzzer.suite().repeats(found->finding, shrunk));
+  for (const Sphere& s : shrunk.spheres())
     for (const float number : {s.x, s.y, s.z, s.radius})
-      EXPECT_TRUE(std::fabs(number) <= 4 && 4 * number == std::round(4 * number)) << text_of(found->shrunk);
+      EXPECT_TRUE(std::fabs(number) <= 4 && 4 * number == std::round(4 * number)) << text_of(shrunk);
 }
 
 TEST(Fuzzer, TheSameSeedGivesTheSameRun) {
@@ -79,7 +83,7 @@ TEST(Fuzzer, TheSameSeedGivesTheSameRun) {
     ASSERT_TRUE(a && b);
     EXPECT_EQ(a->number, b->number);
     EXPECT_EQ(text_of(a->found), text_of(b->found));
-    EXPECT_EQ(text_of(a->shrunk), text_of(b->shrunk));
+    EXPECT_EQ(text_of(a->shrunk.front()), text_of(b->shrunk.front()));
   }
 }
 
@@ -107,9 +111,10 @@ TEST(Fuzzer, AStoredFailureReadsBackAsItsChain) {
   Fuzzer fuzzer({Subject::named("MissesTouching")}, {});
   const auto found = fuzz(fuzzer, 1000);
   ASSERT_TRUE(found);
-  const auto file = store(folder, *found, 1);
-  EXPECT_EQ(file, store(folder, *found, 1));
-  EXPECT_EQ(text_of(load_chain(file)), text_of(found->shrunk));
+  const auto files = store(folder, *found, 1);
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files, store(folder, *found, 1));
+  EXPECT_EQ(text_of(load_chain(files.front())), text_of(found->shrunk.front()));
   std::filesystem::remove_all(folder);
 }
 
@@ -122,6 +127,47 @@ TEST(Fuzzer, LongChainsAreFewAndStayOutOfThePool) {
   Fuzzer short_only({Subject::named("CPU1")}, {.long_size = 0});
   EXPECT_FALSE(fuzz(short_only, 1000));
   EXPECT_EQ(short_only.long_cases(), 0u);
+}
+
+TEST(Fuzzer, MeetsTheGiantsOnce) {
+  Fuzzer fuzzer({Subject::named("mutant:16-bit-ids")}, {.shrink = false});
+  const auto found = fuzz(fuzzer, 200);
+  ASSERT_TRUE(found) << "ids past 16 bits";
+  EXPECT_EQ(found->family, "giants");
+  EXPECT_GT(found->found.size(), 65'536u);
+  Fuzzer right({Subject::named("aCPU2+CPU2")}, {});
+  EXPECT_FALSE(right.giants_once());
+  const auto chains = right.suite().tally().chains;
+  EXPECT_GT(chains, 0u);
+  EXPECT_FALSE(right.giants_once());
+  EXPECT_EQ(right.suite().tally().chains, chains);
+}
+
+/// What fails only after other chains is shown by the fewest of them.
+TEST(Fuzzer, ShrinksAFailureThatDependsOnHistoryAsASequence) {
+  const std::string name = "mutant:stale-after-a-longer-chain";
+  Fuzzer fuzzer({Subject::named(name)}, {});
+  const auto found = fuzz(fuzzer, 1000);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->repeats);
+  EXPECT_FALSE(fuzzer.suite().repeats(found->finding, found->found)) << "a new object is right";
+  ASSERT_EQ(found->shrunk.size(), 2u);
+  EXPECT_GT(found->shrunk[0].size(), 4 * found->shrunk[1].size());
+  EXPECT_TRUE(fails_in_sequence(Subject::named(name), found->finding.property, found->shrunk));
+
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("catena-failures-" + std::to_string(getpid()));
+  const auto files = store(folder, *found, 1);
+  ASSERT_EQ(files.size(), 2u);
+  std::vector<Chain> stored;
+  for (const auto& file : files) stored.push_back(load_chain(file));
+  EXPECT_TRUE(fails_in_sequence(Subject::named(name), found->finding.property, stored));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Fuzzer, SaysWhatNoNewObjectShows) {
+  EXPECT_FALSE(shortest_sequence(Subject::named("aCPU2+CPU2"), "pair set",
+                                 {Chain({{0, 0, 0, 1}}), Chain({{0, 0, 0, 1}, {1, 0, 0, 1}})}));
 }
 
 TEST(Fuzzer, KillsEveryMutantWithinItsBudget) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
 #include "catena/properties/generators/rules.h"
 
 namespace catena::properties {
@@ -28,7 +29,8 @@ Family FamilyRegistry::family(std::string_view name) const {
     names.push_back(f.name);
   }
   throw InputError(
-      fmt::format("there is no family '{}' of chains; there are: {}", name, fmt::join(names, ", ")));
+      fmt::format("there is no family '{}' of chains; there are: {}{}", name, fmt::join(names, ", "),
+                  did_you_mean(name, names)));
 }
 
 Chain generate(const Family& family, Dice& dice, std::uint32_t size) {

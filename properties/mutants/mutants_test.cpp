@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "catena/core/error.h"
+#include "catena/core/thrown.h"
+#include "catena/properties/giants.h"
 #include "catena/properties/mutants/chains_to_kill.h"
+#include "catena/core/strategy/register.h"
 #include "catena/properties/mutants/faulty_tree.h"
 #include "catena/properties/property.h"
 
@@ -49,15 +52,16 @@ std::optional<std::string> failure(Property& property, const Subject& subject, V
     return property.check(subject, variant, test);
   } catch (const CapacityError&) {
     return std::nullopt;  // a refusal within a declared limit
-  } catch (const std::exception& error) {
-    return fmt::format("throws: {}", error.what());
+  } catch (...) {
+    return "threw: " + thrown_words();
   }
 }
 
 /// property -> number of cases it took to see that something is wrong.
 using Kills = std::map<std::string, std::size_t>;
 
-/// Runs every property on the small cases, then on the others until one kills.
+/// Runs every property on the small cases, then on the others until one kills, then what is asked of every chain on
+/// the giants.
 Kills kill(const Subject& subject) {
   Kills kills;
   struct Run {
@@ -71,6 +75,10 @@ Kills kill(const Subject& subject) {
     for (const Run& run : runs)
       if (!kills.contains(run.property->name()) && failure(*run.property, subject, *run.variant, cases()[k]))
         kills[run.property->name()] = k + 1;
+  for (std::size_t k = 0; k < giants().size() && kills.empty(); ++k)
+    for (const Run& run : runs)
+      if (run.property->every_chain() && failure(*run.property, subject, *run.variant, giants()[k]))
+        kills[run.property->name()] = cases().size() + k + 1;
   return kills;
 }
 
@@ -106,11 +114,10 @@ TEST(Mutants, AreHiddenFromEveryList) {
 }
 
 TEST(Mutants, WithoutABugTheirBasePasses) {
-  Subject base;
-  base.info.name = "FaultyTree";
-  base.info.has_tree = true;
-  base.info.promises = {true, true};
-  base.make = [] { return std::make_unique<FaultyTree>(); };
+  StrategyRegistry::instance().add_variant(
+      {.name = "FaultyTree", .summary = "no mutant", .has_tree = true, .promises = {true, true}},
+      arithmetic_info<Robust>(), make_strategy<FaultyTree, Variant>, true);
+  const Subject base = Subject::named("FaultyTree");
   for (const auto& property : PropertyRegistry::instance().make_all()) {
     if (!property->applies_to(base)) continue;
     const auto variant = base.make();
@@ -119,6 +126,9 @@ TEST(Mutants, WithoutABugTheirBasePasses) {
       EXPECT_FALSE(what) << property->name() << " on " << cases().name(k)
                          << ", n = " << cases()[k].chain.size() << ": " << *what;
     }
+    for (const Case& giant : giants())
+      if (property->every_chain())
+        EXPECT_FALSE(failure(*property, base, *variant, giant)) << property->name() << " on a giant";
   }
 }
 

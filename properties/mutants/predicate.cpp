@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "catena/core/arithmetic/exact_sign.h"
 #include "catena/core/arithmetic/paper_formulas.h"
@@ -88,6 +89,19 @@ class FloatConstant final : public WrongOverlap {
   }
 };
 const RegisterMutant<FloatConstant> constant{"float-constant-in-double-path", "ArborX PR#1195"};
+
+/// Numbers below the normal range are zero.
+class FlushesSubnormals final : public FaultyTree {
+  bool collide(const ChainView& chain, std::uint32_t i, std::uint32_t j) const override {
+    return Robust::overlap(flushed(chain.spheres[i]), flushed(chain.spheres[j]));
+  }
+  static Sphere flushed(const Sphere& s) {
+    const auto flush = [](float v) { return std::fabs(v) < std::numeric_limits<float>::min() ? 0.0f : v; };
+    return {flush(s.x), flush(s.y), flush(s.z), flush(s.radius)};
+  }
+};
+const RegisterMutant<FlushesSubnormals> flushes{
+    "flushes-subnormals", "catena itself in a program linked with -ffast-math: 1,122,751 pairs instead of 1,047"};
 
 /// Boxes are kept as min and max, but compared as centre and extent.
 class CentreExtent final : public WrongOverlap {

@@ -67,6 +67,31 @@ class EightBitCounts final : public WrongAnswer {
 const RegisterMutant<EightBitCounts> eight_bits{"saturated-8-bit-count",
                                                 "no more than 255 collisions a sphere"};
 
+/// Sphere 65,536 is sphere 0.
+class SixteenBitIds final : public FaultyTree {
+  void hit(std::uint32_t i, std::uint32_t j) override { FaultyTree::hit(i & 0xFFFF, j & 0xFFFF); }
+};
+const RegisterMutant<SixteenBitIds> sixteen_bit_ids{"16-bit-ids", "pairs kept as two 16-bit numbers, to save memory"};
+
+/// A buffer of the longest chain so far is cleared as far as this one goes.
+class StaleAfterLonger final : public WrongAnswer {
+  void build(const Chain& chain) override {
+    stale_ = longest_ > 8 * chain.size();
+    longest_ = std::max(longest_, chain.size());
+    FaultyTree::build(chain);
+  }
+  void spoil(Collisions& result) override {
+    if (!stale_ || result.pairs.empty()) return;
+    const Pair lost = result.pairs.back();
+    result.pairs.pop_back();
+    --result.pair_count, --result.count[lost.i], --result.count[lost.j];
+  }
+  bool stale_ = false;
+  std::uint32_t longest_ = 0;
+};
+const RegisterMutant<StaleAfterLonger> stale_after{"stale-after-a-longer-chain",
+                                                   "what a longer chain left in a buffer that is reused"};
+
 class SixteenBitTotal final : public WrongAnswer {
   void spoil(Collisions& result) override { result.pair_count &= 0xFFFF; }
 };

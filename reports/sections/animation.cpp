@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "catena/bench/timing/sampling.h"
-#include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -28,7 +28,7 @@ nlohmann::ordered_json animation(const Profile& profile) {
   Collisions found;
   for (const auto& info : exact_variants(profile)) {
     if (info.all_pairs) continue;
-    try {
+    attempt(info.name, [&] {
       auto variant = StrategyRegistry::instance().make(info.name);
       variant->build(first);
       variant->find(first, {}, found);
@@ -36,8 +36,7 @@ nlohmann::ordered_json animation(const Profile& profile) {
       rows.push_back({{"input", bench::label_of(spec)},
                       {"variant", info.name},
                       {"frames", nlohmann::ordered_json::array()}});
-    } catch (const CapacityError&) {  // refuses this chain
-    }
+    });
   }
   Chain before = first;
   for (std::uint32_t f = 0; f < input.animation->frames(); f += profile.animation_step) {
@@ -46,8 +45,10 @@ nlohmann::ordered_json animation(const Profile& profile) {
     std::vector<std::function<double()>> runs;
     for (std::size_t k = 0; k < variants.size(); ++k)
       runs.emplace_back([&, k] {
-        variants[k]->update(chain);
-        variants[k]->find(chain, {}, found);
+        blaming(rows[k]["variant"], [&] {
+          variants[k]->update(chain);
+          variants[k]->find(chain, {}, found);
+        });
         const Timings t = variants[k]->timings();
         rows[k]["frames"].push_back({{"frame", f},
                                      {"pairs", found.pair_count},

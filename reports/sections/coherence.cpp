@@ -1,7 +1,7 @@
 #include "catena/bench/timing/sampling.h"
-#include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/timings.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -17,7 +17,7 @@ nlohmann::ordered_json coherence(const Profile& profile) {
                 after = input.animation->frame(middle);
     for (const auto& info : exact_variants(profile)) {
       if (info.all_pairs) continue;
-      try {
+      attempt(info.name, [&] {
         const auto standing = StrategyRegistry::instance().make(info.name);
         standing->build(before);
         const auto ms =
@@ -38,8 +38,7 @@ nlohmann::ordered_json coherence(const Profile& profile) {
                         {"variant", info.name},
                         {"rebuild_ms", ms[0]},
                         {"update_ms", ms[1]}});
-      } catch (const CapacityError&) {  // refuses this chain
-      }
+      });
     }
   }
   return rows;

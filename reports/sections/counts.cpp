@@ -1,6 +1,6 @@
 #include "catena/bench/counts/count_work.h"
 #include "catena/bench/timing/cases.h"
-#include "catena/core/error.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -12,15 +12,14 @@ nlohmann::ordered_json counts(const Profile& profile) {
   for (const auto& c : bench::cases(profile.inputs, profile.variants, profile.most_all_pairs)) {
     if (c.stage != bench::Stage::find) continue;
     const auto work = bench::workload(c.spec);
-    try {
+    attempt(c.variant.name, [&] {  // the timed row of a variant that refuses this chain says why
       if (const auto counted = bench::count_work(c.variant, work->chains.front()))
         rows.push_back({{"input", work->label},
                         {"variant", c.variant.name},
                         {"pair_tests", counted->pair_tests},
                         {"node_visits", counted->node_visits},
                         {"bytes", counted->bytes}});
-    } catch (const CapacityError&) {  // the variant refuses this chain; its timed row says why
-    }
+    });
   }
   return rows;
 }

@@ -5,8 +5,8 @@
 
 #include "catena/bench/timing/sampling.h"
 #include "catena/bench/timing/median_interval.h"
-#include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -15,31 +15,31 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Want = Request::Want;
 
-/// A variant that stands built on a chain.
+/// A variant that stands built on a chain, and has searched it.
 struct Standing {
   VariantInfo info;
   std::unique_ptr<Variant> variant;
 };
-
-std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain, bool VariantInfo::*kind) {
-  std::vector<Standing> list;
-  for (const auto& info : infos) {
-    if (!(info.*kind)) continue;
-    try {
-      auto variant = StrategyRegistry::instance().make(info.name);
-      variant->build(chain);
-      list.push_back({info, std::move(variant)});
-    } catch (const CapacityError&) {  // refuses this chain
-    }
-  }
-  return list;
-}
 
 std::vector<Pair> sorted_pairs(Variant& variant, const Chain& chain) {
   Collisions found;
   variant.find(chain, {}, found);
   std::ranges::sort(found.pairs);
   return found.pairs;
+}
+
+std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain, bool VariantInfo::*kind) {
+  std::vector<Standing> list;
+  for (const auto& info : infos) {
+    if (!(info.*kind)) continue;
+    attempt(info.name, [&] {
+      auto variant = StrategyRegistry::instance().make(info.name);
+      variant->build(chain);
+      sorted_pairs(*variant, chain);  // one that fails is left out here, not in the middle
+      list.push_back({info, std::move(variant)});
+    });
+  }
+  return list;
 }
 
 /// Update and find, wall time.
@@ -65,7 +65,7 @@ std::optional<std::size_t> quickest_of(const std::vector<Standing>& list, const 
   Collisions found;
   std::vector<std::function<double()>> runs;
   for (const auto& s : list)
-    runs.emplace_back([&, v = s.variant.get()] { return whole_ms(*v, chain, found); });
+    runs.emplace_back([&] { return blaming(s.info.name, [&] { return whole_ms(*s.variant, chain, found); }); });
   return quickest(bench::interleave(runs, 5, profile.section_seconds / 4, profile.stopping.seed));
 }
 

@@ -10,6 +10,7 @@
 #include "catena/core/input/input.h"
 #include "catena/reference/compare.h"
 #include "catena/reports/base64.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -66,14 +67,15 @@ class Levels final : public SphereBoundsVisitor {
 Json levels_of(const Chain& chain, const Profile& profile) {
   for (const auto& info : exact_variants(profile)) {
     if (!info.has_tree || info.on_device()) continue;
-    try {
+    Json levels_shown;
+    const bool shown = attempt(info.name, [&] {
       const auto variant = StrategyRegistry::instance().make(info.name);
       variant->build(chain);
       Levels levels(chain);
       variant->visit_bounds(levels);
-      return levels.json();
-    } catch (const CapacityError&) {  // refuses this chain
-    }
+      levels_shown = levels.json();
+    });
+    if (shown) return levels_shown;
   }
   return {};
 }
@@ -88,10 +90,13 @@ Json wrong_answers(const Chain& chain, std::uint32_t frame, const reference::Ans
     if (info.all_pairs && chain.size() > 5000) continue;
     Collisions found;
     try {
-      const auto variant = StrategyRegistry::instance().make(info.name);
-      variant->build(chain);
-      variant->find(chain, {.pair_limit = pair_limit}, found);
-    } catch (const Error&) {  // refuses this chain, or invents a flood
+      const bool answered = attempt(info.name, [&] {
+        const auto variant = StrategyRegistry::instance().make(info.name);
+        variant->build(chain);
+        variant->find(chain, {.pair_limit = pair_limit}, found);
+      });
+      if (!answered) continue;
+    } catch (const PairLimitExceeded&) {  // invents a flood
       continue;
     }
     std::ranges::sort(found.pairs);

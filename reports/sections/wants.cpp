@@ -1,5 +1,5 @@
 #include "catena/bench/timing/sampling.h"
-#include "catena/core/error.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -19,7 +19,7 @@ nlohmann::ordered_json wants(const Profile& profile) {
     auto cells = nlohmann::ordered_json::array();
     for (const auto& info : exact_variants(profile)) {
       if (info.all_pairs && chain.size() > profile.most_all_pairs) continue;
-      try {
+      attempt(info.name, [&] {
         auto variant = StrategyRegistry::instance().make(info.name);
         variant->build(chain);
         for (const auto& [want, name] :
@@ -32,8 +32,7 @@ nlohmann::ordered_json wants(const Profile& profile) {
           cells.push_back({{"input", work->label}, {"variant", info.name}, {"want", name}});
         }
         ready.push_back(std::move(variant));
-      } catch (const CapacityError&) {  // refuses this chain
-      }
+      });
     }
     const auto ms =
         bench::interleave(runs, profile.section_rounds, profile.section_seconds, profile.stopping.seed);

@@ -1,12 +1,19 @@
 #include "catena/bench/timing/google/benchmarks.h"
 
+#include "catena/core/error.h"
+
 namespace catena::bench {
 
 void measure(benchmark::State& state, Trial& trial, Stage stage) {
   if (const auto& why = trial.prepare(); !why.empty()) return state.SkipWithError(why.c_str());
   for (auto iteration : state) {
     (void)iteration;
-    state.SetIterationTime(trial.run(stage) / 1000);
+    try {
+      state.SetIterationTime(trial.run(stage) / 1000);
+    } catch (const Error& thrown) {
+      state.SkipWithError(thrown.what());
+      return;
+    }
   }
   state.counters["pairs"] = static_cast<double>(trial.pairs());
   if (trial.missing() + trial.invented() > 0) {

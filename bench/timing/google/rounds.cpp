@@ -80,6 +80,7 @@ class Measurement final : public benchmark::BenchmarkReporter {
     out.rounds = samples.rounds;
     for (std::size_t k = 0; k < timed_.size(); ++k) {
       if (samples.ms[k].empty() && !timed_[k].refused) out.not_reached.push_back(timed_[k].what->name());
+      note_fault(*timed_[k].trial, timed_[k].what->facts.label, out.faults);
       out.cases += !samples.ms[k].empty();
       out.narrow += narrow(samples.ms[k], share);
     }
@@ -94,6 +95,13 @@ class Measurement final : public benchmark::BenchmarkReporter {
     std::int64_t samples = 0;
     bool refused = false;
   };
+
+  /// Once for all stages.
+  static void note_fault(const Trial& trial, const std::string& input, std::vector<std::string>& faults) {
+    if (!trial.at_fault()) return;
+    std::string fault = trial.info().name + " on " + input + ": " + trial.reason();
+    if (std::ranges::find(faults, fault) == faults.end()) faults.push_back(std::move(fault));
+  }
 
   void enlist(const Timed& timed) {
     auto* registered = benchmark::RegisterBenchmark(

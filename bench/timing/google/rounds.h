@@ -14,6 +14,7 @@ struct Rounds {
   std::size_t cases = 0;              ///< with at least one sample
   std::size_t narrow = 0;             ///< those of them whose interval became narrow enough
   std::size_t rounds = 0;
+  std::vector<std::string> faults;  ///< variants that threw or answered wrongly: VARIANT on INPUT: what
   std::vector<std::string> not_reached;  ///< names of cases that the time did not suffice for
 };
 

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "catena/core/commands/test_program.h"
+
+/// README and json.md against the program.
+namespace catena {
+namespace {
+
+/// A command as README shows it, and what it says that this prints; empty: it does not say.
+struct Shown {
+  std::string command, printed;
+};
+
+std::vector<Shown> shown_in(const std::string& text) {
+  std::vector<Shown> all;
+  std::istringstream lines(text);
+  bool console = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```"))
+      console = line == "```console";
+    else if (console && line.starts_with("$ "))
+      all.push_back({line.substr(2), ""});
+    else if (console && !all.empty())
+      all.back().printed += line + '\n';
+  }
+  return all;
+}
+
+/// Without what differs from run to run: times.
+std::string steady(const std::string& text) {
+  static const std::regex milliseconds("[0-9.]+ ms");
+  return std::regex_replace(text, milliseconds, "# ms");
+}
+
+class Readme : public Program {};
+
+TEST_F(Readme, ShowsWhatTheProgramPrints) {
+  std::filesystem::create_symlink(CATENA_SOURCE_DIR "/core", file("core"));
+  std::size_t compared = 0;
+  for (const Shown& shown : shown_in(text_of(CATENA_SOURCE_DIR "/README.md"))) {
+    if (shown.command.find("Sweep") != std::string::npos) continue;  // a variant of the reader's own
+    const ProgramOutcome r = shell("cd '" + file("") + "' && " + shown.command + " > '" + file("out") + "'");
+    EXPECT_LT(r.code, 2) << shown.command << ": " << r.output;
+    if (shown.printed.empty()) continue;
+    EXPECT_EQ(steady(r.output), steady(shown.printed)) << shown.command;
+    ++compared;
+  }
+  EXPECT_GE(compared, 2u);
+}
+
+void collect_keys(const nlohmann::json& json, std::set<std::string>& keys) {
+  if (json.is_object())
+    for (const auto& [key, value] : json.items()) {
+      keys.insert(key);
+      if (key != "settings" && key != "environment")
+        collect_keys(value, keys);  // keys of a strategy's own, and facts
+    }
+  if (json.is_array())
+    for (const auto& value : json) collect_keys(value, keys);
+}
+
+/// What json.md says of a command: from its name to the next.
+std::string documented(const std::string& command) {
+  const std::string text = text_of(CATENA_SOURCE_DIR "/core/commands/json.md");
+  const auto begin = text.find('\n' + command + ' ');
+  if (begin == std::string::npos) return "";
+  static const std::regex next("\n([a-z`])");
+  std::smatch found;
+  const std::string rest = text.substr(begin + 1);
+  return std::regex_search(rest, found, next) ? rest.substr(0, static_cast<std::size_t>(found.position()))
+                                              : rest;
+}
+
+TEST_F(Readme, EveryKeyOfEveryLineOfJsonIsDocumented) {
+  for (const std::string run_line :
+       {"detect coincident:n=9 --plan", "detect coincident:n=9 --any", "list",
+        "margins coincident:n=9 lattice:n=30",
+        "verify lattice:n=60 --variant CPU1 --variant aCPU2+CPU2/literal --variant aCPU2+Dual --certify",
+        "verify lattice:n=2000 --variant bGPU2@host+CPU2", "examine rod:n=50",
+        "stability --n 60 --variant CPU1/literal --variant aCPU2+CPU2", "errors --n 60"}) {
+    const ProgramOutcome r = run(run_line + " --json");
+    ASSERT_LT(r.code, 2) << run_line << ": " << r.output;
+    const std::string command = run_line.substr(0, run_line.find(' ')), said = documented(command);
+    std::set<std::string> keys;
+    std::istringstream lines(r.output);
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("{")) collect_keys(nlohmann::json::parse(line), keys);
+    EXPECT_FALSE(keys.empty()) << run_line << ": " << r.output;
+    for (const std::string& key : keys)
+      EXPECT_TRUE(std::regex_search(said, std::regex("\\b" + key + "\\b")))
+          << command << " prints '" << key << "'";
+  }
+}
+
+}  // namespace
+}  // namespace catena

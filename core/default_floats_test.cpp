@@ -1,0 +1,72 @@
+#include "catena/core/default_floats.h"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/error.h"
+#include "catena/properties/float_environment.h"
+
+namespace catena {
+namespace {
+
+using properties::StrangeFloats;
+
+TEST(DefaultFloats, StandOnlyWhereNothingIsStrange) {
+  EXPECT_TRUE(DefaultFloats::stands());
+  for (const int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    const StrangeFloats strange(rounding);
+#ifdef __SSE__
+    EXPECT_FALSE(DefaultFloats::stands()) << rounding;
+#endif
+    {
+      const DefaultFloats floats;
+      EXPECT_TRUE(DefaultFloats::stands()) << rounding;
+      EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+    }
+    EXPECT_EQ(std::fegetround(), rounding) << "the caller's comes back";
+  }
+  EXPECT_TRUE(DefaultFloats::stands());
+}
+
+/// With subnormal numbers read as zero this radius is not negative, and this arc has no length.
+TEST(DefaultFloats, AChainIsTheSameInEveryEnvironment) {
+  constexpr float least = 0x1p-149f;
+  const std::vector<Sphere> spheres{{0, 0, 0, least}, {3 * least, 0, 0, least}, {6 * least, 0, 0, least}};
+  const StrangeFloats strange(FE_UPWARD);
+  EXPECT_THROW(Chain({{0, 0, 0, -least}}), InputError);
+  const Chain chain(spheres, {}, Exclusion::arc(2));
+  const DefaultFloats floats;
+  EXPECT_TRUE(chain.neighbours(0, 1));
+  EXPECT_FALSE(chain.neighbours(0, 2));
+}
+
+/// The registry's wrapper must pass on every function of Variant: one that it does not know would quietly
+/// answer for the variant.
+TEST(DefaultFloats, TheRegistrysWrapperPassesOnAllOfVariant) {
+  const auto text_of = [](const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(CATENA_SOURCE_DIR "/core/strategy/" + name).rdbuf();
+    return text.str();
+  };
+  const auto functions = [](const std::string& text, const std::string& pattern) {
+    std::set<std::string> names;
+    const std::regex function(pattern);
+    for (std::sregex_iterator at(text.begin(), text.end(), function), end; at != end; ++at)
+      names.insert((*at)[1]);
+    return names;
+  };
+  const auto all = functions(text_of("variant.h"), "virtual [A-Za-z:*]+ \\*?([a-z_]+)\\(");
+  EXPECT_GE(all.size(), 10u);
+  EXPECT_EQ(functions(text_of("in_default_floats.h"), "variant_->([a-z_]+)\\("), all);
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,41 @@
+#include "catena/core/parameters/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
+#include "catena/core/parameters/whole_number.h"
+
+namespace catena {
+namespace {
+
+TEST(WholeNumber, TakesDigitsAndExponents) {
+  EXPECT_EQ(whole_number("0"), 0u);
+  EXPECT_EQ(whole_number("18446744073709551615"), ~std::uint64_t{0});
+  EXPECT_EQ(whole_number("1e6"), 1'000'000u);
+  EXPECT_EQ(whole_number("2.5e5"), 250'000u);
+  EXPECT_EQ(whole_number("1E+3"), 1000u);
+  for (const char* none :
+       {"", "-1", "-1e3", "1.5", "1e-3", "18446744073709551616", "1e30", "nan", "inf", "1e6x", " 1"})
+    EXPECT_FALSE(whole_number(none)) << none;
+}
+
+TEST(Parameters, ReadWholeNumbersAsTheyAreWritten) {
+  const std::vector<ParameterInfo> declared{{"n", "10", "number"}};
+  EXPECT_EQ(Parameters("scene x", declared, "n=1e6").unsigned_integer("n", 0, 2'000'000), 1'000'000u);
+  EXPECT_THROW(Parameters("scene x", declared, "n=1e7").unsigned_integer("n", 0, 2'000'000), InputError);
+  EXPECT_THROW(Parameters("scene x", declared, "n=0.5").unsigned_integer("n", 0, 2'000'000), InputError);
+}
+
+TEST(DidYouMean, KnowsASlipOfThePen) {
+  const std::vector<std::string> known{"path1", "path2", "yarn", "lattice", "aCPU2+CPU2", "CPU1"};
+  EXPECT_EQ(did_you_mean("pth1", known), "; did you mean 'path1'?");
+  EXPECT_EQ(did_you_mean("lattcie", known), "; did you mean 'lattice'?");
+  EXPECT_EQ(did_you_mean("cpu1", known), "; did you mean 'CPU1'?");
+  EXPECT_EQ(did_you_mean("ACPU2+CPU3", known), "; did you mean 'aCPU2+CPU2'?");
+  for (const char* far : {"", "x", "yes", "nothing alike", "knot"})
+    EXPECT_EQ(did_you_mean(far, known), "") << far;
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+#include <utility>
+
+#include "catena/core/default_floats.h"
+#include "catena/core/strategy/variant.h"
+
+namespace catena {
+
+/// A variant as the registry gives it out: whatever the floating-point environment of its caller, it builds
+/// and finds in the default one. All else is passed on; a test holds that to every function of Variant.
+class InDefaultFloats final : public Variant {
+ public:
+  explicit InDefaultFloats(std::unique_ptr<Variant> variant) : variant_(std::move(variant)) {}
+
+  void prepare(const Request& request) override { variant_->prepare(request); }
+  void build(const Chain& chain) override {
+    const DefaultFloats floats;
+    variant_->build(chain);
+  }
+  void update(const Chain& chain, const Moved& moved) override {
+    const DefaultFloats floats;
+    variant_->update(chain, moved);
+  }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    const DefaultFloats floats;
+    variant_->find(chain, request, result);
+  }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    const DefaultFloats floats;
+    variant_->find_with_evidence(chain, request, result, sink);
+  }
+  Timings timings() const override { return variant_->timings(); }
+  Plan plan() const override { return variant_->plan(); }
+  void visit_bounds(BoundsVisitor& visitor) const override { variant_->visit_bounds(visitor); }
+  Accounting evidence() const override { return variant_->evidence(); }
+  ResidentSearch* resident() override { return variant_->resident(); }
+
+ private:
+  std::unique_ptr<Variant> variant_;
+};
+
+}  // namespace catena

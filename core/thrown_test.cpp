@@ -1,0 +1,35 @@
+#include "catena/core/thrown.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+
+namespace catena {
+namespace {
+
+template <class Thrown>
+std::string blamed(const Thrown& thrown) {
+  try {
+    blaming("CPU9", [&]() -> int { throw thrown; });
+  } catch (const VariantThrew& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Thrown, NamesTheVariantWhateverItThrows) {
+  const std::string after = "; the fault is in this variant: see catena fuzz --variant";
+  EXPECT_EQ(blamed(std::out_of_range("past the end")), "CPU9 threw: past the end" + after);
+  EXPECT_EQ(blamed(std::bad_alloc()), "CPU9 threw: out of memory" + after);
+  EXPECT_EQ(blamed(7), "CPU9 threw: a foreign exception" + after);
+}
+
+TEST(Thrown, LetsErrorsAndAnswersPass) {
+  EXPECT_EQ(blaming("CPU9", [] { return 3; }), 3);
+  EXPECT_THROW(blaming("CPU9", [] { throw CapacityError("too long"); }), CapacityError);
+  EXPECT_THROW(blaming("CPU9", [] { throw PairLimitExceeded(2, 1); }), PairLimitExceeded);
+}
+
+}  // namespace
+}  // namespace catena

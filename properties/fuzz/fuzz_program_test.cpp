@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "catena/core/commands/test_program.h"
+#include "catena/properties/fuzz/failure_store.h"
+
+/// `catena fuzz` on what would take it along.
+namespace catena::properties {
+namespace {
+
+class FuzzProgram : public Program {
+ protected:
+  std::vector<std::filesystem::path> stored() const {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(file("failures")))
+      files.push_back(entry.path());
+    return files;
+  }
+  std::string at(const std::string& arguments) const {
+    return "fuzz --failures '" + file("failures") + "' " + arguments;
+  }
+};
+
+TEST_F(FuzzProgram, ACrashLeavesItsChain) {
+  const std::string variant = "--variant fault:crashes-past-8-spheres";
+  expect_says(at("--cases 500 " + variant), 1,
+              {"FOUND (family ", "pair set: crashed: Segmentation fault", "shrunk to 9 spheres",
+               "catena-chain 1", "run it again"});
+  ASSERT_EQ(stored().size(), 1u);
+  EXPECT_EQ(load_chain(stored().front()).size(), 9u);
+  expect_says(at(variant + " --replay '" + stored().front().string() + "'"), 1,
+              {stored().front().string(), "pair set: crashed: Segmentation fault"});
+}
+
+TEST_F(FuzzProgram, AHangLeavesItsChain) {
+  const std::string variant = "--variant fault:hangs-past-8-spheres";
+  expect_says(at("--cases 500 --timeout 0.5 --scene-family coil " + variant), 1,
+              {"pair set: hung: no end after 0.5 s", "catena-chain 1", "run it again"});
+  ASSERT_EQ(stored().size(), 1u);
+  EXPECT_GT(load_chain(stored().front()).size(), 8u);
+}
+
+TEST_F(FuzzProgram, AnInterruptPrintsWhatWasDone) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    const ProgramOutcome r =
+        shell("timeout -s " + signal + " 1 '" CATENA_PROGRAM "' fuzz --variant CPU1 --seconds 100 > '" +
+              file("out") + "'; echo code $? >&2");
+    EXPECT_NE(r.output.find("interrupted: "), std::string::npos) << r.output;
+    EXPECT_NE(r.output.find("deepest tree"), std::string::npos) << r.output;
+    EXPECT_NE(r.output.find("code 124"), std::string::npos) << "timeout's own: " << r.output;
+  }
+}
+
+TEST_F(FuzzProgram, AFailureThatDependsOnHistoryIsASequence) {
+  const std::string variant = "--variant mutant:stale-after-a-longer-chain";
+  expect_says(at("--cases 1000 " + variant), 1,
+              {"it depends on history: a new object fails after these 2 chains, in this order",
+               "-1.chain --replay "});
+  auto files = stored();
+  ASSERT_EQ(files.size(), 2u);
+  std::ranges::sort(files, {},
+                    [](const auto& path) { return path.string().substr(path.string().size() - 7); });
+  expect_says(at(variant + " --replay '" + files[0].string() + "' --replay '" + files[1].string() + "'"), 1,
+              {files[1].string() + ": mutant:stale-after-a-longer-chain: "});
+}
+
+TEST_F(FuzzProgram, ARunMeetsMoreThan65536Spheres) {
+  expect_says(at("--cases 1 --variant mutant:16-bit-ids"), 1, {"(giants, seed 1)", "pair set"});
+}
+
+TEST_F(FuzzProgram, RefusesARunOfNothing) {
+  expect_refused("fuzz --cases 0", "--cases");
+  expect_refused("fuzz --timeout -1", "--timeout");
+}
+
+}  // namespace
+}  // namespace catena::properties

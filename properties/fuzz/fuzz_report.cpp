@@ -1,0 +1,68 @@
+#include "catena/properties/fuzz/fuzz_report.h"
+
+#include <fmt/format.h>
+
+#include "catena/properties/fuzz/failure_store.h"
+
+namespace catena::properties {
+namespace {
+
+constexpr std::uint32_t longest_printed = 200;  ///< spheres
+
+std::string how_it_shrank(const Fuzzer::Counterexample& c) {
+  if (!c.repeats)
+    return fmt::format(
+        "no new object of it fails so, not after the chains before this one either: chance, or a longer "
+        "history\n"
+        "the chain it was found on, of {} spheres",
+        c.found.size());
+  if (c.shrunk.size() == 1 && c.shrunk.front().size() == c.found.size())
+    return fmt::format("of {} spheres", c.found.size());
+  if (c.shrunk.size() == 1)
+    return fmt::format("shrunk from {} to {} spheres", c.found.size(), c.shrunk.front().size());
+  return fmt::format("it depends on history: a new object fails after these {} chains, in this order",
+                     c.shrunk.size());
+}
+
+}  // namespace
+
+std::string printed(const Chain& chain) {
+  return chain.size() > longest_printed ? fmt::format("({} spheres: see its file)\n", chain.size())
+                                        : chain_file_of(chain);
+}
+
+void tell(const Fuzzer::Counterexample& c, std::uint64_t seed,
+          const std::vector<std::filesystem::path>& stored, const std::vector<std::string>& variants) {
+  fmt::print("FOUND by case {} ({}, seed {}): {}\n  {}: {}\n{}:\n\n", c.number, c.family, seed,
+             c.finding.variant, c.finding.property, c.finding.what, how_it_shrank(c));
+  std::string files, replay;
+  for (std::size_t k = 0; k < c.shrunk.size(); ++k) {
+    fmt::print("{}\n", printed(c.shrunk[k]));
+    files += fmt::format("{}{}", k == 0 ? "" : ", ", stored[k].string());
+    replay += fmt::format(" --replay {}", stored[k].string());
+  }
+  fmt::print("stored in {}\nrun it again: catena fuzz{}{}\n", files, replay,
+             variants.empty() ? "" : fmt::format(" --variant '{}'", c.finding.variant));
+}
+
+void summarise(const Fuzzer& fuzzer, double seconds, bool interrupted) {
+  const auto& tally = fuzzer.suite().tally();
+  fmt::print(
+      "{}{} chains in {:.1f} s ({:.0f} a minute), {} checks on {} variants, {} refusals within declared "
+      "limits: "
+      "no finding\n\nchains drawn\n",
+      interrupted ? "interrupted: " : "", fuzzer.cases(), seconds,
+      60 * static_cast<double>(fuzzer.cases()) / seconds, tally.checks, fuzzer.suite().variants().size(),
+      tally.refusals);
+  for (const auto& [family, cases] : fuzzer.by_family()) fmt::print("  {:<12}{:>10}\n", family, cases);
+  fmt::print("  {:<12}{:>10}\n", "(long ones)", fuzzer.long_cases());
+  fmt::print("\nreached\n");
+  const Interest best = fuzzer.pool().best();
+  for (std::size_t t = 0; t < Interest::targets; ++t)
+    if (t == 2)
+      fmt::print("  {:<16}{:>10}\n", Interest::names[t], fmt::format("2^-{:.0f}", best.score[t]));
+    else
+      fmt::print("  {:<16}{:>10.0f}\n", Interest::names[t], best.score[t]);
+}
+
+}  // namespace catena::properties

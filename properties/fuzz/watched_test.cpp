@@ -1,0 +1,66 @@
+#include "catena/properties/fuzz/watched.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace catena::properties {
+namespace {
+
+void sleep_ms(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
+
+TEST(Watched, GivesTheCodeOfWhatEndsByItself) {
+  for (const int code : {0, 1, 7}) {
+    Notebook notebook;
+    const Ending ending = tried(notebook, 10, [&] { return code; });
+    EXPECT_EQ(ending.code, code);
+    EXPECT_EQ(ending.fault, "");
+  }
+  Notebook notebook;
+  EXPECT_EQ(tried(notebook, 10, []() -> int { throw std::runtime_error("said elsewhere"); }).code, 2);
+}
+
+TEST(Watched, SaysACrashAndKeepsWhatWasNoted) {
+  Notebook notebook;
+  const Ending ending = tried(notebook, 10, [&] {
+    notebook.begin("the chain");
+    notebook.check("CPU9", "pair set");
+    std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would say it in its own way
+    std::raise(SIGSEGV);
+    return 0;
+  });
+  EXPECT_EQ(ending.fault, "crashed: Segmentation fault");
+  EXPECT_EQ(notebook.chain_file(), "the chain");
+  EXPECT_EQ(notebook.variant(), "CPU9");
+  EXPECT_EQ(notebook.property(), "pair set");
+}
+
+TEST(Watched, AnEndInTheMiddleIsAFault) {
+  Notebook notebook;
+  const Ending ending = tried(notebook, 10, []() -> int { std::_Exit(0); });
+  EXPECT_EQ(ending.fault, "ended the program with exit code 0");
+}
+
+TEST(Watched, KillsWhatHangsAndNotWhatGoesOn) {
+  Notebook busy;
+  const Ending goes_on = tried(busy, 0.5, [&] {
+    for (int k = 0; k < 10; ++k) busy.check("CPU9", "pair set"), sleep_ms(100);
+    return 3;
+  });
+  EXPECT_EQ(goes_on.code, 3) << "a second of work in steps";
+  EXPECT_EQ(goes_on.fault, "");
+  Notebook stuck;
+  const Ending hung = tried(stuck, 0.2, [] {
+    for (;;) sleep_ms(1000);
+    return 0;
+  });
+  EXPECT_EQ(hung.fault, "hung: no end after 0.2 s");
+}
+
+}  // namespace
+}  // namespace catena::properties
