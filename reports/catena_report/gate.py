@@ -22,7 +22,8 @@ LEAST_RATIO = 1.02  # smaller changes do not matter
 SEEN = 0.95  # the chance with which what "could have been seen" is seen
 COMMON_RATIO = 1.1  # a factor of all cases at one place is the machine's up to this
 UNCALIBRATED_RATIO = 1.5  # the same without a kernel
-LOADED = 0.25  # how much of the load that the kernel saw may be in a family's time
+LOADED = 0.25  # how much of the load that the kernel saw may be in a case's time, on each chain anew,
+LOADED_ALL = 0.05  # and in a family's, on all its chains alike
 PRIOR_DEGREES = {True: 25.0, False: 6.0}  # of freedom, by which the scatter of all moderates that of a family; the
 FEW_CASES = 4  # second with fewer cases than this, whose mean is far from normal
 FEW = 12  # with fewer families at a place, their common change cannot be told from the machine's
@@ -60,14 +61,10 @@ class Common:
 
 def decide(cases, least_ratio=LEAST_RATIO):
     """([Family], [Common]) of [paired.Case], families by their name. Neither of nothing."""
-    left, uncertain, common = _without_machine(cases)
-    members = {}
-    for at, case in enumerate(cases):
-        members.setdefault((case.variant, case.stage), []).append(at)
-        if case.algorithm:
-            members.setdefault((case.algorithm, case.stage), []).append(at)
-    if not members:
+    if not cases:
         return [], []
+    left, uncertain, common = _without_machine(cases)
+    members = _members(cases)
     variances = numpy.array([case.variance for case in cases])
     loads = numpy.array([case.load for case in cases])
     found = {}
@@ -76,7 +73,8 @@ def decide(cases, least_ratio=LEAST_RATIO):
         weights = numpy.minimum(weights, 4 * numpy.median(weights))  # no chain decides alone
         weights /= weights.sum()
         centre = float(weights @ own)
-        load = LOADED * math.hypot(*(weights @ loads[at]))
+        squares = (loads[at] ** 2).sum(axis=1)
+        load = math.hypot(LOADED * math.sqrt(weights**2 @ squares), LOADED_ALL * math.sqrt(weights @ squares))
         found[name] = (
             centre,
             float(weights**2 @ variances[at]),
@@ -92,6 +90,18 @@ def decide(cases, least_ratio=LEAST_RATIO):
         _family(*name, values, prior, len(found), least_ratio) for name, values in sorted(found.items())
     ]
     return families, common
+
+
+def _members(cases):
+    """{(variant or algorithm, stage): [index of a case]}; an algorithm that one variant has is that variant's."""
+    members, variants = {}, {}
+    for at, case in enumerate(cases):
+        members.setdefault((case.variant, case.stage), []).append(at)
+        variants.setdefault((case.algorithm, case.stage), set()).add(case.variant)
+    for at, case in enumerate(cases):
+        if case.algorithm and len(variants[case.algorithm, case.stage]) > 1:
+            members.setdefault((case.algorithm, case.stage), []).append(at)
+    return members
 
 
 def _family(variant, stage, values, prior, tests, least_ratio):
@@ -162,7 +172,7 @@ def _fit(terms, changes, variances):
 
 def _common(where, machine, kernel, calibrated, cases):
     shift = float(numpy.median(machine))
-    load = LOADED * math.hypot(*numpy.median([case.load for case in cases], axis=0))
+    load = LOADED_ALL * math.hypot(*numpy.median([case.load for case in cases], axis=0))
     least = math.log(COMMON_RATIO if calibrated else UNCALIBRATED_RATIO) + abs(kernel) / 2 + 3 * load
     verdict = SLOWER if shift - max(0.0, kernel) > least else SAME
     return Common(where, math.exp(shift), math.exp(kernel), math.exp(least), verdict)

@@ -1,12 +1,13 @@
 """The gate's promises on quick runs drawn from the stored one: silence where nothing changed, and what it must see.
 200 pairs with CATENA_LONG set (ctest -L long), a few otherwise.
 """
+import itertools
 import os
 import unittest
 
-import made  # noqa: F401  finds the package
+import made
 import samples
-from catena_report import gate, paired
+from catena_report import gate, paired, runfile, work
 
 PAIRS = 200 if os.environ.get("CATENA_LONG") else 4
 PLANTS = 100 if os.environ.get("CATENA_LONG") else 5
@@ -67,6 +68,20 @@ class Promises(unittest.TestCase):
                     )
                     hits.append(family.name in {getattr(part, "name", None) for part in alarms(slower)})
         self.assertGreaterEqual(sum(hits) / len(hits), 0.9 if PLANTS >= 100 else 0.7)
+
+    def test_no_alarm_between_runs_on_a_machine_that_compiled_meanwhile(self):
+        """Two cores, one a thread of the other; two to thirteen processes wanted them."""
+        runs = [runfile.load(path) for path in sorted((made.REPORTS / "results").glob("loaded_*.json.gz"))]
+        self.assertEqual(len(runs), 4)
+        for old, new in itertools.permutations(runs, 2):
+            cases = paired.cases(old, new)
+            with self.subTest(old=old.path.name, new=new.path.name):
+                self.assertGreater(len(cases), 500)
+                self.assertEqual(alarms(cases), [])
+                self.assertTrue(alarms(samples.slower(cases, 1000, lambda case: True)))
+                found = alarms(samples.slower(cases, 2.2, lambda case: case.algorithm == "*+CPU2"))
+                self.assertIn("*+CPU2/find", {getattr(part, "name", "") for part in found})
+                self.assertFalse(work.compared(old, new).regressed)
 
     def test_what_is_the_same_is_called_so(self):
         timed, kinds = samples.stored()
