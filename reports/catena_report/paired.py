@@ -117,10 +117,11 @@ def pairs(before, after, kinds):
                 best[key] = min(best.get(key, math.inf), float(ms.min()))
     sizes = [min(len(before[case].ms), len(after[case].ms)) for case in shared]
     quick = [_quick_quarters([run[case].ms[:size] for case, size in zip(shared, sizes)]) for run in (before, after)]
-    return [
-        _case(case, kinds[case], size, *ends, [_beside(run[case], kinds[case][1], size, best) for run in (before, after)])
-        for case, size, *ends in zip(shared, sizes, *quick)
-    ]
+    found = []
+    for case, size, *ends in zip(shared, sizes, *quick):
+        beside = [_beside(run[case], kinds[case][1], size, best) for run in (before, after)]
+        found.append(_case(case, kinds[case], size, *ends, beside))
+    return found
 
 
 def changed_inputs(old, new):
