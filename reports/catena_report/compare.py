@@ -1,5 +1,5 @@
-"""Two runs of the same cases, so that a CI can gate on it: what was counted is compared exactly (work.py), what was
-timed by one test for each variant and stage over all chains (gate.py).
+"""Two runs of the same cases, so that a CI can gate on it: what was counted is compared exactly (work.py),
+what was timed by one test for each variant and stage over all chains (gate.py).
 
   slower     surely (one alarm in 500 runs of unchanged code), and by at least LEAST_RATIO
   faster     the same the other way round
@@ -35,10 +35,11 @@ def main(old_path, new_path, least_ratio):
     _print_seen(families)
     if counted.regressed or broken or any(part.verdict == gate.SLOWER for part in (*families, *common)):
         return 1
-    if min(family.seen for family in families) > BLIND:  # a gate that cannot close must not say that all is well
+    if min(family.seen for family in families) > BLIND:  # a gate that cannot close must not say: all is well
+        fewest = min(case.repetitions for case in cases)
         raise runfile.BadRunFile(
-            f"{new_path}: not even a doubled time would have been seen, by too few repetitions"
-            f" ({min(case.repetitions for case in cases)}) or too much load; measure both again, with more --repetitions"
+            f"{new_path}: not even a doubled time would have been seen, by too few repetitions ({fewest}) or too"
+            " much load; measure both again, with more --repetitions"
         )
     return 0
 
@@ -72,7 +73,10 @@ def _print_times(families, common):
     for part in common:
         told = f"{part.ratio:.3f}, of the calibration kernel {part.kernel:.3f}"
         if part.verdict == gate.SLOWER:
-            print(f"everything on {PLACES[part.place]} is slower: new/old {told}; the machine explains {part.least:.2f}")
+            print(
+                f"everything on {PLACES[part.place]} is slower: new/old {told}; a machine explains"
+                f" {part.least:.2f}"
+            )
         elif not 0.95 < part.ratio < 1.05:
             print(f"note: new/old of everything on {PLACES[part.place]} is {told}: taken for the machine's")
     print(
@@ -97,8 +101,8 @@ def _print_notes(old, new, cases):
     loads = [max(case.load) for case in cases]
     if numpy.median(loads) > paired.IDLE:
         print(
-            f"note: the machine was loaded: the calibration kernel took {numpy.exp(numpy.median(loads)):.1f} times its"
-            " best even beside the quietest samples; measure on an idle machine to see more"
+            f"note: the machine was loaded: even beside the quietest samples the calibration kernel took"
+            f" {numpy.exp(numpy.median(loads)):.1f} times its best; measure on an idle machine to see more"
         )
 
 
@@ -108,7 +112,8 @@ def _print_seen(families):
     print(
         f"what would have been seen in {100 * gate.SEEN:.0f} %: {_ratio(seen[0])} in the surest family,"
         f" {_ratio(seen[len(seen) // 2])} in the middle one, {_ratio(seen[-1])} in the least sure;"
-        f" 1.05 or less in {small} of {len(seen)}. An unchanged program fails once in {1 / gate.ALARMS:.0f} runs"
+        f" 1.05 or less in {small} of {len(seen)}. An unchanged program fails once in"
+        f" {1 / gate.ALARMS:.0f} runs"
     )
 
 

@@ -1,12 +1,12 @@
 """Whether a run is slower than an earlier one, decided once for each variant and stage over all chains.
 
-A change is the logarithm of NEW / OLD of a case's quick quarter of samples: load only ever adds time. The changes of
-all cases at one place (host, its threads, a device) are fitted, robustly, by what the machine did: one factor for all,
-the calibration kernel that was timed beside each sample, and how long a case takes, since a long one is interrupted
-more often. What is left belongs to the code. A family, one variant and stage, or the stage of one algorithm in all
-variants that have it, is tested by the weighted mean of that
-over its chains; its variance comes from the scatter between them, moderated by that of all families (Smyth 2004), and grows
-with the load that the kernel saw. One test a family, Bonferroni over the families.
+A change is the logarithm of NEW / OLD of a case's quick quarter of samples: load only ever adds time. The
+changes of all cases at one place (host, its threads, a device) are fitted, robustly, by what the machine did:
+one factor for all, the calibration kernel that was timed beside each sample, and how long a case takes, since
+a long one is interrupted more often. What is left belongs to the code. A family, one variant and stage, or
+the stage of one algorithm in all variants that have it, is tested by the weighted mean of that over its
+chains; its variance comes from the scatter between them, moderated by that of all families (Smyth 2004), and
+grows with the load that the kernel saw. One test a family, Bonferroni over the families.
 """
 import dataclasses
 import functools
@@ -24,10 +24,12 @@ COMMON_RATIO = 1.1  # a factor of all cases at one place is the machine's up to 
 UNCALIBRATED_RATIO = 1.5  # the same without a kernel
 LOADED = 0.25  # how much of the load that the kernel saw may be in a case's time, on each chain anew,
 LOADED_ALL = 0.05  # and in a family's, on all its chains alike
-PRIOR_DEGREES = {True: 25.0, False: 6.0}  # of freedom, by which the scatter of all moderates that of a family; the
-FEW_CASES = 4  # second with fewer cases than this, whose mean is far from normal
+# Degrees of freedom by which the scatter of all moderates that of a family: with FEW_CASES at least, and with
+# fewer, whose mean is far from normal.
+PRIOR_DEGREES = {True: 25.0, False: 6.0}
+FEW_CASES = 4
 FEW = 12  # with fewer families at a place, their common change cannot be told from the machine's
-MACHINE = {True: 0.03, False: 0.05}  # then: the standard error of the machine's part, with a kernel and without
+MACHINE = {True: 0.03, False: 0.05}  # then: the standard error of the machine's part; with a kernel, without
 SAME, FASTER, SLOWER, UNDECIDED = "same", "faster", "slower", "undecided"
 
 
@@ -93,7 +95,9 @@ def decide(cases, least_ratio=LEAST_RATIO):
 
 
 def _members(cases):
-    """{(variant or algorithm, stage): [index of a case]}; an algorithm that one variant has is that variant's."""
+    """{(variant or algorithm, stage): [index of a case]}; an algorithm that one variant has is that
+    variant's.
+    """
     members, variants = {}, {}
     for at, case in enumerate(cases):
         members.setdefault((case.variant, case.stage), []).append(at)
@@ -149,8 +153,8 @@ def _without_machine(cases):
 
 
 def _machine_terms(cases, kernels):
-    """One column for each thing that a machine does to all cases: a factor, the kernel, and a slope over their
-    duration that changes at 3 ms, about the time slice of a scheduler.
+    """One column for each thing that a machine does to all cases: a factor, the kernel, and a slope over
+    their duration that changes at 3 ms, about the time slice of a scheduler.
     """
     ms = numpy.array([case.old for case in cases])
     columns = [numpy.ones(len(cases)), kernels] + [numpy.log(numpy.maximum(ms, at) / at) for at in (0.3, 3)]
@@ -158,7 +162,7 @@ def _machine_terms(cases, kernels):
 
 
 def _fit(terms, changes, variances):
-    """The fitted changes: least squares, weighted, with Huber's weights against the families that did change."""
+    """The fitted changes: weighted least squares, with Huber's weights against families that did change."""
     certain = 1 / (numpy.array(variances) + 0.02**2)
     weights = certain
     for _ in range(15):

@@ -51,13 +51,19 @@ def write(report, output):
 
 
 def _list_files(blocks, output):
-    """Says in the folder what this report is about to write there, so that the next one can remove what it does not
-    replace (reports/report_folder.h).
+    """Says in the folder what this report is about to write there, so that the next one can remove what it
+    does not replace (reports/report_folder.h).
     """
-    figures = [f"figures/{block.key}.{kind}" for block in blocks if isinstance(block, Figure) for kind in ("svg", "pdf")]
-    tables = [f"tables/{block.key}.{kind}" for block in blocks if isinstance(block, Table) for kind in ("csv", "tex")]
+    named = {Figure: ("figures", "svg", "pdf"), Table: ("tables", "csv", "tex")}
+    files = [
+        f"{folder}/{block.key}.{kind}"
+        for type_, (folder, *kinds) in named.items()
+        for block in blocks
+        if isinstance(block, type_)
+        for kind in kinds
+    ]
     with (output / ".catena-report").open("a", encoding="utf-8") as file:
-        file.write("\n".join(["report", *figures, *tables, "report.md", "run.json", "index.html"]) + "\n")
+        file.write("\n".join(["report", *files, "report.md", "run.json", "index.html"]) + "\n")
 
 
 def _write_markdown(built, path):

@@ -1,5 +1,5 @@
-"""What two runs measured of the same cases, as the gate (gate.py) needs it: how much slower on a logarithm, how sure,
-and how loaded the machine was meanwhile.
+"""What two runs measured of the same cases, as the gate (gate.py) needs it: how much slower on a logarithm,
+how sure, and how loaded the machine was meanwhile.
 """
 import dataclasses
 import math
@@ -23,7 +23,7 @@ class Case:
     input: str
     variant: str
     stage: str
-    algorithm: str  # of the stage, as variants that share it: "*+CPU2"; empty where one variant is alone in it
+    algorithm: str  # that finds or builds, in any variant: "*+CPU2", "aCPU2+*"; empty of what is one piece
     place: str  # where the stage runs
     repetitions: int  # of each run that are compared: the first so many
     old: float  # ms, of the quick quarter
@@ -41,8 +41,8 @@ class Case:
 
 @dataclasses.dataclass(frozen=True)
 class Timed:
-    """The samples of one case in the order in which they ran. ms: the quickest pass of each where the run says it,
-    else the mean; kernels: name -> milliseconds beside each sample, absent in older runs.
+    """The samples of one case in the order in which they ran. ms: the quickest pass of each where the run
+    says it, else the mean; kernels: name -> milliseconds beside each sample, absent in older runs.
     """
 
     ms: numpy.ndarray
@@ -78,8 +78,8 @@ def place(run, case):
 
 
 def algorithm(run, case):
-    """The algorithm that the stage of this case shares with other variants: "aCPU2+*" builds, "*+CPU2/literal" finds;
-    empty of what is complete in itself, and of a whole.
+    """The algorithm that the stage of this case shares with other variants: "aCPU2+*" builds,
+    "*+CPU2/literal" finds; empty of what is complete in itself, and of a whole.
     """
     described = (run.catena.get("variants") or {}).get(case[1])
     if not described or len(described["stages"]) < 2 or len(_parts(run, case)) != 1:
@@ -99,16 +99,19 @@ def _parts(run, case):
 def cases(old, new):
     """[Case] of what both runs timed on the same chains."""
     others = changed_inputs(old, new)
-    before, after = ({case: of for case, of in timed(run).items() if case[0] not in others} for run in (old, new))
+    before, after = (
+        {case: of for case, of in timed(run).items() if case[0] not in others} for run in (old, new)
+    )
     return pairs(before, after, {case: (algorithm(new, case), place(new, case)) for case in after})
 
 
 def pairs(before, after, kinds):
-    """[Case] of {(input, variant, stage): Timed} of two runs and {(input, variant, stage): (algorithm, place)}, by
-    input, variant and stage.
+    """[Case] of {(input, variant, stage): Timed} of two runs and {(input, variant, stage): (algorithm,
+    place)}, by input, variant and stage.
     """
     shared = sorted(
-        set(before) & set(after), key=lambda case: (runfile.scene_of(case[0]), runfile.n_of(case[0]), case[1:])
+        set(before) & set(after),
+        key=lambda case: (runfile.scene_of(case[0]), runfile.n_of(case[0]), case[1:]),
     )
     best = {}
     for run in (before, after):
@@ -116,7 +119,9 @@ def pairs(before, after, kinds):
             for key, ms in run[case].kernels.items():
                 best[key] = min(best.get(key, math.inf), float(ms.min()))
     sizes = [min(len(before[case].ms), len(after[case].ms)) for case in shared]
-    quick = [_quick_quarters([run[case].ms[:size] for case, size in zip(shared, sizes)]) for run in (before, after)]
+    quick = [
+        _quick_quarters([run[case].ms[:size] for case, size in zip(shared, sizes)]) for run in (before, after)
+    ]
     found = []
     for case, size, *ends in zip(shared, sizes, *quick):
         beside = [_beside(run[case], kinds[case][1], size, best) for run in (before, after)]
@@ -146,8 +151,8 @@ def _machine(beside):
 
 
 def _quick_quarters(lists):
-    """[(the mean logarithm of the quick quarter, its standard error by the bootstrap)] of lists of milliseconds, those
-    of one length at once.
+    """[(the mean logarithm of the quick quarter, its standard error by the bootstrap)] of lists of
+    milliseconds, those of one length at once.
     """
     found = [None] * len(lists)
     for size in set(map(len, lists)):
@@ -163,8 +168,9 @@ def _quick_quarters(lists):
 
 
 def _beside(run, where, size, best):
-    """(log of how much slower than its best the kernel was beside the three quickest samples, the same beside the
-    quietest past what is IDLE); None without a kernel. Plain lists: of a dozen numbers numpy takes ten times as long.
+    """(log of how much slower than its best the kernel was beside the three quickest samples, the same beside
+    the quietest past what is IDLE); None without a kernel. Plain lists: of a dozen numbers numpy takes ten
+    times as long.
     """
     key = KERNELS.get(where)
     if key not in run.kernels:

@@ -1,5 +1,5 @@
-"""Runs for tests of the gate: quick runs drawn from the samples of a stored one, so that nothing has changed between
-two of them, and changes planted in one.
+"""Runs for tests of the gate: quick runs drawn from the samples of a stored one, so that nothing has changed
+between two of them, and changes planted in one.
 """
 import dataclasses
 import functools
@@ -14,8 +14,8 @@ STORED = made.REPORTS / "results" / "h200_quick.json.gz"
 
 @functools.lru_cache(maxsize=None)
 def stored():
-    """({case: paired.Timed}, {case: (algorithm, place)}) of the stored quick run: 1,080 cases of 192 variants and
-    stages, 6 to 12 samples each.
+    """({case: paired.Timed}, {case: (algorithm, place)}) of the stored quick run: 1,080 cases of 192 variants
+    and stages, 6 to 12 samples each.
     """
     run = runfile.load(STORED)
     timed = paired.timed(run)

@@ -1,5 +1,5 @@
-"""The gate's promises on quick runs drawn from the stored one: silence where nothing changed, and what it must see.
-200 pairs with CATENA_LONG set (ctest -L long), a few otherwise.
+"""The gate's promises on quick runs drawn from the stored one: silence where nothing changed, and what it
+must see. 200 pairs with CATENA_LONG set (ctest -L long), a few otherwise.
 """
 import itertools
 import os

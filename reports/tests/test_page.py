@@ -91,6 +91,12 @@ class Everything(Made):
         names = {module.__name__.rpartition(".")[2].replace("_", "-") for module in sections.ORDER}
         self.assertEqual(set(self.page.sections), names - {"viewer"})
 
+    def test_the_folder_lists_what_was_written(self):
+        listed = (self.output / ".catena-report").read_text().splitlines()
+        written = {str(path.relative_to(self.output)) for path in self.output.rglob("*") if path.is_file()}
+        self.assertEqual(listed[0], "report")
+        self.assertEqual(set(listed[1:]), written - {".catena-report"})
+
     def test_stands_alone(self):
         outside = [address for address in self.page.addresses if not address.startswith(("#", "data:"))]
         self.assertEqual(outside, [])
