@@ -80,10 +80,12 @@ class ReportCommand final : public Command {
   static constexpr std::uint32_t most_shown = 20'000;  ///< spheres of a chain in the viewer
 
   int measure() {
+    std::optional<Profile> asked;
+    if (!resume_) asked = chosen();  // before anything is made: it may be refused
     ReportFolder folder(output_);
     std::optional<Journal> resumed;
     if (resume_) take(options_of(*(resumed = Journal::resume(folder.journal()))));
-    const Profile profile = chosen();
+    const Profile profile = asked ? *asked : chosen();
     Journal journal =
         resumed ? std::move(*resumed)
                 : Journal::begin(folder.journal(), {{"options", options()}, {"environment", environment()}});
