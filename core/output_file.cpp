@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -55,6 +56,29 @@ fs::path unfinished_beside(const fs::path& target) {
   return fmt::format("{}.{}-{}.unfinished", target.string(), getpid(), ++files);
 }
 
+/// A file without a name in the folder of this one, which vanishes with the process however that ends; -1 where
+/// the file system has none.
+int open_nameless(const fs::path& target) {
+  const auto folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  return open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+/// Ctrl-C waits while this lives.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& name) : name_(name), target_(followed(name)) {
@@ -63,7 +87,10 @@ OutputFile::OutputFile(const fs::path& name) : name_(name), target_(followed(nam
     file = fcntl(*open_already, F_DUPFD_CLOEXEC, 3);
   } else if (regular_or_new(target_)) {
     unfinished_ = unfinished_beside(target_);
-    file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    file = open_nameless(target_);
+    nameless_ = file >= 0;
+    if (!nameless_)
+      file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
   } else {
     file = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   }
@@ -81,6 +108,13 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::close() {
+  const SignalsHeld held;
+  if (std::fflush(out_) != 0) fail(errno);
+  if (nameless_) {
+    const std::string open_file = fmt::format("/proc/self/fd/{}", fileno(out_));
+    unlink(unfinished_.c_str());  // of a process that had our number and was killed
+    if (linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, unfinished_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail(errno);
+  }
   std::FILE* const out = std::exchange(out_, nullptr);
   if (std::fclose(out) != 0) fail(errno);
   if (unfinished_.empty()) return;

@@ -9,7 +9,8 @@ namespace catena {
 /// A file being written; every file of catena is written by this.
 ///
 /// A regular file, or a new one, gets its name only when it is complete: a failed run leaves no half file and
-/// does not touch an older one. Where the name is a symbolic link, the file that it points to is replaced,
+/// does not touch an older one. Until then it has none, so that nothing is left of it even by a signal or a crash
+/// (a file system without nameless files keeps it beside, as NAME.unfinished). Where the name is a symbolic link, the file that it points to is replaced,
 /// and the link stays. What is no regular file (a device, a FIFO) is written through, and so is an open
 /// descriptor, /dev/stdout or /dev/fd/N, whatever is behind it.
 ///
@@ -30,6 +31,7 @@ class OutputFile {
   std::filesystem::path name_;        // as the caller wrote it
   std::filesystem::path target_;      // what it stands for
   std::filesystem::path unfinished_;  // beside target_; empty when written through
+  bool nameless_ = false;            // until close(): unfinished_ is what it will be called
   std::FILE* out_ = nullptr;
 };
 

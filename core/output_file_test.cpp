@@ -2,9 +2,12 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -64,6 +67,31 @@ TEST_F(OutputFiles, HaveTheirNameOnlyWhenComplete) {
   write_file(file("a"), "new");
   EXPECT_EQ(text_of(file("a")), "new");
   EXPECT_EQ(names(), std::set<std::string>{"a"});
+}
+
+/// Whatever ends the process, and however much was written.
+TEST_F(OutputFiles, LeaveNothingBehindWhenTheProcessIsKilled) {
+  const int nameless = open(file("").c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (nameless < 0) GTEST_SKIP() << "this file system has no nameless files";
+  close(nameless);
+  write_file(file("a"), "old");
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL, SIGSEGV}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      const rlimit no_core{0, 0};
+      setrlimit(RLIMIT_CORE, &no_core);
+      std::signal(signal, SIG_DFL);  // a sanitizer has its own
+      OutputFile half(file("a"));
+      half.write(std::string(1'000'000, 'x'));
+      raise(signal);
+      _exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status)) << signal;
+    EXPECT_EQ(names(), std::set<std::string>{"a"}) << signal;
+    EXPECT_EQ(text_of(file("a")), "old") << signal;
+  }
 }
 
 TEST_F(OutputFiles, TwoOfOneNameDoNotMix) {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -42,6 +43,36 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
+/// As system() does: at Ctrl-C the page writer, which gets it too, ends first and cleans up.
+class InterruptsLeftToChild {
+ public:
+  InterruptsLeftToChild() : before_(std::signal(SIGINT, SIG_IGN)) {
+    sigset_t interrupts;
+    sigemptyset(&interrupts);
+    if (before_ != SIG_IGN) sigaddset(&interrupts, SIGINT);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigdefault(&attributes_, &interrupts);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+  }
+  ~InterruptsLeftToChild() {
+    posix_spawnattr_destroy(&attributes_);
+    std::signal(SIGINT, before_);
+  }
+  InterruptsLeftToChild(const InterruptsLeftToChild&) = delete;
+  InterruptsLeftToChild& operator=(const InterruptsLeftToChild&) = delete;
+
+  const posix_spawnattr_t* attributes() const { return &attributes_; }
+  /// Ends this process as the child was ended.
+  void pass_on() const {
+    std::signal(SIGINT, SIG_DFL);
+    raise(SIGINT);
+  }
+
+ private:
+  posix_spawnattr_t attributes_;
+  void (*before_)(int);
+};
+
 }  // namespace
 
 int run_page_writer(const std::vector<std::string>& arguments) {
@@ -49,13 +80,15 @@ int run_page_writer(const std::vector<std::string>& arguments) {
   command.insert(command.end(), arguments.begin(), arguments.end());
   auto variables = environment_with(package_folder());
   pid_t child = 0;
-  const int failed = posix_spawnp(&child, CATENA_PYTHON, nullptr, nullptr, pointers(command).data(),
-                                  pointers(variables).data());
+  const InterruptsLeftToChild waiting;
+  const int failed = posix_spawnp(&child, CATENA_PYTHON, nullptr, waiting.attributes(),
+                                  pointers(command).data(), pointers(variables).data());
   if (failed != 0)
     throw InputError(fmt::format("cannot run {}: {}; install python3", CATENA_PYTHON, std::strerror(failed)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw InputError(fmt::format("lost {}: {}", CATENA_PYTHON, std::strerror(errno)));
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) waiting.pass_on();
   return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
 }
 

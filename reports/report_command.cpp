@@ -4,21 +4,27 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/whole_number_option.h"
+#include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/reports/faults.h"
+#include "catena/reports/interrupted.h"
+#include "catena/reports/journal.h"
 #include "catena/reports/page_writer.h"
 #include "catena/reports/profile.h"
+#include "catena/reports/report_folder.h"
 #include "catena/reports/run_file.h"
 
 namespace catena::reports {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// `catena report`: measures, keeps the raw samples and makes the page; or makes it of earlier runs.
 class ReportCommand final : public Command {
@@ -50,32 +56,99 @@ class ReportCommand final : public Command {
     app.add_option("--seconds", seconds_, "Limit of the timing")
         ->type_name("S")
         ->check(CLI::Range(1e-3, 1e6));
+    app.add_option("--repetitions", repetitions_,
+                   "Samples of every case, no fewer and no more, however long that takes (or --seconds)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10'000));
     app.add_option("--seed", seed_, "Of the random order of the measurements")
         ->type_name("X")
         ->transform(whole_number_option());
+    auto* resume =
+        app.add_flag("--resume", resume_, "Go on with the interrupted run of the folder, with its options");
+    for (auto* other : app.get_options())
+      if (other != resume && other->get_name() != "--help" && other->get_name() != "--output")
+        resume->excludes(other);
     app.add_flag("--no-page", no_page_, "Write run.json only");
   }
 
   int run() override {
     if (!compare_.empty()) return run_page_writer({"--compare", compare_[0], compare_[1]});
     if (from_.empty()) return measure();
-    return write_page(from_);
+    ReportFolder folder(output_);
+    const int code = write_page(from_);
+    if (code == 0) folder.remove_earlier();
+    return code;
   }
 
  private:
   static constexpr std::uint32_t most_shown = 20'000;  ///< spheres of a chain in the viewer
 
   int measure() {
-    const Profile profile = chosen();
-    std::error_code failed;
-    std::filesystem::create_directories(output_, failed);
-    if (failed) throw InputError(fmt::format("cannot make the folder {}: {}", output_, failed.message()));
-    const std::string file = (std::filesystem::path(output_) / "run.json").string();
-    write_run(measure_run(profile, command()), file);
-    fmt::print("{}: the raw samples of every measurement\n", file);
+    std::optional<Profile> asked;
+    if (!resume_) asked = chosen();  // before anything is made: it may be refused
+    ReportFolder folder(output_);
+    std::optional<Journal> resumed;
+    if (resume_) take(options_of(*(resumed = Journal::resume(folder.journal()))));
+    const Profile profile = asked ? *asked : chosen();
+    Journal journal =
+        resumed ? std::move(*resumed)
+                : Journal::begin(folder.journal(), {{"options", options()}, {"environment", environment()}});
+    Json run;
+    try {
+      const SaidIfInterrupted said("catena: interrupted; " + resumable());
+      run = measure_run(profile, command(), journal);
+    } catch (const std::exception& why) {
+      if (journal.empty()) {  // nothing to go on with
+        journal.remove();
+        throw;
+      }
+      throw InputError(fmt::format("{}; {}", why.what(), resumable()));
+    }
+    folder.remove_reports();
+    write_run(run, folder.run_file());
+    journal.remove();
+    fmt::print("{}: the raw samples of every measurement\n", folder.run_file());
     std::fflush(stdout);  // before what the page writer says
-    const int code = no_page_ ? 0 : write_page({file});
+    const int code = no_page_ ? 0 : write_page({folder.run_file()});
+    if (!no_page_ && code == 0) folder.remove_earlier();
     return code == 0 && !noted_faults().empty() ? 1 : code;
+  }
+
+  std::string resumable() const {
+    return fmt::format("what was measured is kept: catena report --resume --output {}", output_);
+  }
+
+  Json options() const {
+    return {{"profile", paper_  ? "paper"
+                        : full_ ? "full"
+                                : "quick"},
+            {"scenes", scenes_},
+            {"variants", variants_},
+            {"filter", filter_},
+            {"seconds", seconds_},
+            {"repetitions", repetitions_},
+            {"seed", seed_},
+            {"no_page", no_page_}};
+  }
+
+  /// Those of an interrupted run, when this program on this machine can go on with it.
+  static Json options_of(const Journal& journal) {
+    const Json was = journal.run().at("environment"), is = environment();
+    for (const auto& [fact, value] : is.items())
+      if (was.value(fact, "") != value)
+        throw InputError(
+            fmt::format("--resume: the interrupted run had the {} '{}', this is '{}'; its samples do not mix",
+                        fact, was.value(fact, ""), value.get<std::string>()));
+    return journal.run().at("options");
+  }
+
+  void take(const Json& options) {
+    const std::string profile = options.at("profile");
+    paper_ = profile == "paper", full_ = profile == "full";
+    options.at("scenes").get_to(scenes_), options.at("variants").get_to(variants_);
+    options.at("filter").get_to(filter_), options.at("seconds").get_to(seconds_);
+    options.at("repetitions").get_to(repetitions_), options.at("seed").get_to(seed_);
+    options.at("no_page").get_to(no_page_);
   }
 
   int write_page(const std::vector<std::string>& runs) const {
@@ -106,6 +179,10 @@ class ReportCommand final : public Command {
     if (!variants_.empty()) profile.variants = named_variants(), profile.filter.clear();
     if (!scenes_.empty() || !variants_.empty() || !filter_.empty()) profile.name = "custom";
     if (!filter_.empty()) profile.filter = filter_;
+    if (repetitions_ > 0) {
+      profile.stopping.most_samples = repetitions_, profile.stopping.share = 0;
+      profile.stopping.seconds = unlimited_seconds, profile.whole_seconds = 0;
+    }
     if (seconds_ > 0) profile.stopping.seconds = seconds_, profile.whole_seconds = 0;
     profile.stopping.seed = seed_;
     return profile;
@@ -146,15 +223,17 @@ class ReportCommand final : public Command {
     for (const auto& variant : variants_) text += fmt::format(" --variant '{}'", variant);
     if (!filter_.empty()) text += fmt::format(" --benchmark_filter '{}'", filter_);
     if (seconds_ > 0) text += fmt::format(" --seconds {}", seconds_);
+    if (repetitions_ > 0) text += fmt::format(" --repetitions {}", repetitions_);
     if (seed_ != 1) text += fmt::format(" --seed {}", seed_);
     return text;
   }
 
-  bool quick_ = false, full_ = false, paper_ = false, no_page_ = false;
+  bool quick_ = false, full_ = false, paper_ = false, no_page_ = false, resume_ = false;
   std::string output_ = "catena-report", filter_;
   std::vector<std::string> from_, compare_, scenes_, variants_;
   double seconds_ = 0;
   std::uint64_t seed_ = 1;
+  std::size_t repetitions_ = 0;
 };
 
 const RegisterCommand<ReportCommand> registered{

@@ -65,6 +65,11 @@ Json described_variants(const std::vector<VariantInfo>& timed, const Json& secti
 }
 
 Json measure_run(const Profile& profile, const std::string& command) {
+  Journal none;
+  return measure_run(profile, command, none);
+}
+
+Json measure_run(const Profile& profile, const std::string& command, Journal& journal) {
   require_release_build();
   const auto facts = environment();
   const auto cases = timed_cases(profile);
@@ -76,22 +81,32 @@ Json measure_run(const Profile& profile, const std::string& command) {
   Json measured_sections;
   for (const Section& section : sections()) {
     const Stopwatch own_watch;
-    Json content = measured(section, profile);
+    Json content = journal.section(section.name, [&] { return measured(section, profile); });
     if (content.is_null() || content.empty()) continue;
     measured_sections[section.name] = std::move(content);
     fmt::print(stderr, "catena report: {} in {:.1f} s\n", section.name, own_watch.ms() / 1000);
   }
 
+  const double sections_before = journal.section_seconds(), rows_before = journal.row_seconds();
   bench::Stopping stopping = profile.stopping;
   if (profile.whole_seconds > 0)
-    stopping.seconds = std::min(stopping.seconds, std::max(20.0, profile.whole_seconds - watch.ms() / 1000));
-  fmt::print(stderr, "catena report: timing {} cases for at most {:.0f} s\n", cases.size(), stopping.seconds);
-  bench::Rounds timed = bench::measure_in_rounds(cases, stopping);
+    stopping.seconds = std::min(stopping.seconds,
+                                std::max(20.0, profile.whole_seconds - sections_before - watch.ms() / 1000));
+  const auto limit =
+      stopping.seconds < unlimited_seconds ? fmt::format(" for at most {:.0f} s", stopping.seconds) : "";
+  fmt::print(stderr, "catena report: timing {} cases{}\n", cases.size(), limit);
+  bench::Stopping rest = stopping;
+  rest.seconds = std::max(0.0, stopping.seconds - rows_before);
+  const Stopwatch timing;
+  bench::Rounds timed = bench::measure_in_rounds(
+      cases, rest, [&](const Json& row) { journal.keep_row(row, timing.ms() / 1000); }, journal.rows());
 
   Json run{{"context", std::move(timed.context)}, {"benchmarks", std::move(timed.benchmarks)}};
   for (const auto& [key, value] : facts) run["context"][key] = value;
-  Json& own = run["catena"] = {
-      {"schema", 1}, {"profile", profile.name}, {"command", command}, {"seconds", watch.ms() / 1000}};
+  Json& own = run["catena"] = {{"schema", 1},
+                               {"profile", profile.name},
+                               {"command", command},
+                               {"seconds", sections_before + rows_before + watch.ms() / 1000}};
   own["stopping"] = stopping_of(stopping, timed);
   own["variants"] = described_variants(profile.variants, measured_sections);
   own.update(measured_sections);

@@ -1,10 +1,15 @@
 #include "catena/reports/run_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
 #include "catena/core/commands/command.h"
@@ -205,6 +210,36 @@ TEST_F(RunFile, IsWrittenWholeOrNotAtAll) {
   EXPECT_THROW(write_run(small_run(), "/nowhere/run.json"), InputError);
 }
 
+TEST_F(RunFile, GoesOnWhereItWasInterrupted) {
+  const std::string file = testing::TempDir() + "catena_resumed_" + std::to_string(getpid());
+  Profile p = small_profile();
+  p.inputs = {{"path1:n=100"}};
+  Journal begun = Journal::begin(file, Json::object());
+  p.stopping.most_samples = 1;
+  const Json first = measure_run(p, "", begun);
+  Journal resumed = Journal::resume(file);
+  p.stopping.most_samples = 3;
+  const Json whole = measure_run(p, "", resumed);
+  resumed.remove();
+
+  const std::size_t cases = first["benchmarks"].size();
+  ASSERT_GT(cases, 5u);
+  ASSERT_EQ(whole["benchmarks"].size(), 3 * cases);
+  std::map<std::string, std::set<int>> rounds;
+  for (std::size_t k = 0; k < whole["benchmarks"].size(); ++k) {
+    const Json& row = whole["benchmarks"][k];
+    if (k < cases) {
+      EXPECT_EQ(row["real_time"], first["benchmarks"][k]["real_time"]);
+    }
+    EXPECT_EQ(row["repetitions"], 3);
+    rounds[row["name"]].insert(row["repetition_index"].get<int>());
+  }
+  for (const auto& [name, taken] : rounds) EXPECT_EQ(taken, (std::set<int>{0, 1, 2})) << name;
+  EXPECT_EQ(whole["catena"]["savings"], first["catena"]["savings"]) << "times that were measured once";
+  EXPECT_GT(whole["catena"]["seconds"], first["catena"]["seconds"].get<double>() / 2);
+  EXPECT_EQ(whole["catena"]["stopping"]["rounds"], 3);
+}
+
 TEST_F(RunFile, NothingToMeasureIsSaid) {
   Profile p = small_profile();
   p.filter = "no_such_scene";
@@ -252,12 +287,78 @@ int report(const std::string& arguments) {
   throw std::logic_error("no command is named report");
 }
 
+/// The files of a folder, but for the list of its reports.
+std::set<std::string> files_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
+  names.erase(".catena-report");
+  return names;
+}
+
+TEST_F(RunFile, KeepsWhatWasMeasuredAtCtrlC) {
+  const std::filesystem::path folder = testing::TempDir() + "catena_interrupted_" + std::to_string(getpid());
+  std::filesystem::remove_all(folder);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::freopen("/dev/null", "w", stderr);
+    report("--scene path1:n=100 --variant aCPU2+CPU2 --seconds 3 --repetitions 9999 --no-page --output " +
+           folder.string());
+    _exit(0);
+  }
+  const auto rows = [&] {
+    std::ifstream in(folder / "run.journal");
+    std::size_t found = 0;
+    for (std::string line; std::getline(in, line);) found += line.starts_with(R"({"row")");
+    return found;
+  };
+  for (int wait = 0; wait < 3000 && rows() < 20; ++wait) usleep(10'000);
+  kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+  EXPECT_EQ(files_in(folder), std::set<std::string>{"run.journal"});
+  const std::size_t kept = rows();
+  ASSERT_GE(kept, 20u);
+
+  EXPECT_THROW(report("--scene path1:n=100 --no-page --output " + folder.string()), InputError)
+      << "would lose it";
+  EXPECT_THROW(report("--resume --seed 3 --output " + folder.string()), CLI::ParseError)
+      << "its options are known";
+  EXPECT_EQ(report("--resume --output " + folder.string()), 0);
+  EXPECT_EQ(files_in(folder), std::set<std::string>{"run.json"});
+  std::ifstream in(folder / "run.json");
+  const Json run = Json::parse(in);
+  EXPECT_GE(run["benchmarks"].size(), kept);
+  EXPECT_NE(run["catena"]["command"].get<std::string>().find("--repetitions 9999"), std::string::npos);
+  EXPECT_THROW(report("--resume --output " + folder.string()), InputError) << "nothing is left to resume";
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(RunFile, HoldsAsManyRepetitionsAsAreAskedFor) {
+  const std::filesystem::path folder = testing::TempDir() + "catena_repetitions_" + std::to_string(getpid());
+  EXPECT_EQ(
+      report("--scene path1:n=50 --variant CPU1 --repetitions 14 --no-page --output " + folder.string()), 0);
+  std::ifstream in(folder / "run.json");
+  const Json run = Json::parse(in);
+  std::map<std::string, int> repetitions;
+  for (const Json& row : run["benchmarks"]) {
+    ++repetitions[row["name"]];
+    for (const char* key : {"least_ms", "load_one_ms", "load_all_ms"}) EXPECT_GT(row[key], 0) << key;
+    EXPECT_LE(row["least_ms"], row["real_time"].get<double>() * (1 + 1e-9));
+  }
+  EXPECT_EQ(repetitions.size(), 2u);
+  for (const auto& [name, times] : repetitions) EXPECT_EQ(times, 14) << name;
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Report, RefusesWhatMakesNoSense) {
   EXPECT_THROW(report("--variant Nope"), InputError);
   EXPECT_THROW(report("--scene nope:n=3 --no-page"), InputError);
   EXPECT_THROW(report("--benchmark_filter ( --no-page"), InputError);
   EXPECT_THROW(report("--quick --full"), CLI::ParseError);
   EXPECT_THROW(report("--seconds -1"), CLI::ParseError);
+  EXPECT_THROW(report("--repetitions 0"), CLI::ParseError);
+  EXPECT_THROW(report("--resume --full"), CLI::ParseError);
   EXPECT_THROW(report("--compare only_one.json"), CLI::ParseError);
   EXPECT_THROW(profile_named("slow"), InputError);
 }

@@ -36,12 +36,18 @@ bool narrow(const std::vector<double>& ms, double share) {
 }
 
 Samples sample_in_rounds(Groups groups, const Stopping& stopping,
-                         const std::function<std::optional<double>(const Turn&)>& take) {
+                         const std::function<std::optional<double>(const Turn&)>& take, Samples samples) {
   const Stopwatch watch;
-  std::mt19937_64 random(stopping.seed);
+  std::mt19937_64 random(stopping.seed + samples.rounds);
   const std::size_t runs = runs_in(groups);
-  Samples samples{std::vector<std::vector<double>>(runs)};
-  std::vector<bool> done(runs, stopping.most_samples == 0);
+  samples.ms.resize(runs);
+  samples.failed.resize(runs);
+  std::vector<bool> done(runs);
+  const auto enough = [&](std::size_t run) {
+    const auto& ms = samples.ms[run];
+    return samples.failed[run] || ms.size() >= stopping.most_samples || narrow(ms, stopping.share);
+  };
+  for (std::size_t run = 0; run < runs; ++run) done[run] = enough(run);
   const auto late = [&](const Turn& turn) {
     return turn.round >= stopping.least_rounds && (turn.place == 0 || !stopping.whole_rounds) &&
            watch.ms() > 1000 * stopping.seconds;
@@ -54,10 +60,10 @@ Samples sample_in_rounds(Groups groups, const Stopping& stopping,
       if (late(turn)) return samples;
       samples.rounds = turn.round + 1;
       turn.run = order[turn.place];
-      auto& ms = samples.ms[turn.run];
       const auto taken = take(turn);
-      if (taken) ms.push_back(*taken);
-      done[turn.run] = !taken || ms.size() >= stopping.most_samples || narrow(ms, stopping.share);
+      if (taken) samples.ms[turn.run].push_back(*taken);
+      samples.failed[turn.run] = !taken;
+      done[turn.run] = enough(turn.run);
     }
   }
 }

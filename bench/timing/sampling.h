@@ -31,12 +31,14 @@ struct Turn {
 struct Samples {
   std::vector<std::vector<double>> ms;  ///< of each run, in the order in which they were taken
   std::size_t rounds = 0;               ///< begun
+  std::vector<bool> failed;             ///< of each run; empty: none
 };
 
 /// The one loop that samples. Each round takes one sample of every run that is not done, in a fresh random
-/// order. `take` gives milliseconds, or nothing when the run failed, which is then not asked again.
+/// order. `take` gives milliseconds, or nothing when the run failed, which is then not asked again. `earlier`
+/// is what was sampled before an interruption: it counts, and is a part of what is returned.
 Samples sample_in_rounds(Groups groups, const Stopping& stopping,
-                         const std::function<std::optional<double>(const Turn&)>& take);
+                         const std::function<std::optional<double>(const Turn&)>& take, Samples earlier = {});
 
 /// Whether these samples are enough: the interval of their median is narrower than `share` of it.
 bool narrow(const std::vector<double>& ms, double share);

@@ -1,6 +1,7 @@
 """python3 -m catena_report --output DIR RUN.json [...] | --compare OLD.json NEW.json"""
 import argparse
 import os
+import signal
 import sys
 
 from . import compare, runfile
@@ -81,5 +82,16 @@ def written(work):
         return 2
 
 
+def _ended(signal_number, _):
+    """A polite kill cleans up, as Ctrl-C does."""
+    sys.exit(128 + signal_number)
+
+
 if __name__ == "__main__":
-    sys.exit(written(main))
+    signal.signal(signal.SIGTERM, _ended)
+    try:
+        sys.exit(written(main))
+    except KeyboardInterrupt:  # what was half written is gone; now end as one who was interrupted
+        print("catena report: interrupted; no page was written", file=sys.stderr)
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        os.kill(os.getpid(), signal.SIGINT)

@@ -1,120 +1,121 @@
-"""Two runs of the same cases: same, faster, slower or undecided, by a stated test, so that a CI can gate on
-it.
+"""Two runs of the same cases, so that a CI can gate on it: what was counted is compared exactly (work.py),
+what was timed by one test for each variant and stage over all chains (gate.py).
 
-For each case (chain, variant, stage) that both runs timed: the ratio NEW / OLD of the medians with its 95 %
-interval, and the two-sided Mann-Whitney test, its p adjusted by Holm over all cases.
-  slower     p < 5 % and the ratio is at least LEAST
-  faster     p < 5 % and the ratio is at most 1 / LEAST
-  same       the whole interval of the ratio lies within 1 / LEAST and LEAST
-  undecided  anything else: more repetitions would tell
+  slower     surely (one alarm in 500 runs of unchanged code), and by at least LEAST_RATIO
+  faster     the same the other way round
+  same       the whole 95 % interval of the ratio lies within 1 / 1.05 and 1.05
+  undecided  anything else; it is said how much slower would have been seen
 """
-import dataclasses
+import numpy
 
-from . import runfile, statistics, words
+from . import gate, paired, runfile, words, work
 
-LEAST_RATIO = 1.05
-SAME, FASTER, SLOWER, UNDECIDED = "same", "faster", "slower", "undecided"
-LEVEL = 1 - statistics.CONFIDENCE
-
-
-@dataclasses.dataclass(frozen=True)
-class Case:
-    name: str
-    verdict: str
-    ratio: statistics.Interval
-    p: float
-    old: float
-    new: float
-
-
-def compared(old, new, least_ratio=LEAST_RATIO):
-    """[Case] of what both runs timed."""
-    shared = sorted(
-        set(old.samples) & set(new.samples),
-        key=lambda case: (runfile.scene_of(case[0]), runfile.n_of(case[0]), case[1:]),
-    )
-    ratios = [statistics.ratio(new.samples[case], old.samples[case]) for case in shared]
-    p_values = statistics.holm(
-        [statistics.mann_whitney(new.samples[case], old.samples[case]) for case in shared]
-    )
-    return [
-        Case(
-            "/".join(case),
-            verdict(ratio, p, least_ratio),
-            ratio,
-            p,
-            statistics.median(old.samples[case]).value,
-            statistics.median(new.samples[case]).value,
-        )
-        for case, ratio, p in zip(shared, ratios, p_values)
-    ]
-
-
-def verdict(ratio, p, least_ratio):
-    if p < LEVEL and ratio.value >= least_ratio:
-        return SLOWER
-    if p < LEVEL and ratio.value <= 1 / least_ratio:
-        return FASTER
-    if 1 / least_ratio <= ratio.low and ratio.high <= least_ratio:
-        return SAME
-    return UNDECIDED
-
-
-def blind(old, new):
-    """How many of the shared cases have so few samples that the corrected test could never call them
-    slower.
-    """
-    shared = set(old.samples) & set(new.samples)
-    return sum(
-        statistics.least_p(len(old.samples[case]), len(new.samples[case])) * len(shared) >= LEVEL
-        for case in shared
-    )
+LEAST_RATIO = gate.LEAST_RATIO
+BLIND = 2.0  # a comparison that would not have seen this ratio in any family is no gate
+PLACES = {paired.HOST: "the host", paired.THREADS: "threads of the host", paired.DEVICE: "the device"}
 
 
 def main(old_path, new_path, least_ratio):
-    """Prints the table; 1 if a case is slower or is no longer answered, otherwise 0. A BadRunFile when the
-    samples are too few for any case to be called slower.
+    """Prints what changed; 1 if a count rose, something is slower or is no longer answered, otherwise 0. A
+    BadRunFile when nothing can be compared, or so little that a doubled time would not have been seen.
     """
     old, new = runfile.load(old_path), runfile.load(new_path)
-    cases = compared(old, new, least_ratio)
+    cases, counted = paired.cases(old, new), work.compared(old, new)
     if not cases:
         raise runfile.BadRunFile(
             f"{old_path} and {new_path} timed no case in common; measure both with the same profile"
         )
+    families, common = gate.decide(cases, least_ratio)
     broken = sorted(set(old.samples) & set(new.refused) - set(new.samples))
-    _print(cases, broken, new)
-    if old.context.get("cpu") != new.context.get("cpu") or old.context.get("gpu") != new.context.get("gpu"):
-        print(
-            f"note: different machines ({old.device}; {new.device}), so a difference need not be the code's"
-        )
-    gone, added = (len(set(a.samples) - set(b.samples)) for a, b in ((old, new), (new, old)))
-    if gone or added:
-        print(f"note: {words.plural(gone, 'case')} only in OLD, {words.plural(added, 'case')} only in NEW")
-    if broken or any(case.verdict == SLOWER for case in cases):
+    _print_work(counted)
+    _print_times(families, common)
+    for case in broken:
+        print(f"{'/'.join(case)}: no longer answered: {new.refused[case]}")
+    _print_notes(old, new, cases)
+    _print_seen(families)
+    if counted.regressed or broken or any(part.verdict == gate.SLOWER for part in (*families, *common)):
         return 1
-    if blind(old, new) == len(cases):  # a gate that cannot close must not say that all is well
+    if min(family.seen for family in families) > BLIND:  # a gate that cannot close must not say: all is well
+        fewest = min(case.repetitions for case in cases)
         raise runfile.BadRunFile(
-            f"{new_path}: too few repetitions to find a regression in {words.plural(len(cases), 'case')}; "
-            "measure both with more, or fewer cases"
+            f"{new_path}: not even a doubled time would have been seen, by too few repetitions ({fewest}) or too"
+            " much load; measure both again, with more --repetitions"
         )
     return 0
 
 
-def _print(cases, broken, new):
-    width = max(len(case.name) for case in cases)
-    print(
-        f"{'case':<{width}}  {'old ms':>10}  {'new ms':>10}  {'new/old [95 %]':<20}  {'p (Holm)':>9}  verdict"
-    )
-    for case in cases:
+def _print_work(counted):
+    for title, changes in (
+        ("more work, by count", counted.more),
+        ("work traded (times decide)", counted.traded),
+        ("less work, by count", counted.fewer),
+        (f"work changed by less than {100 * (work.LEAST_RATIO - 1):.1f} %", counted.small),
+    ):
+        for change in changes:
+            print(
+                f"{title}: {change.input}/{change.variant}: {change.count} {words.count(change.old)} ->"
+                f" {words.count(change.new)} ({change.ratio:.4f})"
+            )
+    changed = any((counted.more, counted.traded, counted.fewer, counted.small))
+    if counted.compared and not changed:
+        print(f"the counts of all {words.plural(counted.compared, 'case')} are the same")
+
+
+def _print_times(families, common):
+    width = max(len(family.name) for family in families)
+    print(f"{'variant/stage':<{width}}  {'cases':>5}  {'new/old [95 %]':<20}  {'p':>9}  {'seen':>6}  verdict")
+    for family in sorted(families, key=lambda family: (family.verdict == gate.SLOWER, family.name)):
+        ratio = f"{family.ratio:.3f} [{family.low:.3f}, {family.high:.3f}]"
         print(
-            f"{case.name:<{width}}  {words.ms(case.old):>10}  {words.ms(case.new):>10} "
-            f" {words.interval(case.ratio):<20}  {case.p:>9.2g}  {case.verdict}"
+            f"{family.name:<{width}}  {family.cases:>5}  {ratio:<20}  {family.p:>9.2g} "
+            f" {_ratio(family.seen):>6}  {family.verdict}"
         )
-    for case in broken:
-        print(f"{'/'.join(case):<{width}}  no longer answered: {new.refused[case]}")
+    for part in common:
+        told = f"{part.ratio:.3f}, of the calibration kernel {part.kernel:.3f}"
+        if part.verdict == gate.SLOWER:
+            print(
+                f"everything on {PLACES[part.place]} is slower: new/old {told}; a machine explains"
+                f" {part.least:.2f}"
+            )
+        elif not 0.95 < part.ratio < 1.05:
+            print(f"note: new/old of everything on {PLACES[part.place]} is {told}: taken for the machine's")
     print(
         ", ".join(
-            f"{sum(case.verdict == name for case in cases)} {name}"
-            for name in (SAME, FASTER, SLOWER, UNDECIDED)
+            f"{sum(family.verdict == name for family in families)} {name}"
+            for name in (gate.SAME, gate.FASTER, gate.SLOWER, gate.UNDECIDED)
         )
     )
+
+
+def _print_notes(old, new, cases):
+    if old.context.get("cpu") != new.context.get("cpu") or old.context.get("gpu") != new.context.get("gpu"):
+        print(
+            f"note: different machines ({old.device}; {new.device}), so a difference need not be the code's"
+        )
+    changed = paired.changed_inputs(old, new)
+    if changed:
+        print(f"note: not compared, as the chain is another: {words.listed(sorted(changed))}")
+    gone, added = (len(set(a.samples) - set(b.samples)) for a, b in ((old, new), (new, old)))
+    if gone or added:
+        print(f"note: {words.plural(gone, 'case')} only in OLD, {words.plural(added, 'case')} only in NEW")
+    loads = [max(case.load) for case in cases]
+    if numpy.median(loads) > paired.IDLE:
+        print(
+            f"note: the machine was loaded: even beside the quietest samples the calibration kernel took"
+            f" {numpy.exp(numpy.median(loads)):.1f} times its best; measure on an idle machine to see more"
+        )
+
+
+def _print_seen(families):
+    seen = sorted(family.seen for family in families)
+    small = sum(ratio <= 1.05 for ratio in seen)
+    print(
+        f"what would have been seen in {100 * gate.SEEN:.0f} %: {_ratio(seen[0])} in the surest family,"
+        f" {_ratio(seen[len(seen) // 2])} in the middle one, {_ratio(seen[-1])} in the least sure;"
+        f" 1.05 or less in {small} of {len(seen)}. An unchanged program fails once in"
+        f" {1 / gate.ALARMS:.0f} runs"
+    )
+
+
+def _ratio(ratio):
+    return f"{ratio:.3f}" if ratio < 10 else ">10"

@@ -25,6 +25,7 @@ def write(report, output):
         (output / folder).mkdir(parents=True, exist_ok=True)
     built = sections.build(report)
     blocks = [block for section in built for block in section.blocks]
+    _list_files(blocks, output)
     drawings = {block.key: _draw(block, output) for block in blocks if isinstance(block, Figure)}
     for table in (block for block in blocks if isinstance(block, Table)):
         table.write_csv(output / "tables" / f"{table.key}.csv")
@@ -47,6 +48,22 @@ def write(report, output):
     path = output / "index.html"
     whole_file.write(path, text)
     return path
+
+
+def _list_files(blocks, output):
+    """Says in the folder what this report is about to write there, so that the next one can remove what it
+    does not replace (reports/report_folder.h).
+    """
+    named = {Figure: ("figures", "svg", "pdf"), Table: ("tables", "csv", "tex")}
+    files = [
+        f"{folder}/{block.key}.{kind}"
+        for type_, (folder, *kinds) in named.items()
+        for block in blocks
+        if isinstance(block, type_)
+        for kind in kinds
+    ]
+    with (output / ".catena-report").open("a", encoding="utf-8") as file:
+        file.write("\n".join(["report", *files, "report.md", "run.json", "index.html"]) + "\n")
 
 
 def _write_markdown(built, path):

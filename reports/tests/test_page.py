@@ -19,7 +19,7 @@ import unittest
 import unittest.mock
 
 import made
-from catena_report import compare, page, paper, report, runfile, style, variant, whole_file
+from catena_report import gate, page, paired, paper, report, runfile, style, variant, whole_file
 from catena_report.drawn import static
 from catena_report.figure import Axis, Figure, Panel, Series
 from catena_report.style import Look
@@ -91,6 +91,12 @@ class Everything(Made):
 
         names = {module.__name__.rpartition(".")[2].replace("_", "-") for module in sections.ORDER}
         self.assertEqual(set(self.page.sections), names - {"viewer"})
+
+    def test_the_folder_lists_what_was_written(self):
+        listed = (self.output / ".catena-report").read_text().splitlines()
+        written = {str(path.relative_to(self.output)) for path in self.output.rglob("*") if path.is_file()}
+        self.assertEqual(listed[0], "report")
+        self.assertEqual(set(listed[1:]), written - {".catena-report"})
 
     def test_stands_alone(self):
         outside = [address for address in self.page.addresses if not address.startswith(("#", "data:"))]
@@ -301,7 +307,7 @@ class WithoutVariants(unittest.TestCase):
         value = made.run()
         del value["catena"]["variants"]
         run = runfile.Run("run.json", value)
-        self.assertTrue(compare.compared(run, run))
+        self.assertTrue(gate.decide(paired.cases(run, run))[0])
 
     def test_what_a_variant_is_comes_from_the_table_alone(self):
         value = made.run()

@@ -30,3 +30,9 @@ foreach(file ${report_tests})
   endif()
   set_tests_properties(${name} PROPERTIES LABELS report TIMEOUT 300)
 endforeach()
+
+# What the gate promises, on 200 pairs of runs instead of a few.
+if(NOT report_lacks)
+  add_test(NAME report.gate_long COMMAND ${CATENA_REPORT_PYTHON} -B ${PROJECT_SOURCE_DIR}/reports/tests/test_gate.py -v)
+  set_tests_properties(report.gate_long PROPERTIES ENVIRONMENT CATENA_LONG=1 LABELS "report;long" TIMEOUT 1200)
+endif()

@@ -3,7 +3,8 @@
 
 namespace catena::bench {
 
-Rounds measure_in_rounds(const std::vector<Case>&, const Stopping&) {
+Rounds measure_in_rounds(const std::vector<Case>&, const Stopping&, const RowTaker&,
+                         const nlohmann::ordered_json&) {
   throw InputError(
       "this catena was built without Google Benchmark and cannot measure: install libbenchmark-dev, then "
       "configure and "

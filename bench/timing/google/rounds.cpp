@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "catena/bench/timing/calibration.h"
 #include "catena/bench/timing/google/benchmarks.h"
 #include "catena/core/commands/progress.h"
 
@@ -27,7 +28,8 @@ bool failed(const AnyRun& run) {
 /// Takes one sample at a time with Google Benchmark, and keeps its rows.
 class Measurement final : public benchmark::BenchmarkReporter {
  public:
-  Measurement(const std::vector<Case>& cases, double least_ms) : least_seconds_(least_ms / 1000) {
+  Measurement(const std::vector<Case>& cases, double least_ms, const RowTaker& taker)
+      : least_seconds_(least_ms / 1000), taker_(taker) {
     std::map<std::string, std::size_t> input_of;
     std::map<std::string, std::shared_ptr<Trial>> trials;
     for (const Case& c : cases) {
@@ -47,6 +49,28 @@ class Measurement final : public benchmark::BenchmarkReporter {
   /// Of each input, of each variant on it, its stages.
   const Groups& groups() const { return groups_; }
 
+  /// Goes on from the rows of an interrupted measurement.
+  Samples resume(const nlohmann::ordered_json& rows) {
+    std::map<std::string, std::size_t> run_of;
+    for (std::size_t k = 0; k < timed_.size(); ++k) run_of[timed_[k].what->name() + "/manual_time"] = k;
+    Samples samples{std::vector<std::vector<double>>(timed_.size()), 0, std::vector<bool>(timed_.size())};
+    for (const auto& row : rows) {
+      const auto known = run_of.find(row.at("name"));
+      if (known == run_of.end()) continue;  // the cases are others now
+      Timed& timed = timed_[known->second];
+      if (row.value("error_occurred", false)) {
+        timed.refused = samples.failed[known->second] = true;
+      } else {
+        samples.ms[known->second].push_back(row.at("real_time"));
+        timed.iterations = row.at("iterations");
+        ++timed.samples;
+      }
+      samples.rounds = std::max(samples.rounds, row.at("repetition_index").get<std::size_t>() + 1);
+      rows_.emplace_back(known->second, row);
+    }
+    return samples;
+  }
+
   std::optional<double> take(const Turn& turn) {
     current_ = &timed_[turn.run];
     if (turn.place == 0) progress_.emplace(turn.places);
@@ -56,6 +80,7 @@ class Measurement final : public benchmark::BenchmarkReporter {
     ms_.reset();
     benchmark::ClearRegisteredBenchmarks();
     enlist(*current_);
+    if (current_->trial->prepare().empty()) load_ = measured_load();
     benchmark::RunSpecifiedBenchmarks(this, ".");
     return ms_;
   }
@@ -65,18 +90,12 @@ class Measurement final : public benchmark::BenchmarkReporter {
     benchmark::ClearRegisteredBenchmarks();
     if (live_) live_->release();
     Rounds out;
-    std::ostringstream text;
-    benchmark::JSONReporter json;
-    json.SetOutputStream(&text);
-    json.SetErrorStream(&text);
-    json.ReportContext({});
-    for (Run& run : runs_)
-      run.repetitions = std::max<std::int64_t>(1, timed_[static_cast<std::size_t>(run.family_index)].samples);
-    json.ReportRuns(runs_);
-    json.Finalize();
-    auto parsed = nlohmann::ordered_json::parse(text.str());
-    out.context = std::move(parsed["context"]);
-    out.benchmarks = std::move(parsed["benchmarks"]);
+    out.context = context();
+    out.benchmarks = nlohmann::ordered_json::array();
+    for (auto& [run, row] : rows_) {
+      row["repetitions"] = std::max<std::int64_t>(1, timed_[run].samples);
+      out.benchmarks.push_back(std::move(row));
+    }
     out.rounds = samples.rounds;
     for (std::size_t k = 0; k < timed_.size(); ++k) {
       if (samples.ms[k].empty() && !timed_[k].refused) out.not_reached.push_back(timed_[k].what->name());
@@ -101,6 +120,24 @@ class Measurement final : public benchmark::BenchmarkReporter {
     if (!trial.at_fault()) return;
     std::string fault = trial.info().name + " on " + input + ": " + trial.reason();
     if (std::ranges::find(faults, fault) == faults.end()) faults.push_back(std::move(fault));
+  }
+
+  static nlohmann::ordered_json context() {
+    std::ostringstream text;
+    benchmark::JSONReporter json;
+    json.SetOutputStream(&text), json.SetErrorStream(&text);
+    json.ReportContext({});
+    json.Finalize();
+    return std::move(nlohmann::ordered_json::parse(text.str())["context"]);
+  }
+
+  /// What Google Benchmark writes of one run; the same text as among others.
+  static nlohmann::ordered_json row_of(const Run& run) {
+    std::ostringstream text;
+    benchmark::JSONReporter json;
+    json.SetOutputStream(&text), json.SetErrorStream(&text);
+    json.ReportRuns({run});
+    return nlohmann::ordered_json::parse(text.str());
   }
 
   void enlist(const Timed& timed) {
@@ -128,29 +165,37 @@ class Measurement final : public benchmark::BenchmarkReporter {
         current_->refused = true;
       } else {
         current_->iterations = run.iterations;
+        run.counters["load_one_ms"] = load_.one_ms;
+        run.counters["load_all_ms"] = load_.all_ms;
         ++current_->samples;
         ms_ = run.GetAdjustedRealTime();
       }
-      runs_.push_back(std::move(run));
+      rows_.emplace_back(static_cast<std::size_t>(run.family_index), row_of(run));
+      if (taker_) taker_(rows_.back().second);
     }
   }
 
   const double least_seconds_;  // of one sample
+  const RowTaker& taker_;
   std::vector<Timed> timed_;
   Groups groups_;
-  std::vector<Run> runs_;
+  std::vector<std::pair<std::size_t, nlohmann::ordered_json>> rows_;  // each with the number of its case
   Timed* current_ = nullptr;
   std::optional<double> ms_;  // of the sample just taken; none: refused
   std::shared_ptr<Trial> live_;
   std::optional<Progress> progress_;
+  Load load_;  // just before that sample
 };
 
 }  // namespace
 
-Rounds measure_in_rounds(const std::vector<Case>& cases, const Stopping& stopping) {
-  Measurement measurement(cases, stopping.least_ms);
-  const Samples samples = sample_in_rounds(measurement.groups(), stopping,
-                                           [&](const Turn& turn) { return measurement.take(turn); });
+Rounds measure_in_rounds(const std::vector<Case>& cases, const Stopping& stopping, const RowTaker& taker,
+                         const nlohmann::ordered_json& earlier) {
+  Measurement measurement(cases, stopping.least_ms, taker);
+  Samples before = measurement.resume(earlier);
+  const Samples samples = sample_in_rounds(
+      measurement.groups(), stopping, [&](const Turn& turn) { return measurement.take(turn); },
+      std::move(before));
   return measurement.result(samples, stopping.share);
 }
 

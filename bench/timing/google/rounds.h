@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -18,10 +19,16 @@ struct Rounds {
   std::vector<std::string> not_reached;  ///< names of cases that the time did not suffice for
 };
 
+/// Takes a row as soon as it is measured.
+using RowTaker = std::function<void(const nlohmann::ordered_json& row)>;
+
 /// Measures with Google Benchmark, round by round. Each round takes one sample of every case that is not
 /// done: inputs in a fresh random order, on each the variants in a fresh random order, each made anew and
 /// warmed up, its stages after each other. Before its first sample a variant is held against the exact
-/// reference. Throws InputError when this program was built without Google Benchmark.
-Rounds measure_in_rounds(const std::vector<Case>& cases, const Stopping& stopping);
+/// reference, and beside each sample stands how fast the machine was (bench/timing/calibration.h). `earlier`
+/// are the rows that a measurement of the same cases took before it was interrupted: they count, and come
+/// first. Throws InputError when this program was built without Google Benchmark.
+Rounds measure_in_rounds(const std::vector<Case>& cases, const Stopping& stopping, const RowTaker& taker = {},
+                         const nlohmann::ordered_json& earlier = nlohmann::ordered_json::array());
 
 }  // namespace catena::bench

@@ -1,0 +1,85 @@
+#include "catena/reports/report_folder.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <set>
+
+#include "catena/core/error.h"
+
+namespace catena::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportFolderTest : public testing::Test {
+ protected:
+  ReportFolderTest() : path_(fs::path(testing::TempDir()) / ("catena_report_" + std::to_string(getpid()))) {
+    fs::remove_all(path_);
+  }
+  ~ReportFolderTest() override { fs::remove_all(path_); }
+
+  /// As the page writer does.
+  void report(const std::set<std::string>& files) const {
+    std::ofstream list(path_ / ".catena-report", std::ios::app);
+    list << "report\n";
+    for (const auto& file : files) {
+      list << file << '\n';
+      fs::create_directories((path_ / file).parent_path());
+      std::ofstream(path_ / file) << "content";
+    }
+  }
+  std::set<std::string> files() const {
+    std::set<std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(path_))
+      if (!entry.is_directory() && entry.path().filename() != ".catena-report")
+        all.insert(fs::relative(entry.path(), path_));
+    return all;
+  }
+  const fs::path path_;
+};
+
+TEST_F(ReportFolderTest, IsHeldByOneReportAtATime) {
+  {
+    const ReportFolder first(path_);
+    EXPECT_THROW(ReportFolder second(path_), InputError);
+  }
+  EXPECT_NO_THROW(ReportFolder third(path_));
+}
+
+TEST_F(ReportFolderTest, LosesWhatAnEarlierReportLeftAndNothingElse) {
+  ReportFolder folder(path_);
+  report({"index.html", "run.json", "figures/old.svg", "tables/both.csv"});
+  std::ofstream(path_ / "figures" / "mine.svg") << "by hand";
+  report({"index.html", "run.json", "figures/new.svg", "tables/both.csv"});
+  folder.remove_earlier();
+  const std::set<std::string> expected{"index.html", "run.json", "figures/new.svg", "figures/mine.svg",
+                                       "tables/both.csv"};
+  EXPECT_EQ(files(), expected);
+  folder.remove_earlier();
+  EXPECT_EQ(files(), expected);
+  folder.remove_reports();
+  EXPECT_EQ(files(), std::set<std::string>{"figures/mine.svg"});
+}
+
+TEST_F(ReportFolderTest, NeverRemovesOutsideOfIt) {
+  ReportFolder folder(path_ / "below");
+  std::ofstream(path_ / "mine") << "by hand";
+  std::ofstream(path_ / "below" / ".catena-report") << "report\n../mine\nfigures/../../mine\n"
+                                                    << (path_ / "mine").string() << '\n';
+  folder.remove_reports();
+  EXPECT_TRUE(fs::exists(path_ / "mine"));
+}
+
+TEST_F(ReportFolderTest, RefusesAPageOfSomebodyElse) {
+  fs::create_directories(path_);
+  std::ofstream(path_ / "index.html") << "a site";
+  EXPECT_THROW(ReportFolder folder(path_), InputError);
+  EXPECT_TRUE(fs::exists(path_ / "index.html"));
+}
+
+TEST_F(ReportFolderTest, SaysWhatCannotBeMade) { EXPECT_THROW(ReportFolder("/proc/nowhere"), InputError); }
+
+}  // namespace
+}  // namespace catena::reports

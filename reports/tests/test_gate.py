@@ -1,0 +1,121 @@
+"""The gate's promises on quick runs drawn from the stored one: silence where nothing changed, and what it
+must see. 200 pairs with CATENA_LONG set (ctest -L long), a few otherwise.
+"""
+import itertools
+import os
+import unittest
+
+import made
+import samples
+from catena_report import gate, paired, runfile, work
+
+PAIRS = 200 if os.environ.get("CATENA_LONG") else 4
+PLANTS = 100 if os.environ.get("CATENA_LONG") else 5
+
+
+def alarms(cases):
+    families, common = gate.decide(cases)
+    return [part for part in (*families, *common) if part.verdict == gate.SLOWER]
+
+
+def named(case):
+    """The families that it is in."""
+    return {f"{case.variant}/{case.stage}", f"{case.algorithm}/{case.stage}"}
+
+
+class Promises(unittest.TestCase):
+    def test_no_alarm_where_nothing_changed(self):
+        for seed in range(PAIRS):
+            with self.subTest(seed=seed):
+                self.assertEqual(alarms(samples.unchanged(samples.generator(seed))), [])
+
+    def seen(self, factor, picked, where):
+        """How often a change planted where `where(case, name)` says is seen, of names that `picked` gives."""
+        hits = 0
+        for seed in range(PLANTS):
+            generator = samples.generator(10_000 + seed)
+            cases = samples.unchanged(generator)
+            name = generator.choice(sorted(picked(cases)))
+            found = alarms(samples.slower(cases, factor, lambda case, name=name: where(case) == name))
+            hits += any(getattr(part, "name", None) == name for part in found)
+        return hits / PLANTS
+
+    def test_an_algorithm_five_per_cent_slower_is_seen(self):
+        where = lambda case: f"{case.algorithm}/{case.stage}"  # noqa: E731
+        picked = lambda cases: {where(case) for case in cases if case.algorithm}  # noqa: E731
+        self.assertGreaterEqual(self.seen(1.05, picked, where), 0.95)
+
+    def test_a_stage_of_one_variant_five_per_cent_slower_is_seen(self):
+        where = lambda case: f"{case.variant}/{case.stage}"  # noqa: E731
+
+        def picked(cases):
+            chains = [where(case) for case in cases]
+            return {name for name in chains if chains.count(name) >= gate.FEW_CASES}
+
+        self.assertGreaterEqual(self.seen(1.05, picked, where), 0.95 if PLANTS >= 100 else 0.6)
+
+    def test_what_it_says_it_would_have_seen_it_sees(self):
+        hits = []
+        for seed in range(PLANTS):
+            cases = samples.unchanged(samples.generator(20_000 + seed))
+            families = {family.name: family for family in gate.decide(cases)[0]}
+            for family in list(families.values())[:: len(families) // 5]:
+                if family.variant in {case.variant for case in cases}:
+                    slower = samples.slower(
+                        cases,
+                        family.seen,
+                        lambda case, own=family: (case.variant, case.stage) == (own.variant, own.stage),
+                    )
+                    hits.append(family.name in {getattr(part, "name", None) for part in alarms(slower)})
+        self.assertGreaterEqual(sum(hits) / len(hits), 0.9 if PLANTS >= 100 else 0.7)
+
+    def test_no_alarm_between_runs_on_a_machine_that_compiled_meanwhile(self):
+        """Two cores, one a thread of the other; two to thirteen processes wanted them."""
+        runs = [runfile.load(path) for path in sorted((made.REPORTS / "results").glob("loaded_*.json.gz"))]
+        self.assertEqual(len(runs), 4)
+        for old, new in itertools.permutations(runs, 2):
+            cases = paired.cases(old, new)
+            with self.subTest(old=old.path.name, new=new.path.name):
+                self.assertGreater(len(cases), 500)
+                self.assertEqual(alarms(cases), [])
+                self.assertTrue(alarms(samples.slower(cases, 1000, lambda case: True)))
+                found = alarms(samples.slower(cases, 2.2, lambda case: case.algorithm == "*+CPU2"))
+                self.assertIn("*+CPU2/find", {getattr(part, "name", "") for part in found})
+                self.assertFalse(work.compared(old, new).regressed)
+
+    def test_what_is_the_same_is_called_so(self):
+        timed, kinds = samples.stored()
+        families, common = gate.decide(paired.pairs(timed, timed, kinds))
+        verdicts = [part.verdict for part in (*families, *common)]
+        self.assertGreater(verdicts.count(gate.SAME), 0.8 * len(verdicts))
+        self.assertLessEqual(set(verdicts), {gate.SAME, gate.UNDECIDED})
+
+    def test_a_difference_too_small_to_matter_is_no_alarm(self):
+        timed, kinds = samples.stored()
+        unchanged = paired.pairs(timed, timed, kinds)
+        surest = min(gate.decide(unchanged, 1.001)[0], key=lambda family: family.seen)
+        self.assertLess(surest.seen, 1.019)
+        cases = samples.slower(unchanged, 1.019, lambda case: surest.name in named(case))
+        self.assertEqual(alarms(cases), [])
+        found = {family.name: family.verdict for family in gate.decide(cases, 1.001)[0]}
+        self.assertEqual(found[surest.name], gate.SLOWER)
+
+    def test_twice_as_slow_with_six_repetitions_is_seen(self):
+        cases = samples.unchanged(samples.generator(1), 6)
+        found = alarms(samples.slower(cases, 2.2, lambda case: case.algorithm == "*+CPU2"))
+        self.assertIn("*+CPU2/find", {part.name for part in found})
+
+    def test_a_factor_on_everything_is_seen_past_what_a_machine_explains(self):
+        cases = samples.unchanged(samples.generator(1))
+        for factor, seen in ((1.3, False), (1.7, True), (1000, True)):  # without a kernel
+            found = alarms(samples.slower(cases, factor, lambda case: True))
+            self.assertEqual([part.place for part in found], [paired.DEVICE, paired.HOST, paired.THREADS] * seen)
+
+    def test_a_change_of_few_families_does_not_hide_in_the_machine(self):
+        cases = [case for case in samples.unchanged(samples.generator(2)) if case.variant == "aCPU2+CPU2"]
+        self.assertEqual(alarms(cases), [])
+        self.assertTrue(alarms(samples.slower(cases, 1.6, lambda case: case.stage == "find")))
+
+
+if __name__ == "__main__":
+    unittest.main()
