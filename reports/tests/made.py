@@ -23,6 +23,7 @@ COSTS = {
     "aCPU2+CPU2/literal": (8e-5, 6e-4),
 }
 UPDATE_COST = 0.5  # of a build
+MOVES_COST = {"aGPU2+GPUv2": 4e-4}  # a sphere, between memories: only the whole call has it
 
 
 def described(name):
@@ -76,7 +77,28 @@ def rows(repetitions=8, noise=0.03, slower=None, seed=7):
                                 "invented": 0.0,
                             }
                         )
-    return found + updates(repetitions, noise)
+    return found + wholes(repetitions, noise, slower or {}) + updates(repetitions, noise)
+
+
+def wholes(repetitions, noise, slower):
+    """Rows of the whole call: both stages and what is moved between memories."""
+    generator = numpy.random.default_rng(21)
+    return [
+        {
+            "name": f"{scene}/n:{n}/{variant}/whole/manual_time",
+            "run_type": "iteration",
+            "iterations": 10,
+            "repetition_index": repetition,
+            "real_time": n * generator.normal(1, noise) * 1e6
+            * sum((cost or 0) * slower.get((variant, stage), 1) for stage, cost in zip(("build", "find"), costs))
+            + 1e6 * n * MOVES_COST.get(variant, 0),
+            "time_unit": "ns",
+        }
+        for repetition in range(repetitions)
+        for scene in SCENES
+        for n in SIZES
+        for variant, costs in COSTS.items()
+    ]
 
 
 def updates(repetitions, noise):
