@@ -138,6 +138,11 @@ def run(**options):
             "missing": 3 * (outcome == "wrong"),
             "invented": 0,
             "worst_margin": "inf" if outcome == "not finite" else 1e-7,
+            "wrong_counts": 2 * (outcome == "wrong"),
+            "bounds": 900,
+            "unenclosed": 5 * (outcome == "unenclosed"),
+            "worst_shortfall": 1e-7 if outcome == "unenclosed" else 0.0,
+            "not_finite_nodes": int(outcome == "not finite"),
             "reason": outcome,
         }
         for scene in ("grazing", "lattice", "far")

@@ -128,15 +128,16 @@ def _wrong(run, on):
 
 
 def _stable(run, on):
-    counted = stability.tally(run)
-    if not counted:
+    answered = {name: lines for name, lines in stability.answers(run).items() if lines}
+    if not answered:
         return []
-    parts = []
-    for name, outcomes in counted.items():
-        bad = outcomes.get("wrong", 0) + outcomes.get("not finite", 0)
-        tried = sum(outcomes.values()) - outcomes.get("refused", 0)
-        parts.append(f"{html.escape(name)} wrong or not finite in {bad:,} of {tried:,}")
-    return [f"{link('stability', 'On stiff and extreme scenes')}{on}: {words.listed(parts)} cases."]
+    shares = words.listed(
+        f"{html.escape(name)} in {100 * stability.share_right(lines):.1f} % of {len(lines):,}"
+        for name, lines in answered.items()
+    )
+    return [
+        f"{link('stability', 'On stiff and extreme scenes')}{on} the pairs are right: {shares} cases."
+    ]
 
 
 def _claims(report):
