@@ -62,13 +62,16 @@ def mean_log(ratios):
     return Interval(math.exp(centre), math.exp(centre - reach), math.exp(centre + reach))
 
 
+FEWEST_SIZES = 4  # two always lie on a power law, and with three the t interval says next to nothing
+
+
 def exponent(ns, times):
-    """b of time = a n^b by least squares on the logarithms, with its t interval; None with fewer than three
-    sizes.
+    """b of time = a n^b by least squares on the logarithms, with its t interval; None with fewer than
+    FEWEST_SIZES.
     """
     ns, times = numpy.asarray(ns, dtype=float), numpy.asarray(times, dtype=float)
     keep = (times > 0) & (ns > 0)
-    if len(set(ns[keep])) < 3:
+    if len(set(ns[keep])) < FEWEST_SIZES:
         return None
     fit = scipy.stats.linregress(numpy.log(ns[keep]), numpy.log(times[keep]))
     reach = scipy.stats.t.ppf((1 + CONFIDENCE) / 2, keep.sum() - 2) * fit.stderr

@@ -11,7 +11,7 @@ REPORTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(REPORTS))
 H200 = REPORTS / "results" / "h200_tables.json"
 
-SIZES = (1000, 10000, 100000)
+SIZES = (1000, 3000, 10000, 100000)
 SCENES = ("path1", "path2")
 # variant -> milliseconds a sphere of build and find; all linear in n
 COSTS = {
@@ -259,6 +259,7 @@ def run(**options):
                 for i in inputs
                 for k, v in enumerate(exact)
             ],
+            "keyframes": [{"input": f"{scene}/n:10000", "pairs": [f % 46 for f in range(56)]} for scene in SCENES],
             "wants": [
                 {"input": inputs[0], "variant": v, "want": want, "ms": times(cost)}
                 for v in exact

@@ -55,14 +55,14 @@ class Intervals(unittest.TestCase):
         found = statistics.exponent(ns, 3e-4 * ns**1.5)
         self.assertAlmostEqual(found.value, 1.5)
         self.assertAlmostEqual(found.high - found.low, 0, places=6)
-        self.assertIsNone(statistics.exponent([10, 20], [1, 2]))
+        self.assertIsNone(statistics.exponent([10, 20, 30], [1, 2, 3]))
 
     def test_exponent_interval_is_students(self):
-        # By hand: x = ln n = 0, 1, 2; y = 0, 1, 2.3; slope 1.15, residuals .05, -.1, .05, s^2 = .015, s_b =
-        # sqrt(.0075)
-        found = statistics.exponent(numpy.exp([0, 1, 2]), numpy.exp([0, 1, 2.3]))
-        self.assertAlmostEqual(found.value, 1.15)
-        self.assertAlmostEqual(found.high - found.value, 12.7062 * math.sqrt(0.0075), places=3)
+        # By hand: x = ln n = 0, 1, 2, 3; y = 0, 1, 2.3, 3; slope 1.03, residuals -.03, -.06, .21, -.12, s^2 = .0315,
+        # s_b = sqrt(.0063)
+        found = statistics.exponent(numpy.exp([0, 1, 2, 3]), numpy.exp([0, 1, 2.3, 3]))
+        self.assertAlmostEqual(found.value, 1.03)
+        self.assertAlmostEqual(found.high - found.value, 4.30265 * math.sqrt(0.0063), places=4)
 
 
 class Tests(unittest.TestCase):

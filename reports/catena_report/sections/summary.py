@@ -148,12 +148,19 @@ def _claims(report):
         (False, True): "Claims that do not hold",
     }
     points = {key: [] for key in titles}
+    stored, elsewhere = claims.stored_verdicts(report), []
     for claim, judged in claims.verdicts(report):
         found = {verdict.verdict for verdict in judged.values()}
         key = paper_claims.HOLDS in found, paper_claims.FAILS in found
         if key in points:
             points[key].append(claim.text.rstrip("."))
-    return [
+        elif claim.key in stored:
+            elsewhere.append(stored[claim.key].verdict == paper_claims.HOLDS)
+    told = [
+        f"{link('claims', 'Not testable here')}: {words.plural(len(elsewhere), 'claim')} that the committed run of a"
+        f" GPU decides; {sum(elsewhere)} of them hold there."
+    ] if elsewhere else []
+    return told + [
         f"{link('claims', titles[key])}: {html.escape('; '.join(texts))}."
         for key, texts in points.items()
         if texts

@@ -150,7 +150,7 @@ def _message(run, drawn, stage):
 
 
 def exponents(report, run, scenes):
-    """time = a n^b for every curve with three sizes or more."""
+    """time = a n^b for every curve with statistics.FEWEST_SIZES or more."""
     rows = []
     names = list(scenes)
     for stage in STAGES:
