@@ -22,6 +22,8 @@ ARRAYS = (
     "tube_errors",
     "examine",
     "motion",
+    "keyframes",
+    "memory",
     "viewer",
 )
 

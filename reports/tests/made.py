@@ -259,6 +259,18 @@ def run(**options):
                 for i in inputs
                 for k, v in enumerate(exact)
             ],
+            "memory": [
+                {
+                    "input": i,
+                    "variant": v,
+                    "held_bytes": 48 * int(i.split(":")[1]),
+                    "peak_bytes": 64 * int(i.split(":")[1]),
+                }
+                for i in inputs
+                for v in exact
+                if "GPU" not in v
+            ],
+            "bandwidth": {"place": "host", "copied_bytes": 2**28, "gb_s": [10.0, 10.5, 9.5, 10.1, 9.9, 10.0]},
             "keyframes": [{"input": f"{scene}/n:10000", "pairs": [f % 46 for f in range(56)]} for scene in SCENES],
             "wants": [
                 {"input": inputs[0], "variant": v, "want": want, "ms": times(cost)}
