@@ -62,6 +62,15 @@ def mean_log(ratios):
     return Interval(math.exp(centre), math.exp(centre - reach), math.exp(centre + reach))
 
 
+def share(number, of):
+    """number / of with Wilson's interval, which stays within 0 and 1 and has a width where all or none are."""
+    z = scipy.stats.norm.ppf((1 + CONFIDENCE) / 2)
+    value = number / of
+    centre, widened = value + z * z / (2 * of), 1 + z * z / of
+    reach = z * math.sqrt(value * (1 - value) / of + z * z / (4 * of * of))
+    return Interval(value, max(0.0, (centre - reach) / widened), min(1.0, (centre + reach) / widened))
+
+
 FEWEST_SIZES = 4  # two always lie on a power law, and with three the t interval says next to nothing
 
 

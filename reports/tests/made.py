@@ -342,9 +342,21 @@ def run(**options):
                     "ms_median": 100 / step,
                     "ms_lower": 90 / step,
                     "ms_upper": 110 / step,
+                    "starts": [
+                        {
+                            "seed": seed,
+                            "outcome": outcome if seed % 8 else "holds",
+                            "failed_at": None if outcome == "holds" else 70.0,
+                            "energy_drift": step,
+                            "contacts": 300,
+                            "missed": 2 * ("/" in v),
+                            "invented": 0,
+                        }
+                        for seed in range(1, 33)
+                    ],
                 }
-                for v in exact[:2]
-                for step, outcome in ((2.0, "slipped"), (1.0, "holds"))
+                for v in ("aCPU2+CPU2", "aCPU2+Dual", "aCPU2+CPU2/literal")
+                for step, outcome in ((2.0, "slipped"), (1.0, "slipped" if "/" in v else "holds"))
             ],
         },
     }

@@ -244,7 +244,6 @@ class Viewer(InBrowser):
         self.assertTrue(self.opened.show("hairpin/n:160", 12))
         self.assertEqual("10 of 20", self.opened.part("frame-number").text)
         self.assertFalse(self.opened.show("nothing/n:1", 0))
-        self.assertFalse(self.driver.execute_script("return catenaViewer.has('nothing/n:1')"))
 
     def test_the_replay_command_is_the_views(self):
         self.assertEqual(shown_chains.views()[0]["command"], self.opened.part("command").text)

@@ -143,25 +143,30 @@ def summary_table(report):
     ]
     if not rows:
         return None
+    peers = any(advice.peer for run, cases in informed.items() for advice in choice.advise(run, cases))
+    columns = [
+        "use", "for chains of", "a call takes, ms", "the next takes", "the paper's takes", "a general library takes",
+        "rests on",
+    ]
+    if not peers:  # said once, in the caption
+        columns, rows = columns[:5] + columns[6:], [row[:5] + row[6:] for row in rows]
     return Table(
         "advice-short",
         "Which variant should I use?",
         (
             "Each row is chains alike: of the exact variants timed on them, the one named is the fastest or not"
             " significantly slower than it on each. “Next” is the nearest variant that is significantly slower"
-            f" on all of them, “the paper's” is {choice.PAPERS}, a general library searches any set of spheres:"
-            " how many times as long each takes, geometric mean over the row's chains with its 95 % interval"
+            f" on all of them, “the paper's” is {choice.PAPERS}"
+            + (", a general library searches any set of spheres:" if peers else " (no general library was timed):")
+            + " how many times as long each takes, geometric mean over the row's chains with its 95 % interval"
             " (below six repetitions the range). A call is end to end: from a chain in the host's memory to its"
             " collisions there, with every move between memories. A + B is a construction of a tree and a"
             " traversal that searches it; @host marks a device algorithm that the host ran; Dual searches the"
             " tree against itself."
         ),
-        [
-            "use", "for chains of", "a call takes, ms", "the next takes", "the paper's takes",
-            "a general library takes", "rests on",
-        ],
+        columns,
         rows,
-        words=7,
+        words=len(columns),
     )
 
 

@@ -154,7 +154,7 @@ def _figure(report, run, lines):
         Axis(common, categories=labels),
         lines=starts,
         height=15 * len(scenes) + 190,
-        least=13 * len(columns) + 240,
+        least=10 * len(columns) + 240,
         heat=Heat(
             [[category(line) if line else None for line in row] for row in rows],
             CATEGORIES,

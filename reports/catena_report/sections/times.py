@@ -116,8 +116,8 @@ def _series(report, run, name, points, stage, shown, each):
         [runfile.n_of(input_) for input_, _, _ in points],
         [e.value * scale for e, scale in zip(estimates, scales)],
         _look(report, run.info(points[0][1]), stage),
-        low=[e.low * scale for e, scale in zip(estimates, scales)],
-        high=[e.high * scale for e, scale in zip(estimates, scales)],
+        low=None if each else [e.low for e in estimates],
+        high=None if each else [e.high for e in estimates],
         shown=shown,
         hover=[
             f"<b>{name}</b><br>{input_}<br>{words.duration(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}]"

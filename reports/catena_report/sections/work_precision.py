@@ -71,7 +71,7 @@ def _bites(report, run):
         if not any(len(lines) > 2 for lines in found.values()):
             continue
         panel = Panel(f"{scene}: pairs wrong", Axis(axis, log=True), Axis("pairs wrong, % of the exact ones"), height=300)
-        short = Panel(f"{scene}: bounds short", Axis(axis, log=True), Axis("shortfall of the worst bound, of its radius", log=True), height=300)
+        short = Panel(f"{scene}: bounds short", Axis(axis, log=True), Axis("shortfall, share of the bound", log=True), height=300)
         for at, (arithmetic, lines) in enumerate(found.items()):
             look = Look(COLOURS[at], MARKERS[at], DASHES.get(arithmetic, "solid"))
             worst = {value: max(mine, key=wrong_share) for value, mine in lines.items()}
@@ -240,34 +240,24 @@ def _tube_error(point):
 
 
 def _place(point):
-    return point["tube"] + (f", moved by {point['offset']:g} radii" if point.get("offset") else "")
+    return point["tube"] + (f", moved by {point['offset']:,.7g} radii" if point.get("offset") else "")
 
 
 def _panel(report, run, points, on_front, error, what, title):
     panel = Panel(title, Axis("build + find, ms", log=True), Axis(f"{what}{', tube radii' if error is _tube_error else ''}", log=True), height=400)
     answer = error is not _tube_error
+    plain = [
+        p for p in points if not answer and p not in on_front and not run.info(p["variant"]).peer and error(p) > 0
+    ]
+    if plain:
+        panel.series.append(
+            _points(run, "beaten, or rounded", plain, error, Look("faint"), size=0.8)
+        )
     for variant in sorted({p["variant"] for p in points}, key=lambda name: (not run.info(name).exact, name)):
-        for best in (True, False):
-            rows = [p for p in points if p["variant"] == variant and (p in on_front) is best and error(p) > 0]
-            if not rows:
-                continue
-            coloured = best or answer or run.info(variant).peer
-            look = report.look(run, variant)
-            look = look if coloured else Look("faint", look.marker, look.dash, look.hollow)
+        rows = [p for p in points if p["variant"] == variant and p not in plain and error(p) > 0]
+        if rows:
             panel.series.append(
-                Series(
-                    run.info(variant).label if coloured else "beaten, or rounded",
-                    [p["median_ms"] for p in rows],
-                    [error(p) for p in rows],
-                    look,
-                    line=False,
-                    low=[p["lower_quartile_ms"] for p in rows],
-                    high=[p["upper_quartile_ms"] for p in rows],
-                    across=True,
-                    hover=[_hover(run, p) for p in rows],
-                    size=1.25 if coloured else 0.8,
-                    legend=coloured or not any(s.name == "beaten, or rounded" for s in panel.series),
-                )
+                _points(run, run.info(variant).label, rows, error, report.look(run, variant), size=1.25)
             )
     if on_front:
         panel.series.insert(
@@ -281,6 +271,21 @@ def _panel(report, run, points, on_front, error, what, title):
             ),
         )
     return panel
+
+
+def _points(run, name, rows, error, look, size):
+    return Series(
+        name,
+        [p["median_ms"] for p in rows],
+        [error(p) for p in rows],
+        look,
+        line=False,
+        low=[p["lower_quartile_ms"] for p in rows],
+        high=[p["upper_quartile_ms"] for p in rows],
+        across=True,
+        hover=[_hover(run, p) for p in rows],
+        size=size,
+    )
 
 
 def _hover(run, point):
@@ -322,6 +327,11 @@ def _table(report, run, points):
                 Cell(words.ms(fastest["median_ms"]), fastest["median_ms"], hint=fastest["variant"]),
             ]
         )
+    columns = [
+        "tube", "arithmetic", "n", "of the tube", "of storing", "worst margin decided wrongly", "pairs wrong",
+        "pairs", "missing", "invented", "deepest wrong pair", "fastest, ms",
+    ]
+    kept = [at for at in range(len(columns)) if any(row[at] if isinstance(row[at], str) else row[at].text for row in rows)]
     return Table(
         f"errors-apart{report.key(run)}",
         "The three errors apart, and the time",
@@ -331,11 +341,8 @@ def _table(report, run, points):
             " its place, and of the pairs missing the deepest, of those invented the one farthest apart. The margin"
             " is |q - t| / t of the worst wrong decision."
         ),
-        [
-            "tube", "arithmetic", "n", "of the tube", "of storing", "worst margin decided wrongly", "pairs wrong",
-            "pairs", "missing", "invented", "deepest wrong pair", "fastest, ms",
-        ],
-        rows,
+        [columns[at] for at in kept],
+        [[row[at] for at in kept] for row in rows],
         words=2,
     )
 

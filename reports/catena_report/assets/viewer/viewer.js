@@ -17,6 +17,7 @@ class Viewer {
     part('view').addEventListener('change', () => this.setView(Number(part('view').value)));
     part('variant').addEventListener('change', () => this.setVariant(part('variant').value));
     part('level').addEventListener('input', () => this.setLevel(part('level').valueAsNumber));
+    part('level-go').addEventListener('click', () => this.playback.step(this.view.nearest(this.view.treeFrame) - this.position));
     part('reset').addEventListener('click', () => this.reset());
     part('save').addEventListener('click', () => this.save());
     part('copy').addEventListener('click', () => this.copy());
@@ -94,7 +95,6 @@ class Viewer {
   setLevel(level) {
     this.level = level;
     this.part('level').value = level;
-    if (level >= 0 && this.position !== 0) this.playback.step(-this.position);
     this.showBounds();
   }
 
@@ -152,13 +152,14 @@ class Viewer {
   }
 
   showBounds() {
-    const shown = this.level >= 0 && this.position === 0;
+    const shown = this.level >= 0 && this.frame.number === this.view.treeFrame;
     const rows = shown ? this.view.bounds(this.level) : null;
     this.scene.setBounds(rows, this.palette);
     const stored = this.level >= 0 ? this.view.levels[this.level] : null;
     this.part('legend-bound').hidden = !shown;
+    this.part('level-go').hidden = shown || !stored;
     this.part('level-number').textContent = !stored ? 'off'
-        : !shown ? `stored for frame ${this.view.frames[0].frame} only`
+        : !shown ? `stored for frame ${this.view.treeFrame}`
         : `level ${stored.level}: ${plural(rows.length / 4, 'sphere')}`;
     this.part('level').setAttribute('aria-valuetext', this.part('level-number').textContent);
   }
