@@ -318,10 +318,13 @@
                         parts.findLast(part => part.getBoundingClientRect().top <= line) || parts[0];
     for (const [key, link] of links) {
       link.classList.toggle('here', key === now?.id);
-      if (key === now?.id)
-        link.setAttribute('aria-current', 'true');
-      else
+      if (key !== now?.id) {
         link.removeAttribute('aria-current');
+      } else if (!link.hasAttribute('aria-current')) {
+        link.setAttribute('aria-current', 'true');
+        const row = link.closest('ol');  // one line that scrolls, in a narrow window
+        row.scrollLeft += link.getBoundingClientRect().left - row.getBoundingClientRect().left - row.clientWidth / 3;
+      }
     }
   }
   let marking = 0;

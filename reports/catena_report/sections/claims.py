@@ -48,7 +48,7 @@ def build(report):
         Prose(
             "Each verdict follows from the samples by a rule fixed beforehand; the rule is the hint of the"
             f" verdict and is listed below the table. Of {words.plural(sum(tally.values()), 'verdict')}"
-            f" {'of this page’s runs' if stored else ''}, "
+            f"{' of this page’s runs' if stored else ''}, "
             + words.listed(
                 f"{number} {'say' if number > 1 else 'says'} “{verdict}”" for verdict, number in tally.items()
             )

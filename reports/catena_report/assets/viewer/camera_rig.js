@@ -62,9 +62,9 @@ class CameraRig {
   }
 
   // Of a few sides the one from which the chain fills most of the stage: how far away, looking at what, from where.
-  bestView() {
+  bestView(sample) {
     const {placement} = this, wide = tangent * this.camera.aspect;
-    const points = placement.sample.map(
+    const points = sample.map(
         (sphere) => [new THREE.Vector3(...placement.placePoint(sphere, placement.centre, 1)), sphere[3]]);
     let best = null;
     for (const yaw of firstYaws)
@@ -81,9 +81,11 @@ class CameraRig {
     return best;
   }
 
-  lookAtAll() {
+  // At these spheres; without any, at all that the chain reaches in any frame.
+  lookAtAll(spheres) {
     this.stopFlight();
-    const {distance, target, backward} = this.bestView();
+    const sample = spheres ? sampled(spheres) : this.placement.sample;
+    const {distance, target, backward} = this.bestView(sample);
     this.origin = this.placement.original(target, this.placement.centre, 1);
     this.scale = 10 / (distance * 1.06 || 1);
     this.controls.target.set(0, 0, 0);

@@ -11,7 +11,7 @@ class Viewer {
     this.pairList = new PairList({box: part('pairs'), order: part('pair-order'), only: part('pair-only'),
                                   count: part('pair-count')}, (i, j, kind) => this.pickPair(i, j, kind));
     this.playback = new Playback({play: part('play'), slider: part('frame'), number: part('frame-number'),
-                                  rate: part('rate')}, (position) => this.frameChanged(position));
+                                  rate: part('rate')}, (position) => this.frameChanged(position), () => this.scene.lookAtAll());
     views.forEach((view, k) => part('view').add(new Option(view.input, k)));
     part('view-label').hidden = views.length < 2;
     part('view').addEventListener('change', () => this.setView(Number(part('view').value)));
@@ -64,6 +64,7 @@ class Viewer {
     this.part('replay').hidden = !this.view.command;
     const position = frameNumber === undefined ? this.busiestFrame() : this.view.nearest(frameNumber);
     this.playback.setFrames(this.view.frames.map((frame) => frame.frame), position);
+    this.scene.lookAtAll(this.frame.spheres);
   }
 
   // The frame with the most pairs says most about a chain.
@@ -207,7 +208,7 @@ class Viewer {
 
   reset() {
     this.select(null);
-    this.scene.lookAtAll();
+    this.scene.lookAtAll(this.frame.spheres);
   }
 
   save() {
