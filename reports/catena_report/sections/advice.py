@@ -191,7 +191,8 @@ def _times(slower, otherwise):
     if not slower:
         return Cell(otherwise)
     name, ratio = slower
-    return Cell(f"{words.interval(ratio)} times" + ("" if name == choice.PAPERS else f" ({name})"), ratio.value)
+    text = words.interval(ratio) if ratio.low < ratio.high else f"{ratio.value:.3g}"  # one sample has no interval
+    return Cell(f"{text} times" + ("" if name == choice.PAPERS else f" ({name})"), ratio.value)
 
 
 def _table(report, run, views):

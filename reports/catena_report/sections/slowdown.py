@@ -9,6 +9,7 @@ from ..table import Cell, Table
 
 SHOWN = 6  # curves drawn at first; the legend has the others
 LISTED = 12  # rows of the right panel
+FEWEST = 3  # chains, below which a t interval over them says nothing
 FARTHEST = 100  # times the fastest, where the curves' axis ends
 
 
@@ -33,7 +34,7 @@ def headline(run):
     """
     found = {
         name: slow for name, slow in profiles.slowdowns(run).items()
-        if run.info(name).recommended and slow.chains > 1 and len(slow.ratios) == slow.chains
+        if run.info(name).recommended and slow.chains >= FEWEST and len(slow.ratios) == slow.chains
     }
     if not found:
         return None
@@ -85,8 +86,8 @@ def _figure(report, run, found):
                 look if whole else Look("faint", look.marker, look.dash, True),
                 line=False,
                 size=1.3,
-                low=[max(1.0, slow.mean.low)] if len(slow.ratios) > 1 else None,
-                high=[slow.mean.high] if len(slow.ratios) > 1 else None,
+                low=[max(1.0, slow.mean.low)] if len(slow.ratios) >= FEWEST else None,
+                high=[slow.mean.high] if len(slow.ratios) >= FEWEST else None,
                 across=True,
                 legend=False,
                 hover=[
@@ -123,7 +124,7 @@ def _steps(points, farthest):
 
 def mean_text(slow):
     """1.13 [1.00, 1.41]: no slowdown is below 1, so neither is the end of its interval."""
-    if len(slow.ratios) < 2:
+    if len(slow.ratios) < FEWEST:
         return f"{slow.mean.value:.2f}"
     mean = slow.mean
     return words.interval(dataclasses.replace(mean, low=max(1.0, mean.low)))
@@ -132,7 +133,7 @@ def mean_text(slow):
 def _message(run):
     found = headline(run)
     if not found:
-        return "No exact variant was timed on every chain"
+        return "Too few chains, or none that every variant was timed on: no order over all of them"
     name, slow, near = found
     return (
         f"Over {slow.chains} chains {name} takes {mean_text(slow)} times the fastest of each"

@@ -191,7 +191,7 @@ def _message(run, points):
         info = run.info(p["variant"])
         if info.rounded and p["answer_error"] > 0:
             wrong[info.arithmetic] = max(wrong.get(info.arithmetic, 0), p["answer_error"])
-    parts += [f"{name} ones get up to {100 * share:.2g} % of the pairs wrong" for name, share in wrong.items()]
+    parts += [f"{name} ones get up to {100 * share:.3g} % of the pairs wrong" for name, share in wrong.items()]
     if not wrong and parts:
         parts.append("no answer was wrong on these tubes")
     text = "; ".join(parts) or "Error against run time"
