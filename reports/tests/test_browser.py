@@ -175,8 +175,10 @@ class Page(unittest.TestCase):
         value["catena"]["counts"] *= 4
         with tempfile.TemporaryDirectory() as folder:
             path = page.write(report.Report([runfile.load(made.write(folder, value))]), pathlib.Path(folder) / "page")
-            with browser.opened(path) as driver:
+            with browser.opened(path, width=680) as driver:  # a sheet of A4
                 driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+                head = driver.find_element("css selector", "#table-exponents thead")
+                self.assertTrue(head.is_displayed(), "cards are for narrow windows, not for paper")
                 table = driver.find_element("css selector", "#table-counts")
                 self.assertLess(table.rect["height"], 200)
                 self.assertIn("rows", table.find_element("css selector", "summary").text)
