@@ -130,7 +130,7 @@ MotionRow row(const std::string& variant, double stiffness, double step, MotionO
   if (outcome != MotionOutcome::holds) r.result.failed_at = 7;
   r.result.missed = 5, r.result.contacts = 10;
   r.result.ms = {3, 1, 2};
-  for (std::uint64_t seed = 1; seed <= 32; ++seed) r.starts.push_back({.seed = seed, .outcome = outcome});
+  for (std::uint64_t seed = 1; seed <= 32; ++seed) r.starts.push_back({seed, outcome, {}, 0, 0, 0, 0});
   return r;
 }
 

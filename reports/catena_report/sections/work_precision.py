@@ -1,24 +1,17 @@
 """Three errors apart, and what each costs: of the tube, of the arithmetic, of the answer."""
 import html
 
-from .. import runfile, statistics, words
+from .. import statistics, words
 from ..figure import Axis, Figure, Panel, Series
 from ..section import Prose, Section
-from ..style import COLOURS, DASHES, MARKERS, Look
+from ..style import Look
 from ..table import Cell, Table
-from .stability import NOT_ANSWERED
-
-# scene of the stability matrix -> its one parameter, the axis that it makes, and the axis' value
-SWEEPS = {
-    "far": ("exponent", "distance from the origin, radii", lambda text: 2.0 ** float(text)),
-    "grazing": ("margin", "margin of every contact, |q - t| / t", float),
-}
-
+from . import arithmetic
 
 def build(report):
     section = Section("work-precision", "Error against run time")
     for run in report.runs:
-        bites = _bites(report, run)
+        bites = arithmetic.figure(report, run)
         points = [p for p in run.catena.get("work_precision", {}).get("points", []) if p.get("median_ms")]
         blocks = ([bites] if bites else []) + (
             [_figure(report, run, points), _table(report, run, points)] if points else []
@@ -39,105 +32,6 @@ def build(report):
             ),
         )
     return section if section.blocks else None
-
-
-def sweep(run, scene):
-    """arithmetic -> {value of the sweep: its lines of the stability matrix} of catena's own variants."""
-    parameter, _, value_of = SWEEPS[scene]
-    found = {}
-    for line in run.list("stability"):
-        given = runfile.scene_and_n(line["scene"])[0].partition(":")
-        info = run.info(line["variant"])
-        name, _, text = given[2].partition("=")
-        if given[0] != scene or name != parameter or "," in given[2] or info.peer or line["outcome"] in NOT_ANSWERED:
-            continue
-        if value_of(text) > 0:
-            found.setdefault(info.arithmetic, {}).setdefault(value_of(text), []).append(line)
-    return {
-        name: dict(sorted(found[name].items()))
-        for name in sorted(found, key=lambda name: list(DASHES).index(name) if name in DASHES else 9)
-    }
-
-
-def wrong_share(line):
-    """Pairs missing and invented over the exact ones."""
-    return (line.get("missing", 0) + line.get("invented", 0)) / max(1, line["exact_pairs"])
-
-
-def _bites(report, run):
-    panels, begins = [], {}
-    for scene, (_, axis, _) in SWEEPS.items():
-        found = sweep(run, scene)
-        if not any(len(lines) > 2 for lines in found.values()):
-            continue
-        panel = Panel(f"{scene}: pairs wrong", Axis(axis, log=True), Axis("pairs wrong, % of the exact ones"), height=300)
-        short = Panel(f"{scene}: bounds short", Axis(axis, log=True), Axis("shortfall, share of the bound", log=True), height=300)
-        for at, (arithmetic, lines) in enumerate(found.items()):
-            look = Look(COLOURS[at], MARKERS[at], DASHES.get(arithmetic, "solid"))
-            worst = {value: max(mine, key=wrong_share) for value, mine in lines.items()}
-            panel.series.append(
-                Series(
-                    f"{arithmetic}",
-                    list(worst),
-                    [100 * wrong_share(line) for line in worst.values()],
-                    look,
-                    hover=[_bite(arithmetic, line) for line in worst.values()],
-                    chains=[report.chain(run, line["scene"], command=_verify(line)) for line in worst.values()],
-                )
-            )
-            wrong = [value for value, line in worst.items() if wrong_share(line)]
-            if wrong:
-                begins.setdefault(arithmetic, []).append(
-                    f"{min(wrong):.2g} radii from the origin on" if scene == "far"
-                    else f"contacts nearer to touching than {max(wrong):.2g}"
-                )
-            bounds = {
-                value: max(
-                    (x for x in (line.get("worst_shortfall", 0) for line in mine) if isinstance(x, (int, float))),
-                    default=0,
-                )
-                for value, mine in lines.items()
-            }
-            bounds = {value: size for value, size in bounds.items() if size > 0}
-            if bounds:
-                short.series.append(
-                    Series(
-                        arithmetic,
-                        list(bounds),
-                        list(bounds.values()),
-                        look,
-                        hover=[f"<b>{arithmetic}</b><br>a bound falls short by {size:.1e} of its radius" for size in bounds.values()],
-                    )
-                )
-        panels += [panel] + ([short] if short.series else [])
-    if not panels:
-        return None
-    message = "; ".join(
-        f"{arithmetic} arithmetic gets pairs wrong {words.listed(where)}" for arithmetic, where in begins.items()
-    )
-    exact = [name for name in ("robust", "double") if name not in begins]
-    return Figure(
-        f"arithmetic{report.key(run)}",
-        (message[0].upper() + message[1:] + f"; {words.listed(exact)} none" if message else "No arithmetic gets a pair wrong here"),
-        (
-            "The error of the arithmetic where it starts: a tangle moved away from the origin, whose stored"
-            " coordinates become coarse, and a spring all of whose contacts are equally near to touching. Of each"
-            " arithmetic the worst of its variants at each setting; scenes of the stability matrix."
-        ),
-        panels,
-    )
-
-
-def _bite(arithmetic, line):
-    return (
-        f"<b>{arithmetic}</b>: {line['variant']}<br>{line['scene']}<br>{line.get('missing', 0)} missing,"
-        f" {line.get('invented', 0)} invented of {line['exact_pairs']} pairs<br>worst margin"
-        f" {words.number(line.get('worst_margin', 0))}"
-    )
-
-
-def _verify(line):
-    return f"catena verify '{line['scene']}' --variant '{line['variant']}'"
 
 
 def _left_out(lines):
@@ -182,8 +76,8 @@ def prices(run, points):
 
 def _message(run, points):
     parts = [
-        f"exact answers take {words.interval(statistics.mean_log(ratios))} times as long as {arithmetic} ones"
-        for arithmetic, ratios in prices(run, points).items()
+        f"exact answers take {words.interval(statistics.mean_log(ratios))} times as long as {name} ones"
+        for name, ratios in prices(run, points).items()
         if len(ratios) > 1
     ]
     wrong = {}
