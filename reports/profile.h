@@ -27,7 +27,11 @@ struct Profile {
   std::uint32_t stability_n = 0;              ///< spheres of its scenes; 0: no stability matrix
   std::vector<double> motion_stiffnesses;     ///< of the stiff rope
   std::vector<double> motion_steps;           ///< of its motions; empty: they are left out
+  std::vector<double> motion_offsets;         ///< of the stored chain, in radii
+  std::size_t motion_starts = 0;              ///< perturbed starts of each motion
   double motion_seconds = 0;                  ///< no motion of it begins later
+  std::vector<std::uint32_t> keyframe_sizes;  ///< of both paths, whose pairs are counted in every keyframe
+  std::uint64_t copy_bytes = 0;               ///< of the copy that measures the bandwidth; 0: it is left out
   std::vector<std::string> tubes;             ///< of the work-precision diagram
   std::vector<double> tube_spacings;          ///< in radii
   std::vector<std::string> examine_settings;  ///< of rod, path1 and yarn

@@ -45,6 +45,8 @@ Profile small_profile() {
   p.short_chains = {10, 100};
   p.animation_input = "path1:n=200";
   p.animation_step = 10;
+  p.keyframe_sizes = {200};
+  p.copy_bytes = 1 << 20;
   return p;
 }
 
@@ -106,7 +108,8 @@ TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
   EXPECT_EQ(own["profile"], "quick");
   EXPECT_EQ(own["command"], "catena report --quick");
   EXPECT_GT(own["seconds"], 0);
-  for (const char* section : {"scenes", "counts", "wants", "savings", "animation", "coherence", "viewer"}) {
+  for (const char* section :
+       {"scenes", "counts", "wants", "savings", "animation", "coherence", "viewer", "keyframes", "memory"}) {
     ASSERT_TRUE(own.contains(section)) << section;
     const auto keys = described(section);
     EXPECT_GE(keys.size(), 3u) << section;
@@ -117,7 +120,7 @@ TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
       for (const auto& [key, value] : row.items()) given.insert(key);
     EXPECT_EQ(given, keys) << section;
   }
-  for (const char* section : {"stability", "work_precision", "tube_errors", "examine"})
+  for (const char* section : {"stability", "work_precision", "tube_errors", "examine", "bandwidth"})
     EXPECT_FALSE(own[section].empty()) << section;
   for (const auto& [fact, value] : environment()) EXPECT_EQ(small_run()["context"][fact], value);
 }

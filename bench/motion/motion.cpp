@@ -1,10 +1,13 @@
 #include "catena/bench/motion/motion.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <limits>
 #include <memory>
+#include <thread>
 
 #include "catena/bench/motion/knot_determinant.h"
 #include "catena/bench/timing/sampling.h"
@@ -22,7 +25,7 @@ motion::RopeMotion start(const MotionCase& c) {
   motion::RopeSettings settings;
   settings.stretching = c.stiffness;
   motion::RopeMotion::Start start;
-  Random random(1);
+  Random random(c.seed);
   motion::add_knotted_rope(start, c.n, settings.spacing, {}, random);
   const auto place = [offset = c.offset](const Vec3& p) {
     return Sphere{static_cast<float>(p.x + offset), static_cast<float>(p.y + offset),
@@ -103,6 +106,25 @@ MotionResult measure_motion(const MotionCase& c) {
   return result;
 }
 
+std::vector<MotionStart> measure_starts(const MotionCase& motion, std::size_t starts) {
+  std::vector<MotionStart> found(starts);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t k = next++; k < starts; k = next++) {
+      MotionCase perturbed = motion;
+      perturbed.seed = k + 1;
+      const MotionResult result = measure_motion(perturbed);
+      found[k] = {perturbed.seed,  result.outcome, result.failed_at, result.energy_drift,
+                  result.contacts, result.missed,  result.invented};
+    }
+  };
+  std::vector<std::future<void>> workers;
+  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
+    workers.push_back(std::async(std::launch::async, work));
+  for (auto& worker : workers) worker.get();
+  return found;
+}
+
 void time_motions(const std::vector<MotionCase>& motions, std::vector<MotionResult>& results,
                   std::size_t repetitions) {
   std::vector<double> least_find_ms(motions.size(), std::numeric_limits<double>::infinity());
@@ -139,14 +161,15 @@ FrameComparison compare_frames(const std::vector<std::vector<Pair>>& fine,
 }
 
 std::vector<MotionRow> measure_motions(const std::vector<MotionCase>& motions, const MotionResult& fine,
-                                       double reference_step, std::size_t repetitions) {
+                                       double reference_step, std::size_t repetitions, std::size_t starts) {
   std::vector<MotionResult> results;
   for (const MotionCase& motion : motions) results.push_back(measure_motion(motion));
   time_motions(motions, results, repetitions);
   std::vector<MotionRow> rows;
   for (std::size_t k = 0; k < motions.size(); ++k) {
     const auto against_fine = compare_frames(fine.frame_contacts, results[k].frame_contacts);
-    rows.push_back({motions[k], std::move(results[k]), reference_step, against_fine});
+    rows.push_back({motions[k], std::move(results[k]), reference_step, against_fine,
+                    measure_starts(motions[k], starts)});
   }
   return rows;
 }

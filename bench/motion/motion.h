@@ -17,6 +17,7 @@ struct MotionCase {
   std::string variant;     ///< finds the contacts
   std::uint32_t n = 120, frames = 51;
   double duration = 100;
+  std::uint64_t seed = 1;  ///< of the small velocities at the start: another one is a perturbed start
 
   bool exact() const;  ///< the variant must not miss a contact
 };
@@ -50,6 +51,19 @@ struct MotionResult {
 /// Runs the motion once and holds every search against the exact reference on the same stored chain.
 MotionResult measure_motion(const MotionCase& motion);
 
+/// What came of one start of a motion that was begun several times.
+struct MotionStart {
+  std::uint64_t seed = 0;
+  MotionOutcome outcome = MotionOutcome::holds;
+  std::optional<double> failed_at;
+  double energy_drift = 0;
+  std::uint64_t contacts = 0, missed = 0, invented = 0;  ///< as in MotionResult
+};
+
+/// The same motion from `starts` perturbed starts, seeds 1, 2, ...: near a knife edge one motion says nothing, the
+/// share that slips does. On all cores.
+std::vector<MotionStart> measure_starts(const MotionCase& motion, std::size_t starts);
+
 /// Runs each motion again, `repetitions` times, without any check, interleaved in a fresh random order each
 /// round, and adds the times.
 void time_motions(const std::vector<MotionCase>& motions, std::vector<MotionResult>& results,
@@ -71,11 +85,12 @@ struct MotionRow {
   MotionResult result;
   double reference_step = 0;
   FrameComparison against_fine;
+  std::vector<MotionStart> starts;  ///< the motion from each perturbed start, its own seed among them
 };
 
 /// Measures each motion, then times them all against each other (time_motions); `fine` is the exact motion of
-/// their stiffness at `reference_step`.
+/// their stiffness at `reference_step`. Each is begun from `starts` perturbed starts besides.
 std::vector<MotionRow> measure_motions(const std::vector<MotionCase>& motions, const MotionResult& fine,
-                                       double reference_step, std::size_t repetitions);
+                                       double reference_step, std::size_t repetitions, std::size_t starts);
 
 }  // namespace catena::bench

@@ -94,6 +94,34 @@ TEST(Motion, ShowsWhatAMutantLoses) {
   EXPECT_EQ(result.invented, 0u);
 }
 
+TEST(Motion, PerturbedStartsAreAsEachByItself) {
+  const auto starts = measure_starts(small("aCPU2+CPU2", 2.5), 3);
+  ASSERT_EQ(starts.size(), 3u);
+  for (const MotionStart& start : starts) {
+    MotionCase alone = small("aCPU2+CPU2", 2.5);
+    alone.seed = start.seed;
+    const MotionResult result = measure_motion(alone);
+    EXPECT_EQ(start.outcome, result.outcome);
+    EXPECT_EQ(start.failed_at, result.failed_at);
+    EXPECT_EQ(start.energy_drift, result.energy_drift);
+  }
+  EXPECT_NE(starts[0].energy_drift, starts[1].energy_drift) << "another start";
+}
+
+TEST(FailingShare, IsWilsonsInterval) {  // Newcombe 1998, Table I: 81 of 263, 15 of 148, 0 of 20
+  const auto share = [](std::size_t failing, std::size_t all) {
+    std::vector<MotionStart> starts(all);
+    for (std::size_t k = 0; k < failing; ++k) starts[k].outcome = MotionOutcome::slipped;
+    return failing_share(starts);
+  };
+  EXPECT_NEAR(share(81, 263).low, 0.2553, 1e-4);
+  EXPECT_NEAR(share(81, 263).high, 0.3662, 1e-4);
+  EXPECT_NEAR(share(15, 148).low, 0.0624, 1e-4);
+  EXPECT_NEAR(share(15, 148).high, 0.1605, 1e-4);
+  EXPECT_EQ(share(0, 20).low, 0);
+  EXPECT_NEAR(share(0, 20).high, 0.1611, 1e-4);
+}
+
 MotionRow row(const std::string& variant, double stiffness, double step, MotionOutcome outcome) {
   MotionRow r;
   r.motion = small(variant, step);
@@ -102,6 +130,7 @@ MotionRow row(const std::string& variant, double stiffness, double step, MotionO
   if (outcome != MotionOutcome::holds) r.result.failed_at = 7;
   r.result.missed = 5, r.result.contacts = 10;
   r.result.ms = {3, 1, 2};
+  for (std::uint64_t seed = 1; seed <= 32; ++seed) r.starts.push_back({seed, outcome, {}, 0, 0, 0, 0});
   return r;
 }
 
@@ -113,11 +142,26 @@ TEST(MotionVerdicts, SayWhereEachFailsAndWhenTheArithmeticIsAtFault) {
   EXPECT_EQ(lines[0],
             "CPU1, 0 radii from the origin: stiffness 100: holds at step 1; slips through itself at step 2 "
             "(time 7).");
-  EXPECT_EQ(
-      lines[1],
-      "CPU1/literal, 0 radii from the origin: stiffness 100: slips through itself at step 2 (time 7), "
-      "diverges at step 1 (time 7). Its arithmetic is at fault at stiffness 100, step 1 (5 of 10 contacts "
-      "missed, 0 invented; CPU1 holds).");
+  EXPECT_EQ(lines[1],
+            "CPU1/literal, 0 radii from the origin: stiffness 100: slips through itself at step 2 (time 7), "
+            "diverges at step 1 (time 7). Its arithmetic is at fault at stiffness 100, step 1 (fails from "
+            "100 % [89, 100] "
+            "of 32 starts, CPU1 from 0 % [0, 11]).");
+}
+
+TEST(MotionVerdicts, OneStartSaysNothing) {
+  using enum MotionOutcome;
+  auto exact = row("CPU1", 1e2, 1, holds), rounded = row("CPU1/literal", 1e2, 1, slipped);
+  const auto blamed = [&] {
+    return motion_verdicts({exact, rounded})[1].find("at fault") != std::string::npos;
+  };
+  EXPECT_TRUE(blamed());
+  for (auto* r : {&exact, &rounded}) r->starts.resize(1);
+  EXPECT_FALSE(blamed());
+  exact.starts.assign(32, {}), rounded.starts.assign(32, {});
+  for (std::size_t k = 0; k < 12; ++k) rounded.starts[k].outcome = slipped;
+  for (std::size_t k = 0; k < 8; ++k) exact.starts[k].outcome = slipped;
+  EXPECT_FALSE(blamed()) << "12 of 32 beside 8 of 32 may be chance";
 }
 
 TEST(MotionReport, WritesARowAsJson) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "catena/bench/stability/cell.h"
@@ -37,42 +38,63 @@ std::string of_one_stiffness(const std::vector<const MotionRow*>& rows) {
   return text + fmt::format("{}", fmt::join(failed, ", "));
 }
 
-/// Where this row fails and an exact variant does not.
+std::string in_words(const FailingShare& share) {
+  return fmt::format("{:.0f} % [{:.0f}, {:.0f}]", 100 * share.value, 100 * share.low, 100 * share.high);
+}
+
+/// Where more of this row's starts fail than of an exact variant's, beyond both intervals.
 std::string fault_of_arithmetic(const MotionRow& row, const std::vector<MotionRow>& rows) {
-  if (holds(row) || row.motion.exact()) return "";
-  for (const MotionRow& exact : rows)
-    if (exact.motion.exact() && same_motion(exact.motion, row.motion) &&
-        holds(exact))
-      return fmt::format("stiffness {:g}, step {:g} ({} of {} contacts missed, {} invented; {} holds)",
-                         row.motion.stiffness, row.motion.step, row.result.missed, row.result.contacts,
-                         row.result.invented, exact.motion.variant);
+  if (row.motion.exact() || row.starts.empty()) return "";
+  const FailingShare own = failing_share(row.starts);
+  for (const MotionRow& exact : rows) {
+    if (!exact.motion.exact() || !same_motion(exact.motion, row.motion) || exact.starts.empty()) continue;
+    const FailingShare its = failing_share(exact.starts);
+    if (own.low <= its.high) continue;
+    return fmt::format("stiffness {:g}, step {:g} (fails from {} of {} starts, {} from {})",
+                       row.motion.stiffness, row.motion.step, in_words(own), row.starts.size(),
+                       exact.motion.variant, in_words(its));
+  }
   return "";
 }
 
 }  // namespace
 
+FailingShare failing_share(const std::vector<MotionStart>& starts) {
+  if (starts.empty()) return {};
+  constexpr double z = 1.959963984540054;
+  const auto n = static_cast<double>(starts.size());
+  const double share =
+      static_cast<double>(std::ranges::count_if(
+          starts, [](const MotionStart& start) { return start.outcome != MotionOutcome::holds; })) /
+      n;
+  const double centre = share + z * z / (2 * n), widened = 1 + z * z / n,
+               reach = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  return {share, std::max(0.0, (centre - reach) / widened), std::min(1.0, (centre + reach) / widened)};
+}
+
 nlohmann::ordered_json to_json(const MotionRow& row) {
-  const auto& [motion, result, reference_step, against_fine] = row;
-  nlohmann::ordered_json line{{"stiffness", motion.stiffness},
-                              {"step", motion.step},
-                              {"offset", motion.offset},
-                              {"n", motion.n},
-                              {"frames", motion.frames},
-                              {"duration", motion.duration},
-                              {"variant", motion.variant},
-                              {"arithmetic", StrategyRegistry::instance().describe(motion.variant).arithmetic},
-                              {"outcome", name_of(result.outcome)},
-                              {"failed_at", nullptr},
-                              {"energy_drift", finite_or_word(result.energy_drift)},
-                              {"deepest_penetration", finite_or_word(result.deepest_penetration)},
-                              {"greatest_strain", finite_or_word(result.greatest_strain)},
-                              {"searches", result.searches},
-                              {"contacts", result.contacts},
-                              {"missed_by_variant", result.missed},
-                              {"invented_by_variant", result.invented},
-                              {"reference_step", reference_step},
-                              {"reference_contacts", against_fine.contacts},
-                              {"missed_against_fine_step", against_fine.missed}};
+  const auto& [motion, result, reference_step, against_fine, starts] = row;
+  nlohmann::ordered_json line{
+      {"stiffness", motion.stiffness},
+      {"step", motion.step},
+      {"offset", motion.offset},
+      {"n", motion.n},
+      {"frames", motion.frames},
+      {"duration", motion.duration},
+      {"variant", motion.variant},
+      {"arithmetic", StrategyRegistry::instance().describe(motion.variant).arithmetic},
+      {"outcome", name_of(result.outcome)},
+      {"failed_at", nullptr},
+      {"energy_drift", finite_or_word(result.energy_drift)},
+      {"deepest_penetration", finite_or_word(result.deepest_penetration)},
+      {"greatest_strain", finite_or_word(result.greatest_strain)},
+      {"searches", result.searches},
+      {"contacts", result.contacts},
+      {"missed_by_variant", result.missed},
+      {"invented_by_variant", result.invented},
+      {"reference_step", reference_step},
+      {"reference_contacts", against_fine.contacts},
+      {"missed_against_fine_step", against_fine.missed}};
   if (result.failed_at) line["failed_at"] = *result.failed_at;
   const Spread time = Spread::of(result.ms);
   line["ms_median"] = time.median;
@@ -80,14 +102,25 @@ nlohmann::ordered_json to_json(const MotionRow& row) {
   line["ms_upper"] = time.upper;
   line["ms"] = result.ms;
   line["find_ms"] = result.find_ms;
+  line["starts"] = nlohmann::ordered_json::array();
+  for (const MotionStart& start : starts) {
+    line["starts"].push_back({{"seed", start.seed},
+                              {"outcome", name_of(start.outcome)},
+                              {"failed_at", nullptr},
+                              {"energy_drift", finite_or_word(start.energy_drift)},
+                              {"contacts", start.contacts},
+                              {"missed", start.missed},
+                              {"invented", start.invented}});
+    if (start.failed_at) line["starts"].back()["failed_at"] = *start.failed_at;
+  }
   return line;
 }
 
 void MotionTable::print(const MotionRow& row) {
-  constexpr auto line = "{:>9} {:>8} {:>7}  {:<26} {:<18} {:>9} {:>11} {:>13} {:>17} {:>10} {:>17}\n";
+  constexpr auto line = "{:>9} {:>8} {:>7}  {:<26} {:<18} {:>15} {:>9} {:>11} {:>13} {:>17} {:>10} {:>17}\n";
   if (!begun_) {
-    fmt::print(line, "stiffness", "step", "offset", "variant", "outcome", "drift", "penetration",
-               "missed, fine", "missed, invented", "median ms", "quartiles");
+    fmt::print(line, "stiffness", "step", "offset", "variant", "outcome", "starts failing", "drift",
+               "penetration", "missed, fine", "missed, invented", "median ms", "quartiles");
     begun_ = true;
   }
   const MotionResult& r = row.result;
@@ -95,7 +128,8 @@ void MotionTable::print(const MotionRow& row) {
   fmt::print(line, fmt::format("{:g}", row.motion.stiffness), fmt::format("{:g}", row.motion.step),
              fmt::format("{:g}", row.motion.offset), row.motion.variant,
              r.failed_at ? fmt::format("{} at {:.3g}", name_of(r.outcome), *r.failed_at) : name_of(r.outcome),
-             fmt::format("{:.2e}", r.energy_drift), fmt::format("{:.3f}", r.deepest_penetration),
+             in_words(failing_share(row.starts)), fmt::format("{:.2e}", r.energy_drift),
+             fmt::format("{:.3f}", r.deepest_penetration),
              fmt::format("{} of {}", row.against_fine.missed, row.against_fine.contacts),
              fmt::format("{}, {} of {}", r.missed, r.invented, r.contacts),
              fmt::format("{:.1f}", time.median), fmt::format("{:.1f} .. {:.1f}", time.lower, time.upper));

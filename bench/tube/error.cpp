@@ -111,6 +111,17 @@ Chain inscribed_chain(const Tube& tube, std::uint32_t n, double offset) {
                Exclusion::arc(1.5707963267948966));
 }
 
+double stored_error(const Tube& tube, std::uint32_t n, double offset) {
+  const double h = step_of(tube, n);
+  double worst = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Vec3 p = at(tube, i * h) + Vec3{offset, offset, offset};
+    worst = std::max(
+        worst, length(p - Vec3{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}));
+  }
+  return worst;
+}
+
 StorageError storage_error(const Tube& tube, std::uint32_t n, double offset) {
   const double h = step_of(tube, n), reach = 2 * tube.radius;
   std::vector<Vec3> real;

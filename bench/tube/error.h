@@ -35,6 +35,9 @@ TubeError tube_error(const Tube& tube, const std::vector<Approach>& all, std::ui
 /// neighbours by the arc window pi/2.
 Chain inscribed_chain(const Tube& tube, std::uint32_t n, double offset = 0);
 
+/// How far the farthest sphere of inscribed_chain is from where it belongs, for its coordinates are binary32.
+double stored_error(const Tube& tube, std::uint32_t n, double offset = 0);
+
 /// The second error: what storing a chain in binary32 changes, and how near its decisions are to changing.
 struct StorageError {
   std::uint64_t pairs = 0;  ///< colliding pairs of the stored chain

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "catena/core/commands/report_text.h"
+
 namespace catena::bench {
 
 void add_to_json(nlohmann::ordered_json& out, const WorkPrecision& result) {
@@ -20,7 +22,13 @@ void add_to_json(nlohmann::ordered_json& out, const WorkPrecision& result) {
                     {"variant", p.variant},
                     {"arithmetic", p.arithmetic},
                     {"tube_error", p.tube_error},
+                    {"stored_error", p.stored_error},
                     {"answer_error", p.answer_error},
+                    {"exact_pairs", p.exact_pairs},
+                    {"missing", p.missing},
+                    {"invented", p.invented},
+                    {"worst_margin", finite_or_word(p.worst_margin)},
+                    {"depth_error", finite_or_word(p.depth_error)},
                     {"repetitions", p.repetitions},
                     {"least_ms", p.time.least},
                     {"lower_quartile_ms", p.time.lower},

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,9 +13,17 @@ namespace catena::bench {
 struct Point {
   std::string tube, variant, arithmetic;
   std::size_t n = 0;
-  double tube_error = 0;  ///< Hausdorff gap of the chain over the radius of the tube
-  double answer_error =
-      0;  ///< pairs missing and invented over the exact pairs; 0 when there is nothing wrong
+  /// Three errors apart. Of the tube: the Hausdorff gap of the chain over the radius of the tube.
+  double tube_error = 0;
+  /// Of storing: how far the farthest stored centre is from its place, over the radius.
+  double stored_error = 0;
+  /// Of the answer: pairs missing and invented over the exact pairs; 0 when there is nothing wrong.
+  double answer_error = 0;
+  std::uint64_t exact_pairs = 0, missing = 0, invented = 0;
+  double worst_margin = 0;  ///< largest |q - t| / t of a wrong decision: the error of the arithmetic
+  /// Of the pairs missing the deepest, of those invented the one farthest apart: | |cA - cB| - (rA + rB) |, over
+  /// the radius of the tube.
+  double depth_error = 0;
   std::size_t repetitions = 0;
   Spread time;
   std::optional<std::size_t> dominated_by;  ///< empty: on the Pareto front

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -30,6 +31,37 @@ double answer_error(const Cell& cell) {
   const double wrong = cell.found.by_pairs ? static_cast<double>(c.missing + c.invented)
                                            : static_cast<double>(c.wrong_counts) / 2;
   return wrong / static_cast<double>(std::max<std::uint64_t>(1, cell.exact_pairs));
+}
+
+/// How deep the deepest pair lies that is in one list and not in the other, or how far apart; in units of
+/// length.
+double deepest_difference(const Chain& chain, const std::vector<Pair>& exact, std::vector<Pair> found) {
+  std::ranges::sort(found);
+  std::vector<Pair> wrong;
+  std::ranges::set_symmetric_difference(exact, found, std::back_inserter(wrong));
+  double deepest = 0;
+  for (const Pair& pair : wrong) {
+    const Sphere &a = chain[pair.i], &b = chain[pair.j];
+    const double distance = std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
+    deepest = std::max(deepest, std::abs(distance - (double{a.radius} + b.radius)));
+  }
+  return deepest;
+}
+
+/// What the variant made of the chain, as errors; `cell` is of the same chain.
+void add_errors(Point& point, const Tube& tube, const Cell& cell, Variant& variant, const Chain& chain,
+                const reference::Answer& exact) {
+  const auto& wrong = cell.found.comparison;
+  point.answer_error = answer_error(cell);
+  point.exact_pairs = cell.exact_pairs;
+  point.missing = wrong.missing;
+  point.invented = wrong.invented;
+  point.worst_margin = wrong.worst_margin;
+  if (wrong.missing + wrong.invented == 0) return;
+  Collisions found;
+  variant.build(chain);
+  variant.find(chain, {}, found);
+  point.depth_error = deepest_difference(chain, exact.pairs, std::move(found.pairs)) / tube.radius;
 }
 
 void time_interleaved(std::vector<Runner>& runners, const Chain& chain, std::size_t repetitions) {
@@ -62,6 +94,7 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
     const Chain chain = inscribed_chain(tube, n, offset);
     const auto exact = reference::find(chain);
     const double gap = tube_error(tube, all, n).gap / tube.radius;
+    const double stored = stored_error(tube, n, offset) / tube.radius;
     std::vector<Runner> runners;
     for (const auto& name : variants) {
       const VariantInfo info = StrategyRegistry::instance().describe(name);
@@ -79,9 +112,16 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
         if (cell.defect)
           throw InputError(
               fmt::format("{} is wrong on {} with {} spheres: {}", name, tube.name, n, cell.found.reason));
-        runners.push_back(
-            {std::move(variant),
-             {tube.name, name, cell.arithmetic, n, gap, answer_error(cell), repetitions, {}, {}, offset}});
+        Point point{.tube = tube.name,
+                    .variant = name,
+                    .arithmetic = cell.arithmetic,
+                    .n = n,
+                    .tube_error = gap,
+                    .stored_error = stored,
+                    .repetitions = repetitions,
+                    .offset = offset};
+        add_errors(point, tube, cell, *variant, chain, exact);
+        runners.push_back({std::move(variant), std::move(point)});
       } catch (const CapacityError& why) {
         leave_out(name, why.what());
       }

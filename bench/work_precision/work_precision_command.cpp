@@ -27,7 +27,7 @@ class WorkPrecisionCommand final : public Command {
         ->check(CLI::Range(std::uint32_t{8}, std::uint32_t{100'000'000}));
     app.add_option(
            "--offset", offsets_,
-           "Moves the chain along every axis, in radii; repeatable (default: 0 and 2^20, where rounded "
+           "Moves the chain along every axis, in radii; repeatable (default: 0 and 1e7, where rounded "
            "arithmetic shows)")
         ->type_name("D")
         ->allow_extra_args(false)
@@ -96,7 +96,7 @@ class WorkPrecisionCommand final : public Command {
   bool json_ = false;
   std::vector<std::string> tubes_{"lissajous"}, variants_;
   std::vector<std::uint32_t> sizes_;
-  std::vector<double> offsets_{0, 0x1p20};
+  std::vector<double> offsets_{0, 1e7};
   std::size_t repetitions_ = 21;
 };
 

@@ -34,8 +34,16 @@ TEST(WorkPrecision, FarFromTheOriginRoundedArithmeticHasAnAnswerErrorAndRobustHa
       EXPECT_EQ(p.offset, result == &far ? 0x1p20 : 0);
     }
   EXPECT_EQ(point(near, "aCPU2+Dual/literal", 3200).answer_error, 0);
-  EXPECT_GT(point(far, "aCPU2+Dual/literal", 3200).answer_error, 0.01)
-      << "lost by parents that do not enclose";
+  const Point& lost = point(far, "aCPU2+Dual/literal", 3200);
+  EXPECT_GT(lost.missing, 0u);
+  EXPECT_EQ(lost.answer_error,
+            static_cast<double>(lost.missing + lost.invented) / static_cast<double>(lost.exact_pairs));
+  EXPECT_GT(lost.depth_error, 0) << "of the deepest pair that was lost";
+  EXPECT_LE(lost.depth_error, 2);
+  EXPECT_NEAR(lost.stored_error, 0.0625 * std::sqrt(3), 0.01)
+      << "half the spacing of floats at 2^20, on each axis";
+  EXPECT_LT(point(near, "CPU1", 3200).stored_error, 1e-5);
+  EXPECT_GT(lost.answer_error, 0.01) << "lost by parents that do not enclose";
   const double slope =
       std::log(point(far, "aCPU2+Dual", 800).tube_error / point(far, "aCPU2+Dual", 3200).tube_error) /
       std::log(4);

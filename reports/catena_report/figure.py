@@ -92,8 +92,48 @@ class Figure:
                     ), shown or series.shown
         return found
 
+    def alternative(self):
+        """The figure in words, for readers who do not see it: of each panel what the axes are and where each curve
+        that is shown begins and ends; of a map how many cells are what.
+        """
+        return " ".join(filter(None, map(_in_words, self.panels)))
+
     def categories(self):
         """(label, colour name) of the heat maps that occur, once, in order."""
         return list(
             dict.fromkeys(entry for panel in self.panels if panel.heat for entry in panel.heat.categories)
         )
+
+
+TOLD = 8  # curves of a panel that its text tells
+
+
+def _in_words(panel):
+    if panel.heat:
+        cells = [value for row in panel.heat.value for value in row if value is not None]
+        parts = [
+            f"{cells.count(at):,} {label}" for at, (label, _) in enumerate(panel.heat.categories) if at in cells
+        ]
+        return f"{panel.title or 'Map'}: of {len(cells):,} cells {'; '.join(parts)}."
+    told = [series for series in panel.series if series.shown and len(series.x) and series.markers | series.line]
+    if not told:
+        return ""
+    more = len(told) - TOLD
+    return (
+        f"{panel.title or 'Plot'}: {panel.y.title or 'rows'} over {panel.x.title}. "
+        + "; ".join(_curve(panel, series) for series in told[:TOLD])
+        + (f"; and {more} more." if more > 0 else ".")
+    )
+
+
+def _curve(panel, series):
+    def place(at):
+        names = panel.y.categories
+        if names:
+            return f"{series.x[at]:.3g}"
+        x = panel.x.categories[round(series.x[at])] if panel.x.categories else f"{series.x[at]:.4g}"
+        return f"{series.y[at]:.3g} at {x}"
+
+    if len(series.x) == 1 or panel.y.categories and len(series.x) > 2:
+        return f"{series.name} {', '.join(place(at) for at in range(len(series.x)))}"
+    return f"{series.name} from {place(0)} to {place(-1)}"

@@ -16,7 +16,7 @@ class Report:
         devices = collections.Counter(run.device for run in runs)
         # One word for each run: its device, and where two share it the commit or the file too.
         self.labels = [
-            run.device if devices[run.device] == 1 else f"{run.device}, {run.path.stem}" for run in runs
+            run.device if devices[run.device] == 1 else f"{run.device}, {run.path.name.partition('.')[0]}" for run in runs
         ]
 
     def look(self, run, variant):
@@ -37,6 +37,22 @@ class Report:
     def having(self, key):
         """The runs whose `catena` object has something under `key`."""
         return [run for run in self.runs if run.catena.get(key)]
+
+    def best_informed(self, views):
+        """{run: {input: samples by variant}} of {run: the same}: of runs of one machine that timed the same chain,
+        only the one that timed the most variants keeps it, so that no other advice contradicts it.
+        """
+        machine = lambda run: (run.context.get("gpu"), run.host)  # noqa: E731
+        most = {}
+        for run, cases in views.items():
+            for input_, row in cases.items():
+                key = machine(run), input_
+                if key not in most or len(row) > len(views[most[key]][input_]):
+                    most[key] = run
+        return {
+            run: {input_: row for input_, row in cases.items() if most[machine(run), input_] is run}
+            for run, cases in views.items()
+        }
 
     @functools.lru_cache(maxsize=None)
     def median(self, run, input_, variant, stage):

@@ -22,6 +22,8 @@ ARRAYS = (
     "tube_errors",
     "examine",
     "motion",
+    "keyframes",
+    "memory",
     "viewer",
 )
 
@@ -36,6 +38,7 @@ class Run:
     samples  (input, variant, stage) -> milliseconds of every repetition, in the order in which they ran
     refused  (input, variant, stage) -> why a variant was refused or found wrong
     counters (input, variant, stage) -> {pairs, missing, invented, transfer_ms, ...} of its last repetition
+    moved    (input, variant, stage) -> milliseconds between memories of every repetition, 0 where none is told
     """
 
     def __init__(self, path, raw):
@@ -43,7 +46,7 @@ class Run:
         self.context = raw["context"]
         self.catena = raw.get("catena", {})
         self._described = self._read_variants()
-        self.samples, self.refused, self.counters = {}, {}, {}
+        self.samples, self.refused, self.counters, self.moved = {}, {}, {}, {}
         for at, row in enumerate(raw["benchmarks"]):
             if row.get("run_type", "iteration") == "iteration":
                 self._read(at, row)
@@ -67,6 +70,7 @@ class Run:
         if not 0 <= time < float("inf"):
             raise BadRunFile(f"{where} has the time {row['real_time']}; measure again with catena report")
         self.samples.setdefault(case, []).append(time)
+        self.moved.setdefault(case, []).append(float(row.get("transfer_ms", 0)))
         self.counters[case] = {
             key: row[key] for key in ("pairs", "missing", "invented", "transfer_ms") if key in row
         }
@@ -145,18 +149,6 @@ class Run:
         row = self.scene(input_)
         pairs = self.pairs(input_)
         return row.get("density", None if pairs is None else pairs / n_of(input_))
-
-    def total(self, input_, variant):
-        """Milliseconds from chain to collisions, repetition by repetition: build and find, or whole; None
-        if untimed.
-        """
-        build, find = (self.samples.get((input_, variant, stage)) for stage in ("build", "find"))
-        if build is not None and find is not None:
-            size = min(len(build), len(find))
-            return build[:size] + find[:size]
-        if find is not None and not self.info(variant).composed:
-            return find  # complete in itself: nothing to build
-        return self.samples.get((input_, variant, "whole"))
 
 
 def _named(value):

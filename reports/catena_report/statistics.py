@@ -1,6 +1,5 @@
 """The statistics of the report. Times are skewed and few, so everything rests on medians and ranks."""
 import dataclasses
-import itertools
 import math
 
 import numpy
@@ -63,13 +62,25 @@ def mean_log(ratios):
     return Interval(math.exp(centre), math.exp(centre - reach), math.exp(centre + reach))
 
 
+def share(number, of):
+    """number / of with Wilson's interval, which stays within 0 and 1 and has a width where all or none are."""
+    z = scipy.stats.norm.ppf((1 + CONFIDENCE) / 2)
+    value = number / of
+    centre, widened = value + z * z / (2 * of), 1 + z * z / of
+    reach = z * math.sqrt(value * (1 - value) / of + z * z / (4 * of * of))
+    return Interval(value, max(0.0, (centre - reach) / widened), min(1.0, (centre + reach) / widened))
+
+
+FEWEST_SIZES = 4  # two always lie on a power law, and with three the t interval says next to nothing
+
+
 def exponent(ns, times):
-    """b of time = a n^b by least squares on the logarithms, with its t interval; None with fewer than three
-    sizes.
+    """b of time = a n^b by least squares on the logarithms, with its t interval; None with fewer than
+    FEWEST_SIZES.
     """
     ns, times = numpy.asarray(ns, dtype=float), numpy.asarray(times, dtype=float)
     keep = (times > 0) & (ns > 0)
-    if len(set(ns[keep])) < 3:
+    if len(set(ns[keep])) < FEWEST_SIZES:
         return None
     fit = scipy.stats.linregress(numpy.log(ns[keep]), numpy.log(times[keep]))
     reach = scipy.stats.t.ppf((1 + CONFIDENCE) / 2, keep.sum() - 2) * fit.stderr
@@ -100,47 +111,6 @@ def least_p(a_size, b_size):
     return 2 / math.comb(a_size + b_size, a_size)
 
 
-@dataclasses.dataclass(frozen=True)
-class Ranks:
-    mean: dict  # name -> mean rank, 1 is best
-    cases: int
-    p: float  # Friedman's
-    difference: float  # Nemenyi's critical difference at 1 - CONFIDENCE
-
-    def alike(self):
-        """The maximal groups of names within one critical difference, best first."""
-        names = sorted(self.mean, key=self.mean.get)
-        groups = []
-        for at, name in enumerate(names):
-            group = [other for other in names[at:] if self.mean[other] - self.mean[name] <= self.difference]
-            if len(group) > 1 and not any(set(group) <= set(known) for known in groups):
-                groups.append(group)
-        return groups
-
-
-def friedman(table):
-    """Friedman's test and Nemenyi's critical difference of {name: [score of each case]}, a lower score
-    being better. None with fewer than three names or two cases (Demsar 2006).
-    """
-    names = list(table)
-    scores = numpy.array([table[name] for name in names], dtype=float)
-    if len(names) < 3 or scores.shape[1] < 2:
-        return None
-    ranks = numpy.apply_along_axis(scipy.stats.rankdata, 0, scores)
-    if (ranks == ranks[0]).all():  # every case a tie of all: scipy would divide by zero
-        p = 1.0
-    else:
-        p = float(scipy.stats.friedmanchisquare(*scores).pvalue)
-    k, cases = scores.shape
-    q = scipy.stats.studentized_range.ppf(CONFIDENCE, k, math.inf) / math.sqrt(2)
-    return Ranks(
-        dict(zip(names, ranks.mean(axis=1).tolist())),
-        cases,
-        p,
-        float(q * math.sqrt(k * (k + 1) / (6 * cases))),
-    )
-
-
 def best(samples):
     """Of {name: samples}: (the name of the least median, the names that do not differ from it significantly).
     Mann-Whitney against the best with Holm's correction; where the samples are too few for that test to
@@ -157,13 +127,3 @@ def best(samples):
         if p > 1 - CONFIDENCE if able else min(samples[name]) <= reach:
             alike.append(name)
     return leader, alike
-
-
-def complete_block(table):
-    """Of {case: {name: score}}: the names scored in at least half of the cases, and the cases that have all
-    of them.
-    """
-    names = sorted(set(itertools.chain.from_iterable(table.values())))
-    kept = [name for name in names if 2 * sum(name in row for row in table.values()) >= len(table)]
-    cases = [case for case, row in table.items() if all(name in row for name in kept)]
-    return {name: [table[case][name] for case in cases] for name in kept}, cases

@@ -7,6 +7,7 @@ class Stage:
     text: str  # with its settings: aGPU2@host(subtree=256)
     algorithm: str  # without executor and settings: aGPU2
     on_host: bool  # a device algorithm that the host runs
+    place: str  # host or device
 
 
 @dataclasses.dataclass(frozen=True)
@@ -25,6 +26,16 @@ class Variant:
         if not stages:
             raise TypeError("no stages")
         return Variant(name, stages, *(described[key] for key in ("arithmetic", "exact", "peer")))
+
+    @property
+    def host_only(self):
+        """Nothing moves between memories."""
+        return all(stage.place == "host" for stage in self.stages)
+
+    @property
+    def device_only(self):
+        """Chain, tree and answer can stay on the device."""
+        return all(stage.place == "device" for stage in self.stages)
 
     @property
     def composed(self):

@@ -28,8 +28,8 @@ def render(views):
     return "\n".join((
         f"<style>\n{_text(ASSETS / 'viewer.css')}</style>",
         _text(ASSETS / "viewer.html"),
-        f'<script type="application/json" id="catena-views">{_json(shown)}</script>',
-        f'<script type="text/plain" id="catena-three">{_packed(LIBRARIES)}</script>',
+        f'<script type="text/plain" id="catena-views">{_packed(json.dumps(shown, separators=(",", ":")))}</script>',
+        f'<script type="text/plain" id="catena-three">{_packed(_joined(LIBRARIES))}</script>',
         f"<script>\n(() => {{\n'use strict';\n{program}\nstartViewer();\n}})();\n</script>\n",
     ))
 
@@ -38,11 +38,9 @@ def _text(path):
     return path.read_text(encoding="utf-8")
 
 
-def _json(views):
-    # A "<" in a name could end the script element; written so it is the same JSON.
-    return json.dumps(views, separators=(",", ":")).replace("<", "\\u003c")
+def _joined(paths):
+    return "\n;\n".join(_text(path) for path in paths)
 
 
-def _packed(paths):
-    source = "\n;\n".join(_text(path) for path in paths)
-    return base64.b64encode(gzip.compress(source.encode(), mtime=0)).decode()
+def _packed(text):
+    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()

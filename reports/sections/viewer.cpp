@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/error.h"
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/input/input.h"
 #include "catena/reference/compare.h"
 #include "catena/reports/base64.h"
@@ -121,8 +121,10 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
   const Input input = open_input(shown.input);
   const std::uint32_t all = input.animation->frames();
   const std::uint32_t count = shown.all_frames ? std::min(frames_shown, all) : 1;
-  Json frames = Json::array(), wrong = Json::array(), levels;
-  Chain first;
+  Json frames = Json::array(), wrong = Json::array();
+  Chain busiest;  // of the frames shown, the one with the most pairs, which the viewer shows first
+  std::uint32_t busiest_frame = 0;
+  std::uint64_t most = 0;
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t frame = count == 1 ? all / 2 : k * (all - 1) / (count - 1);
     const Chain chain = input.animation->frame(frame);
@@ -131,19 +133,22 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
                       {"spheres", spheres_of(chain)},
                       {"pairs", base64(std::span<const Pair>(exact.pairs))}});
     for (auto& answer : wrong_answers(chain, frame, exact, profile)) wrong.push_back(std::move(answer));
-    if (k == 0) levels = levels_of(chain, profile), first = chain;
+    if (k == 0 || exact.pair_count > most) busiest = chain, busiest_frame = frame, most = exact.pair_count;
   }
-  auto strands = first.strands().first;
+  auto strands = busiest.strands().first;
   strands.pop_back();
   Json closed = Json::array();
-  for (std::size_t s = 0; s < strands.size(); ++s) closed.push_back(first.strands().closed[s] != 0);
+  for (std::size_t s = 0; s < strands.size(); ++s) closed.push_back(busiest.strands().closed[s] != 0);
   Json out{{"input", bench::label_of({shown.input})},
            {"command", fmt::format("catena detect {} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv",
                                    shown.input, count == 1 ? std::to_string(all / 2) : "all")},
            {"frames", std::move(frames)},
            {"strands", strands},
            {"closed", std::move(closed)}};
-  if (!levels.empty()) out["levels"] = std::move(levels);
+  if (Json levels = levels_of(busiest, profile); !levels.empty()) {
+    out["tree_frame"] = busiest_frame;
+    out["levels"] = std::move(levels);
+  }
   if (!wrong.empty()) out["wrong"] = std::move(wrong);
   return out;
 }

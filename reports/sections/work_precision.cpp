@@ -17,7 +17,7 @@ nlohmann::ordered_json work_precision(const Profile& profile) {
     std::vector<std::uint32_t> sizes;
     for (const double spacing : profile.tube_spacings)
       sizes.push_back(static_cast<std::uint32_t>(std::ceil(tube.length / spacing)));
-    for (const double offset : {0.0, 0x1p20})
+    for (const double offset : {0.0, 1e7})
       bench::add_to_json(out, bench::work_precision(tube, sizes, names, profile.section_rounds, offset));
   }
   return out;

@@ -11,7 +11,7 @@ REPORTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(REPORTS))
 H200 = REPORTS / "results" / "h200_tables.json"
 
-SIZES = (1000, 10000, 100000)
+SIZES = (1000, 3000, 10000, 100000)
 SCENES = ("path1", "path2")
 # variant -> milliseconds a sphere of build and find; all linear in n
 COSTS = {
@@ -23,6 +23,7 @@ COSTS = {
     "aCPU2+CPU2/literal": (8e-5, 6e-4),
 }
 UPDATE_COST = 0.5  # of a build
+MOVES_COST = {"aGPU2+GPUv2": 4e-4}  # a sphere, between memories: only the whole call has it
 
 
 def described(name):
@@ -76,7 +77,28 @@ def rows(repetitions=8, noise=0.03, slower=None, seed=7):
                                 "invented": 0.0,
                             }
                         )
-    return found + updates(repetitions, noise)
+    return found + wholes(repetitions, noise, slower or {}) + updates(repetitions, noise)
+
+
+def wholes(repetitions, noise, slower):
+    """Rows of the whole call: both stages and what is moved between memories."""
+    generator = numpy.random.default_rng(21)
+    return [
+        {
+            "name": f"{scene}/n:{n}/{variant}/whole/manual_time",
+            "run_type": "iteration",
+            "iterations": 10,
+            "repetition_index": repetition,
+            "real_time": n * generator.normal(1, noise) * 1e6
+            * sum((cost or 0) * slower.get((variant, stage), 1) for stage, cost in zip(("build", "find"), costs))
+            + 1e6 * n * MOVES_COST.get(variant, 0),
+            "time_unit": "ns",
+        }
+        for repetition in range(repetitions)
+        for scene in SCENES
+        for n in SIZES
+        for variant, costs in COSTS.items()
+    ]
 
 
 def updates(repetitions, noise):
@@ -116,6 +138,11 @@ def run(**options):
             "missing": 3 * (outcome == "wrong"),
             "invented": 0,
             "worst_margin": "inf" if outcome == "not finite" else 1e-7,
+            "wrong_counts": 2 * (outcome == "wrong"),
+            "bounds": 900,
+            "unenclosed": 5 * (outcome == "unenclosed"),
+            "worst_shortfall": 1e-7 if outcome == "unenclosed" else 0.0,
+            "not_finite_nodes": int(outcome == "not finite"),
             "reason": outcome,
         }
         for scene in ("grazing", "lattice", "far")
@@ -232,6 +259,19 @@ def run(**options):
                 for i in inputs
                 for k, v in enumerate(exact)
             ],
+            "memory": [
+                {
+                    "input": i,
+                    "variant": v,
+                    "held_bytes": 48 * int(i.split(":")[1]),
+                    "peak_bytes": 64 * int(i.split(":")[1]),
+                }
+                for i in inputs
+                for v in exact
+                if "GPU" not in v
+            ],
+            "bandwidth": {"place": "host", "copied_bytes": 2**28, "gb_s": [10.0, 10.5, 9.5, 10.1, 9.9, 10.0]},
+            "keyframes": [{"input": f"{scene}/n:10000", "pairs": [f % 46 for f in range(56)]} for scene in SCENES],
             "wants": [
                 {"input": inputs[0], "variant": v, "want": want, "ms": times(cost)}
                 for v in exact
@@ -302,9 +342,21 @@ def run(**options):
                     "ms_median": 100 / step,
                     "ms_lower": 90 / step,
                     "ms_upper": 110 / step,
+                    "starts": [
+                        {
+                            "seed": seed,
+                            "outcome": outcome if seed % 8 else "holds",
+                            "failed_at": None if outcome == "holds" else 70.0,
+                            "energy_drift": step,
+                            "contacts": 300,
+                            "missed": 2 * ("/" in v),
+                            "invented": 0,
+                        }
+                        for seed in range(1, 33)
+                    ],
                 }
-                for v in exact[:2]
-                for step, outcome in ((2.0, "slipped"), (1.0, "holds"))
+                for v in ("aCPU2+CPU2", "aCPU2+Dual", "aCPU2+CPU2/literal")
+                for step, outcome in ((2.0, "slipped"), (1.0, "slipped" if "/" in v else "holds"))
             ],
         },
     }

@@ -94,6 +94,46 @@ class Page(unittest.TestCase):
             self.assertEqual(box.find_element("class name", "command").text, place[2]["command"])
             self.assertIn(place[2]["input"].split("/")[0], place[2]["command"])
 
+    def test_no_table_hides_a_column(self):
+        """At 1,400 px every table fits; narrower, tables in words are cards; on a phone every number is in sight."""
+        wider = """return [...document.querySelectorAll('.table details')].map(d => d.open = true) &&
+                [...document.querySelectorAll('.scroll')].filter(e => e.scrollWidth > e.clientWidth + 1)
+                .map(e => e.closest('.table').id)"""
+        with browser.opened(self.path, width=1400) as driver:
+            self.assertEqual(driver.execute_script(wider), [])
+        with browser.opened(self.path, width=768) as driver:
+            hidden = driver.execute_script(wider)
+            self.assertEqual({"table-claims", "table-advice-short"} & set(hidden), set())
+        with browser.opened(self.path, width=390) as driver:
+            self.assertNotIn("table-exponents", driver.execute_script(wider))
+            cell = driver.find_element("css selector", "#table-exponents td.number")
+            driver.execute_script("arguments[0].scrollIntoView({behavior: 'instant', block: 'center'})", cell)
+            left, right, label = driver.execute_script(
+                "const b = arguments[0].getBoundingClientRect(); return [b.left, b.right, arguments[0].dataset.label]", cell
+            )
+            self.assertTrue(0 <= left < right <= 390)
+            self.assertTrue(label)
+
+    def test_the_navigation_marks_where_the_reader_is(self):
+        here = "return [...document.querySelectorAll('nav a.here')].map(a => a.hash)"
+        with browser.opened(self.path) as driver:
+            browser.wait(driver, lambda d: d.execute_script(here) == ["#summary"])
+            driver.execute_script("document.querySelector('#motion').scrollIntoView({behavior: 'instant'})")
+            browser.wait(driver, lambda d: d.execute_script(here) == ["#motion"])
+            driver.execute_script("scrollTo({top: 0, behavior: 'instant'})")
+            browser.wait(driver, lambda d: d.execute_script(here) == ["#summary"])
+            driver.execute_script("scrollTo({top: 1e7, behavior: 'instant'})")
+            browser.wait(driver, lambda d: d.execute_script(here) == ["#reproduce"])
+
+    def test_every_figure_has_its_text(self):
+        with browser.opened(self.path) as driver:
+            for figure in driver.find_elements("css selector", "figure[data-figure]"):
+                named = figure.find_element("css selector", ".static").get_attribute("aria-describedby")
+                text = driver.find_element("id", named)
+                self.assertGreater(len(text.get_attribute("textContent")), 40, named)
+            live = self.figure(driver, "times-find").find_element("css selector", ".live .panels")
+            self.assertEqual(live.get_attribute("aria-describedby"), "alternative-times-find")
+
     def test_opens_in_under_two_seconds(self):
         with browser.opened(self.path) as driver:
             loads = []
@@ -128,6 +168,20 @@ class Page(unittest.TestCase):
             self.assertTrue(svg.is_displayed())
             self.assertTrue(browser.painted(svg))
             self.assertFalse(driver.find_element("css selector", "#figure-times-find .live").is_displayed())
+
+    def test_long_tables_are_not_printed(self):
+        """A page of counts is read on the screen or from its file, not on five sheets."""
+        value = made.run()
+        value["catena"]["counts"] *= 4
+        with tempfile.TemporaryDirectory() as folder:
+            path = page.write(report.Report([runfile.load(made.write(folder, value))]), pathlib.Path(folder) / "page")
+            with browser.opened(path, width=680) as driver:  # a sheet of A4
+                driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+                head = driver.find_element("css selector", "#table-exponents thead")
+                self.assertTrue(head.is_displayed(), "cards are for narrow windows, not for paper")
+                table = driver.find_element("css selector", "#table-counts")
+                self.assertLess(table.rect["height"], 200)
+                self.assertIn("rows", table.find_element("css selector", "summary").text)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,8 @@ NOWHERE = (pathlib.Path("/nowhere/three.min.js"),)
 
 
 def script(fragment, name):
-    return re.search(rf'<script [^>]*id="{name}">(.*?)</script>', fragment, re.S).group(1)
+    held = re.search(rf'<script [^>]*id="{name}">(.*?)</script>', fragment, re.S).group(1)
+    return gzip.decompress(base64.b64decode(held)).decode()
 
 
 class WithoutThree(unittest.TestCase):
@@ -43,8 +44,6 @@ class Fragment(unittest.TestCase):
         views = shown_chains.views()
         fragment = viewer.render(views)
         self.assertEqual(views, json.loads(script(fragment, "catena-views")))
-        for frame in views[0]["frames"]:
-            self.assertIn(frame["spheres"], fragment)
 
     def test_a_chain_of_several_runs_is_held_once(self):
         views = shown_chains.views()
@@ -59,7 +58,7 @@ class Fragment(unittest.TestCase):
         self.assertEqual(views, json.loads(script(fragment, "catena-views")))
 
     def test_it_holds_three_js_whole(self):
-        held = gzip.decompress(base64.b64decode(script(viewer.render(shown_chains.views()), "catena-three"))).decode()
+        held = script(viewer.render(shown_chains.views()), "catena-three")
         for library in viewer.LIBRARIES:
             self.assertIn(library.read_text(encoding="utf-8"), held)
 

@@ -184,6 +184,9 @@
     live.append(grid);
     live.hidden = false;
     $('.static', figure).hidden = true;
+    grid.setAttribute('role', 'img');
+    grid.setAttribute('aria-label', $('h3', figure).textContent);
+    grid.setAttribute('aria-describedby', $('.alternative', figure).id);
     for (const [at, panel] of spec.panels.entries()) {
       const holder = make('div', {className: 'panel'}, plots[at]);
       if (panel.least) {
@@ -307,14 +310,40 @@
 
   // ---- where the reader is
   const links = new Map($$('nav a').map(link => [link.hash.slice(1), link]));
-  const here = new IntersectionObserver(entries => {
-    for (const entry of entries)
-      if (entry.isIntersecting) {
-        for (const link of links.values()) link.classList.remove('here');
-        links.get(entry.target.id)?.classList.add('here');
+  const parts = $$('main section');
+  function markHere() {
+    const line = innerHeight / 4;
+    const atEnd = scrollY > 0 && innerHeight + scrollY >= document.documentElement.scrollHeight - 2;
+    const now = atEnd ? parts.at(-1) :
+                        parts.findLast(part => part.getBoundingClientRect().top <= line) || parts[0];
+    for (const [key, link] of links) {
+      link.classList.toggle('here', key === now?.id);
+      if (key !== now?.id) {
+        link.removeAttribute('aria-current');
+      } else if (!link.hasAttribute('aria-current')) {
+        link.setAttribute('aria-current', 'true');
+        const row = link.closest('ol');  // one line that scrolls, in a narrow window
+        row.scrollLeft += link.getBoundingClientRect().left - row.getBoundingClientRect().left - row.clientWidth / 3;
       }
-  }, {rootMargin: '-10% 0px -80% 0px'});
-  $$('main section').forEach(section => here.observe(section));
+    }
+  }
+  let marking = 0;
+  const markSoon = () => {
+    marking ||= requestAnimationFrame(() => {
+      marking = 0;
+      markHere();
+    });
+  };
+  for (const event of ['scroll', 'resize', 'hashchange']) addEventListener(event, markSoon, {passive: true});
+  new ResizeObserver(markSoon).observe(document.body);  // figures are drawn, lists open
+  markHere();
+
+  // ---- narrow windows show a table's rows as cards, each number beside the name of its column
+  for (const table of $$('.cards table')) {
+    const names = [...table.tHead.rows[0].cells].map(cell => cell.textContent.trim());
+    for (const row of table.tBodies[0].rows)
+      for (const [at, cell] of [...row.cells].entries()) cell.dataset.label = names[at];
+  }
 
   // ---- plotly, after the page has been painted; without it or without DecompressionStream the static
   // figures stay

@@ -7,6 +7,11 @@ import importlib.util
 import math
 import pathlib
 
+import numpy
+import scipy.spatial
+
+from .. import words
+
 # Where Debian's python3-plotly has the library; under pip it is beside the module.
 PLACES = ("/usr/share/python3-plotly/plotly.min.js", "/usr/share/python3-plotly/plotly.js")
 
@@ -57,12 +62,56 @@ def describe(figure):
     }
 
 
+NEAR = 0.008  # of the span of an axis: markers nearer than this cover each other
+NAMED = 6  # of those that a marker covers
+
+
+def covered(panel):
+    """series index -> point index -> names of the other shown series with a point under the same marker."""
+    points = [
+        (at, number, _place(x, panel.x), _place(y, panel.y))
+        for at, series in enumerate(panel.series)
+        if series.shown and series.hover
+        for number, (x, y) in enumerate(zip(series.x, series.y))
+    ]
+    points = [point for point in points if all(map(math.isfinite, point[2:]))]
+    if not points:
+        return {}
+    places = numpy.array([point[2:] for point in points])
+    span = numpy.maximum(places.max(axis=0) - places.min(axis=0), 1e-12)
+    found = {}
+    for a, b in scipy.spatial.cKDTree(places / span).query_pairs(NEAR):
+        for (at, number, *_), (other, *_) in ((points[a], points[b]), (points[b], points[a])):
+            if at != other:
+                found.setdefault(at, {}).setdefault(number, set()).add(panel.series[other].name)
+    return found
+
+
+def _place(value, axis):
+    if not axis.log:
+        return float(value)
+    return math.log10(value) if value > 0 else -math.inf
+
+
+def _hover(series, under):
+    """The text of each point, with the names of those that lie under its marker."""
+    if not series.hover or not under:
+        return series.hover
+    return [
+        f"{text}<br>also here: {words.listed(sorted(under[at] - {series.name}), NAMED)}"
+        if under.get(at, set()) - {series.name}
+        else text
+        for at, text in enumerate(series.hover)
+    ]
+
+
 def _data(panel):
-    traces = [_trace(series) for series in panel.series]
+    under = covered(panel)
+    traces = [_trace(series, _hover(series, under.get(at))) for at, series in enumerate(panel.series)]
     return [_heat(panel)] + traces if panel.heat else traces
 
 
-def _trace(series):
+def _trace(series, hover):
     look, colour = series.look, f"var(--{series.look.colour})"
     mode = "+".join(
         part
@@ -85,8 +134,8 @@ def _trace(series):
             "line": {"color": colour, "width": 1.5 if look.hollow else 0},
         },
     }
-    if series.hover:
-        trace |= {"text": series.hover, "hovertemplate": "%{text}<extra></extra>"}
+    if hover:
+        trace |= {"text": hover, "hovertemplate": "%{text}<extra></extra>"}
     else:
         trace["hoverinfo"] = "skip"
     if series.labels:
@@ -95,8 +144,8 @@ def _trace(series):
             "textposition": "middle right",
             "textfont": {"color": "var(--muted)", "size": 11},
         }
-        if series.hover:
-            trace |= {"hovertext": series.hover, "hovertemplate": "%{hovertext}<extra></extra>"}
+        if hover:
+            trace |= {"hovertext": hover, "hovertemplate": "%{hovertext}<extra></extra>"}
     if series.chains:
         trace["customdata"] = series.chains
     if series.low is not None:
@@ -213,7 +262,7 @@ def _axis(axis, is_y, span):
         "tickformat": "~s" if axis.title.startswith("spheres") else ",~g",
     }
     if axis.log:
-        layout["dtick"] = "D2" if 0 < span < 50 else 1
+        layout["dtick"] = "D2" if 0 < span < 50 else max(1, math.ceil(math.log10(span) / 8))
     if axis.categories is not None:
         size = len(axis.categories)
         layout |= {

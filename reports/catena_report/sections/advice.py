@@ -1,31 +1,31 @@
-"""Which variant to use: over the number of spheres, the density of contacts and the coherence of frames."""
-from .. import runfile, statistics, words
+"""Which variant to use: by what a caller waits for, over the number of spheres and the density of contacts."""
+from .. import choice, runfile, waits, words
 from ..figure import Axis, Figure, Panel, Series
-from ..section import Section
+from ..section import Prose, Section
 from ..style import Look
 from ..table import Cell, Table
 
 FLOOR = 1e-6  # where a chain without pairs is drawn on the logarithmic axis
 
+# what is waited for -> (its samples, the title of its panel)
+VIEWS = {
+    "end to end": (waits.end_to_end, "end to end: a chain in the host's memory, seen once"),
+    "on the device": (waits.resident, "device-resident: chain and answer stay there"),
+    "moving": (waits.moving, "a chain that moves: update + find of a frame"),
+}
+
 
 def build(report):
     section = Section("advice", "Which variant should I use?")
     for run in report.runs:
-        one_off, moving = _one_off(run), _moving(run)
-        if not one_off and not moving:
+        views = {name: cases for name, (cases_of, _) in VIEWS.items() if choice.choose(run, cases := cases_of(run))}
+        if not views:
             continue
-        panels = [
-            _panel(report, run, cases, title)
-            for cases, title in (
-                (one_off, "a chain seen once: build + find"),
-                (moving, "a chain that moves: update + find"),
-            )
-            if cases
-        ]
+        panels = [_panel(report, run, cases, VIEWS[name][1]) for name, cases in views.items()]
         section.blocks += report.heading(run) + [
             Figure(
                 f"advice{report.key(run)}",
-                _message(report, run, one_off or moving),
+                _message(run, *next(iter(views.items()))),
                 (
                     "Each point is a chain that was timed: right is longer, up has more contacts (chains"
                     " without any lie at the bottom; chains that would coincide are set side by side). Its"
@@ -37,48 +37,43 @@ def build(report):
                 ),
                 panels,
             ),
-            _table(report, run, one_off, moving),
+            _table(report, run, views),
         ]
+    if section.blocks:
+        section.blocks.insert(0, Prose(_views_explained(report)))
     return section if section.blocks else None
 
 
-def _one_off(run):
-    """input -> {variant: samples}, where two variants or more were timed."""
-    found = {}
-    for input_ in run.inputs():
-        row = {variant: run.total(input_, variant) for variant in run.recommended()}
-        row = {variant: times for variant, times in row.items() if times is not None}
-        if len(row) > 1:
-            found[input_] = row
-    return found
-
-
-def _moving(run):
-    """The same for moved frames: update() of `coherence` and the find that follows it."""
-    found = {}
-    for row in run.list("coherence"):
-        find = run.samples.get((row["input"], row["variant"], "find"))
-        if find is not None and run.info(row["variant"]).recommended and row.get("update_ms"):
-            size = min(len(find), len(row["update_ms"]))
-            found.setdefault(row["input"], {})[row["variant"]] = find[:size] + row["update_ms"][:size]
-    return {input_: row for input_, row in found.items() if len(row) > 1}
+def _views_explained(report):
+    timed = any(case[2] == "resident" for run in report.runs for case in run.samples)
+    device = (
+        "the search enqueued on the device as one piece"
+        if timed
+        else "construction and traversal by the device's clock"
+    )
+    return (
+        "<strong>End to end</strong> is the wall time of one call, from a chain in the host's memory to its"
+        " collisions there, with every move between memories: take this unless your chain lives on a device."
+        f" <strong>On the device</strong> is what remains when chain and answer stay there ({device}, without"
+        " any transfer): it is no answer to the first question."
+    )
 
 
 def _panel(report, run, cases, title):
     panel = Panel(
         title, Axis("spheres n", log=True), Axis("contact density, pairs a sphere", log=True), height=380
     )
-    points, places = {}, _beside(run, cases)
-    for input_, row in cases.items():
-        leader, alike = statistics.best(row)
-        points.setdefault(leader, []).append((input_, alike))
-    rings = [(input_, alike) for several in points.values() for input_, alike in several if alike]
+    choices = choice.choose(run, cases)
+    points, places = {}, _beside(run, choices)
+    for input_, chosen in choices.items():
+        points.setdefault(chosen.leader, []).append(input_)
+    rings = [input_ for input_, chosen in choices.items() if chosen.alike]
     if rings:
         panel.series.append(
             Series(
                 "no significant difference",
-                [places[i] for i, _ in rings],
-                [_height(run, i) for i, _ in rings],
+                [places[input_] for input_ in rings],
+                [_height(run, input_) for input_ in rings],
                 Look("muted", hollow=True),
                 line=False,
                 size=2.6,
@@ -88,18 +83,22 @@ def _panel(report, run, cases, title):
         panel.series.append(
             Series(
                 leader,
-                [places[input_] for input_, _ in several],
-                [_height(run, input_) for input_, _ in several],
+                [places[input_] for input_ in several],
+                [_height(run, input_) for input_ in several],
                 report.look(run, leader),
                 line=False,
                 size=1.4,
                 hover=[
                     f"<b>{leader}</b><br>{input_}, {run.density(input_) or 0:.3g} pairs a sphere<br>"
-                    f"{words.duration(statistics.median(cases[input_][leader]).value)}"
-                    + (f"<br>not significantly different:<br>{'<br>'.join(alike)}" if alike else "")
-                    for input_, alike in several
+                    f"{words.duration(choices[input_].time.value)}"
+                    + (
+                        f"<br>not significantly different:<br>{'<br>'.join(choices[input_].alike)}"
+                        if choices[input_].alike
+                        else ""
+                    )
+                    for input_ in several
                 ],
-                chains=[report.chain(run, input_, leader) for input_, _ in several],
+                chains=[report.chain(run, input_, leader) for input_ in several],
             )
         )
     return panel
@@ -119,45 +118,120 @@ def _height(run, input_):
     return max(run.density(input_) or 0, FLOOR)
 
 
-def leaders(cases):
-    """variant -> (how many chains it is the fastest on, on how many of them significantly), most first."""
-    found = {}
-    for row in cases.values():
-        leader, alike = statistics.best(row)
-        wins, alone = found.get(leader, (0, 0))
-        found[leader] = wins + 1, alone + (not alike)
-    return dict(sorted(found.items(), key=lambda item: (-item[1][0], -item[1][1])))
-
-
-def _message(report, run, cases):
-    name, (wins, alone) = next(iter(leaders(cases).items()))
-    return (
-        f"{name} has the least median on {wins} of {words.plural(len(cases), 'chain')}, significantly on"
-        f" {alone}"
+def _message(run, view, cases):
+    return f"Use, {view}: " + words.listed(
+        (f"{advice.variant} for {chains(run, advice.inputs)}" for advice in choice.advise(run, cases)), 3
     )
 
 
-def _table(report, run, one_off, moving):
+def chains(run, inputs):
+    """Those chains in words: 1,000 to 3,000 spheres (path1, yarn)."""
+    ns = sorted({runfile.n_of(input_) for input_ in inputs})
+    span = f"{words.count(ns[0])} to {words.count(ns[-1])}" if len(ns) > 1 else words.count(ns[0])
+    return f"{span} spheres ({words.listed(sorted({runfile.scene_of(input_) for input_ in inputs}), 4)})"
+
+
+def summary_table(report):
+    """The advice of the page's first screen, or None: what to use end to end, how much faster that is, how sure,
+    and on what it rests.
+    """
+    informed = report.best_informed({run: waits.end_to_end(run) for run in report.runs})
+    rows = [
+        _advised(report, run, cases, advice)
+        for run, cases in informed.items()
+        for advice in choice.advise(run, cases)
+    ]
+    if not rows:
+        return None
+    peers = any(advice.peer for run, cases in informed.items() for advice in choice.advise(run, cases))
+    columns = [
+        "use", "for chains of", "a call takes, ms", "the next takes", "the paper's takes", "a general library takes",
+        "rests on",
+    ]
+    if not peers:  # said once, in the caption
+        columns, rows = columns[:5] + columns[6:], [row[:5] + row[6:] for row in rows]
+    return Table(
+        "advice-short",
+        "Which variant should I use?",
+        (
+            "Each row is chains alike: of the exact variants timed on them, the one named is the fastest or not"
+            " significantly slower than it on each. “Next” is the nearest variant that is significantly slower"
+            f" on all of them, “the paper's” is {choice.PAPERS}"
+            + (", a general library searches any set of spheres:" if peers else " (no general library was timed):")
+            + " how many times as long each takes, geometric mean over the row's chains with its 95 % interval"
+            " (below six repetitions the range). A call is end to end: from a chain in the host's memory to its"
+            " collisions there, with every move between memories. A + B is a construction of a tree and a"
+            " traversal that searches it; @host marks a device algorithm that the host ran; Dual searches the"
+            " tree against itself."
+        ),
+        columns,
+        rows,
+        words=len(columns),
+    )
+
+
+def _advised(report, run, cases, advice):
+    samples = sum(len(cases[input_][advice.variant]) for input_ in advice.inputs)
+    low, high = min(advice.times), max(advice.times)
+    where = "" if len(report.runs) == 1 else f" ({report.label(run)})"
+    return [
+        Cell(advice.variant, kind="pick"),
+        chains(run, advice.inputs),
+        Cell(words.ms(low) if len(advice.inputs) == 1 else f"{words.ms(low)} to {words.ms(high)}", low),
+        _times(advice.next, "none differs on all of them"),
+        Cell("this is it") if advice.variant == choice.PAPERS else _times(advice.papers, "not timed"),
+        _times(advice.peer, "none was timed"),
+        f"{words.plural(len(advice.inputs), 'chain')}, {words.plural(samples, 'sample')}, against"
+        f" {words.plural(advice.others, 'exact variant')}{where}",
+    ]
+
+
+def _times(slower, otherwise):
+    """(name, how many times as long)."""
+    if not slower:
+        return Cell(otherwise)
+    name, ratio = slower
+    text = words.interval(ratio) if ratio.low < ratio.high else f"{ratio.value:.3g}"  # one sample has no interval
+    return Cell(f"{text} times" + ("" if name == choice.PAPERS else f" ({name})"), ratio.value)
+
+
+def _table(report, run, views):
     rows = []
-    for kind, cases in (("seen once", one_off), ("moving", moving)):
-        for input_, row in cases.items():
-            leader, alike = statistics.best(row)
-            time = statistics.median(row[leader])
+    for view, cases in views.items():
+        for input_, chosen in choice.choose(run, cases).items():
+            slower = [
+                (name, ratio) for name, ratio in chosen.slower.items()
+                if name not in chosen.alike and run.info(name).recommended
+            ]
+            nearest = min(slower, key=lambda entry: entry[1].value, default=None)
+            papers = chosen.slower.get(choice.PAPERS)
             rows.append(
                 [
                     input_,
-                    kind,
-                    leader,
-                    words.listed(alike, 3) if alike else "none",
+                    view,
+                    chosen.leader,
+                    words.listed(chosen.alike, 3) if chosen.alike else "none",
+                    Cell(nearest[0]) if nearest else "",
+                    Cell(words.interval(nearest[1]), nearest[1].value) if nearest else "",
+                    Cell(words.interval(papers), papers.value) if papers else "",
                     Cell(f"{run.density(input_) or 0:.3g}", run.density(input_)),
-                    Cell(words.ms(time.value), time.value),
+                    Cell(
+                        f"{words.ms(chosen.time.value)} [{words.ms(chosen.time.low)}, {words.ms(chosen.time.high)}]",
+                        chosen.time.value,
+                    ),
                 ]
             )
     return Table(
         f"choice{report.key(run)}",
-        "The fastest variant for each chain",
-        "With those that do not differ significantly from it.",
-        ["chain", "use", "fastest", "no significant difference", "pairs a sphere", "median, ms"],
+        "The fastest variant for each chain, and how much faster it is",
+        (
+            "Ratios of medians with their 95 % interval: how many times as long the next variant that differs"
+            f" significantly takes, and how many times as long {choice.PAPERS}, the paper's on a processor."
+        ),
+        [
+            "chain", "you wait for", "fastest", "no significant difference", "next", "next / fastest",
+            "the paper's / fastest", "pairs a sphere", "median, ms",
+        ],
         rows,
-        words=4,
+        words=5,
     )

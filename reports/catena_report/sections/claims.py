@@ -1,10 +1,12 @@
 """Every claim of the paper with its measured verdict."""
-from .. import claims, words
+import html
+
+from .. import claims, committed, words
 from ..section import Prose, Section
 from ..table import Cell, Table
 
-ORDER = [claims.FAILS, claims.HOLDS, claims.UNTESTED]
-KINDS = {claims.HOLDS: "good", claims.FAILS: "bad", claims.UNTESTED: "open"}
+ORDER = [claims.FAILS, claims.HOLDS]
+KINDS = {claims.HOLDS: "good", claims.FAILS: "bad"}
 
 
 def verdicts(report):
@@ -12,48 +14,61 @@ def verdicts(report):
     return [(claim, {run: claim.judge(run) for run in report.runs}) for claim in claims.CLAIMS]
 
 
+def stored_verdicts(report):
+    """claim key -> Verdict of the committed runs of another device; {} where they are not shown."""
+    stored = committed.beside(report.runs)
+    if not stored:
+        return {}
+    return {
+        key: claims.Verdict(row["verdict"], row["evidence"]) for key, row in stored["claims"].items()
+    }
+
+
 def build(report):
-    rows, tally = [], {}
+    rows, open_, tally = [], [], {}
+    stored = stored_verdicts(report)
     for claim, judged in verdicts(report):
-        decided = {run: verdict for run, verdict in judged.items() if verdict.verdict != claims.UNTESTED}
-        for run, verdict in (decided or dict([next(iter(judged.items()))])).items():
+        decided = [(report.label(run), v, "") for run, v in judged.items() if v.verdict != claims.UNTESTED]
+        for _, verdict, _ in decided:
             tally[verdict.verdict] = tally.get(verdict.verdict, 0) + 1
-            row = [
-                Cell(claim.text),
-                Cell(claim.where),
-                Cell(verdict.verdict, kind=KINDS[verdict.verdict], hint=claim.rule),
-                Cell(verdict.evidence),
-            ]
-            rows.append(
-                row[:2] + [Cell(report.label(run) if decided else "")] + row[2:]
-                if len(report.runs) > 1
-                else row
-            )
-    rows.sort(key=lambda row: ORDER.index(row[-2].text))
-    if set(tally) == {claims.UNTESTED}:
+        if not decided:
+            open_.append((claim, next(iter(judged.values())).evidence, claim.key in stored))
+        if claim.key in stored:
+            decided.append((_committed_label(), stored[claim.key], "committed"))
+        rows += [_row(claim, *one) for one in decided]
+    if not tally:
         return None
-    columns = ["claim", "where", *(["run"] if len(report.runs) > 1 else []), "verdict", "what was measured"]
+    rows.sort(key=lambda row: (row[2].kind == "committed", ORDER.index(row[3].text)))
+    columns = ["claim", "where", "run", "verdict", "what was measured"]
+    several = len({row[2].text for row in rows}) > 1
+    if not several:
+        columns, rows = columns[:2] + columns[3:], [row[:2] + row[3:] for row in rows]
     section = Section("claims", "The paper's claims, tested")
     section.blocks = [
         Prose(
             "Each verdict follows from the samples by a rule fixed beforehand; the rule is the hint of the"
-            f" verdict and is listed below the table. Of {words.plural(sum(tally.values()), 'verdict')}, "
+            f" verdict and is listed below the table. Of {words.plural(sum(tally.values()), 'verdict')}"
+            f"{' of this page’s runs' if stored else ''}, "
             + words.listed(
                 f"{number} {'say' if number > 1 else 'says'} “{verdict}”" for verdict, number in tally.items()
             )
             + "."
+            + (
+                f" Rows marked <strong>committed</strong> are verdicts of {html.escape(_committed_label())}, stored"
+                " with the program: not measured here."
+                if stored
+                else ""
+            )
         ),
         Table(
             "claims",
             "Claims of the paper with measured verdicts",
-            (
-                "A run appears where it can decide the claim; a claim that no run can decide is listed once"
-                " with the reason."
-            ),
+            "A run appears where it can decide the claim.",
             columns,
             rows,
             words=len(columns),
         ),
+        *([_open(open_)] if open_ else []),
         Prose(
             "The rules of the verdicts",
             [f"<strong>{claim.text}</strong> {claim.rule}" for claim in claims.CLAIMS],
@@ -61,3 +76,31 @@ def build(report):
         ),
     ]
     return section
+
+
+def _row(claim, label, verdict, kind):
+    return [
+        Cell(claim.text),
+        Cell(claim.where),
+        Cell(label, kind=kind),
+        Cell(verdict.verdict, kind=KINDS[verdict.verdict], hint=claim.rule),
+        Cell(verdict.evidence),
+    ]
+
+
+def _committed_label():
+    stored = committed.beside([])
+    return f"{stored['device']}, committed {stored['date']}"
+
+
+def _open(rows):
+    """One line that opens: what no run of the page decides, and why."""
+    return Prose(
+        f"{words.plural(len(rows), 'claim')} that no run of this page can test, with the reason",
+        [
+            f"<strong>{html.escape(claim.text)}</strong> {html.escape(reason)}"
+            + (" (decided by the committed run, above)." if there else ".")
+            for claim, reason, there in rows
+        ],
+        folded=True,
+    )

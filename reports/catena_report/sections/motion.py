@@ -1,9 +1,12 @@
 """The stiff rope: which step each variant survives, and what it costs (the lines of `catena motion
 --json`).
 """
-from .. import words
+import html
+
+from .. import statistics, words
 from ..figure import Axis, Figure, Heat, Panel, Series
-from ..section import Section
+from ..section import Prose, Section
+from ..style import Look
 from ..table import Cell, Table
 
 CATEGORIES = [("holds", "good"), ("slips through itself", "bad"), ("diverges", "lost")]
@@ -15,11 +18,118 @@ def build(report):
     for run in report.having("motion"):
         lines = run.list("motion")
         section.blocks += report.heading(run) + [
+            _verdicts(run, lines),
+            *([_shares(report, run, lines)] if any(line.get("starts") for line in lines) else []),
             _outcomes(report, run, lines),
             _drift(report, run, lines),
             _table(report, run, lines),
         ]
     return section if section.blocks else None
+
+
+def failing(line):
+    """The share of a motion's perturbed starts from which it slips or diverges, or None without starts."""
+    starts = line.get("starts")
+    if not starts:
+        return None
+    return statistics.share(sum(start["outcome"] != "holds" for start in starts), len(starts))
+
+
+def faults(run, lines):
+    """[(line of a rounded variant, the exact one of the same motion, whether its arithmetic is at fault)]: only
+    where more of its starts fail and the intervals part.
+    """
+    motion = lambda line: tuple(line.get(key) for key in ("stiffness", "step", "offset", "n"))  # noqa: E731
+    exact = {motion(line): line for line in lines if run.info(line["variant"]).exact and line.get("starts")}
+    found = []
+    for line in lines:
+        twin = exact.get(motion(line))
+        if twin and run.info(line["variant"]).rounded and line.get("starts"):
+            found.append((line, twin, failing(line).low > failing(twin).high))
+    return found
+
+
+def _percent(share):
+    return f"{100 * share.value:.0f} % [{100 * share.low:.0f}, {100 * share.high:.0f}]"
+
+
+def _verdicts(run, lines):
+    found = faults(run, lines)
+    if not found:
+        return Prose(
+            "Near a knife edge a motion slips or holds by chance, whatever the arithmetic: this run has one start of"
+            " each motion, so <strong>no arithmetic is called at fault</strong>. What can be told from one start is"
+            " what a variant missed and invented on the chains it was given, in the table below."
+        )
+    count = lambda line, key: sum(start[key] for start in line["starts"])  # noqa: E731
+    points = [
+        f"<strong>{html.escape(line['variant'])}</strong>, {_rope(line)}, step {line['step']:g}: fails from"
+        f" {_percent(failing(line))} of {len(line['starts'])} starts, {html.escape(twin['variant'])} from"
+        f" {_percent(failing(twin))}; "
+        + ("its arithmetic is at fault" if fault else "the intervals overlap: no verdict")
+        + f". It missed {count(line, 'missed'):,} and invented {count(line, 'invented'):,} of"
+        f" {count(line, 'contacts'):,} contacts."
+        for line, twin, fault in found
+    ]
+    return Prose(
+        "Each motion is begun from perturbed starts, for near a knife edge a single one slips or holds by chance. An"
+        " arithmetic is at fault only where the 95 % interval of its share of failing starts lies above that of the"
+        " exact variant.",
+        points,
+    )
+
+
+def _shares(report, run, lines):
+    mine = sorted(
+        (line for line in lines if line.get("starts")),
+        key=lambda line: (line["stiffness"], line.get("offset", 0), line["step"], not run.info(line["variant"]).exact),
+    )
+    names = [f"{_rope(line)}, step {line['step']:g}: {line['variant']}" for line in mine]
+    panel = Panel(
+        "",
+        Axis("share of the starts that slip or diverge", range=(-0.02, 1.02)),
+        Axis("", categories=names),
+        height=110 + 24 * len(names),
+        least=480,
+    )
+    for arithmetic in dict.fromkeys(run.info(line["variant"]).arithmetic for line in mine):
+        rows = [at for at, line in enumerate(mine) if run.info(line["variant"]).arithmetic == arithmetic]
+        shares = [failing(mine[at]) for at in rows]
+        panel.series.append(
+            Series(
+                f"{arithmetic} arithmetic",
+                [share.value for share in shares],
+                rows,
+                Look({"robust": "c2", "literal": "c1", "double": "c0"}.get(arithmetic, "c3")),
+                line=False,
+                size=1.3,
+                across=True,
+                low=[share.low for share in shares],
+                high=[share.high for share in shares],
+                hover=[
+                    f"<b>{names[at]}</b><br>{_percent(share)} of {len(mine[at]['starts'])} starts fail"
+                    for at, share in zip(rows, shares)
+                ],
+            )
+        )
+    blamed = [line for line, _, fault in faults(run, lines) if fault]
+    return Figure(
+        f"motion-shares{report.key(run)}",
+        (
+            "The arithmetic is at fault in "
+            + words.listed(
+                (f"{run.info(line['variant']).arithmetic} at {_rope(line)}, step {line['step']:g}" for line in blamed), 3
+            )
+            if blamed
+            else "No arithmetic fails from more starts than the exact one, beyond the intervals"
+        ),
+        (
+            "Each row is one motion from several perturbed starts with one variant finding its contacts: the share of"
+            " starts from which the rope slips through itself or a step has no solution, with Wilson's 95 % interval."
+        ),
+        [panel],
+        columns=1,
+    )
 
 
 def _rope(line):
@@ -50,13 +160,14 @@ def _outcomes(report, run, lines):
         ),
     )
     held = [line for line in lines if line["outcome"] == "holds"]
+    of = "first starts of motions" if any(line.get("starts") for line in lines) else "motions"
     return Figure(
         f"motion-outcome{report.key(run)}",
-        f"The rope holds in {len(held)} of {words.plural(len(lines), 'motion')}",
+        f"The rope holds in {len(held)} of {len(lines)} {of}",
         (
             "A knotted rope is pulled tight; each cell is one motion with one variant finding its contacts."
             " To the right the time step is smaller. It slips through itself where the knot has become"
-            " another one; an exact variant can fail only because the step is too long."
+            " another one; an exact variant can fail only because the step is too long, or by chance at a knife edge."
         ),
         [panel],
         columns=1,

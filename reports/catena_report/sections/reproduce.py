@@ -13,7 +13,7 @@ def build(report):
     files = " ".join(run.path.name for run in report.runs)
     section.blocks.append(
         Code(
-            f"catena report --output report {files}",
+            f"catena report --output report --from {files}",
             "This page from its run files; run.json beside it (and within it) holds every sample.",
         )
     )

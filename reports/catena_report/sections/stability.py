@@ -1,26 +1,62 @@
 """Which variant in which arithmetic stays exact on which stiff or extreme scene."""
-import html
-
 from .. import words
 from ..figure import Axis, Figure, Heat, Line, Panel
 from ..section import Prose, Section
 from ..style import DASHES
+from ..table import Cell, Table
 
+ROUNDING = 1e-12  # of the parent: a bound short by less encloses but for the last bits of binary64
+LARGE = 1e-6  # short by more than the last bits of binary32
+# how a case is drawn, from best to worst: pairs lead, then counts, then enclosure by how much it is missed
 CATEGORIES = [
-    ("exact", "good"),
-    ("exact pairs, bounds do not enclose", "warn"),
-    ("wrong pairs or counts", "bad"),
-    ("not finite", "lost"),
+    ("exact, every bound encloses", "good"),
+    (f"right; a bound short by < {ROUNDING:g}", "fair"),
+    ("right; a bound short by more", "warn"),
+    ("right; a bound is not a number", "c4"),
+    ("right pairs, wrong counts", "c5"),
+    ("wrong pairs", "bad"),
     ("refused, with a reason", "none"),
 ]
-OUTCOMES = {"exact": 0, "unenclosed": 1, "wrong": 2, "not finite": 3, "refused": 4}
+ENCLOSURE = (
+    "all bounds enclose",
+    f"short by < {ROUNDING:g}",
+    f"short by < {LARGE:g}",
+    "short by more",
+    "not a number",
+)
+NOT_ANSWERED = ("refused", "unavailable")
+
+
+def wrong_pairs(line):
+    return bool(line.get("missing", 0) or line.get("invented", 0))
+
+
+def wrong_counts(line):
+    return bool(line.get("wrong_counts", 0))
+
+
+def enclosure(line):
+    """The index in ENCLOSURE: by how much of the parent the worst bound misses what it should enclose."""
+    short = line.get("worst_shortfall", 0)
+    if line.get("not_finite_nodes", 0) or not isinstance(short, (int, float)):
+        return 4
+    return 0 if not line.get("unenclosed", 0) else 1 if short < ROUNDING else 2 if short < LARGE else 3
+
+
+def category(line):
+    """The index in CATEGORIES."""
+    if line["outcome"] in NOT_ANSWERED:
+        return 6
+    if wrong_pairs(line) or wrong_counts(line):
+        return 5 if wrong_pairs(line) else 4
+    return (0, 1, 2, 2, 3)[enclosure(line)]
 
 
 def build(report):
     section = Section("stability", "Stability on stiff and extreme scenes")
     for run in report.having("stability"):
         lines = run.list("stability")
-        section.blocks += report.heading(run) + [_summary(run, lines), _figure(report, run, lines)]
+        section.blocks += report.heading(run) + [_intro(lines), _table(report, run), _figure(report, run, lines)]
     return section if section.blocks else None
 
 
@@ -30,39 +66,67 @@ def group(run, line):
     return info.label if info.peer else f"{info.arithmetic} arithmetic"
 
 
-def tally(run):
-    """group -> outcome -> how often, the exact ones first"""
+def answers(run):
+    """group -> the lines that it did not refuse, the exact ones first."""
     found = {}
     for line in sorted(run.list("stability"), key=lambda line: _order(run.info(line["variant"]))):
-        row = found.setdefault(group(run, line), {})
-        row[line["outcome"]] = row.get(line["outcome"], 0) + 1
+        mine = found.setdefault(group(run, line), [])
+        if line["outcome"] not in NOT_ANSWERED:
+            mine.append(line)
     return found
 
 
-def _summary(run, lines):
-    points = []
-    for name, outcomes in tally(run).items():
-        tried = sum(number for outcome, number in outcomes.items() if outcome != "refused")
-        points.append(
-            f"<strong>{html.escape(name)}</strong>: "
-            + words.listed(
-                f"{number} {html.escape(outcome)}"
-                for outcome, number in sorted(outcomes.items(), key=lambda item: OUTCOMES.get(item[0], 9))
-            )
-            + (
-                f"; exact in {100 * outcomes.get('exact', 0) / tried:.1f} % of what it did not refuse."
-                if tried
-                else "."
-            )
-        )
+def share_right(lines):
+    """The share of the lines with the right pairs."""
+    return sum(not wrong_pairs(line) for line in lines) / len(lines)
+
+
+def _intro(lines):
     return Prose(
-        (
-            f"{words.plural(len({line['scene'] for line in lines}), 'scene')}, each hard for a stated reason"
-            " (tiny margins, huge offsets, mixed scales, coincident spheres), each variant held against the"
-            " exact reference."
-        ),
-        points,
+        f"{words.plural(len({line['scene'] for line in lines}), 'scene')}, each hard for a stated reason"
+        " (tiny margins, huge offsets, mixed scales, coincident spheres), each variant held against the"
+        " exact reference: are the pairs right; the counts; does each bound of its tree enclose what is below"
+        " it, and by how much of the bound does it fall short? Pairs may be right by luck where bounds fall"
+        " short."
     )
+
+
+def _table(report, run):
+    rows = []
+    for name, lines in answers(run).items():
+        if not lines:
+            continue
+        trees = [line for line in lines if line.get("bounds", 0) or line.get("not_finite_nodes", 0)]
+        sizes = [sum(enclosure(line) == size for line in trees) for size in range(len(ENCLOSURE))]
+        rows.append(
+            [
+                name,
+                Cell(words.count(len(lines)), len(lines)),
+                _share(sum(not wrong_pairs(line) for line in lines), len(lines)),
+                _share(sum(not wrong_counts(line) for line in lines), len(lines)),
+                Cell(words.count(sum(line.get("missing", 0) for line in lines))),
+                Cell(words.count(sum(line.get("invented", 0) for line in lines))),
+                Cell(words.count(len(trees)), len(trees)),
+                *[_share(size, len(trees)) for size in sizes],
+            ]
+        )
+    return Table(
+        f"stability-shares{report.key(run)}",
+        "Right pairs, right counts, and how far bounds fall short",
+        (
+            "Shares of the cases that were not refused. Of the cases with a tree: the worst bound, by how much of"
+            " its own radius it falls short of what it should enclose."
+        ),
+        [
+            "arithmetic", "cases", "right pairs", "right counts", "pairs missing", "pairs invented",
+            "cases with a tree", *ENCLOSURE,
+        ],
+        rows,
+    )
+
+
+def _share(number, of):
+    return Cell(f"{100 * number / of:.1f} %" if of else "", number / of if of else None)
 
 
 def _figure(report, run, lines):
@@ -90,15 +154,15 @@ def _figure(report, run, lines):
         Axis(common, categories=labels),
         lines=starts,
         height=15 * len(scenes) + 190,
-        least=13 * len(columns) + 240,
+        least=10 * len(columns) + 240,
         heat=Heat(
-            [[OUTCOMES.get(line["outcome"]) if line else None for line in row] for row in rows],
+            [[category(line) if line else None for line in row] for row in rows],
             CATEGORIES,
             [[_hover(line) if line else "" for line in row] for row in rows],
             [[_chain(report, run, line) if line else None for line in row] for row in rows],
         ),
     )
-    wrong = [line for line in lines if line["outcome"] in ("wrong", "not finite")]
+    wrong = [line for line in lines if wrong_pairs(line)]
     exact = sum(run.info(line["variant"]).exact for line in wrong)
     left = "".join(
         f" Left out, since refused on every scene: {words.listed(names)} ({reason})."
@@ -107,7 +171,7 @@ def _figure(report, run, lines):
     return Figure(
         f"stability{report.key(run)}",
         (
-            f"{words.plural(len(wrong), 'wrong or not finite answer')} in {words.count(len(lines))} cases,"
+            f"Wrong pairs in {len(wrong):,} of {words.count(len(lines))} cases,"
             f" {exact or 'none'} of them of an exact variant"
         ),
         (
@@ -141,7 +205,7 @@ def _hover(line):
     text = f"<b>{line['variant']}</b><br>{line['scene']}<br>{line['outcome']}" + (
         f": {line['reason']}" if line.get("reason") else ""
     )
-    if line.get("missing") or line.get("invented"):
+    if wrong_pairs(line):
         text += (
             f"<br>{line.get('missing', 0)} missing, {line.get('invented', 0)} invented of"
             f" {line['exact_pairs']} pairs<br>worst margin"

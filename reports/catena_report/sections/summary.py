@@ -3,21 +3,30 @@ the data.
 """
 import html
 
+from .. import certainty, choice, runfile, waits, words
 from .. import claims as paper_claims
-from .. import runfile, words
 from ..section import Prose, Section
-from . import advice, claims, ranks, stability
+from . import claims, slowdown, stability
+from .advice import chains as advice_chains
+from .advice import summary_table
 
 
 def build(report):
     section = Section("summary", "In short")
-    points = [text for run in report.runs for text in _compared(report, run)]
+    points = []
     for run in report.runs:
         on = f" on {html.escape(report.label(run))}" if len(report.runs) > 1 else ""
-        points += [text for make in (_winners, _ranked, _wrong, _stable) for text in make(run, on)]
+        points += [text for make in (_on_device, _overall, _certain, _wrong, _stable) for text in make(run, on)]
     points += _claims(report)
-    section.blocks = [Prose("", points)]
+    points += [text for run in report.runs for text in _compared(report, run)]
+    table = summary_table(report)
+    section.blocks = ([table] if table else []) + [Prose("", points)]
     return section
+
+
+def link(section, text):
+    """The text, as a way to the section of that key."""
+    return f'<a href="#{section}"><strong>{text}</strong></a>'
 
 
 def _compared(report, run):
@@ -34,47 +43,59 @@ def _compared(report, run):
     )
     took = f", in {words.significant(run.catena['seconds'], 3)} s" if "seconds" in run.catena else ""
     return [
-        f"<strong>Compared</strong> on {html.escape(report.label(run))}:"
+        f"{link('times', 'Compared')} on {html.escape(report.label(run))}:"
         f" {words.plural(len(variants), 'variant')} on"
         f" {words.plural(len(scenes), 'scene')} ({html.escape(words.listed(scenes, 6))}) of {span};"
         f" {repetitions:,} timed samples{took}."
     ]
 
 
-def _winners(run, on):
-    cases = advice._one_off(run)
-    if not cases:
+def _on_device(run, on):
+    advices = choice.advise(run, waits.resident(run))
+    if not advices:
         return []
-    wins = advice.leaders(cases)
     return [
-        f"<strong>Fastest</strong>{on}, from chain to collisions: "
-        + words.listed(
-            (
-                f"{html.escape(name)} on {number} of {words.plural(len(cases), 'chain')} (significantly on"
-                f" {alone})"
-                for name, (number, alone) in wins.items()
-            ),
-            4,
+        f"{link('advice', 'If your chain lives on the device')}{on} and the answer stays there, the times and the"
+        " choice are others: "
+        + html.escape(
+            words.listed(
+                (
+                    f"{advice.variant} for {advice_chains(run, advice.inputs)} ({words.ms(min(advice.times))} ms and more)"
+                    for advice in advices
+                ),
+                4,
+            )
         )
         + "."
     ]
 
 
-def _ranked(run, on):
-    found = ranks.ranks(run)
+def _overall(run, on):
+    found = slowdown.headline(run)
     if not found:
         return []
-    result = found[0]
-    names = sorted(result.mean, key=result.mean.get)
-    near = [name for name in names[1:] if result.mean[name] - result.mean[names[0]] <= result.difference]
+    name, slow, near = found
     return [
-        f"<strong>Over all chains</strong>{on} {html.escape(names[0])} ranks best"
-        f" ({result.mean[names[0]]:.2f} of {len(names)})"
-        + (
-            f"; {html.escape(words.listed(near, 3))} cannot be told from it at 5 %."
-            if near
-            else ", significantly before all others."
-        )
+        f"{link('slowdown', 'Over all chains')}{on} {html.escape(name)} takes {slowdown.mean_text(slow)} times the"
+        " fastest of each, end to end"
+        + (f"; the intervals of {html.escape(words.listed(near, 3))} overlap its own." if near else ", less than any other.")
+    ]
+
+
+def _certain(run, on):
+    found = certainty.certainty(run)
+    if not found:
+        few = max((len(times) for times in run.samples.values()), default=0)
+        return [
+            f"{link('environment', 'How sure')}{on}: at most {words.plural(few, 'sample')} of a case, too few to"
+            " tell how often it would raise a false alarm."
+        ] if few else []
+    half, most = (100 * (factor - 1) for factor in found.smallest)
+    return [
+        f"{link('environment', 'How sure')}{on}: a slowdown of {words.significant(half, 2)} % would have been seen in"
+        f" half of the cases, one of {words.significant(most, 2)} % in nine of ten; of {found.cases:,} cases set against"
+        f" themselves {found.false_alarms:,} ({100 * found.false_alarms / found.cases:.1f} %) were called different at"
+        " the 5 % level."
     ]
 
 
@@ -89,7 +110,7 @@ def _wrong(run, on):
     if wrong:
         names = sorted({run.info(case[1]).label for case in wrong})
         points.append(
-            f"<strong>Wrong answers while timed</strong>{on}: {html.escape(words.listed(names, 5))}, on "
+            f"{link('stability', 'Wrong answers while timed')}{on}: {html.escape(words.listed(names, 5))}, on "
             f"{html.escape(words.listed(sorted({case[0] for case in wrong}), 5))}."
         )
     elif any("missing" in counters for counters in run.counters.values()):
@@ -107,15 +128,16 @@ def _wrong(run, on):
 
 
 def _stable(run, on):
-    counted = stability.tally(run)
-    if not counted:
+    answered = {name: lines for name, lines in stability.answers(run).items() if lines}
+    if not answered:
         return []
-    parts = []
-    for name, outcomes in counted.items():
-        bad = outcomes.get("wrong", 0) + outcomes.get("not finite", 0)
-        tried = sum(outcomes.values()) - outcomes.get("refused", 0)
-        parts.append(f"{html.escape(name)} wrong or not finite in {bad:,} of {tried:,}")
-    return [f"<strong>On stiff and extreme scenes</strong>{on}: {words.listed(parts)} cases."]
+    shares = words.listed(
+        f"{html.escape(name)} in {100 * stability.share_right(lines):.1f} % of {len(lines):,}"
+        for name, lines in answered.items()
+    )
+    return [
+        f"{link('stability', 'On stiff and extreme scenes')}{on} the pairs are right: {shares} cases."
+    ]
 
 
 def _claims(report):
@@ -126,13 +148,20 @@ def _claims(report):
         (False, True): "Claims that do not hold",
     }
     points = {key: [] for key in titles}
+    stored, elsewhere = claims.stored_verdicts(report), []
     for claim, judged in claims.verdicts(report):
         found = {verdict.verdict for verdict in judged.values()}
         key = paper_claims.HOLDS in found, paper_claims.FAILS in found
         if key in points:
             points[key].append(claim.text.rstrip("."))
-    return [
-        f"<strong>{titles[key]}</strong>: {html.escape('; '.join(texts))}."
+        elif claim.key in stored:
+            elsewhere.append(stored[claim.key].verdict == paper_claims.HOLDS)
+    told = [
+        f"{link('claims', 'Not testable here')}: {words.plural(len(elsewhere), 'claim')} that the committed run of a"
+        f" GPU decides; {sum(elsewhere)} of them hold there."
+    ] if elsewhere else []
+    return told + [
+        f"{link('claims', titles[key])}: {html.escape('; '.join(texts))}."
         for key, texts in points.items()
         if texts
     ]

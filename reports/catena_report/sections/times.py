@@ -14,6 +14,7 @@ STAGES = {
     "resident": "search of a chain that stays on the device",
 }
 OF_CONSTRUCTIONS = ("build", "update")  # what a construction does, whatever the traversal
+EACH = ", for each sphere"  # ends the title of a panel of times a sphere
 SHOWN = 12  # series drawn at first; the legend has the others
 
 
@@ -70,7 +71,7 @@ def _figure(report, run, scenes, stage):
     ranked = sorted(
         order,
         key=lambda name: (
-            infos[name].peer,
+            not infos[name].peer,  # a general library first: without one, fastest is no conclusion
             not infos[name].exact,
             -sum(len(found.get(name, ())) for found in drawn.values()),
             min(order[name]),
@@ -81,16 +82,18 @@ def _figure(report, run, scenes, stage):
         shown = {name for name in shown if infos[name].exact} or shown
     shown |= {name for name in ranked if infos[name].peer}
     for scene, found in drawn.items():
-        panel = Panel(scene, Axis("spheres n", log=True), Axis(f"{STAGES[stage]}, ms", log=True))
-        for name in ranked:
-            if name in found:
-                panel.series.append(_series(report, run, name, found[name], stage, name in shown))
-        panels.append(panel)
+        for title, unit, each in ((scene, "ms", False), (f"{scene}{EACH}", "ns a sphere", True)):
+            panel = Panel(title, Axis("spheres n", log=True), Axis(f"{STAGES[stage]}, {unit}", log=True))
+            for name in ranked:
+                if name in found:
+                    panel.series.append(_series(report, run, name, found[name], stage, name in shown, each))
+            panels.append(panel)
     return Figure(
         f"times-{stage}{report.key(run)}",
         _message(run, drawn, stage),
         (
-            "Both axes are logarithmic: a straight line is a power of n, a parallel shift a constant factor."
+            "Left milliseconds, right nanoseconds a sphere, where a level line is linear time. Both axes are"
+            " logarithmic: a straight line is a power of n, a parallel shift a constant factor."
             " Points are medians, bars their 95 % interval by order statistics (the range below six"
             " repetitions). "
             + (
@@ -101,23 +104,25 @@ def _figure(report, run, scenes, stage):
             + "Hollow markers are device algorithms run on the host; a peer is somebody else's library."
         ),
         panels,
-        columns=3 if len(panels) % 3 == 0 else 2,
     )
 
 
-def _series(report, run, name, points, stage, shown):
+def _series(report, run, name, points, stage, shown, each):
+    """The medians of a curve; with `each` in nanoseconds a sphere."""
     estimates = [statistics.median(times) for _, _, times in points]
+    scales = [1e6 / runfile.n_of(input_) if each else 1.0 for input_, _, _ in points]
     return Series(
         name,
         [runfile.n_of(input_) for input_, _, _ in points],
-        [e.value for e in estimates],
+        [e.value * scale for e, scale in zip(estimates, scales)],
         _look(report, run.info(points[0][1]), stage),
-        low=[e.low for e in estimates],
-        high=[e.high for e in estimates],
+        low=None if each else [e.low for e in estimates],
+        high=None if each else [e.high for e in estimates],
         shown=shown,
         hover=[
             f"<b>{name}</b><br>{input_}<br>{words.duration(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}]"
             f" ms, {words.plural(len(times), 'repetition')}"
+            f"<br>{words.significant(1e6 * e.value / runfile.n_of(input_), 3)} ns a sphere"
             for (input_, _, times), e in zip(points, estimates)
         ],
         chains=[report.chain(run, input_, variant) for input_, variant, _ in points],
@@ -150,7 +155,7 @@ def _message(run, drawn, stage):
 
 
 def exponents(report, run, scenes):
-    """time = a n^b for every curve with three sizes or more."""
+    """time = a n^b for every curve with statistics.FEWEST_SIZES or more."""
     rows = []
     names = list(scenes)
     for stage in STAGES:

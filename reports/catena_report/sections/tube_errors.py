@@ -49,7 +49,7 @@ def build(report):
                     ],
                 )
             )
-            small = [(x, y) for x, y, _ in points[: max(3, (len(points) + 1) // 2)] if x <= SMALL]
+            small = [(x, y) for x, y, _ in points[: max(statistics.FEWEST_SIZES, (len(points) + 1) // 2)] if x <= SMALL]
             slope = statistics.exponent([x for x, _ in small], [y for _, y in small])
             if slope:
                 slopes[tube, key] = slope

@@ -1,21 +1,36 @@
-"""Error against run time, with the Pareto front."""
+"""Three errors apart, and what each costs: of the tube, of the arithmetic, of the answer."""
 import html
 
-from .. import words
+from .. import statistics, words
 from ..figure import Axis, Figure, Panel, Series
 from ..section import Prose, Section
 from ..style import Look
-
+from ..table import Cell, Table
+from . import arithmetic
 
 def build(report):
     section = Section("work-precision", "Error against run time")
-    for run in report.having("work_precision"):
-        points = [point for point in run.catena["work_precision"].get("points", []) if point.get("median_ms")]
-        if points:
-            section.blocks += report.heading(run) + [_figure(report, run, points)]
-            out = run.catena["work_precision"].get("left_out", [])
-            if out:
-                section.blocks.append(_left_out(out))
+    for run in report.runs:
+        bites = arithmetic.figure(report, run)
+        points = [p for p in run.catena.get("work_precision", {}).get("points", []) if p.get("median_ms")]
+        blocks = ([bites] if bites else []) + (
+            [_figure(report, run, points), _table(report, run, points)] if points else []
+        )
+        out = run.catena.get("work_precision", {}).get("left_out", [])
+        if blocks:
+            section.blocks += report.heading(run) + blocks + ([_left_out(out)] if out else [])
+    if section.blocks:
+        section.blocks.insert(
+            0,
+            Prose(
+                "Three errors, and none makes up for another. <strong>Of the tube</strong>: what a chain of"
+                " spheres makes of a smooth tube; it depends on how many spheres there are and on no variant."
+                " <strong>Of the arithmetic</strong>: how wrongly rounded numbers decide whether two spheres"
+                " touch, and by how much bounds fall short; it starts far from the origin and for contacts near"
+                " to touching. <strong>Of the answer</strong>: pairs missing and invented, and how deep the"
+                " deepest of them is."
+            ),
+        )
     return section if section.blocks else None
 
 
@@ -32,93 +47,119 @@ def _left_out(lines):
     )
 
 
+def front(run, points):
+    """Of the points of exact variants those that no other beats: less error of the tube and less time, beyond
+    the quartiles. A rounded variant's answer may be wrong elsewhere, so it beats none.
+    """
+    exact = [p for p in points if run.info(p["variant"]).recommended]
+    beats = lambda a, b: (  # noqa: E731
+        a["tube_error"] <= b["tube_error"] and a["upper_quartile_ms"] < b["lower_quartile_ms"]
+    )
+    return [p for p in exact if not any(beats(other, p) for other in exact)]
+
+
+def prices(run, points):
+    """arithmetic -> [median of the exact variant over that of the same stages in it], at every point of both."""
+    exact = {
+        (_place(p), p["n"], run.info(p["variant"]).stages): p
+        for p in points
+        if run.info(p["variant"]).recommended
+    }
+    found = {}
+    for p in points:
+        info = run.info(p["variant"])
+        twin = exact.get((_place(p), p["n"], info.stages))
+        if info.rounded and twin:
+            found.setdefault(info.arithmetic, []).append(twin["median_ms"] / p["median_ms"])
+    return found
+
+
+def _message(run, points):
+    parts = [
+        f"exact answers take {words.interval(statistics.mean_log(ratios))} times as long as {name} ones"
+        for name, ratios in prices(run, points).items()
+        if len(ratios) > 1
+    ]
+    wrong = {}
+    for p in points:
+        info = run.info(p["variant"])
+        if info.rounded and p["answer_error"] > 0:
+            wrong[info.arithmetic] = max(wrong.get(info.arithmetic, 0), p["answer_error"])
+    parts += [f"{name} ones get up to {100 * share:.3g} % of the pairs wrong" for name, share in wrong.items()]
+    if not wrong and parts:
+        parts.append("no answer was wrong on these tubes")
+    text = "; ".join(parts) or "Error against run time"
+    return text[0].upper() + text[1:]
+
+
 def _figure(report, run, points):
-    front = sorted((point for point in points if point["front"]), key=lambda point: point["median_ms"])
+    best = front(run, points)
     panels = []
-    for tube in dict.fromkeys(_tube(point) for point in points):
-        mine = [point for point in points if _tube(point) == tube]
-        panels.append(
-            _panel(
-                report,
-                run,
-                mine,
-                [point for point in front if _tube(point) == tube],
-                "tube_error",
-                "error of tube and answer",
-                f"{tube}: what the spheres make of the tube",
-            )
-        )
+    for place in dict.fromkeys(_place(point) for point in points):
+        mine = [point for point in points if _place(point) == place]
+        on_front = sorted((p for p in best if _place(p) == place), key=lambda point: point["median_ms"])
+        panels.append(_panel(report, run, mine, on_front, _tube_error, "error of the tube", f"{place}: of the tube"))
         wrong = [point for point in mine if point["answer_error"] > 0]
         if wrong:
+            share = lambda p: p["answer_error"]  # noqa: E731
+            panels.append(_panel(report, run, wrong, [], share, "pairs wrong, share", f"{place}: of the answer"))
+        deep = [point for point in wrong if _number(point.get("depth_error"))]
+        if deep:
+            depth = lambda p: p["depth_error"]  # noqa: E731
             panels.append(
-                _panel(
-                    report,
-                    run,
-                    wrong,
-                    [],
-                    "answer_error",
-                    "error of the answer alone",
-                    f"{tube}: what the arithmetic adds",
-                )
+                _panel(report, run, deep, [], depth, "deepest wrong pair, tube radii", f"{place}: contact depth lost")
             )
-    names = sorted({run.info(point["variant"]).label for point in front})
     return Figure(
         f"work-precision{report.key(run)}",
-        (
-            f"Of {words.plural(len({p['variant'] for p in points}), 'variant')}, {words.listed(names, 4)} "
-            f"{'are' if len(names) > 1 else 'is'} on the Pareto front"
-        ),
+        _message(run, points),
         (
             "Each point is one variant at one number of spheres; further left is faster, lower is more"
-            " precise. The line joins the points that no other beats in both; points that another beats are"
-            " grey. More spheres approximate the tube better and take longer. Bars are the quartiles of the"
-            " time."
+            " precise. The error of the tube falls with more spheres, the same for all variants: the line joins"
+            " the points of exact variants that no other exact one beats in both. Points that are beaten, and those"
+            " of rounded arithmetic, are grey: their answers are right only where no panel of the answer shows"
+            " them. Far from the origin the error of the tube includes that of storing coordinates in binary32."
+            " Bars are the quartiles of the time."
         ),
         panels,
         columns=min(2, len(panels)),
     )
 
 
-def _tube(point):
-    return point["tube"] + (f", moved by {point['offset']:g} radii" if point.get("offset") else "")
+def _number(value):
+    return isinstance(value, (int, float)) and value > 0
 
 
-def _panel(report, run, points, front, key, what, title):
-    panel = Panel(
-        title, Axis("build + find, ms", log=True), Axis(f"{what}, tube radii", log=True), height=420
-    )
-    for variant in sorted(
-        {point["variant"] for point in points}, key=lambda name: (not run.info(name).exact, name)
-    ):
-        for on_front in (False, True):
-            rows = [
-                p for p in points if p["variant"] == variant and p["front"] is on_front and _error(p, key) > 0
-            ]
-            if rows:
-                look = report.look(run, variant)
-                look = look if on_front else Look("faint", look.marker, look.dash, look.hollow)
-                panel.series.append(
-                    Series(
-                        run.info(variant).label if on_front else "dominated",
-                        [p["median_ms"] for p in rows],
-                        [_error(p, key) for p in rows],
-                        look,
-                        line=False,
-                        low=[p["lower_quartile_ms"] for p in rows],
-                        high=[p["upper_quartile_ms"] for p in rows],
-                        across=True,
-                        hover=[_hover(run, p) for p in rows],
-                        size=1.25 if on_front else 0.8,
-                        legend=on_front or not any(s.name == "dominated" for s in panel.series),
-                    )
-                )
-    if front:
+def _tube_error(point):
+    return point["tube_error"] + point.get("stored_error", 0)
+
+
+def _place(point):
+    return point["tube"] + (f", moved by {point['offset']:,.7g} radii" if point.get("offset") else "")
+
+
+def _panel(report, run, points, on_front, error, what, title):
+    panel = Panel(title, Axis("build + find, ms", log=True), Axis(f"{what}{', tube radii' if error is _tube_error else ''}", log=True), height=400)
+    answer = error is not _tube_error
+    plain = [
+        p for p in points if not answer and p not in on_front and not run.info(p["variant"]).peer and error(p) > 0
+    ]
+    if plain:
+        panel.series.append(
+            _points(run, "beaten, or rounded", plain, error, Look("faint"), size=0.8)
+        )
+    for variant in sorted({p["variant"] for p in points}, key=lambda name: (not run.info(name).exact, name)):
+        rows = [p for p in points if p["variant"] == variant and p not in plain and error(p) > 0]
+        if rows:
+            panel.series.append(
+                _points(run, run.info(variant).label, rows, error, report.look(run, variant), size=1.25)
+            )
+    if on_front:
         panel.series.insert(
             0,
             Series(
-                "Pareto front",
-                [p["median_ms"] for p in front],
-                [_error(p, key) for p in front],
+                "front of exact variants",
+                [p["median_ms"] for p in on_front],
+                [error(p) for p in on_front],
                 Look("muted"),
                 markers=False,
             ),
@@ -126,14 +167,81 @@ def _panel(report, run, points, front, key, what, title):
     return panel
 
 
-def _error(point, key):
-    return point[key] if key == "answer_error" else point["tube_error"] + point["answer_error"]
+def _points(run, name, rows, error, look, size):
+    return Series(
+        name,
+        [p["median_ms"] for p in rows],
+        [error(p) for p in rows],
+        look,
+        line=False,
+        low=[p["lower_quartile_ms"] for p in rows],
+        high=[p["upper_quartile_ms"] for p in rows],
+        across=True,
+        hover=[_hover(run, p) for p in rows],
+        size=size,
+    )
 
 
 def _hover(run, point):
     return (
-        f"<b>{run.info(point['variant']).label}</b><br>{_tube(point)}, n ="
+        f"<b>{run.info(point['variant']).label}</b><br>{_place(point)}, n ="
         f" {words.count(point['n'])}<br>{words.duration(point['median_ms'])}, quartiles"
         f" {words.ms(point['lower_quartile_ms'])} to {words.ms(point['upper_quartile_ms'])} ms<br>error of"
-        f" the tube {point['tube_error']:.2e}, of the answer {point['answer_error']:.2e} radii"
+        f" the tube {point['tube_error']:.2e}, of storing {point.get('stored_error', 0):.1e} radii<br>of the answer:"
+        f" {_answer(point)}"
     )
+
+
+def _answer(point):
+    if "missing" not in point:
+        return f"{100 * point['answer_error']:.3g} % of the pairs wrong"
+    return f"{point['missing']} missing, {point['invented']} invented of {point['exact_pairs']} pairs"
+
+
+def _table(report, run, points):
+    """Of each place, size and arithmetic the worst of its variants; peers by their own names."""
+    rows, groups = [], {}
+    for p in points:
+        info = run.info(p["variant"])
+        groups.setdefault((_place(p), p["n"], info.label if info.peer else info.arithmetic), []).append(p)
+    for (place, n, name), mine in groups.items():
+        worst = max(mine, key=lambda p: p["answer_error"])
+        fastest = min(mine, key=lambda p: p["median_ms"])
+        rows.append(
+            [
+                place,
+                name,
+                Cell(words.count(n), n),
+                *[
+                    Cell("" if value is None else words.number(value), value)
+                    for value in (worst["tube_error"], worst.get("stored_error"), worst.get("worst_margin"))
+                ],
+                Cell(f"{100 * worst['answer_error']:.3g} %", worst["answer_error"]),
+                *[_cell(worst.get(key)) for key in ("exact_pairs", "missing", "invented", "depth_error")],
+                Cell(words.ms(fastest["median_ms"]), fastest["median_ms"], hint=fastest["variant"]),
+            ]
+        )
+    columns = [
+        "tube", "arithmetic", "n", "of the tube", "of storing", "worst margin decided wrongly", "pairs wrong",
+        "pairs", "missing", "invented", "deepest wrong pair", "fastest, ms",
+    ]
+    kept = [at for at in range(len(columns)) if any(row[at] if isinstance(row[at], str) else row[at].text for row in rows)]
+    return Table(
+        f"errors-apart{report.key(run)}",
+        "The three errors apart, and the time",
+        (
+            "Of each arithmetic the variant with the most wrong pairs, and the least median time of any (its hint"
+            " names whose). In tube radii: the gap between tube and spheres, the farthest a stored centre is from"
+            " its place, and of the pairs missing the deepest, of those invented the one farthest apart. The margin"
+            " is |q - t| / t of the worst wrong decision."
+        ),
+        [columns[at] for at in kept],
+        [[row[at] for at in kept] for row in rows],
+        words=2,
+    )
+
+
+def _cell(value):
+    if value is None:
+        return Cell("")
+    return Cell(words.count(value) if isinstance(value, int) else words.number(value), value)

@@ -5,6 +5,20 @@ const fieldOfView = 32;
 const tangent = Math.tan(fieldOfView * Math.PI / 360);
 const comfortable = [3, 60];     // distances of the camera, in drawn units; outside, the units are chosen anew
 const flightMilliseconds = 900;
+const firstYaws = [-0.5, -0.25, 0.25, 0.5], firstPitches = [-0.7, -0.42, -0.2];     // sides of the first view, radians
+
+// Where between the two edges of the view, along one of its directions, the eye sees all spheres from the least
+// distance: the planes through the eye along both edges touch them.
+function fitted(points, direction, backward, slope) {
+  const edge = Math.hypot(1, slope) / slope;
+  let more = -Infinity, less = -Infinity;
+  for (const [p, radius] of points) {
+    const near = p.dot(backward) + radius * edge, at = p.dot(direction) / slope;
+    more = Math.max(more, near + at);
+    less = Math.max(less, near - at);
+  }
+  return {distance: (more + less) / 2, middle: slope * (more - less) / 2};
+}
 
 class CameraRig {
   // onMove: the camera moved; onUnits: so did origin and scale, and everything drawn with them.
@@ -47,20 +61,33 @@ class CameraRig {
     this.onUnits();
   }
 
-  lookAtAll() {
+  // Of a few sides the one from which the chain fills most of the stage: how far away, looking at what, from where.
+  bestView(sample) {
+    const {placement} = this, wide = tangent * this.camera.aspect;
+    const points = sample.map(
+        (sphere) => [new THREE.Vector3(...placement.placePoint(sphere, placement.centre, 1)), sphere[3]]);
+    let best = null;
+    for (const yaw of firstYaws)
+      for (const pitch of firstPitches) {
+        const turn = new THREE.Euler(pitch, yaw, 0, 'YXZ');
+        const [right, up, backward] =
+            [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((a) => new THREE.Vector3(...a).applyEuler(turn));
+        const across = fitted(points, right, backward, wide), along = fitted(points, up, backward, tangent);
+        const distance = Math.max(across.distance, along.distance);
+        if (best && distance >= best.distance) continue;
+        const target = right.multiplyScalar(across.middle).add(up.multiplyScalar(along.middle)).toArray();
+        best = {distance, target, backward};
+      }
+    return best;
+  }
+
+  // At these spheres; without any, at all that the chain reaches in any frame.
+  lookAtAll(spheres) {
     this.stopFlight();
-    const {placement} = this;
-    const turn = new THREE.Euler(-0.42, 0.5, 0, 'YXZ');
-    const [right, up, backward] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((a) => new THREE.Vector3(...a).applyEuler(turn));
-    const wide = tangent * this.camera.aspect;
-    let distance = 0;
-    for (const sphere of placement.sample) {
-      const p = new THREE.Vector3(...placement.placePoint(sphere, placement.centre, 1));
-      const need = Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(up)) / tangent) + p.dot(backward);
-      distance = Math.max(distance, need + sphere[3] / Math.min(wide, tangent));
-    }
-    this.origin = placement.centre.slice();
-    this.scale = 10 / (distance * 1.12 || 1);
+    const sample = spheres ? sampled(spheres) : this.placement.sample;
+    const {distance, target, backward} = this.bestView(sample);
+    this.origin = this.placement.original(target, this.placement.centre, 1);
+    this.scale = 10 / (distance * 1.06 || 1);
     this.controls.target.set(0, 0, 0);
     this.camera.position.copy(backward).multiplyScalar(10);
     this.controls.update();

@@ -20,6 +20,8 @@ class View {
     this.command = entry.command || '';
     this.frames = entry.frames || [];
     this.levels = entry.levels || [];
+    // The frame that the levels are of; files before it was told have those of the first.
+    this.treeFrame = entry.tree_frame ?? this.frames[0]?.frame;
     this.wrong = entry.wrong || [];
     this.strands = entry.strands && entry.strands.length ? entry.strands : [0];
     this.decoded = new Map();

@@ -151,7 +151,7 @@ class GlScene {
     return giant.length > 8 ? [] : giant;     // a short, thick chain is no crowd of specks
   }
 
-  lookAtAll() { this.rig.lookAtAll(); }
+  lookAtAll(spheres) { this.rig.lookAtAll(spheres); }
   flyTo(point, reach) { this.rig.flyTo(point, reach); }
   flyToContact(contact) {
     const far = this.rig.viewing(contact.reach);

@@ -4,6 +4,13 @@
 const framesMeasured = 12;
 const spheresSampled = 4000;
 
+// Evenly along the chain, at most so many.
+function sampled(spheres) {
+  const rows = [], stride = 4 * Math.max(1, Math.ceil(spheres.length / 4 / spheresSampled));
+  for (let k = 0; k < spheres.length; k += stride) rows.push(spheres.subarray(k, k + 4));
+  return rows;
+}
+
 class Placement {
   constructor(view) {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -11,8 +18,7 @@ class Placement {
     this.sample = [];     // spheres of the chain in those frames
     for (let f = 0; f < view.frames.length; f += step) {
       const {spheres} = view.frame(f);
-      const stride = 4 * Math.max(1, Math.ceil(spheres.length / 4 / spheresSampled));
-      for (let k = 0; k < spheres.length; k += stride) this.sample.push(spheres.subarray(k, k + 4));
+      this.sample.push(...sampled(spheres));
       for (let k = 0; k < spheres.length; k += 4)
         for (let axis = 0; axis < 3; ++axis) {
           low[axis] = Math.min(low[axis], spheres[k + axis] - spheres[k + 3]);

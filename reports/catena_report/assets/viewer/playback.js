@@ -1,9 +1,10 @@
 // Frames played and scrubbed. A timer runs only while frames are played.
 
 class Playback {
-  constructor(elements, onFrame) {
+  // onStart: it will move, so all frames should be in sight.
+  constructor(elements, onFrame, onStart) {
     Object.assign(this, elements);     // play, slider, number, rate
-    this.onFrame = onFrame;
+    Object.assign(this, {onFrame, onStart});
     this.timer = 0;
     this.play.addEventListener('click', () => this.toggle());
     this.slider.addEventListener('input', () => {
@@ -43,6 +44,7 @@ class Playback {
 
   start() {
     if (this.numbers.length < 2) return;
+    this.onStart();
     const tick = () => {
       this.timer = setTimeout(tick, 1000 / Number(this.rate.value));
       this.go(this.position + 1);

@@ -25,9 +25,9 @@ function startViewer() {
   const root = document.getElementById('catena-viewer');
   readPalette(root);
   let entries = null, started = null;
-  const read = () => entries = entries || JSON.parse(document.getElementById('catena-views').textContent);
+  const read = async () => entries = entries || JSON.parse(await unpacked('catena-views'));
   const start = () => started = started || (async () => {
-    const viewer = new Viewer(root, read().map((entry) => new View(entry)));
+    const viewer = new Viewer(root, (await read()).map((entry) => new View(entry)));
     const [scene, notice] = await makeScene(viewer.part('stage'), () => drawLabels(viewer));
     viewer.start(scene, notice);
     window.catenaViewer.viewer = viewer;
@@ -40,9 +40,8 @@ function startViewer() {
   nearby.observe(root);
   // show() brings a chain before the reader's eyes; false where the page does not hold it.
   window.catenaViewer = {
-    has: (input) => read().some((entry) => entry.input === input),
     async show(input, frame) {
-      const index = read().findIndex((entry) => entry.input === input);
+      const index = (await read()).findIndex((entry) => entry.input === input);
       if (index < 0) return false;
       root.scrollIntoView({block: 'start'});
       const viewer = await start();

@@ -11,12 +11,13 @@ class Viewer {
     this.pairList = new PairList({box: part('pairs'), order: part('pair-order'), only: part('pair-only'),
                                   count: part('pair-count')}, (i, j, kind) => this.pickPair(i, j, kind));
     this.playback = new Playback({play: part('play'), slider: part('frame'), number: part('frame-number'),
-                                  rate: part('rate')}, (position) => this.frameChanged(position));
+                                  rate: part('rate')}, (position) => this.frameChanged(position), () => this.scene.lookAtAll());
     views.forEach((view, k) => part('view').add(new Option(view.input, k)));
     part('view-label').hidden = views.length < 2;
     part('view').addEventListener('change', () => this.setView(Number(part('view').value)));
     part('variant').addEventListener('change', () => this.setVariant(part('variant').value));
     part('level').addEventListener('input', () => this.setLevel(part('level').valueAsNumber));
+    part('level-go').addEventListener('click', () => this.playback.step(this.view.nearest(this.view.treeFrame) - this.position));
     part('reset').addEventListener('click', () => this.reset());
     part('save').addEventListener('click', () => this.save());
     part('copy').addEventListener('click', () => this.copy());
@@ -63,6 +64,7 @@ class Viewer {
     this.part('replay').hidden = !this.view.command;
     const position = frameNumber === undefined ? this.busiestFrame() : this.view.nearest(frameNumber);
     this.playback.setFrames(this.view.frames.map((frame) => frame.frame), position);
+    this.scene.lookAtAll(this.frame.spheres);
   }
 
   // The frame with the most pairs says most about a chain.
@@ -94,7 +96,6 @@ class Viewer {
   setLevel(level) {
     this.level = level;
     this.part('level').value = level;
-    if (level >= 0 && this.position !== 0) this.playback.step(-this.position);
     this.showBounds();
   }
 
@@ -152,13 +153,14 @@ class Viewer {
   }
 
   showBounds() {
-    const shown = this.level >= 0 && this.position === 0;
+    const shown = this.level >= 0 && this.frame.number === this.view.treeFrame;
     const rows = shown ? this.view.bounds(this.level) : null;
     this.scene.setBounds(rows, this.palette);
     const stored = this.level >= 0 ? this.view.levels[this.level] : null;
     this.part('legend-bound').hidden = !shown;
+    this.part('level-go').hidden = shown || !stored;
     this.part('level-number').textContent = !stored ? 'off'
-        : !shown ? `stored for frame ${this.view.frames[0].frame} only`
+        : !shown ? `stored for frame ${this.view.treeFrame}`
         : `level ${stored.level}: ${plural(rows.length / 4, 'sphere')}`;
     this.part('level').setAttribute('aria-valuetext', this.part('level-number').textContent);
   }
@@ -206,7 +208,7 @@ class Viewer {
 
   reset() {
     this.select(null);
-    this.scene.lookAtAll();
+    this.scene.lookAtAll(this.frame.spheres);
   }
 
   save() {

@@ -1,0 +1,190 @@
+"""What the page advises: by what a caller waits for, how much faster, how sure; each number computed here a
+second time from the raw samples.
+"""
+import collections
+import json
+import math
+import pathlib
+import statistics as plain
+import tempfile
+import unittest
+
+import numpy
+
+import made
+from catena_report import certainty, choice, profiles, report, runfile, statistics, waits
+from catena_report.sections import advice, slowdown, summary
+
+QUICK = made.REPORTS / "results" / "h200_quick.json.gz"
+
+
+def of(value):
+    return runfile.Run("run.json", json.loads(json.dumps(value)))
+
+
+def raw_medians(run, stage):
+    """{input: {variant: median, ms}} of a stage, from the rows of the file alone."""
+    found = collections.defaultdict(lambda: collections.defaultdict(list))
+    for row in run.raw["benchmarks"]:
+        name = row["name"].removesuffix("/manual_time").rsplit("/", 1)
+        if name[1] == stage and "real_time" in row and not row.get("error_occurred"):
+            scene, n, variant = name[0].split("/", 2)
+            found[f"{scene}/{n}"][variant].append(row["real_time"] * runfile.TO_MS[row["time_unit"]])
+    return {
+        input_: {variant: plain.median(times) for variant, times in row.items()} for input_, row in found.items()
+    }
+
+
+def exact(run, row):
+    return {name: time for name, time in row.items() if run.catena["variants"][name]["exact"]}
+
+
+class ByWhatACallerWaitsFor(unittest.TestCase):
+    def test_moves_between_memories_decide_end_to_end_and_not_on_the_device(self):
+        run = of(made.run())
+        for input_, chosen in choice.choose(run, waits.end_to_end(run)).items():
+            self.assertEqual(chosen.leader, "aGPU2+GPU2", input_)  # aGPU2+GPUv2 pays made.MOVES_COST
+        for input_, chosen in choice.choose(run, waits.resident(run)).items():
+            self.assertEqual(chosen.leader, "aGPU2+GPUv2", input_)
+        self.assertTrue(all("CPU" not in name for row in waits.resident(run).values() for name in row))
+
+    def test_on_a_host_alone_the_stages_are_the_call(self):
+        value = made.run()
+        value["benchmarks"] = [row for row in value["benchmarks"] if "/whole" not in row["name"]]
+        found = waits.end_to_end(of(value))
+        self.assertEqual(set(found["path1/n:1000"]), {"aCPU2+CPU2", "aCPU2+Dual"})
+
+    def test_a_moving_chain_waits_for_the_answer_too(self):
+        value = made.run()
+        for row in value["benchmarks"]:
+            row["transfer_ms"] = {"build": 1.0, "find": 8.0}.get(row["name"].split("/")[-2], 0.0)
+        run, still = of(value), of(made.run())
+        now, then = (waits.moving(r)["path1/n:1000"]["aGPU2+GPU2"] for r in (run, still))
+        numpy.testing.assert_allclose(now - then, 7.0)  # what came up is in update() already
+
+
+class OfTheH200(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.run_ = runfile.load(QUICK)
+        cls.report = report.Report([cls.run_])
+        cls.medians = raw_medians(cls.run_, "whole")
+
+    def test_the_advice_for_a_thousand_spheres_is_what_a_caller_waits_for_least(self):
+        self.assertEqual(choice.choose(self.run_, waits.end_to_end(self.run_))["path1/n:1000"].leader, "aCPU2+Dual")
+        self.assertAlmostEqual(self.medians["path1/n:1000"]["aCPU2+Dual"], 0.0397, places=4)
+
+    def test_every_row_of_the_choice_is_the_least_median_and_its_ratio(self):
+        table = next(b for b in advice.build(self.report).blocks if getattr(b, "key", "") == "choice")
+        rows = [[cell.raw for cell in row] for row in table.rows if row[1].text == "end to end"]
+        self.assertEqual(len(rows), 8)
+        for chain, _, fastest, _, next_, ratio, papers, _, median in rows:
+            own = exact(self.run_, self.medians[chain])
+            self.assertEqual(fastest, min(own, key=own.get), chain)
+            self.assertAlmostEqual(median, own[fastest])
+            self.assertAlmostEqual(ratio, own[next_] / own[fastest])
+            self.assertAlmostEqual(papers, own["aCPU2+CPU2"] / own[fastest])
+
+    def test_every_row_of_the_first_screen(self):
+        table = advice.summary_table(self.report)
+        seen = []
+        for row, advised in zip(table.rows, choice.advise(self.run_, waits.end_to_end(self.run_))):
+            seen += advised.inputs
+            mine = [self.medians[chain][row[0].text] for chain in advised.inputs]
+            self.assertAlmostEqual(row[2].value, min(mine))
+            name, _ = advised.next
+            own = [self.medians[chain][name] / time for chain, time in zip(advised.inputs, mine)]
+            self.assertAlmostEqual(row[3].value, math.exp(sum(map(math.log, own)) / len(own)))
+            for chain, time in zip(advised.inputs, mine):  # never far from the fastest
+                self.assertLess(time, 1.2 * min(exact(self.run_, self.medians[chain]).values()))
+        self.assertEqual(sorted(seen), sorted(self.medians))
+
+    def test_the_mean_slowdowns(self):
+        table = next(b for b in slowdown.build(self.report).blocks if getattr(b, "key", "") == "slowdown" and hasattr(b, "rows"))
+        for name, timed, mean, least, greatest, tenth, twice in [[c.raw for c in row] for row in table.rows]:
+            factors = [
+                row[name] / min(exact(self.run_, row).values()) for row in self.medians.values() if name in row
+            ]
+            self.assertEqual(timed, len(factors))
+            self.assertAlmostEqual(mean, math.exp(sum(map(math.log, factors)) / len(factors)))
+            self.assertAlmostEqual(least, min(factors))
+            self.assertAlmostEqual(greatest, max(factors))
+            self.assertAlmostEqual(tenth, sum(f <= 1.1 for f in factors) / len(self.medians))
+            self.assertAlmostEqual(twice, sum(f <= 2 for f in factors) / len(self.medians))
+
+    def test_the_curves_are_the_share_of_chains(self):
+        figure = next(b for b in slowdown.build(self.report).blocks if hasattr(b, "panels"))
+        for series in figure.panels[0].series:
+            factors = [
+                row[series.name] / min(exact(self.run_, row).values())
+                for row in self.medians.values()
+                if series.name in row
+            ]
+            for at in range(2, len(series.x) - 1, 2):  # the upper ends of the steps
+                share = sum(factor <= series.x[at] * (1 + 1e-12) for factor in factors) / len(self.medians)
+                self.assertGreaterEqual(share + 1e-12, series.y[at])
+            self.assertAlmostEqual(series.y[-1], sum(f <= series.x[-1] for f in factors) / len(self.medians))
+
+    def test_no_rank_test_where_it_could_not_tell(self):
+        test = profiles.rank_test(self.run_, profiles.slowdowns(self.run_))
+        self.assertEqual((test.p, round(test.power, 3)), ({}, 0))
+        self.assertIn("no rank test", profiles.in_words(test))
+
+
+class TwoRunsOfOneMachine(unittest.TestCase):
+    def test_the_one_that_timed_more_variants_advises(self):
+        runs = [runfile.load(QUICK), runfile.load(made.H200)]
+        rows = [[cell.text for cell in row] for row in advice.summary_table(report.Report(runs)).rows]
+        small = [row for row in rows if row[1] == "1,000 spheres (path1)"]
+        self.assertEqual([row[0] for row in small], ["aCPU2+Dual"])
+
+
+class Ranks(unittest.TestCase):
+    def test_power_by_hand(self):
+        self.assertEqual(profiles.signed_rank_power(5, 0.05), 0)  # 2 / 2^5 > 5 %
+        self.assertAlmostEqual(profiles.signed_rank_power(6, 0.05), 0.9**6 + 0.1**6)
+
+    def test_it_is_made_where_it_can_tell(self):
+        value = made.run()
+        value["benchmarks"] = [
+            {**row, "name": row["name"].replace("/n:", f":copy={copy}/n:")}
+            for row in value["benchmarks"]
+            for copy in range(4)
+        ]
+        run = of(value)
+        test = profiles.rank_test(run, profiles.slowdowns(run))
+        self.assertGreater(test.power, profiles.ENOUGH)
+        self.assertEqual(test.first, "aGPU2+GPU2")
+        self.assertTrue(all(p < 0.05 for p in test.p.values()))
+
+
+class Certain(unittest.TestCase):
+    def test_the_critical_u_is_the_tabulated_one(self):
+        # Mann and Whitney's U at 5 % two-sided: at most 13 of 64 (8 against 8), 37 of 144 (12 against 12).
+        self.assertEqual([certainty.critical(8), certainty.critical(12)], [64 - 13, 144 - 37])
+
+    def test_samples_of_one_kind_raise_few_false_alarms_and_a_slowdown_is_seen(self):
+        generator = numpy.random.default_rng(4)
+        run = of(made.run(noise=0.03, repetitions=12))
+        found = certainty.certainty(run)
+        self.assertLess(found.false_alarms / found.cases, 0.08)
+        self.assertEqual(found.cases, len(run.samples))
+        seen = 0
+        for _ in range(200):
+            old = generator.normal(1, 0.03, 12)
+            new = generator.normal(found.smallest[0], 0.03, 12)
+            seen += statistics.mann_whitney(new, old) < 0.05
+        self.assertGreater(seen / 200, 0.85)
+
+    def test_a_load_that_comes_and_goes_in_every_round_is_a_false_alarm(self):
+        value = made.run(repetitions=12)
+        for row in value["benchmarks"]:
+            if "repetition_index" in row:
+                row["real_time"] *= 1 + 0.5 * (row["repetition_index"] % 2)
+        found = certainty.certainty(of(value))
+        self.assertEqual(found.false_alarms, found.cases)
+        self.assertIn("(100.0 %) were called different", " ".join(summary._certain(of(value), "")))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,62 @@
+"""Memory and the roofline, computed a second time from the rows of the run."""
+import json
+import statistics as plain
+import unittest
+
+import made
+from catena_report import report, runfile
+from catena_report.sections import memory
+
+
+class Made(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.run_ = runfile.Run("run.json", json.loads(json.dumps(made.run())))
+        blocks = memory.build(report.Report([cls.run_])).blocks
+        cls.held, cls.roofline, cls.table = blocks
+
+    def median(self, input_, variant, stage):
+        return plain.median(
+            row["real_time"]
+            for row in self.run_.raw["benchmarks"]
+            if row["name"] == f"{input_}/{variant}/{stage}/manual_time"
+        )
+
+    def test_bytes_a_sphere(self):
+        for panel in self.held.panels:
+            for series in panel.series:
+                self.assertEqual(series.y, [48.0] * 4)
+        for row in self.table.rows:
+            self.assertEqual([cell.raw for cell in row[2:4]], [48.0, 64.0])
+
+    def test_a_stage_beside_the_copy(self):
+        construction, traversal = self.roofline.panels
+        for panel, stage in ((construction, "build"), (traversal, "find")):
+            line = panel.series[0]
+            self.assertEqual([x / y for x, y in zip(line.x, line.y)], [10.0, 10.0])  # the median of the copies
+            for series in panel.series[1:]:
+                self.assertNotIn("GPU", series.name)
+                points = []
+                for scene in made.SCENES:
+                    for n in sorted(made.SIZES, key=lambda n: f"{scene}/n:{n}"):
+                        input_ = f"{scene}/n:{n}"
+                        counted = next(
+                            row["bytes"] for row in self.run_.list("counts")
+                            if (row["input"], row["variant"]) == (input_, series.name)
+                        )
+                        size = 16 * n + 48 * n if stage == "build" else counted
+                        points.append((size / n, self.median(input_, series.name, stage) / n))
+                for x, y, (size, ns) in zip(series.x, series.y, points):
+                    self.assertAlmostEqual(x, size)
+                    self.assertAlmostEqual(y, ns)
+
+    def test_without_a_copy_there_is_no_roofline(self):
+        value = made.run()
+        del value["catena"]["bandwidth"]
+        run = runfile.Run("run.json", json.loads(json.dumps(value)))
+        keys = [block.key for block in memory.build(report.Report([run])).blocks]
+        self.assertEqual(keys, ["memory", "memory"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,69 @@
+"""The stiff rope: shares of failing starts with their intervals, and no verdict from one start."""
+import json
+import unittest
+
+import made
+from catena_report import report, runfile, statistics
+from catena_report.sections import motion
+
+
+def of(value):
+    return runfile.Run("run.json", json.loads(json.dumps(value)))
+
+
+class Share(unittest.TestCase):
+    def test_wilson_as_in_newcombe_1998(self):
+        for number, all_, low, high in ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0, 0.1611)):
+            found = statistics.share(number, all_)
+            self.assertAlmostEqual(found.low, low, places=4)
+            self.assertAlmostEqual(found.high, high, places=4)
+
+
+class Verdicts(unittest.TestCase):
+    def setUp(self):
+        self.value = made.run()
+        self.lines = self.value["catena"]["motion"]
+
+    def test_the_arithmetic_is_at_fault_only_where_intervals_part(self):
+        run = of(self.value)
+        found = {(line["variant"], line["step"]): fault for line, _, fault in motion.faults(run, run.list("motion"))}
+        self.assertEqual(found, {("aCPU2+CPU2/literal", 2.0): False, ("aCPU2+CPU2/literal", 1.0): True})
+        figure = motion._shares(report.Report([run]), run, run.list("motion"))
+        self.assertIn("literal at stiffness 100, step 1", figure.title)
+        self.assertNotIn("step 2", figure.title)
+
+    def test_a_few_more_failing_starts_are_chance(self):
+        for line in self.lines:
+            failing = 12 if "/" in line["variant"] else 8
+            for start in line["starts"]:
+                start["outcome"] = "slipped" if start["seed"] <= failing else "holds"
+        run = of(self.value)
+        self.assertEqual({fault for _, _, fault in motion.faults(run, run.list("motion"))}, {False})
+        self.assertIn("no verdict", " ".join(motion._verdicts(run, run.list("motion")).points))
+
+    def test_one_start_says_nothing(self):
+        for line in self.lines:
+            del line["starts"]
+        run = of(self.value)
+        self.assertIn("no arithmetic is called at fault", motion._verdicts(run, run.list("motion")).text)
+        keys = [block.key for block in motion.build(report.Report([run])).blocks if hasattr(block, "panels")]
+        self.assertNotIn("motion-shares", keys)
+
+    def test_every_share_is_counted_from_the_starts(self):
+        run = of(self.value)
+        figure = motion._shares(report.Report([run]), run, run.list("motion"))
+        drawn = {
+            figure.panels[0].y.categories[row]: (x, low, high)
+            for series in figure.panels[0].series
+            for row, x, low, high in zip(series.y, series.x, series.low, series.high)
+        }
+        self.assertEqual(len(drawn), len(self.lines))
+        for line in self.lines:
+            fails = sum(start["outcome"] != "holds" for start in line["starts"])
+            name = f"stiffness 100, step {line['step']:g}: {line['variant']}"
+            expected = statistics.share(fails, 32)
+            self.assertEqual(drawn[name], (fails / 32, expected.low, expected.high))
+
+
+if __name__ == "__main__":
+    unittest.main()
