@@ -103,17 +103,19 @@ class Embree final : public Peer {
   void make_boxes(const ChainView& chain) {
     const double scale = scale_for(chain);
     // No centre is beyond the greatest float, so boxes cut there meet as before.
-    const auto scaled = [scale](float end) {
+    const auto widened = [scale](float end, float side) {
       constexpr float greatest = std::numeric_limits<float>::max();
-      return static_cast<float>(std::clamp(end, -greatest, greatest) * scale);
+      const auto scaled = static_cast<float>(std::clamp(end, -greatest, greatest) * scale);
+      return scaled + side * (std::fabs(scaled) * 0x1p-23f +
+                              least_extent);  // also of a point: scaled up, it has no extent
     };
     boxes_.resize(chain.size);
     for (std::uint32_t i = 0; i < chain.size; ++i) {
       const Box box = Box::around(chain.spheres[i]);
       RTCBounds& to = boxes_[i];
-      to.lower_x = scaled(box.low[0]) - least_extent, to.upper_x = scaled(box.high[0]) + least_extent;
-      to.lower_y = scaled(box.low[1]) - least_extent, to.upper_y = scaled(box.high[1]) + least_extent;
-      to.lower_z = scaled(box.low[2]) - least_extent, to.upper_z = scaled(box.high[2]) + least_extent;
+      to.lower_x = widened(box.low[0], -1), to.upper_x = widened(box.high[0], +1);
+      to.lower_y = widened(box.low[1], -1), to.upper_y = widened(box.high[1], +1);
+      to.lower_z = widened(box.low[2], -1), to.upper_z = widened(box.high[2], +1);
     }
   }
   static void bounds(const RTCBoundsFunctionArguments* asked) {
