@@ -206,9 +206,12 @@ def limit(run):
 
 def brute(run):
     times = [(path, paper.samples(run, path, 10000, "CPU1")[0]) for path in PATHS]
-    times = [(path, statistics.median(t)) for path, t in times if t is not None]
+    times = [(path, t) for path, t in times if t is not None]
     if not times:
         return untested("CPU1 was not timed at 10,000 spheres")
+    if any(statistics.rank_of_bound(len(t)) < 1 for _, t in times):
+        return untested("CPU1 was timed at 10,000 spheres too few times for an interval of its median")
+    times = [(path, statistics.median(t)) for path, t in times]
     evidence = "; ".join(
         f"{path}: {words.duration(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}] ms" for path, e in times
     )

@@ -59,6 +59,23 @@ class Sizes(unittest.TestCase):
         self.assertEqual(judged("growth-aCPU2-nlogn", value).verdict, claims.UNTESTED)
 
 
+class Brute(unittest.TestCase):
+    """CPU1 at 10,000 spheres: a few samples beside another load decide nothing."""
+
+    def verdict(self, times):
+        value = made.run()
+        value["catena"]["variants"]["CPU1"] = made.described("CPU1")
+        value["benchmarks"] += [
+            {"name": "path1/n:10000/CPU1/find", "run_type": "iteration", "real_time": t, "time_unit": "ms"} for t in times
+        ]
+        return judged("cpu1-slow", value).verdict
+
+    def test_it_takes_six_samples(self):
+        self.assertEqual(self.verdict([1600] * 4), claims.UNTESTED)
+        self.assertEqual(self.verdict([1600] * 6), claims.HOLDS)
+        self.assertEqual(self.verdict([60] * 6), claims.FAILS)
+
+
 class Committed(unittest.TestCase):
     def test_the_stored_verdicts_are_those_of_the_stored_runs(self):
         runs = [runfile.load(RESULTS / name) for name in ("h200_tables.json", "h200_quick.json.gz")]
