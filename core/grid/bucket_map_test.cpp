@@ -39,7 +39,8 @@ TEST(BucketMap, HasAboutTwoBucketsASphereAtMost) {
   for (const std::uint32_t count : {0u, 1u, 1000u, 150000u, 10000000u})
     for (const float side : {1.f, 100.f, 1e4f, 1e30f}) {
       const BucketMap map = map_buckets(1, cube(side), count);
-      EXPECT_LE(map.buckets, std::max<std::uint64_t>(2 * std::uint64_t{count}, 512) + 300) << count << ' ' << side;
+      EXPECT_LE(map.buckets, std::max<std::uint64_t>(2 * std::uint64_t{count}, 512) + 300)
+          << count << ' ' << side;
       EXPECT_LE(map.buckets, BucketMap::most_buckets);
     }
 }

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "catena/properties/mutants/mutant.h"
 
@@ -30,8 +31,9 @@ class Grid : public FaultyTree {
     cells_.clear();
     for (std::uint32_t i = 0; usable_ && i < tree().leaves; ++i) {
       const Sphere& s = tree().bound[i];
-      cells_.emplace(Cell{down(s.x), down(s.y), down(s.z)}, i);
+      cells_.emplace_back(Cell{down(s.x), down(s.y), down(s.z)}, i);
     }
+    std::ranges::sort(cells_);
   }
   void search(const ChainView& chain, std::uint32_t i) override {
     if (!usable_) return FaultyTree::search(chain, i);
@@ -39,7 +41,7 @@ class Grid : public FaultyTree {
     for (std::int64_t x = first(s.x); x <= last(s.x); ++x)
       for (std::int64_t y = first(s.y); y <= last(s.y); ++y)
         for (std::int64_t z = first(s.z); z <= last(s.z); ++z)
-          for (auto [at, end] = cells_.equal_range({x, y, z}); at != end; ++at) leaf(chain, i, at->second);
+          for (const auto& [cell, j] : std::ranges::equal_range(cells_, Cell{x, y, z}, {}, &Entry::first)) leaf(chain, i, j);
   }
   std::int64_t down(double at) const { return static_cast<std::int64_t>(std::floor(at / size_)); }
   double size() const { return size_; }
@@ -49,9 +51,11 @@ class Grid : public FaultyTree {
   virtual std::int64_t last(float at) const { return down(at) + 2; }
 
  private:
+  using Entry = std::pair<Cell, std::uint32_t>;
+
   double size_ = 1;
   bool usable_ = false;
-  std::multimap<Cell, std::uint32_t> cells_;
+  std::vector<Entry> cells_;
 };
 
 class TowardZero final : public Grid {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -39,6 +40,17 @@ TEST(Proofs, AreAboutTheConstantsOfTheCode) {
   for (const char* script : {"overlap_binary32.g", "parent_binary32.g"})
     for (const char* range : {"safe_square_min = 2^-90", "safe_square_max = 2^120"})
       EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(range), std::string::npos) << script;
+}
+
+TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
+  const std::string code = text_of("core/grid/bucket_map.h"), proof = text_of("properties/proofs/grid_cells.g");
+  for (const auto& [declared, covered, formula] :
+       {std::array{"cell_slack = 0x1p-16;", "cell_slack = 2^-16", "(1 - 1b-16)"},
+        std::array{"far_cell = 0x1p25;", "far_cell = 2^25", "|V| <= 33554433"}}) {
+    EXPECT_NE(code.find(declared), std::string::npos) << "bucket_map.h no longer says " << declared;
+    EXPECT_NE(proof.find(covered), std::string::npos) << covered;
+    EXPECT_NE(proof.find(formula), std::string::npos) << formula;
+  }
 }
 
 TEST(Proofs, CoverEverySlackOfTheCode) {

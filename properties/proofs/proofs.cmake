@@ -1,4 +1,4 @@
-# Every *.g here is a proof about constants of core/arithmetic/robust.h, checked by gappa; without it, a skipped test that
+# Every *.g here is a proof about constants of core/, checked by gappa; without it, a skipped test that
 # says so.
 find_program(CATENA_GAPPA gappa)
 file(GLOB proofs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/properties/proofs/*.g)
