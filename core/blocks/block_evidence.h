@@ -20,13 +20,17 @@ class BlockEvidence {
   void compared(std::uint32_t i, std::uint32_t j) const {
     chain_.neighbours(i, j) ? sink_.excluded(i, j) : sink_.tested(i, j);
   }
-  void blocks_apart(std::uint32_t a, std::uint32_t b) const { sink_.discarded(block_id(a), block_id(b)); }
+  void blocks_apart(std::uint32_t a, std::uint32_t b) const { apart(block_id(a), block_id(b)); }
+  void blocks_near(std::uint32_t a, std::uint32_t b) const { sink_.compared(block_id(a), block_id(b)); }
   void nodes_apart(std::size_t l, std::uint32_t a, std::uint32_t b) const {
-    sink_.discarded(node_id(l, a), node_id(l, b));
+    apart(node_id(l, a), node_id(l, b));
+  }
+  void nodes_near(std::size_t l, std::uint32_t a, std::uint32_t b) const {
+    sink_.compared(node_id(l, a), node_id(l, b));
   }
   /// Child a of a node of level l and node b of that level.
   void child_apart(std::size_t l, std::uint32_t a, std::uint32_t b) const {
-    sink_.discarded(l == 0 ? block_id(a) : node_id(l - 1, a), node_id(l, b));
+    apart(l == 0 ? block_id(a) : node_id(l - 1, a), node_id(l, b));
   }
   /// Of the pairs within block b, or of b with b + 1, those of spheres that are not next to one another are
   /// apart.
@@ -37,6 +41,11 @@ class BlockEvidence {
   std::uint32_t node_id(std::size_t level, std::uint32_t k) const;
 
  private:
+  void apart(std::uint32_t a, std::uint32_t b) const {
+    sink_.compared(a, b);
+    sink_.discarded(a, b);
+  }
+
   const ChainView& chain_;
   const BlockTree& tree_;
   EvidenceSink& sink_;
@@ -49,6 +58,8 @@ struct NoBlockEvidence {
   void blocks_apart(std::uint32_t, std::uint32_t) const {}
   void nodes_apart(std::size_t, std::uint32_t, std::uint32_t) const {}
   void child_apart(std::size_t, std::uint32_t, std::uint32_t) const {}
+  void blocks_near(std::uint32_t, std::uint32_t) const {}
+  void nodes_near(std::size_t, std::uint32_t, std::uint32_t) const {}
   void ordered_inside(std::uint32_t) const {}
   void ordered_between(std::uint32_t) const {}
 };

@@ -93,7 +93,10 @@ class NodeWalk {
                        OrientedBoxes::load(tree_.level[l].at(k * group))) |
               next;
     for_each_lane(candidates & ~near, [&](std::uint32_t j) { sink_.nodes_apart(l, a, k * group + j); });
-    for_each_lane(near, [&](std::uint32_t j) { between(l, a, k * group + j); });
+    for_each_lane(near, [&](std::uint32_t j) {
+      sink_.nodes_near(l, a, k * group + j);
+      between(l, a, k * group + j);
+    });
   }
 
   const BlockTree& tree_;

@@ -159,6 +159,7 @@ class BlockSearch {
                                              Capsules::load(tree_.capsules_of(r.group))) &
                                  r.lanes;
       for_each_lane(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
+      for_each_lane(near, [&](std::uint32_t j) { sink_.blocks_near(a, r.group * group + j); });
       for (std::uint32_t bits = near; bits != 0; bits &= bits - 1)
         queues_.add_pair({a, r.group * group + static_cast<std::uint32_t>(std::countr_zero(bits))});
       if (queues_.pairs_full()) flush_pairs();

@@ -51,9 +51,9 @@ TEST_P(SceneParameters, AreRefusedWhenTheyAreNoNumberAndOtherwiseGiveAValidChain
 }
 
 TEST_P(SceneParameters, RefuseAbsurdNumbersOfSpheres) {
-  for (const char* n : {"2147483648", "4294967296", "18446744073709551616", "-1", "1.5", "1e3"})
+  for (const char* n : {"2147483648", "4294967296", "18446744073709551616", "-1", "1.5", "1e10"})
     EXPECT_NE(refusal(GetParam().name + ":n=" + n), "") << n;
-  for (const char* n : {"0", "1", "2", "3"}) EXPECT_EQ(refusal(GetParam().name + ":n=" + n), "") << n;
+  for (const char* n : {"0", "1", "2", "3", "1e1"}) EXPECT_EQ(refusal(GetParam().name + ":n=" + n), "") << n;
 }
 
 }  // namespace

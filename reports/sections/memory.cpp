@@ -6,7 +6,7 @@
 #include <string>
 
 #include "catena/bench/timing/workload.h"
-#include "catena/core/error.h"
+#include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -40,7 +40,7 @@ nlohmann::ordered_json memory(const Profile& profile) {
     const Chain& chain = work->chains.front();
     for (const auto& info : exact_variants(profile)) {
       if (info.on_device() || (info.all_pairs && chain.size() > profile.most_all_pairs)) continue;
-      try {
+      attempt(info.name, [&] {
         Collisions found;
         malloc_trim(0);
         forget_peak();
@@ -54,8 +54,7 @@ nlohmann::ordered_json memory(const Profile& profile) {
                         {"variant", info.name},
                         {"held_bytes", allocated() - before},
                         {"peak_bytes", std::max<std::int64_t>(0, peak)}});
-      } catch (const CapacityError&) {  // refuses this chain
-      }
+      });
     }
   }
   return rows;
