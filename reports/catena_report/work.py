@@ -73,5 +73,7 @@ def counts(run):
             {key: int(row[key]) for key in COUNTED if key in row}
         )
     for (input_, variant, _), counters in run.counters.items():
-        found.setdefault((input_, variant), {}).update({key: int(counters.get(key, 0)) for key in ANSWERED})
+        case = found.setdefault((input_, variant), {})
+        for key in ANSWERED:  # the most of any stage
+            case[key] = max(case.get(key, 0), int(counters.get(key, 0)))
     return found
