@@ -72,6 +72,12 @@ if(NOT CATENA_SANITIZE)
 endif()
 target_precompile_headers(catena PRIVATE ${CATENA_PRECOMPILED})
 target_compile_features(catena PUBLIC cxx_std_20)
+# GCC refuses to inline Highway's NEON functions, which are compiled for +crypto, into the constructors that it makes
+# itself of structs that hold vectors, unless these are for +crypto too. No such instruction is ever used.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/core/blocks/block_kernels.cpp ${PROJECT_SOURCE_DIR}/core/grid/grid_kernels.cpp
+    PROPERTIES COMPILE_OPTIONS -march=armv8-a+crypto SKIP_PRECOMPILE_HEADERS ON)
+endif()
 # Whoever builds trees by the library's headers must get the bits of the library's own.
 target_compile_options(catena INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>
                                         "$<$<COMPILE_LANGUAGE:CUDA>:SHELL:--fmad=false -Xcompiler=-ffp-contract=off>")
