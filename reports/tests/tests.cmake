@@ -28,7 +28,7 @@ foreach(file ${report_tests})
     add_test(NAME ${name} COMMAND ${CATENA_REPORT_PYTHON} -B ${file} -v)
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=[0-9]+\\)")
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS report TIMEOUT 300)
+  set_tests_properties(${name} PROPERTIES LABELS report TIMEOUT 900)
 endforeach()
 
 # What the gate promises, on 200 pairs of runs instead of a few.
