@@ -10,8 +10,8 @@ namespace catena {
 
 /// A tree over *blocks* of eight spheres, laid out for sixteen things a test. A block lies in a capsule;
 /// sixteen blocks are a node, which lies in a box along axes of its own; sixteen nodes are a node of the next
-/// level. A block holds eight consecutive spheres of one strand, or copies of eight that lie near one another
-/// in space.
+/// level. A block holds eight consecutive spheres of one strand; the last of a strand holds copies of what is
+/// left.
 ///
 /// Numbers are those of the chain times `scale`, a power of two, which brings the greatest to 2^19 .. 2^20:
 /// no product overflows, and what underflows is less than the `tiny` that every bound and test has on top.
@@ -45,7 +45,7 @@ struct BlockTree {
   };
 
   float scale = 1;
-  std::uint32_t blocks = 0;        ///< with blocks that no node has, which hold nothing
+  std::uint32_t blocks = 0;
   std::uint32_t chain_blocks = 0;  ///< the first ones follow the chain: b and b + 1 follow one another
   /// Where a block's spheres are: the index of the first, or `copied` + eight times its number among the
   /// copies.
