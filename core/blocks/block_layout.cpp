@@ -49,7 +49,7 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     for (; at + block <= end; at += block) tree.first.push_back(at);
     if (at < end) copy_block(chain, at, end - at, tree);
   }
-  tree.blocks = tree.chain_blocks = static_cast<std::uint32_t>(tree.first.size());
+  tree.blocks = static_cast<std::uint32_t>(tree.first.size());
   make_room(tree);
 }
 

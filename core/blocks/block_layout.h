@@ -1,8 +1,4 @@
 #pragma once
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "catena/core/blocks/block_tree.h"
 
 namespace catena {
@@ -12,7 +8,7 @@ namespace catena {
 float block_scale(const Extent& extent);
 
 /// Lays every strand out in blocks of eight consecutive spheres, the last one copied where it is short. Sets
-/// scale, blocks, chain_blocks, first, copies; makes room for capsules, order and nodes. O(n); does not
+/// scale, blocks, first, copies; makes room for capsules, order and nodes. O(n); does not
 /// allocate when n has not grown.
 void lay_out_blocks(const ChainView& chain, BlockTree& tree);
 

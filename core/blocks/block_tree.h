@@ -45,8 +45,7 @@ struct BlockTree {
   };
 
   float scale = 1;
-  std::uint32_t blocks = 0;
-  std::uint32_t chain_blocks = 0;  ///< the first ones follow the chain: b and b + 1 follow one another
+  std::uint32_t blocks = 0;  ///< in the order of the chain
   /// Where a block's spheres are: the index of the first, or `copied` + eight times its number among the
   /// copies.
   std::vector<std::uint32_t> first;

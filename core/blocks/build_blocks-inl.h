@@ -19,7 +19,7 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
   const Sphere* spheres = copy;
   // Seventeen blocks in one run: sixteen, and the next for the window of the last.
   const std::uint32_t next = begin + group;
-  const bool in_one_run = next < tree.chain_blocks && !(tree.first[begin] & BlockTree::copied) &&
+  const bool in_one_run = next < tree.blocks && !(tree.first[begin] & BlockTree::copied) &&
                           tree.first[next] == tree.first[begin] + group * block;
   if (in_one_run) {
     spheres = chain.spheres + tree.first[begin];
@@ -35,15 +35,13 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
   Lanes16 reach;
   const Capsules capsules = capsules_around(own, reach);
   capsules.store(tree.capsules_of(g));
-  if (begin >= tree.chain_blocks) return;
-
   for (std::uint32_t j = 0; j < block; ++j)
     load_place(spheres + block, j, scale, following.at[j], following.radius[j]);
   std::uint32_t ordered = ordered_windows(own, capsules.centre, reach, following);
   if (!in_one_run || chain.strand_count > 1) {
     for (std::uint32_t k = 0; k < group; ++k) {
       const std::uint32_t b = begin + k;
-      const bool joined = b + 1 < tree.chain_blocks && !(tree.first[b] & BlockTree::copied) &&
+      const bool joined = b + 1 < tree.blocks && !(tree.first[b] & BlockTree::copied) &&
                           tree.first[b + 1] == tree.first[b] + block &&
                           (chain.strand_count == 1 || chain.exclusion.strand_of[tree.first[b]] ==
                                                           chain.exclusion.strand_of[tree.first[b + 1]]);

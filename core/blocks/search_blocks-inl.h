@@ -64,9 +64,8 @@ class BlockSearch {
     std::uint32_t before = 0;  // 1: the last window of the group before is ordered
     for (std::uint32_t g = 0; g * group < tree_.blocks; ++g) {
       const std::uint32_t begin = g * group, all = lane_bits(tree_.blocks_of(g));
-      const bool in_chain = begin < tree_.chain_blocks;
-      const std::uint32_t windows = in_chain ? tree_.ordered[g] : 0;
-      const std::uint32_t inside = (windows | windows << 1 | before) & all, between = in_chain ? all >> 1 : 0;
+      const std::uint32_t windows = tree_.ordered[g], between = all >> 1;
+      const std::uint32_t inside = (windows | windows << 1 | before) & all;
       before = windows >> (group - 1);
       if (!wanted(g)) continue;
       for_each_lane(all & ~inside, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k}); });
@@ -101,8 +100,8 @@ class BlockSearch {
 
   /// Blocks of one node against each other, but for those that along_the_chain met.
   void within(std::uint32_t k) {
-    const std::uint32_t begin = k * group, count = tree_.blocks_of(k),
-                        skip = begin < tree_.chain_blocks ? 2 : 1;
+    constexpr std::uint32_t skip = 2;  // a block itself and the next
+    const std::uint32_t begin = k * group, count = tree_.blocks_of(k);
     const Intervals reach = in_frame_of(tree_, 0, k, 0, k);
     const StoredIntervals single(reach);
     for (std::uint32_t i = 0; i + skip < count; ++i)
@@ -122,7 +121,7 @@ class BlockSearch {
       for_each_lane(all_a & ~mine, [&](std::uint32_t i) { row(a * group + i, b, 0, theirs); });
     if (mine == 0) return;
     // An ordered window from the last block of one node to the first of the next.
-    const bool ahead = b == a + 1 && b * group < tree_.chain_blocks && tree_.ordered[a] >> (group - 1) != 0;
+    const bool ahead = b == a + 1 && tree_.ordered[a] >> (group - 1) != 0;
     if (ahead && mine == 1u << (group - 1) && theirs == 1) return ordered_between(a * group + group - 1);
     const StoredIntervals a_by_a(in_frame_of(tree_, 0, a, 0, a));
     for_each_lane(mine, [&](std::uint32_t i) {
@@ -159,9 +158,10 @@ class BlockSearch {
                                              Capsules::load(tree_.capsules_of(r.group))) &
                                  r.lanes;
       for_each_lane(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
-      for_each_lane(near, [&](std::uint32_t j) { sink_.blocks_near(a, r.group * group + j); });
-      for (std::uint32_t bits = near; bits != 0; bits &= bits - 1)
-        queues_.add_pair({a, r.group * group + static_cast<std::uint32_t>(std::countr_zero(bits))});
+      for_each_lane(near, [&](std::uint32_t j) {
+        sink_.blocks_near(a, r.group * group + j);
+        queues_.add_pair({a, r.group * group + j});
+      });
       if (queues_.pairs_full()) flush_pairs();
     }
     queues_.clear_rows();
@@ -185,12 +185,11 @@ class BlockSearch {
   /// Spheres of block a against those of block b; of a block with itself, each pair once.
   void leaves(std::uint32_t a, std::uint32_t b) {
     const Sphere *const sa = tree_.spheres(chain_, a), *const sb = tree_.spheres(chain_, b);
-    SpherePairs pairs = sphere_pairs(sa, sb);
+    const SpherePairs pairs = sphere_pairs(sa, sb);
     constexpr std::uint64_t later = 0x0080C0E0F0F8FCFEu;  // bit 8 i + j where j > i
     std::uint64_t wanted = a == b ? later : ~std::uint64_t{0};
     if constexpr (Sink::listens) account(a, b, wanted);
     wanted &= pairs.may;
-    if (wanted == 0) return;
     for (; wanted != 0; wanted &= wanted - 1) {
       const auto bit = static_cast<std::uint32_t>(std::countr_zero(wanted));
       std::uint32_t i = tree_.index(a, bit / block), j = tree_.index(b, bit % block);

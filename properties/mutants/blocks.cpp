@@ -59,7 +59,7 @@ const RegisterMutant<NoSagitta> sagitta{"capsule-without-sagitta",
 /// Calls order(spheres, window) for each window of two full blocks of one strand, and takes its word.
 class FaultyOrder : public FaultyBlocks {
   void tamper(const ChainView& chain, BlockTree& tree) override {
-    for (std::uint32_t b = 0; b + 1 < tree.chain_blocks; ++b) {
+    for (std::uint32_t b = 0; b + 1 < tree.blocks; ++b) {
       const std::uint32_t i = tree.first[b];
       if ((i & BlockTree::copied) != 0 || tree.first[b + 1] != i + BlockTree::block) continue;
       if (chain.strand_count > 1 &&

@@ -43,7 +43,8 @@ TEST(Proofs, AreAboutTheConstantsOfTheCode) {
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
-  const std::string code = text_of("core/grid/bucket_map.h"), proof = text_of("properties/proofs/grid_cells.g");
+  const std::string code = text_of("core/grid/bucket_map.h"),
+                    proof = text_of("properties/proofs/grid_cells.g");
   for (const auto& [declared, covered, formula] :
        {std::array{"cell_slack = 0x1p-16;", "cell_slack = 2^-16", "(1 - 1b-16)"},
         std::array{"far_cell = 0x1p25;", "far_cell = 2^25", "|V| <= 33554433"}}) {
@@ -61,22 +62,29 @@ TEST(Proofs, CoverEverySlackOfTheCode) {
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
-  for (const Proved& p :
-       {Proved{"core/blocks/block_tree.h", "capsule_binary32.g", "slack = 0x1p-19f;  // 32 u"},
-        Proved{"core/blocks/block_tree.h", "oriented_box_binary32.g", "axes_error = 0x1p-20f;  // 16 u"},
-        Proved{"core/blocks/block_tree.h", "oriented_box_binary32.g", "axes_slack = 0x1p-17f;  // 128 u"},
-        Proved{"core/blocks/block_evidence.cpp", "capsule_binary32.g", "bare = 0x1p-20;  // 16 u"},
-        Proved{"core/blocks/oriented_boxes-inl.h", "capsule_binary32.g", "centre_slack = 0x1p-20f;  // 16 u"},
-        Proved{"core/blocks/tests-inl.h", "overlap_binary32.g", "overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;"}}) {
-    EXPECT_NE(text_of(p.declared).find(p.formula), std::string::npos) << p.declared << " no longer says " << p.formula;
-    EXPECT_NE(text_of("properties/proofs/" + p.script).find("Covers:"), std::string::npos) << p.script;
+  struct Covered {
+    std::string file, declared, script,
+        covered;  ///< as the code declares it, and as the proof says that it covers it
+  };
+  for (const Covered& c :
+       {Covered{"block_tree.h", "slack = 0x1p-19f;  // 32 u", "capsule_binary32.g", "slack = 32u"},
+        Covered{"block_tree.h", "axes_error = 0x1p-20f;  // 16 u", "oriented_box_binary32.g",
+                "axes_error = 16u"},
+        Covered{"block_tree.h", "axes_slack = 0x1p-17f;  // 128 u", "oriented_box_binary32.g",
+                "axes_slack = 128u"},
+        Covered{"block_evidence.cpp", "bare = 0x1p-20;  // 16 u", "capsule_binary32.g",
+                "the bare radius's 16u"},
+        Covered{"oriented_boxes-inl.h", "centre_slack = 0x1p-20f;  // 16 u", "capsule_binary32.g",
+                "centre_slack = 16u"},
+        Covered{"tests-inl.h", "overlap_slack = 1 + 12 * 0x1p-24f", "overlap_binary32.g",
+                "binary32_slack = 1 + 12u"},
+        Covered{"tests-inl.h", "overlap_floor = 0x1p-120f", "overlap_binary32.g",
+                "underflow_floor = 2^-120"}}) {
+    EXPECT_NE(text_of("core/blocks/" + c.file).find(c.declared), std::string::npos)
+        << c.file << " no longer says " << c.declared;
+    EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)
+        << c.script << " does not cover " << c.covered;
   }
-  for (const auto& [script, covered] : {std::pair{"capsule_binary32.g", "slack = 32u"},
-                                        std::pair{"capsule_binary32.g", "the bare radius's 16u"},
-                                        std::pair{"capsule_binary32.g", "centre_slack = 16u"},
-                                        std::pair{"oriented_box_binary32.g", "axes_error = 16u"},
-                                        std::pair{"oriented_box_binary32.g", "axes_slack = 128u"}})
-    EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(covered), std::string::npos) << script;
 }
 
 }  // namespace
