@@ -11,6 +11,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(hwy REQUIRED)
+find_package(TBB REQUIRED COMPONENTS tbb)
 
 # Headers are included as "catena/core/chain/chain.h", here and after installation.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
@@ -65,7 +66,7 @@ add_library(catena SHARED ${library_sources})
 add_library(catena::catena ALIAS catena)
 set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0 EXPORT_NAME catena
   CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${PROJECT_SOURCE_DIR}/core/exports.map)
-target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy)
+target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy TBB::tbb)
 target_link_options(catena PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/core/exports.map LINKER:-Bsymbolic-functions)
 if(NOT CATENA_SANITIZE)
   target_link_options(catena PRIVATE LINKER:--no-undefined)  # nothing of the program is missed

@@ -14,7 +14,7 @@ class ChainTree final : public Variant {
     const Stopwatch watch;
     built_ = false;
     view_ = chain.view();
-    build_block_tree(view_, tree_);
+    build_block_tree(view_, tree_, Team());
     spheres_ = chain.size();
     built_ = true;
     timings_.build_ms = watch.ms();

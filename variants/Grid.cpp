@@ -9,10 +9,12 @@ namespace {
 template <class Arithmetic>
 class Grid final : public Variant {
  public:
+  explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {}
+
   void build(const Chain& chain) override {
     const Stopwatch watch;
     built_ = false;
-    build_grid(chain.view(), grid_);
+    build_grid(chain.view(), grid_, {}, team_);
     spheres_ = chain.size();
     built_ = true;
     timings_.build_ms = watch.ms();
@@ -21,8 +23,8 @@ class Grid final : public Variant {
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
     const Stopwatch watch;
-    PairCollector collector(spheres_, request, result);
-    search_grid(chain.view(), grid_, queues_, collector.lane(0));
+    PairCollector collector(spheres_, request, result, team_.size());
+    search_grid(chain.view(), grid_, queues_, collector, team_);
     collector.finish();
     timings_.find_ms = watch.ms();
   }
@@ -30,8 +32,9 @@ class Grid final : public Variant {
   Timings timings() const override { return timings_; }
 
  private:
+  const Team team_;
   SphereGrid grid_;
-  GridQueues queues_;
+  std::vector<GridQueues> queues_;  // [member of the team]
   std::uint32_t spheres_ = 0;
   bool built_ = false;
   Timings timings_;
@@ -39,7 +42,8 @@ class Grid final : public Variant {
 
 const RegisterVariant<Grid, Robust> registered{
     {.name = "Grid",
-     .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD, sequential"}};
+     .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD",
+     .parameters = {Team::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

@@ -16,16 +16,20 @@ template <class Arithmetic>
 class Hybrid final : public Variant {
  public:
   explicit Hybrid(const Parameters& parameters)
-      : limit_(static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20))) {}
+      : limit_(static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20))),
+        team_(parameters),
+        block_queues_(team_.size()),
+        grid_queues_(team_.size()) {}
 
   void build(const Chain& chain) override {
     const Stopwatch watch;
     built_ = false;
     const ChainView view = chain.view();
-    build_block_tree(view, tree_);
-    find_crowds(tree_, limit_, crowding_);
+    build_block_tree(view, tree_, team_);
+    find_crowds(tree_, limit_, crowding_, team_);
     gather_crowd();
-    if (!crowd_.empty()) build_grid(view, grid_, crowd_);
+    const bool everyone = crowd_.size() == chain.size();  // so that their list need not be read
+    if (!crowd_.empty()) build_grid(view, grid_, everyone ? std::span<const std::uint32_t>() : crowd_, team_);
     spheres_ = chain.size();
     built_ = true;
     timings_.build_ms = watch.ms();
@@ -35,9 +39,9 @@ class Hybrid final : public Variant {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
     const Stopwatch watch;
     const ChainView view = chain.view();
-    PairCollector collector(spheres_, request, result);
-    search_uncrowded(view, tree_, crowding_, block_queues_, collector.lane(0));
-    if (!crowd_.empty()) search_grid(view, grid_, grid_queues_, collector.lane(0));
+    PairCollector collector(spheres_, request, result, team_.size());
+    search_uncrowded(view, tree_, crowding_, block_queues_, collector, team_);
+    if (!crowd_.empty()) search_grid(view, grid_, grid_queues_, collector, team_);
     collector.finish();
     timings_.find_ms = watch.ms();
   }
@@ -45,7 +49,7 @@ class Hybrid final : public Variant {
   Plan plan() const override {
     return {{"grid of spheres", crowd_.empty(),
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others", crowding_.crowded_nodes(),
-                         crowding_.partners.size(), limit_)}};
+                         crowding_.nodes(), limit_)}};
   }
 
   Timings timings() const override { return timings_; }
@@ -54,7 +58,7 @@ class Hybrid final : public Variant {
   /// The spheres of all crowded nodes.
   void gather_crowd() {
     crowd_.clear();
-    for (std::uint32_t node = 0; node < crowding_.partners.size(); ++node) {
+    for (std::uint32_t node = 0; node < crowding_.nodes(); ++node) {
       if (!crowding_.crowded(node)) continue;
       const std::uint32_t begin = node * BlockTree::group;
       for (std::uint32_t b = begin; b < begin + tree_.blocks_of(node); ++b)
@@ -64,12 +68,13 @@ class Hybrid final : public Variant {
   }
 
   const std::uint32_t limit_;
+  const Team team_;
   BlockTree tree_;
-  BlockQueues block_queues_;
+  std::vector<BlockQueues> block_queues_;  // [member of the team]
   Crowding crowding_;
   std::vector<std::uint32_t> crowd_;
   SphereGrid grid_;
-  GridQueues grid_queues_;
+  std::vector<GridQueues> grid_queues_;
   std::uint32_t spheres_ = 0;
   bool built_ = false;
   Timings timings_;
@@ -78,7 +83,8 @@ class Hybrid final : public Variant {
 const RegisterVariant<Hybrid, Robust> registered{
     {.name = "Hybrid",
      .summary = "ChainTree, and Grid among the spheres whose nodes of 128 meet too many others",
-     .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others is left to the grid"}}}};
+     .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others is left to the grid"},
+                    Team::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

@@ -12,18 +12,42 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-void build_here(const ChainView& chain, BlockTree& tree) {
-  for (std::uint32_t g = 0; g * BlockTree::group < tree.blocks; ++g) build_group(chain, tree, g);
-  for (std::size_t l = 0; l < tree.level.size(); ++l) build_level(tree, l);
+void build_groups_here(const ChainView& chain, BlockTree& tree, std::uint32_t begin, std::uint32_t end) {
+  for (std::uint32_t g = begin; g < end; ++g) build_group(chain, tree, g);
+}
+void build_level_here(BlockTree& tree, std::size_t l, std::uint32_t begin, std::uint32_t end) {
+  build_level(tree, l, begin, end);
 }
 
-void find_crowds_here(const BlockTree& tree, Crowding& crowding) {
-  if (tree.blocks > 0) NodeWalk(tree, crowding, NoBlockEvidence{}).run();
+/// What a walk by several threads asks for.
+struct CrowdWalk {
+  Crowding& crowding;
+  const Team& team;
+  void met(std::uint32_t a, std::uint32_t b) const { crowding.met(a, b, team.member()); }
+  bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
+  bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
+    return crowding.left_out_group(l, a, parent);
+  }
+  bool stop() const { return false; }
+};
+
+void find_crowds_here(const BlockTree& tree, Crowding& crowding, const Team& team) {
+  if (tree.blocks == 0) return;
+  const CrowdWalk walk{crowding, team};
+  if (team.size() == 1)
+    NodeWalk(tree, walk, NoBlockEvidence{}).run();
+  else
+    NodeWalk(tree, walk, NoBlockEvidence{}, ByTeam{team}).run();
 }
 
-void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
-                           BlockQueues& queues, PairCollector::Lane& lane) {
-  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run(crowding);
+void search_nodes_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                       std::uint32_t begin, std::uint32_t end, BlockQueues& queues,
+                       PairCollector::Lane& lane) {
+  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run_nodes(crowding, begin, end);
+}
+void search_pairs_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                       std::span<const Pair> nodes, BlockQueues& queues, PairCollector::Lane& lane) {
+  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run_pairs(crowding, nodes);
 }
 
 void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
@@ -39,23 +63,56 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace catena {
+namespace {
 
-HWY_EXPORT(build_here);
+/// Enough for some ten microseconds.
+constexpr std::uint32_t nodes_of_a_task = 32, pairs_of_a_task = 64;
+
+}  // namespace
+
+HWY_EXPORT(build_groups_here);
+HWY_EXPORT(build_level_here);
 HWY_EXPORT(find_crowds_here);
-HWY_EXPORT(search_uncrowded_here);
+HWY_EXPORT(search_nodes_here);
+HWY_EXPORT(search_pairs_here);
 HWY_EXPORT(search_here);
 
-void build_block_tree(const ChainView& chain, BlockTree& tree) {
+void build_block_tree(const ChainView& chain, BlockTree& tree, const Team& team) {
   lay_out_blocks(chain, tree);
-  HWY_DYNAMIC_DISPATCH(build_here)(chain, tree);
+  if (tree.blocks == 0) return;
+  team.for_each_range(tree.level[0].count, nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    HWY_DYNAMIC_DISPATCH(build_groups_here)(chain, tree, begin, end);
+  });
+  for (std::size_t l = 0; l < tree.level.size(); ++l) {
+    const std::uint32_t count = tree.level[l].count,
+                        groups = (count + BlockTree::group - 1) / BlockTree::group;
+    team.for_each_range(groups, nodes_of_a_task / BlockTree::group,
+                        [&](std::uint32_t begin, std::uint32_t end) {
+                          HWY_DYNAMIC_DISPATCH(build_level_here)
+                          (tree, l, begin * BlockTree::group, std::min(count, end * BlockTree::group));
+                        });
+  }
 }
-void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding) {
-  crowding.reset(tree, limit);
-  HWY_DYNAMIC_DISPATCH(find_crowds_here)(tree, crowding);
+void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
+  crowding.reset(tree, limit, team.size());
+  HWY_DYNAMIC_DISPATCH(find_crowds_here)(tree, crowding, team);
 }
 void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
-                      BlockQueues& queues, PairCollector::Lane& lane) {
-  HWY_DYNAMIC_DISPATCH(search_uncrowded_here)(chain, tree, crowding, queues, lane);
+                      std::span<BlockQueues> queues, PairCollector& collector, const Team& team) {
+  team.for_each_range(crowding.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    const unsigned member = team.member();
+    HWY_DYNAMIC_DISPATCH(search_nodes_here)
+    (chain, tree, crowding, begin, end, queues[member], collector.lane(member));
+  });
+  for (const std::vector<Pair>& pairs : crowding.pairs()) {
+    team.for_each_range(static_cast<std::uint32_t>(pairs.size()), pairs_of_a_task,
+                        [&](std::uint32_t begin, std::uint32_t end) {
+                          const unsigned member = team.member();
+                          HWY_DYNAMIC_DISPATCH(search_pairs_here)
+                          (chain, tree, crowding, std::span(pairs).subspan(begin, end - begin),
+                           queues[member], collector.lane(member));
+                        });
+  }
 }
 void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
                    PairCollector::Lane& lane, const BlockEvidence* evidence) {

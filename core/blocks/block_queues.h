@@ -28,13 +28,23 @@ class BlockQueues {
   }
   bool rows_full() const { return row_count_ > row_limit; }
   std::span<const Row> rows() const { return {rows_.data(), row_count_}; }
-  void clear_rows() { row_count_ = 0; }
+  void clear_rows() {
+    rows_done_ += row_count_;
+    row_count_ = 0;
+  }
 
   /// Blocks i and j. At most one row between two calls of pairs_full.
   void add_pair(const Pair& pair) { pairs_[pair_count_++] = pair; }
   bool pairs_full() const { return pair_count_ > pair_limit; }
   std::span<const Pair> pairs() const { return {pairs_.data(), pair_count_}; }
-  void clear_pairs() { pair_count_ = 0; }
+  void clear_pairs() {
+    pairs_done_ += pair_count_;
+    pair_count_ = 0;
+  }
+
+  /// Rows and pairs looked into since this was made.
+  std::uint64_t rows_done() const { return rows_done_; }
+  std::uint64_t pairs_done() const { return pairs_done_; }
 
  private:
   static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024,
@@ -43,6 +53,7 @@ class BlockQueues {
   std::vector<Row> rows_;
   std::vector<Pair> pairs_;
   std::size_t row_count_ = 0, pair_count_ = 0;
+  std::uint64_t rows_done_ = 0, pairs_done_ = 0;
 };
 
 }  // namespace catena

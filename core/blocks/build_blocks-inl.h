@@ -29,15 +29,12 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
                   tree.spheres(chain, begin + k < tree.blocks ? begin + k : tree.blocks - 1),
                   sizeof(Sphere) * block);
   }
-  const Lanes16 scale = Lanes16::all(tree.scale);
-  BlockSpheres own, following;
-  for (std::uint32_t j = 0; j < block; ++j) load_place(spheres, j, scale, own.at[j], own.radius[j]);
+  BlockSpheres own;
+  load(spheres, Lanes16::all(tree.scale), own);
   Lanes16 reach;
   const Capsules capsules = capsules_around(own, reach);
   capsules.store(tree.capsules_of(g));
-  for (std::uint32_t j = 0; j < block; ++j)
-    load_place(spheres + block, j, scale, following.at[j], following.radius[j]);
-  std::uint32_t ordered = ordered_windows(own, capsules.centre, reach, following);
+  std::uint32_t ordered = ordered_windows(own, capsules.centre, reach, spheres + group * block, tree.scale);
   if (!in_one_run || chain.strand_count > 1) {
     for (std::uint32_t k = 0; k < group; ++k) {
       const std::uint32_t b = begin + k;

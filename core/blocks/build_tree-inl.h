@@ -12,48 +12,104 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Axes for nodes first .. first + 15 of level l and a guess of their centres, lane = node, from the centres
-/// of their children.
-HWY_INLINE void guess_axes(const BlockTree& tree, std::size_t l, std::uint32_t first, float* to) {
-  constexpr std::uint32_t group = BlockTree::group;
-  alignas(64) float centres[group][3][group];  // [child][coordinate][node]
-  for (std::uint32_t lane = 0; lane < group; ++lane) {
-    const std::uint32_t k = std::min(first + lane, tree.level[l].count - 1),
-                        last = tree.children_of(l, k) - 1;
-    const float* const fields = l == 0 ? tree.capsules_of(k) : tree.level[l - 1].at(k * group);
-    for (std::uint32_t b = 0; b < group; ++b)
-      for (std::uint32_t d = 0; d < 3; ++d) centres[b][d][lane] = fields[group * d + std::min(b, last)];
+/// Children of sixteen nodes, lane = node: child b of each from field[b] on, laid out as one Sixteen. Where a
+/// node has fewer than sixteen, or there are fewer nodes, the last stands for what is missing.
+template <class Sixteen>
+struct ChildrenOfNodes {
+  static constexpr std::uint32_t group = BlockTree::group;
+  alignas(64) float field[group][Sixteen::fields][group];
+
+  /// From `nodes` groups of sixteen, one after the other.
+  HWY_INLINE ChildrenOfNodes(const float* groups, std::uint32_t nodes, std::uint32_t children_of_last) {
+    constexpr std::size_t stride = std::size_t{group} * Sixteen::fields;
+    alignas(64) float copies[group * stride];
+    if (nodes < group || children_of_last < group) {
+      for (std::uint32_t k = 0; k < group; ++k) {
+        const std::uint32_t node = std::min(k, nodes - 1), used = node + 1 < nodes ? group : children_of_last;
+        for (std::uint32_t f = 0; f < Sixteen::fields; ++f)
+          for (std::uint32_t b = 0; b < group; ++b)
+            copies[k * stride + f * group + b] = groups[node * stride + f * group + std::min(b, used - 1)];
+      }
+      groups = copies;
+    }
+    for (std::uint32_t f = 0; f < Sixteen::fields; ++f) {
+      for (std::uint32_t b = 0; b < group; b += 4) {
+        Lanes16 four[4];
+        transpose(groups + f * group + b, stride, four);
+        for (std::uint32_t k = 0; k < 4; ++k) four[k].store(field[b + k][f]);
+      }
+    }
   }
-  const Vectors origin = Vectors::load(centres[0][0]);
+  HWY_INLINE Sixteen child(std::uint32_t b) const { return Sixteen::load(field[b][0]); }
+  HWY_INLINE Vectors centre(std::uint32_t b) const { return Vectors::load(field[b][0]); }
+};
+
+/// Axes for sixteen nodes and a guess of their centres, from the centres of their children.
+template <class Sixteen>
+HWY_INLINE OrientedBoxes guess(const ChildrenOfNodes<Sixteen>& children) {
+  constexpr std::uint32_t group = BlockTree::group;
+  const Vectors origin = children.centre(0);
   Vectors sum = origin - origin;
   Symmetric square{sum.x, sum.x, sum.x, sum.x, sum.x, sum.x};
   for (std::uint32_t b = 1; b < group; ++b) {
-    const Vectors p = Vectors::load(centres[b][0]) - origin;
+    const Vectors p = children.centre(b) - origin;
     sum = sum + p;
     square = {mul_add(p.x, p.x, square.xx), mul_add(p.x, p.y, square.xy), mul_add(p.x, p.z, square.xz),
               mul_add(p.y, p.y, square.yy), mul_add(p.y, p.z, square.yz), mul_add(p.z, p.z, square.zz)};
   }
   const Vectors mean = scaled(sum, Lanes16::all(1.0f / group));
-  Vectors axis[3];
+  OrientedBoxes result;
   principal_axes({neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),
                   neg_mul_add(sum.x, mean.z, square.xz), neg_mul_add(sum.y, mean.y, square.yy),
                   neg_mul_add(sum.y, mean.z, square.yz), neg_mul_add(sum.z, mean.z, square.zz)},
-                 axis);
-  (origin + mean).store(to);
-  for (int k = 0; k < 3; ++k) axis[k].store(to + 48 + 48 * k);
+                 result.axis);
+  result.centre = origin + mean;
+  return result;
 }
 
-/// The boxes of all nodes of level l, from its children's.
-HWY_INLINE void build_level(BlockTree& tree, std::size_t l) {
+/// Moves the centres to the middle of the children and fits the half sides.
+template <class Sixteen>
+HWY_INLINE void fit(const ChildrenOfNodes<Sixteen>& children, OrientedBoxes& boxes) {
+  constexpr std::uint32_t group = BlockTree::group;
+  Intervals all = intervals(children.child(0), boxes.centre, boxes.axis);
+  for (std::uint32_t b = 1; b < group; ++b) {
+    const Intervals child = intervals(children.child(b), boxes.centre, boxes.axis);
+    for (int k = 0; k < 3; ++k)
+      all.low[k] = min(all.low[k], child.low[k]), all.high[k] = max(all.high[k], child.high[k]);
+  }
+  for (int k = 0; k < 3; ++k)
+    boxes.centre = plus(boxes.centre, Lanes16::all(0.5f) * (all.low[k] + all.high[k]), boxes.axis[k]);
+  // Measured again from the centres as they are stored.
+  const Lanes16 zero = Lanes16::all(0);
+  for (int k = 0; k < 3; ++k) boxes.half[k] = zero;
+  for (std::uint32_t b = 0; b < group; ++b) {
+    const Intervals child = intervals(children.child(b), boxes.centre, boxes.axis);
+    for (int k = 0; k < 3; ++k) boxes.half[k] = max(boxes.half[k], max(child.high[k], zero - child.low[k]));
+  }
+}
+
+/// The boxes of nodes first to first + 15 of level l, as far as there are so many.
+template <class Sixteen>
+HWY_INLINE void build_nodes(const float* children, std::uint32_t nodes, std::uint32_t children_of_last,
+                            float* to) {
+  const ChildrenOfNodes<Sixteen> below(children, nodes, children_of_last);
+  OrientedBoxes boxes = guess(below);
+  fit(below, boxes);
+  boxes.store(to);
+}
+
+/// The boxes of nodes begin to end - 1 of level l, both multiples of sixteen or the last, from their
+/// children's.
+HWY_INLINE void build_level(BlockTree& tree, std::size_t l, std::uint32_t begin, std::uint32_t end) {
+  constexpr std::uint32_t group = BlockTree::group;
   BlockTree::Level& level = tree.level[l];
-  for (std::uint32_t k = 0; k < level.count; ++k) {
-    const std::uint32_t lane = k % BlockTree::group, used = tree.children_of(l, k);
-    float* const oriented = level.at(k);
-    if (lane == 0) guess_axes(tree, l, k, oriented);
+  for (std::uint32_t k = begin; k < end; k += group) {
+    const std::uint32_t nodes = std::min(group, level.count - k),
+                        of_last = tree.children_of(l, k + nodes - 1);
     if (l == 0)
-      fit(Capsules::load(tree.capsules_of(k)), used, oriented, lane);
+      build_nodes<Capsules>(tree.capsules_of(k), nodes, of_last, level.at(k));
     else
-      fit(OrientedBoxes::load(tree.level[l - 1].at(k * BlockTree::group)), used, oriented, lane);
+      build_nodes<OrientedBoxes>(tree.level[l - 1].at(k * group), nodes, of_last, level.at(k));
   }
 }
 

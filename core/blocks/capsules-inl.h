@@ -7,26 +7,26 @@
 #endif
 
 #include "catena/core/blocks/block_tree.h"
-#include "catena/core/blocks/lanes-inl.h"
+#include "catena/core/blocks/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 /// All points within `radius` of centre +- half axis, a lane.
 struct Capsules {
+  static constexpr std::uint32_t fields = BlockTree::capsule_fields;
   Vectors centre, half;
   Lanes16 radius, inverse;  ///< inverse: about 1 / |half|^2; 0 for a point
 
-  static HWY_INLINE Capsules load(const float* fields) {
-    return {Vectors::load(fields), Vectors::load(fields + 48), Lanes16::load(fields + 96),
-            Lanes16::load(fields + 112)};
+  static HWY_INLINE Capsules load(const float* f) {
+    return {Vectors::load(f), Vectors::load(f + 48), Lanes16::load(f + 96), Lanes16::load(f + 112)};
   }
-  static HWY_INLINE Capsules all(const float* fields, std::uint32_t lane) {
-    return {Vectors::all(fields, lane), Vectors::all(fields + 48, lane), Lanes16::all(fields[96 + lane]),
-            Lanes16::all(fields[112 + lane])};
+  static HWY_INLINE Capsules all(const float* f, std::uint32_t lane) {
+    return {Vectors::all(f, lane), Vectors::all(f + 48, lane), Lanes16::all(f[96 + lane]),
+            Lanes16::all(f[112 + lane])};
   }
-  HWY_INLINE void store(float* fields) const {
-    centre.store(fields), half.store(fields + 48), radius.store(fields + 96), inverse.store(fields + 112);
+  HWY_INLINE void store(float* f) const {
+    centre.store(f), half.store(f + 48), radius.store(f + 96), inverse.store(f + 112);
   }
 };
 
@@ -56,52 +56,21 @@ struct BlockSpheres {
   Lanes16 radius[BlockTree::block];
 };
 
-#if HWY_TARGET != HWY_SCALAR  // which has no vectors to shuffle
-/// Four floats each of as many spheres as a vector has quads, `stride` spheres apart.
-template <class Tag>
-HWY_INLINE hn::Vec<Tag> quads(Tag tag, const Sphere* first, std::size_t stride) {
-  if constexpr (hn::MaxLanes(Tag()) == 4) {
-    return hn::LoadU(tag, reinterpret_cast<const float*>(first));
-  } else {
-    const hn::Half<Tag> half;
-    constexpr std::size_t quads_of_half = hn::MaxLanes(half) / 4;
-    return hn::Combine(tag, quads(half, first + quads_of_half * stride, stride), quads(half, first, stride));
-  }
-}
-#endif
-
-/// Place j of blocks 0 to 15, which follow one another from `spheres` on, times scale.
-HWY_INLINE void load_place(const Sphere* spheres, std::uint32_t j, const Lanes16& scale, Vectors& at,
-                           Lanes16& radius) {
+/// Sixteen blocks that follow one another from `spheres` on, times scale.
+HWY_INLINE void load(const Sphere* spheres, const Lanes16& scale, BlockSpheres& blocks) {
+  static_assert(sizeof(Sphere) == 4 * sizeof(float));
   constexpr std::uint32_t block = BlockTree::block;
-  using Tag = Lanes16::Tag;
-  for (std::size_t k = 0; k < Lanes16::parts; ++k) {
-    const Sphere* const s = spheres + k * Lanes16::width * block + j;
-#if HWY_TARGET == HWY_SCALAR
-    at.x.part[k] = hn::Set(Tag(), s->x), at.y.part[k] = hn::Set(Tag(), s->y);
-    at.z.part[k] = hn::Set(Tag(), s->z), radius.part[k] = hn::Set(Tag(), s->radius);
-#else
-    // Quad q of `a` is block 4 q of this part, of `b` block 4 q + 1, and so on; then four by four transposed.
-    const hn::Repartition<double, Tag> two;
-    const auto a = quads(Tag(), s, 4 * block), b = quads(Tag(), s + block, 4 * block);
-    const auto c = quads(Tag(), s + 2 * block, 4 * block), d = quads(Tag(), s + 3 * block, 4 * block);
-    const auto xy_ab = hn::BitCast(two, hn::InterleaveLower(Tag(), a, b));
-    const auto xy_cd = hn::BitCast(two, hn::InterleaveLower(Tag(), c, d));
-    const auto zr_ab = hn::BitCast(two, hn::InterleaveUpper(Tag(), a, b));
-    const auto zr_cd = hn::BitCast(two, hn::InterleaveUpper(Tag(), c, d));
-    at.x.part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, xy_ab, xy_cd));
-    at.y.part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, xy_ab, xy_cd));
-    at.z.part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, zr_ab, zr_cd));
-    radius.part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, zr_ab, zr_cd));
-#endif
+  for (std::uint32_t j = 0; j < block; ++j) {
+    Lanes16 field[4];
+    transpose(&spheres[j].x, 4 * block, field);
+    blocks.at[j] = {field[0] * scale, field[1] * scale, field[2] * scale};
+    blocks.radius[j] = field[3] * scale;
   }
-  at = {at.x * scale, at.y * scale, at.z * scale};
-  radius = radius * scale;
 }
 
 /// Capsules around the spheres, about the chord from first to last, moved half way to the middle of the arc.
-/// Leaves the spheres relative to the centres. `reach` becomes a bound of |centre of sphere| + radius.
-HWY_INLINE Capsules capsules_around(BlockSpheres& s, Lanes16& reach) {
+/// `reach` becomes a bound of |centre of sphere - centre| + radius.
+HWY_INLINE Capsules capsules_around(const BlockSpheres& s, Lanes16& reach) {
   constexpr std::uint32_t last = BlockTree::block - 1;
   const Lanes16 half = Lanes16::all(0.5f), quarter = Lanes16::all(0.25f);
   const Vectors chord = s.at[last] - s.at[0];
@@ -113,8 +82,7 @@ HWY_INLINE Capsules capsules_around(BlockSpheres& s, Lanes16& reach) {
   result.inverse = inverse_square(half_square);
   Lanes16 farthest = Lanes16::all(0), thickest = s.radius[0];
   for (std::uint32_t j = 0; j <= last; ++j) {
-    s.at[j] = s.at[j] - result.centre;
-    farthest = max(farthest, distance_to_segment(s.at[j], result.half, result.inverse));
+    farthest = max(farthest, distance_to_segment(s.at[j] - result.centre, result.half, result.inverse));
     thickest = max(thickest, s.radius[j]);
   }
   result.radius = with_slack(sqrt(farthest) + thickest, half_square);

@@ -1,5 +1,7 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "catena/core/blocks/block_tree.h"
@@ -10,46 +12,66 @@ namespace catena {
 /// Which nodes of a BlockTree lie among so many others that another search will do better, and which pairs of
 /// nodes are left for the tree. A node is crowded once it has met more than `limit` others; a pair of crowded
 /// nodes is left out. So the tree's work is bounded by limit times the number of nodes, whatever the chain.
-struct Crowding {
-  std::uint32_t limit = 0;
-  std::vector<std::uint32_t> partners;  ///< of each node: others it met, counted to just above the limit
-  std::vector<Pair> pairs;  ///< nodes that met, in the order of the search; both may be crowded by now
-  std::vector<std::vector<std::uint32_t>>
-      open;  ///< for each level and node: nodes below that are not crowded
-
-  void reset(const BlockTree& tree, std::uint32_t new_limit) {
-    limit = new_limit;
-    pairs.clear();
-    open.resize(tree.level.size());
-    for (std::size_t l = 0; l < open.size(); ++l) {
-      open[l].assign(tree.level[l].count, l == 0 ? 1 : 0);
+/// Several threads may walk the tree at once: a node that is crowded stays so, and what one of them leaves
+/// out is left out in the end, however they meet.
+class Crowding {
+ public:
+  /// `threads` will walk the tree at once.
+  void reset(const BlockTree& tree, std::uint32_t limit, unsigned threads) {
+    limit_ = limit;
+    pairs_.resize(threads);
+    for (auto& pairs : pairs_) pairs.clear();
+    open_.resize(tree.level.size());
+    for (std::size_t l = 0; l < open_.size(); ++l) {
+      open_[l].assign(tree.level[l].count, l == 0 ? 1 : 0);
       if (l > 0)
-        for (std::uint32_t k = 0; k < open[l - 1].size(); ++k)
-          open[l][k / BlockTree::group] += open[l - 1][k];
+        for (std::uint32_t k = 0; k < open_[l - 1].size(); ++k)
+          open_[l][k / BlockTree::group] += open_[l - 1][k];
     }
-    partners.assign(open.empty() ? 0 : open[0].size(), 0);
-  }
-  bool crowded(std::uint32_t node) const { return partners[node] > limit; }
-  bool left_out(const Pair& nodes) const { return crowded(nodes.i) && crowded(nodes.j); }
-  std::uint32_t crowded_nodes() const {
-    return open.empty() ? 0 : static_cast<std::uint32_t>(partners.size()) - open.back()[0];
+    partners_.assign(open_.empty() ? 0 : open_[0].size(), 0);
   }
 
-  // What NodeWalk asks for.
-  void met(std::uint32_t a, std::uint32_t b) {
-    pairs.push_back({a, b});
+  std::uint32_t nodes() const { return static_cast<std::uint32_t>(partners_.size()); }
+  bool crowded(std::uint32_t node) const { return read(partners_[node]) > limit_; }
+  bool left_out(const Pair& nodes) const { return crowded(nodes.i) && crowded(nodes.j); }
+  std::uint32_t crowded_nodes() const { return open_.empty() ? 0 : nodes() - read(open_.back()[0]); }
+  /// Nodes that met, in the order of each thread's walk; both may be crowded by now.
+  std::span<const std::vector<Pair>> pairs() const { return pairs_; }
+  std::span<std::vector<Pair>> pairs() { return pairs_; }
+
+  /// Nodes a and b of level 0 meet, as a thread found.
+  void met(std::uint32_t a, std::uint32_t b, unsigned thread) {
+    pairs_[thread].push_back({a, b});
     for (std::uint32_t k : {a, b}) {
-      if (crowded(k) || ++partners[k] <= limit) continue;
-      for (auto& level : open) --level[k], k /= BlockTree::group;
+      if (crowded(k) || add(partners_[k], 1) != limit_) continue;
+      for (auto& level : open_) add(level[k], ~std::uint32_t{0}), k /= BlockTree::group;
     }
   }
+  /// Every pair of a node below a and one below b is left out.
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const {
-    return open[l][a] == 0 && open[l][b] == 0;
+    return read(open_[l][a]) == 0 && read(open_[l][b]) == 0;
   }
+  /// Every pair of a node below a and one below a child of `parent` is.
   bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
-    return open[l][a] == 0 && open[l + 1][parent] == 0;
+    return read(open_[l][a]) == 0 && read(open_[l + 1][parent]) == 0;
   }
-  bool stop() const { return false; }
+
+ private:
+  static std::uint32_t read(const std::uint32_t& number) {
+    return std::atomic_ref(const_cast<std::uint32_t&>(number)).load(std::memory_order_relaxed);
+  }
+  /// Adds, and gives what was there; atomically, where there are threads.
+  std::uint32_t add(std::uint32_t& to, std::uint32_t number) {
+    if (pairs_.size() > 1) return std::atomic_ref(to).fetch_add(number, std::memory_order_relaxed);
+    const std::uint32_t before = to;
+    to += number;
+    return before;
+  }
+
+  std::uint32_t limit_ = 0;
+  std::vector<std::uint32_t> partners_;   // of each node: others it met, counted to just above the limit
+  std::vector<std::vector<Pair>> pairs_;  // [thread]
+  std::vector<std::vector<std::uint32_t>> open_;  // [level][node]: nodes below that are not crowded
 };
 
 }  // namespace catena

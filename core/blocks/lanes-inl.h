@@ -27,6 +27,9 @@ struct Lanes {
   template <class Make>
   static HWY_INLINE Lanes from(const Make& make) {
     Lanes result;
+#if HWY_TARGET == HWY_SCALAR
+#pragma GCC unroll 1  // sixteen parts, which would take minutes to compile in a row
+#endif
     for (std::size_t k = 0; k < parts; ++k) result.part[k] = make(k);
     return result;
   }
@@ -63,6 +66,9 @@ struct Flags {
   template <class Make>
   static HWY_INLINE Flags from(const Make& make) {
     Flags result;
+#if HWY_TARGET == HWY_SCALAR
+#pragma GCC unroll 1  // sixteen parts, which would take minutes to compile in a row
+#endif
     for (std::size_t k = 0; k < parts; ++k) result.part[k] = make(k);
     return result;
   }
@@ -139,26 +145,6 @@ template <std::size_t n>
 HWY_INLINE Lanes<n> select(const Flags<n>& flags, const Lanes<n>& yes, const Lanes<n>& no) {
   return Lanes<n>::from(
       [&](std::size_t k) { return hn::IfThenElse(flags.part[k], yes.part[k], no.part[k]); });
-}
-template <std::size_t n>
-HWY_INLINE float least(const Lanes<n>& a) {
-  auto folded = a.part[0];
-  for (std::size_t k = 1; k < Lanes<n>::parts; ++k) folded = hn::Min(folded, a.part[k]);
-  return hn::GetLane(hn::MinOfLanes(typename Lanes<n>::Tag(), folded));
-}
-template <std::size_t n>
-HWY_INLINE float greatest(const Lanes<n>& a) {
-  auto folded = a.part[0];
-  for (std::size_t k = 1; k < Lanes<n>::parts; ++k) folded = hn::Max(folded, a.part[k]);
-  return hn::GetLane(hn::MaxOfLanes(typename Lanes<n>::Tag(), folded));
-}
-/// The flags of lanes 0 to used - 1.
-template <std::size_t n>
-HWY_INLINE Flags<n> first_lanes(std::size_t used) {
-  using Tag = typename Lanes<n>::Tag;
-  constexpr std::size_t width = Lanes<n>::width;
-  return Flags<n>::from(
-      [&](std::size_t k) { return hn::FirstN(Tag(), used > k * width ? used - k * width : 0); });
 }
 
 using Lanes16 = Lanes<16>;

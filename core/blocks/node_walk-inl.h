@@ -10,6 +10,7 @@
 #include <bit>
 
 #include "catena/core/blocks/oriented_boxes-inl.h"
+#include "catena/core/executor/team.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -35,14 +36,36 @@ HWY_INLINE Intervals own_intervals(const BlockTree& tree, std::size_t l, std::ui
   return intervals(OrientedBoxes::all(tree.level[l].at(node), node % BlockTree::group).half);
 }
 
+/// Every child in turn; see NodeWalk.
+struct InTurn {
+  template <class Body>
+  void for_each(std::uint32_t children, const Body& body) const {
+    for_each_lane(children, body);
+  }
+};
+/// Each child by any member of a team.
+struct ByTeam {
+  const Team& team;
+  template <class Body>
+  void for_each(std::uint32_t children, const Body& body) const {
+    std::uint32_t list[BlockTree::group], count = 0;
+    for_each_lane(children, [&](std::uint32_t k) { list[count++] = k; });
+    team.for_each_range(count, 1, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t k = begin; k < end; ++k) body(list[k]);
+    });
+  }
+};
+
 /// Goes down a tree. Met has met(a, b), called once for each pair a < b of nodes of level 0 that may have
 /// blocks that collide, with left_out(level, a, b) and left_out_group(level, a, k) which say that pairs below
 /// nodes a and b, or a and the children of k, are of no interest, and stop(), which ends the walk. Sink as
-/// for BlockSearch.
-template <class Met, class Sink>
+/// for BlockSearch. Order has for_each(children, body), which goes through the children of a node above level
+/// 1.
+template <class Met, class Sink, class Order = InTurn>
 class NodeWalk {
  public:
-  NodeWalk(const BlockTree& tree, Met& met, const Sink& sink) : tree_(tree), met_(met), sink_(sink) {}
+  NodeWalk(const BlockTree& tree, Met& met, const Sink& sink, const Order& order = {})
+      : tree_(tree), met_(met), sink_(sink), order_(order) {}
 
   void run() { within(tree_.level.size() - 1, 0); }
 
@@ -55,10 +78,10 @@ class NodeWalk {
     const std::uint32_t begin = k * group, count = tree_.children_of(l, k);
     const Intervals reach = in_frame_of(tree_, l, k, l, k);
     const StoredIntervals single(reach);
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for_each_child(l, lane_bits(count), [&](std::uint32_t i) {
       within(l - 1, begin + i);
       against(l - 1, begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((2u << i) - 1));
-    }
+    });
   }
 
   /// Those of a node below node a of level l with one below node b > a.
@@ -76,9 +99,17 @@ class NodeWalk {
       for_each_lane(all_a & ~mine, [&](std::uint32_t i) { against(l - 1, a * group + i, b, 0, theirs); });
     if (mine == 0) return;
     const StoredIntervals a_by_a(in_frame_of(tree_, l, a, l, a));
-    for_each_lane(mine, [&](std::uint32_t i) {
+    for_each_child(l, mine, [&](std::uint32_t i) {
       against(l - 1, a * group + i, b, meet(a_by_a.all(i), b_by_a), theirs);
     });
+  }
+
+  template <class Body>
+  void for_each_child(std::size_t l, std::uint32_t children, const Body& body) const {
+    if (l > 1)
+      order_.for_each(children, body);
+    else
+      for_each_lane(children, body);
   }
 
   /// Node a of level l against the sixteen of group k in `candidates`, of which those in `near` may meet it.
@@ -102,6 +133,7 @@ class NodeWalk {
   const BlockTree& tree_;
   Met& met_;
   const Sink& sink_;
+  const Order order_;
 };
 
 }  // namespace catena::HWY_NAMESPACE

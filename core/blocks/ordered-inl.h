@@ -12,35 +12,38 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Bit k: block k and the next are ordered. `own` are the blocks' spheres relative to `centre`, as
-/// capsules_around leaves them, and `next` those of the following block in place. Along a direction U of
-/// length at most `length`, sphere i reaches from L_i = s_i - r_i length to H_i = s_i + r_i length; where L
-/// never falls and H_i < L_(i+2), sphere i ends before every sphere from i + 2 on begins. The slack is for
-/// the rounding of s, L and H.
-HWY_INLINE std::uint32_t ordered_windows(const BlockSpheres& own, const Vectors& centre, const Lanes16& reach,
-                                         const BlockSpheres& next) {
-  constexpr std::uint32_t places = 2 * BlockTree::block, last = BlockTree::block - 1;
-  Vectors at[BlockTree::block];  // of the next block, relative to this one's centre
-  Lanes16 far = reach;
-  for (std::uint32_t j = 0; j <= last; ++j) {
-    at[j] = next.at[j] - centre;
-    far = max(far, sum_of_sides(at[j]) + next.radius[j]);
-  }
-  const Vectors direction = at[last] - own.at[0];
+/// Sphere j of the block after each of sixteen; that after the last is the first of `after`.
+HWY_INLINE Vectors next_at(const BlockSpheres& s, std::uint32_t j, const Sphere* after, float scale) {
+  return {shifted(s.at[j].x, after[j].x * scale), shifted(s.at[j].y, after[j].y * scale),
+          shifted(s.at[j].z, after[j].z * scale)};
+}
+
+/// Bit k: block k and the next are ordered. `s` are sixteen blocks, `centre` and `reach` those that
+/// capsules_around gave, and the block after the last begins at `after`. Along a direction U of length at
+/// most `length`, sphere i reaches from L_i = s_i - r_i length to H_i = s_i + r_i length; where L never falls
+/// and H_i < L_(i+2), sphere i ends before every sphere from i + 2 on begins. The slack is for the rounding
+/// of s, L and H.
+HWY_INLINE std::uint32_t ordered_windows(const BlockSpheres& s, const Vectors& centre, const Lanes16& reach,
+                                         const Sphere* after, float scale) {
+  constexpr std::uint32_t block = BlockTree::block;
+  const Vectors direction = next_at(s, block - 1, after, scale) - s.at[0];
   const Lanes16 length = sqrt(dot(direction, direction)) * Lanes16::all(1 + 0x1p-16f);
-  const Lanes16 slack = length * far * Lanes16::all(BlockTree::slack) + Lanes16::all(0x1p-60f);
-  Lanes16 low[places], high[places];
-  for (std::uint32_t j = 0; j < places; ++j) {
-    const bool mine = j < BlockTree::block;
-    const Lanes16 s = dot(mine ? own.at[j] : at[j - BlockTree::block], direction);
-    const Lanes16 r = mine ? own.radius[j] : next.radius[j - BlockTree::block];
-    low[j] = neg_mul_add(r, length, s);
-    high[j] = mul_add(r, length, s) + slack;
+  const Lanes16 zero = Lanes16::all(0);
+  Lanes16 low[2] = {zero, zero}, high[2] = {zero, zero};  // of the sphere before the last, and of the last
+  Lanes16 far = reach, least_gap = zero, least_rise = zero;
+  for (std::uint32_t j = 0; j < 2 * block; ++j) {
+    const bool mine = j < block;
+    const Vectors at = (mine ? s.at[j] : next_at(s, j - block, after, scale)) - centre;
+    const Lanes16 r = mine ? s.radius[j] : shifted(s.radius[j - block], after[j - block].radius * scale);
+    if (!mine) far = max(far, sum_of_sides(at) + r);
+    const Lanes16 middle = dot(at, direction);
+    const Lanes16 low_j = neg_mul_add(r, length, middle), high_j = mul_add(r, length, middle);
+    if (j > 0) least_rise = min(least_rise, low_j - low[1]);
+    if (j > 1) least_gap = j == 2 ? low_j - high[0] : min(least_gap, low_j - high[0]);
+    low[0] = low[1], high[0] = high[1], low[1] = low_j, high[1] = high_j;
   }
-  Flags<16> ordered = low[0] <= low[1];
-  for (std::uint32_t j = 1; j + 1 < places; ++j) ordered = ordered & (low[j] <= low[j + 1]);
-  for (std::uint32_t j = 0; j + 2 < places; ++j) ordered = ordered & (high[j] < low[j + 2]);
-  return ordered.bits();
+  const Lanes16 slack = length * far * Lanes16::all(BlockTree::slack) + Lanes16::all(0x1p-60f);
+  return ((slack < least_gap) & (zero <= least_rise)).bits();
 }
 
 }  // namespace catena::HWY_NAMESPACE

@@ -25,6 +25,7 @@ struct Intervals {
 /// The points p with |(p - centre) . axis| <= half for each of three axes, which are orthonormal to within
 /// axes_error.
 struct OrientedBoxes {
+  static constexpr std::uint32_t fields = BlockTree::oriented_fields;
   Vectors centre, axis[3];
   Lanes16 half[3];
 
@@ -37,6 +38,10 @@ struct OrientedBoxes {
     return {Vectors::all(f, lane),
             {Vectors::all(f + 48, lane), Vectors::all(f + 96, lane), Vectors::all(f + 144, lane)},
             {Lanes16::all(f[192 + lane]), Lanes16::all(f[208 + lane]), Lanes16::all(f[224 + lane])}};
+  }
+  HWY_INLINE void store(float* f) const {
+    centre.store(f);
+    for (int k = 0; k < 3; ++k) axis[k].store(f + 48 + 48 * k), half[k].store(f + 192 + 16 * k);
   }
 };
 
@@ -76,6 +81,20 @@ HWY_INLINE std::uint32_t meet(const Intervals& a, const Intervals& b) {
   const Flags<16> y = (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]);
   const Flags<16> z = (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
   return (x & y & z).bits();
+}
+
+/// Certain that of the first `count` none meets the next but one, or a later one: along the longest axis they
+/// follow one another, one way or the other.
+HWY_INLINE bool in_a_row(const Intervals& a, std::uint32_t count) {
+  if (count < 3) return true;
+  const auto& low = a.low[0];
+  const auto& high = a.high[0];
+  const Lanes16 low_1 = shifted(low, 0), high_1 = shifted(high, 0);
+  const Lanes16 low_2 = shifted(low_1, 0), high_2 = shifted(high_1, 0);
+  const std::uint32_t next = (1u << (count - 1)) - 1, next_but_one = next >> 1;
+  const std::uint32_t up = (high < low_2).bits() & next_but_one, rising = (low <= low_1).bits() & next;
+  const std::uint32_t down = (high_2 < low).bits() & next_but_one, falling = (high_1 <= high).bits() & next;
+  return (up == next_but_one && rising == next) || (down == next_but_one && falling == next);
 }
 
 /// Intervals of sixteen, kept to take single ones out.
@@ -120,27 +139,6 @@ HWY_INLINE std::uint32_t may_meet(const OrientedBoxes& a, const OrientedBoxes& b
   }
   for (int j = 0; j < 3; ++j) meeting = meeting & (abs(dot(t, b.axis[j])) <= reach_b[j]);
   return meeting.bits();
-}
-
-/// The oriented box around the first `used` capsules or boxes, into lane `lane` of sixteen, whose axes are
-/// there already; its centre there is a guess.
-template <class Sixteen>
-HWY_INLINE void fit(const Sixteen& c, std::uint32_t used, float* to, std::uint32_t lane) {
-  const auto axes = OrientedBoxes::all(to, lane);
-  const Flags<16> in_use = first_lanes<16>(used);
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const Intervals first = intervals(c, axes.centre, axes.axis);
-  float middle[3];
-  for (int k = 0; k < 3; ++k)
-    middle[k] = 0.5f * (least(select(in_use, first.low[k], Lanes16::all(infinity))) +
-                        greatest(select(in_use, first.high[k], Lanes16::all(-infinity))));
-  for (int d = 0; d < 3; ++d)
-    for (int k = 0; k < 3; ++k) to[16 * d + lane] += middle[k] * to[48 + 48 * k + 16 * d + lane];
-  // Measured again from the centre as it is stored.
-  const Intervals final = intervals(c, Vectors::all(to, lane), axes.axis);
-  const Lanes16 zero = Lanes16::all(0);
-  for (int k = 0; k < 3; ++k)
-    to[192 + 16 * k + lane] = greatest(select(in_use, max(final.high[k], zero - final.low[k]), zero));
 }
 
 }  // namespace catena::HWY_NAMESPACE

@@ -31,20 +31,26 @@ class BlockSearch {
   /// Every pair of the tree.
   void run() {
     if (tree_.blocks == 0) return;
-    along_the_chain([](std::uint32_t) { return true; });
-    for (std::uint32_t k = 0; k < tree_.level[0].count && !stop(); ++k) within(k);
+    const std::uint32_t nodes = tree_.level[0].count;
+    along_the_chain(0, nodes, [](std::uint32_t) { return true; });
+    for (std::uint32_t k = 0; k < nodes && !stop(); ++k) within(k);
     NodeWalk(tree_, *this, sink_).run();
     finish();
   }
 
-  /// Every pair but those of two crowded nodes, or within one.
-  void run(const Crowding& crowding) {
-    if (tree_.blocks == 0) return;
-    along_the_chain([&](std::uint32_t k) { return !crowding.crowded(k); });
-    for (std::uint32_t k = 0; k < tree_.level[0].count && !stop(); ++k)
+  /// Every pair within nodes begin to end - 1, and from the last block of each to the next along the chain,
+  /// but those within a crowded node.
+  void run_nodes(const Crowding& crowding, std::uint32_t begin, std::uint32_t end) {
+    along_the_chain(begin, end, [&](std::uint32_t k) { return !crowding.crowded(k); });
+    for (std::uint32_t k = begin; k < end && !stop(); ++k)
       if (!crowding.crowded(k)) within(k);
-    for (const Pair& nodes : crowding.pairs)
-      if (!crowding.left_out(nodes) && !stop()) met(nodes.i, nodes.j);
+    finish();
+  }
+
+  /// Every pair of these nodes, but of two crowded ones.
+  void run_pairs(const Crowding& crowding, std::span<const Pair> nodes) {
+    for (const Pair& pair : nodes)
+      if (!crowding.left_out(pair) && !stop()) met(pair.i, pair.j);
     finish();
   }
 
@@ -57,12 +63,13 @@ class BlockSearch {
  private:
   static constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 
-  /// Blocks against themselves, and against the next of their node along the chain, but for those that are
-  /// ordered.
+  /// Of nodes `from` to `to` - 1 that are wanted: blocks against themselves, and against the next of their
+  /// node along the chain, but for those that are ordered.
   template <class Wanted>
-  void along_the_chain(const Wanted& wanted) {
-    std::uint32_t before = 0;  // 1: the last window of the group before is ordered
-    for (std::uint32_t g = 0; g * group < tree_.blocks; ++g) {
+  void along_the_chain(std::uint32_t from, std::uint32_t to, const Wanted& wanted) {
+    // 1: the last window of the group before is ordered.
+    std::uint32_t before = from > 0 ? tree_.ordered[from - 1] >> (group - 1) : 0u;
+    for (std::uint32_t g = from; g < to; ++g) {
       const std::uint32_t begin = g * group, all = lane_bits(tree_.blocks_of(g));
       const std::uint32_t windows = tree_.ordered[g], between = all >> 1;
       const std::uint32_t inside = (windows | windows << 1 | before) & all;
@@ -103,6 +110,7 @@ class BlockSearch {
     constexpr std::uint32_t skip = 2;  // a block itself and the next
     const std::uint32_t begin = k * group, count = tree_.blocks_of(k);
     const Intervals reach = in_frame_of(tree_, 0, k, 0, k);
+    if (!Sink::listens && in_a_row(reach, count)) return;
     const StoredIntervals single(reach);
     for (std::uint32_t i = 0; i + skip < count; ++i)
       row(begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((1u << (i + skip)) - 1));

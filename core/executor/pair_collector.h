@@ -2,9 +2,11 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "catena/core/error.h"
+#include "catena/core/executor/lane_counts.h"
 #include "catena/core/strategy/request.h"
 
 namespace catena {
@@ -20,6 +22,7 @@ class PairCollector {
     explicit Lane(PairCollector& owner)
         : owner_(owner),
           counts_(owner.keep_counts_ ? owner.result_.count.data() : nullptr),
+          alone_(owner.lanes_ == 1),
           room_(owner.any_only_ ? 1 : buffer_.size()) {}
 
     /// One colliding pair, i < j, reported once over all lanes.
@@ -32,14 +35,26 @@ class PairCollector {
     void count(std::uint32_t i, std::uint32_t collisions) {
       if (counts_ != nullptr && owner_.queries_.contains(i)) counts_[i] = collisions;
     }
-    /// A pair, i < j, and one collision more for both: for searches that meet a pair at one place, by one
+    /// A pair, i < j, and one collision more for both: for searches that meet a pair at one place, by any
     /// lane.
     void collide(std::uint32_t i, std::uint32_t j) {
       if (counts_ != nullptr) {
-        if (owner_.everything_ || owner_.queries_.contains(i)) ++counts_[i];
-        if (owner_.everything_ || owner_.queries_.contains(j)) ++counts_[j];
+        if (owner_.everything_ || owner_.queries_.contains(i)) one_more(i);
+        if (owner_.everything_ || owner_.queries_.contains(j)) one_more(j);
       }
       pair(i, j);
+    }
+    /// The same for many pairs, which are handed over at once.
+    void collide(std::span<const Pair> pairs) {
+      if (!owner_.everything_) {
+        for (const Pair& p : pairs) collide(p.i, p.j);
+        return;
+      }
+      if (counts_ != nullptr && alone_)
+        for (const Pair& p : pairs) ++counts_[p.i], ++counts_[p.j];
+      else if (counts_ != nullptr)
+        for (const Pair& p : pairs) one_more(p.i), one_more(p.j);
+      if (!pairs.empty()) hand_over(pairs);
     }
     /// True when the request is answered already and the search may stop.
     bool satisfied() const { return owner_.any_only_ && owner_.found_.load(std::memory_order_relaxed) > 0; }
@@ -47,24 +62,35 @@ class PairCollector {
    private:
     friend class PairCollector;
 
+    void one_more(std::uint32_t i) {
+      if (alone_)
+        ++counts_[i];
+      else
+        shared_.add(i, counts_);
+    }
     std::vector<Pair>& store() { return this == &owner_.first_ ? owner_.result_.pairs : own_; }
 
-    /// Stores what is buffered while pairs are kept, and tells the other lanes how many were found; past the
-    /// limit nothing more is kept.
+    /// Stores what is buffered, or `pairs`, while pairs are kept, and tells the other lanes how many were
+    /// found; past the limit nothing more is kept.
     void hand_over() {
-      if (owner_.keep_pairs_.load(std::memory_order_relaxed))
-        store().insert(store().end(), buffer_.begin(), buffer_.begin() + buffered_);
-      const std::uint64_t before = owner_.found_.fetch_add(buffered_, std::memory_order_relaxed);
-      if (before + buffered_ > owner_.limit_) owner_.keep_pairs_.store(false, std::memory_order_relaxed);
+      hand_over({buffer_.data(), buffered_});
       buffered_ = 0;
+    }
+    void hand_over(std::span<const Pair> pairs) {
+      if (owner_.keep_pairs_.load(std::memory_order_relaxed))
+        store().insert(store().end(), pairs.begin(), pairs.end());
+      const std::uint64_t before = owner_.found_.fetch_add(pairs.size(), std::memory_order_relaxed);
+      if (before + pairs.size() > owner_.limit_) owner_.keep_pairs_.store(false, std::memory_order_relaxed);
     }
 
     PairCollector& owner_;
     std::uint32_t* const counts_;  // null when counts are not wanted
+    const bool alone_;             // no other lane counts
     const std::size_t room_;       // one pair is all, when any will do
     std::size_t buffered_ = 0;
     std::array<Pair, 512> buffer_;  // pairs found and not handed over yet
     std::vector<Pair> own_;         // of every lane but the first, which writes the result
+    LaneCounts shared_;             // where there are others
   };
 
   /// Empties `result` (keeping its memory) for n spheres and opens `lanes` lanes.
@@ -76,6 +102,7 @@ class PairCollector {
         any_only_(request.want == Request::Want::any),
         keep_counts_(!any_only_),
         pairs_wanted_(request.want == Request::Want::pairs),
+        lanes_(lanes),
         keep_pairs_(pairs_wanted_) {
     if (lanes > 1) {
       others_.reserve(lanes - 1);
@@ -97,6 +124,8 @@ class PairCollector {
     const std::uint64_t found = found_.load();
     result_.found = found > 0;
     if (any_only_) return;
+    first_.shared_.add_to(result_.count);
+    for (Lane& lane : others_) lane.shared_.add_to(result_.count);
     result_.pair_count = found;
     if (pairs_wanted_ && found > limit_) {
       std::vector<Pair>().swap(result_.pairs);  // gives the memory back
@@ -120,6 +149,7 @@ class PairCollector {
   const SphereRange queries_;
   const bool everything_;  // the queries are all spheres
   const bool any_only_, keep_counts_, pairs_wanted_;
+  const unsigned lanes_;
   std::atomic<bool> keep_pairs_;  // false once the limit is passed
   alignas(64) std::atomic<std::uint64_t> found_{0};
   Lane first_{*this};

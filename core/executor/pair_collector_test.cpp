@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <vector>
+
 namespace catena {
 namespace {
 
@@ -66,6 +69,38 @@ TEST(PairCollector, AnyIsSatisfiedByTheFirstPairOfAnyLane) {
   collector.finish();
   EXPECT_TRUE(result.found);
   EXPECT_TRUE(result.count.empty());
+}
+
+TEST(PairCollector, LanesCountTheSameSpheresTogether) {
+  // More than a byte holds, by each of three lanes, at both ends of the array and in different pages.
+  constexpr std::uint32_t n = 10'000, times = 700;
+  Collisions result;
+  PairCollector collector(n, {Request::Want::counts}, result, 3);
+  for (unsigned lane = 0; lane < 3; ++lane) {
+    for (std::uint32_t k = 0; k < times; ++k) collector.lane(lane).collide(0, n - 1);
+    const std::vector<Pair> some{{0, 5000}, {5000, 6000}};
+    collector.lane(lane).collide(some);
+  }
+  collector.finish();
+  EXPECT_EQ(result.pair_count, 3 * (times + 2));
+  EXPECT_EQ(result.count[0], 3 * (times + 1));
+  EXPECT_EQ(result.count[5000], 6u);
+  EXPECT_EQ(result.count[6000], 3u);
+  EXPECT_EQ(result.count[n - 1], 3 * times);
+  EXPECT_EQ(std::accumulate(result.count.begin(), result.count.end(), std::uint64_t{0}),
+            2 * result.pair_count);
+}
+
+TEST(PairCollector, ManyPairsAtOnceAreFilteredByTheQueries) {
+  Collisions result;
+  Request request;
+  request.queries = {2, 4};
+  PairCollector collector(6, request, result);
+  const std::vector<Pair> pairs{{0, 2}, {2, 5}, {3, 4}, {4, 5}};
+  collector.lane(0).collide(pairs);
+  collector.finish();
+  EXPECT_EQ(result.pairs, (std::vector<Pair>{{2, 5}, {3, 4}}));
+  EXPECT_EQ(result.count, (std::vector<std::uint32_t>{0, 0, 2, 1, 0, 0}));
 }
 
 }  // namespace

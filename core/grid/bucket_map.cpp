@@ -60,6 +60,11 @@ BucketMap map_buckets(float r, const CentreBox& box, std::uint32_t count) {
   return map;
 }
 
+std::uint32_t step_before(const BucketMap& map, int y, int z) {
+  const std::uint32_t step = map.step(y, z);
+  return (step == 0 ? map.buckets : step) - 1;
+}
+
 bool different_steps(const BucketMap& map) {
   std::array<std::uint64_t, 45> to;
   std::size_t steps = 0;

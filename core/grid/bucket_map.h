@@ -47,6 +47,9 @@ struct CATENA_API CentreBox {
 /// The cells for spheres of radius <= r, `count` of them, all in the box, in at most about 2 count buckets.
 CATENA_API BucketMap map_buckets(float r, const CentreBox& box, std::uint32_t count);
 
+/// The step, forwards, to the bucket before the one that lies y rows and z layers on.
+CATENA_API std::uint32_t step_before(const BucketMap& map, int y, int z);
+
 /// True when all steps of at most 2 along x, and 1 along y and z, lead to different buckets.
 CATENA_API bool different_steps(const BucketMap& map);
 

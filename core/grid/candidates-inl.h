@@ -9,12 +9,14 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <span>
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/simd_targets.h"
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/grid/compress_table.h"
 #include "catena/core/grid/grid_queues.h"
+#include "catena/core/grid/member_buckets-inl.h"
 #include "catena/core/grid/sphere_grid.h"
 #include "hwy/highway.h"
 
@@ -93,6 +95,28 @@ class Candidates {
   }
   std::uint32_t end() const { return end_; }
 
+  /// True only when no sphere of the box may overlap a candidate from `from` on, as work_off decides it: with
+  /// a centre outside the box no difference is smaller than that to the box, no radius is greater, and every
+  /// operation rounds the same way.
+  HWY_INLINE bool apart(std::uint32_t from, const MemberBox& box) const {
+    const CandidateFields& of = q_.candidates;
+    const auto beside = [](const float* at, float low, float high) HWY_ATTR {
+      const auto v = hn::LoadU(Tag(), at);
+      return hn::Max(hn::Max(hn::Sub(hn::Set(Tag(), low), v), hn::Sub(v, hn::Set(Tag(), high))),
+                     hn::Zero(Tag()));
+    };
+    for (std::uint32_t c = from; c < end_; c += lanes) {
+      const auto dx = beside(of.x + c, box.centres.low[0], box.centres.high[0]);
+      const auto dy = beside(of.y + c, box.centres.low[1], box.centres.high[1]);
+      const auto dz = beside(of.z + c, box.centres.low[2], box.centres.high[2]);
+      const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), box.radius));
+      if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach).may)) return false;
+    }
+    return true;
+  }
+  /// Forgets the candidates from `from` on, the last that were gathered, of which no test was queued.
+  void forget(std::uint32_t from) { size_ = from; }
+
   /// The spheres of a run are to be compared with the candidates from `from` on, each `step` further than the
   /// one before.
   HWY_INLINE void test(const Run& spheres, std::uint32_t from, std::uint32_t step) {
@@ -124,26 +148,33 @@ class Candidates {
     const std::uint32_t* index;
   };
 
+  struct Verdict {
+    hn::Mask<Tag> may, certain;
+  };
+  /// Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. No number is a NaN
+  /// but where there is no candidate.
+  static HWY_INLINE Verdict may_overlap(hn::Vec<Tag> dx, hn::Vec<Tag> dy, hn::Vec<Tag> dz,
+                                        hn::Vec<Tag> reach) {
+    const auto slack = hn::Set(Tag(), 1 + 12 * 0x1p-24f), floor = hn::Set(Tag(), 0x1p-120f);
+    const auto q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), t = hn::Mul(reach, reach);
+    return {hn::Le(q, hn::MulAdd(t, slack, floor)), hn::Lt(hn::MulAdd(q, slack, floor), t)};
+  }
+
   HWY_NOINLINE void work_off() {
     const Places from =
         from_;  // a copy: what is stored below might be this object, for all the compiler knows
     const GridQueues::Test* const tests = q_.tests.data();
-    std::uint32_t *const hit_i = q_.hit_i.data(), *const hit_j = q_.hit_j.data();
+    Pair* const found = q_.hits.data();
     const CandidateFields& of = q_.candidates;
     const std::uint32_t window = window_, count = tests_;
     std::uint32_t hits = hits_;
-    // Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. No number is a NaN
-    // but where there is no candidate.
-    const auto slack = hn::Set(Tag(), 1 + 12 * 0x1p-24f), floor = hn::Set(Tag(), 0x1p-120f);
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t p = tests[k].place, c = tests[k].candidate;
       const auto dx = hn::Sub(hn::LoadU(Tag(), of.x + c), hn::Set(Tag(), from.x[p]));
       const auto dy = hn::Sub(hn::LoadU(Tag(), of.y + c), hn::Set(Tag(), from.y[p]));
       const auto dz = hn::Sub(hn::LoadU(Tag(), of.z + c), hn::Set(Tag(), from.z[p]));
       const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), from.radius[p]));
-      const auto q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), t = hn::Mul(reach, reach);
-      const auto may = hn::Le(q, hn::MulAdd(t, slack, floor)),
-                 certain = hn::Lt(hn::MulAdd(q, slack, floor), t);
+      const auto [may, certain] = may_overlap(dx, dy, dz, reach);
       // Spheres are met once, so j is not i; and |j - i| > window is one comparison of what wraps.
       const std::uint32_t i = from.index[p];
       const auto j = hn::LoadU(Bits(), of.index + c);
@@ -151,26 +182,35 @@ class Candidates {
       auto keep = hn::And(hn::RebindMask(Bits(), may), far);
       const auto undecided = hn::AndNot(hn::RebindMask(Bits(), certain), keep);
       if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) keep = decide(i, c, keep, undecided);
-      hn::StoreU(hn::Set(Bits(), i), Bits(), hit_i + hits);
-      hits += store_kept(j, keep, hit_j + hits);
+      hits += store_kept(i, j, keep, found + hits);
       if (HWY_UNLIKELY(hits >= GridQueues::hit_limit)) hits_ = hits, flush(), hits = 0;
     }
     hits_ = hits;
+    q_.tests_done += count;
     tests_ = 0;
   }
 
-  /// Stores the lanes that are kept side by side; returns their number. May write a whole vector.
-  static HWY_INLINE std::uint32_t store_kept(hn::Vec<Bits> v, hn::Mask<Bits> keep, std::uint32_t* to) {
+  /// Stores pairs of i and the lanes that are kept, side by side; returns their number. May write as many
+  /// pairs as a vector has lanes.
+  static HWY_INLINE std::uint32_t store_kept(std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
+                                             Pair* to) {
+    static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
+    hn::Vec<Bits> kept;
+    std::size_t size;
     if constexpr (lanes == 8) {  // for which Highway 1.0 copies its table to the stack at each call
       std::uint8_t bits[8];
       hn::StoreMaskBits(Bits(), keep, bits);
       const hn::Rebind<std::uint8_t, Bits> bytes;
       const auto order = hn::PromoteTo(Bits(), hn::LoadU(bytes, compress_table[bits[0]].data()));
-      hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(Bits(), order)), Bits(), to);
-      return static_cast<std::uint32_t>(std::popcount(bits[0]));
-    } else {
-      return static_cast<std::uint32_t>(hn::CompressStore(v, keep, Bits(), to));
+      kept = hn::TableLookupLanes(j, hn::IndicesFromVec(Bits(), order));
+      size = static_cast<std::size_t>(std::popcount(bits[0]));
+    } else {  // not CompressStore: to memory, AMD's instruction takes a hundred times as long
+      kept = hn::Compress(j, keep);
+      size = hn::CountTrue(Bits(), keep);
     }
+    const auto all_i = hn::Set(Bits(), i);
+    hn::StoreInterleaved2(hn::Min(all_i, kept), hn::Max(all_i, kept), Bits(), &to->i);
+    return static_cast<std::uint32_t>(size);
   }
 
   /// `keep` without those undecided that do not overlap.
@@ -188,11 +228,12 @@ class Candidates {
 
   /// Reports the hits that are no neighbours.
   HWY_NOINLINE void flush() {
-    for (std::uint32_t k = 0; k < hits_; ++k) {
-      const std::uint32_t i = std::min(q_.hit_i[k], q_.hit_j[k]), j = std::max(q_.hit_i[k], q_.hit_j[k]);
-      if (window_is_all_ || !chain_.neighbours(i, j)) lane_.collide(i, j);
-    }
+    const std::span<Pair> hits(q_.hits.data(), hits_);
     hits_ = 0;
+    if (window_is_all_) return lane_.collide(hits);
+    const auto neighbours = [&](const Pair& p) { return chain_.neighbours(p.i, p.j); };
+    lane_.collide(hits.first(
+        static_cast<std::size_t>(std::remove_if(hits.begin(), hits.end(), neighbours) - hits.begin())));
   }
 
   const ChainView& chain_;

@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "catena/core/grid/member_buckets-inl.h"
@@ -32,7 +33,8 @@ class LevelForming {
     for (std::size_t o = 0, next; o < grid_.octaves.size(); o = next) {
       next = first_left_out(o);
       const std::uint32_t first = grid_.octaves[o].first, end = grid_.octaves[next - 1].end;
-      grid_.levels.push_back({map_buckets(grid_.octaves[o].greatest, box_, end - first), first, end, starts});
+      const BucketMap map = map_buckets(grid_.octaves[o].greatest, box_, end - first);
+      grid_.levels.push_back({map, rows_around(map), box_, grid_.octaves[o].greatest, first, end, starts});
       starts += grid_.levels.back().map.buckets + 1;
     }
     // The order of the chain is the better one.
@@ -41,6 +43,12 @@ class LevelForming {
   }
 
  private:
+  static std::array<std::uint32_t, 9> rows_around(const BucketMap& map) {
+    std::array<std::uint32_t, 9> rows;
+    for (int k = 0; k < 9; ++k) rows[k] = step_before(map, k % 3 - 1, k / 3 - 1);
+    return rows;
+  }
+
   /// Of those taken in as many may be in the cell of one, itself among them, on average.
   static constexpr std::uint64_t most_in_a_cell = 4;
   /// So few are taken in in any case.
@@ -49,7 +57,9 @@ class LevelForming {
   /// The first octave that the level which begins with octave o does not take in.
   std::size_t first_left_out(std::size_t o) {
     if (o + 1 == grid_.octaves.size()) return o + 1;
-    const BucketMap map = map_buckets(grid_.octaves[o].greatest, box_, static_cast<std::uint32_t>(grid_.bucket.size()) - grid_.octaves[o].first);
+    const BucketMap map =
+        map_buckets(grid_.octaves[o].greatest, box_,
+                    static_cast<std::uint32_t>(grid_.bucket.size()) - grid_.octaves[o].first);
     const BucketFinder find(map);
     grid_.start.assign(map.buckets, 0);
     std::uint64_t met = 0;  // for each one taken in, those in its cell
@@ -57,7 +67,8 @@ class LevelForming {
       const auto [first, end, greatest] = grid_.octaves[next];
       for (std::uint32_t at = first; at < end; at += MemberBuckets::most) {
         const std::uint32_t size = std::min(MemberBuckets::most, end - at);
-        const std::uint32_t* const buckets = members_.find(find, chain_, grid_, at, size);
+        members_.take(chain_, grid_, at, size);
+        const std::uint32_t* const buckets = members_.find(find);
         for (std::uint32_t k = 0; k < size; ++k) met += 2 * std::uint64_t{grid_.start[buckets[k]]++} + 1;
       }
       const std::uint64_t taken_in = end - grid_.octaves[o].end;

@@ -13,16 +13,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-void build_grid_here(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only) {
+void build_grid_here(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only,
+                     const Team& team) {
   const CentreBox box = box_of_centres(chain);
   sort_by_octave(chain, only, grid);
   LevelForming(chain, only, box, grid).form();
-  for (const SphereGrid::Level& level : grid.levels) SphereSort(chain, grid).sort(level);
+  for (SphereGrid::Level& level : grid.levels) SphereSort(chain, grid, team).sort(level);
 }
 
-void search_grid_here(const ChainView& chain, const SphereGrid& grid, GridQueues& queues,
-                      PairCollector::Lane& lane) {
-  GridSearch(chain, grid, queues, lane).run();
+void search_grid_here(const ChainView& chain, const SphereGrid& grid, std::size_t l, std::uint32_t begin,
+                      std::uint32_t end, bool across, GridQueues& queues, PairCollector::Lane& lane) {
+  GridSearch search(chain, grid, queues, lane);
+  if (across)
+    search.across(l, begin, end);
+  else
+    search.within(l, begin, end);
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -34,12 +39,32 @@ namespace catena {
 HWY_EXPORT(build_grid_here);
 HWY_EXPORT(search_grid_here);
 
-void build_grid(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only) {
-  HWY_DYNAMIC_DISPATCH(build_grid_here)(chain, grid, only);
+void build_grid(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only,
+                const Team& team) {
+  HWY_DYNAMIC_DISPATCH(build_grid_here)(chain, grid, only, team);
 }
-void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues,
-                 PairCollector::Lane& lane) {
-  HWY_DYNAMIC_DISPATCH(search_grid_here)(chain, grid, queues, lane);
+
+void search_grid(const ChainView& chain, const SphereGrid& grid, std::span<GridQueues> queues,
+                 PairCollector& collector, const Team& team) {
+  const auto search = [&](std::size_t l, std::uint32_t begin, std::uint32_t end, bool across) {
+    const unsigned member = team.member();
+    HWY_DYNAMIC_DISPATCH(search_grid_here)
+    (chain, grid, l, begin, end, across, queues[member], collector.lane(member));
+  };
+  // Ranges of whole groups of buckets, and of members.
+  constexpr std::uint32_t buckets_of_a_task = 4096, members_of_a_task = 2048;
+  for (std::size_t l = 0; l < grid.levels.size(); ++l) {
+    const SphereGrid::Level& level = grid.levels[l];
+    team.for_each_range(
+        level.map.buckets / 2 + 1, buckets_of_a_task / 2, [&](std::uint32_t begin, std::uint32_t end) {
+          search(l, std::min(2 * begin, level.map.buckets), std::min(2 * end, level.map.buckets), false);
+        });
+    if (l == 0) continue;
+    team.for_each_range(level.end - level.first, members_of_a_task,
+                        [&](std::uint32_t begin, std::uint32_t end) {
+                          search(l, level.first + begin, level.first + end, true);
+                        });
+  }
 }
 
 }  // namespace catena

@@ -2,17 +2,21 @@
 #include <span>
 
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/executor/team.h"
+#include "catena/core/export.h"
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/sphere_grid.h"
 
 namespace catena {
 
-/// Lays the grid out and sorts the spheres, or `only` those of these ascending indices, into it. O(n); does not allocate when neither n nor the number of
-/// levels has grown.
-void build_grid(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only = {});
+/// Lays the grid out and sorts the spheres, or `only` those of these ascending indices where it is not empty,
+/// into it. O(n); does not allocate when neither n nor the number of levels has grown, in a team of one.
+CATENA_API void build_grid(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only,
+                           const Team& team);
 
-/// Reports every colliding pair of the chain that the grid was built for to the lane, once.
-void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues,
-                 PairCollector::Lane& lane);
+/// Reports every colliding pair of the spheres that the grid was built for to the collector, once. As many
+/// lanes and queues as the team has members.
+CATENA_API void search_grid(const ChainView& chain, const SphereGrid& grid, std::span<GridQueues> queues,
+                            PairCollector& collector, const Team& team);
 
 }  // namespace catena

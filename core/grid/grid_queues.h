@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "catena/core/pair.h"
+
 namespace catena {
 
 /// Spheres to be compared, field by field. Past `room` candidates the list is not filled; what is read or
@@ -28,9 +30,10 @@ struct GridQueues {
     std::uint32_t candidate;  ///< the first of a vector of candidates
   };
 
+  std::uint64_t tests_done = 0;  ///< since this was made
   CandidateFields candidates{};
   std::vector<Test> tests = std::vector<Test>(test_limit + test_room);
-  std::vector<std::uint32_t> hit_i = std::vector<std::uint32_t>(hit_limit + most_lanes), hit_j = hit_i;
+  std::vector<Pair> hits = std::vector<Pair>(hit_limit + most_lanes);
   std::vector<std::uint32_t> groups =
       std::vector<std::uint32_t>(group_room + 1);  ///< buckets where one begins
 };

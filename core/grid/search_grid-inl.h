@@ -22,12 +22,48 @@ class GridSearch {
   GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane)
       : chain_(chain), grid_(grid), queues_(queues), lane_(lane), candidates_(chain, grid, queues, lane) {}
 
-  void run() {
-    for (std::size_t l = 0; l < grid_.levels.size() && !lane_.satisfied(); ++l) {
-      within(grid_.levels[l]);
-      for (std::size_t coarser = 0; coarser < l && !lane_.satisfied(); ++coarser)
-        across(grid_.levels[l], grid_.levels[coarser]);
+  /// Pairs of level l whose bucket is begin to end - 1, begin even. A sphere is compared with those after it
+  /// in its own group of buckets and the bucket behind, and with the four rows of cells that come after its
+  /// own: the other half of its neighbourhood is compared with it.
+  void within(std::size_t l, std::uint32_t begin, std::uint32_t end) {
+    const Level& level = grid_.levels[l];
+    const std::uint32_t* const start = grid_.start.data() + level.starts;
+    const std::uint32_t buckets = level.map.buckets;
+    const std::uint32_t steps[4] = {step_before(level.map, 1, 0), step_before(level.map, -1, 1),
+                                    step_before(level.map, 0, 1), step_before(level.map, 1, 1)};
+    for (std::uint32_t at = begin; at < end && !lane_.satisfied(); at += group * groups_at_a_time) {
+      for (const std::uint32_t b : groups(start, at, end)) {
+        const std::uint32_t size = std::min(group, buckets - b);
+        const Run own{start[b], start[b + size]};
+        Runs runs(start, buckets);
+        // The own run comes first, and goes on to the next bucket; past the last bucket it is in two parts.
+        if (HWY_LIKELY(b + size < buckets)) {
+          runs.push(own.first, start[b + size + 1]);
+        } else {
+          runs.push(own.first, own.end);
+          runs.push(start[0], start[1]);
+        }
+        for (const std::uint32_t step : steps) runs.add(before(b, step, buckets), size + 2);
+        meet(own, runs);
+      }
     }
+    candidates_.finish();
+  }
+
+  /// Members begin to end - 1 of level l against coarser levels, in all 27 cells around each. They come in
+  /// the order of the chain: those that follow one another often lie in one of the wider cells, and share its
+  /// candidates.
+  void across(std::size_t l, std::uint32_t begin, std::uint32_t end) {
+    MemberBuckets members;
+    for (std::uint32_t at = begin; at < end && !lane_.satisfied(); at += MemberBuckets::most) {
+      const std::uint32_t size = std::min(MemberBuckets::most, end - at);
+      members.take(chain_, grid_, at, size);
+      const MemberBox all = members.box(0, size);
+      for (std::size_t coarser = 0; coarser < l; ++coarser)
+        if (within_reach(all, grid_.levels[coarser]))
+          across(grid_.levels[l], at, size, members, grid_.levels[coarser]);
+    }
+    candidates_.finish();
   }
 
  private:
@@ -68,39 +104,6 @@ class GridSearch {
     return to >= buckets ? to - buckets : to;
   }
 
-  /// The step to the bucket before the one that lies y rows and z layers on.
-  static std::uint32_t step_before(const BucketMap& map, int y, int z) {
-    const std::uint32_t step = map.step(y, z);
-    return (step == 0 ? map.buckets : step) - 1;
-  }
-
-  /// Pairs of one level. A sphere is compared with those after it in its own group of buckets and the bucket
-  /// behind, and with the four rows of cells that come after its own: the other half of its neighbourhood is
-  /// compared with it.
-  void within(const Level& level) {
-    const std::uint32_t* const start = grid_.start.data() + level.starts;
-    const std::uint32_t buckets = level.map.buckets;
-    const std::uint32_t steps[4] = {step_before(level.map, 1, 0), step_before(level.map, -1, 1),
-                                    step_before(level.map, 0, 1), step_before(level.map, 1, 1)};
-    for (std::uint32_t at = 0; at < buckets && !lane_.satisfied(); at += group * groups_at_a_time) {
-      for (const std::uint32_t b : groups(start, at, buckets)) {
-        const std::uint32_t size = std::min(group, buckets - b);
-        const Run own{start[b], start[b + size]};
-        Runs runs(start, buckets);
-        // The own run comes first, and goes on to the next bucket; past the last bucket it is in two parts.
-        if (HWY_LIKELY(b + size < buckets)) {
-          runs.push(own.first, start[b + size + 1]);
-        } else {
-          runs.push(own.first, own.end);
-          runs.push(start[0], start[1]);
-        }
-        for (const std::uint32_t step : steps) runs.add(before(b, step, buckets), size + 2);
-        meet(own, runs);
-      }
-    }
-    candidates_.finish();
-  }
-
   /// The spheres of a run against the candidates behind each in the runs, the first of which begins with
   /// them.
   HWY_INLINE void meet(const Run& own, const Runs& runs) {
@@ -123,38 +126,49 @@ class GridSearch {
     }
   }
 
-  /// Spheres of one level against those of a coarser one, in all 27 cells around each. They come in the order
-  /// of the chain: those that follow one another often lie in one of the wider cells, and share its
-  /// candidates.
-  void across(const Level& fine, const Level& coarse) {
-    const std::uint32_t* const start = grid_.start.data() + coarse.starts;
-    const std::uint32_t buckets = coarse.map.buckets;
-    std::array<std::uint32_t, 9> steps;
-    for (int k = 0; k < 9; ++k) steps[k] = step_before(coarse.map, k % 3 - 1, k / 3 - 1);
-    const BucketFinder find(coarse.map);
-    MemberBuckets of_coarse;
-    for (std::uint32_t at = fine.first; at < fine.end && !lane_.satisfied(); at += MemberBuckets::most) {
-      const std::uint32_t size = std::min(MemberBuckets::most, fine.end - at);
-      const std::uint32_t* const bucket = of_coarse.find(find, chain_, grid_, at, size);
-      for (std::uint32_t k = 0, next; k < size; k = next) {
-        next = k + 1;
-        while (next < size && bucket[next] == bucket[k]) ++next;
-        Runs runs(start, buckets);
-        for (const std::uint32_t step : steps) runs.add(before(bucket[k], step, buckets), 3);
-        if (runs.candidates() > 0) meet_members(fine, at + k, at + next, runs);
-      }
+  /// False only when no sphere of a box overlaps one of a level. In binary64 a difference or sum of two
+  /// binary32 numbers is wrong by 2^-53 of itself at most.
+  static bool within_reach(const MemberBox& box, const Level& level) {
+    const double reach = (double{box.radius} + level.greatest) * (1 + 0x1p-40);
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (double{box.centres.low[d]} - level.centres.high[d] > reach) return false;
+      if (double{level.centres.low[d]} - box.centres.high[d] > reach) return false;
     }
-    candidates_.finish();
+    return true;
   }
 
-  /// Consecutive members of a level against all candidates of the runs.
-  void meet_members(const Level& level, std::uint32_t first, std::uint32_t end, const Runs& runs) {
+  /// Members at to at + size - 1 of a level against a coarser level.
+  void across(const Level& fine, std::uint32_t at, std::uint32_t size, MemberBuckets& members,
+              const Level& coarse) {
+    const std::uint32_t* const start = grid_.start.data() + coarse.starts;
+    const std::uint32_t* const bucket = members.find(BucketFinder(coarse.map));
+    constexpr std::uint32_t worth_a_box = 4;
+    for (std::uint32_t k = 0, next; k < size; k = next) {
+      next = k + 1;
+      while (next < size && bucket[next] == bucket[k]) ++next;
+      Runs runs(start, coarse.map.buckets);
+      for (const std::uint32_t row : coarse.rows) runs.add(before(bucket[k], row, coarse.map.buckets), 3);
+      if (runs.candidates() == 0) continue;
+      if (next - k < worth_a_box) {
+        meet_members(fine, at + k, at + next, runs, nullptr);
+      } else {
+        const MemberBox box = members.box(k, next);
+        meet_members(fine, at + k, at + next, runs, &box);
+      }
+    }
+  }
+
+  /// Consecutive members of a level against all candidates of the runs; none, when these lie apart from the
+  /// members' box.
+  void meet_members(const Level& level, std::uint32_t first, std::uint32_t end, const Runs& runs,
+                    const MemberBox* box) {
     const std::uint32_t* const start = grid_.start.data() + level.starts;
     const auto each = [&](const auto& meet) {
       for (std::uint32_t at = first; at < end; ++at) meet(start[grid_.bucket[at]] + grid_.rank[at]);
     };
     if (HWY_LIKELY(candidates_.make_room(runs.candidates(), end - first))) {
       const std::uint32_t from = candidates_.gather(runs);
+      if (box != nullptr && candidates_.apart(from, *box)) return candidates_.forget(from);
       each([&](std::uint32_t place) { candidates_.test({place, place + 1}, from, 0); });
     } else {
       each([&](std::uint32_t place) { meet_crowd({place, place + 1}, runs, false); });
@@ -163,15 +177,15 @@ class GridSearch {
 
   static constexpr std::uint32_t groups_at_a_time = GridQueues::group_room;
 
-  /// The first buckets of those of the next groups that have spheres; without a branch, which would be
-  /// foretold badly.
-  std::span<const std::uint32_t> groups(const std::uint32_t* start, std::uint32_t at, std::uint32_t buckets) {
+  /// The first buckets of those of the next groups before `last` that have spheres; without a branch, which
+  /// would be foretold badly.
+  std::span<const std::uint32_t> groups(const std::uint32_t* start, std::uint32_t at, std::uint32_t last) {
     std::uint32_t* const list = queues_.groups.data();
     std::size_t size = 0;
-    const std::uint32_t end = std::min(buckets, at + group * groups_at_a_time);
+    const std::uint32_t end = std::min(last, at + group * groups_at_a_time);
     for (std::uint32_t b = at; b < end; b += group) {
       list[size] = b;
-      size += start[b] != start[std::min(b + group, buckets)];
+      size += start[b] != start[std::min(b + group, last)];
     }
     return {list, size};
   }

@@ -7,38 +7,65 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 
+#include "catena/core/executor/team.h"
 #include "catena/core/grid/member_buckets-inl.h"
 #include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// A counting sort, which keeps the order of the chain within a bucket.
+/// A counting sort, which keeps the order of the chain within a bucket, but for several threads.
 class SphereSort {
  public:
-  SphereSort(const ChainView& chain, SphereGrid& grid) : chain_(chain), grid_(grid) {}
+  SphereSort(const ChainView& chain, SphereGrid& grid, const Team& team)
+      : chain_(chain), grid_(grid), team_(team) {}
 
-  void sort(const SphereGrid::Level& level) {
-    count(level);
+  void sort(SphereGrid::Level& level) {
+    if (grid_.levels.size() > 1) enclose(level);
+    const auto share_out = [&](const auto& work) {
+      team_.for_each_range(
+          level.end - level.first, members_of_a_task,
+          [&](std::uint32_t begin, std::uint32_t end) { work(level.first + begin, level.first + end); });
+    };
+    share_out([&](std::uint32_t begin, std::uint32_t end) { count(level, begin, end); });
     add_up(level);
-    place(level);
-    copy(level);
+    share_out([&](std::uint32_t begin, std::uint32_t end) { place(level, begin, end); });
+    share_out([&](std::uint32_t begin, std::uint32_t end) { copy(begin, end); });
   }
 
  private:
   static constexpr std::uint32_t ahead = 32;  // how far ahead memory is fetched
 
-  void count(const SphereGrid::Level& level) {
+  void count(const SphereGrid::Level& level, std::uint32_t begin, std::uint32_t end) {
     const BucketFinder find(level.map);
     std::uint32_t* const counts = grid_.start.data() + level.starts;
     MemberBuckets members;
+    const bool alone = team_.size() == 1;
+    for (std::uint32_t at = begin; at < end; at += MemberBuckets::most) {
+      const std::uint32_t size = std::min(MemberBuckets::most, end - at);
+      members.take(chain_, grid_, at, size);
+      const std::uint32_t* const buckets = members.find(find);
+      for (std::uint32_t k = 0; k < size; ++k) {
+        std::uint32_t& spheres = counts[buckets[k]];
+        grid_.bucket[at + k] = buckets[k];
+        grid_.rank[at + k] =
+            alone ? spheres++ : std::atomic_ref(spheres).fetch_add(1, std::memory_order_relaxed);
+      }
+    }
+  }
+
+  void enclose(SphereGrid::Level& level) {
+    MemberBuckets members;
     for (std::uint32_t at = level.first; at < level.end; at += MemberBuckets::most) {
       const std::uint32_t size = std::min(MemberBuckets::most, level.end - at);
-      const std::uint32_t* const buckets = members.find(find, chain_, grid_, at, size);
-      for (std::uint32_t k = 0; k < size; ++k) {
-        grid_.bucket[at + k] = buckets[k];
-        grid_.rank[at + k] = counts[buckets[k]]++;
+      members.take(chain_, grid_, at, size);
+      const CentreBox some = members.box(0, size).centres;
+      if (at == level.first) level.centres = some;
+      for (std::size_t d = 0; d < 3; ++d) {
+        level.centres.low[d] = std::min(level.centres.low[d], some.low[d]);
+        level.centres.high[d] = std::max(level.centres.high[d], some.high[d]);
       }
     }
   }
@@ -54,27 +81,30 @@ class SphereSort {
     }
   }
 
-  void place(const SphereGrid::Level& level) {
+  void place(const SphereGrid::Level& level, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t* const start = grid_.start.data() + level.starts;
-    for (std::uint32_t at = level.first; at < level.end; ++at)
+    for (std::uint32_t at = begin; at < end; ++at)
       grid_.index[start[grid_.bucket[at]] + grid_.rank[at]] = grid_.member(at);
   }
 
-  void copy(const SphereGrid::Level& level) {
+  void copy(std::uint32_t begin, std::uint32_t end) {
     const auto one = [&](std::uint32_t place) {
       const Sphere& s = chain_.spheres[grid_.index[place]];
       grid_.x[place] = s.x, grid_.y[place] = s.y, grid_.z[place] = s.z, grid_.radius[place] = s.radius;
     };
-    std::uint32_t place = level.first;
-    for (; place + ahead < level.end; ++place) {
+    std::uint32_t place = begin;
+    for (; place + ahead < end; ++place) {
       hwy::Prefetch(chain_.spheres + grid_.index[place + ahead]);
       one(place);
     }
-    for (; place < level.end; ++place) one(place);
+    for (; place < end; ++place) one(place);
   }
+
+  static constexpr std::uint32_t members_of_a_task = 8192;
 
   const ChainView& chain_;
   SphereGrid& grid_;
+  const Team& team_;
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -29,7 +29,11 @@ void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only,
   grid.members.clear();
   grid.octaves.clear();
   if (n == 0) return;
-  if (only.empty() && octave(chain.extent.least_radius, greatest) == 0) return grid.octaves.push_back({0, n, greatest});
+  if (octave(chain.extent.least_radius, greatest) == 0) {
+    grid.members.assign(only.begin(), only.end());
+    grid.octaves.push_back({0, n, greatest});
+    return;
+  }
 
   std::array<SphereGrid::Octave, most_octaves> all{};
   for (std::uint32_t k = 0; k < n; ++k) {

@@ -16,7 +16,10 @@ namespace catena {
 struct SphereGrid {
   struct Level {
     BucketMap map;
-    std::uint32_t first, end;  ///< its places
+    std::array<std::uint32_t, 9> rows;  ///< steps to the buckets before each of the nine rows of three around
+    CentreBox centres;                  ///< of its spheres, at most
+    float greatest;                     ///< radius
+    std::uint32_t first, end;           ///< its places
     std::size_t starts;  ///< where its part of `start` begins: buckets + 1 places, each where a bucket starts
   };
 
@@ -31,8 +34,8 @@ struct SphereGrid {
     float greatest;            ///< radius
   };
 
-  /// Of the build: the octaves, coarse ones first; the spheres by octave, empty where there is one level; and by their
-  /// number there, bucket and how many came into it before.
+  /// Of the build: the octaves, coarse ones first; the spheres by octave, empty where there is one level; and
+  /// by their number there, bucket and how many came into it before.
   std::vector<Octave> octaves;
   std::vector<std::uint32_t> members, bucket, rank;
 
@@ -42,8 +45,8 @@ struct SphereGrid {
   static constexpr std::size_t margin = 16;
 };
 
-/// Sorts the spheres, or `only` those of these indices, by octave of their radius and makes room for all but the levels. O(n); does not allocate
-/// when neither n nor the number of octaves has grown.
+/// Sorts the spheres, or `only` those of these indices, by octave of their radius and makes room for all but
+/// the levels. O(n); does not allocate when neither n nor the number of octaves has grown.
 void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid);
 
 }  // namespace catena

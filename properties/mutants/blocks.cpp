@@ -13,7 +13,7 @@ class FaultyBlocks : public Variant {
  public:
   void build(const Chain& chain) override {
     view_ = chain.view();
-    build_block_tree(view_, tree_);
+    build_block_tree(view_, tree_, team_);
     tamper(view_, tree_);
     spheres_ = chain.size();
     built_ = true;
@@ -21,21 +21,23 @@ class FaultyBlocks : public Variant {
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
     PairCollector collector(spheres_, request, result);
-    search(chain.view(), collector.lane(0));
+    search(chain.view(), collector);
     collector.finish();
   }
   Timings timings() const override { return {}; }
 
  protected:
   virtual void tamper(const ChainView&, BlockTree&) {}
-  virtual void search(const ChainView& chain, PairCollector::Lane& lane) {
-    search_blocks(chain, tree_, queues_, lane, nullptr);
+  virtual void search(const ChainView& chain, PairCollector& collector) {
+    search_blocks(chain, tree_, queues_, collector.lane(0), nullptr);
   }
   const BlockTree& tree() const { return tree_; }
-  BlockQueues& queues() { return queues_; }
+  std::span<BlockQueues> queues() { return {&queues_, 1}; }
+  const Team& team() const { return team_; }
 
  private:
   ChainView view_{};
+  const Team team_;
   BlockTree tree_;
   BlockQueues queues_;
   std::uint32_t spheres_ = 0;
@@ -112,10 +114,10 @@ const RegisterMutant<BoxOfAxes> box{"node-box-too-small", "half sides that leave
 
 /// The last pair of nodes that met is lost.
 class LastRowLost final : public FaultyBlocks {
-  void search(const ChainView& chain, PairCollector::Lane& lane) override {
-    find_crowds(tree(), 1u << 20, crowding_);
-    if (!crowding_.pairs.empty()) crowding_.pairs.pop_back();
-    search_uncrowded(chain, tree(), crowding_, queues(), lane);
+  void search(const ChainView& chain, PairCollector& collector) override {
+    find_crowds(tree(), 1u << 20, crowding_, team());
+    if (auto& pairs = crowding_.pairs()[0]; !pairs.empty()) pairs.pop_back();
+    search_uncrowded(chain, tree(), crowding_, queues(), collector, team());
   }
   Crowding crowding_;
 };
@@ -123,9 +125,9 @@ const RegisterMutant<LastRowLost> row{"queue-drops-its-last", "a queue emptied o
 
 /// Crowded nodes are left to a grid that is not there for pairs of them.
 class CrowdWithoutGrid final : public FaultyBlocks {
-  void search(const ChainView& chain, PairCollector::Lane& lane) override {
-    find_crowds(tree(), 1, crowding_);
-    search_uncrowded(chain, tree(), crowding_, queues(), lane);
+  void search(const ChainView& chain, PairCollector& collector) override {
+    find_crowds(tree(), 1, crowding_, team());
+    search_uncrowded(chain, tree(), crowding_, queues(), collector, team());
   }
   Crowding crowding_;
 };

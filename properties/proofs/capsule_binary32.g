@@ -11,6 +11,7 @@
 #   exactly, for bare radii: factors of |t|, of |a| (or |b|) and of ra (or rb), over |w|. The squares that are compared
 #   cost 4.1u: root.
 # ordered: of two spheres of a window, `slack` = 32u times far times length outweighs the rounding of both ends.
+# The gap between them is rounded once more, by 1u of itself at most, and then compared with the slack.
 # interval: a capsule reaches along an axis of length at most 1 + 11u (oriented_box_binary32.g) no farther than computed.
 # Covers: slack = 32u, the bare radius's 16u, centre_slack = 16u, axes_slack = 128u.
 
@@ -30,7 +31,7 @@ separate_r = (1 + e1) * (1 + e2) * root - (1 - 16b-24);
 squares = (1 + e1) * (1 + e2) * (1 + d1) - root * root * (1 + e3);
 
 # Each end is wrong by 6.1u + 2u of far * length at most.
-ordered = 32b-24 * (1 + e1) * (1 + e2) * (1 - 5b-24) - 2 * 4.887580871582031e-07;
+ordered = 32b-24 * (1 + e1) * (1 + e2) * (1 + e3) * (1 - 5b-24) - 2 * 4.887580871582031e-07;
 
 interval_t = 16b-24 * (1 - 4b-24) * (1 + e1) * (1 + e2) * (1 + e3) - 4.291534423828125e-07 * (1 + 11b-24);
 interval_h = 16b-24 - (2.992153167724609e-07 + 3b-24) * (1 + 11b-24);

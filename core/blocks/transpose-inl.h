@@ -1,0 +1,74 @@
+// Rows of memory to lanes.
+#if defined(CATENA_CORE_BLOCKS_TRANSPOSE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_TRANSPOSE_INL_H
+#undef CATENA_CORE_BLOCKS_TRANSPOSE_INL_H
+#else
+#define CATENA_CORE_BLOCKS_TRANSPOSE_INL_H
+#endif
+
+#include "catena/core/blocks/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors to shuffle
+/// Four floats each of as many rows as a vector has quads, rows `stride` floats apart.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> quads(Tag tag, const float* first, std::size_t stride) {
+  if constexpr (hn::MaxLanes(Tag()) == 4) {
+    return hn::LoadU(tag, first);
+  } else {
+    const hn::Half<Tag> half;
+    constexpr std::size_t quads_of_half = hn::MaxLanes(half) / 4;
+    return hn::Combine(tag, quads(half, first + quads_of_half * stride, stride), quads(half, first, stride));
+  }
+}
+#endif
+
+/// Lane k of to[c] becomes first[k * stride + c], for four columns c of sixteen rows k.
+HWY_INLINE void transpose(const float* first, std::size_t stride, Lanes16 (&to)[4]) {
+  using Tag = Lanes16::Tag;
+  for (std::size_t k = 0; k < Lanes16::parts; ++k) {
+    const float* const row = first + k * Lanes16::width * stride;
+#if HWY_TARGET == HWY_SCALAR
+    for (std::size_t c = 0; c < 4; ++c) to[c].part[k] = hn::Set(Tag(), row[c]);
+#else
+    // Quad q of `a` is row 4 q of this part, of `b` row 4 q + 1, and so on; then four by four transposed.
+    const hn::Repartition<double, Tag> two;
+    const auto a = quads(Tag(), row, 4 * stride), b = quads(Tag(), row + stride, 4 * stride);
+    const auto c = quads(Tag(), row + 2 * stride, 4 * stride), d = quads(Tag(), row + 3 * stride, 4 * stride);
+    const auto lower_ab = hn::BitCast(two, hn::InterleaveLower(Tag(), a, b));
+    const auto lower_cd = hn::BitCast(two, hn::InterleaveLower(Tag(), c, d));
+    const auto upper_ab = hn::BitCast(two, hn::InterleaveUpper(Tag(), a, b));
+    const auto upper_cd = hn::BitCast(two, hn::InterleaveUpper(Tag(), c, d));
+    to[0].part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, lower_ab, lower_cd));
+    to[1].part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, lower_ab, lower_cd));
+    to[2].part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, upper_ab, upper_cd));
+    to[3].part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, upper_ab, upper_cd));
+#endif
+  }
+}
+
+/// Lane k of the result is lane k + 1 of `a`; the last is `after`.
+HWY_INLINE Lanes16 shifted(const Lanes16& a, float after) {
+  using Tag = Lanes16::Tag;
+#if HWY_TARGET == HWY_SCALAR
+  return Lanes16::from(
+      [&](std::size_t k) { return k + 1 < Lanes16::parts ? a.part[k + 1] : hn::Set(Tag(), after); });
+#else
+  constexpr std::size_t width = Lanes16::width;
+  alignas(64) std::int32_t next[width];
+  for (std::size_t k = 0; k < width; ++k) next[k] = static_cast<std::int32_t>((k + 1) % width);
+  const auto order = hn::SetTableIndices(Tag(), next);
+  const auto all_but_last = hn::FirstN(Tag(), width - 1);
+  const Lanes16 turned = Lanes16::from([&](std::size_t k) { return hn::TableLookupLanes(a.part[k], order); });
+  return Lanes16::from([&](std::size_t k) {
+    return hn::IfThenElse(all_but_last, turned.part[k],
+                          k + 1 < Lanes16::parts ? turned.part[k + 1] : hn::Set(Tag(), after));
+  });
+#endif
+}
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

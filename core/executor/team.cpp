@@ -1,0 +1,46 @@
+#include "catena/core/executor/team.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace catena {
+
+struct Team::Arena {
+  explicit Arena(unsigned threads) : arena(static_cast<int>(threads)) {}
+  oneapi::tbb::task_arena arena;
+};
+
+Team::Team() = default;
+Team::Team(const Parameters& parameters)
+    : size_(static_cast<unsigned>(parameters.unsigned_integer("threads", 0, 1024))) {
+  if (size_ == 0) size_ = std::max(1u, std::thread::hardware_concurrency());
+  if (size_ > 1) arena_ = std::make_unique<Arena>(size_);
+}
+Team::~Team() = default;
+
+unsigned Team::member() const {
+  return size_ == 1 ? 0 : static_cast<unsigned>(oneapi::tbb::this_task_arena::current_thread_index());
+}
+
+void Team::share_out(std::uint32_t n, std::uint32_t grain, const void* body, Call call) const {
+  // What a range did is seen by the caller: oneTBB sees to that, and these two say it where ThreadSanitizer,
+  // which does not look into oneTBB, can see it.
+  std::atomic<bool> begun{true};
+  std::atomic<std::uint32_t> ended{0};
+  begun.store(true, std::memory_order_release);
+  arena_->arena.execute([&] {
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::uint32_t>(0, n, grain), [&](const auto& range) {
+      static_cast<void>(begun.load(std::memory_order_acquire));
+      call(body, range.begin(), range.end());
+      ended.fetch_add(1, std::memory_order_release);
+    });
+  });
+  static_cast<void>(ended.load(std::memory_order_acquire));
+}
+
+}  // namespace catena

@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+
+#include "catena/core/export.h"
+#include "catena/core/parameters/parameters.h"
+
+namespace catena {
+
+/// Host threads that share out ranges of work by stealing (oneTBB). A team of one is the caller alone, and
+/// costs nothing.
+class CATENA_API Team {
+ public:
+  static ParameterInfo threads_parameter() { return {"threads", "1", "host threads; 0: one a core"}; }
+
+  Team();  ///< one
+  explicit Team(const Parameters& parameters);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  unsigned size() const { return size_; }
+  /// The number of the calling thread below size(), in a range's body.
+  unsigned member() const;
+
+  /// body(begin, end) for ranges that part 0 .. n, at most about `grain` long, by any members at a time. May
+  /// be called in a body: then the member goes on with other ranges while it waits. What body throws, one of
+  /// the exceptions, reaches the caller, and other ranges may be left out.
+  template <class Body>
+  void for_each_range(std::uint32_t n, std::uint32_t grain, const Body& body) const {
+    if (n == 0) return;
+    if (size_ == 1) return body(0u, n);
+    share_out(n, grain, &body, [](const void* of, std::uint32_t begin, std::uint32_t end) {
+      (*static_cast<const Body*>(of))(begin, end);
+    });
+  }
+
+ private:
+  struct Arena;
+  using Call = void (*)(const void* body, std::uint32_t begin, std::uint32_t end);
+  void share_out(std::uint32_t n, std::uint32_t grain, const void* body, Call call) const;
+
+  unsigned size_ = 1;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace catena
