@@ -32,33 +32,52 @@ void give_radii(CurveFile& curves, const InputOptions& options, const std::strin
   if (options.radius_half_spacing && !(radius > 0 && radius <= std::numeric_limits<float>::max()))
     throw InputError(fmt::format("{}: half the median step is {}, no usable radius; give one with --radius R",
                                  name, radius));
-  for (Sphere& sphere : curves.spheres) sphere.radius = static_cast<float>(radius);
+  const auto give = [&](std::vector<Sphere>& spheres) {
+    for (Sphere& sphere : spheres) sphere.radius = static_cast<float>(radius);
+  };
+  give(curves.spheres);
+  std::ranges::for_each(curves.later_frames, give);
+}
+
+std::vector<Sphere> without(const std::vector<Sphere>& spheres, const std::vector<std::uint32_t>& dropped) {
+  std::vector<Sphere> kept;
+  kept.reserve(spheres.size() - dropped.size());
+  auto next = dropped.begin();
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    if (next != dropped.end() && *next == i)
+      ++next;
+    else
+      kept.push_back(spheres[i]);
+  return kept;
 }
 
 // A closed curve whose file repeats the first point at the end would have that point twice, as spheres that
 // are neighbours of each other but not of each other's neighbours.
-void drop_repeated_ends(CurveFile& curves, const std::string& name, std::vector<std::string>& warnings) {
-  std::vector<Sphere> kept;
+void drop_repeated_ends(CurveFile& curves) {
+  std::vector<std::uint32_t> dropped;
   std::vector<std::uint32_t> first{0};
   for (std::size_t s = 0; s + 1 < curves.strand_first.size(); ++s) {
-    auto begin = curves.spheres.begin() + curves.strand_first[s],
-         end = curves.spheres.begin() + curves.strand_first[s + 1];
-    if (end - begin > 1 && same_centre(*begin, *(end - 1))) --end;
-    kept.insert(kept.end(), begin, end);
-    first.push_back(static_cast<std::uint32_t>(kept.size()));
+    const std::uint32_t begin = curves.strand_first[s], end = curves.strand_first[s + 1];
+    const auto repeats = [&](const std::vector<Sphere>& frame) {
+      return same_centre(frame[begin], frame[end - 1]);
+    };
+    if (end - begin > 1 && repeats(curves.spheres) && std::ranges::all_of(curves.later_frames, repeats))
+      dropped.push_back(end - 1);
+    first.push_back(end - static_cast<std::uint32_t>(dropped.size()));
   }
-  if (const auto dropped = curves.spheres.size() - kept.size(); dropped > 0)
-    warnings.push_back(fmt::format("{}: {} closed strand{} the first point at the end; it is taken once",
-                                   name, dropped, dropped == 1 ? " repeats" : "s repeat"));
-  curves.spheres = std::move(kept);
+  if (dropped.empty()) return;
+  curves.warnings.push_back(fmt::format("{} closed strand{} the first point at the end; it is taken once",
+                                        dropped.size(), dropped.size() == 1 ? " repeats" : "s repeat"));
+  curves.spheres = without(curves.spheres, dropped);
+  for (auto& frame : curves.later_frames) frame = without(frame, dropped);
+  curves.labels = curves.labels.without(dropped);
   curves.strand_first = std::move(first);
 }
 
-void close_strands(CurveFile& curves, const std::string& name, std::vector<std::string>& warnings) {
+void close_strands(CurveFile& curves) {
   std::ranges::fill(curves.strand_closed, std::uint8_t{1});
   // Where pairs name spheres by number, the numbers stay.
-  if (curves.joints.empty() && curves.exclusion.extra_pairs.empty())
-    drop_repeated_ends(curves, name, warnings);
+  if (curves.joints.empty() && curves.exclusion.extra_pairs.empty()) drop_repeated_ends(curves);
 }
 
 }  // namespace
@@ -95,11 +114,13 @@ Exclusion chosen_exclusion(const InputOptions& options, const Exclusion& own) {
   return chosen;
 }
 
-Chain make_chain(CurveFile curves, const InputOptions& options, const std::string& name,
-                 std::vector<std::string>& warnings) {
-  Exclusion exclusion = chosen_exclusion(options, curves.exclusion);
-  if (options.closed) close_strands(curves, name, warnings);
+void complete(CurveFile& curves, const InputOptions& options, const std::string& name) {
+  if (options.closed) close_strands(curves);
   give_radii(curves, options, name);
+}
+
+Chain make_chain(CurveFile curves, const InputOptions& options) {
+  Exclusion exclusion = chosen_exclusion(options, curves.exclusion);
   Strands strands{std::move(curves.strand_first), std::move(curves.strand_closed)};
   const auto across = pairs_across_joints(curves.spheres, strands, curves.joints, exclusion);
   exclusion.extra_pairs.insert(exclusion.extra_pairs.end(), across.begin(), across.end());

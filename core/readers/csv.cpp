@@ -31,7 +31,7 @@ std::vector<std::string> cells_of(std::string_view line, char separator) {
 
 class Table {
  public:
-  explicit Table(const std::filesystem::path& file) : lines_(file) {}
+  Table(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
     if (!next_row()) lines_.fail("the file has no header line; name the columns: x,y,z,r");
@@ -89,11 +89,11 @@ class Table {
       curves_.end_strand();
       strand_name_ = cells[*strand_];
     }
-    Sphere sphere{lines_.real(cells[*x_], "x"), lines_.real(cells[*y_], "y"), lines_.real(cells[*z_], "z"),
-                  0};
-    if (radius_) sphere.radius = lines_.radius(cells[*radius_]);
-    if (diameter_) sphere.radius = lines_.radius(cells[*diameter_]) / 2;
-    curves_.spheres.push_back(sphere);
+    float radius = 0;
+    if (radius_) radius = lines_.radius(cells[*radius_]);
+    if (diameter_) radius = lines_.radius(cells[*diameter_]) / 2;
+    curves_.add_point(lines_.coordinate(cells[*x_], "x"), lines_.coordinate(cells[*y_], "y"),
+                      lines_.coordinate(cells[*z_], "z"), radius);
   }
 
   TextLines lines_;
@@ -104,9 +104,11 @@ class Table {
   CurveFile curves_;
 };
 
-const RegisterReader registered{
-    {"CSV table", {".csv"}, "columns x,y,z and perhaps radius or diameter, by their header"},
-    [](const std::filesystem::path& file) { return Table(file).curves(); }};
+const RegisterReader registered{{"CSV table",
+                                 {".csv"},
+                                 "columns x,y,z and perhaps radius or diameter, by their header",
+                                 "point number from 0"},
+                                read_by<Table>};
 
 }  // namespace
 }  // namespace catena

@@ -27,6 +27,10 @@ struct Parsed {
 Parsed<float> parse_float(std::string_view text);
 Parsed<double> parse_double(std::string_view text);
 
+/// A coordinate that is yet to be rounded to binary32: the nearest double, or where rounding that once more
+/// would miss the nearest float, the double beside it that does not. Beyond the greatest float is a problem.
+Parsed<double> parse_coordinate(std::string_view text);
+
 Parsed<std::int64_t> parse_integer(std::string_view text);
 
 }  // namespace catena

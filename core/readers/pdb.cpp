@@ -27,7 +27,7 @@ double distance(const Sphere& a, const Sphere& b) {
 
 class Protein {
  public:
-  explicit Protein(const std::filesystem::path& file) : lines_(file) {}
+  Protein(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
     while (lines_.next() && !first_model_is_over()) {
@@ -72,9 +72,10 @@ class Protein {
     ended_.erase(chain);
     if (line.size() < 54)
       lines_.fail(fmt::format("the C-alpha's coordinates end at column 54, the line at {}", line.size()));
-    const Sphere point{lines_.real(trimmed(columns(line, 31, 38)), "x"),
-                       lines_.real(trimmed(columns(line, 39, 46)), "y"),
-                       lines_.real(trimmed(columns(line, 47, 54)), "z"), 0};
+    const double x = lines_.coordinate(trimmed(columns(line, 31, 38)), "x"),
+                 y = lines_.coordinate(trimmed(columns(line, 39, 46)), "y"),
+                 z = lines_.coordinate(trimmed(columns(line, 47, 54)), "z");
+    const Sphere point = curves_.rounding.round(x, y, z, 0);
     const bool gap = chain_ && distance(curves_.spheres.back(), point) > longest_step;
     if (chain != chain_ || gap) curves_.end_strand();
     chain_ = chain;
@@ -96,8 +97,8 @@ class Protein {
 };
 
 const RegisterReader registered{
-    {"PDB protein", {".pdb", ".ent"}, "C-alpha trace of the first model; no radii"},
-    [](const std::filesystem::path& file) { return Protein(file).curves(); }};
+    {"PDB protein", {".pdb", ".ent"}, "C-alpha trace of the first model; no radii", "point number from 0"},
+    read_by<Protein>};
 
 }  // namespace
 }  // namespace catena

@@ -25,7 +25,7 @@ struct Sample {
 
 class Neuron {
  public:
-  explicit Neuron(const std::filesystem::path& file) : lines_(file) {
+  Neuron(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {
     while (lines_.next()) {
       lines_.cut_comment('#');
       if (!lines_.line().empty()) add_sample();
@@ -33,9 +33,9 @@ class Neuron {
     for (std::uint32_t i = 0; i < samples_.size(); ++i) link_to_parent(i);
     if (orphans_ > 0)
       curves_.warnings.push_back(
-          fmt::format("{}:{}: sample {} has the parent {}, which is not in the file; {} such sample{} a "
+          fmt::format("line {}: sample {} has the parent {}, which is not in the file; {} such sample{} a "
                       "strand of its own",
-                      lines_.file_name(), samples_[first_orphan_].line, samples_[first_orphan_].id,
+                      samples_[first_orphan_].line, samples_[first_orphan_].id,
                       samples_[first_orphan_].parent, orphans_, orphans_ == 1 ? " starts" : "s start each"));
   }
 
@@ -127,8 +127,8 @@ class Neuron {
 };
 
 const RegisterReader registered{
-    {"SWC neuron", {".swc"}, "id type x y z radius parent; branches become strands"},
-    [](const std::filesystem::path& file) { return Neuron(file).curves(); }};
+    {"SWC neuron", {".swc"}, "id type x y z radius parent; branches become strands", "point number from 0"},
+    read_by<Neuron>};
 
 }  // namespace
 }  // namespace catena

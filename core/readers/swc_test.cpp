@@ -37,7 +37,7 @@ TEST(SwcReader, StartsAStrandAtAMissingParentAndSaysSo) {
   EXPECT_EQ(curves.strand_first, (Offsets{0, 2, 4}));
   EXPECT_TRUE(curves.joints.empty());
   ASSERT_EQ(curves.warnings.size(), 1u);
-  EXPECT_NE(curves.warnings[0].find("a.swc:3: sample 3 has the parent 77"), std::string::npos)
+  EXPECT_NE(curves.warnings[0].find("line 3: sample 3 has the parent 77"), std::string::npos)
       << curves.warnings[0];
 }
 

@@ -46,6 +46,12 @@ float TextLines::real(std::string_view text, std::string_view what) const {
   return value;
 }
 
+double TextLines::coordinate(std::string_view text, std::string_view what) const {
+  const auto [value, problem] = parse_coordinate(text);
+  if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+  return value;
+}
+
 double TextLines::wide_real(std::string_view text, std::string_view what) const {
   const auto [value, problem] = parse_double(text);
   if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));

@@ -37,6 +37,7 @@ class TextLines {
 
   /// Numbers; `what` names the value in the error of the current line: "x", "radius".
   float real(std::string_view text, std::string_view what) const;
+  double coordinate(std::string_view text, std::string_view what) const;  ///< see parse_coordinate
   double wide_real(std::string_view text, std::string_view what) const;
   float radius(std::string_view text) const;  ///< a real that is not negative
   std::int64_t integer(std::string_view text, std::string_view what) const;

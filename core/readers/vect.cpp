@@ -11,7 +11,7 @@ namespace {
 
 class Vect {
  public:
-  explicit Vect(const std::filesystem::path& file) : lines_(file) {}
+  Vect(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
     if (token("the keyword VECT") != "VECT")
@@ -39,7 +39,7 @@ class Vect {
 
     curves_.spheres.reserve(vertices);
     for (const std::int64_t count : signed_count) {
-      for (std::uint64_t i = 0; i < magnitude(count); ++i) curves_.spheres.push_back(vertex());
+      for (std::uint64_t i = 0; i < magnitude(count); ++i) add_vertex();
       curves_.end_strand(count < 0);
     }
     for (std::uint64_t i = 0; i < std::uint64_t{colours} * 4; ++i) lines_.real(token("a colour"), "colour");
@@ -60,11 +60,11 @@ class Vect {
     return count;
   }
 
-  Sphere vertex() {
-    const float x = lines_.real(token("a vertex"), "x");
-    const float y = lines_.real(token("a vertex"), "y");
-    const float z = lines_.real(token("a vertex"), "z");
-    return {x, y, z, 0};
+  void add_vertex() {
+    const double x = lines_.coordinate(token("a vertex"), "x");
+    const double y = lines_.coordinate(token("a vertex"), "y");
+    const double z = lines_.coordinate(token("a vertex"), "z");
+    curves_.add_point(x, y, z);
   }
 
   std::string_view token(const std::string& wanted) {
@@ -83,8 +83,9 @@ class Vect {
   CurveFile curves_;
 };
 
-const RegisterReader registered{{"Geomview VECT", {".vect"}, "polylines, open or closed; no radii"},
-                                [](const std::filesystem::path& file) { return Vect(file).curves(); }};
+const RegisterReader registered{
+    {"Geomview VECT", {".vect"}, "polylines, open or closed; no radii", "vertex number from 0"},
+    read_by<Vect>};
 
 }  // namespace
 }  // namespace catena

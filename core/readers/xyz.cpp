@@ -33,7 +33,8 @@ std::vector<std::string> numbers_of(const std::vector<std::string_view>& fields)
 
 class PointColumns {
  public:
-  explicit PointColumns(const std::filesystem::path& file) : lines_(file) {}
+  PointColumns(const std::filesystem::path& file, const ReadOptions& options)
+      : lines_(file), curves_(options) {}
 
   CurveFile curves() {
     while (!over_ && lines_.next()) {
@@ -126,7 +127,7 @@ class PointColumns {
     curves_.spheres.push_back({coordinate[0], coordinate[1], coordinate[2], 0});
   }
 
-  void warn(const std::string& text) { curves_.warnings.push_back(lines_.file_name() + ": " + text); }
+  void warn(const std::string& text) { curves_.warnings.push_back(text); }
 
   TextLines lines_;
   std::optional<std::uint32_t> count_;
@@ -139,8 +140,8 @@ class PointColumns {
 };
 
 const RegisterReader registered{
-    {"xyz columns", {".xyz", ".txt"}, "x y z in columns; no radii"},
-    [](const std::filesystem::path& file) { return PointColumns(file).curves(); }};
+    {"xyz columns", {".xyz", ".txt"}, "x y z in columns; no radii", "point number from 0"},
+    read_by<PointColumns>};
 
 }  // namespace
 }  // namespace catena
