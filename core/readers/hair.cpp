@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/binary_fields.h"
 #include "catena/core/readers/reader.h"
 
@@ -50,7 +51,7 @@ CurveFile read_hair(const std::filesystem::path& file, const ReadOptions& option
   const std::uint64_t sum = std::accumulate(size.begin(), size.end(), std::uint64_t{0});
   if (sum != point_count)
     fields.fail(
-        fmt::format("the {} strands have {} points together, the header says {}", strands, sum, point_count));
+        fmt::format("strands: {}, with points: {}, but the header says {}", strands, sum, point_count));
 
   fields.require(point_count, 12, "points");
   CurveFile curves(options);
@@ -71,7 +72,7 @@ CurveFile read_hair(const std::filesystem::path& file, const ReadOptions& option
   if (arrays & transparency) fields.skip(std::uint64_t{point_count} * 4, "transparency bytes");
   if (arrays & colours) fields.skip(std::uint64_t{point_count} * 12, "colour bytes");
   if (fields.left() > 0)
-    curves.warnings.push_back(fmt::format("{} bytes after the last array are ignored", fields.left()));
+    curves.warnings.push_back(fmt::format("{} after the last array not read", counted(fields.left(), "byte")));
   return curves;
 }
 

@@ -19,32 +19,32 @@ void Labels::add(std::string_view text) {
   ++size_;
 }
 
+std::int64_t Labels::number_of(std::uint32_t i) const {
+  const auto run = std::ranges::upper_bound(runs_, i, {}, &Run::first) - 1;
+  return run->number + (i - run->first);
+}
+
+std::string_view Labels::text_of(std::uint32_t i) const {
+  const std::uint64_t begin = i == 0 ? 0 : text_end_[i - 1];
+  return std::string_view(texts_).substr(begin, text_end_[i] - begin);
+}
+
 std::string Labels::of(std::uint32_t i) const {
   if (size_ == 0) return std::to_string(i);
   if (i >= size_) throw std::out_of_range("a label of a sphere that has none");
-  if (runs_.empty()) {
-    const std::uint64_t begin = i == 0 ? 0 : text_end_[i - 1];
-    return texts_.substr(begin, text_end_[i] - begin);
-  }
-  const auto run = std::ranges::upper_bound(runs_, i, {}, &Run::first) - 1;
-  return std::to_string(run->number + (i - run->first));
+  return runs_.empty() ? std::string(text_of(i)) : std::to_string(number_of(i));
 }
 
-Labels Labels::without(std::span<const std::uint32_t> spheres) const {
-  Labels kept;
-  kept.strand_names = strand_names;
-  auto next = spheres.begin();
-  auto run = runs_.begin();
-  for (std::uint32_t i = 0; i < size_; ++i) {
-    if (run != runs_.end() && run + 1 != runs_.end() && (run + 1)->first == i) ++run;
-    if (next != spheres.end() && *next == i)
-      ++next;
-    else if (runs_.empty())
-      kept.add(of(i));
+Labels Labels::chosen(std::span<const std::uint32_t> spheres) const {
+  Labels chosen;
+  chosen.strand_names = strand_names;
+  if (size_ == 0) return chosen;
+  for (const std::uint32_t i : spheres)
+    if (runs_.empty())
+      chosen.add(text_of(i));
     else
-      kept.add(run->number + (i - run->first));
-  }
-  return kept;
+      chosen.add(number_of(i));
+  return chosen;
 }
 
 }  // namespace catena

@@ -24,8 +24,8 @@ class Labels {
   /// are labels and i is not of theirs.
   std::string of(std::uint32_t i) const;
 
-  /// The same without these spheres, which ascend. O(n).
-  Labels without(std::span<const std::uint32_t> spheres) const;
+  /// Those of these spheres, in this order; the names of the strands stay. O(n log runs).
+  Labels chosen(std::span<const std::uint32_t> spheres) const;
 
   std::vector<std::string> strand_names;  ///< one a strand, or none where the file has no names
 
@@ -34,6 +34,9 @@ class Labels {
     std::uint32_t first;  ///< sphere
     std::int64_t number;  ///< of that sphere; those after it have the following ones
   };
+  std::int64_t number_of(std::uint32_t i) const;
+  std::string_view text_of(std::uint32_t i) const;
+
   std::uint32_t size_ = 0;
   std::vector<Run> runs_;
   std::string texts_;

@@ -53,6 +53,18 @@ void CurveFile::end_strand(bool closed) {
   strand_closed.push_back(closed ? 1 : 0);
 }
 
+void CurveFile::choose(std::span<const std::uint32_t> order) {
+  const auto choose_of = [&](std::vector<Sphere>& frame) {
+    std::vector<Sphere> chosen;
+    chosen.reserve(order.size());
+    for (const std::uint32_t i : order) chosen.push_back(frame[i]);
+    frame = std::move(chosen);
+  };
+  choose_of(spheres);
+  std::ranges::for_each(later_frames, choose_of);
+  labels = labels.chosen(order);
+}
+
 ReaderRegistry& ReaderRegistry::instance() {
   static ReaderRegistry registry;
   return registry;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct CurveFile {
   bool has_radii = false;
   std::vector<std::uint32_t> strand_first{0};  ///< strands + 1 offsets
   std::vector<std::uint8_t> strand_closed;     ///< one flag a strand
+  bool is_tree = false;                        ///< its strands are branches, none of which can be closed
   std::vector<Pair> joints;  ///< spheres of different strands that are neighbours along the tube
   Exclusion exclusion;       ///< the file's own rule (catena's format), else window 1
   std::vector<std::vector<Sphere>> later_frames;  ///< the same spheres, moved; empty: a file of one frame
@@ -36,7 +38,10 @@ struct CurveFile {
   }
   void begin_later_frame() {
     later_frames.emplace_back();
-  }                                      ///< what is added from here on is the next frame's
+  }  ///< what is added from here on is the next frame's
+  /// Keeps these spheres alone, in this order, in every frame and with their labels; the strands are the
+  /// caller's.
+  void choose(std::span<const std::uint32_t> order);
   void end_strand(bool closed = false);  ///< the spheres since the last call become a strand; none: nothing
 };
 

@@ -41,6 +41,7 @@ class Neuron {
 
   CurveFile curves() {
     curves_.has_radii = true;
+    curves_.is_tree = true;
     place_.assign(samples_.size(), none);
     for (const std::uint32_t root : roots_) lay_out(root);
     if (curves_.spheres.size() != samples_.size()) fail_for_cycle();
@@ -56,8 +57,9 @@ class Neuron {
     Sample sample{};
     sample.id = lines_.integer(fields[0], "id");
     if (sample.id < 0) lines_.fail(fmt::format("id {} is negative", sample.id));
-    sample.sphere = {lines_.real(fields[2], "x"), lines_.real(fields[3], "y"), lines_.real(fields[4], "z"),
-                     lines_.radius(fields[5])};
+    sample.sphere =
+        curves_.rounding.round(lines_.coordinate(fields[2], "x"), lines_.coordinate(fields[3], "y"),
+                               lines_.coordinate(fields[4], "z"), lines_.radius(fields[5]));
     sample.parent = lines_.integer(fields[6], "parent");
     sample.line = lines_.line_number();
     const auto [known, is_new] = index_.emplace(sample.id, static_cast<std::uint32_t>(samples_.size()));
@@ -94,6 +96,7 @@ class Neuron {
       for (std::uint32_t i = start; i != none; i = samples_[i].first_child) {
         place_[i] = next_place();
         curves_.spheres.push_back(samples_[i].sphere);
+        curves_.labels.add(samples_[i].id);
         if (samples_[i].first_child == none) continue;
         for (auto side = samples_[samples_[i].first_child].next_sibling; side != none;
              side = samples_[side].next_sibling)
@@ -127,7 +130,7 @@ class Neuron {
 };
 
 const RegisterReader registered{
-    {"SWC neuron", {".swc"}, "id type x y z radius parent; branches become strands", "point number from 0"},
+    {"SWC neuron", {".swc"}, "id type x y z radius parent; branches become strands", "sample id"},
     read_by<Neuron>};
 
 }  // namespace

@@ -64,6 +64,16 @@ TEST(SwcReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT(" is empty", "a.swc", "");
 }
 
+TEST(SwcReader, LabelsSpheresByTheIdsOfTheFile) {
+  const CurveFile curves =
+      read_text("a.swc", "30 1 0 0 0 1 -1\n7 3 1 0 0 1 30\n8 3 2 0 0 1 30\n9 3 3 0 0 1 7\n5 3 4 0 0 1 8\n");
+  std::vector<std::string> ids;
+  for (std::uint32_t i = 0; i < 5; ++i) ids.push_back(curves.labels.of(i));
+  EXPECT_EQ(ids, (std::vector<std::string>{"30", "7", "9", "8", "5"}));
+  EXPECT_EQ(curves.spheres[2].x, 3.0f);
+  EXPECT_TRUE(curves.is_tree);
+}
+
 TEST(SwcReader, IsNotDeepInTheStack) {
   std::string text = "1 1 0 0 0 1 -1\n";
   for (int i = 2; i <= 200'000; ++i) text += std::to_string(i) + " 3 0 0 0 1 " + std::to_string(i - 1) + "\n";

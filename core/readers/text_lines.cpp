@@ -24,6 +24,14 @@ bool TextLines::next() {
   return true;
 }
 
+bool TextLines::next_content(char mark) {
+  while (next()) {
+    cut_comment(mark);
+    if (!line_.empty()) return true;
+  }
+  return false;
+}
+
 void TextLines::cut_comment(char mark) { line_ = trimmed(line_.substr(0, line_.find(mark))); }
 
 const std::vector<std::string_view>& TextLines::fields(std::string_view separators) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
 
@@ -30,12 +31,12 @@ class Vect {
     }
     if (all_vertices != vertices)
       lines_.fail(
-          fmt::format("the polylines have {} vertices together, the header says {}", all_vertices, vertices));
+          fmt::format("the vertex counts of the polylines sum to {}, the header says {}", all_vertices, vertices));
     for (std::uint32_t i = 0; i < polylines; ++i)
       all_colours += lines_.count(token("a colour count"), "colour count");
     if (all_colours != colours)
       lines_.fail(
-          fmt::format("the polylines have {} colours together, the header says {}", all_colours, colours));
+          fmt::format("the colour counts of the polylines sum to {}, the header says {}", all_colours, colours));
 
     curves_.spheres.reserve(vertices);
     for (const std::int64_t count : signed_count) {
@@ -43,6 +44,9 @@ class Vect {
       curves_.end_strand(count < 0);
     }
     for (std::uint64_t i = 0; i < std::uint64_t{colours} * 4; ++i) lines_.real(token("a colour"), "colour");
+    if (has_more())
+      lines_.fail(fmt::format("{} stands after all that the header declares, vertices: {}, colours: {}",
+                              in_quotes(row_[at_]), vertices, colours));
     return std::move(curves_);
   }
 
@@ -67,13 +71,18 @@ class Vect {
     curves_.add_point(x, y, z);
   }
 
-  std::string_view token(const std::string& wanted) {
+  bool has_more() {
     while (at_ == row_.size()) {
-      if (!lines_.next()) lines_.fail(fmt::format("the file is truncated: it ends where {} is due", wanted));
+      if (!lines_.next()) return false;
       lines_.cut_comment('#');
       row_ = lines_.fields();
       at_ = 0;
     }
+    return true;
+  }
+
+  std::string_view token(const std::string& wanted) {
+    if (!has_more()) lines_.fail(fmt::format("the file is truncated: it ends where {} is due", wanted));
     return row_[at_++];
   }
 
