@@ -26,9 +26,10 @@ class Answers : public Program {
 
 // The tree is laid out depth first: the two tips are samples 3 and 5 of the file, but spheres 3 and 4.
 TEST_F(Answers, NameTheSamplesOfANeuron) {
-  const std::string swc = write("n.swc",
-                                "1 1 0 0 0 0.1 -1\n2 3 1 0 0 0.1 1\n3 3 5 0 0 0.6 2\n4 3 0 1 0 0.1 1\n5 3 5 1 0 0.6 4\n");
-  expect_says("detect " + swc + " --pairs '" + file("p.csv") + "' --counts '" + file("c.csv") + "'", 0, {"1 pair,"});
+  const std::string swc = write(
+      "n.swc", "1 1 0 0 0 0.1 -1\n2 3 1 0 0 0.1 1\n3 3 5 0 0 0.6 2\n4 3 0 1 0 0.1 1\n5 3 5 1 0 0.6 4\n");
+  expect_says("detect " + swc + " --pairs '" + file("p.csv") + "' --counts '" + file("c.csv") + "'", 0,
+              {"1 pair,"});
   EXPECT_EQ(text_of(file("p.csv")),
             "frame,i,j,label_i,label_j,strand_i,strand_j,index_i,index_j\n0,2,4,3,5,0,1,2,1\n");
   EXPECT_TRUE(text_of(file("c.csv")).ends_with("0,3,0,4,1,0\n0,4,1,5,1,1\n")) << text_of(file("c.csv"));
@@ -59,7 +60,8 @@ TEST_F(Answers, NameSamplesThatOverlapInTheFile) {
 }
 
 TEST_F(Answers, NameStrandsAndRows) {
-  const std::string csv = write("t.csv", "chain,x,y,z,r,id\n\"a,1\",0,0,0,1,p\nb,1,0,0,1,q\nb,50,0,0,1,\"s\"\n");
+  const std::string csv =
+      write("t.csv", "chain,x,y,z,r,id\n\"a,1\",0,0,0,1,p\nb,1,0,0,1,q\nb,50,0,0,1,\"s\"\n");
   expect_says("detect " + csv + " --pairs '" + file("p.csv") + "'", 0, {"1 pair,"});
   EXPECT_TRUE(text_of(file("p.csv")).ends_with("\n0,0,1,p,q,\"a,1\",b,0,0\n")) << text_of(file("p.csv"));
   run("detect " + csv + " --pairs '" + file("p.jsonl") + "' --depth");
@@ -72,7 +74,8 @@ TEST_F(Answers, NameStrandsAndRows) {
 TEST_F(Answers, SayWhatRoundingHasCost) {
   std::string table = "x,y,z,r\n";
   for (int i = 0; i < 20; ++i) table += std::to_string(100'000'000 + i) + ",0,0,0.3\n";
-  const std::string far = write("far.csv", table), near = write("near.csv", "x,y,z,r\n100.1,0,0,1\n102,0,0,1\n");
+  const std::string far = write("far.csv", table),
+                    near = write("near.csv", "x,y,z,r\n100.1,0,0,1\n102,0,0,1\n");
   expect_says("detect " + far, 0, {"binary32 rounds coordinates by up to 4, 13.3 of a radius", "--recentre"});
   expect_says("detect " + far + " --recentre", 0, {"the origin 100000000,0,0 is taken off", " 0 pairs"});
   expect_says("detect " + far + " --origin 1e8,0,0", 0, {" 0 pairs"});
@@ -112,11 +115,13 @@ TEST_F(Answers, TakeAnArcWindowAsItIsWritten) {
 
 TEST_F(Answers, RefuseToCloseATree) {
   const std::string swc = write("t.swc", "1 1 0 0 0 1 -1\n2 3 5 0 0 1 1\n");
-  expect_refused("detect " + swc + " --closed", "a tree of branches has no closed strands; leave out --closed");
+  expect_refused("detect " + swc + " --closed",
+                 "a tree of branches has no closed strands; leave out --closed");
 }
 
 TEST_F(Answers, AreOfEveryFrameOfAFile) {
-  const std::string xyz = write("m.xyz", "3\nt\nC 0 0 0\nC 5 0 0\nC 9 0 0\n3\nt\nC 0 0 0\nC 5 0 0\nC 1 0 0\n");
+  const std::string xyz =
+      write("m.xyz", "3\nt\nC 0 0 0\nC 5 0 0\nC 9 0 0\n3\nt\nC 0 0 0\nC 5 0 0\nC 1 0 0\n");
   expect_says("detect " + xyz + " --radius 1 --frame all --pairs '" + file("p.csv") + "'", 0,
               {"frame 0: 3 spheres, 0 pairs", "frame 1: 3 spheres, 1 pair,"});
   EXPECT_TRUE(text_of(file("p.csv")).ends_with("1,0,2,C1,C3,0,0,0,2\n")) << text_of(file("p.csv"));

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
+#include <numeric>
 
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
@@ -19,17 +19,16 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 struct Sample {
   Sphere sphere;
   std::int64_t id, parent;
-  std::size_t line;
+  std::uint32_t line;
   std::uint32_t first_child = none, last_child = none, next_sibling = none;
 };
 
 class Neuron {
  public:
   Neuron(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {
-    while (lines_.next()) {
-      lines_.cut_comment('#');
-      if (!lines_.line().empty()) add_sample();
-    }
+    reserve();
+    while (lines_.next_content()) add_sample();
+    sort_ids();
     for (std::uint32_t i = 0; i < samples_.size(); ++i) link_to_parent(i);
     if (orphans_ > 0)
       curves_.warnings.push_back(
@@ -61,22 +60,47 @@ class Neuron {
         curves_.rounding.round(lines_.coordinate(fields[2], "x"), lines_.coordinate(fields[3], "y"),
                                lines_.coordinate(fields[4], "z"), lines_.radius(fields[5]));
     sample.parent = lines_.integer(fields[6], "parent");
-    sample.line = lines_.line_number();
-    const auto [known, is_new] = index_.emplace(sample.id, static_cast<std::uint32_t>(samples_.size()));
-    if (!is_new)
-      lines_.fail(fmt::format("id {} is already that of line {}", sample.id, samples_[known->second].line));
+    sample.line = static_cast<std::uint32_t>(lines_.line_number());
     samples_.push_back(sample);
+  }
+
+  // So that a file of millions of samples is not copied while it is read.
+  void reserve() {
+    const auto start = lines_.mark();
+    std::size_t samples = 0;
+    while (lines_.next_content()) ++samples;
+    lines_.return_to(start);
+    samples_.reserve(samples);
+    curves_.spheres.reserve(samples);
+  }
+
+  void sort_ids() {
+    const auto id_of = [&](std::uint32_t i) { return samples_[i].id; };
+    by_id_.resize(samples_.size());
+    std::iota(by_id_.begin(), by_id_.end(), 0u);
+    std::ranges::stable_sort(by_id_, {}, id_of);
+    const auto twice = std::ranges::adjacent_find(by_id_, {}, id_of);
+    if (twice != by_id_.end())
+      lines_.fail_at(samples_[twice[1]].line,
+                     fmt::format("id {} is already that of line {}", id_of(*twice), samples_[*twice].line));
+  }
+
+  /// none where no sample has this id.
+  std::uint32_t sample_of(std::int64_t id) const {
+    const auto id_of = [&](std::uint32_t i) { return samples_[i].id; };
+    const auto found = std::ranges::lower_bound(by_id_, id, {}, id_of);
+    return found == by_id_.end() || id_of(*found) != id ? none : *found;
   }
 
   void link_to_parent(std::uint32_t i) {
     const std::int64_t parent = samples_[i].parent;
     if (parent < 0) return roots_.push_back(i);
-    const auto found = index_.find(parent);
-    if (found == index_.end()) {
+    const std::uint32_t found = sample_of(parent);
+    if (found == none) {
       if (orphans_++ == 0) first_orphan_ = i;
       return roots_.push_back(i);
     }
-    Sample& of = samples_[found->second];
+    Sample& of = samples_[found];
     if (of.first_child == none)
       of.first_child = i;
     else
@@ -91,7 +115,7 @@ class Neuron {
     while (!starts.empty()) {
       const std::uint32_t start = starts.back();
       starts.pop_back();
-      if (start != root) curves_.joints.push_back({place_[index_.at(samples_[start].parent)], next_place()});
+      if (start != root) curves_.joints.push_back({place_[sample_of(samples_[start].parent)], next_place()});
       const std::size_t side_branches = starts.size();
       for (std::uint32_t i = start; i != none; i = samples_[i].first_child) {
         place_[i] = next_place();
@@ -114,7 +138,7 @@ class Neuron {
   [[noreturn]] void fail_for_cycle() const {
     std::uint32_t on = 0;
     while (place_[on] != none) ++on;
-    for (std::size_t step = 0; step < samples_.size(); ++step) on = index_.at(samples_[on].parent);
+    for (std::size_t step = 0; step < samples_.size(); ++step) on = sample_of(samples_[on].parent);
     lines_.fail_at(samples_[on].line,
                    fmt::format("sample {} is its own ancestor; a neuron is a tree, so mend its parent",
                                samples_[on].id));
@@ -122,7 +146,7 @@ class Neuron {
 
   TextLines lines_;
   std::vector<Sample> samples_;
-  std::unordered_map<std::int64_t, std::uint32_t> index_;
+  std::vector<std::uint32_t> by_id_;  ///< samples, in order of their ids
   std::vector<std::uint32_t> roots_, place_;
   std::size_t orphans_ = 0;
   std::uint32_t first_orphan_ = 0;

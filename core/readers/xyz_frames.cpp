@@ -41,6 +41,7 @@ class XyzFrames {
       lines_.fail(fmt::format("frame {} has {} points, frame 0 has {}", curves_.later_frames.size(),
                               announced_, curves_.spheres.size()));
     const std::size_t count_line = lines_.line_number();
+    if (first) curves_.spheres.reserve(std::min<std::size_t>(announced_, lines_.bytes() / 6));
     ExtendedXyz title;
     if (has_title()) title = read_title(first);
     for (std::uint32_t i = 0; i < announced_; ++i) {
