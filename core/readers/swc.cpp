@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
@@ -19,8 +20,7 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 struct Sample {
   Sphere sphere;
   std::int64_t id, parent;
-  std::uint32_t line;
-  std::uint32_t first_child = none, last_child = none, next_sibling = none;
+  std::uint32_t first_child = none, next_sibling = none;
 };
 
 class Neuron {
@@ -29,13 +29,15 @@ class Neuron {
     reserve();
     while (lines_.next_content()) add_sample();
     sort_ids();
-    for (std::uint32_t i = 0; i < samples_.size(); ++i) link_to_parent(i);
+    // Backwards, so that each is put in front of its siblings.
+    for (auto i = static_cast<std::uint32_t>(samples_.size()); i > 0; --i) link_to_parent(i - 1);
+    std::ranges::reverse(roots_);
     if (orphans_ > 0)
       curves_.warnings.push_back(
           fmt::format("line {}: sample {} has the parent {}, which is not in the file; {} such sample{} a "
                       "strand of its own",
-                      samples_[first_orphan_].line, samples_[first_orphan_].id,
-                      samples_[first_orphan_].parent, orphans_, orphans_ == 1 ? " starts" : "s start each"));
+                      line_of(first_orphan_), samples_[first_orphan_].id, samples_[first_orphan_].parent,
+                      orphans_, orphans_ == 1 ? " starts" : "s start each"));
   }
 
   CurveFile curves() {
@@ -60,18 +62,23 @@ class Neuron {
         curves_.rounding.round(lines_.coordinate(fields[2], "x"), lines_.coordinate(fields[3], "y"),
                                lines_.coordinate(fields[4], "z"), lines_.radius(fields[5]));
     sample.parent = lines_.integer(fields[6], "parent");
-    sample.line = static_cast<std::uint32_t>(lines_.line_number());
     samples_.push_back(sample);
   }
 
   // So that a file of millions of samples is not copied while it is read.
   void reserve() {
-    const auto start = lines_.mark();
     std::size_t samples = 0;
     while (lines_.next_content()) ++samples;
-    lines_.return_to(start);
+    lines_.return_to(start_);
     samples_.reserve(samples);
     curves_.spheres.reserve(samples);
+  }
+
+  /// Read once more: lines are asked for in errors and warnings alone.
+  std::size_t line_of(std::uint32_t sample) {
+    lines_.return_to(start_);
+    for (std::uint32_t i = 0; i <= sample; ++i) lines_.next_content();
+    return lines_.line_number();
   }
 
   void sort_ids() {
@@ -81,8 +88,8 @@ class Neuron {
     std::ranges::stable_sort(by_id_, {}, id_of);
     const auto twice = std::ranges::adjacent_find(by_id_, {}, id_of);
     if (twice != by_id_.end())
-      lines_.fail_at(samples_[twice[1]].line,
-                     fmt::format("id {} is already that of line {}", id_of(*twice), samples_[*twice].line));
+      lines_.fail_at(line_of(twice[1]),
+                     fmt::format("id {} is already that of line {}", id_of(*twice), line_of(*twice)));
   }
 
   /// none where no sample has this id.
@@ -97,15 +104,11 @@ class Neuron {
     if (parent < 0) return roots_.push_back(i);
     const std::uint32_t found = sample_of(parent);
     if (found == none) {
-      if (orphans_++ == 0) first_orphan_ = i;
+      ++orphans_;
+      first_orphan_ = i;
       return roots_.push_back(i);
     }
-    Sample& of = samples_[found];
-    if (of.first_child == none)
-      of.first_child = i;
-    else
-      samples_[of.last_child].next_sibling = i;
-    of.last_child = i;
+    samples_[i].next_sibling = std::exchange(samples_[found].first_child, i);
   }
 
   // Depth first, so that a branch lies near what it grows from; with a stack of our own, as neurons can be
@@ -135,16 +138,17 @@ class Neuron {
 
   // What no root reaches hangs on a cycle: from any such sample, as many steps up as there are samples end on
   // it.
-  [[noreturn]] void fail_for_cycle() const {
+  [[noreturn]] void fail_for_cycle() {
     std::uint32_t on = 0;
     while (place_[on] != none) ++on;
     for (std::size_t step = 0; step < samples_.size(); ++step) on = sample_of(samples_[on].parent);
-    lines_.fail_at(samples_[on].line,
+    lines_.fail_at(line_of(on),
                    fmt::format("sample {} is its own ancestor; a neuron is a tree, so mend its parent",
                                samples_[on].id));
   }
 
   TextLines lines_;
+  TextLines::Mark start_ = lines_.mark();
   std::vector<Sample> samples_;
   std::vector<std::uint32_t> by_id_;  ///< samples, in order of their ids
   std::vector<std::uint32_t> roots_, place_;

@@ -51,7 +51,7 @@ class PointColumns {
       read_row(lines_.fields(separators));
     }
     points_.finish();
-    if (blank_line_inside_) curves_.warnings.push_back("blank lines do not end a strand; END does");
+    if (blank_line_inside_) curves_.warnings.emplace_back("blank lines do not end a strand; END does");
   }
 
   void read_row(const std::vector<std::string_view>& row) {
@@ -76,7 +76,7 @@ class PointColumns {
     else
       points_.set_columns(columns_of_row(row, false, lines_));
     if (!header && row.size() > 3)
-      curves_.warnings.push_back("the words in the first column are taken for elements");
+      curves_.warnings.emplace_back("the words in the first column are taken for elements");
     return !header;
   }
 

@@ -69,7 +69,7 @@ class XyzFrames {
     bool enough = title;
     for (std::uint32_t i = 0; enough && i < announced_; ++i) enough = lines_.next_content() && !is_count();
     lines_.return_to(place);
-    if (!enough && point) curves_.warnings.push_back("there is no title line after the number of points");
+    if (!enough && point) curves_.warnings.emplace_back("there is no title line after the number of points");
     return enough || !point;
   }
 
