@@ -162,6 +162,9 @@ TEST(PdbReader, RefusesShiftedColumns) {
       const std::string said = complaint("a.pdb", lines({{0}}) + shifted);
       EXPECT_TRUE(said.starts_with("a.pdb:2: ")) << shifted << said;
     }
+  std::string inner = right;  // residue, chain and number alone
+  inner.erase(27, 1).insert(17, " ");
+  EXPECT_COMPLAINT("1: the residue's name does not stand in columns 18 to 20", "a.pdb", inner);
   EXPECT_EQ(read_text("a.pdb", line({1, "ATOM", "CA  ", ' ', "ALA"})).spheres.size(), 1u);  // left in its field
 }
 

@@ -1,11 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <bit>
-#include <cmath>
-
 #include "catena/core/readers/number_text.h"
 #include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_floats.h"
 
 namespace catena {
 namespace {
@@ -51,18 +49,21 @@ TEST(XyzReader, DropsNoMalformedPointAsATitle) {
 }
 
 TEST(XyzReader, RefusesRowsThatCanBeReadInSeveralWays) {
-  EXPECT_COMPLAINT("1: 4 numbers in a row can be read in several ways; say which: --columns x,y,z,_, --columns "
-                   "x,y,z,r, --columns id,x,y,z",
-                   "a.xyz", "10 0 0 1\n20 0 0 1\n30 0 0 1\n");
+  EXPECT_COMPLAINT(
+      "1: 4 numbers in a row can be read in several ways; say which: --columns x,y,z,_, --columns "
+      "x,y,z,r, --columns id,x,y,z",
+      "a.xyz", "10 0 0 1\n20 0 0 1\n30 0 0 1\n");
   EXPECT_COMPLAINT("3: 4 numbers in a row", "a.xyz", "2\ntitle\n6 7 0 0\n6 8 0 0\n");
   EXPECT_COMPLAINT("1: a word and 4 numbers", "a.txt", "C 1 0 0 0.5\nC 2 0 0 0.5\n");
   EXPECT_COMPLAINT("3: a word and 4 numbers", "a.xyz", "2\ntitle\nC 1 0 0 0.5\nC 2 0 0 0.5\n");
-  EXPECT_COMPLAINT("1: a word and 4 numbers can be read in several ways; say which: --columns element,x,y,z,_, "
-                   "--columns element,x,y,z,r, --columns chr,_,x,y,z",
-                   "a.txt", "chr1 100000 0 0 0\nchr1 200000 1 0 0\n");
-  EXPECT_COMPLAINT("1: a word and 3 numbers can be read in several ways; say which: --columns element,x,y,z, "
-                   "--columns strand,x,y,z",
-                   "a.txt", "A 0 0 0\nA 1 0 0\nB 2 0 0\n");
+  EXPECT_COMPLAINT(
+      "1: a word and 4 numbers can be read in several ways; say which: --columns element,x,y,z,_, "
+      "--columns element,x,y,z,r, --columns chr,_,x,y,z",
+      "a.txt", "chr1 100000 0 0 0\nchr1 200000 1 0 0\n");
+  EXPECT_COMPLAINT(
+      "1: a word and 3 numbers can be read in several ways; say which: --columns element,x,y,z, "
+      "--columns strand,x,y,z",
+      "a.txt", "A 0 0 0\nA 1 0 0\nB 2 0 0\n");
   EXPECT_COMPLAINT("1: '0.5x' in column 4 is not a number", "a.txt", "0 0 0 0.5x\n");
   EXPECT_COMPLAINT("2: the row has 4 columns, not 3", "a.txt", "0 0 0\n1 0 0 1\n");
 }
@@ -75,12 +76,14 @@ TEST(XyzReader, TakesTheColumnsThatTheUserNames) {
   EXPECT_EQ(ids.spheres[1], (Sphere{2, 0, 1, 0}));
   EXPECT_EQ(ids.strand_first, (Offsets{0, 2, 3}));
   EXPECT_EQ(ids.labels.of(2), "7");
-  const CurveFile genome = read_as({"chr", "_", "x", "y", "z"}, "chr1 100 1 0 0\nchr1 200 2 0 0\nchrX 100 3 0 0\n");
+  const CurveFile genome =
+      read_as({"chr", "_", "x", "y", "z"}, "chr1 100 1 0 0\nchr1 200 2 0 0\nchrX 100 3 0 0\n");
   EXPECT_EQ(genome.spheres[2].x, 3.0f);
   EXPECT_EQ(genome.strand_first, (Offsets{0, 2, 3}));
   EXPECT_EQ(genome.labels.strand_names, (Columns{"chr1", "chrX"}));
   EXPECT_EQ(genome.labels.of(2), "3");
-  EXPECT_EQ(read_as({"d", "z", "y", "x"}, "2\nt\n4 3 2 1\n4 3 2 2\n", "a.xyz").spheres[0], (Sphere{1, 2, 3, 2}));
+  EXPECT_EQ(read_as({"d", "z", "y", "x"}, "2\nt\n4 3 2 1\n4 3 2 2\n", "a.xyz").spheres[0],
+            (Sphere{1, 2, 3, 2}));
 }
 
 TEST(XyzReader, RefusesColumnsThatDoNotFit) {
@@ -92,25 +95,30 @@ TEST(XyzReader, RefusesColumnsThatDoNotFit) {
       return std::string(error.what());
     }
   };
-  EXPECT_NE(refusal({"x", "y", "z"}, "1 2 3 4\n").find(":1: the row has 4 columns, not 3"), std::string::npos);
+  EXPECT_NE(refusal({"x", "y", "z"}, "1 2 3 4\n").find(":1: the row has 4 columns, not 3"),
+            std::string::npos);
   EXPECT_NE(refusal({"x", "y", "z", "q"}, "1 2 3 4\n").find("'q' is no column"), std::string::npos);
   EXPECT_NE(refusal({"x", "y", "_"}, "1 2 3\n").find("must name x, y and z"), std::string::npos);
-  EXPECT_NE(refusal({"x", "y", "z", "x"}, "1 2 3 4\n").find("columns 1 and 4 mean the same"), std::string::npos);
-  EXPECT_NE(refusal({"x", "y", "z"}, "1 1 0 0 0 1 -1\n", "a.swc").find("--columns means nothing for a SWC neuron file"),
+  EXPECT_NE(refusal({"x", "y", "z", "x"}, "1 2 3 4\n").find("columns 1 and 4 mean the same"),
+            std::string::npos);
+  EXPECT_NE(refusal({"x", "y", "z"}, "1 1 0 0 0 1 -1\n", "a.swc")
+                .find("--columns means nothing for a SWC neuron file"),
             std::string::npos);
 }
 
 TEST(XyzReader, ReadsExtendedXyzAsItsPropertiesSay) {
-  const CurveFile curves = read_text("a.xyz",
-                                     "2\nLattice=\"9 0 0 0 9 0 0 0 9\" "
-                                     "Properties=species:S:1:forces:R:3:pos:R:3:radius:R:1:id:I:1 pbc=\"T T T\"\n"
-                                     "C 9 9 9 1 2 3 0.5 17\nO 9 9 9 4 5 6 0.25 3\n");
+  const CurveFile curves =
+      read_text("a.xyz",
+                "2\nLattice=\"9 0 0 0 9 0 0 0 9\" "
+                "Properties=species:S:1:forces:R:3:pos:R:3:radius:R:1:id:I:1 pbc=\"T T T\"\n"
+                "C 9 9 9 1 2 3 0.5 17\nO 9 9 9 4 5 6 0.25 3\n");
   EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{1, 2, 3, 0.5f}, {4, 5, 6, 0.25f}}));
   EXPECT_TRUE(curves.has_radii);
   EXPECT_EQ(curves.labels.of(0), "17");
   ASSERT_EQ(curves.warnings.size(), 2u);
   EXPECT_EQ(curves.warnings[1], "not read: 'forces'");
-  EXPECT_COMPLAINT("2: Properties 'species:S:1' has no pos:R:3", "a.xyz", "1\nProperties=species:S:1\nC 0 0 0\n");
+  EXPECT_COMPLAINT("2: Properties 'species:S:1' has no pos:R:3", "a.xyz",
+                   "1\nProperties=species:S:1\nC 0 0 0\n");
   EXPECT_COMPLAINT("2: Properties 'pos:R' is not", "a.xyz", "1\nProperties=pos:R\nC 0 0 0\n");
   EXPECT_COMPLAINT("2: Properties: '99999999999999' of 'pos'", "a.xyz",
                    "1\nProperties=pos:R:99999999999999\nC 0 0 0\n");
@@ -118,7 +126,8 @@ TEST(XyzReader, ReadsExtendedXyzAsItsPropertiesSay) {
 }
 
 TEST(XyzReader, ReadsFramesAsAnAnimation) {
-  const CurveFile curves = read_text("a.xyz", "2\nt\nC 0 0 0\nO 1 0 0\n\n2\nt\nC 0 0 1\nO 1 0 1\n2\n\nC 0 0 2\nO 1 0 2\n");
+  const CurveFile curves =
+      read_text("a.xyz", "2\nt\nC 0 0 0\nO 1 0 0\n\n2\nt\nC 0 0 1\nO 1 0 1\n2\n\nC 0 0 2\nO 1 0 2\n");
   ASSERT_EQ(curves.later_frames.size(), 2u);
   EXPECT_EQ(curves.spheres[1], (Sphere{1, 0, 0, 0}));
   EXPECT_EQ(curves.later_frames[1][1], (Sphere{1, 0, 2, 0}));
@@ -154,21 +163,14 @@ TEST(XyzReader, ComplainsWithFileAndLine) {
 
 RC_GTEST_PROP(XyzReader, BringsEveryFloatBack, ()) {
   std::vector<Sphere> spheres;
+  std::string text;
   for (auto left = *rc::gen::inRange(1, 6); left > 0; --left) {
-    float numbers[3];
-    for (float& number : numbers)
-      number = *rc::gen::suchThat(
-          rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [](std::uint32_t b) { return std::bit_cast<float>(b); }),
-          [](float value) { return std::isfinite(value); });
-    spheres.push_back({numbers[0], numbers[1], numbers[2], 0});
+    const Sphere& s = spheres.emplace_back(Sphere{*any_finite(), *any_finite(), *any_finite(), 0});
+    append_shortest(text, s.x), text += ' ';
+    append_shortest(text, s.y), text += ' ';
+    append_shortest(text, s.z), text += '\n';
   }
-  std::string lines;
-  for (const Sphere& s : spheres) {
-    append_shortest(lines, s.x), lines += ' ';
-    append_shortest(lines, s.y), lines += ' ';
-    append_shortest(lines, s.z), lines += '\n';
-  }
-  RC_ASSERT(read_text("a.txt", lines).spheres == spheres);
+  RC_ASSERT(read_text("a.txt", text).spheres == spheres);
 }
 
 }  // namespace

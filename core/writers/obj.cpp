@@ -4,6 +4,7 @@
 
 #include "catena/core/output_file.h"
 #include "catena/core/writers/point_row.h"
+#include "catena/core/writers/strand_cell.h"
 #include "catena/core/writers/writer.h"
 
 /// Wavefront OBJ: vertices, and a line element for each strand, which ends where it starts when the strand is
@@ -21,11 +22,10 @@ void write_obj(const std::filesystem::path& name, const ExportedFrames& frames) 
     file.write(line += '\n');
   }
   for (std::uint32_t s = 0; s < chain.strand_count(); ++s) {
-    const std::uint32_t first = chain.strands().first[s], last = chain.strands().first[s + 1];
-    if (first == last) continue;
-    line = last - first == 1 ? "p" : "l";
-    for (std::uint32_t i = first; i < last; ++i) line += fmt::format(" {}", i + 1);
-    if (chain.strands().closed[s] && last - first > 1) line += fmt::format(" {}", first + 1);
+    const auto cell = strand_cell(chain, s);
+    if (cell.empty()) continue;
+    line = cell.size() == 1 ? "p" : "l";
+    for (const std::uint32_t i : cell) line += fmt::format(" {}", i + 1);
     file.write(line += '\n');
   }
   file.close();

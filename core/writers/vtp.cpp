@@ -6,6 +6,7 @@
 #include "catena/core/output_file.h"
 #include "catena/core/overlap.h"
 #include "catena/core/writers/point_row.h"
+#include "catena/core/writers/strand_cell.h"
 #include "catena/core/writers/writer.h"
 
 /// VTK XML poly-data as ASCII, floats by their shortest exact text. A strand is a line, which ends where it
@@ -21,7 +22,9 @@ class Vtp {
   void write(const ExportedFrame& frame) {
     const Chain& chain = frame.chain;
     std::vector<std::vector<std::uint32_t>> lines, vertices;
-    cells_of(chain, lines, vertices);
+    for (std::uint32_t s = 0; s < chain.strand_count(); ++s)
+      if (auto cell = strand_cell(chain, s); !cell.empty())
+        (cell.size() == 1 ? vertices : lines).push_back(std::move(cell));
     file_.write(
         fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
                     "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n"
@@ -49,17 +52,6 @@ class Vtp {
   }
 
  private:
-  static void cells_of(const Chain& chain, std::vector<std::vector<std::uint32_t>>& lines,
-                       std::vector<std::vector<std::uint32_t>>& vertices) {
-    for (std::uint32_t s = 0; s < chain.strand_count(); ++s) {
-      const std::uint32_t first = chain.strands().first[s], last = chain.strands().first[s + 1];
-      if (first == last) continue;
-      auto& cell = (last - first == 1 ? vertices : lines).emplace_back();
-      for (std::uint32_t i = first; i < last; ++i) cell.push_back(i);
-      if (chain.strands().closed[s] && last - first > 1) cell.push_back(first);
-    }
-  }
-
   /// value(i) for each i below n, a line each.
   template <class Value>
   void array(const char* type, const char* name, std::size_t n, const Value& value) {

@@ -11,17 +11,12 @@
 #include <sstream>
 
 #include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_floats.h"
 
 namespace catena {
 namespace {
 
 using Offsets = std::vector<std::uint32_t>;
-
-rc::Gen<float> any_finite() {
-  return rc::gen::suchThat(rc::gen::map(rc::gen::arbitrary<std::uint32_t>(),
-                                        [](std::uint32_t b) { return std::bit_cast<float>(b); }),
-                           [](float value) { return std::isfinite(value); });
-}
 
 /// Any spheres; strands of at least one, open and closed.
 Chain any_chain() {
