@@ -30,8 +30,9 @@ class CATENA_API CapacityError : public Error {
 class CATENA_API PairLimitExceeded : public Error {
  public:
   PairLimitExceeded(std::uint64_t found, std::uint64_t limit)
-      : Error("found " + std::to_string(found) + " colliding pairs, more than the limit of " +
-              std::to_string(limit) + "; raise the limit (--pair-limit) or ask for counts only"),
+      : Error("found " + std::to_string(found) + (found == 1 ? " colliding pair" : " colliding pairs") +
+              ", more than the limit of " + std::to_string(limit) +
+              "; raise the limit (--pair-limit) or ask for counts only"),
         found_(found),
         limit_(limit) {}
   std::uint64_t found() const noexcept { return found_; }

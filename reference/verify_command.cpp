@@ -12,6 +12,7 @@
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
+#include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/scene_input.h"
@@ -46,8 +47,9 @@ class VerifyCommand final : public Command {
         ->allow_extra_args(false);
     frame_.add_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each input and variant");
-    app.add_flag("--certify", certify_,
-                 "Prove each answer by the variant's own evidence, where it has some; no reference is run for it");
+    app.add_flag(
+        "--certify", certify_,
+        "Prove each answer by the variant's own evidence, where it has some; no reference is run for it");
     add_input_options(app, options_);
   }
 
@@ -61,7 +63,7 @@ class VerifyCommand final : public Command {
     for (const auto& spec : inputs_) {
       const Input input = open_for_verification(spec, options_, samples);
       progress.clear();
-      for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", spec, warning);
+      show_warnings(input);
       const auto [first, last] = frame_.of(input);
       for (std::uint32_t f = first; f < last; ++f) verify_frame(input, f, candidates, report, progress);
     }
@@ -119,7 +121,8 @@ class VerifyCommand final : public Command {
 };
 
 const RegisterCommand<VerifyCommand> registered{
-    "verify", "Hold every variant, peers among them, against the exact reference: pairs, counts and enclosure"};
+    "verify",
+    "Hold every variant, peers among them, against the exact reference: pairs, counts and enclosure"};
 
 }  // namespace
 }  // namespace catena::reference

@@ -16,13 +16,6 @@ namespace {
 
 constexpr auto table_line = "  {:<{}}  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {}\n";
 
-/// Files by their name alone, so that a long path does not push the figures off the screen.
-std::string label(const VerifyRow& row) {
-  const std::filesystem::path path(row.input);
-  const std::string name = path.has_parent_path() ? path.filename().string() : row.input;
-  return row.frame == 0 ? name : fmt::format("{} #{}", name, row.frame);
-}
-
 std::string verdict_of(const Verification& v) {
   if (!v.reason.empty()) return name_of(v.verdict) + ": " + v.reason;
   if (!v.certificate) return name_of(v.verdict);
@@ -46,9 +39,16 @@ std::string named(const std::vector<std::string>& variants, std::size_t all) {
 
 }  // namespace
 
+std::string VerifyReport::label(const VerifyRow& row) {
+  const std::filesystem::path path(row.input);
+  std::string name = path.has_parent_path() ? path.filename().string() : row.input;
+  if (named_.emplace(name, row.input).first->second != row.input) name = row.input;
+  return row.frame == 0 ? name : fmt::format("{} #{}", name, row.frame);
+}
+
 void VerifyReport::row(const VerifyRow& row) {
   ++verdicts_[row.result.verdict];
-  inputs_.insert(label(row));
+  inputs_.insert(row.input);
   if (json_) {
     json_row(row);
   } else {

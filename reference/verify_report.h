@@ -41,6 +41,9 @@ class VerifyReport {
     std::string verdict;
     std::vector<std::string> variants;
   };
+  /// Files by their name alone, so that a long path does not push the figures off the screen; the second of a
+  /// name by its path.
+  std::string label(const VerifyRow& row);
   void gather(const VerifyRow& row);
   static void json_row(const VerifyRow& row);
   void print_headline() const;
@@ -55,6 +58,7 @@ class VerifyReport {
       absent_;            ///< by arithmetic; by the reason why they are not available
   Names right_, faulty_;  ///< exact variants, on some input
   Names inputs_;
+  std::map<std::string, std::string> named_;  ///< the input that is shown by this name
 };
 
 }  // namespace catena::reference

@@ -21,10 +21,18 @@ void Margins::add(const Pair& pair, bool collides, double margin) {
   tightest_collides = collides;
 }
 
-Margins margins_of(const Chain& chain) {
+Margins margins_of(const Chain& chain, double rounding) {
   Margins margins;
-  reference::near_pairs(
-      chain, [&](const Pair& pair, bool collides, double margin) { margins.add(pair, collides, margin); });
+  margins.rounding = rounding;
+  // Two centres, each moved by up to sqrt(3) roundings.
+  const double reach = 2 * std::sqrt(3.0) * rounding;
+  reference::near_pairs(chain, [&](const Pair& pair, bool collides, double margin) {
+    margins.add(pair, collides, margin);
+    if (rounding == 0) return;
+    const double touch = double{chain[pair.i].radius} + chain[pair.j].radius;
+    const double distance = touch * std::sqrt(std::max(0.0, collides ? 1 - margin : 1 + margin));
+    margins.open_by_rounding += std::abs(distance - touch) <= reach;
+  });
   return margins;
 }
 

@@ -22,6 +22,9 @@ struct Margins {
   std::uint64_t open_in_binary32 =
       0;  ///< pairs that stage 1 of the exact overlap leaves open: margin up to 12u
   std::uint64_t open_in_binary64 = 0;  ///< pairs that stage 2 leaves open: margin up to 10u
+  double rounding = 0;                 ///< the most that a coordinate lost when it was read
+  /// Pairs with a margin below 1 whose decision such a loss of both centres may have changed.
+  std::uint64_t open_by_rounding = 0;
   double least =
       std::numeric_limits<double>::infinity();  ///< smallest margin of all; infinite: there is no pair
   Pair tightest{0, 0};                          ///< a pair that has it
@@ -33,7 +36,8 @@ struct Margins {
   double condition_number() const { return 1 / least; }
 };
 
-/// The margins of a chain, by exact arithmetic. Cost of reference::near_pairs.
-Margins margins_of(const Chain& chain);
+/// The margins of a chain, by exact arithmetic, whose coordinates were rounded by up to `rounding` before.
+/// Cost of reference::near_pairs.
+Margins margins_of(const Chain& chain, double rounding = 0);
 
 }  // namespace catena::bench

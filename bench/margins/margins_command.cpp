@@ -11,6 +11,8 @@
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/report_text.h"
+#include "catena/core/commands/show_warnings.h"
+#include "catena/core/counted.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/scene_input.h"
 
@@ -32,11 +34,11 @@ class MarginsCommand final : public Command {
   int run() override {
     for (const auto& spec : inputs_) {
       const Input input = open_input(spec, options_);
-      for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", input.name, warning);
+      show_warnings(input);
       const auto [first, last] = frame_.of(input);
       for (std::uint32_t frame = first; frame < last; ++frame) {
         const Chain chain = input.animation->frame(frame);
-        const Margins m = margins_of(chain);
+        const Margins m = margins_of(chain, input.rounding);
         const std::uint32_t of_scene = written_frame(spec) + frame;
         json_ ? print_json(spec, of_scene, chain, m) : print(spec, of_scene, chain, m);
       }
@@ -46,7 +48,11 @@ class MarginsCommand final : public Command {
 
  private:
   static void print(const std::string& spec, std::uint32_t frame, const Chain& chain, const Margins& m) {
-    fmt::print("{} frame {}: {} spheres, {} pairs\n", spec, frame, chain.size(), m.colliding.pairs);
+    fmt::print("{} frame {}: {}, {}\n", spec, frame, counted(chain.size(), "sphere"),
+               counted(m.colliding.pairs, "pair"));
+    if (m.rounding > 0)
+      fmt::print("  reading rounded coordinates by up to {:.3g}, which leaves {} open\n", m.rounding,
+                 counted(m.open_by_rounding, "pair"));
     if (std::isinf(m.least)) {
       fmt::print("  no pair has a margin below 1\n");
       return;
@@ -57,8 +63,8 @@ class MarginsCommand final : public Command {
                : m.tightest_collides ? "colliding"
                                      : "apart",
                m.condition_number());
-    fmt::print("  binary32 leaves {} pairs open, binary64 {}; {} touch exactly\n", m.open_in_binary32,
-               m.open_in_binary64, m.touching);
+    fmt::print("  binary32 leaves {} open, binary64 {}; {} touch exactly\n",
+               counted(m.open_in_binary32, "pair"), m.open_in_binary64, m.touching);
     fmt::print("  {:<18} {:>12} {:>12}\n", "margin", "colliding", "apart");
     for (std::size_t k = 0; k < Margins::decades; ++k) {
       const auto colliding = m.colliding.decade[k], apart = m.apart.decade[k];
@@ -82,6 +88,8 @@ class MarginsCommand final : public Command {
     line["touching"] = m.touching;
     line["open_in_binary32"] = m.open_in_binary32;
     line["open_in_binary64"] = m.open_in_binary64;
+    line["rounding"] = m.rounding;
+    line["open_by_rounding"] = m.open_by_rounding;
     line["colliding_decades"] = m.colliding.decade;
     line["apart_decades"] = m.apart.decade;
     fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));

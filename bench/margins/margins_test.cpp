@@ -59,6 +59,20 @@ TEST(Margins, OfScenesAreThoseTheyWereMadeWith) {
   EXPECT_TRUE(std::isinf(apart.least));
 }
 
+// Two spheres of radius 1, and 10 units of rounding either way: by it alone the pairs at 1.9 and 2.1 stay
+// open.
+TEST(Margins, SeeWhatTheRoundingOfAFileLeavesOpen) {
+  const auto pair_at = [](float distance) {
+    return Chain({{0, 0, 0, 1}, {distance, 0, 0, 1}}, {{0, 1, 2}, {0, 0}});
+  };
+  constexpr double reach = 0.1 + 1e-6, rounding = reach / (2 * 1.7320508075688772);
+  for (const auto& [distance, open] : {std::pair(1.9f, 1u), {2.1f, 1u}, {2.0f, 1u}, {1.8f, 0u}, {2.2f, 0u}}) {
+    EXPECT_EQ(margins_of(pair_at(distance), rounding).open_by_rounding, open) << distance;
+    EXPECT_EQ(margins_of(pair_at(distance)).open_by_rounding, 0u) << distance;
+  }
+  EXPECT_EQ(margins_of(pair_at(2), rounding).rounding, rounding);
+}
+
 TEST(Margins, CountEachPairInOneDecade) {
   const Margins m = margins_of(scene("yarn:n=3000"));
   for (const auto& side : {m.colliding, m.apart})

@@ -3,14 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <optional>
 
+#include "catena/core/commands/answer_files.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
-#include "catena/core/commands/table_file.h"
+#include "catena/core/commands/show_warnings.h"
 #include "catena/core/commands/whole_number_option.h"
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/strategy/registry.h"
@@ -26,9 +27,13 @@ class DetectCommand final : public Command {
     app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
     app.add_option("--variant", variant_, "How to find the pairs; see catena list")->capture_default_str();
     frame_.add_to(app);
-    app.add_option("--pairs", pairs_file_, "Write the colliding pairs to this CSV file: frame,i,j");
-    app.add_option("--counts", counts_file_,
-                   "Write the collisions of each sphere to this CSV file: frame,sphere,count");
+    app.add_option(
+        "--pairs", files_.pairs,
+        "Write the colliding pairs to this file, with what identifies them in the input: CSV, or JSON lines "
+        "where its name ends in .jsonl");
+    app.add_option("--counts", files_.counts, "Write the collisions of each sphere to this file, likewise");
+    app.add_flag("--depth", files_.depth, "--pairs has a column with the depth of the overlap");
+    app.add_flag("--margin", files_.margin, "--pairs has a column with the margin, |q - t| / t");
     app.add_option("--pair-limit", request_.pair_limit,
                    "Most pairs to keep; more is an error with the true number")
         ->transform(whole_number_option())
@@ -44,11 +49,10 @@ class DetectCommand final : public Command {
     check_options();
     const auto variant = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     const Input input = open_input(input_, options_);
-    for (const auto& warning : input.warnings) fmt::print(stderr, "catena: {}: {}\n", input.name, warning);
+    show_warnings(input);
     const auto [first, last] = frame_.of(input);
     first_frame_ = written_frame(input_);
-    if (!pairs_file_.empty()) pairs_out_.emplace(pairs_file_, "frame,i,j");
-    if (!counts_file_.empty()) counts_out_.emplace(counts_file_, "frame,sphere,count");
+    AnswerFiles files(files_, input.labels);
 
     Progress progress(last - first);
     Collisions found;
@@ -62,18 +66,19 @@ class DetectCommand final : public Command {
       });
       progress.clear();
       print(f, chain, found, *variant);
-      write_files(first_frame_ + f, found);
+      files.write(first_frame_ + f, chain, found);
     }
-    if (pairs_out_) pairs_out_->close();
-    if (counts_out_) counts_out_->close();
+    files.close();
     return 0;
   }
 
  private:
   void check_options() {
-    if (any_only_ && (counts_only_ || !pairs_file_.empty() || !counts_file_.empty()))
+    if ((files_.depth || files_.margin) && files_.pairs.empty())
+      throw InputError("--depth and --margin are columns of --pairs; name its file, too");
+    if (any_only_ && (counts_only_ || !files_.pairs.empty() || !files_.counts.empty()))
       throw InputError("--any finds neither counts nor pairs; leave out --counts-only, --counts and --pairs");
-    if (counts_only_ && !pairs_file_.empty())
+    if (counts_only_ && !files_.pairs.empty())
       throw InputError("--counts-only keeps no pairs; leave out --pairs or --counts-only");
     request_.want = any_only_      ? Request::Want::any
                     : counts_only_ ? Request::Want::counts
@@ -101,33 +106,24 @@ class DetectCommand final : public Command {
       fmt::print("{}\n", line.dump());
       return;
     }
-    const std::string what = any_only_ ? (found.found ? "collides" : "does not collide")
-                                       : fmt::format("{} pairs, at most {} a sphere", found.pair_count, most);
-    fmt::print("{} frame {}: {} spheres, {}; {}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
-               chain.size(), what, variant_, t.build_ms, t.find_ms,
+    const std::string what =
+        any_only_ ? (found.found ? "collides" : "does not collide")
+                  : fmt::format("{}, at most {} a sphere", counted(found.pair_count, "pair"), most);
+    fmt::print("{} frame {}: {}, {}; {}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
+               counted(chain.size(), "sphere"), what, variant_, t.build_ms, t.find_ms,
                t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
     if (plan_)
       for (const Decision& d : variant.plan())
         fmt::print("  {} {}: {}\n", d.step, d.left_out ? "left out" : "done", d.reason);
   }
 
-  void write_files(std::uint32_t frame, Collisions& found) {
-    if (pairs_out_) {
-      std::ranges::sort(found.pairs);
-      for (const Pair& p : found.pairs) pairs_out_->row("{},{},{}\n", frame, p.i, p.j);
-    }
-    if (counts_out_)
-      for (std::size_t i = 0; i < found.count.size(); ++i)
-        counts_out_->row("{},{},{}\n", frame, i, found.count[i]);
-  }
-
-  std::string input_, variant_ = "aCPU2+CPU2", pairs_file_, counts_file_;
+  std::string input_, variant_ = "aCPU2+CPU2";
+  AnswerFiles::Names files_;
   FrameOption frame_;
   InputOptions options_;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   Request request_;
   bool json_ = false, counts_only_ = false, any_only_ = false, plan_ = false;
-  std::optional<TableFile> pairs_out_, counts_out_;
 };
 
 const RegisterCommand<DetectCommand> registered("detect", "Find the self-collisions of a scene or file");

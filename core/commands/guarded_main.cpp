@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -15,22 +14,23 @@
 #include <system_error>
 
 #include "catena/core/error.h"
+#include "catena/core/one_line.h"
 
 namespace catena {
 namespace {
 
 /// Says it in one line. Not fmt::print: that throws when standard error takes nothing, and there is nobody to
 /// tell.
-int refuse(std::string_view program, std::string what) {
-  std::ranges::replace(what, '\n', ' ');
-  const std::string line = fmt::format("{}: {}\n", program, what);
+int refuse(std::string_view program, const std::string& what) {
+  const std::string line = fmt::format("{}: {}\n", program, one_line(what));
   std::fwrite(line.data(), 1, line.size(), stderr);
   return 2;
 }
 
 int refuse_output(std::string_view program, int reason) {
   if (reason == EPIPE) return 2;
-  if (reason == 0) return refuse(program, "cannot write the output");  // a stream failed long ago and kept no reason
+  if (reason == 0)
+    return refuse(program, "cannot write the output");  // a stream failed long ago and kept no reason
   return refuse(program, fmt::format("cannot write the output: {}", std::strerror(reason)));
 }
 

@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "catena/core/error.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/number_text.h"
 
 namespace catena {
 namespace {
@@ -25,6 +32,43 @@ void set_radius(const std::string& text, InputOptions& options) {
   options.radius = radius;
 }
 
+/// A number, pi, or pi/NUMBER; nothing for other text.
+std::optional<double> number_with_pi(std::string_view text) {
+  const auto number = [](std::string_view digits) -> std::optional<double> {
+    const auto [value, problem] = parse_double(digits);
+    if (!problem.empty()) return {};
+    return value;
+  };
+  if (text == "pi") return std::numbers::pi;
+  if (!text.starts_with("pi/")) return number(text);
+  const auto parts = number(text.substr(3));
+  if (!parts) return {};
+  return std::numbers::pi / *parts;
+}
+
+void set_arc_window(const std::string& text, InputOptions& options) {
+  options.arc_window = number_with_pi(text);
+  if (!options.arc_window || !std::isfinite(*options.arc_window) || *options.arc_window <= 0)
+    throw InputError(
+        fmt::format("--arc-window {}: must be a finite number above 0, as 1.5 or pi/2", in_quotes(text)));
+}
+
+void set_origin(const std::string& text, ReadOptions& reading) {
+  reading.recentre = true;
+  std::array<double, 3> origin{};
+  std::string_view rest = text;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view part = axis < 2 ? rest.substr(0, rest.find(',')) : rest;
+    const auto [value, problem] = parse_double(part);
+    if (!problem.empty())
+      throw InputError(
+          fmt::format("--origin {}: {} {}; an origin is X,Y,Z", in_quotes(text), in_quotes(part), problem));
+    origin[axis] = value;
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+  }
+  reading.origin = origin;
+}
+
 }  // namespace
 
 void add_input_options(CLI::App& app, InputOptions& options) {
@@ -37,11 +81,27 @@ void add_input_options(CLI::App& app, InputOptions& options) {
       app.add_option("--window", options.window,
                      "Spheres this many steps along a strand are neighbours, instead of the input's rule")
           ->type_name("K");
-  app.add_option(
-         "--arc-window", options.arc_window,
+  app.add_option_function<std::string>(
+         "--arc-window", [&options](const std::string& text) { set_arc_window(text, options); },
          "Spheres nearer along the strand than F times the sum of their radii are neighbours, instead")
-      ->type_name("F")
+      ->type_name("F|pi/2")
       ->excludes(window);
+  app.add_option(
+         "--columns", options.reading.columns,
+         "What the columns of a text table are: x, y, z, r, d, id, element, strand, chr, closed, or _ for "
+         "one that is not read")
+      ->type_name("x,y,z,r")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--atom", options.reading.atom,
+                 "The atom that stands for a residue, instead of C-alpha or P")
+      ->type_name("NAME");
+  app.add_flag("--recentre", options.reading.recentre,
+               "Take the first point of a file off every point, before they are rounded to binary32");
+  app.add_option_function<std::string>(
+         "--origin", [&options](const std::string& text) { set_origin(text, options.reading); },
+         "Take this point off instead")
+      ->type_name("X,Y,Z");
 }
 
 }  // namespace catena

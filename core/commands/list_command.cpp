@@ -11,6 +11,7 @@
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/setup.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/writers/writer.h"
 
 namespace catena {
 namespace {
@@ -18,9 +19,7 @@ namespace {
 /// `catena list`: variants, scenes and readers; what is not available here, and why.
 class ListCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_flag("--json", json_, "One JSON object, in one line");
-  }
+  void configure(CLI::App& app) override { app.add_flag("--json", json_, "One JSON object, in one line"); }
 
   int run() override {
     json_ ? print_json() : print_text();
@@ -70,8 +69,12 @@ class ListCommand final : public Command {
     }
     fmt::print("\nReaders (by file extension)\n");
     for (const auto& reader : ReaderRegistry::instance().readers())
-      fmt::print("  {:<12} {}: {}\n", fmt::to_string(fmt::join(reader.extensions, " ")), reader.name,
-                 reader.summary);
+      fmt::print("  {:<12} {}: {}; labels: {}\n", fmt::to_string(fmt::join(reader.extensions, " ")),
+                 reader.name, reader.summary, reader.label);
+    fmt::print("\nWriters (catena export)\n");
+    for (const auto& writer : WriterRegistry::instance().writers())
+      fmt::print("  {:<12} {}: {}\n", fmt::to_string(fmt::join(writer.extensions, " ")), writer.name,
+                 writer.summary);
   }
 
   static nlohmann::json to_json(const std::vector<ParameterInfo>& parameters) {
@@ -97,14 +100,19 @@ class ListCommand final : public Command {
       out["variants"].push_back(item);
     }
     for (const auto& s : SceneRegistry::instance().scenes())
-      out["scenes"].push_back(
-          {{"name", s.name},
-           {"summary", s.summary},
-           {"strains", s.strains},
-           {"settings", s.settings},
-           {"parameters", to_json(s.parameters)}});
+      out["scenes"].push_back({{"name", s.name},
+                               {"summary", s.summary},
+                               {"strains", s.strains},
+                               {"settings", s.settings},
+                               {"parameters", to_json(s.parameters)}});
     for (const auto& r : ReaderRegistry::instance().readers())
-      out["readers"].push_back({{"name", r.name}, {"extensions", r.extensions}, {"summary", r.summary}});
+      out["readers"].push_back({{"name", r.name},
+                                {"extensions", r.extensions},
+                                {"summary", r.summary},
+                                {"label", r.label},
+                                {"options", r.options}});
+    for (const auto& w : WriterRegistry::instance().writers())
+      out["writers"].push_back({{"name", w.name}, {"extensions", w.extensions}, {"summary", w.summary}});
     fmt::print("{}\n", out.dump());
   }
 

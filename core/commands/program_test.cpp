@@ -80,11 +80,13 @@ TEST_F(Program, TakesWholeNumbersWithAnExponent) {
 TEST_F(Program, PrintsTheFrameItUsed) {
   expect_says("detect path1:n=100,frame=3", 0, {"frame 3: 100 spheres"});
   EXPECT_EQ(nlohmann::json::parse(run("detect path1:n=100,frame=3 --json").output)["frame"], 3);
-  EXPECT_EQ(nlohmann::json::parse(run("verify path1:n=100,frame=3 --variant CPU1 --json").output)["frame"], 3);
+  EXPECT_EQ(nlohmann::json::parse(run("verify path1:n=100,frame=3 --variant CPU1 --json").output)["frame"],
+            3);
   EXPECT_EQ(nlohmann::json::parse(run("margins path1:n=100,frame=3 --json").output)["frame"], 3);
   const std::string pairs = file("p.csv");
   expect_says("detect path1:n=1000,frame=28 --pairs '" + pairs + "'", 0, {"frame 28"});
-  EXPECT_TRUE(text_of(pairs).starts_with("frame,i,j\n28,")) << text_of(pairs).substr(0, 40);
+  EXPECT_TRUE(text_of(pairs).starts_with("frame,i,j,label_i,label_j,strand_i,strand_j,index_i,index_j\n28,"))
+      << text_of(pairs).substr(0, 40);
 }
 
 TEST_F(Program, ListsVariantsScenesAndReaders) {
@@ -122,22 +124,25 @@ TEST_F(Program, WritesPairsAndCounts) {
   const std::string pairs = file("pairs.csv"), counts = file("counts.csv");
   expect_says("detect coincident:n=60 --pairs '" + pairs + "' --counts '" + counts + "'", 0, {"812 pairs"});
   const std::string pair_text = text_of(pairs), count_text = text_of(counts);
-  EXPECT_TRUE(pair_text.starts_with("frame,i,j\n0,0,2\n")) << pair_text.substr(0, 40);
+  EXPECT_TRUE(pair_text.starts_with(
+      "frame,i,j,label_i,label_j,strand_i,strand_j,index_i,index_j\n0,0,2,0,2,0,0,0,2\n"))
+      << pair_text.substr(0, 40);
   EXPECT_EQ(std::ranges::count(pair_text, '\n'), 813);
-  EXPECT_TRUE(count_text.starts_with("frame,sphere,count\n0,0,")) << count_text.substr(0, 40);
+  EXPECT_TRUE(count_text.starts_with("frame,sphere,count,label,strand,index\n0,0,"))
+      << count_text.substr(0, 40);
   EXPECT_EQ(std::ranges::count(count_text, '\n'), 61);
 }
 
 /// Of a name that is not a regular file, the thing stays, and gets the text.
 TEST_F(Program, WritesThroughWhatIsNoRegularFile) {
-  const std::string csv = "frame,sphere,count\n0,0,1\n0,1,0\n0,2,1\n",
+  const std::string csv = "frame,sphere,count,label,strand,index\n0,0,1,0,0,0\n0,1,0,1,0,1\n0,2,1,2,0,2\n",
                     scene = "detect coincident:n=3 --counts ";
   const Outcome both = run(scene + "/dev/stdout --any");
   EXPECT_EQ(both.code, 2) << "--any counts nothing";
   const Outcome printed = run(scene + "/dev/stdout");
   EXPECT_EQ(printed.code, 0);
   EXPECT_NE(printed.output.find(csv), std::string::npos) << printed.output;
-  EXPECT_NE(printed.output.find("1 pairs, at most 1 a sphere"), std::string::npos) << printed.output;
+  EXPECT_NE(printed.output.find("1 pair, at most 1 a sphere"), std::string::npos) << printed.output;
 
   const std::string fifo = file("fifo"), read = file("read"), link = file("link");
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
@@ -148,7 +153,7 @@ TEST_F(Program, WritesThroughWhatIsNoRegularFile) {
   std::filesystem::create_symlink("read", link);
   expect_says(scene + "'" + link + "' --window 2", 0, {"0 pairs"});
   EXPECT_TRUE(std::filesystem::is_symlink(link));
-  EXPECT_EQ(text_of(read), "frame,sphere,count\n0,0,0\n0,1,0\n0,2,0\n");
+  EXPECT_EQ(text_of(read), "frame,sphere,count,label,strand,index\n0,0,0,0,0,0\n0,1,0,1,0,1\n0,2,0,2,0,2\n");
 
   std::filesystem::create_symlink("/dev/full", file("full"));
   expect_says(scene + "'" + file("full") + "'", 2,
@@ -189,7 +194,7 @@ TEST_F(Program, LeavesNothingBehindWhenAFileCannotBeWrittenToItsEnd) {
 
 TEST_F(Program, ReadsFilesWithAndWithoutRadii) {
   expect_says("detect '" + examples + "Neuron.swc'", 0, {"spheres"});
-  expect_says("detect '" + examples + "9_47-cubiclattice.txt' --closed --radius 0.5", 0, {"pairs"});
+  expect_says("detect '" + examples + "9_47-cubiclattice.txt' --closed --radius 0.5", 0, {"1 pair,"});
   expect_says("detect '" + examples + "9_47-cubiclattice.txt' --radius half-spacing --arc-window 1.57", 0,
               {"pairs"});
   expect_says("detect '" + examples + "rings.chain' --window 3", 0, {"spheres"});
@@ -199,7 +204,8 @@ TEST_F(Program, VerifiesByReferenceAndByCertificate) {
   expect_says("verify coincident:n=60 path1:n=200", 0, {"aCPU2+CPU2", "CPU1", "exact"});
   const Outcome right = run("verify coincident:n=60 path1:n=200");
   EXPECT_TRUE(right.output.starts_with("Every exact variant is exact, on 2 inputs: ")) << right.output;
-  EXPECT_LT(std::ranges::count(right.output, '\n'), 40) << "variants of one answer share a line: " << right.output;
+  EXPECT_LT(std::ranges::count(right.output, '\n'), 40)
+      << "variants of one answer share a line: " << right.output;
   const Outcome wrong = run("verify lattice:n=60 --variant mutant:less-for-less-equal --variant CPU1");
   EXPECT_EQ(wrong.code, 1);
   EXPECT_TRUE(wrong.output.starts_with("mutant:less-for-less-equal on lattice:n=60: WRONG")) << wrong.output;

@@ -32,33 +32,61 @@ void give_radii(CurveFile& curves, const InputOptions& options, const std::strin
   if (options.radius_half_spacing && !(radius > 0 && radius <= std::numeric_limits<float>::max()))
     throw InputError(fmt::format("{}: half the median step is {}, no usable radius; give one with --radius R",
                                  name, radius));
-  for (Sphere& sphere : curves.spheres) sphere.radius = static_cast<float>(radius);
+  const auto give = [&](std::vector<Sphere>& spheres) {
+    for (Sphere& sphere : spheres) sphere.radius = static_cast<float>(radius);
+  };
+  give(curves.spheres);
+  std::ranges::for_each(curves.later_frames, give);
 }
 
 // A closed curve whose file repeats the first point at the end would have that point twice, as spheres that
 // are neighbours of each other but not of each other's neighbours.
-void drop_repeated_ends(CurveFile& curves, const std::string& name, std::vector<std::string>& warnings) {
-  std::vector<Sphere> kept;
-  std::vector<std::uint32_t> first{0};
+void drop_repeated_ends(CurveFile& curves) {
+  std::vector<std::uint32_t> kept, first{0};
+  std::size_t dropped = 0;
   for (std::size_t s = 0; s + 1 < curves.strand_first.size(); ++s) {
-    auto begin = curves.spheres.begin() + curves.strand_first[s],
-         end = curves.spheres.begin() + curves.strand_first[s + 1];
-    if (end - begin > 1 && same_centre(*begin, *(end - 1))) --end;
-    kept.insert(kept.end(), begin, end);
+    const std::uint32_t begin = curves.strand_first[s], end = curves.strand_first[s + 1];
+    const auto repeats = [&](const std::vector<Sphere>& frame) {
+      return same_centre(frame[begin], frame[end - 1]);
+    };
+    const bool drops =
+        end - begin > 1 && repeats(curves.spheres) && std::ranges::all_of(curves.later_frames, repeats);
+    dropped += drops;
+    for (std::uint32_t i = begin; i < end - (drops ? 1 : 0); ++i) kept.push_back(i);
     first.push_back(static_cast<std::uint32_t>(kept.size()));
   }
-  if (const auto dropped = curves.spheres.size() - kept.size(); dropped > 0)
-    warnings.push_back(fmt::format("{}: {} closed strand{} the first point at the end; it is taken once",
-                                   name, dropped, dropped == 1 ? " repeats" : "s repeat"));
-  curves.spheres = std::move(kept);
+  if (dropped == 0) return;
+  curves.warnings.push_back(fmt::format("{} closed strand{} the first point at the end; it is taken once",
+                                        dropped, dropped == 1 ? " repeats" : "s repeat"));
+  curves.choose(kept);
   curves.strand_first = std::move(first);
 }
 
-void close_strands(CurveFile& curves, const std::string& name, std::vector<std::string>& warnings) {
+void close_strands(CurveFile& curves, const std::string& name) {
+  if (curves.is_tree || !curves.joints.empty())
+    throw InputError(fmt::format("{}: a tree of branches has no closed strands; leave out --closed", name));
   std::ranges::fill(curves.strand_closed, std::uint8_t{1});
   // Where pairs name spheres by number, the numbers stay.
-  if (curves.joints.empty() && curves.exclusion.extra_pairs.empty())
-    drop_repeated_ends(curves, name, warnings);
+  if (curves.exclusion.extra_pairs.empty()) drop_repeated_ends(curves);
+}
+
+// From this share of its radius on, a sphere's coordinates are said to have lost too much when they were
+// rounded.
+constexpr double greatest_share = 1e-3;
+
+void warn_of_rounding(CurveFile& curves, bool own_radii) {
+  const PointRounding& rounding = curves.rounding;
+  if (const auto& origin = rounding.origin())
+    curves.warnings.push_back(fmt::format("the origin {},{},{} is taken off every point", (*origin)[0],
+                                          (*origin)[1], (*origin)[2]));
+  double share = rounding.greatest_share();
+  if (const double radius = curves.spheres.empty() ? 0 : curves.spheres[0].radius; !own_radii && radius > 0)
+    share = rounding.greatest_error() / radius;
+  if (share <= greatest_share) return;
+  curves.warnings.push_back(
+      fmt::format("binary32 rounds coordinates by up to {:.3g}, {:.3g} of a radius (said from {} on){}",
+                  rounding.greatest_error(), share, greatest_share,
+                  rounding.origin() ? "" : "; --recentre takes an origin off before"));
 }
 
 }  // namespace
@@ -95,11 +123,15 @@ Exclusion chosen_exclusion(const InputOptions& options, const Exclusion& own) {
   return chosen;
 }
 
-Chain make_chain(CurveFile curves, const InputOptions& options, const std::string& name,
-                 std::vector<std::string>& warnings) {
-  Exclusion exclusion = chosen_exclusion(options, curves.exclusion);
-  if (options.closed) close_strands(curves, name, warnings);
+void complete(CurveFile& curves, const InputOptions& options, const std::string& name) {
+  if (options.closed) close_strands(curves, name);
+  const bool own_radii = curves.has_radii;
   give_radii(curves, options, name);
+  warn_of_rounding(curves, own_radii);
+}
+
+Chain make_chain(CurveFile curves, const InputOptions& options) {
+  Exclusion exclusion = chosen_exclusion(options, curves.exclusion);
   Strands strands{std::move(curves.strand_first), std::move(curves.strand_closed)};
   const auto across = pairs_across_joints(curves.spheres, strands, curves.joints, exclusion);
   exclusion.extra_pairs.insert(exclusion.extra_pairs.end(), across.begin(), across.end());

@@ -8,11 +8,14 @@
 
 namespace catena {
 
-/// Makes the chain of what a file says and what the user adds: radii where the file has none, closure,
-/// another exclusion rule, and the neighbours across joints. `name` is the file, for errors. Adds to
-/// `warnings` what had to be assumed. Throws InputError when the options do not fit the file.
-Chain make_chain(CurveFile curves, const InputOptions& options, const std::string& name,
-                 std::vector<std::string>& warnings);
+/// Adds what the user says to what a file says, in every frame: radii where the file has none, closure.
+/// `name` is the file, for errors. Adds to the warnings what had to be assumed, and what the rounding to
+/// binary32 has cost. Throws InputError when the options do not fit the file.
+void complete(CurveFile& curves, const InputOptions& options, const std::string& name);
+
+/// The chain of the first frame of completed curves, with the file's exclusion rule or that of the options,
+/// and the neighbours across joints. Throws InputError when it is none.
+Chain make_chain(CurveFile curves, const InputOptions& options);
 
 /// Half the median distance of consecutive centres along the strands, the closing step of closed strands
 /// included: a usable radius for points without one. 0 when no strand has two spheres. O(n).

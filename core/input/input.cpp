@@ -14,14 +14,17 @@
 namespace catena {
 namespace {
 
-/// The single frame of a file.
-class StillChain final : public Animation {
+/// The frames of a file; neighbours are those of the first.
+class FileFrames final : public Animation {
  public:
-  explicit StillChain(Chain chain) : chain_(std::move(chain)) {}
-  Chain frame(std::uint32_t) const override { return chain_; }
+  FileFrames(Chain first, std::vector<std::vector<Sphere>> later)
+      : first_(std::move(first)), later_(std::move(later)) {}
+  std::uint32_t frames() const override { return static_cast<std::uint32_t>(later_.size() + 1); }
+  Chain frame(std::uint32_t f) const override { return f == 0 ? first_ : first_.moved(later_[f - 1]); }
 
  private:
-  Chain chain_;
+  Chain first_;
+  std::vector<std::vector<Sphere>> later_;
 };
 
 bool is_file(const std::string& spec) {
@@ -44,10 +47,13 @@ Input open_input(const std::string& spec, const InputOptions& options) {
   Input input;
   input.name = spec;
   if (is_file(spec) || looks_like_file(spec)) {
-    CurveFile curves = ReaderRegistry::instance().read(spec);
+    CurveFile curves = ReaderRegistry::instance().read(spec, options.reading);
+    complete(curves, options, spec);
     input.warnings = std::move(curves.warnings);
-    input.animation =
-        std::make_unique<StillChain>(make_chain(std::move(curves), options, spec, input.warnings));
+    input.labels = std::move(curves.labels);
+    input.rounding = curves.rounding.greatest_error();
+    auto later = std::move(curves.later_frames);
+    input.animation = std::make_unique<FileFrames>(make_chain(std::move(curves), options), std::move(later));
   } else {
     input.animation = open_scene(spec, options);
   }

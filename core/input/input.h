@@ -5,29 +5,34 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/readers/labels.h"
+#include "catena/core/readers/read_options.h"
 #include "catena/core/scenes/animation.h"
 
 namespace catena {
 
 /// What a user may say of an input besides its name.
 struct InputOptions {
-  std::optional<float> radius{};       ///< for files without radii; refused for files that have them
-  bool radius_half_spacing = false;    ///< for files without radii: half the median step along the strands
-  bool closed = false;                 ///< every strand is closed
+  std::optional<float> radius{};          ///< for files without radii; refused for files that have them
+  bool radius_half_spacing = false;       ///< for files without radii: half the median step along the strands
+  bool closed = false;                    ///< every strand is closed
   std::optional<std::uint32_t> window{};  ///< index window instead of the input's own rule
-  std::optional<double> arc_window{};  ///< arc-length window factor instead; excludes `window`
+  std::optional<double> arc_window{};     ///< arc-length window factor instead; excludes `window`
+  ReadOptions reading{};                  ///< for files: how they are read
 };
 
 /// A scene or a file, opened.
 struct Input {
-  std::string name;                     ///< as the user wrote it
+  std::string name;  ///< as the user wrote it
   std::unique_ptr<Animation> animation;
-  std::vector<std::string> warnings;    ///< what a reader had to assume, one line each
+  std::vector<std::string> warnings;  ///< what a reader had to assume, one line each, without the name
+  Labels labels;                      ///< of the spheres in the user's file; a scene's have none
+  double rounding = 0;                ///< the most that a coordinate of the file lost in binary32
 };
 
 /// Opens "scene:key=value,..." or a file by its extension. A file that exists wins over a scene of that name.
-/// Throws InputError: unknown scene, unknown extension, unreadable file (with file, line and reason), options that
-/// do not fit the input.
+/// Throws InputError: unknown scene, unknown extension, unreadable file (with file, line and reason), options
+/// that do not fit the input.
 Input open_input(const std::string& spec, const InputOptions& options = {});
 
 }  // namespace catena

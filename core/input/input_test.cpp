@@ -72,6 +72,57 @@ TEST(OpenInput, ClosesStrandsAndTakesARepeatedPointOnce) {
   EXPECT_NE(closed.warnings[0].find("it is taken once"), std::string::npos);
 }
 
+TEST(OpenInput, KeepsLabelsWithTheirSpheres) {
+  const TestFile file("a.csv", "strand,x,y,z\na,0,0,0\na,1,0,0\na,0,1,0\na,0,0,0\nb,5,0,0\nb,6,0,0\n");
+  const Input open = open_input(file.path().string(), {.radius = 1.0f});
+  EXPECT_EQ(open.labels.of(4), "6");
+  const Input closed = open_input(file.path().string(), {.radius = 1.0f, .closed = true});
+  ASSERT_EQ(closed.animation->frame(0).size(), 5u);
+  EXPECT_EQ(closed.labels.of(2), "4");
+  EXPECT_EQ(closed.labels.of(3), "6");
+  EXPECT_EQ(closed.labels.strand_names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(open_input("rod:n=5").labels.size(), 0u);
+}
+
+TEST(OpenInput, MovesTheFramesOfAFile) {
+  const TestFile file("a.xyz", "3\nt\n0 0 0\n1 0 0\n0 0 0\n3\nt\n0 0 5\n1 0 5\n0 0 5\n");
+  const Input moving = open_input(file.path().string(), {.radius = 0.5f, .closed = true});
+  ASSERT_EQ(moving.animation->frames(), 2u);
+  EXPECT_EQ(moving.animation->frame(1).size(), 2u) << "the repeated end is dropped in every frame";
+  EXPECT_EQ(moving.animation->frame(1)[1], (Sphere{1, 0, 5, 0.5f}));
+  const TestFile opens("a.xyz", "2\nt\n0 0 0\n0 0 0\n2\nt\n0 0 0\n1 0 0\n");
+  EXPECT_EQ(open_input(opens.path().string(), {.radius = 0.5f, .closed = true}).animation->frame(1).size(),
+            2u);
+}
+
+TEST(OpenInput, MeasuresWhatRoundingHasCost) {
+  const auto rounding = [](const std::string& x, const ReadOptions& reading = {}) {
+    const TestFile file("a.csv", "x,y,z,r\n" + x + ",0,0,0.5\n" + x + ",1,0,0\n");
+    return open_input(file.path().string(), {.reading = reading}).rounding;
+  };
+  EXPECT_EQ(rounding("16777217"), 1);
+  EXPECT_EQ(rounding("16777216"), 0);
+  EXPECT_EQ(rounding("16777217", {.recentre = true}), 0);
+  EXPECT_EQ(rounding("16777217", {.recentre = true, .origin = {{16777216, 0, 0}}}), 0);
+  EXPECT_EQ(rounding("-16777217", {.recentre = true, .origin = {{16777216, 0, 0}}}), 1);
+  // A radius of 0 has no share to lose; the warning is for the other sphere.
+  const TestFile file("a.csv", "x,y,z,r\n0.1,0,0,1e-5\n16777217,1,0,0\n");
+  EXPECT_EQ(open_input(file.path().string()).warnings.size(), 0u);
+}
+
+TEST(OpenInput, TakesTheFirstPointOffEveryPointOfEveryFrame) {
+  const TestFile file("a.xyz", "2\nt\n1e8 0 0\n100000001 0 0\n2\nt\n100000002 0 0\n100000003.5 1 0\n");
+  const Input input = open_input(file.path().string(), {.radius = 0.5f, .reading = {.recentre = true}});
+  EXPECT_EQ(input.animation->frame(0)[1].x, 1.0f);
+  EXPECT_EQ(input.animation->frame(1)[1], (Sphere{3.5f, 1, 0, 0.5f}));
+  EXPECT_EQ(input.rounding, 0);
+}
+
+TEST(OpenInput, RefusesToCloseATree) {
+  EXPECT_REFUSAL("leave out --closed", example("Neuron.swc"), {.closed = true});
+  EXPECT_REFUSAL("are for files, not for scenes", "rod:n=5", {.reading = {.columns = {"x", "y", "z"}}});
+}
+
 TEST(OpenInput, WindowsReplaceTheRuleOfTheFile) {
   const auto rings = example("rings.chain");
   EXPECT_FALSE(chain_of(rings).neighbours(8, 10));

@@ -12,7 +12,7 @@ using Fields = std::vector<std::string_view>;
 
 class ChainText {
  public:
-  explicit ChainText(const std::filesystem::path& file) : lines_(file) {}
+  ChainText(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
     const Fields& first = next_fields("the line 'catena-chain 1'");
@@ -79,8 +79,8 @@ class ChainText {
       const Fields& fields = next_fields("a sphere");
       if (fields.size() != 4)
         lines_.fail(fmt::format("a sphere is 'x y z radius', got {} columns", fields.size()));
-      curves_.spheres.push_back({lines_.real(fields[0], "x"), lines_.real(fields[1], "y"),
-                                 lines_.real(fields[2], "z"), lines_.radius(fields[3])});
+      curves_.add_point(lines_.coordinate(fields[0], "x"), lines_.coordinate(fields[1], "y"),
+                        lines_.coordinate(fields[2], "z"), lines_.radius(fields[3]));
     }
     // Not end_strand, which forgets strands without spheres.
     curves_.strand_first.push_back(static_cast<std::uint32_t>(curves_.spheres.size()));
@@ -133,8 +133,9 @@ class ChainText {
 const RegisterReader registered{
     {"catena chain",
      {".chain"},
-     "catena's own text: spheres, strands, exclusion rule and extra pairs, exactly"},
-    [](const std::filesystem::path& file) { return ChainText(file).curves(); }};
+     "catena's own text: spheres, strands, exclusion rule and extra pairs, exactly",
+     "sphere number from 0"},
+    read_by<ChainText>};
 
 }  // namespace
 }  // namespace catena

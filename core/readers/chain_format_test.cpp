@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_floats.h"
 
 namespace catena {
 namespace {
@@ -33,13 +34,6 @@ bool same(const Chain& a, const Chain& b) {
          a.strands().closed == b.strands().closed && x.rule == y.rule && x.window == y.window &&
          std::bit_cast<std::uint64_t>(x.factor) == std::bit_cast<std::uint64_t>(y.factor) &&
          x.extra_pairs == y.extra_pairs;
-}
-
-// Any float that a chain may hold, by its bits: denormals, -0 and the largest are as likely as 1.
-rc::Gen<float> any_finite() {
-  return rc::gen::suchThat(rc::gen::map(rc::gen::arbitrary<std::uint32_t>(),
-                                        [](std::uint32_t b) { return std::bit_cast<float>(b); }),
-                           [](float value) { return std::isfinite(value); });
 }
 
 Chain any_chain() {

@@ -1,26 +1,18 @@
-#include <charconv>
 #include <ostream>
 #include <string>
 
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
+#include "catena/core/readers/number_text.h"
 
 namespace catena {
 namespace {
 
-// Not fmt: to_chars promises in the standard that the shortest text reads back as the same number.
-template <class Number>
-void append(std::string& line, Number number) {
-  char text[64];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, number);
-  line.append(text, end);
-}
-
 template <class Number, class... More>
 void append_line(std::string& line, Number first, More... more) {
-  append(line, first);
-  ((line += ' ', append(line, more)), ...);
+  append_shortest(line, first);
+  ((line += ' ', append_shortest(line, more)), ...);
   line += '\n';
 }
 

@@ -1,44 +1,61 @@
-#include <fmt/format.h>
-
-#include <optional>
+#include <algorithm>
 #include <string>
 
-#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/number_text.h"
 #include "catena/core/readers/reader.h"
+#include "catena/core/readers/table_columns.h"
+#include "catena/core/readers/table_points.h"
 #include "catena/core/readers/text_lines.h"
 
-/// Tables with a header line that names the columns, in any order: x, y, z; perhaps one of r, radius, d,
-/// diameter; perhaps strand, whose change starts a strand. A unit in brackets after a name is ignored, other
-/// columns too. Separated by comma, semicolon or tab, whichever the header has; cells may be quoted; `#`
+/// Tables with a header line that names the columns as TableColumns does, in any order. Other columns are not
+/// read, and named. Separated by comma, semicolon or tab, whichever the header has; cells may be quoted; `#`
 /// starts a comment line.
 namespace catena {
 namespace {
 
-std::vector<std::string> cells_of(std::string_view line, char separator) {
-  std::vector<std::string> cells(1);
-  bool quoted_part = false;
-  for (const char c : line) {
-    if (c == '"')
-      quoted_part = !quoted_part;
-    else if (c == separator && !quoted_part)
-      cells.emplace_back();
-    else
-      cells.back() += c;
+using Role = TableColumns::Role;
+
+/// The cells of a line, without the blanks and quotes around them; valid while the line and `unquoted` are.
+void split(std::string_view line, char separator, std::vector<std::string_view>& cells,
+           std::string& unquoted) {
+  cells.clear();
+  if (line.find('"') != std::string_view::npos) {
+    constexpr char end_of_cell = '\0';
+    unquoted.clear();
+    bool quoted = false;
+    for (const char c : line)
+      if (c == '"')
+        quoted = !quoted;
+      else
+        unquoted += c == separator && !quoted ? end_of_cell : c;
+    line = unquoted;
+    separator = end_of_cell;
   }
-  for (auto& cell : cells) cell = trimmed(cell);
-  return cells;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, at), line.size());
+    cells.push_back(trimmed(line.substr(at, end - at)));
+    at = end + 1;
+  }
 }
 
 class Table {
  public:
-  explicit Table(const std::filesystem::path& file) : lines_(file) {}
+  Table(const std::filesystem::path& file, const ReadOptions& options)
+      : lines_(file), curves_(options), given_(options.columns), points_(lines_, curves_) {}
 
   CurveFile curves() {
     if (!next_row()) lines_.fail("the file has no header line; name the columns: x,y,z,r");
-    read_header();
-    curves_.has_radii = radius_ || diameter_;
-    while (next_row()) read_row();
-    curves_.end_strand();
+    choose_separator();
+    split(lines_.line(), separator_, cells_, unquoted_);
+    if (given_.empty())
+      points_.set_columns_named(cells_);
+    else
+      take_given_columns();
+    while (next_row()) {
+      split(lines_.line(), separator_, cells_, unquoted_);
+      read_row();
+    }
+    points_.finish();
     return std::move(curves_);
   }
 
@@ -51,62 +68,46 @@ class Table {
     return false;
   }
 
-  void read_header() {
-    const std::string_view line = lines_.line();
+  void choose_separator() {
     for (const char candidate : {',', ';', '\t'})
-      if (line.find(candidate) != std::string_view::npos) {
+      if (lines_.line().find(candidate) != std::string_view::npos) {
         separator_ = candidate;
-        break;
+        return;
       }
-    const auto names = cells_of(line, separator_);
-    columns_ = names.size();
-    for (std::size_t column = 0; column < columns_; ++column) {
-      const std::string name =
-          lower_case(trimmed(std::string_view(names[column]).substr(0, names[column].find_first_of("[("))));
-      if (name == "x") set(x_, column, name);
-      if (name == "y") set(y_, column, name);
-      if (name == "z") set(z_, column, name);
-      if (name == "r" || name == "radius") set(radius_, column, name);
-      if (name == "d" || name == "diameter") set(diameter_, column, name);
-      if (name == "strand") set(strand_, column, name);
-    }
-    if (!x_ || !y_ || !z_) lines_.fail("the header must name the columns x, y and z, and perhaps r");
-    if (radius_ && diameter_) lines_.fail("both a radius and a diameter column; keep one of them");
   }
 
-  void set(std::optional<std::size_t>& role, std::size_t column, const std::string& name) const {
-    if (role)
-      lines_.fail(fmt::format("columns {} and {} mean the same: {}", *role + 1, column + 1, in_quotes(name)));
-    role = column;
+  // The first line is a header, as the format has one, unless it holds a point.
+  void take_given_columns() {
+    points_.set_columns(TableColumns::of_option(given_));
+    const auto& columns = points_.columns();
+    const auto is_word = [&](Role role) {
+      return columns.place(role) < cells_.size() && !is_number(cells_[columns.place(role)]);
+    };
+    if (!is_word(Role::x) || !is_word(Role::y) || !is_word(Role::z)) read_row();
   }
 
   void read_row() {
-    auto cells = cells_of(lines_.line(), separator_);
-    while (cells.size() > columns_ && cells.back().empty()) cells.pop_back();  // spreadsheets add empty cells
-    if (cells.size() != columns_)
-      lines_.fail(fmt::format("the row has {} columns, the header {}", cells.size(), columns_));
-    if (strand_ && cells[*strand_] != strand_name_) {
-      curves_.end_strand();
-      strand_name_ = cells[*strand_];
-    }
-    Sphere sphere{lines_.real(cells[*x_], "x"), lines_.real(cells[*y_], "y"), lines_.real(cells[*z_], "z"),
-                  0};
-    if (radius_) sphere.radius = lines_.radius(cells[*radius_]);
-    if (diameter_) sphere.radius = lines_.radius(cells[*diameter_]) / 2;
-    curves_.spheres.push_back(sphere);
+    // Spreadsheets add empty cells.
+    while (cells_.size() > points_.columns().size() && cells_.back().empty()) cells_.pop_back();
+    points_.add(cells_);
   }
 
   TextLines lines_;
-  char separator_ = ',';
-  std::size_t columns_ = 0;
-  std::optional<std::size_t> x_, y_, z_, radius_, diameter_, strand_;
-  std::string strand_name_;
   CurveFile curves_;
+  std::vector<std::string> given_;
+  TablePoints points_;
+  char separator_ = ',';
+  std::vector<std::string_view> cells_;
+  std::string unquoted_;
 };
 
 const RegisterReader registered{
-    {"CSV table", {".csv"}, "columns x,y,z and perhaps radius or diameter, by their header"},
-    [](const std::filesystem::path& file) { return Table(file).curves(); }};
+    {"CSV table",
+     {".csv"},
+     "x, y, z and perhaps radius or diameter, id, strand, by the names in its first line",
+     "id, or line",
+     {"--columns"}},
+    read_by<Table>};
 
 }  // namespace
 }  // namespace catena

@@ -1,3 +1,6 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
 #include "catena/core/readers/test_file.h"
 
 namespace catena {
@@ -16,15 +19,84 @@ TEST(CsvReader, FindsColumnsByName) {
 }
 
 TEST(CsvReader, StartsAStrandWhereTheStrandColumnChanges) {
-  const auto curves = read_text("a.csv", "strand,x,y,z\na,0,0,0\na,1,0,0\nb,2,0,0\n");
-  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3}));
+  for (const std::string name : {"strand", "chain", "Chain", "chr"}) {
+    const auto curves = read_text("a.csv", name + ",x,y,z\na,0,0,0\na,1,0,0\nb,2,0,0\n");
+    EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3})) << name;
+    EXPECT_EQ(curves.labels.strand_names, (std::vector<std::string>{"a", "b"}));
+    EXPECT_TRUE(curves.warnings.empty());
+  }
+}
+
+TEST(CsvReader, GathersTheRowsOfAStrandThatComesBackAndSaysSo) {
+  const auto curves = read_text("a.csv", "strand,x,y,z\na,0,0,0\nb,5,0,0\na,1,0,0\nb,6,0,0\na,2,0,0\n");
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 3, 5}));
+  std::vector<float> x;
+  std::vector<std::string> lines;
+  for (std::uint32_t i = 0; i < 5; ++i) x.push_back(curves.spheres[i].x), lines.push_back(curves.labels.of(i));
+  EXPECT_EQ(x, (std::vector<float>{0, 1, 2, 5, 6}));
+  EXPECT_EQ(lines, (std::vector<std::string>{"2", "4", "6", "3", "5"}));
+  ASSERT_EQ(curves.warnings.size(), 1u);
+  EXPECT_EQ(curves.warnings[0],
+            "line 4: a strand comes back after another, 3 times in all; the rows of a name are one strand");
+}
+
+RC_GTEST_PROP(CsvReader, TakesTheRowsOfANameInTheirOrder, ()) {
+  const auto names = *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::elementOf(std::string("abc"))));
+  std::string text = "x,y,z,strand\n", seen;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += std::to_string(i) + ",0,0," + names[i] + "\n";
+    if (seen.find(names[i]) == std::string::npos) seen += names[i];
+  }
+  const CurveFile curves = read_text("a.csv", text);
+  RC_ASSERT(curves.strand_closed.size() == seen.size());
+  std::size_t i = 0;
+  for (std::size_t s = 0; s < seen.size(); ++s) {
+    RC_ASSERT(curves.labels.strand_names[s] == std::string(1, seen[s]));
+    for (std::size_t row = 0; row < names.size(); ++row)
+      if (names[row] == seen[s]) {
+        RC_ASSERT(curves.spheres[i].x == static_cast<float>(row));
+        RC_ASSERT(curves.labels.of(static_cast<std::uint32_t>(i)) == std::to_string(row + 2));
+        ++i;
+      }
+    RC_ASSERT(curves.strand_first[s + 1] == i);
+  }
+}
+
+TEST(CsvReader, NamesTheColumnsThatItDoesNotRead) {
+  const auto curves = read_text("a.csv", "x,y,z,pressure,\"a,b\"\n0,0,0,1,2\n");
+  ASSERT_EQ(curves.warnings.size(), 1u);
+  EXPECT_EQ(curves.warnings[0], "not read: columns 'pressure', 'a,b'");
+}
+
+TEST(CsvReader, LabelsSpheresByTheirIdOrElseByTheirLine) {
+  EXPECT_EQ(read_text("a.csv", "# c\nx,y,z\n0,0,0\n\n1,0,0\n").labels.of(1), "5");
+  EXPECT_EQ(read_text("a.csv", "x,y,z,id\n0,0,0,p7\n1,0,0,p3\n").labels.of(1), "p3");
+}
+
+TEST(CsvReader, TakesTheColumnsThatTheUserNames) {
+  const TestFile bare("a.csv", "1,2,3,4\n5,6,7,8\n"), headed("b.csv", "a,b,c,d\n1,2,3,4\n5,6,7,8\n");
+  for (const TestFile* file : {&bare, &headed}) {
+    const auto curves = ReaderRegistry::instance().read(file->path(), {.columns = {"z", "y", "x", "r"}});
+    EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{3, 2, 1, 4}, {7, 6, 5, 8}}));
+  }
+}
+
+TEST(CsvReader, ReadsWhichStrandsAreClosed) {
+  const auto curves = read_text("a.csv", "strand,closed,x,y,z\na,1,0,0,0\na,1,1,0,0\nb,0,2,0,0\n");
+  EXPECT_EQ(curves.strand_closed, (std::vector<std::uint8_t>{1, 0}));
+  EXPECT_COMPLAINT("3: this strand is closed in one row and open in another", "a.csv",
+                   "closed,x,y,z\n1,0,0,0\n0,1,0,0\n");
+  EXPECT_COMPLAINT("2: closed 'yes' must be 0 or 1", "a.csv", "closed,x,y,z\nyes,0,0,0\n");
+  EXPECT_COMPLAINT("4: strand 'a' is closed in one row and open in another", "a.csv",
+                   "strand,closed,x,y,z\na,1,0,0,0\nb,1,0,0,0\na,0,0,0,0\n");
 }
 
 TEST(CsvReader, ComplainsWithFileAndLine) {
-  EXPECT_COMPLAINT("1: the header must name", "a.csv", "1,2,3\n");
+  EXPECT_COMPLAINT("1: the columns must name x, y and z", "a.csv", "1,2,3\n");
   EXPECT_COMPLAINT("1: columns 1 and 2 mean the same", "a.csv", "x,X,y,z\n");
+  EXPECT_COMPLAINT("1: columns 1 and 2 mean the same", "a.csv", "strand,chain,x,y,z\n");
   EXPECT_COMPLAINT("1: both a radius and a diameter", "a.csv", "x,y,z,r,d\n");
-  EXPECT_COMPLAINT("3: the row has 2 columns, the header 3", "a.csv", "x,y,z\n1,2,3\n1,2\n");
+  EXPECT_COMPLAINT("3: the row has 2 columns, not 3", "a.csv", "x,y,z\n1,2,3\n1,2\n");
   EXPECT_COMPLAINT("2: z '' is not a number", "a.csv", "x,y,z\n1,2,\n");
   EXPECT_COMPLAINT("2: radius '-1' is negative", "a.csv", "x,y,z,r\n1,2,3,-1\n");
   EXPECT_COMPLAINT(" holds no points", "a.csv", "x,y,z\n");

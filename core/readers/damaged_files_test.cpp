@@ -55,6 +55,9 @@ void reads_or_complains(const std::string& name, const std::string& text) {
     const CurveFile curves = ReaderRegistry::instance().read(file.path());
     RC_ASSERT(curves.strand_first.size() == curves.strand_closed.size() + 1);
     RC_ASSERT(curves.strand_first.back() == curves.spheres.size());
+    for (std::uint32_t i = 0; i < curves.spheres.size(); ++i) curves.labels.of(i);
+    for (const auto& frame : curves.later_frames) RC_ASSERT(frame.size() == curves.spheres.size());
+    for (const std::string& warning : curves.warnings) RC_ASSERT(warning.find(name) == std::string::npos);
     Chain(curves.spheres, {curves.strand_first, curves.strand_closed}, curves.exclusion);
     for (const Pair& joint : curves.joints)
       RC_ASSERT(joint.i < curves.spheres.size() && joint.j < curves.spheres.size() && joint.i != joint.j);
@@ -71,6 +74,18 @@ RC_GTEST_PROP(DamagedFiles, Pdb, ()) {
 }
 RC_GTEST_PROP(DamagedFiles, Txt, ()) {
   reads_or_complains("a.txt", damaged(head(example("9_47-cubiclattice.txt"), 0)));
+}
+RC_GTEST_PROP(DamagedFiles, Xyz, ()) {
+  const std::string title =
+      "Lattice=\"9 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3:radius:R:1:strand:I:1\n";
+  std::string text;
+  for (int frame = 0; frame < 3; ++frame)
+    text += "4\n" + title + "C 0 0 0 1 0\nO 1 0 0 1 0\nX 5 0 0 1e-3 1\nC 6.5 0 -1 1 0\n";
+  reads_or_complains("a.xyz", damaged(text));
+}
+RC_GTEST_PROP(DamagedFiles, CsvOfStrands, ()) {
+  reads_or_complains(
+      "a.csv", damaged("id,strand,closed,x,y,z,d\np,a,1,0,0,0,1\nq,b,0,1,0,0,1\n\"r,r\",a,1,2,0,0,1\n"));
 }
 RC_GTEST_PROP(DamagedFiles, Csv, ()) {
   reads_or_complains("a.csv", damaged(head(example("Edin90_small_xyzr.csv"), 0)));

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/binary_fields.h"
 #include "catena/core/readers/reader.h"
 
@@ -34,7 +35,7 @@ std::vector<std::uint64_t> points_a_strand(BinaryFields& fields, std::uint32_t s
   return size;
 }
 
-CurveFile read_hair(const std::filesystem::path& file) {
+CurveFile read_hair(const std::filesystem::path& file, const ReadOptions& options) {
   BinaryFields fields(file);
   if (fields.text(4, "header") != "HAIR") fields.fail("the first four bytes are not HAIR");
   const std::uint32_t strands = fields.u32("number of strands");
@@ -50,15 +51,15 @@ CurveFile read_hair(const std::filesystem::path& file) {
   const std::uint64_t sum = std::accumulate(size.begin(), size.end(), std::uint64_t{0});
   if (sum != point_count)
     fields.fail(
-        fmt::format("the {} strands have {} points together, the header says {}", strands, sum, point_count));
+        fmt::format("strands: {}, with points: {}, but the header says {}", strands, sum, point_count));
 
   fields.require(point_count, 12, "points");
-  CurveFile curves;
+  CurveFile curves(options);
   curves.spheres.reserve(point_count);
   for (const std::uint64_t points_here : size) {
     for (std::uint64_t i = 0; i < points_here; ++i) {
       const float x = fields.f32("x"), y = fields.f32("y"), z = fields.f32("z");
-      curves.spheres.push_back({x, y, z, 0});
+      curves.add_point(x, y, z);
     }
     curves.end_strand();
   }
@@ -71,13 +72,13 @@ CurveFile read_hair(const std::filesystem::path& file) {
   if (arrays & transparency) fields.skip(std::uint64_t{point_count} * 4, "transparency bytes");
   if (arrays & colours) fields.skip(std::uint64_t{point_count} * 12, "colour bytes");
   if (fields.left() > 0)
-    curves.warnings.push_back(
-        fmt::format("{}: {} bytes after the last array are ignored", file.string(), fields.left()));
+    curves.warnings.push_back(fmt::format("{} after the last array not read", counted(fields.left(), "byte")));
   return curves;
 }
 
-const RegisterReader registered{{"Cem Yuksel hair", {".hair"}, "binary strands; thickness is a diameter"},
-                                read_hair};
+const RegisterReader registered{
+    {"Cem Yuksel hair", {".hair"}, "binary strands; thickness is a diameter", "point number from 0"},
+    read_hair};
 
 }  // namespace
 }  // namespace catena

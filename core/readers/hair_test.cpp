@@ -63,7 +63,7 @@ TEST(HairReader, ComplainsOfWhatDoesNotFit) {
     EXPECT_NE(complaint("a.hair", whole.substr(0, size)), "") << size;
   EXPECT_COMPLAINT(" byte 128: the header announces no array of points", "a.hair",
                    header({2, 5, 1}) + segments_2_1);
-  EXPECT_COMPLAINT(" byte 132: the 2 strands have 5 points together", "a.hair",
+  EXPECT_COMPLAINT(" byte 132: strands: 2, with points: 5, but the header says", "a.hair",
                    header({2, 6, 3}) + segments_2_1);
   EXPECT_COMPLAINT(" byte 128: the file is truncated: 4294967295", "a.hair", header({~0u, ~0u, 2, ~0u}));
   EXPECT_COMPLAINT(" byte 128: the file is truncated: 4294967295", "a.hair", header({~0u, ~0u, 3}));

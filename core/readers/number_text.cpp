@@ -1,8 +1,10 @@
 #include "catena/core/readers/number_text.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 namespace catena {
@@ -61,6 +63,20 @@ bool is_integer(std::string_view text) {
 
 Parsed<float> parse_float(std::string_view text) { return parse_real<float>(text, "a 32-bit float"); }
 Parsed<double> parse_double(std::string_view text) { return parse_real<double>(text, "a 64-bit float"); }
+
+Parsed<double> parse_coordinate(std::string_view text) {
+  const Parsed<double> wide = parse_double(text);
+  const float once_more = static_cast<float>(wide.value);
+  // Rounded twice is rounded once unless the double lies midway between two floats.
+  constexpr std::uint64_t dropped = (std::uint64_t{1} << 29) - 1, midway = std::uint64_t{1} << 28;
+  const bool safe = std::isfinite(once_more) && std::abs(wide.value) >= std::numeric_limits<float>::min() &&
+                    (std::bit_cast<std::uint64_t>(wide.value) & dropped) != midway;
+  if (wide.problem.empty() && (safe || wide.value == 0)) return wide;
+  const Parsed<float> nearest = parse_float(text);
+  if (!nearest.problem.empty()) return {0, nearest.problem};
+  const bool missed = once_more != nearest.value;
+  return {missed ? std::nextafter(wide.value, double{nearest.value}) : wide.value, ""};
+}
 
 Parsed<std::int64_t> parse_integer(std::string_view text) {
   const std::string_view plain = without_plus(text);

@@ -1,4 +1,5 @@
 #pragma once
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,6 +28,19 @@ struct Parsed {
 Parsed<float> parse_float(std::string_view text);
 Parsed<double> parse_double(std::string_view text);
 
+/// A coordinate that is yet to be rounded to binary32: the nearest double, or where rounding that once more
+/// would miss the nearest float, the double beside it that does not. Beyond the greatest float is a problem.
+Parsed<double> parse_coordinate(std::string_view text);
+
 Parsed<std::int64_t> parse_integer(std::string_view text);
+
+/// Appends the shortest text that reads as exactly this number. Not fmt: the standard promises it of
+/// to_chars.
+template <class Number>
+void append_shortest(std::string& text, Number number) {
+  char digits[64];
+  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+  text.append(digits, end);
+}
 
 }  // namespace catena

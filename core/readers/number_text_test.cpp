@@ -1,5 +1,6 @@
 #include "catena/core/readers/number_text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -57,6 +58,22 @@ RC_GTEST_PROP(NumberText, ReadsTheShortestTextOfEveryFloatBitForBit, (std::uint3
   const auto parsed = parse_float(std::string_view(text, end));
   RC_ASSERT(parsed.problem == "");
   RC_ASSERT(std::bit_cast<std::uint32_t>(parsed.value) == bits);
+}
+
+// Rounded once more, the double must be the float that the text is nearest to: also beside the middle of two.
+RC_GTEST_PROP(NumberText, ACoordinateRoundsToTheNearestFloat, ()) {
+  const float low = *rc::gen::suchThat(
+      rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [](std::uint32_t b) { return std::bit_cast<float>(b); }),
+      [](float value) { return std::isfinite(value) && std::isfinite(std::nextafter(value, HUGE_VALF)); });
+  const double middle = (double{low} + double{std::nextafter(low, HUGE_VALF)}) / 2;
+  std::string text = fmt::format("{:.780f}", middle);
+  text.back() = *rc::gen::elementOf(std::string("0129"));  // beyond the last digit of any such double
+  if (*rc::gen::arbitrary<bool>()) text.pop_back(), text += "1";
+  const auto nearest = parse_float(text);
+  const auto wide = parse_coordinate(text);
+  RC_ASSERT(nearest.problem == wide.problem);
+  RC_ASSERT(std::bit_cast<std::uint32_t>(static_cast<float>(wide.value)) ==
+            std::bit_cast<std::uint32_t>(nearest.value));
 }
 
 }  // namespace

@@ -1,103 +1,120 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <optional>
+#include <algorithm>
 #include <set>
 #include <string>
 
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/pdb_atom.h"
+#include "catena/core/readers/pdb_trace.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
 
-/// Proteins of the PDB format, by columns: the trace of the C-alpha atoms of the first model, in Angstrom,
-/// without radii. Of alternate locations, the blank one and A count.
+/// Proteins and nucleic acids of the PDB format: a trace of one atom a residue, in Angstrom, without radii;
+/// see PdbTracer. Models are frames.
 namespace catena {
 namespace {
 
-/// Longer steps than this between C-alphas (3.8 when bonded) are residues that the experiment did not see.
-constexpr double longest_step = 4.5;
-
-/// Columns counted from 1, both included, as in the format's own tables; what a short line lacks is empty.
-std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
-  return first > line.size() ? std::string_view{} : line.substr(first - 1, last - first + 1);
+bool same_atoms(const PdbTrace& a, const PdbTrace& b) {
+  return std::ranges::equal(a.points, b.points, {}, &PdbTrace::Point::label, &PdbTrace::Point::label);
 }
 
-double distance(const Sphere& a, const Sphere& b) {
-  return std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
-}
-
-class Protein {
+class Polymers {
  public:
-  explicit Protein(const std::filesystem::path& file) : lines_(file) {}
+  Polymers(const std::filesystem::path& file, const ReadOptions& options)
+      : lines_(file), atom_(options.atom), curves_(options), tracer_(atom_, polymer_residues_) {}
 
   CurveFile curves() {
-    while (lines_.next() && !first_model_is_over()) {
-      const std::string_view record = trimmed(columns(lines_.line(), 1, 6));
-      if (record == "SEQRES") read_sequence();
-      if (record == "MODRES") polymer_residues_.emplace(trimmed(columns(lines_.line(), 13, 15)));
-      if (record == "TER") end_chain();
-      if (record == "ATOM" || record == "HETATM") read_atom(record == "HETATM");
+    read_sequence();
+    while (lines_.next() && !over_) {
+      const std::string_view record = trimmed(pdb_columns(lines_.line(), 1, 6));
+      if (record == "TER") tracer_.end_chain();
+      if (record == "ATOM" || record == "HETATM") tracer_.add(parse_pdb_atom(lines_));
+      if (record == "MODEL" || record == "ENDMDL" || record == "END") end_model();
     }
-    curves_.end_strand();
-    if (curves_.spheres.empty())
-      lines_.fail("the file ends without a C-alpha atom (' CA ' in columns 13 to 16)");
+    end_model();
+    if (first_.points.empty())
+      lines_.fail(atom_.empty()
+                      ? "the file ends without a C-alpha of a protein or a P of a nucleic acid"
+                      : fmt::format("the file ends without an atom {} of a polymer", in_quotes(atom_)));
     return std::move(curves_);
   }
 
  private:
-  bool first_model_is_over() {
-    const std::string_view record = trimmed(columns(lines_.line(), 1, 6));
-    if (record == "MODEL") return ++models_ > 1;
-    return record == "ENDMDL" || (record == "END" && !curves_.spheres.empty());
-  }
-
+  // First, as a residue of a later line of SEQRES or MODRES may come before it in a file without an order.
   void read_sequence() {
-    for (std::size_t column = 20; column <= 68; column += 4)
-      polymer_residues_.emplace(trimmed(columns(lines_.line(), column, column + 2)));
+    const auto start = lines_.mark();
+    while (lines_.next()) {
+      const std::string_view record = trimmed(pdb_columns(lines_.line(), 1, 6));
+      if (record == "MODRES") add_residue(13);
+      if (record != "SEQRES") continue;
+      for (std::size_t column = 20; column <= 68; column += 4) add_residue(column);
+    }
+    lines_.return_to(start);
   }
 
-  void end_chain() {
+  void add_residue(std::size_t column) {
+    const std::string_view name = trimmed(pdb_columns(lines_.line(), column, column + 2));
+    if (!name.empty()) polymer_residues_.emplace(name);
+  }
+
+  void end_model() {
+    PdbTrace trace = tracer_.finish();
+    if (trace.points.empty()) return;
+    if (first_.points.empty()) {
+      first_ = std::move(trace);
+      take_first();
+    } else if (same_atoms(first_, trace)) {
+      curves_.begin_later_frame();
+      for (const auto& point : trace.points) curves_.add_point(point.x, point.y, point.z);
+    } else {
+      over_ = true;
+      curves_.warnings.push_back(fmt::format(
+          "line {}: the model that ends here is not of the same atoms as the first; it and what follows are "
+          "not read",
+          lines_.line_number()));
+    }
+  }
+
+  void take_first() {
+    for (const auto& point : first_.points) {
+      if (point.starts_strand) {
+        curves_.end_strand();
+        curves_.labels.strand_names.push_back(point.chain);
+      }
+      curves_.labels.add(std::string_view(point.label));
+      curves_.add_point(point.x, point.y, point.z);
+    }
     curves_.end_strand();
-    if (chain_) ended_.insert(*chain_);
-    chain_.reset();
+    say(first_.breaks, "step longer than a bond is a break", "steps longer than a bond are breaks");
+    const std::string atom = atom_.empty() ? "C-alpha or P" : in_quotes(atom_);
+    say(first_.without_atom, "residue without " + atom + " is left out",
+        "residues without " + atom + " are left out");
+    say(first_.hetero, "HETATM residue is left out, as it is not of a chain",
+        "HETATM residues are left out, as they are not of a chain");
   }
 
-  void read_atom(bool hetero) {
-    const std::string_view line = lines_.line();
-    if (columns(line, 13, 16) != " CA ") return;  // "CA  " is calcium
-    const std::string_view alternate = columns(line, 17, 17);
-    if (alternate != " " && alternate != "A") return;
-    const std::string_view id = columns(line, 22, 22);
-    const char chain = id.empty() ? ' ' : id[0];
-    if (hetero && !is_residue(chain, trimmed(columns(line, 18, 20)))) return;
-    ended_.erase(chain);
-    if (line.size() < 54)
-      lines_.fail(fmt::format("the C-alpha's coordinates end at column 54, the line at {}", line.size()));
-    const Sphere point{lines_.real(trimmed(columns(line, 31, 38)), "x"),
-                       lines_.real(trimmed(columns(line, 39, 46)), "y"),
-                       lines_.real(trimmed(columns(line, 47, 54)), "z"), 0};
-    const bool gap = chain_ && distance(curves_.spheres.back(), point) > longest_step;
-    if (chain != chain_ || gap) curves_.end_strand();
-    chain_ = chain;
-    curves_.spheres.push_back(point);
-  }
-
-  // Modified residues (selenomethionine above all) are HETATM, but so are ligands, which follow the chain's
-  // TER.
-  bool is_residue(char chain, std::string_view name) const {
-    return !ended_.contains(chain) && (name == "MSE" || polymer_residues_.contains(name));
+  void say(const PdbTrace::Note& note, const std::string& one, const std::string& many) {
+    if (note.times == 0) return;
+    curves_.warnings.push_back(fmt::format("{} {}: {}{}", note.times, note.times == 1 ? one : many,
+                                           note.first, note.times == 1 ? "" : ", ..."));
   }
 
   TextLines lines_;
-  int models_ = 0;
-  std::optional<char> chain_;  ///< of the last C-alpha, unless TER came after it
-  std::set<char> ended_;       ///< chains that a TER has ended
-  std::set<std::string, std::less<>> polymer_residues_;
+  std::string atom_;
   CurveFile curves_;
+  std::set<std::string, std::less<>> polymer_residues_;
+  PdbTracer tracer_;
+  PdbTrace first_;
+  bool over_ = false;
 };
 
-const RegisterReader registered{
-    {"PDB protein", {".pdb", ".ent"}, "C-alpha trace of the first model; no radii"},
-    [](const std::filesystem::path& file) { return Protein(file).curves(); }};
+const RegisterReader registered{{"PDB polymer",
+                                 {".pdb", ".ent"},
+                                 "C-alpha or P trace, or --atom NAME; models are frames; no radii",
+                                 "chain/residue/atom",
+                                 {"--atom"}},
+                                read_by<Polymers>};
 
 }  // namespace
 }  // namespace catena

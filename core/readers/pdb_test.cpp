@@ -14,39 +14,106 @@ struct Atom {
   char alternate = ' ';
   const char* residue = "GLY";
   char chain = 'A';
+  int number = 1;
+  double occupancy = 1;
 };
 
 std::string line(const Atom& a) {
-  return fmt::format("{:<6}{:>5} {}{}{:>3} {}{:>4}    {:8.3f}{:8.3f}{:8.3f}\n", a.record, 1, a.name,
-                     a.alternate, a.residue, a.chain, 1, a.x, 0.0, 0.0);
+  return fmt::format("{:<6}{:>5} {}{}{:>3} {}{:>4}    {:8.3f}{:8.3f}{:8.3f}{:6.2f}{:6.2f}\n", a.record, 1, a.name,
+                     a.alternate, a.residue, a.chain, a.number, a.x, 0.0, 0.0, a.occupancy, 9.0);
 }
 
-std::string lines(std::initializer_list<Atom> atoms) {
+std::string lines(const std::vector<Atom>& atoms) {
   std::string text;
   for (const Atom& atom : atoms) text += line(atom);
   return text;
 }
 
+std::vector<float> xs(const CurveFile& curves) {
+  std::vector<float> all;
+  for (const Sphere& sphere : curves.spheres) all.push_back(sphere.x);
+  return all;
+}
+
+CurveFile read_atom(const char* atom, const std::string& text) {
+  const TestFile file("a.pdb", text);
+  return ReaderRegistry::instance().read(file.path(), {.atom = atom});
+}
+
 TEST(PdbReader, TakesCAlphasByColumns) {
   const CurveFile curves = read_text("a.pdb", lines({{0},
                                                      {1, "ATOM", " N  "},
-                                                     {2, "HETATM", "CA  "},  // calcium
-                                                     {3, "ATOM", " CA ", 'A'},
-                                                     {3.5, "ATOM", " CA ", 'B'},  // second alternative
-                                                     {6, "HETATM", " CA ", ' ', "MSE"},
-                                                     {7, "HETATM", " CA ", ' ', "LIG"}}) +
+                                                     {2, "HETATM", "CA  ", ' ', " CA"},  // calcium
+                                                     {3, "ATOM", " CA ", 'A', "GLY", 'A', 2},
+                                                     {3.5, "ATOM", " CA ", 'B', "GLY", 'A', 2},
+                                                     {6, "HETATM", " CA ", ' ', "MSE", 'A', 3},
+                                                     {7, "HETATM", " CA ", ' ', "LIG", 'A', 4}}) +
                                                   "END\n");
   EXPECT_EQ(curves.strand_first, (Offsets{0, 3}));
-  EXPECT_EQ(curves.spheres[2].x, 6.0f);
+  EXPECT_EQ(xs(curves), (std::vector<float>{0, 3, 6}));
+  EXPECT_EQ(curves.labels.of(2), "A/MSE3/CA");
   EXPECT_FALSE(curves.has_radii);
+  ASSERT_EQ(curves.warnings.size(), 1u);
+  EXPECT_EQ(curves.warnings[0], "1 HETATM residue is left out, as it is not of a chain: A/LIG4");
 }
 
-TEST(PdbReader, EndsStrandsAtTerChainChangeAndGap) {
+TEST(PdbReader, TakesModifiedResiduesWithoutSeqresByTheirBackbone) {
+  std::vector<Atom> atoms;
+  for (int r = 0; r < 4; ++r)
+    for (const char* name : {" N  ", " CA ", " C  "})
+      atoms.push_back({static_cast<float>(3 * r), "HETATM", name, ' ', r % 2 ? "DAL" : "MVA", 'A', r});
+  const CurveFile curves = read_text("a.pdb", lines(atoms));
+  EXPECT_EQ(xs(curves), (std::vector<float>{0, 3, 6, 9}));
+  EXPECT_TRUE(curves.warnings.empty());
+}
+
+TEST(PdbReader, TakesTheBestOccupiedAlternative) {
+  const auto two = [](char a, double of_a, char b, double of_b) {
+    return read_text("a.pdb", lines({{0, "ATOM", " CA ", a, "GLY", 'A', 1, of_a}, {1, "ATOM", " CA ", b, "GLY", 'A', 1, of_b}}));
+  };
+  EXPECT_EQ(xs(two('B', 0.4, 'C', 0.6)), (std::vector<float>{1}));
+  EXPECT_EQ(xs(two('1', 0.7, '2', 0.3)), (std::vector<float>{0}));
+  EXPECT_EQ(xs(two('B', 0.5, 'C', 0.5)), (std::vector<float>{0}));
+  // Two residues in one place: one of them.
+  EXPECT_EQ(xs(read_text("a.pdb", lines({{0, "ATOM", " CA ", 'A', "SER", 'A', 1, 0.3},
+                                         {1, "ATOM", " CA ", 'B', "THR", 'A', 1, 0.7}}))),
+            (std::vector<float>{1}));
+  // Numbers used twice, without alternatives: two residues.
+  EXPECT_EQ(xs(read_text("a.pdb", lines({{0}, {1}}))), (std::vector<float>{0, 1}));
+}
+
+TEST(PdbReader, TakesThePhosphorusOfNucleicAcids) {
+  std::vector<Atom> atoms;
+  for (int r = 0; r < 3; ++r) {
+    if (r > 0) atoms.push_back({static_cast<float>(7 * r), "ATOM", " P  ", ' ', " DA", 'B', r});
+    atoms.push_back({static_cast<float>(7 * r + 1), "ATOM", " C1'", ' ', " DA", 'B', r});
+  }
+  atoms.push_back({50, "HETATM", " P  ", ' ', "PO4", 'B', 9});
+  const CurveFile curves = read_text("a.pdb", lines(atoms));
+  EXPECT_EQ(xs(curves), (std::vector<float>{7, 14}));
+  EXPECT_EQ(curves.strand_first, (Offsets{0, 2}));
+  ASSERT_EQ(curves.warnings.size(), 1u);
+  EXPECT_EQ(curves.warnings[0], "1 residue without C-alpha or P is left out: B/DA0");
+}
+
+TEST(PdbReader, TakesTheAtomThatTheUserNames) {
+  const std::string text = lines({{0}, {1, "ATOM", " CB "}, {3, "ATOM", " CA ", ' ', "SER", 'A', 2}, {4, "ATOM", " CB ", ' ', "SER", 'A', 2}});
+  EXPECT_EQ(xs(read_atom("CB", text)), (std::vector<float>{1, 4}));
+  EXPECT_EQ(read_atom("CB", text).labels.of(1), "A/SER2/CB");
+  EXPECT_THROW(read_atom("BB", text), InputError);
+}
+
+TEST(PdbReader, EndsStrandsAtTerChainChangeAndGapAndSaysWhichGap) {
   const std::string ter = "TER       2      GLY A   2\n";
   EXPECT_EQ(read_text("a.pdb", lines({{0}, {3.8f}}) + ter + lines({{7}})).strand_first, (Offsets{0, 2, 3}));
-  EXPECT_EQ(read_text("a.pdb", lines({{0}, {3.8f, "ATOM", " CA ", ' ', "GLY", 'B'}})).strand_first,
-            (Offsets{0, 1, 2}));
-  EXPECT_EQ(read_text("a.pdb", lines({{0}, {4.5f}, {9.5f}})).strand_first, (Offsets{0, 2, 3}));
+  const CurveFile chains = read_text("a.pdb", lines({{0}, {3.8f, "ATOM", " CA ", ' ', "GLY", 'B'}}));
+  EXPECT_EQ(chains.strand_first, (Offsets{0, 1, 2}));
+  EXPECT_EQ(chains.labels.strand_names, (std::vector<std::string>{"A", "B"}));
+  EXPECT_TRUE(chains.warnings.empty());
+  const CurveFile gap = read_text("a.pdb", lines({{0}, {4.5f, "ATOM", " CA ", ' ', "GLY", 'A', 2}, {9.5f, "ATOM", " CA ", ' ', "ALA", 'A', 7}}));
+  EXPECT_EQ(gap.strand_first, (Offsets{0, 2, 3}));
+  ASSERT_EQ(gap.warnings.size(), 1u);
+  EXPECT_EQ(gap.warnings[0], "1 step longer than a bond is a break: A/GLY2/CA to A/ALA7/CA, 5.0 Angstrom");
 }
 
 TEST(PdbReader, LeavesLigandsAfterTerOut) {
@@ -63,16 +130,46 @@ TEST(PdbReader, KnowsModifiedResiduesOfTheSequence) {
   EXPECT_EQ(curves.strand_first, (Offsets{0, 3}));
 }
 
-TEST(PdbReader, ReadsTheFirstModelOnly) {
-  const std::string model = "MODEL        1\n" + lines({{0}, {3}}) + "ENDMDL\n";
-  EXPECT_EQ(read_text("a.pdb", model + model).spheres.size(), 2u);
-  EXPECT_EQ(read_text("a.pdb", "MODEL        1\n" + lines({{0}}) + "MODEL        2\n" + lines({{0}}))
-                .spheres.size(),
-            1u);
+TEST(PdbReader, ReadsModelsAsFrames) {
+  const auto model = [](float x, const char* residue = "GLY") {
+    return "MODEL        1\n" + lines({{x}, {x + 3, "ATOM", " CA ", ' ', residue, 'A', 2}}) + "ENDMDL\n";
+  };
+  const CurveFile curves = read_text("a.pdb", model(0) + model(1) + model(2) + "END\n");
+  ASSERT_EQ(curves.later_frames.size(), 2u);
+  EXPECT_EQ(xs(curves), (std::vector<float>{0, 3}));
+  EXPECT_EQ(curves.later_frames[1][1].x, 5.0f);
+  EXPECT_TRUE(curves.warnings.empty());
+  const CurveFile other = read_text("a.pdb", model(0) + model(1) + model(2, "ALA") + model(3));
+  EXPECT_EQ(other.later_frames.size(), 1u);
+  ASSERT_EQ(other.warnings.size(), 1u);
+  EXPECT_NE(other.warnings[0].find("line 12: the model that ends here is not of the same atoms"), std::string::npos)
+      << other.warnings[0];
+  EXPECT_EQ(read_text("a.pdb", lines({{0}}) + "END\n" + lines({{1}}) + "END\n").later_frames.size(), 1u);
+}
+
+// Whole lines, and the part after the atom's number, moved by a few columns.
+TEST(PdbReader, RefusesShiftedColumns) {
+  const std::string right = line({11.104f, "ATOM", " CA ", ' ', "ALA"});
+  for (const std::size_t from : {0, 11, 17})
+    for (const int by : {-2, -1, 1, 2}) {
+      std::string shifted = right;
+      if (by > 0)
+        shifted.insert(from, std::string(static_cast<std::size_t>(by), ' '));
+      else if (from > 0)
+        shifted.erase(from, static_cast<std::size_t>(-by));
+      else
+        continue;
+      const std::string said = complaint("a.pdb", lines({{0}}) + shifted);
+      EXPECT_TRUE(said.starts_with("a.pdb:2: ")) << shifted << said;
+    }
+  std::string inner = right;  // residue, chain and number alone
+  inner.erase(27, 1).insert(17, " ");
+  EXPECT_COMPLAINT("1: the residue's name does not stand in columns 18 to 20", "a.pdb", inner);
+  EXPECT_EQ(read_text("a.pdb", line({1, "ATOM", "CA  ", ' ', "ALA"})).spheres.size(), 1u);  // left in its field
 }
 
 TEST(PdbReader, ComplainsWithFileAndLine) {
-  EXPECT_COMPLAINT("2: the C-alpha's coordinates end at column 54", "a.pdb",
+  EXPECT_COMPLAINT("2: an atom's coordinates end at column 54, the line at 50", "a.pdb",
                    "REMARK\n" + line({0}).substr(0, 50) + "\n");
   std::string overflow = line({0});
   overflow.replace(30, 8, "  1.0e99");

@@ -19,6 +19,31 @@ bool reads(const ReaderInfo& info, const std::string& extension) {
   return std::ranges::find(info.extensions, extension) != info.extensions.end();
 }
 
+void require_options(const ReaderInfo& info, const std::string& file, const ReadOptions& options) {
+  const auto refuse = [&](bool given, const char* option) {
+    if (given && std::ranges::find(info.options, option) == info.options.end())
+      throw InputError(
+          fmt::format("{}: {} means nothing for a {} file; leave it out", file, option, info.name));
+  };
+  refuse(!options.columns.empty(), "--columns");
+  refuse(!options.atom.empty(), "--atom");
+}
+
+void check(const CurveFile& curves, const std::string& file) {
+  if (curves.spheres.size() >= (std::size_t{1} << 31))
+    throw InputError(fmt::format("{}: holds {} points, more than 2^31 - 1", file, curves.spheres.size()));
+  // Catena's own format can say "a strand of no spheres"; the others cannot, and an empty curve is of no use.
+  if (curves.strand_closed.empty()) throw InputError(fmt::format("{}: holds no points", file));
+  for (std::size_t f = 0; f < curves.later_frames.size(); ++f)
+    if (curves.later_frames[f].size() != curves.spheres.size())
+      throw InputError(fmt::format("{}: frame {} has {} points, frame 0 has {}", file, f + 1,
+                                   curves.later_frames[f].size(), curves.spheres.size()));
+  if (curves.labels.size() != 0 && curves.labels.size() != curves.spheres.size())
+    throw std::logic_error("a reader labels some spheres only");
+  if (!curves.labels.strand_names.empty() && curves.labels.strand_names.size() != curves.strand_closed.size())
+    throw std::logic_error("a reader names some strands only");
+}
+
 }  // namespace
 
 void CurveFile::end_strand(bool closed) {
@@ -26,6 +51,18 @@ void CurveFile::end_strand(bool closed) {
   if (end == strand_first.back()) return;
   strand_first.push_back(end);
   strand_closed.push_back(closed ? 1 : 0);
+}
+
+void CurveFile::choose(std::span<const std::uint32_t> order) {
+  const auto choose_of = [&](std::vector<Sphere>& frame) {
+    std::vector<Sphere> chosen;
+    chosen.reserve(order.size());
+    for (const std::uint32_t i : order) chosen.push_back(frame[i]);
+    frame = std::move(chosen);
+  };
+  choose_of(spheres);
+  std::ranges::for_each(later_frames, choose_of);
+  labels = labels.chosen(order);
 }
 
 ReaderRegistry& ReaderRegistry::instance() {
@@ -53,18 +90,14 @@ bool ReaderRegistry::knows(const std::filesystem::path& file) const {
   return std::ranges::any_of(entries_, [&](const Entry& entry) { return reads(entry.info, extension); });
 }
 
-CurveFile ReaderRegistry::read(const std::filesystem::path& file) const {
+CurveFile ReaderRegistry::read(const std::filesystem::path& file, const ReadOptions& options) const {
   require_regular_file(file);  // "no such file" helps more than "no such extension"
   const std::string extension = extension_of(file);
   for (const Entry& entry : entries_) {
     if (!reads(entry.info, extension)) continue;
-    CurveFile curves = entry.read(file);
-    if (curves.spheres.size() >= (std::size_t{1} << 31))
-      throw InputError(
-          fmt::format("{}: holds {} points, more than 2^31 - 1", file.string(), curves.spheres.size()));
-    // Catena's own format can say "a strand of no spheres"; the others cannot, and an empty curve is of no
-    // use.
-    if (curves.strand_closed.empty()) throw InputError(fmt::format("{}: holds no points", file.string()));
+    require_options(entry.info, file.string(), options);
+    CurveFile curves = entry.read(file, options);
+    check(curves, file.string());
     return curves;
   }
   std::vector<std::string> known;

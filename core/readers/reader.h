@@ -2,25 +2,46 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "catena/core/chain/exclusion.h"
 #include "catena/core/pair.h"
+#include "catena/core/readers/labels.h"
+#include "catena/core/readers/point_rounding.h"
+#include "catena/core/readers/read_options.h"
 #include "catena/core/sphere.h"
 
 namespace catena {
 
 /// What a file says: points along strands, perhaps radii, perhaps joints between strands. Not yet a chain.
 struct CurveFile {
-  std::vector<Sphere> spheres;                 ///< radius 0 where the file has none
+  CurveFile() = default;
+  explicit CurveFile(const ReadOptions& options) : rounding(options) {}
+
+  std::vector<Sphere> spheres;  ///< radius 0 where the file has none
   bool has_radii = false;
   std::vector<std::uint32_t> strand_first{0};  ///< strands + 1 offsets
   std::vector<std::uint8_t> strand_closed;     ///< one flag a strand
-  std::vector<Pair> joints;                    ///< spheres of different strands that are neighbours along the tube
-  Exclusion exclusion;                         ///< the file's own rule (catena's format), else window 1
-  std::vector<std::string> warnings;
+  bool is_tree = false;                        ///< its strands are branches, none of which can be closed
+  std::vector<Pair> joints;  ///< spheres of different strands that are neighbours along the tube
+  Exclusion exclusion;       ///< the file's own rule (catena's format), else window 1
+  std::vector<std::vector<Sphere>> later_frames;  ///< the same spheres, moved; empty: a file of one frame
+  Labels labels;                                  ///< of the spheres; none: their numbers from 0
+  PointRounding rounding;
+  std::vector<std::string> warnings;  ///< without the file's name: "line 3: ..." or "..."
 
+  /// Adds a sphere to the frame under way, rounded to binary32.
+  void add_point(double x, double y, double z, float radius = 0) {
+    (later_frames.empty() ? spheres : later_frames.back()).push_back(rounding.round(x, y, z, radius));
+  }
+  void begin_later_frame() {
+    later_frames.emplace_back();
+  }  ///< what is added from here on is the next frame's
+  /// Keeps these spheres alone, in this order, in every frame and with their labels; the strands are the
+  /// caller's.
+  void choose(std::span<const std::uint32_t> order);
   void end_strand(bool closed = false);  ///< the spheres since the last call become a strand; none: nothing
 };
 
@@ -28,19 +49,22 @@ struct ReaderInfo {
   std::string name;                     ///< "SWC neuron"
   std::vector<std::string> extensions;  ///< {".swc"}, lower case
   std::string summary;                  ///< one line for `catena list`
+  std::string label;                    ///< what identifies a sphere: "sample id", "line"
+  std::vector<std::string> options{};   ///< of "--columns", "--atom", those that mean something here
 };
 
 /// All readers of the program, self-registered before main.
 class ReaderRegistry {
  public:
   /// Throws InputError "file:line: reason" for anything malformed; never crashes, never returns half a file.
-  using Read = std::function<CurveFile(const std::filesystem::path&)>;
+  using Read = std::function<CurveFile(const std::filesystem::path&, const ReadOptions&)>;
   static ReaderRegistry& instance();
   void add(ReaderInfo info, Read read);
   std::vector<ReaderInfo> readers() const;  ///< sorted by name
   bool knows(const std::filesystem::path& file) const;
-  /// Throws InputError when the extension is unknown or the file cannot be read.
-  CurveFile read(const std::filesystem::path& file) const;
+  /// Throws InputError when the extension is unknown, the file cannot be read, or the options are not for its
+  /// reader.
+  CurveFile read(const std::filesystem::path& file, const ReadOptions& options = {}) const;
 
  private:
   struct Entry {
@@ -49,6 +73,12 @@ class ReaderRegistry {
   };
   std::vector<Entry> entries_;
 };
+
+/// The Read of a reader that is a class: made from file and options, asked once for its curves().
+template <class Reader>
+CurveFile read_by(const std::filesystem::path& file, const ReadOptions& options) {
+  return Reader(file, options).curves();
+}
 
 /// One object of this at namespace scope registers a reader file.
 struct RegisterReader {

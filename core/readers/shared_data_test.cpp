@@ -52,7 +52,13 @@ class SharedData : public testing::TestWithParam<std::pair<const std::string, Co
 TEST_P(SharedData, HasTheCountsOfItsNotice) {
   const auto& [name, expected] = GetParam();
   if (!std::filesystem::exists(shared_data())) GTEST_SKIP() << "no real files at " << shared_data();
-  const CurveFile curves = ReaderRegistry::instance().read(shared_data() / name);
+  // x y z theta: four numbers in a row, which do not say what they are.
+  const bool rod = name.starts_with("rod/");
+  if (rod) {
+    EXPECT_THROW(ReaderRegistry::instance().read(shared_data() / name), InputError);
+  }
+  const ReadOptions options{.columns = rod ? std::vector<std::string>{"x", "y", "z", "_"} : std::vector<std::string>{}};
+  const CurveFile curves = ReaderRegistry::instance().read(shared_data() / name, options);
   EXPECT_EQ(curves.spheres.size(), expected.points);
   EXPECT_EQ(curves.strand_closed.size() - curves.joints.size(), expected.parts);
 }

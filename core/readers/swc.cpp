@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
+#include <numeric>
+#include <utility>
 
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
@@ -19,28 +20,29 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 struct Sample {
   Sphere sphere;
   std::int64_t id, parent;
-  std::size_t line;
-  std::uint32_t first_child = none, last_child = none, next_sibling = none;
+  std::uint32_t first_child = none, next_sibling = none;
 };
 
 class Neuron {
  public:
-  explicit Neuron(const std::filesystem::path& file) : lines_(file) {
-    while (lines_.next()) {
-      lines_.cut_comment('#');
-      if (!lines_.line().empty()) add_sample();
-    }
-    for (std::uint32_t i = 0; i < samples_.size(); ++i) link_to_parent(i);
+  Neuron(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {
+    reserve();
+    while (lines_.next_content()) add_sample();
+    sort_ids();
+    // Backwards, so that each is put in front of its siblings.
+    for (auto i = static_cast<std::uint32_t>(samples_.size()); i > 0; --i) link_to_parent(i - 1);
+    std::ranges::reverse(roots_);
     if (orphans_ > 0)
       curves_.warnings.push_back(
-          fmt::format("{}:{}: sample {} has the parent {}, which is not in the file; {} such sample{} a "
+          fmt::format("line {}: sample {} has the parent {}, which is not in the file; {} such sample{} a "
                       "strand of its own",
-                      lines_.file_name(), samples_[first_orphan_].line, samples_[first_orphan_].id,
-                      samples_[first_orphan_].parent, orphans_, orphans_ == 1 ? " starts" : "s start each"));
+                      line_of(first_orphan_), samples_[first_orphan_].id, samples_[first_orphan_].parent,
+                      orphans_, orphans_ == 1 ? " starts" : "s start each"));
   }
 
   CurveFile curves() {
     curves_.has_radii = true;
+    curves_.is_tree = true;
     place_.assign(samples_.size(), none);
     for (const std::uint32_t root : roots_) lay_out(root);
     if (curves_.spheres.size() != samples_.size()) fail_for_cycle();
@@ -56,30 +58,57 @@ class Neuron {
     Sample sample{};
     sample.id = lines_.integer(fields[0], "id");
     if (sample.id < 0) lines_.fail(fmt::format("id {} is negative", sample.id));
-    sample.sphere = {lines_.real(fields[2], "x"), lines_.real(fields[3], "y"), lines_.real(fields[4], "z"),
-                     lines_.radius(fields[5])};
+    sample.sphere =
+        curves_.rounding.round(lines_.coordinate(fields[2], "x"), lines_.coordinate(fields[3], "y"),
+                               lines_.coordinate(fields[4], "z"), lines_.radius(fields[5]));
     sample.parent = lines_.integer(fields[6], "parent");
-    sample.line = lines_.line_number();
-    const auto [known, is_new] = index_.emplace(sample.id, static_cast<std::uint32_t>(samples_.size()));
-    if (!is_new)
-      lines_.fail(fmt::format("id {} is already that of line {}", sample.id, samples_[known->second].line));
     samples_.push_back(sample);
+  }
+
+  // So that a file of millions of samples is not copied while it is read.
+  void reserve() {
+    std::size_t samples = 0;
+    while (lines_.next_content()) ++samples;
+    lines_.return_to(start_);
+    samples_.reserve(samples);
+    curves_.spheres.reserve(samples);
+  }
+
+  /// Read once more: lines are asked for in errors and warnings alone.
+  std::size_t line_of(std::uint32_t sample) {
+    lines_.return_to(start_);
+    for (std::uint32_t i = 0; i <= sample; ++i) lines_.next_content();
+    return lines_.line_number();
+  }
+
+  void sort_ids() {
+    const auto id_of = [&](std::uint32_t i) { return samples_[i].id; };
+    by_id_.resize(samples_.size());
+    std::iota(by_id_.begin(), by_id_.end(), 0u);
+    std::ranges::stable_sort(by_id_, {}, id_of);
+    const auto twice = std::ranges::adjacent_find(by_id_, {}, id_of);
+    if (twice != by_id_.end())
+      lines_.fail_at(line_of(twice[1]),
+                     fmt::format("id {} is already that of line {}", id_of(*twice), line_of(*twice)));
+  }
+
+  /// none where no sample has this id.
+  std::uint32_t sample_of(std::int64_t id) const {
+    const auto id_of = [&](std::uint32_t i) { return samples_[i].id; };
+    const auto found = std::ranges::lower_bound(by_id_, id, {}, id_of);
+    return found == by_id_.end() || id_of(*found) != id ? none : *found;
   }
 
   void link_to_parent(std::uint32_t i) {
     const std::int64_t parent = samples_[i].parent;
     if (parent < 0) return roots_.push_back(i);
-    const auto found = index_.find(parent);
-    if (found == index_.end()) {
-      if (orphans_++ == 0) first_orphan_ = i;
+    const std::uint32_t found = sample_of(parent);
+    if (found == none) {
+      ++orphans_;
+      first_orphan_ = i;
       return roots_.push_back(i);
     }
-    Sample& of = samples_[found->second];
-    if (of.first_child == none)
-      of.first_child = i;
-    else
-      samples_[of.last_child].next_sibling = i;
-    of.last_child = i;
+    samples_[i].next_sibling = std::exchange(samples_[found].first_child, i);
   }
 
   // Depth first, so that a branch lies near what it grows from; with a stack of our own, as neurons can be
@@ -89,11 +118,12 @@ class Neuron {
     while (!starts.empty()) {
       const std::uint32_t start = starts.back();
       starts.pop_back();
-      if (start != root) curves_.joints.push_back({place_[index_.at(samples_[start].parent)], next_place()});
+      if (start != root) curves_.joints.push_back({place_[sample_of(samples_[start].parent)], next_place()});
       const std::size_t side_branches = starts.size();
       for (std::uint32_t i = start; i != none; i = samples_[i].first_child) {
         place_[i] = next_place();
         curves_.spheres.push_back(samples_[i].sphere);
+        curves_.labels.add(samples_[i].id);
         if (samples_[i].first_child == none) continue;
         for (auto side = samples_[samples_[i].first_child].next_sibling; side != none;
              side = samples_[side].next_sibling)
@@ -108,18 +138,19 @@ class Neuron {
 
   // What no root reaches hangs on a cycle: from any such sample, as many steps up as there are samples end on
   // it.
-  [[noreturn]] void fail_for_cycle() const {
+  [[noreturn]] void fail_for_cycle() {
     std::uint32_t on = 0;
     while (place_[on] != none) ++on;
-    for (std::size_t step = 0; step < samples_.size(); ++step) on = index_.at(samples_[on].parent);
-    lines_.fail_at(samples_[on].line,
+    for (std::size_t step = 0; step < samples_.size(); ++step) on = sample_of(samples_[on].parent);
+    lines_.fail_at(line_of(on),
                    fmt::format("sample {} is its own ancestor; a neuron is a tree, so mend its parent",
                                samples_[on].id));
   }
 
   TextLines lines_;
+  TextLines::Mark start_ = lines_.mark();
   std::vector<Sample> samples_;
-  std::unordered_map<std::int64_t, std::uint32_t> index_;
+  std::vector<std::uint32_t> by_id_;  ///< samples, in order of their ids
   std::vector<std::uint32_t> roots_, place_;
   std::size_t orphans_ = 0;
   std::uint32_t first_orphan_ = 0;
@@ -127,8 +158,8 @@ class Neuron {
 };
 
 const RegisterReader registered{
-    {"SWC neuron", {".swc"}, "id type x y z radius parent; branches become strands"},
-    [](const std::filesystem::path& file) { return Neuron(file).curves(); }};
+    {"SWC neuron", {".swc"}, "id type x y z radius parent; branches become strands", "sample id"},
+    read_by<Neuron>};
 
 }  // namespace
 }  // namespace catena

@@ -37,7 +37,7 @@ TEST(SwcReader, StartsAStrandAtAMissingParentAndSaysSo) {
   EXPECT_EQ(curves.strand_first, (Offsets{0, 2, 4}));
   EXPECT_TRUE(curves.joints.empty());
   ASSERT_EQ(curves.warnings.size(), 1u);
-  EXPECT_NE(curves.warnings[0].find("a.swc:3: sample 3 has the parent 77"), std::string::npos)
+  EXPECT_NE(curves.warnings[0].find("line 3: sample 3 has the parent 77"), std::string::npos)
       << curves.warnings[0];
 }
 
@@ -62,6 +62,16 @@ TEST(SwcReader, ComplainsWithFileAndLine) {
                    "1 1 0 0 0 1 -1\n2 1 0 0 0 1 3\n3 1 0 0 0 1 4\n4 1 0 0 0 1 3\n");
   EXPECT_COMPLAINT(" holds no points", "a.swc", "# nothing\n");
   EXPECT_COMPLAINT(" is empty", "a.swc", "");
+}
+
+TEST(SwcReader, LabelsSpheresByTheIdsOfTheFile) {
+  const CurveFile curves =
+      read_text("a.swc", "30 1 0 0 0 1 -1\n7 3 1 0 0 1 30\n8 3 2 0 0 1 30\n9 3 3 0 0 1 7\n5 3 4 0 0 1 8\n");
+  std::vector<std::string> ids;
+  for (std::uint32_t i = 0; i < 5; ++i) ids.push_back(curves.labels.of(i));
+  EXPECT_EQ(ids, (std::vector<std::string>{"30", "7", "9", "8", "5"}));
+  EXPECT_EQ(curves.spheres[2].x, 3.0f);
+  EXPECT_TRUE(curves.is_tree);
 }
 
 TEST(SwcReader, IsNotDeepInTheStack) {

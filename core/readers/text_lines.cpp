@@ -24,6 +24,14 @@ bool TextLines::next() {
   return true;
 }
 
+bool TextLines::next_content(char mark) {
+  while (next()) {
+    cut_comment(mark);
+    if (!line_.empty()) return true;
+  }
+  return false;
+}
+
 void TextLines::cut_comment(char mark) { line_ = trimmed(line_.substr(0, line_.find(mark))); }
 
 const std::vector<std::string_view>& TextLines::fields(std::string_view separators) {
@@ -42,6 +50,12 @@ void TextLines::fail_at(std::size_t line_number, const std::string& reason) cons
 
 float TextLines::real(std::string_view text, std::string_view what) const {
   const auto [value, problem] = parse_float(text);
+  if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+  return value;
+}
+
+double TextLines::coordinate(std::string_view text, std::string_view what) const {
+  const auto [value, problem] = parse_coordinate(text);
   if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
   return value;
 }

@@ -17,6 +17,16 @@ class TextLines {
   /// Goes to the next line; false when there is none. The first call goes to the first line.
   bool next();
 
+  /// Goes to the next line that holds more than blanks and a comment after `mark`, and takes both off it.
+  bool next_content(char mark = '#');
+
+  /// A place in the file to come back to: after return_to(mark()) the next line is the same again.
+  struct Mark {
+    std::size_t next, number;
+  };
+  Mark mark() const { return {next_, number_}; }
+  void return_to(Mark mark) { next_ = mark.next, number_ = mark.number, line_ = {}; }
+
   std::string_view line() const { return line_; }      ///< without its end
   std::size_t line_number() const { return number_; }  ///< from 1; stays at the last line after the end
   std::size_t bytes() const {
@@ -37,6 +47,7 @@ class TextLines {
 
   /// Numbers; `what` names the value in the error of the current line: "x", "radius".
   float real(std::string_view text, std::string_view what) const;
+  double coordinate(std::string_view text, std::string_view what) const;  ///< see parse_coordinate
   double wide_real(std::string_view text, std::string_view what) const;
   float radius(std::string_view text) const;  ///< a real that is not negative
   std::int64_t integer(std::string_view text, std::string_view what) const;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 class Vect {
  public:
-  explicit Vect(const std::filesystem::path& file) : lines_(file) {}
+  Vect(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
     if (token("the keyword VECT") != "VECT")
@@ -30,19 +31,22 @@ class Vect {
     }
     if (all_vertices != vertices)
       lines_.fail(
-          fmt::format("the polylines have {} vertices together, the header says {}", all_vertices, vertices));
+          fmt::format("the vertex counts of the polylines sum to {}, the header says {}", all_vertices, vertices));
     for (std::uint32_t i = 0; i < polylines; ++i)
       all_colours += lines_.count(token("a colour count"), "colour count");
     if (all_colours != colours)
       lines_.fail(
-          fmt::format("the polylines have {} colours together, the header says {}", all_colours, colours));
+          fmt::format("the colour counts of the polylines sum to {}, the header says {}", all_colours, colours));
 
     curves_.spheres.reserve(vertices);
     for (const std::int64_t count : signed_count) {
-      for (std::uint64_t i = 0; i < magnitude(count); ++i) curves_.spheres.push_back(vertex());
+      for (std::uint64_t i = 0; i < magnitude(count); ++i) add_vertex();
       curves_.end_strand(count < 0);
     }
     for (std::uint64_t i = 0; i < std::uint64_t{colours} * 4; ++i) lines_.real(token("a colour"), "colour");
+    if (has_more())
+      lines_.fail(fmt::format("{} stands after all that the header declares, vertices: {}, colours: {}",
+                              in_quotes(row_[at_]), vertices, colours));
     return std::move(curves_);
   }
 
@@ -60,20 +64,25 @@ class Vect {
     return count;
   }
 
-  Sphere vertex() {
-    const float x = lines_.real(token("a vertex"), "x");
-    const float y = lines_.real(token("a vertex"), "y");
-    const float z = lines_.real(token("a vertex"), "z");
-    return {x, y, z, 0};
+  void add_vertex() {
+    const double x = lines_.coordinate(token("a vertex"), "x");
+    const double y = lines_.coordinate(token("a vertex"), "y");
+    const double z = lines_.coordinate(token("a vertex"), "z");
+    curves_.add_point(x, y, z);
   }
 
-  std::string_view token(const std::string& wanted) {
+  bool has_more() {
     while (at_ == row_.size()) {
-      if (!lines_.next()) lines_.fail(fmt::format("the file is truncated: it ends where {} is due", wanted));
+      if (!lines_.next()) return false;
       lines_.cut_comment('#');
       row_ = lines_.fields();
       at_ = 0;
     }
+    return true;
+  }
+
+  std::string_view token(const std::string& wanted) {
+    if (!has_more()) lines_.fail(fmt::format("the file is truncated: it ends where {} is due", wanted));
     return row_[at_++];
   }
 
@@ -83,8 +92,9 @@ class Vect {
   CurveFile curves_;
 };
 
-const RegisterReader registered{{"Geomview VECT", {".vect"}, "polylines, open or closed; no radii"},
-                                [](const std::filesystem::path& file) { return Vect(file).curves(); }};
+const RegisterReader registered{
+    {"Geomview VECT", {".vect"}, "polylines, open or closed; no radii", "vertex number from 0"},
+    read_by<Vect>};
 
 }  // namespace
 }  // namespace catena

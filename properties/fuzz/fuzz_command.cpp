@@ -11,6 +11,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/commands/whole_number_option.h"
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/properties/fuzz/failure_store.h"
 #include "catena/properties/fuzz/fault.h"
@@ -128,8 +129,8 @@ class FuzzCommand final : public Command {
       const auto findings = suite.check_all(test);
       for (const Finding& f : findings) fmt::print("{}: {}: {}: {}\n", file, f.variant, f.property, f.what);
       if (findings.empty())
-        fmt::print("{}: {} spheres, {} pairs: every property holds for {} variants\n", file,
-                   test.chain.size(), test.exact.pair_count, suite.variants().size());
+        fmt::print("{}: {}, {}: every property holds for {}\n", file, counted(test.chain.size(), "sphere"),
+                   counted(test.exact.pair_count, "pair"), counted(suite.variants().size(), "variant"));
       anything |= !findings.empty();
     }
     return anything ? 1 : 0;

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/frame_option.h"
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/show_warnings.h"
+#include "catena/core/counted.h"
+#include "catena/core/error.h"
+#include "catena/core/input/scene_input.h"
+#include "catena/core/one_line.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/core/thrown.h"
+#include "catena/core/writers/writer.h"
+
+namespace catena {
+namespace {
+
+/// `catena export INPUT OUT`: any input in any format that can hold it.
+class ExportCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
+    app.add_option("OUT", out_, "The file to write: .chain, .csv, .vtp, .obj or .xyz")->required();
+    frame_.add_to(app);
+    app.add_flag("--contacts", contacts_,
+                 "Find the collisions, and write for each sphere what it collides with (.vtp)");
+    app.add_option("--variant", variant_, "How to find them; see catena list")->capture_default_str();
+    add_input_options(app, options_);
+  }
+
+  int run() override {
+    const auto& writer = WriterRegistry::instance().of(out_);
+    if (contacts_ && !writer.info.contacts)
+      throw InputError(fmt::format("{}: {} holds no contacts; export to .vtp, or use detect --pairs", out_,
+                                   writer.info.name));
+    if (contacts_) search_ = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
+    const Input input = open_input(input_, options_);
+    show_warnings(input);
+    const auto [first, last] = frame_.of(input);
+    first_frame_ = written_frame(input_);
+    say_losses(writer.info, input.animation->frame(first));
+    const auto frame = [&](std::uint32_t f) { return exported(input, f, f == first); };
+    if (writer.info.frames || last - first == 1) {
+      writer.write(out_, {first, last, frame, input.labels});
+    } else {
+      for (std::uint32_t f = first; f < last; ++f) writer.write(name_of(f), {f, f + 1, frame, input.labels});
+    }
+    fmt::print("{}: {} of {} as {}\n", out_, counted(last - first, "frame"),
+               counted(input.animation->frame(first).size(), "sphere"), writer.info.name);
+    return 0;
+  }
+
+ private:
+  ExportedFrame exported(const Input& input, std::uint32_t f, bool first) {
+    ExportedFrame frame{input.animation->frame(f)};
+    if (!search_) return frame;
+    blaming(variant_, [&] {
+      if (first) search_->prepare({});
+      first ? search_->build(frame.chain) : search_->update(frame.chain);
+      search_->find(frame.chain, {}, found_);
+    });
+    frame.found = &found_;
+    return frame;
+  }
+
+  /// out.vtp as out_3.vtp: the numbered series that ParaView opens as one.
+  std::string name_of(std::uint32_t frame) const {
+    const std::filesystem::path out(out_);
+    return (out.parent_path() /
+            fmt::format("{}_{}{}", out.stem().string(), first_frame_ + frame, out.extension().string()))
+        .string();
+  }
+
+  void say_losses(const WriterInfo& info, const Chain& chain) const {
+    const auto say = [&](const char* what) {
+      fmt::print(stderr, "catena: {}\n", one_line(fmt::format("{}: {} holds no {}", out_, info.name, what)));
+    };
+    if (!info.radii) say("radii; give them with --radius when it is read");
+    const Exclusion& rule = chain.exclusion();
+    if (!info.rule && (rule.rule != Exclusion::Rule::index_window || rule.window != 1))
+      say("exclusion rule; give it with --window or --arc-window when it is read");
+    if (!info.rule && !rule.extra_pairs.empty()) say("neighbours across joints; .chain does");
+  }
+
+  std::string input_, out_, variant_ = "aCPU2+CPU2";
+  FrameOption frame_;
+  InputOptions options_;
+  bool contacts_ = false;
+  std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
+  std::unique_ptr<Variant> search_;
+  Collisions found_;
+};
+
+const RegisterCommand<ExportCommand> registered("export",
+                                                "Write a scene or file as .chain, .csv, .vtp, .obj or .xyz");
+
+}  // namespace
+}  // namespace catena

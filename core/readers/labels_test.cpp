@@ -1,0 +1,59 @@
+#include "catena/core/readers/labels.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <stdexcept>
+
+namespace catena {
+namespace {
+
+template <class Label>
+Labels labels_of(const std::vector<Label>& all) {
+  Labels labels;
+  for (const Label& label : all) labels.add(label);
+  return labels;
+}
+
+std::string text(std::int64_t number) { return std::to_string(number); }
+std::string text(const std::string& letters) { return letters; }
+
+template <class Label>
+void keeps_all_and_chosen(const std::vector<Label>& all) {
+  const Labels labels = labels_of(all);
+  RC_ASSERT(labels.size() == all.size());
+  const auto n = static_cast<std::uint32_t>(all.size());
+  for (std::uint32_t i = 0; i < n; ++i) RC_ASSERT(labels.of(i) == text(all[i]));
+  if (n == 0) return;
+  const auto some = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0u, n));
+  const Labels chosen = labels.chosen(some);
+  RC_ASSERT(chosen.size() == some.size());
+  for (std::uint32_t i = 0; i < some.size(); ++i) RC_ASSERT(chosen.of(i) == text(all[some[i]]));
+}
+
+// Few numbers, so that runs of consecutive ones are common.
+RC_GTEST_PROP(Labels, GiveEveryNumberBack, ()) {
+  keeps_all_and_chosen(*rc::gen::container<std::vector<std::int64_t>>(rc::gen::inRange<std::int64_t>(-3, 6)));
+}
+
+RC_GTEST_PROP(Labels, GiveEveryTextBack, ()) {
+  keeps_all_and_chosen(*rc::gen::arbitrary<std::vector<std::string>>());
+}
+
+TEST(Labels, AreTheNumbersOfTheSpheresWhereThereAreNone) {
+  EXPECT_EQ(Labels().of(0), "0");
+  EXPECT_EQ(Labels().of(4000000000u), "4000000000");
+  EXPECT_EQ(Labels().size(), 0u);
+}
+
+TEST(Labels, RefuseWhatTheyCannotSay) {
+  Labels numbers, texts;
+  numbers.add(7);
+  texts.add("A/MSE1/CA");
+  EXPECT_THROW(numbers.add("A"), std::logic_error);
+  EXPECT_THROW(texts.add(7), std::logic_error);
+  EXPECT_THROW(numbers.of(1), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace catena

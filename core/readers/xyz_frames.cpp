@@ -1,0 +1,119 @@
+#include "catena/core/readers/xyz_frames.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/extended_xyz.h"
+#include "catena/core/readers/number_text.h"
+#include "catena/core/readers/row_columns.h"
+#include "catena/core/readers/table_points.h"
+
+namespace catena {
+namespace {
+
+constexpr std::string_view separators = " \t,";
+
+class XyzFrames {
+ public:
+  XyzFrames(TextLines& lines, const ReadOptions& options, CurveFile& curves)
+      : lines_(lines), options_(options), curves_(curves), points_(lines, curves) {}
+
+  void read() {
+    for (bool first = true; lines_.next_content(); first = false) {
+      if (!first) curves_.begin_later_frame();
+      read_frame(first);
+    }
+    points_.finish();
+  }
+
+ private:
+  void read_frame(bool first) {
+    const auto& head = lines_.fields(separators);
+    if (head.size() != 1 || !is_integer(head[0]))
+      lines_.fail(fmt::format(
+          "the number of points of another frame is due here, or the end: {} points were announced",
+          announced_));
+    announced_ = lines_.count(head[0], "number of points");
+    if (!first && announced_ != curves_.spheres.size())
+      lines_.fail(fmt::format("frame {} has {} points, frame 0 has {}", curves_.later_frames.size(),
+                              announced_, curves_.spheres.size()));
+    const std::size_t count_line = lines_.line_number();
+    if (first) curves_.spheres.reserve(std::min<std::size_t>(announced_, lines_.bytes() / 6));
+    ExtendedXyz title;
+    if (has_title()) title = read_title(first);
+    for (std::uint32_t i = 0; i < announced_; ++i) {
+      if (!lines_.next_content() || is_count())
+        lines_.fail_at(count_line, fmt::format("{} point{} announced, {} follow", announced_,
+                                               announced_ == 1 ? " is" : "s are", i));
+      const auto& row = lines_.fields(separators);
+      if (i == 0) choose_columns(title, row, first);
+      points_.add(row);
+    }
+  }
+
+  bool is_count() {
+    const auto& fields = lines_.fields(separators);
+    return fields.size() == 1 && is_integer(fields[0]);
+  }
+
+  // The format has a title, so any line is one; but some writers leave it out, and then a line is missing.
+  bool has_title() {
+    if (announced_ == 0) return true;
+    const auto place = lines_.mark();
+    const bool title = lines_.next();
+    const auto& fields = lines_.fields(separators);
+    const bool point = fields.size() >= 3 && std::all_of(fields.begin() + 1, fields.end(), is_number);
+    bool enough = title;
+    for (std::uint32_t i = 0; enough && i < announced_; ++i) enough = lines_.next_content() && !is_count();
+    lines_.return_to(place);
+    if (!enough && point) curves_.warnings.emplace_back("there is no title line after the number of points");
+    return enough || !point;
+  }
+
+  ExtendedXyz read_title(bool first) {
+    if (!lines_.next()) return {};
+    try {
+      ExtendedXyz title = parse_extended_xyz(lines_.line());
+      if (first && title.has_lattice)
+        curves_.warnings.push_back(
+            fmt::format("line {}: the Lattice is not read; nothing is periodic", lines_.line_number()));
+      if (first && !title.unread.empty() && options_.columns.empty())
+        curves_.warnings.push_back(fmt::format("not read: {}", fmt::join(title.unread, ", ")));
+      return title;
+    } catch (const InputError& error) {
+      lines_.fail(error.what());
+    }
+  }
+
+  void choose_columns(const ExtendedXyz& title, const std::vector<std::string_view>& row, bool first) {
+    TableColumns columns;
+    if (!options_.columns.empty())
+      columns = TableColumns::of_option(options_.columns);
+    else if (title.columns)
+      columns = *title.columns;
+    else if (first)
+      columns = columns_of_row(row, true, lines_);
+    else
+      return;
+    if (!first && columns.has_radii() != curves_.has_radii)
+      lines_.fail("this frame and the first differ in having radii");
+    points_.set_columns(std::move(columns));
+  }
+
+  TextLines& lines_;
+  const ReadOptions& options_;
+  CurveFile& curves_;
+  TablePoints points_;
+  std::uint32_t announced_ = 0;
+};
+
+}  // namespace
+
+void read_xyz_frames(TextLines& lines, const ReadOptions& options, CurveFile& curves) {
+  XyzFrames(lines, options, curves).read();
+}
+
+}  // namespace catena

@@ -1,0 +1,37 @@
+#include "catena/core/writers/writer.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/text_lines.h"
+
+namespace catena {
+
+WriterRegistry& WriterRegistry::instance() {
+  static WriterRegistry registry;
+  return registry;
+}
+
+std::vector<WriterInfo> WriterRegistry::writers() const {
+  std::vector<WriterInfo> sorted;
+  for (const Entry& entry : entries_) sorted.push_back(entry.info);
+  std::ranges::sort(sorted, {}, &WriterInfo::name);
+  return sorted;
+}
+
+const WriterRegistry::Entry& WriterRegistry::of(const std::filesystem::path& file) const {
+  const std::string extension = lower_case(file.extension().string());
+  std::vector<std::string> known;
+  for (const Entry& entry : entries_) {
+    if (std::ranges::find(entry.info.extensions, extension) != entry.info.extensions.end()) return entry;
+    known.insert(known.end(), entry.info.extensions.begin(), entry.info.extensions.end());
+  }
+  std::ranges::sort(known);
+  throw InputError(fmt::format("{}: nothing writes '{}' files; there are: {}", file.string(), extension,
+                               fmt::join(known, " ")));
+}
+
+}  // namespace catena

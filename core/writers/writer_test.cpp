@@ -1,0 +1,185 @@
+#include "catena/core/writers/writer.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <span>
+#include <sstream>
+
+#include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_floats.h"
+
+namespace catena {
+namespace {
+
+using Offsets = std::vector<std::uint32_t>;
+
+/// Any spheres; strands of at least one, open and closed.
+Chain any_chain() {
+  std::vector<Sphere> spheres;
+  Strands strands{{0}, {}};
+  for (auto left = *rc::gen::inRange(1, 5); left > 0; --left) {
+    for (auto more = *rc::gen::inRange(1, 6); more > 0; --more)
+      spheres.push_back({*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
+    strands.first.push_back(static_cast<std::uint32_t>(spheres.size()));
+    strands.closed.push_back(*rc::gen::arbitrary<bool>());
+  }
+  return Chain(std::move(spheres), std::move(strands));
+}
+
+/// What is read of these frames, written.
+CurveFile again(const std::string& name, const std::vector<Chain>& frames, const Labels& labels = {}) {
+  const TestFile file(name, "");
+  WriterRegistry::instance()
+      .of(file.path())
+      .write(file.path(), {0, static_cast<std::uint32_t>(frames.size()),
+                           [&](std::uint32_t f) { return ExportedFrame{frames[f]}; }, labels});
+  return ReaderRegistry::instance().read(file.path());
+}
+
+bool same_bits(std::span<const Sphere> a, std::span<const Sphere> b) {
+  return std::ranges::equal(a, b, [](const Sphere& s, const Sphere& t) {
+    return std::bit_cast<std::array<std::uint32_t, 4>>(s) == std::bit_cast<std::array<std::uint32_t, 4>>(t);
+  });
+}
+
+std::vector<Sphere> without_radii(std::span<const Sphere> spheres) {
+  std::vector<Sphere> bare(spheres.begin(), spheres.end());
+  for (Sphere& sphere : bare) sphere.radius = 0;
+  return bare;
+}
+
+void comes_back(const std::string& name) {
+  const Chain chain = any_chain();
+  const CurveFile curves = again(name, {chain});
+  RC_ASSERT(same_bits(curves.spheres, chain.spheres()));
+  RC_ASSERT(curves.strand_first == chain.strands().first);
+  RC_ASSERT(curves.strand_closed == chain.strands().closed);
+  RC_ASSERT(curves.has_radii);
+  RC_ASSERT(curves.warnings.empty());
+}
+
+RC_GTEST_PROP(Writers, BringAChainBackFromChain, ()) { comes_back("a.chain"); }
+RC_GTEST_PROP(Writers, BringAChainBackFromCsv, ()) { comes_back("a.csv"); }
+RC_GTEST_PROP(Writers, BringAChainBackFromXyz, ()) { comes_back("a.xyz"); }
+
+RC_GTEST_PROP(Writers, BringEveryFrameBackFromXyz, ()) {
+  const Chain first = any_chain();
+  std::vector<Chain> frames{first};
+  for (auto more = *rc::gen::inRange(0, 4); more > 0; --more) {
+    std::vector<Sphere> moved;
+    for (std::uint32_t i = 0; i < first.size(); ++i)
+      moved.push_back({*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
+    frames.push_back(first.moved(std::move(moved)));
+  }
+  const CurveFile curves = again("a.xyz", frames);
+  RC_ASSERT(curves.later_frames.size() == frames.size() - 1);
+  RC_ASSERT(same_bits(curves.spheres, frames[0].spheres()));
+  for (std::size_t f = 1; f < frames.size(); ++f)
+    RC_ASSERT(same_bits(curves.later_frames[f - 1], frames[f].spheres()));
+}
+
+// Labels of any letters; where strands share a name, their numbers stand in for it, or their rows would be
+// joined.
+RC_GTEST_PROP(Writers, BringLabelsBackFromCsv, ()) {
+  const Chain chain = any_chain();
+  const auto word = [] {
+    return *rc::gen::nonEmpty(
+        rc::gen::container<std::string>(rc::gen::elementOf(std::string("aB1/,;'\t#."))));
+  };
+  Labels labels;
+  std::vector<std::string> ids;
+  for (std::uint32_t i = 0; i < chain.size(); ++i) {
+    std::string id = "l" + word() + "l";
+    ids.push_back(id);
+    labels.add(std::string_view(id));
+  }
+  for (std::uint32_t s = 0; s < chain.strand_count(); ++s)
+    labels.strand_names.push_back(*rc::gen::elementOf(std::vector<std::string>{"A", "B", "C,1", "D", "E"}));
+  const CurveFile curves = again("a.csv", {chain}, labels);
+  RC_ASSERT(curves.strand_first == chain.strands().first);
+  const std::set<std::string> distinct(labels.strand_names.begin(), labels.strand_names.end());
+  if (distinct.size() == labels.strand_names.size())
+    RC_ASSERT(curves.labels.strand_names == labels.strand_names);
+  for (std::uint32_t i = 0; i < chain.size(); ++i) RC_ASSERT(curves.labels.of(i) == ids[i]);
+}
+
+/// The numbers of an array of a VTP file, by its name.
+std::vector<double> array_of(const std::string& text, const std::string& name) {
+  auto begin = text.find("Name=\"" + name + "\"");
+  if (begin == std::string::npos) return {};
+  begin = text.find('>', begin) + 1;
+  std::istringstream in(text.substr(begin, text.find('<', begin) - begin));
+  std::vector<double> numbers;
+  for (double number; in >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+const Chain square(
+    {{0, 0, 0, 1}, {3, 0, 0, 1}, {3, 3, 0, 1}, {1, 0, 0.5f, 0.25f}, {9, 0, 0, 1}, {8, 0, 0, 1}},
+    {{0, 3, 4, 6}, {1, 0, 0}});
+
+std::string written(const std::string& name, const ExportedFrame& frame) {
+  const TestFile file(name, "");
+  WriterRegistry::instance()
+      .of(file.path())
+      .write(file.path(), {0, 1, [&](std::uint32_t) { return frame; }, Labels()});
+  std::ostringstream text;
+  text << std::ifstream(file.path()).rdbuf();
+  return text.str();
+}
+
+TEST(Writers, WriteLinesAndVerticesOfObj) {
+  EXPECT_EQ(written("a.obj", {square}),
+            "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 1 0 0.5\nv 9 0 0\nv 8 0 0\nl 1 2 3 1\np 4\nl 5 6\n");
+}
+
+TEST(Writers, WriteWhatParaViewShows) {
+  Collisions found;
+  found.found = true;
+  found.pairs = {{0, 3}, {1, 3}};
+  found.count = {1, 1, 0, 2, 0, 0};
+  found.pair_count = 2;
+  const std::string text = written("a.vtp", {square, &found});
+  using Numbers = std::vector<double>;
+  EXPECT_EQ(array_of(text, "radius"), (Numbers{1, 1, 1, 0.25, 1, 1}));
+  EXPECT_EQ(array_of(text, "strand"), (Numbers{0, 0, 0, 1, 2, 2}));
+  EXPECT_EQ(array_of(text, "collisions"), (Numbers{1, 1, 0, 2, 0, 0}));
+  EXPECT_EQ(array_of(text, "contact"), (Numbers{3, 3, -1, 0, -1, -1}));
+  EXPECT_NEAR(array_of(text, "depth")[3], 1.25 - std::sqrt(1.25), 1e-15);
+  const std::string lines = text.substr(text.find("<Lines>"));
+  EXPECT_EQ(array_of(lines, "connectivity"), (Numbers{0, 1, 2, 0, 4, 5}));
+  EXPECT_EQ(array_of(lines, "offsets"), (Numbers{4, 6}));
+  EXPECT_EQ(array_of(text, "connectivity"), (Numbers{3}));
+  EXPECT_TRUE(array_of(written("a.vtp", {square}), "collisions").empty());
+}
+
+// By the readers of these formats, where there are any.
+RC_GTEST_PROP(Writers, BringLinesBackFromObjAndVtp, ()) {
+  const Chain chain = any_chain();
+  for (const std::string name : {"a.obj", "a.vtp"}) {
+    if (!ReaderRegistry::instance().knows(name)) continue;
+    const CurveFile curves = again(name, {chain});
+    RC_ASSERT(curves.has_radii == (name == "a.vtp"));
+    RC_ASSERT(same_bits(curves.spheres,
+                        name == "a.vtp" ? std::vector<Sphere>(chain.spheres().begin(), chain.spheres().end())
+                                        : without_radii(chain.spheres())));
+    RC_ASSERT(curves.strand_first == chain.strands().first);
+  }
+}
+
+TEST(Writers, NameWhatThereIs) {
+  try {
+    WriterRegistry::instance().of("a.doc");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "a.doc: nothing writes '.doc' files; there are: .chain .csv .obj .vtp .xyz");
+  }
+}
+
+}  // namespace
+}  // namespace catena
