@@ -45,7 +45,7 @@ class DeviceHybridOnHost final : public Variant {
     with_tests_for<Arithmetic>(view, [&](auto tests) {
       const BlockMeeting<HostWarp> meeting(warp_, view, blocks_);
       for (std::uint32_t b = 0; b < blocks_.blocks && !sink.satisfied(); ++b)
-        meeting.template compare<decltype(tests)>(b, sink);
+        meeting.plan(b, [&](auto work) { meeting.template compare<decltype(tests)>(b, work, sink); });
       cells_.search<decltype(tests)>(view, sink);
     });
     collector.finish();

@@ -39,7 +39,7 @@ struct alignas(16) BlockCapsule {
   Vector32 centre;
   float radius;
   Vector32 half;
-  float inverse;  ///< about 1 / |half|^2; 0 for a point
+  float reach;  ///< |half| + radius
 
   CATENA_HD static float inverse_square(float square) {
     constexpr float least_square = 0x1p-60f;
@@ -51,27 +51,29 @@ struct alignas(16) BlockCapsule {
     return mul_add(reach, BlockTree::slack, radius) + BlockTree::tiny;
   }
   CATENA_HD static BlockCapsule around(const Sphere& s) {
-    return {centre_of(s), with_slack(s.radius, 0), {0, 0, 0}, 0};
-  }
-  CATENA_HD float reach() const { return std::sqrt(dot(half, half)) + radius; }
-
-  /// The square of how far p, relative to the centre, lies from the axis, from above but for rounding: the point of the
-  /// axis is a guess, and any point of it will do.
-  CATENA_HD float square_from_axis(const Vector32& p) const {
-    const Vector32 rest = plus(p, -clamped(dot(p, half) * inverse), half);
-    return dot(rest, rest);
+    const float radius = with_slack(s.radius, 0);
+    return {centre_of(s), radius, {0, 0, 0}, radius};
   }
 };
+
+/// True only when nothing in one capsule touches anything in the other, as their centres are too far apart.
+CATENA_HD inline bool far_apart(const BlockCapsule& a, const BlockCapsule& b) {
+  const Vector32 t = b.centre - a.centre;
+  const float reach = a.reach + b.reach;
+  return dot(t, t) > reach * reach;
+}
 
 /// True only when nothing in one capsule touches anything in the other. A direction is guessed, between the nearest
 /// points of the two axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra + rb) |w|.
 CATENA_HD inline bool separate(const BlockCapsule& a, const BlockCapsule& b) {
   const Vector32 t = b.centre - a.centre;
-  const float ta = dot(t, a.half), tb = dot(t, b.half), ab = dot(a.half, b.half), ab_b = ab * b.inverse;
-  const float sine = std::fmax(1 - ab * a.inverse * ab_b, 1e-4f);
-  float p = clamped((ta - tb * ab_b) * a.inverse / sine);
-  const float q = clamped((p * ab - tb) * b.inverse);
-  p = clamped((q * ab + ta) * a.inverse);
+  const float over_a = BlockCapsule::inverse_square(dot(a.half, a.half)),
+              over_b = BlockCapsule::inverse_square(dot(b.half, b.half));
+  const float ta = dot(t, a.half), tb = dot(t, b.half), ab = dot(a.half, b.half), ab_b = ab * over_b;
+  const float sine = std::fmax(1 - ab * over_a * ab_b, 1e-4f);
+  float p = clamped((ta - tb * ab_b) * over_a / sine);
+  const float q = clamped((p * ab - tb) * over_b);
+  p = clamped((q * ab + ta) * over_a);
   const Vector32 w = plus(plus(t, q, b.half), -p, a.half);
   const float square = dot(w, w);
   const float gap = std::fabs(dot(t, w)) - std::fabs(dot(a.half, w)) - std::fabs(dot(b.half, w));
@@ -94,41 +96,43 @@ struct BlockPair {
     BlockCapsule result{};
     result.half = {0.5f * chord.x, 0.5f * chord.y, 0.5f * chord.z};
     result.centre = plus(plus(origin, 0.5f, result.half), 0.25f, arc);
-    const float half_square = dot(result.half, result.half);
-    result.inverse = BlockCapsule::inverse_square(half_square);
+    const float half_square = dot(result.half, result.half), over = BlockCapsule::inverse_square(half_square);
+    // The square of how far a sphere lies from the axis, from above but for rounding: the point of the axis is a guess,
+    // and any point of it will do.
     const float farthest = warp.greatest([&](std::uint32_t lane) {
-      return result.square_from_axis(centre_of(own[lane]) - result.centre);
+      const Vector32 p = centre_of(own[lane]) - result.centre;
+      const Vector32 rest = plus(p, -clamped(dot(p, result.half) * over), result.half);
+      return dot(rest, rest);
     });
     const float thickest = warp.greatest([&](std::uint32_t lane) { return own[lane].radius; });
     result.radius = BlockCapsule::with_slack(std::sqrt(farthest) + thickest, half_square);
+    result.reach = std::sqrt(half_square) + result.radius;
     return result;
   }
 
   /// True only when in both blocks no two spheres collide that are not next to one another: along the direction from
-  /// the first to the last, of a length at most `length`, sphere i reaches from L_i = s_i - r_i length to
-  /// H_i = s_i + r_i length; where L never falls and H_i < L_(i+2), sphere i ends before every sphere from i + 2 on
-  /// begins. The slack is for the rounding of s, L and H.
-  CATENA_HD bool ordered(const Vector32& centre) const {
+  /// the first to the last, of a length at most `length`, sphere i lies at s_i; where s never falls, and rises by more
+  /// than two greatest radii times length from i to i + 2, it does so to every sphere after that. The slack is for the
+  /// rounding of s and of the sums.
+  CATENA_HD bool ordered(const BlockCapsule& capsule) const {
     const Vector32 direction = centre_of(next_last) - centre_of(first);
     const float length = std::sqrt(dot(direction, direction)) * (1 + 0x1p-16f);
-    const float far = warp.greatest([&](std::uint32_t lane) {
-      const float a = sum_of_sides(centre_of(own[lane]) - centre) + own[lane].radius,
-                  b = sum_of_sides(centre_of(next[lane]) - centre) + next[lane].radius;
-      return a < b ? b : a;
+    const float thickest = warp.greatest([&](std::uint32_t lane) {
+      return own[lane].radius < next[lane].radius ? next[lane].radius : own[lane].radius;
     });
-    const float slack = length * far * BlockTree::slack + 0x1p-60f;
-    const auto along = [&](const Spheres& of, float side) {
-      return warp.each([&](std::uint32_t lane) {
-        return mul_add(side * of[lane].radius, length, dot(centre_of(of[lane]) - centre, direction));
-      });
+    const float beyond =
+        warp.greatest([&](std::uint32_t lane) { return sum_of_sides(centre_of(next[lane]) - capsule.centre); });
+    const float far = (beyond < capsule.reach ? capsule.reach : beyond) + thickest;
+    const float step = 2 * thickest * length + (length * far * BlockTree::slack + 0x1p-60f);
+    const auto along = [&](const Spheres& of) {
+      return warp.each([&](std::uint32_t lane) { return dot(centre_of(of[lane]) - capsule.centre, direction); });
     };
-    const auto low = along(own, -1), low_next = along(next, -1), high = along(own, 1), high_next = along(next, 1);
-    const auto one_on = warp.ahead(low, low_next, 1), two_on = warp.ahead(low, low_next, 2);
-    const auto one_on_next = warp.ahead(low_next, low_next, 1), two_on_next = warp.ahead(low_next, low_next, 2);
+    const auto s = along(own), s_next = along(next);
+    const auto one_on = warp.ahead(s, s_next, 1), two_on = warp.ahead(s, s_next, 2);
+    const auto one_on_next = warp.ahead(s_next, s_next, 1), two_on_next = warp.ahead(s_next, s_next, 2);
     const std::uint32_t fails = warp.ballot([&](std::uint32_t lane) {
-      const bool rises = low[lane] <= one_on[lane] && (lane == 31 || low_next[lane] <= one_on_next[lane]);
-      const bool apart = high[lane] + slack < two_on[lane] &&
-                         (lane >= 30 || high_next[lane] + slack < two_on_next[lane]);
+      const bool rises = s[lane] <= one_on[lane] && (lane == 31 || s_next[lane] <= one_on_next[lane]);
+      const bool apart = s[lane] + step < two_on[lane] && (lane >= 30 || s_next[lane] + step < two_on_next[lane]);
       return !(rises && apart);
     });
     return fails == 0;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "catena/core/cells/block_capsule.h"
 #include "catena/core/cells/cell_table.h"
@@ -26,7 +27,8 @@ struct CapsuleBlocks {
 
   struct State {
     std::uint32_t levels;   ///< bit k: there are capsules of level k
-    std::uint32_t crowded;  ///< of every `sample`-th block
+    std::uint32_t crowded;  ///< crowded blocks of every `sample`-th
+    std::uint32_t any;      ///< not 0: there is a crowded block
   };
 
   CellTable table;
@@ -64,8 +66,13 @@ struct CapsuleBlocks {
     const int width = std::ilogb(2 * reach * (1 + 0x1p-16f)) + 1;  // 2^width is above twice the reach
     return static_cast<std::uint32_t>((width < least_width ? least_width : width) - least_width);
   }
-  CATENA_HD PointCell cell(const BlockCapsule& c, std::uint32_t level) const {
-    return PointCell::of(c.centre, std::ldexp(1.0, -(static_cast<int>(level) + least_width)));
+  /// Where its centre's cell lies. No product is rounded, and no cell is far.
+  CATENA_HD std::uint32_t bucket_of(const BlockCapsule& c, std::uint32_t level) const {
+    const std::uint32_t bits = static_cast<std::uint32_t>(127 - least_width - static_cast<int>(level)) << 23;
+    float cells_per_unit;
+    std::memcpy(&cells_per_unit, &bits, sizeof bits);
+    const auto cell = [&](float at) { return static_cast<double>(std::floor(at * cells_per_unit)); };
+    return table.bucket(cell(c.centre.x), cell(c.centre.y), cell(c.centre.z), level);
   }
   /// Of 27, the bucket of the k-th cell around that of this bucket.
   CATENA_HD std::uint32_t around(std::uint32_t at, std::uint32_t k) const {

@@ -54,8 +54,11 @@ struct CellTable {
 
   /// Levels begin `level_step` buckets after one another: cells of the same numbers seldom meet.
   CATENA_HD std::uint32_t bucket(const PointCell& at, std::uint32_t level) const {
+    return bucket(at.x.cell, at.y.cell, at.z.cell, level);
+  }
+  CATENA_HD std::uint32_t bucket(double x, double y, double z, std::uint32_t level) const {
     constexpr double level_step = 1543;
-    double b = at.z.cell * layer + (at.y.cell * row + (at.x.cell + level * level_step));
+    double b = z * layer + (y * row + (x + level * level_step));
     b -= std::floor(b * inverse) * buckets;  // the quotient may be one off
     if (b < 0) b += buckets;
     if (b >= buckets) b -= buckets;

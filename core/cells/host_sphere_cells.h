@@ -29,13 +29,14 @@ class HostSphereCells {
     for (std::uint32_t k = 0; k < chunks; ++k) allocate(k);
     for (std::uint32_t i = 0; i < chain.size; ++i)
       if (takes(i)) cells_.place(table_, chain.spheres[i], i);
+    for (std::uint32_t place = 0; place < state_.places; ++place) cells_.fill(chain, place);
   }
 
   /// Every pair of those that were sorted.
   template <class Tests, class Sink>
   void search(const ChainView& chain, Sink& sink) const {
     const CellSearch<Tests, Sink> search(chain, cells_, table_, sink);
-    for (std::uint32_t place = 0; place < state_.places && !sink.satisfied(); ++place) search.run(place);
+    for (std::uint32_t place = 0; place < state_.places && !sink.satisfied(); ++place) search.run(place, true);
   }
 
  private:
@@ -62,6 +63,7 @@ struct LaneSink {
   PairCollector::Lane& lane;
   void pair(std::uint32_t i, std::uint32_t j) { lane.collide(i, j); }
   bool satisfied() const { return lane.satisfied(); }
+  void converge() const {}
 };
 
 }  // namespace catena

@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace catena {
@@ -39,13 +42,13 @@ struct HostWarp {
     for (std::uint32_t lane = 0; lane < lanes; ++lane) bits |= static_cast<std::uint32_t>(flag(lane)) << lane;
     return bits;
   }
-  /// Of numbers >= 0.
+  /// Of numbers >= 0 (-0, too), by the order of their bits.
   template <class F>
   float greatest(const F& number) const {
-    float result = 0;
+    std::uint32_t bits = 0;
     for (std::uint32_t lane = 0; lane < lanes; ++lane)
-      if (const float v = number(lane); v > result) result = v;
-    return result;
+      bits = std::max(bits, std::bit_cast<std::uint32_t>(std::fabs(number(lane))));
+    return std::bit_cast<float>(bits);
   }
   /// What one lane has, for all.
   template <class T>

@@ -12,6 +12,14 @@ class BlockMeeting {
   template <class T>
   using Lanes = typename Warp::template Lanes<T>;
 
+  /// What there is to compare a block with: those below `within` are its partners.
+  enum class Work : std::uint8_t {
+    within = CapsuleBlocks::most_partners,
+    adjacent,  ///< spheres next to one another, in a block in which no others can collide
+    coarser,   ///< blocks of coarser levels, for a crowded block
+    kinds
+  };
+
   CATENA_HD BlockMeeting(const Warp& warp, const ChainView& chain, const CapsuleBlocks& blocks)
       : warp_(warp), chain_(chain), blocks_(blocks) {}
 
@@ -24,9 +32,8 @@ class BlockMeeting {
     const BlockPair<Warp> pair{warp_, own, next, at(0), at(15), at(16), at(31), at(63)};
     const BlockCapsule capsule = pair.capsule();
     // What stands in for spheres behind the last one would be no window of the chain.
-    const bool whole = (b + 2) * size <= chain_.size, ordered = pair.ordered(capsule.centre) && whole;
-    const std::uint32_t level = CapsuleBlocks::level_of(capsule.reach());
-    const std::uint32_t bucket = blocks_.table.bucket(blocks_.cell(capsule, level), level);
+    const bool whole = (b + 2) * size <= chain_.size, ordered = pair.ordered(capsule) && whole;
+    const std::uint32_t level = CapsuleBlocks::level_of(capsule.reach), bucket = blocks_.bucket_of(capsule, level);
     warp_.once([&] {
       blocks_.capsule[b] = capsule;
       blocks_.shape[b] = static_cast<std::uint8_t>(level | (ordered ? CapsuleBlocks::is_ordered : 0));
@@ -51,33 +58,48 @@ class BlockMeeting {
           if ((near >> lane & 1) == 0) return;
           const std::uint32_t place = found + ones(near & ((1u << lane) - 1)), id = entry[lane] >> 5;
           if (place < blocks_.crowd) blocks_.partner[b * CapsuleBlocks::most_partners + place] = id;
-          if (other != level) fetch_add(blocks_.met + id, 1);
+          if (other != level && fetch_add(blocks_.met + id, 1) == CapsuleBlocks::most_met)
+            set_bits(&blocks_.state->any, 1);
         });
         found += ones(near);
       }) && found <= blocks_.crowd;
     }
     warp_.once([&] {
       blocks_.partners[b] = room ? static_cast<std::uint8_t>(found) : CapsuleBlocks::is_crowded;
-      if (!room && b % blocks_.sample == 0) fetch_add(&blocks_.state->crowded, 1);
+      if (room) return;
+      set_bits(&blocks_.state->any, 1);
+      if (b % blocks_.sample == 0) fetch_add(&blocks_.state->crowded, 1);
     });
   }
 
-  /// Step 3: the pairs of block b with itself and with those that it met, as far as they are this block's to find;
-  /// tells them to sink.pair(i, j), i < j.
-  template <class Tests, class Sink>
-  CATENA_HD void compare(std::uint32_t b, Sink& sink) const {
+  /// Step 3: what block b is to be compared with, as far as it is this block's to do: add(item) for each item of work.
+  /// By one thread.
+  template <class Add>
+  CATENA_HD void plan(std::uint32_t b, const Add& add) const {
+    const bool ordered = blocks_.ordered(b);
     if (blocks_.crowded(b)) {
-      compare_with_coarser<Tests>(b, sink);
+      if (blocks_.state->levels >> blocks_.level(b) >> 1 != 0) add(Work::coarser);
     } else {
-      if (!blocks_.ordered(b)) compare_within<Tests>(b, sink);
+      if (!ordered) add(Work::within);
       for (std::uint32_t k = 0; k < blocks_.partners[b]; ++k) {
         const std::uint32_t id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
         // Of one level both met the other.
-        const bool others = id < b && !blocks_.crowded(id) && blocks_.level(id) == blocks_.level(b);
-        if (!others) compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
+        if (id > b || blocks_.crowded(id) || blocks_.level(id) != blocks_.level(b)) add(static_cast<Work>(k));
       }
     }
-    if (blocks_.ordered(b)) compare_adjacent<Tests>(b, sink);
+    const bool neighbours = chain_.strand_count == 1 && chain_.exclusion.rule == Exclusion::Rule::index_window;
+    if (ordered && !neighbours) add(Work::adjacent);
+  }
+
+  /// Step 4, for each item of block b; tells what collides to sink.pair(i, j), i < j.
+  template <class Tests, class Sink>
+  CATENA_HD void compare(std::uint32_t b, Work work, Sink& sink) const {
+    if (work == Work::within) return compare_within<Tests>(b, sink);
+    if (work == Work::adjacent) return compare_adjacent<Tests>(b, sink);
+    if (work == Work::coarser) return compare_with_coarser<Tests>(b, sink);
+    const std::uint32_t k = static_cast<std::uint32_t>(work),
+                        id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
+    compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
   }
 
  private:
@@ -110,7 +132,7 @@ class BlockMeeting {
   CATENA_HD bool around(const BlockCapsule& capsule, std::uint32_t of, const Visit& visit,
                         bool pass_over_full = false) const {
     constexpr std::uint32_t slots = CapsuleBlocks::slots, cells = 27;
-    const std::uint32_t centre = blocks_.table.bucket(blocks_.cell(capsule, of), of);
+    const std::uint32_t centre = blocks_.bucket_of(capsule, of);
     const auto bucket = warp_.each([&](std::uint32_t lane) { return lane < cells ? blocks_.around(centre, lane) : 0; });
     const auto size = warp_.each([&](std::uint32_t lane) { return lane < cells ? blocks_.in_bucket[bucket[lane]] : 0; });
     if (!pass_over_full && warp_.ballot([&](std::uint32_t lane) { return size[lane] > slots; }) != 0) return false;
@@ -127,7 +149,7 @@ class BlockMeeting {
   /// Block b, of this capsule, and the block of an entry may collide, and that one is of level `of`.
   CATENA_HD bool meets(std::uint32_t b, const BlockCapsule& own, std::uint32_t of, std::uint32_t entry) const {
     const std::uint32_t id = entry >> 5;
-    if ((entry & 31) != of || id == b) return false;
+    if ((entry & 31) != of || id == b || far_apart(own, blocks_.capsule[id])) return false;
     if ((id == b + 1 && blocks_.ordered(b)) || (b == id + 1 && blocks_.ordered(id))) return false;
     return !separate(own, blocks_.capsule[id]);
   }
@@ -136,7 +158,6 @@ class BlockMeeting {
   template <class Tests, class Sink>
   CATENA_HD void compare_with_coarser(std::uint32_t b, Sink& sink) const {
     const std::uint32_t level = blocks_.level(b), levels = blocks_.state->levels;
-    if (levels >> level >> 1 == 0) return;
     const BlockCapsule own = blocks_.capsule[b];
     for (std::uint32_t other = level + 1; levels >> other != 0; ++other) {
       if ((levels >> other & 1) == 0) continue;
@@ -188,10 +209,9 @@ class BlockMeeting {
     }
   }
 
-  /// Spheres next to one another, of an ordered block and the first of the next: neighbours under most rules.
+  /// Spheres next to one another, of an ordered block and the first of the next.
   template <class Tests, class Sink>
   CATENA_HD void compare_adjacent(std::uint32_t b, Sink& sink) const {
-    if (chain_.strand_count == 1 && chain_.exclusion.rule == Exclusion::Rule::index_window) return;
     const bool left_out = blocks_.crowded(b), last_too = !left_out || !blocks_.crowded(b + 1);
     warp_.run([&](std::uint32_t lane) {
       if (lane == CapsuleBlocks::block - 1 ? !last_too : left_out) return;

@@ -14,13 +14,13 @@ namespace catena {
 /// All levels share one table of buckets. Spheres of a bucket lie side by side at *places*; buckets follow one another
 /// within a chunk, and chunks lie in any order.
 struct SphereCells {
-  static constexpr std::uint32_t chunk = 4096;  ///< buckets
+  static constexpr std::uint32_t chunk = 1024;  ///< buckets
   static constexpr std::uint32_t least_log2 = 12, tables = 15;
 
   /// What is known once the steps before are done.
   struct State {
-    std::uint32_t places;  ///< spheres that were sorted
-    std::uint32_t levels;  ///< bit k: there are spheres of octave k
+    std::uint32_t places;                      ///< spheres that were sorted
+    std::uint32_t levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k; not kept where it is one
   };
 
   CellTable table[tables];  ///< for 2^12, 2^13, ... 2^26 spheres
@@ -66,17 +66,17 @@ struct SphereCells {
   /// Step 1, for each sphere.
   CATENA_HD void enter(const CellTable& in, const Sphere& s, std::uint32_t i) const {
     const std::uint32_t octave = octaves.of(s.radius);
-    if (!octaves.one) set_bits(&state->levels, 1u << octave);
+    if (!octaves.one) set_bits(state->levels + octave / 32, 1u << octave % 32);
     rank[i] = fetch_add(count + in.bucket(cell(s, octave), octave), 1);
   }
   // Step 2, for each chunk: counts become starts, and 0 again.
   /// Step 3, for each sphere.
   CATENA_HD void place(const CellTable& in, const Sphere& s, std::uint32_t i) const {
     const std::uint32_t octave = octaves.of(s.radius);
-    const std::uint32_t to = start[start_of(in.bucket(cell(s, octave), octave))] + rank[i];
-    sphere[to] = s;
-    index[to] = i;
+    index[start[start_of(in.bucket(cell(s, octave), octave))] + rank[i]] = i;
   }
+  /// Step 4, for each place: writes side by side what lies apart, which is faster than to write it apart.
+  CATENA_HD void fill(const ChainView& chain, std::uint32_t place) const { sphere[place] = chain.spheres[index[place]]; }
 };
 
 }  // namespace catena
