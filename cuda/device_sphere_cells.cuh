@@ -5,7 +5,7 @@
 #include "catena/core/strategy/request.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/launch.cuh"
-#include "catena/cuda/pair_stage.cuh"
+#include "catena/cuda/near_queue.cuh"
 
 namespace catena::cuda {
 
@@ -101,22 +101,22 @@ __global__ void __launch_bounds__(256)
 }
 
 template <class Tests, class Members>
-__global__ void __launch_bounds__(128)
+__global__ void __launch_bounds__(128, 8)
     search_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                  const __grid_constant__ Members members, const __grid_constant__ ResidentAnswer answer,
                  SphereRange queries) {
-  __shared__ PairStage::Shared shared;
+  __shared__ NearQueue::Shared shared;
   const std::uint32_t places = cells.state->places;
   if (places == 0) return;
-  PairStage stage(shared, answer, queries);
+  NearQueue queue(shared, answer, queries);
   __syncthreads();
-  const CellSearch<Tests, PairStage> search(chain, cells, cells.table_for(members.expected()), stage);
+  const CellSearch<Tests, NearQueue> search(chain, cells, cells.table_for(members.expected()), queue);
   for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x; first < places;
        first += std::uint64_t{gridDim.x} * blockDim.x) {
     const std::uint64_t place = first + threadIdx.x;
-    const bool live = place < places && !stage.satisfied();
+    const bool live = place < places && !queue.satisfied();
     search.run(live ? static_cast<std::uint32_t>(place) : 0, live);
-    stage.flush();
+    queue.flush(search);
   }
 }
 

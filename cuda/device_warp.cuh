@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "catena/core/host_device.h"
+#include "catena/core/sphere.h"
 
 namespace catena::cuda {
 
@@ -44,6 +44,11 @@ struct DeviceWarp {
   template <class T>
   __device__ T from(const Lanes<T>& value, std::uint32_t lane) const {
     return __shfl_sync(all, value.own, static_cast<int>(lane));
+  }
+  __device__ Sphere from(const Lanes<Sphere>& value, std::uint32_t lane) const {
+    const auto of = static_cast<int>(lane);
+    return {__shfl_sync(all, value.own.x, of), __shfl_sync(all, value.own.y, of), __shfl_sync(all, value.own.z, of),
+            __shfl_sync(all, value.own.radius, of)};
   }
   __device__ Lanes<float> ahead(const Lanes<float>& own, const Lanes<float>& next, std::uint32_t steps) const {
     const auto from = static_cast<int>((lane() + steps) % lanes);

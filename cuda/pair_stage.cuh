@@ -49,9 +49,6 @@ class PairStage {
            *static_cast<volatile unsigned long long*>(&answer_.state->found) > 0;
   }
 
-  /// By all threads of a warp.
-  __device__ void converge() const { __syncwarp(); }
-
   /// Brings what was gathered to the answer. By all threads of the block together.
   __device__ void flush() {
     if (!__syncthreads_or(came_)) return;

@@ -46,10 +46,15 @@ struct CellTable {
 
   /// For about `count` points in any part of space; at least 512 buckets.
   static CellTable of(std::uint32_t count) {
-    const BucketMap map = map_buckets(1, {{-1e9f, -1e9f, -1e9f}, {1e9f, 1e9f, 1e9f}}, count / 2);
-    CellTable table{map.row, map.layer, 1.0 / map.buckets, map.buckets, {}};
-    for (int k = 0; k < 9; ++k) table.step[k] = map.step(k % 3 - 1, k / 3 - 1);
-    return table;
+    return from(map_buckets(1, {{-1e9f, -1e9f, -1e9f}, {1e9f, 1e9f, 1e9f}}, count / 2));
+  }
+
+  /// The same buckets, when a cube of so many cells a side has room in them: laid out so that cells that are near in
+  /// space are near in memory. A box of other sides and the same sum of them meets itself a few times at most.
+  CellTable compact(double side) const {
+    BucketMap map{0, std::ceil(side) + 2, 0, 0, buckets, true};
+    map.layer = map.row * map.row;
+    return map.row * map.layer <= buckets && different_steps(map) ? from(map) : *this;
   }
 
   /// Levels begin `level_step` buckets after one another: cells of the same numbers seldom meet.
@@ -70,6 +75,13 @@ struct CellTable {
     return to >= buckets ? to - buckets : to;
   }
   CATENA_HD std::uint32_t before(std::uint32_t bucket) const { return bucket == 0 ? buckets - 1 : bucket - 1; }
+
+ private:
+  static CellTable from(const BucketMap& map) {
+    CellTable table{map.row, map.layer, 1.0 / map.buckets, map.buckets, {}};
+    for (int k = 0; k < 9; ++k) table.step[k] = map.step(k % 3 - 1, k / 3 - 1);
+    return table;
+  }
 };
 
 }  // namespace catena

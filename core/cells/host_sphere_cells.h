@@ -61,9 +61,14 @@ class HostSphereCells {
 /// A lane of a PairCollector as the sink of these searches.
 struct LaneSink {
   PairCollector::Lane& lane;
+  template <class Search>
+  void near(const Search& search, std::uint32_t place, std::uint32_t at, std::uint32_t level) {
+    search.decide(place, at, level);
+  }
   void pair(std::uint32_t i, std::uint32_t j) { lane.collide(i, j); }
   bool satisfied() const { return lane.satisfied(); }
   void converge() const {}
+  bool any(bool own) const { return own; }
 };
 
 }  // namespace catena

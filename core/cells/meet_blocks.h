@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/cells/bits.h"
 #include "catena/core/cells/capsule_blocks.h"
 
 namespace catena {
@@ -56,12 +57,12 @@ class BlockMeeting {
             warp_.ballot([&](std::uint32_t lane) { return entry[lane] != none && meets(b, own, other, entry[lane]); });
         warp_.run([&](std::uint32_t lane) {
           if ((near >> lane & 1) == 0) return;
-          const std::uint32_t place = found + ones(near & ((1u << lane) - 1)), id = entry[lane] >> 5;
+          const std::uint32_t place = found + count_bits(near & ((1u << lane) - 1)), id = entry[lane] >> 5;
           if (place < blocks_.crowd) blocks_.partner[b * CapsuleBlocks::most_partners + place] = id;
           if (other != level && fetch_add(blocks_.met + id, 1) == CapsuleBlocks::most_met)
             set_bits(&blocks_.state->any, 1);
         });
-        found += ones(near);
+        found += count_bits(near);
       }) && found <= blocks_.crowd;
     }
     warp_.once([&] {
@@ -104,21 +105,6 @@ class BlockMeeting {
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
-
-  CATENA_HD static std::uint32_t ones(std::uint32_t bits) {
-#ifdef __CUDA_ARCH__
-    return static_cast<std::uint32_t>(__popc(bits));
-#else
-    return static_cast<std::uint32_t>(__builtin_popcount(bits));
-#endif
-  }
-  CATENA_HD static std::uint32_t lowest(std::uint32_t bits) {
-#ifdef __CUDA_ARCH__
-    return static_cast<std::uint32_t>(__ffs(static_cast<int>(bits)) - 1);
-#else
-    return static_cast<std::uint32_t>(__builtin_ctz(bits));
-#endif
-  }
 
   /// Sphere i, or the last one, in the blocks' units.
   CATENA_HD Sphere scaled(std::uint32_t i) const {
@@ -166,7 +152,7 @@ class BlockMeeting {
           return entry[lane] != none && !blocks_.crowded(entry[lane] >> 5) && meets(b, own, other, entry[lane]);
         });
         for (; near != 0; near &= near - 1) {
-          const std::uint32_t id = warp_.from(entry, lowest(near)) >> 5;
+          const std::uint32_t id = warp_.from(entry, lowest_bit(near)) >> 5;
           compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
         }
       }, true);
@@ -199,14 +185,22 @@ class BlockMeeting {
   template <class Tests, class Sink>
   CATENA_HD void compare_spheres(std::uint32_t a, std::uint32_t of_a, std::uint32_t b, std::uint32_t of_b,
                                  Sink& sink) const {
+    const auto first = spheres(a), second = spheres(b);
     for (; of_b != 0; of_b &= of_b - 1) {
-      const std::uint32_t j = b * CapsuleBlocks::block + lowest(of_b);
-      const Sphere second = chain_.spheres[j];
+      const std::uint32_t k = lowest_bit(of_b), j = b * CapsuleBlocks::block + k;
+      const Sphere other = warp_.from(second, k);
       warp_.run([&](std::uint32_t lane) {
         const std::uint32_t i = a * CapsuleBlocks::block + lane;
-        if ((of_a >> lane & 1) != 0 && i < j) collide<Tests>(i, second, j, sink);
+        if ((of_a >> lane & 1) != 0 && i < j && Tests::overlap(first[lane], other) && !chain_.neighbours(i, j))
+          sink.pair(i, j);
       });
     }
+  }
+  CATENA_HD Lanes<Sphere> spheres(std::uint32_t b) const {
+    return warp_.each([&](std::uint32_t lane) {
+      const std::uint32_t i = b * CapsuleBlocks::block + lane;
+      return chain_.spheres[i < chain_.size ? i : chain_.size - 1];
+    });
   }
 
   /// Spheres next to one another, of an ordered block and the first of the next.
@@ -216,13 +210,9 @@ class BlockMeeting {
     warp_.run([&](std::uint32_t lane) {
       if (lane == CapsuleBlocks::block - 1 ? !last_too : left_out) return;
       const std::uint32_t i = b * CapsuleBlocks::block + lane;
-      collide<Tests>(i, chain_.spheres[i + 1], i + 1, sink);
+      if (Tests::overlap(chain_.spheres[i], chain_.spheres[i + 1]) && !chain_.neighbours(i, i + 1))
+        sink.pair(i, i + 1);
     });
-  }
-
-  template <class Tests, class Sink>
-  CATENA_HD void collide(std::uint32_t i, const Sphere& second, std::uint32_t j, Sink& sink) const {
-    if (Tests::overlap(chain_.spheres[i], second) && !chain_.neighbours(i, j)) sink.pair(i, j);
   }
 
   const Warp& warp_;

@@ -1,13 +1,14 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/cells/bits.h"
 #include "catena/core/cells/sphere_cells.h"
 
 namespace catena {
 
-/// Finds the pairs of the sphere at a place: with what comes after it in its own cell, with the thirteen cells of its
-/// level that come after that one, and with all 27 of each coarser level; so each pair is met once. Tells them to
-/// sink.pair(i, j), i < j.
+/// Who may collide with the sphere at a place: of what comes after it in its own cell, of the thirteen cells of its level
+/// that come after that one, and of all 27 of each coarser level; so each pair is met once. Tells them to
+/// sink.near(search, place, at, level), which asks search.decide(place, at, level) of each in its own time.
 template <class Tests, class Sink>
 class CellSearch {
  public:
@@ -26,6 +27,14 @@ class CellSearch {
         if (level % 32 == 31) break;
       }
     }
+  }
+
+  /// Whether the spheres at these places collide, the second in a cell of that level; if so, sink.pair(i, j), i < j.
+  CATENA_HD void decide(std::uint32_t place, std::uint32_t at, std::uint32_t level) const {
+    const Sphere s = cells_.sphere[place], other = cells_.sphere[at];
+    if (!Tests::overlap(s, other) || cells_.octaves.of(other.radius) != level) return;
+    const std::uint32_t a = cells_.index[place], b = cells_.index[at], i = a < b ? a : b, j = a < b ? b : a;
+    if (!chain_.neighbours(i, j)) sink_.pair(i, j);
   }
 
  private:
@@ -49,48 +58,44 @@ class CellSearch {
   /// cell away, by so much that no rounding of these distances matters (properties/proofs/grid_cells.g).
   CATENA_HD void row(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket) const {
     const float y = gap(at.y, r % 3), z = gap(at.z, r / 3), off = y * y + z * z;
-    const bool first_half = of.own() && r < own_row, in_own = of.own() && r == own_row;
-    std::uint32_t first = 0, end = 0;
-    bool cut = false;
-    if (of.live && off <= 1 && !first_half) {
-      const std::uint32_t left = !in_own && reaches(at.x.below, off) ? 1 : 0, right = reaches(at.x.above, off) ? 1 : 0;
+    std::uint32_t from = bucket, cells = 0;
+    bool own = of.own() && r == own_row;
+    if (of.live && off <= 1 && !(of.own() && r < own_row)) {
+      const bool left = !own && reaches(at.x.below, off);
       const std::uint32_t middle = table_.on(bucket, table_.step[r]);
-      const std::uint32_t from = left ? table_.before(middle) : middle, cells = 1 + left + right;
-      cut = from % SphereCells::chunk + cells > SphereCells::chunk || from + cells > table_.buckets;
-      if (cut) {
-        cut_row(of, from, cells, in_own);
-      } else {
-        const std::uint32_t* const start = cells_.start + SphereCells::start_of(from);
-        first = in_own ? of.place + 1 : start[0];
-        end = start[cells];
-      }
+      from = left ? table_.before(middle) : middle;
+      cells = 1 + (left ? 1 : 0) + (reaches(at.x.above, off) ? 1 : 0);
     }
-    sink_.converge();
-    meet(of, first, end);
+    do {  // mostly once: a run of buckets may go on in another chunk, or at the table's begin
+      std::uint32_t first = 0, end = 0;
+      if (cells > 0) {
+        const std::uint32_t of_chunk = SphereCells::chunk - from % SphereCells::chunk, of_table = table_.buckets - from,
+                            room = of_chunk < of_table ? of_chunk : of_table, take = cells < room ? cells : room;
+        const std::uint32_t* const start = cells_.start + SphereCells::start_of(from);
+        first = own ? of.place + 1 : start[0];
+        end = start[take];
+        cells -= take;
+        from = table_.on(from, take);
+        own = false;
+      }
+      sink_.converge();
+      meet(of, first, end);
+    } while (sink_.any(cells > 0));
   }
   CATENA_HD static float gap(const AxisCell& at, std::uint32_t way) {
     return way == 0 ? at.below : way == 2 ? at.above : 0;
   }
   CATENA_HD static bool reaches(float along, float off) { return along * along + off <= 1; }
 
-  /// A row that goes on in another chunk or at the table's begin.
-  CATENA_COLD void cut_row(const Look& of, std::uint32_t bucket, std::uint32_t cells, bool own) const {
-    for (; cells > 0; --cells, bucket = table_.on(bucket, 1), own = false) {
-      const std::uint32_t* const start = cells_.start + SphereCells::start_of(bucket);
-      for (std::uint32_t at = own ? of.place + 1 : start[0]; at < start[1]; ++at) met(of, at);
-    }
-  }
-
-  /// First who is near, without calls or rare branches, so that the threads of a warp stay together; then those.
+  /// First all comparisons, without calls or rare branches, so that the threads of a warp stay together.
   CATENA_HD void meet(const Look& of, std::uint32_t first, std::uint32_t end) const {
     std::uint32_t bits = near(of.sphere, first, end);
     sink_.converge();
-    do {
-      for (std::uint32_t at = first; bits != 0; ++at, bits >>= 1)
-        if (bits & 1) met(of, at);
+    while (first < end) {
+      for (; bits != 0; bits &= bits - 1) sink_.near(*this, of.place, first + lowest_bit(bits), of.level);
       first += batch;
       if (first < end) bits = near(of.sphere, first, end);
-    } while (first < end);
+    }
     sink_.converge();
   }
 
@@ -109,13 +114,6 @@ class CellSearch {
       bits |= of_these << (at - first);
     }
     return end - first < batch ? bits & ((1u << (end - first)) - 1) : bits;
-  }
-
-  CATENA_HD void met(const Look& of, std::uint32_t at) const {
-    const Sphere other = cells_.sphere[at];
-    if (!Tests::overlap(of.sphere, other) || cells_.octaves.of(other.radius) != of.level) return;
-    const std::uint32_t a = cells_.index[of.place], b = cells_.index[at], i = a < b ? a : b, j = a < b ? b : a;
-    if (!chain_.neighbours(i, j)) sink_.pair(i, j);
   }
 
   const ChainView& chain_;

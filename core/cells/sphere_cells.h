@@ -43,6 +43,7 @@ struct SphereCells {
     const double greatest = extent.greatest_radius;
     // As map_buckets: points overlap where they are equal, and 2^149 makes all different numbers different cells.
     cells.cells_per_unit = greatest > 0 ? (1 - BucketMap::cell_slack) / (2 * greatest) : 0x1p149;
+    for (CellTable& table : cells.table) table = table.compact(extent.sides * cells.cells_per_unit / 3);
     cells.octaves = {greatest, 2.0 * extent.least_radius > greatest || greatest == 0};
     return cells;
   }
