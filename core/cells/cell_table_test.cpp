@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "catena/core/cells/octave.h"
@@ -33,6 +34,16 @@ TEST(CellTable, HasAnotherBucketForEachOf27Cells) {
           expect_27_buckets(table, -1, at, 2, level);
         }
     }
+}
+
+TEST(CellTable, BringsEveryWholeRoundBackToTheFirstBucket) {
+  for (std::uint32_t size = 12; size <= 26; ++size) {
+    const CellTable table = CellTable::of(1u << size);
+    for (double round = -300; round < 300 && std::abs(round) * table.buckets < 0x1p50; ++round) {
+      EXPECT_EQ(table.bucket(round * table.buckets, 0, 0, 0), 0u);
+      EXPECT_EQ(table.bucket(round * table.buckets - 1, 0, 0, 0), table.buckets - 1);
+    }
+  }
 }
 
 TEST(CellTable, LaysACompactBoxOutWithoutSharedBuckets) {

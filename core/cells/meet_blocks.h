@@ -32,8 +32,7 @@ class BlockMeeting {
     const auto at = [&](std::uint32_t k) { return scaled(b * size + k); };
     const BlockPair<Warp> pair{warp_, own, next, at(0), at(15), at(16), at(31), at(63)};
     const BlockCapsule capsule = pair.capsule();
-    // What stands in for spheres behind the last one would be no window of the chain.
-    const bool whole = (b + 2) * size <= chain_.size, ordered = pair.ordered(capsule) && whole;
+    const bool ordered = pair.ordered(capsule);  // not where two or more stand in for spheres behind the last one
     const std::uint32_t level = CapsuleBlocks::level_of(capsule.reach), bucket = blocks_.bucket_of(capsule, level);
     warp_.once([&] {
       blocks_.capsule[b] = capsule;

@@ -23,7 +23,8 @@ class CellSearch {
     for (std::uint32_t word = 0; word < Octaves::count / 32; ++word) {
       const std::uint32_t levels = cells_.state->levels[word];
       for (std::uint32_t level = word * 32; levels >> level % 32 != 0; ++level) {
-        if (levels >> level % 32 & 1) look({s, place, octave, level, live && level <= octave});
+        if ((levels >> level % 32 & 1) && sink_.any(live && level <= octave))
+          look({s, place, octave, level, live && level <= octave});
         if (level % 32 == 31) break;
       }
     }
@@ -51,21 +52,23 @@ class CellSearch {
   CATENA_HD void look(const Look& of) const {
     const PointCell at = cells_.cell(of.sphere, of.level);
     const std::uint32_t bucket = table_.bucket(at, of.level);
-    for (std::uint32_t r = cells_.octaves.one ? own_row : 0; r < rows; ++r) row(r, of, at, bucket);
+    const float reach = cells_.reach(of.sphere, of.level), limit = reach * reach + 0x1p-20f;
+    for (std::uint32_t r = cells_.octaves.one ? own_row : 0; r < rows; ++r) row(r, of, at, bucket, limit);
   }
 
-  /// The cells of a row that the sphere can reach, of the three next to its own: what it overlaps lies less than one
-  /// cell away, by so much that no rounding of these distances matters (properties/proofs/grid_cells.g).
-  CATENA_HD void row(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket) const {
+  /// The cells of a row that the sphere can reach, of the three next to its own: those whose square of the distance, in
+  /// cells, is at most `limit`, above which there is nothing it overlaps (properties/proofs/cell_rows.g).
+  CATENA_HD void row(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket, float limit) const {
     const float y = gap(at.y, r % 3), z = gap(at.z, r / 3), off = y * y + z * z;
     std::uint32_t from = bucket, cells = 0;
     bool own = of.own() && r == own_row;
-    if (of.live && off <= 1 && !(of.own() && r < own_row)) {
-      const bool left = !own && reaches(at.x.below, off);
+    if (of.live && off <= limit && !(of.own() && r < own_row)) {
+      const bool left = !own && reaches(at.x.below, off, limit);
       const std::uint32_t middle = table_.on(bucket, table_.step[r]);
       from = left ? table_.before(middle) : middle;
-      cells = 1 + (left ? 1 : 0) + (reaches(at.x.above, off) ? 1 : 0);
+      cells = 1 + (left ? 1 : 0) + (reaches(at.x.above, off, limit) ? 1 : 0);
     }
+    if (!sink_.any(cells > 0)) return;
     do {  // mostly once: a run of buckets may go on in another chunk, or at the table's begin
       std::uint32_t first = 0, end = 0;
       if (cells > 0) {
@@ -85,7 +88,7 @@ class CellSearch {
   CATENA_HD static float gap(const AxisCell& at, std::uint32_t way) {
     return way == 0 ? at.below : way == 2 ? at.above : 0;
   }
-  CATENA_HD static bool reaches(float along, float off) { return along * along + off <= 1; }
+  CATENA_HD static bool reaches(float along, float off, float limit) { return along * along + off <= limit; }
 
   /// First all comparisons, without calls or rare branches, so that the threads of a warp stay together.
   CATENA_HD void meet(const Look& of, std::uint32_t first, std::uint32_t end) const {

@@ -43,8 +43,9 @@ struct SphereCells {
     const double greatest = extent.greatest_radius;
     // As map_buckets: points overlap where they are equal, and 2^149 makes all different numbers different cells.
     cells.cells_per_unit = greatest > 0 ? (1 - BucketMap::cell_slack) / (2 * greatest) : 0x1p149;
-    for (CellTable& table : cells.table) table = table.compact(extent.sides * cells.cells_per_unit / 3);
     cells.octaves = {greatest, 2.0 * extent.least_radius > greatest || greatest == 0};
+    if (cells.octaves.one)
+      for (CellTable& table : cells.table) table = table.compact(extent.sides * cells.cells_per_unit / 3);
     return cells;
   }
 
@@ -60,6 +61,10 @@ struct SphereCells {
   CATENA_HD static std::uint32_t starts(std::uint32_t chunk_number) { return chunk_number * (chunk + 1); }
   CATENA_HD static std::uint32_t start_of(std::uint32_t bucket) { return bucket + bucket / chunk; }
 
+  /// How far, in cells of an octave, the sphere lies at most from one of that octave that it overlaps.
+  CATENA_HD float reach(const Sphere& s, std::uint32_t octave) const {
+    return static_cast<float>(s.radius * (cells_per_unit * Octaves::cells_of(octave)) + 0.5);
+  }
   CATENA_HD PointCell cell(const Sphere& s, std::uint32_t octave) const {
     return PointCell::of(s, cells_per_unit * Octaves::cells_of(octave));
   }

@@ -59,8 +59,7 @@ TEST(Proofs, AreAboutTheConstantsOfTheCells) {
     std::string file, declared, script, covered;  ///< as above, of core/cells/
   };
   for (const Covered& c :
-       {Covered{"search_cells.h", "off <= 1 &&", "cell_rows.g", "off <= 1,"},
-        Covered{"search_cells.h", "return along * along + off <= 1;", "cell_rows.g", "along * along + off <= 1."},
+       {Covered{"search_cells.h", "limit = reach * reach + 0x1p-20f;", "cell_rows.g", "limit = reach * reach + 2^-20"},
         Covered{"block_capsule.h", "length * far * BlockTree::slack", "block_capsule_binary32.g", "slack = 32u"},
         Covered{"block_capsule.h", "mul_add(reach, BlockTree::slack, radius)", "block_capsule_binary32.g",
                 "slack = 32u"},
