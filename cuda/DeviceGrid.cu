@@ -8,8 +8,8 @@
 namespace catena::cuda {
 namespace {
 
-/// DeviceGrid: spheres sorted into hashed cells, an octave of radii a level; a thread a sphere, against half of its
-/// neighbourhood in its own level and all of it in coarser ones.
+/// DeviceGrid: spheres sorted into hashed cells, an octave of radii a level; a thread a sphere, against half
+/// of its neighbourhood in its own level and all of it in coarser ones.
 template <class Arithmetic>
 class DeviceGrid final : public ResidentVariant {
  public:
@@ -26,7 +26,8 @@ class DeviceGrid final : public ResidentVariant {
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       StreamHandle stream) override {
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      cells_.template enqueue_search<decltype(tests)>(chain, request, answer, static_cast<cudaStream_t>(stream));
+      cells_.template enqueue_search<decltype(tests)>(chain, request, answer,
+                                                      static_cast<cudaStream_t>(stream));
     });
     in_range_ = in_range<Arithmetic>(chain);
   }

@@ -36,9 +36,7 @@ __global__ void __launch_bounds__(threads)
                    const __grid_constant__ ResidentAnswer answer, SphereRange queries) {
   using Work = BlockMeeting<DeviceWarp>::Work;
   constexpr std::uint32_t together = 32, kinds = static_cast<std::uint32_t>(Work::kinds);
-  __shared__ struct {
-    std::uint8_t block, work;
-  } item[together * kinds];
+  __shared__ struct { std::uint8_t block, work; } item[together * kinds];
   __shared__ std::uint32_t items;
   __shared__ PairStage::Shared shared;
   const DeviceWarp warp;
@@ -66,8 +64,8 @@ struct CrowdedSpheres {
   __device__ std::uint32_t expected() const { return blocks.crowded_spheres(); }
 };
 
-/// DeviceHybrid: capsules of 32 consecutive spheres in hashed cells; blocks that meet too many others, decided on the
-/// device for each, are searched among one another as in DeviceGrid.
+/// DeviceHybrid: capsules of 32 consecutive spheres in hashed cells; blocks that meet too many others,
+/// decided on the device for each, are searched among one another as in DeviceGrid.
 template <class Arithmetic>
 class DeviceHybrid final : public ResidentVariant {
  public:
@@ -91,8 +89,8 @@ class DeviceHybrid final : public ResidentVariant {
                       StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      launch_blocks(compare_blocks<decltype(tests)>, (blocks_.blocks + 31) / 32, threads, stream, chain, blocks_, answer,
-                    request.queries.within(chain.size));
+      launch_blocks(compare_blocks<decltype(tests)>, (blocks_.blocks + 31) / 32, threads, stream, chain,
+                    blocks_, answer, request.queries.within(chain.size));
       cells_.template enqueue_search<decltype(tests)>(chain, request, answer, stream);
     });
     in_range_ = in_range<Arithmetic>(chain);

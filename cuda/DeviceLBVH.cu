@@ -23,8 +23,8 @@ __global__ void __launch_bounds__(128)
   queue.flush(search);
 }
 
-/// DeviceLBVH: what a general library does on a GPU. Boxes over the order of Morton codes, one sphere a leaf, and the
-/// half traversal along ropes (ArborX).
+/// DeviceLBVH: what a general library does on a GPU. Boxes over the order of Morton codes, one sphere a leaf,
+/// and the half traversal along ropes (ArborX).
 template <class Arithmetic>
 class DeviceLBVH final : public ResidentVariant {
  public:
@@ -40,7 +40,8 @@ class DeviceLBVH final : public ResidentVariant {
     tree_ = {n};
     if (n == 0) return;
     order_.enqueue(chain, stream);
-    tree_ = {n, node_.reserve(2 * std::size_t{n} - 1, stream), range_.reserve(n, stream), order_.code(), order_.id()};
+    tree_ = {n, node_.reserve(2 * std::size_t{n} - 1, stream), range_.reserve(n, stream), order_.code(),
+             order_.id()};
     CATENA_CUDA(cudaMemsetAsync(tree_.range, 0xFF, n * sizeof *tree_.range, stream));
     launch(build_rope_tree<ChainView>, n, 256, stream, chain, tree_);
   }
@@ -48,8 +49,8 @@ class DeviceLBVH final : public ResidentVariant {
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       StreamHandle stream) override {
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      launch(search_tree<decltype(tests)>, chain.size, 128, static_cast<cudaStream_t>(stream), chain, tree_, answer,
-             request.queries.within(chain.size));
+      launch(search_tree<decltype(tests)>, chain.size, 128, static_cast<cudaStream_t>(stream), chain, tree_,
+             answer, request.queries.within(chain.size));
     });
     in_range_ = in_range<Arithmetic>(chain);
   }

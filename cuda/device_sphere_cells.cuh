@@ -9,8 +9,8 @@
 
 namespace catena::cuda {
 
-/// Which spheres of a chain a DeviceSphereCells sorts, asked on the device: members.takes(i), about members.expected() of
-/// them, and not one unless members.any().
+/// Which spheres of a chain a DeviceSphereCells sorts, asked on the device: members.takes(i), about
+/// members.expected() of them, and not one unless members.any().
 struct AllSpheres {
   std::uint32_t size;
   __device__ bool any() const { return true; }
@@ -37,8 +37,8 @@ __global__ void __launch_bounds__(256)
   });
 }
 
-/// Counts become starts, and 0 again: a chunk a block, four buckets a thread. Chunks take their places one after the
-/// other as they come.
+/// Counts become starts, and 0 again: a chunk a block, four buckets a thread. Chunks take their places one
+/// after the other as they come.
 template <class Members>
 __global__ void __launch_bounds__(256)
     allocate_cells(const __grid_constant__ SphereCells cells, const __grid_constant__ Members members) {
@@ -48,7 +48,8 @@ __global__ void __launch_bounds__(256)
   const std::uint32_t chunks = SphereCells::chunks(cells.table_for(members.expected()));
   const std::uint32_t lane = threadIdx.x % 32, warp = threadIdx.x / 32;
   for (std::uint32_t chunk = blockIdx.x; chunk < chunks; chunk += gridDim.x) {
-    uint4* const count = reinterpret_cast<uint4*>(cells.count + std::size_t{chunk} * SphereCells::chunk) + threadIdx.x;
+    uint4* const count =
+        reinterpret_cast<uint4*>(cells.count + std::size_t{chunk} * SphereCells::chunk) + threadIdx.x;
     std::uint32_t* const start = cells.start + SphereCells::starts(chunk);
     const uint4 own = *count;
     const std::uint32_t sum = own.x + own.y + own.z + own.w;
@@ -130,7 +131,8 @@ class DeviceSphereCells {
     const std::uint32_t n = chain.size, chunks = SphereCells::chunks(cells_.table_for(n));
     const std::size_t buckets = std::size_t{chunks} * SphereCells::chunk;
     if (buckets > count_.capacity())  // between builds all counts are 0
-      CATENA_CUDA(cudaMemsetAsync(count_.reserve(buckets, stream), 0, buckets * sizeof(std::uint32_t), stream));
+      CATENA_CUDA(
+          cudaMemsetAsync(count_.reserve(buckets, stream), 0, buckets * sizeof(std::uint32_t), stream));
     cells_.count = count_.data();
     cells_.start = start_.reserve(SphereCells::starts(chunks), stream);
     cells_.rank = rank_.reserve(n, stream);
@@ -149,8 +151,8 @@ class DeviceSphereCells {
   template <class Tests>
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       cudaStream_t stream) const {
-    launch_blocks(search_cells<Tests, Members>, std::min((chain.size + 127) / 128, 2 * most_blocks), 128, stream,
-                  chain, cells_, members_, answer, request.queries.within(chain.size));
+    launch_blocks(search_cells<Tests, Members>, std::min((chain.size + 127) / 128, 2 * most_blocks), 128,
+                  stream, chain, cells_, members_, answer, request.queries.within(chain.size));
   }
 
  private:

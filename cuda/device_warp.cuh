@@ -47,10 +47,11 @@ struct DeviceWarp {
   }
   __device__ Sphere from(const Lanes<Sphere>& value, std::uint32_t lane) const {
     const auto of = static_cast<int>(lane);
-    return {__shfl_sync(all, value.own.x, of), __shfl_sync(all, value.own.y, of), __shfl_sync(all, value.own.z, of),
-            __shfl_sync(all, value.own.radius, of)};
+    return {__shfl_sync(all, value.own.x, of), __shfl_sync(all, value.own.y, of),
+            __shfl_sync(all, value.own.z, of), __shfl_sync(all, value.own.radius, of)};
   }
-  __device__ Lanes<float> ahead(const Lanes<float>& own, const Lanes<float>& next, std::uint32_t steps) const {
+  __device__ Lanes<float> ahead(const Lanes<float>& own, const Lanes<float>& next,
+                                std::uint32_t steps) const {
     const auto from = static_cast<int>((lane() + steps) % lanes);
     const float of_own = __shfl_sync(all, own.own, from), of_next = __shfl_sync(all, next.own, from);
     return {lane() + steps < lanes ? of_own : of_next};

@@ -1,6 +1,6 @@
 #pragma once
-#include <cub/device/device_radix_sort.cuh>
 #include <cstdint>
+#include <cub/device/device_radix_sort.cuh>
 
 #include "catena/core/chain/chain_view.h"
 #include "catena/cuda/device_buffer.h"
@@ -53,8 +53,9 @@ __device__ inline std::uint64_t spread_cell(float at, double low, double cells_p
 }
 
 template <class Chain>
-__global__ void __launch_bounds__(256) morton_codes(const __grid_constant__ Chain chain, const OrderedBox* box,
-                                                    std::uint64_t* code, std::uint32_t* id) {
+__global__ void __launch_bounds__(256)
+    morton_codes(const __grid_constant__ Chain chain, const OrderedBox* box, std::uint64_t* code,
+                 std::uint32_t* id) {
   const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= chain.size) return;
   double low[3], side = 0;
@@ -64,7 +65,8 @@ __global__ void __launch_bounds__(256) morton_codes(const __grid_constant__ Chai
   }
   const double cells = side > 0 ? ((1 << 21) - 1) / side : 0;
   const Sphere s = chain.spheres[i];
-  code[i] = spread_cell(s.x, low[0], cells) << 2 | spread_cell(s.y, low[1], cells) << 1 | spread_cell(s.z, low[2], cells);
+  code[i] = spread_cell(s.x, low[0], cells) << 2 | spread_cell(s.y, low[1], cells) << 1 |
+            spread_cell(s.z, low[2], cells);
   id[i] = i;
 }
 
@@ -77,12 +79,15 @@ class MortonOrder {
     OrderedBox* const box = box_.reserve(1, stream);
     CATENA_CUDA(cudaMemsetAsync(box->low, 0xFF, sizeof box->low, stream));
     CATENA_CUDA(cudaMemsetAsync(box->high, 0, sizeof box->high, stream));
-    std::uint64_t *const unsorted = unsorted_code_.reserve(n, stream), *const sorted = code_.reserve(n, stream);
+    std::uint64_t *const unsorted = unsorted_code_.reserve(n, stream), *const sorted =
+                                                                           code_.reserve(n, stream);
     std::uint32_t *const before = unsorted_id_.reserve(n, stream), *const after = id_.reserve(n, stream);
-    launch_blocks(box_of_centres<ChainView>, n < 256 * 1056 ? (n + 255) / 256 : 1056, 256, stream, chain, box);
+    launch_blocks(box_of_centres<ChainView>, n < 256 * 1056 ? (n + 255) / 256 : 1056, 256, stream, chain,
+                  box);
     launch(morton_codes<ChainView>, n, 256, stream, chain, box, unsorted, before);
     const auto sort = [&](void* room, std::size_t& bytes) {
-      CATENA_CUDA(cub::DeviceRadixSort::SortPairs(room, bytes, unsorted, sorted, before, after, n, 0, 63, stream));
+      CATENA_CUDA(
+          cub::DeviceRadixSort::SortPairs(room, bytes, unsorted, sorted, before, after, n, 0, 63, stream));
     };
     std::size_t bytes = 0;
     sort(nullptr, bytes);

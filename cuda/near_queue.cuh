@@ -3,8 +3,8 @@
 
 namespace catena::cuda {
 
-/// The sink of a CellSearch in a kernel: gathers who is near, to decide it by all threads of the block alike, as threads
-/// find very different numbers of them.
+/// The sink of a CellSearch in a kernel: gathers who is near, to decide it by all threads of the block alike,
+/// as threads find very different numbers of them.
 class NearQueue {
  public:
   static constexpr std::uint32_t room = 1280;

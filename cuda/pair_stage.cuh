@@ -6,16 +6,16 @@
 
 namespace catena::cuda {
 
-/// Where the threads of a block gather pairs, each met once, before they go to the answer: one atomic operation on the
-/// answer's number for all of them. What finds no room here goes there at once.
+/// Where the threads of a block gather pairs, each met once, before they go to the answer: one atomic
+/// operation on the answer's number for all of them. What finds no room here goes there at once.
 class PairStage {
  public:
   static constexpr std::uint32_t room = 1024;
   struct Shared {
     Pair pairs[room];
-    std::uint32_t used;          ///< pairs that came, those without room too
-    std::uint32_t counted;       ///< pairs that were only to be counted
-    unsigned long long first;    ///< place in the answer of the first
+    std::uint32_t used;        ///< pairs that came, those without room too
+    std::uint32_t counted;     ///< pairs that were only to be counted
+    unsigned long long first;  ///< place in the answer of the first
   };
 
   /// By all threads of the block, which then synchronize.
@@ -60,7 +60,8 @@ class PairStage {
       shared_.used = shared_.counted = 0;
     }
     __syncthreads();
-    for (std::uint32_t k = threadIdx.x; k < staged; k += blockDim.x) store(shared_.first + k, shared_.pairs[k]);
+    for (std::uint32_t k = threadIdx.x; k < staged; k += blockDim.x)
+      store(shared_.first + k, shared_.pairs[k]);
     __syncthreads();
   }
 

@@ -6,8 +6,9 @@
 
 namespace catena::cuda {
 
-/// A binary tree of boxes over sorted spheres, whose nodes know where a search goes on when it leaves their subtree out:
-/// plain pointers on the device. Inner nodes are 0 (the root) to n - 2, leaf k is node n - 1 + k.
+/// A binary tree of boxes over sorted spheres, whose nodes know where a search goes on when it leaves their
+/// subtree out: plain pointers on the device. Inner nodes are 0 (the root) to n - 2, leaf k is node n - 1 +
+/// k.
 struct RopeTree {
   static constexpr std::uint32_t end = 0xFFFFFFFFu, untouched = 0xFFFFFFFFu;
   struct alignas(16) Node {
@@ -18,14 +19,16 @@ struct RopeTree {
 
   std::uint32_t leaves;
   Node* node;
-  std::uint32_t* range;        ///< by place between two leaves: where the child that came first ends; at first untouched
-  const std::uint64_t* code;   ///< by leaf, ascending
-  const std::uint32_t* id;     ///< by leaf
+  std::uint32_t*
+      range;  ///< by place between two leaves: where the child that came first ends; at first untouched
+  const std::uint64_t* code;  ///< by leaf, ascending
+  const std::uint32_t* id;    ///< by leaf
 
   __device__ std::uint32_t leaf(std::uint32_t k) const { return leaves - 1 + k; }
   __device__ bool is_leaf(std::uint32_t at) const { return at >= leaves - 1; }
 
-  /// How leaves k and k + 1 differ: the larger, the higher the node that parts them. Equal codes differ by place.
+  /// How leaves k and k + 1 differ: the larger, the higher the node that parts them. Equal codes differ by
+  /// place.
   __device__ std::uint64_t difference(std::uint32_t k) const {
     if (k >= leaves - 1) return ~std::uint64_t{0};  // behind the last, and before the first, where k is -1
     const std::uint64_t bits = code[k] ^ code[k + 1];
@@ -37,11 +40,11 @@ struct RopeTree {
   }
 };
 
-/// One thread a leaf, bottom up; of two children the one that comes second makes their parent (Apetrei 2014, with the
-/// ropes and numbers of Prokopenko and Lebrun-Grandie 2024).
+/// One thread a leaf, bottom up; of two children the one that comes second makes their parent (Apetrei 2014,
+/// with the ropes and numbers of Prokopenko and Lebrun-Grandie 2024).
 template <class Chain>
-__global__ void __launch_bounds__(256) build_rope_tree(const __grid_constant__ Chain chain,
-                                                       const __grid_constant__ RopeTree tree) {
+__global__ void __launch_bounds__(256)
+    build_rope_tree(const __grid_constant__ Chain chain, const __grid_constant__ RopeTree tree) {
   const std::uint32_t k = blockIdx.x * blockDim.x + threadIdx.x;
   if (k >= tree.leaves) return;
   std::uint32_t at = tree.leaf(k), first = k, last = k;
@@ -52,7 +55,8 @@ __global__ void __launch_bounds__(256) build_rope_tree(const __grid_constant__ C
     // Which neighbour this node shares its parent with, and what that one left behind when it came first.
     const bool is_left = behind < before;
     const std::uint32_t between = is_left ? last : first - 1;
-    // The parent's maker must see the other child's box: written before this fence, read after that of the second one.
+    // The parent's maker must see the other child's box: written before this fence, read after that of the
+    // second one.
     __threadfence();
     const std::uint32_t other_end = atomicExch(tree.range + between, is_left ? first : last);
     if (other_end == RopeTree::untouched) return;
@@ -77,7 +81,8 @@ __global__ void __launch_bounds__(256) build_rope_tree(const __grid_constant__ C
   }
 }
 
-/// The leaf against all that come after it in the tree: first its own rope, then without a stack. Each pair once.
+/// The leaf against all that come after it in the tree: first its own rope, then without a stack. Each pair
+/// once.
 template <class Tests, class Sink>
 class RopeSearch {
  public:

@@ -36,7 +36,8 @@ void expect_exact(const Chain& chain, const std::string& what, bool with_pairs =
   for (const VariantInfo& info : StrategyRegistry::instance().variants()) {
     if (info.unavailable || !info.name.starts_with("Device")) continue;
     std::vector<std::string> names{info.name};
-    if (info.name.starts_with("DeviceHybrid")) names.insert(names.end(), {info.name + "(crowd=0)", info.name + "(crowd=2)"});
+    if (info.name.starts_with("DeviceHybrid"))
+      names.insert(names.end(), {info.name + "(crowd=0)", info.name + "(crowd=2)"});
     for (const std::string& name : names) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
@@ -51,8 +52,7 @@ TEST(Cells, HoldAsManyCapsulesAsThereAre) {
   for (std::uint32_t rods = 1; rods <= 3 * CapsuleBlocks::slots; ++rods) {
     std::vector<Sphere> spheres;
     for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 0, 1.9f * static_cast<float>(k));
-    expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods side by side",
-                 rods > 1);
+    expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods side by side", rods > 1);
   }
 }
 
@@ -60,7 +60,8 @@ TEST(Cells, FindAllPartnersOfABlock) {
   for (std::uint32_t rods = 1; rods <= CapsuleBlocks::most_partners + 4; ++rods) {
     std::vector<Sphere> spheres;
     add_rod(spheres, 0, 0, 0);
-    for (std::uint32_t k = 0; k < rods; ++k)  // across the first; 4 apart, so that they do not meet each other
+    for (std::uint32_t k = 0; k < rods;
+         ++k)  // across the first; 4 apart, so that they do not meet each other
       add_rod(spheres, 4.0f * static_cast<float>(k) - 22, 0, 1.5f, true);
     expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods across");
   }
@@ -99,9 +100,12 @@ TEST(Cells, LoseNothingWhereAllCollideInTheHash) {
   ASSERT_NE(dx, 0);
   std::vector<Sphere> spheres;
   for (std::uint32_t k = 0; k < groups; ++k) {
-    const auto at = [&](int step) { return static_cast<float>((step * double(k) + 0.5) / cells.cells_per_unit); };
+    const auto at = [&](int step) {
+      return static_cast<float>((step * double(k) + 0.5) / cells.cells_per_unit);
+    };
     EXPECT_EQ(table.bucket(cells.cell({at(dx), at(dy), at(dz), 1}, 0), 0), table.bucket(0, 0, 0, 0));
-    for (int s = 0; s < 3; ++s) spheres.push_back({at(dx) + 0.25f * static_cast<float>(s), at(dy), at(dz), 1});
+    for (int s = 0; s < 3; ++s)
+      spheres.push_back({at(dx) + 0.25f * static_cast<float>(s), at(dy), at(dz), 1});
   }
   expect_exact(Chain(spheres, {}, {}), "one bucket for all");
 }

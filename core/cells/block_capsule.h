@@ -10,8 +10,12 @@ namespace catena {
 
 struct Vector32 {
   float x, y, z;
-  CATENA_HD friend Vector32 operator+(const Vector32& a, const Vector32& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  CATENA_HD friend Vector32 operator-(const Vector32& a, const Vector32& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  CATENA_HD friend Vector32 operator+(const Vector32& a, const Vector32& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  CATENA_HD friend Vector32 operator-(const Vector32& a, const Vector32& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
 };
 
 /// a b + c, rounded once on a device and twice on the host: the proofs are of both.
@@ -29,12 +33,14 @@ CATENA_HD inline float dot(const Vector32& a, const Vector32& b) {
 CATENA_HD inline Vector32 plus(const Vector32& a, float t, const Vector32& b) {
   return {mul_add(t, b.x, a.x), mul_add(t, b.y, a.y), mul_add(t, b.z, a.z)};
 }
-CATENA_HD inline float sum_of_sides(const Vector32& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
+CATENA_HD inline float sum_of_sides(const Vector32& a) {
+  return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+}
 CATENA_HD inline float clamped(float t) { return t < -1 ? -1.0f : t > 1 ? 1.0f : t; }
 CATENA_HD inline Vector32 centre_of(const Sphere& s) { return {s.x, s.y, s.z}; }
 
-/// All points within `radius` of centre +- half: what the blocks of a chain lie in, with the formulas, slacks and units
-/// of core/blocks/ (BlockTree; capsule_binary32.g), one capsule at a time.
+/// All points within `radius` of centre +- half: what the blocks of a chain lie in, with the formulas, slacks
+/// and units of core/blocks/ (BlockTree; capsule_binary32.g), one capsule at a time.
 struct alignas(16) BlockCapsule {
   Vector32 centre;
   float radius;
@@ -63,8 +69,9 @@ CATENA_HD inline bool far_apart(const BlockCapsule& a, const BlockCapsule& b) {
   return dot(t, t) > reach * reach;
 }
 
-/// True only when nothing in one capsule touches anything in the other. A direction is guessed, between the nearest
-/// points of the two axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra + rb) |w|.
+/// True only when nothing in one capsule touches anything in the other. A direction is guessed, between the
+/// nearest points of the two axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra +
+/// rb) |w|.
 CATENA_HD inline bool separate(const BlockCapsule& a, const BlockCapsule& b) {
   const Vector32 t = b.centre - a.centre;
   const float over_a = BlockCapsule::inverse_square(dot(a.half, a.half)),
@@ -87,7 +94,8 @@ struct BlockPair {
   using Spheres = typename Warp::template Lanes<Sphere>;
   const Warp& warp;
   const Spheres &own, &next;
-  Sphere first, middle, after_middle, last, next_last;  ///< spheres 0, 15, 16, 31 of the block, 31 of the next
+  Sphere first, middle, after_middle, last,
+      next_last;  ///< spheres 0, 15, 16, 31 of the block, 31 of the next
 
   /// About the chord from first to last, moved half way to the middle of the arc.
   CATENA_HD BlockCapsule capsule() const {
@@ -97,8 +105,8 @@ struct BlockPair {
     result.half = {0.5f * chord.x, 0.5f * chord.y, 0.5f * chord.z};
     result.centre = plus(plus(origin, 0.5f, result.half), 0.25f, arc);
     const float half_square = dot(result.half, result.half), over = BlockCapsule::inverse_square(half_square);
-    // The square of how far a sphere lies from the axis, from above but for rounding: the point of the axis is a guess,
-    // and any point of it will do.
+    // The square of how far a sphere lies from the axis, from above but for rounding: the point of the axis
+    // is a guess, and any point of it will do.
     const float farthest = warp.greatest([&](std::uint32_t lane) {
       const Vector32 p = centre_of(own[lane]) - result.centre;
       const Vector32 rest = plus(p, -clamped(dot(p, result.half) * over), result.half);
@@ -110,29 +118,31 @@ struct BlockPair {
     return result;
   }
 
-  /// True only when in both blocks no two spheres collide that are not next to one another: along the direction from
-  /// the first to the last, of a length at most `length`, sphere i lies at s_i; where s never falls, and rises by more
-  /// than two greatest radii times length from i to i + 2, it does so to every sphere after that. The slack is for the
-  /// rounding of s and of the sums.
+  /// True only when in both blocks no two spheres collide that are not next to one another: along the
+  /// direction from the first to the last, of a length at most `length`, sphere i lies at s_i; where s never
+  /// falls, and rises by more than two greatest radii times length from i to i + 2, it does so to every
+  /// sphere after that. The slack is for the rounding of s and of the sums.
   CATENA_HD bool ordered(const BlockCapsule& capsule) const {
     const Vector32 direction = centre_of(next_last) - centre_of(first);
     const float length = std::sqrt(dot(direction, direction)) * (1 + 0x1p-16f);
     const float thickest = warp.greatest([&](std::uint32_t lane) {
       return own[lane].radius < next[lane].radius ? next[lane].radius : own[lane].radius;
     });
-    const float beyond =
-        warp.greatest([&](std::uint32_t lane) { return sum_of_sides(centre_of(next[lane]) - capsule.centre); });
+    const float beyond = warp.greatest(
+        [&](std::uint32_t lane) { return sum_of_sides(centre_of(next[lane]) - capsule.centre); });
     const float far = (beyond < capsule.reach ? capsule.reach : beyond) + thickest;
     const float step = 2 * thickest * length + (length * far * BlockTree::slack + 0x1p-60f);
     const auto along = [&](const Spheres& of) {
-      return warp.each([&](std::uint32_t lane) { return dot(centre_of(of[lane]) - capsule.centre, direction); });
+      return warp.each(
+          [&](std::uint32_t lane) { return dot(centre_of(of[lane]) - capsule.centre, direction); });
     };
     const auto s = along(own), s_next = along(next);
     const auto one_on = warp.ahead(s, s_next, 1), two_on = warp.ahead(s, s_next, 2);
     const auto one_on_next = warp.ahead(s_next, s_next, 1), two_on_next = warp.ahead(s_next, s_next, 2);
     const std::uint32_t fails = warp.ballot([&](std::uint32_t lane) {
       const bool rises = s[lane] <= one_on[lane] && (lane == 31 || s_next[lane] <= one_on_next[lane]);
-      const bool apart = s[lane] + step < two_on[lane] && (lane >= 30 || s_next[lane] + step < two_on_next[lane]);
+      const bool apart =
+          s[lane] + step < two_on[lane] && (lane >= 30 || s_next[lane] + step < two_on_next[lane]);
       return !(rises && apart);
     });
     return fails == 0;

@@ -10,14 +10,16 @@
 
 namespace catena {
 
-/// The capsules of *blocks* of 32 consecutive spheres in hashed cells: plain pointers, valid in one memory space. A
-/// level's cells are as wide as two capsules of it at most reach, in powers of two, so that what a capsule meets of its
-/// own level or a coarser one lies in the 27 cells around its centre, and no rounding is in the cells.
+/// The capsules of *blocks* of 32 consecutive spheres in hashed cells: plain pointers, valid in one memory
+/// space. A level's cells are as wide as two capsules of it at most reach, in powers of two, so that what a
+/// capsule meets of its own level or a coarser one lies in the 27 cells around its centre, and no rounding is
+/// in the cells.
 ///
-/// A block is *crowded* where this says little of what is near: a cell around it holds more than `slots` capsules, or
-/// it meets more than `crowd` others of its level or coarser ones, or more than `most_met` finer ones. Pairs of two
-/// crowded blocks are left to another search; all others are found here, by work that is bounded for each block.
-/// A cell with too many capsules holds crowded blocks only, so that no others need to be stored or looked for there.
+/// A block is *crowded* where this says little of what is near: a cell around it holds more than `slots`
+/// capsules, or it meets more than `crowd` others of its level or coarser ones, or more than `most_met` finer
+/// ones. Pairs of two crowded blocks are left to another search; all others are found here, by work that is
+/// bounded for each block. A cell with too many capsules holds crowded blocks only, so that no others need to
+/// be stored or looked for there.
 struct CapsuleBlocks {
   static constexpr std::uint32_t block = 32;  ///< spheres
   static constexpr std::uint32_t slots = 8;   ///< capsules that a bucket holds
@@ -35,8 +37,8 @@ struct CapsuleBlocks {
   float scale;  ///< block_scale: all capsules are of the chain times this
   std::uint32_t blocks, crowd, sample;
   BlockCapsule* capsule;
-  std::uint8_t* shape;       ///< by block: its level, and is_ordered: no two spheres of it and the next collide but
-                             ///< those next to one another
+  std::uint8_t* shape;  ///< by block: its level, and is_ordered: no two spheres of it and the next collide
+                        ///< but those next to one another
   std::uint32_t* in_bucket;  ///< capsules that came; at first 0
   std::uint32_t* bucket;     ///< `slots` each: 32 times the block, and its level
   std::uint8_t* partners;    ///< by block: how many it met, or is_crowded

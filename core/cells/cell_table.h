@@ -8,8 +8,8 @@
 
 namespace catena {
 
-/// Where a coordinate lies along one axis: its cell, and at least how far, in cells, the cells below and above begin.
-/// Too little by up to 2^-22 of rounding, or 0 where the cell is far, and numbered by a hash.
+/// Where a coordinate lies along one axis: its cell, and at least how far, in cells, the cells below and
+/// above begin. Too little by up to 2^-22 of rounding, or 0 where the cell is far, and numbered by a hash.
 struct AxisCell {
   double cell;
   float below, above;
@@ -37,8 +37,8 @@ struct PointCell {
   }
 };
 
-/// A BucketMap that wraps, for one bucket at a time, on the host and in kernels. Several levels of cells share the
-/// buckets; who looks into one level's cells passes over what is of another.
+/// A BucketMap that wraps, for one bucket at a time, on the host and in kernels. Several levels of cells
+/// share the buckets; who looks into one level's cells passes over what is of another.
 struct CellTable {
   double row, layer, inverse;
   std::uint32_t buckets;
@@ -49,8 +49,9 @@ struct CellTable {
     return from(map_buckets(1, {{-1e9f, -1e9f, -1e9f}, {1e9f, 1e9f, 1e9f}}, count / 2));
   }
 
-  /// The same buckets, when a cube of so many cells a side has room in them: laid out so that cells that are near in
-  /// space are near in memory. A box of other sides and the same sum of them meets itself a few times at most.
+  /// The same buckets, when a cube of so many cells a side has room in them: laid out so that cells that are
+  /// near in space are near in memory. A box of other sides and the same sum of them meets itself a few times
+  /// at most.
   CellTable compact(double side) const {
     BucketMap map{0, std::ceil(side) + 2, 0, 0, buckets, true};
     map.layer = map.row * map.row;
@@ -74,7 +75,9 @@ struct CellTable {
     const std::uint32_t to = bucket + steps;
     return to >= buckets ? to - buckets : to;
   }
-  CATENA_HD std::uint32_t before(std::uint32_t bucket) const { return bucket == 0 ? buckets - 1 : bucket - 1; }
+  CATENA_HD std::uint32_t before(std::uint32_t bucket) const {
+    return bucket == 0 ? buckets - 1 : bucket - 1;
+  }
 
  private:
   static CellTable from(const BucketMap& map) {

@@ -5,8 +5,8 @@
 
 namespace catena {
 
-/// Adds to a number that all threads of a kernel share, and returns what it was. Relaxed: whoever needs more than the
-/// number itself waits for the kernel's end. The host runs these policies on one thread.
+/// Adds to a number that all threads of a kernel share, and returns what it was. Relaxed: whoever needs more
+/// than the number itself waits for the kernel's end. The host runs these policies on one thread.
 CATENA_HD inline std::uint32_t fetch_add(std::uint32_t* number, std::uint32_t more) {
 #ifdef __CUDA_ARCH__
   return atomicAdd(number, more);

@@ -36,7 +36,8 @@ class HostSphereCells {
   template <class Tests, class Sink>
   void search(const ChainView& chain, Sink& sink) const {
     const CellSearch<Tests, Sink> search(chain, cells_, table_, sink);
-    for (std::uint32_t place = 0; place < state_.places && !sink.satisfied(); ++place) search.run(place, true);
+    for (std::uint32_t place = 0; place < state_.places && !sink.satisfied(); ++place)
+      search.run(place, true);
   }
 
  private:

@@ -7,9 +7,9 @@
 
 namespace catena {
 
-/// A warp, emulated on the host: what one instruction does in 32 lanes is a function of the lane here, run for one lane
-/// after the other. The device's twin is DeviceWarp, in which each thread runs it for its own lane; so a function may
-/// not use what it does in other lanes but through these calls.
+/// A warp, emulated on the host: what one instruction does in 32 lanes is a function of the lane here, run
+/// for one lane after the other. The device's twin is DeviceWarp, in which each thread runs it for its own
+/// lane; so a function may not use what it does in other lanes but through these calls.
 struct HostWarp {
   static constexpr std::uint32_t lanes = 32;
 

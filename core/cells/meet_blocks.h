@@ -6,7 +6,8 @@
 
 namespace catena {
 
-/// Steps of a CapsuleBlocks, each for one block by one warp; who runs them lets each step end before the next begins.
+/// Steps of a CapsuleBlocks, each for one block by one warp; who runs them lets each step end before the next
+/// begins.
 template <class Warp>
 class BlockMeeting {
  public:
@@ -32,8 +33,10 @@ class BlockMeeting {
     const auto at = [&](std::uint32_t k) { return scaled(b * size + k); };
     const BlockPair<Warp> pair{warp_, own, next, at(0), at(15), at(16), at(31), at(63)};
     const BlockCapsule capsule = pair.capsule();
-    const bool ordered = pair.ordered(capsule);  // not where two or more stand in for spheres behind the last one
-    const std::uint32_t level = CapsuleBlocks::level_of(capsule.reach), bucket = blocks_.bucket_of(capsule, level);
+    const bool ordered =
+        pair.ordered(capsule);  // not where two or more stand in for spheres behind the last one
+    const std::uint32_t level = CapsuleBlocks::level_of(capsule.reach),
+                        bucket = blocks_.bucket_of(capsule, level);
     warp_.once([&] {
       blocks_.capsule[b] = capsule;
       blocks_.shape[b] = static_cast<std::uint8_t>(level | (ordered ? CapsuleBlocks::is_ordered : 0));
@@ -51,18 +54,23 @@ class BlockMeeting {
     bool room = true;
     for (std::uint32_t other = level; room && levels >> other != 0; ++other) {
       if ((levels >> other & 1) == 0) continue;
-      room = around(own, other, [&](const Lanes<std::uint32_t>& entry) {
-        const std::uint32_t near =
-            warp_.ballot([&](std::uint32_t lane) { return entry[lane] != none && meets(b, own, other, entry[lane]); });
-        warp_.run([&](std::uint32_t lane) {
-          if ((near >> lane & 1) == 0) return;
-          const std::uint32_t place = found + count_bits(near & ((1u << lane) - 1)), id = entry[lane] >> 5;
-          if (place < blocks_.crowd) blocks_.partner[b * CapsuleBlocks::most_partners + place] = id;
-          if (other != level && fetch_add(blocks_.met + id, 1) == CapsuleBlocks::most_met)
-            set_bits(&blocks_.state->any, 1);
-        });
-        found += count_bits(near);
-      }) && found <= blocks_.crowd;
+      room = around(own, other,
+                    [&](const Lanes<std::uint32_t>& entry) {
+                      const std::uint32_t near = warp_.ballot([&](std::uint32_t lane) {
+                        return entry[lane] != none && meets(b, own, other, entry[lane]);
+                      });
+                      warp_.run([&](std::uint32_t lane) {
+                        if ((near >> lane & 1) == 0) return;
+                        const std::uint32_t place = found + count_bits(near & ((1u << lane) - 1)),
+                                            id = entry[lane] >> 5;
+                        if (place < blocks_.crowd)
+                          blocks_.partner[b * CapsuleBlocks::most_partners + place] = id;
+                        if (other != level && fetch_add(blocks_.met + id, 1) == CapsuleBlocks::most_met)
+                          set_bits(&blocks_.state->any, 1);
+                      });
+                      found += count_bits(near);
+                    }) &&
+             found <= blocks_.crowd;
     }
     warp_.once([&] {
       blocks_.partners[b] = room ? static_cast<std::uint8_t>(found) : CapsuleBlocks::is_crowded;
@@ -72,8 +80,8 @@ class BlockMeeting {
     });
   }
 
-  /// Step 3: what block b is to be compared with, as far as it is this block's to do: add(item) for each item of work.
-  /// By one thread.
+  /// Step 3: what block b is to be compared with, as far as it is this block's to do: add(item) for each item
+  /// of work. By one thread.
   template <class Add>
   CATENA_HD void plan(std::uint32_t b, const Add& add) const {
     const bool ordered = blocks_.ordered(b);
@@ -87,7 +95,8 @@ class BlockMeeting {
         if (id > b || blocks_.crowded(id) || blocks_.level(id) != blocks_.level(b)) add(static_cast<Work>(k));
       }
     }
-    const bool neighbours = chain_.strand_count == 1 && chain_.exclusion.rule == Exclusion::Rule::index_window;
+    const bool neighbours =
+        chain_.strand_count == 1 && chain_.exclusion.rule == Exclusion::Rule::index_window;
     if (ordered && !neighbours) add(Work::adjacent);
   }
 
@@ -111,16 +120,19 @@ class BlockMeeting {
     return {s.x * blocks_.scale, s.y * blocks_.scale, s.z * blocks_.scale, s.radius * blocks_.scale};
   }
 
-  /// Calls visit(entry) with what is in the buckets of level `of` around a capsule, an entry or `none` a lane. False,
-  /// and not all were visited, where a bucket had more than it holds.
+  /// Calls visit(entry) with what is in the buckets of level `of` around a capsule, an entry or `none` a
+  /// lane. False, and not all were visited, where a bucket had more than it holds.
   template <class Visit>
   CATENA_HD bool around(const BlockCapsule& capsule, std::uint32_t of, const Visit& visit,
                         bool pass_over_full = false) const {
     constexpr std::uint32_t slots = CapsuleBlocks::slots, cells = 27;
     const std::uint32_t centre = blocks_.bucket_of(capsule, of);
-    const auto bucket = warp_.each([&](std::uint32_t lane) { return lane < cells ? blocks_.around(centre, lane) : 0; });
-    const auto size = warp_.each([&](std::uint32_t lane) { return lane < cells ? blocks_.in_bucket[bucket[lane]] : 0; });
-    if (!pass_over_full && warp_.ballot([&](std::uint32_t lane) { return size[lane] > slots; }) != 0) return false;
+    const auto bucket =
+        warp_.each([&](std::uint32_t lane) { return lane < cells ? blocks_.around(centre, lane) : 0; });
+    const auto size =
+        warp_.each([&](std::uint32_t lane) { return lane < cells ? blocks_.in_bucket[bucket[lane]] : 0; });
+    if (!pass_over_full && warp_.ballot([&](std::uint32_t lane) { return size[lane] > slots; }) != 0)
+      return false;
     for (std::uint32_t k = 0; k < slots; ++k) {
       const auto entry = warp_.each([&](std::uint32_t lane) {
         return k < size[lane] && size[lane] <= slots ? blocks_.bucket[bucket[lane] * slots + k] : none;
@@ -132,29 +144,35 @@ class BlockMeeting {
   }
 
   /// Block b, of this capsule, and the block of an entry may collide, and that one is of level `of`.
-  CATENA_HD bool meets(std::uint32_t b, const BlockCapsule& own, std::uint32_t of, std::uint32_t entry) const {
+  CATENA_HD bool meets(std::uint32_t b, const BlockCapsule& own, std::uint32_t of,
+                       std::uint32_t entry) const {
     const std::uint32_t id = entry >> 5;
     if ((entry & 31) != of || id == b || far_apart(own, blocks_.capsule[id])) return false;
     if ((id == b + 1 && blocks_.ordered(b)) || (b == id + 1 && blocks_.ordered(id))) return false;
     return !separate(own, blocks_.capsule[id]);
   }
 
-  /// A crowded block found no partners, and blocks of its own level find it; but those of coarser levels do not.
+  /// A crowded block found no partners, and blocks of its own level find it; but those of coarser levels do
+  /// not.
   template <class Tests, class Sink>
   CATENA_HD void compare_with_coarser(std::uint32_t b, Sink& sink) const {
     const std::uint32_t level = blocks_.level(b), levels = blocks_.state->levels;
     const BlockCapsule own = blocks_.capsule[b];
     for (std::uint32_t other = level + 1; levels >> other != 0; ++other) {
       if ((levels >> other & 1) == 0) continue;
-      around(own, other, [&](const Lanes<std::uint32_t>& entry) {
-        std::uint32_t near = warp_.ballot([&](std::uint32_t lane) {
-          return entry[lane] != none && !blocks_.crowded(entry[lane] >> 5) && meets(b, own, other, entry[lane]);
-        });
-        for (; near != 0; near &= near - 1) {
-          const std::uint32_t id = warp_.from(entry, lowest_bit(near)) >> 5;
-          compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
-        }
-      }, true);
+      around(
+          own, other,
+          [&](const Lanes<std::uint32_t>& entry) {
+            std::uint32_t near = warp_.ballot([&](std::uint32_t lane) {
+              return entry[lane] != none && !blocks_.crowded(entry[lane] >> 5) &&
+                     meets(b, own, other, entry[lane]);
+            });
+            for (; near != 0; near &= near - 1) {
+              const std::uint32_t id = warp_.from(entry, lowest_bit(near)) >> 5;
+              compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
+            }
+          },
+          true);
     }
   }
 
@@ -171,7 +189,9 @@ class BlockMeeting {
     compare_spheres<Tests>(b, all, b, all, sink);
   }
 
-  CATENA_HD bool in_chain(std::uint32_t b, std::uint32_t k) const { return b * CapsuleBlocks::block + k < chain_.size; }
+  CATENA_HD bool in_chain(std::uint32_t b, std::uint32_t k) const {
+    return b * CapsuleBlocks::block + k < chain_.size;
+  }
 
   /// Which spheres of block b a capsule may collide with.
   CATENA_HD std::uint32_t near(std::uint32_t b, const BlockCapsule& capsule) const {
@@ -190,7 +210,8 @@ class BlockMeeting {
       const Sphere other = warp_.from(second, k);
       warp_.run([&](std::uint32_t lane) {
         const std::uint32_t i = a * CapsuleBlocks::block + lane;
-        if ((of_a >> lane & 1) != 0 && i < j && Tests::overlap(first[lane], other) && !chain_.neighbours(i, j))
+        if ((of_a >> lane & 1) != 0 && i < j && Tests::overlap(first[lane], other) &&
+            !chain_.neighbours(i, j))
           sink.pair(i, j);
       });
     }

@@ -6,8 +6,8 @@
 
 namespace catena {
 
-/// Spheres by their radius: octave k holds radii in (R 2^-(k+1), R 2^-k], R the greatest of the chain. There are
-/// fewer than 280 between the greatest binary32 number and the least; points are the last.
+/// Spheres by their radius: octave k holds radii in (R 2^-(k+1), R 2^-k], R the greatest of the chain. There
+/// are fewer than 280 between the greatest binary32 number and the least; points are the last.
 struct Octaves {
   static constexpr std::uint32_t count = 288;
   double greatest;
@@ -16,7 +16,8 @@ struct Octaves {
   CATENA_HD std::uint32_t of(float radius) const {
     if (one) return 0;
     if (radius == 0) return count - 1;
-    // In binary64 all binary32 numbers are normal: the exponents' difference, one less where that is too small a bound.
+    // In binary64 all binary32 numbers are normal: the exponents' difference, one less where that is too
+    // small a bound.
     const std::uint64_t r = bits(radius), most = bits(greatest), fraction = (std::uint64_t{1} << 52) - 1;
     const auto halvings = static_cast<std::uint32_t>((most >> 52) - (r >> 52));
     return halvings - ((r & fraction) > (most & fraction) ? 1 : 0);

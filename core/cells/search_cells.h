@@ -6,16 +6,18 @@
 
 namespace catena {
 
-/// Who may collide with the sphere at a place: of what comes after it in its own cell, of the thirteen cells of its level
-/// that come after that one, and of all 27 of each coarser level; so each pair is met once. Tells them to
-/// sink.near(search, place, at, level), which asks search.decide(place, at, level) of each in its own time.
+/// Who may collide with the sphere at a place: of what comes after it in its own cell, of the thirteen cells
+/// of its level that come after that one, and of all 27 of each coarser level; so each pair is met once.
+/// Tells them to sink.near(search, place, at, level), which asks search.decide(place, at, level) of each in
+/// its own time.
 template <class Tests, class Sink>
 class CellSearch {
  public:
   CATENA_HD CellSearch(const ChainView& chain, const SphereCells& cells, const CellTable& table, Sink& sink)
       : chain_(chain), cells_(cells), table_(table), sink_(sink) {}
 
-  /// All threads of a warp come here together; one that is not `live` has no place, and any for `place` will do.
+  /// All threads of a warp come here together; one that is not `live` has no place, and any for `place` will
+  /// do.
   CATENA_HD void run(std::uint32_t place, bool live) const {
     const Sphere s = cells_.sphere[place];
     if (cells_.octaves.one) return look({s, place, 0, 0, live});
@@ -30,7 +32,8 @@ class CellSearch {
     }
   }
 
-  /// Whether the spheres at these places collide, the second in a cell of that level; if so, sink.pair(i, j), i < j.
+  /// Whether the spheres at these places collide, the second in a cell of that level; if so, sink.pair(i, j),
+  /// i < j.
   CATENA_HD void decide(std::uint32_t place, std::uint32_t at, std::uint32_t level) const {
     const Sphere s = cells_.sphere[place], other = cells_.sphere[at];
     if (!Tests::overlap(s, other) || cells_.octaves.of(other.radius) != level) return;
@@ -56,9 +59,11 @@ class CellSearch {
     for (std::uint32_t r = cells_.octaves.one ? own_row : 0; r < rows; ++r) row(r, of, at, bucket, limit);
   }
 
-  /// The cells of a row that the sphere can reach, of the three next to its own: those whose square of the distance, in
-  /// cells, is at most `limit`, above which there is nothing it overlaps (properties/proofs/cell_rows.g).
-  CATENA_HD void row(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket, float limit) const {
+  /// The cells of a row that the sphere can reach, of the three next to its own: those whose square of the
+  /// distance, in cells, is at most `limit`, above which there is nothing it overlaps
+  /// (properties/proofs/cell_rows.g).
+  CATENA_HD void row(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket,
+                     float limit) const {
     const float y = gap(at.y, r % 3), z = gap(at.z, r / 3), off = y * y + z * z;
     std::uint32_t from = bucket, cells = 0;
     bool own = of.own() && r == own_row;
@@ -72,8 +77,10 @@ class CellSearch {
     do {  // mostly once: a run of buckets may go on in another chunk, or at the table's begin
       std::uint32_t first = 0, end = 0;
       if (cells > 0) {
-        const std::uint32_t of_chunk = SphereCells::chunk - from % SphereCells::chunk, of_table = table_.buckets - from,
-                            room = of_chunk < of_table ? of_chunk : of_table, take = cells < room ? cells : room;
+        const std::uint32_t of_chunk = SphereCells::chunk - from % SphereCells::chunk,
+                            of_table = table_.buckets - from,
+                            room = of_chunk < of_table ? of_chunk : of_table,
+                            take = cells < room ? cells : room;
         const std::uint32_t* const start = cells_.start + SphereCells::start_of(from);
         first = own ? of.place + 1 : start[0];
         end = start[take];

@@ -8,19 +8,20 @@
 
 namespace catena {
 
-/// Spheres of a chain sorted into hashed cells, in a handful of steps without a look at the host between them: plain
-/// pointers, valid in one memory space. An octave of radii is a *level*, with cells as wide as two of its greatest
-/// spheres, so that what overlaps a sphere of this or a finer octave lies in the 27 cells around it (BucketMap).
-/// All levels share one table of buckets. Spheres of a bucket lie side by side at *places*; buckets follow one another
-/// within a chunk, and chunks lie in any order.
+/// Spheres of a chain sorted into hashed cells, in a handful of steps without a look at the host between
+/// them: plain pointers, valid in one memory space. An octave of radii is a *level*, with cells as wide as
+/// two of its greatest spheres, so that what overlaps a sphere of this or a finer octave lies in the 27 cells
+/// around it (BucketMap). All levels share one table of buckets. Spheres of a bucket lie side by side at
+/// *places*; buckets follow one another within a chunk, and chunks lie in any order.
 struct SphereCells {
   static constexpr std::uint32_t chunk = 1024;  ///< buckets
   static constexpr std::uint32_t least_log2 = 12, tables = 15;
 
   /// What is known once the steps before are done.
   struct State {
-    std::uint32_t places;                      ///< spheres that were sorted
-    std::uint32_t levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k; not kept where it is one
+    std::uint32_t places;  ///< spheres that were sorted
+    std::uint32_t
+        levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k; not kept where it is one
   };
 
   CellTable table[tables];  ///< for 2^12, 2^13, ... 2^26 spheres
@@ -41,7 +42,8 @@ struct SphereCells {
     }();
     SphereCells cells = all_sizes;
     const double greatest = extent.greatest_radius;
-    // As map_buckets: points overlap where they are equal, and 2^149 makes all different numbers different cells.
+    // As map_buckets: points overlap where they are equal, and 2^149 makes all different numbers different
+    // cells.
     cells.cells_per_unit = greatest > 0 ? (1 - BucketMap::cell_slack) / (2 * greatest) : 0x1p149;
     cells.octaves = {greatest, 2.0 * extent.least_radius > greatest || greatest == 0};
     if (cells.octaves.one)
@@ -56,7 +58,9 @@ struct SphereCells {
     return table[k];
   }
   /// Rounded up to whole chunks: how many buckets `count` must have room for.
-  CATENA_HD static std::uint32_t chunks(const CellTable& table) { return (table.buckets + chunk - 1) / chunk; }
+  CATENA_HD static std::uint32_t chunks(const CellTable& table) {
+    return (table.buckets + chunk - 1) / chunk;
+  }
   /// Where a chunk's part of `start` begins: one more entry than it has buckets, the end of the last.
   CATENA_HD static std::uint32_t starts(std::uint32_t chunk_number) { return chunk_number * (chunk + 1); }
   CATENA_HD static std::uint32_t start_of(std::uint32_t bucket) { return bucket + bucket / chunk; }
@@ -82,7 +86,9 @@ struct SphereCells {
     index[start[start_of(in.bucket(cell(s, octave), octave))] + rank[i]] = i;
   }
   /// Step 4, for each place: writes side by side what lies apart, which is faster than to write it apart.
-  CATENA_HD void fill(const ChainView& chain, std::uint32_t place) const { sphere[place] = chain.spheres[index[place]]; }
+  CATENA_HD void fill(const ChainView& chain, std::uint32_t place) const {
+    sphere[place] = chain.spheres[index[place]];
+  }
 };
 
 }  // namespace catena
