@@ -23,7 +23,7 @@ __global__ void __launch_bounds__(threads)
   if (own_block() < blocks.blocks) BlockMeeting(warp, chain, blocks).enclose(own_block());
 }
 
-__global__ void __launch_bounds__(threads)
+__global__ void __launch_bounds__(threads, 12)
     meet_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks) {
   const DeviceWarp warp;
   if (own_block() < blocks.blocks) BlockMeeting(warp, chain, blocks).meet(own_block());

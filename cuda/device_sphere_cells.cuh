@@ -30,11 +30,19 @@ template <class Members>
 __global__ void __launch_bounds__(256)
     enter_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                 const __grid_constant__ Members members) {
+  __shared__ std::uint32_t levels[Octaves::count / 32];  // all of a block's together, as they go to one place
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
+  const bool several = !cells.octaves.one && threadIdx.x < Octaves::count / 32;
+  if (several) levels[threadIdx.x] = 0;
+  __syncthreads();
   for_each_of_mine(chain.size, [&](std::uint32_t i) {
-    if (members.takes(i)) cells.enter(table, chain.spheres[i], i);
+    if (!members.takes(i)) return;
+    const std::uint32_t octave = cells.enter(table, chain.spheres[i], i);
+    if (!cells.octaves.one) set_bits(levels + octave / 32, 1u << octave % 32);
   });
+  __syncthreads();
+  if (several && levels[threadIdx.x] != 0) set_bits(cells.state->levels + threadIdx.x, levels[threadIdx.x]);
 }
 
 /// Counts become starts, and 0 again: a chunk a block, four buckets a thread. Chunks take their places one
@@ -101,22 +109,28 @@ __global__ void __launch_bounds__(256)
   for_each_of_mine(cells.state->places, [&](std::uint32_t place) { cells.fill(chain, place); });
 }
 
+/// In the order of places, in which the threads of a warp look into the same cells; where radii differ much in that of
+/// the chain, in which they look into the same levels.
 template <class Tests, class Members>
 __global__ void __launch_bounds__(128, 8)
     search_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                  const __grid_constant__ Members members, const __grid_constant__ ResidentAnswer answer,
                  SphereRange queries) {
   __shared__ NearQueue::Shared shared;
-  const std::uint32_t places = cells.state->places;
-  if (places == 0) return;
+  if (cells.state->places == 0) return;
   NearQueue queue(shared, answer, queries);
   __syncthreads();
-  const CellSearch<Tests, NearQueue> search(chain, cells, cells.table_for(members.expected()), queue);
-  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x; first < places;
+  const CellTable& table = cells.table_for(members.expected());
+  const CellSearch<Tests, NearQueue> search(chain, cells, table, queue);
+  const std::uint32_t count = cells.octaves.one ? cells.state->places : chain.size;
+  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x; first < count;
        first += std::uint64_t{gridDim.x} * blockDim.x) {
-    const std::uint64_t place = first + threadIdx.x;
-    const bool live = place < places && !queue.satisfied();
-    search.run(live ? static_cast<std::uint32_t>(place) : 0, live);
+    const bool inside = first + threadIdx.x < count && !queue.satisfied();
+    const std::uint32_t k = inside ? static_cast<std::uint32_t>(first + threadIdx.x) : 0;
+    const bool live = inside && (cells.octaves.one || members.takes(k));
+    const Sphere s = cells.octaves.one ? cells.sphere[k] : chain.spheres[k];
+    const std::uint32_t place = cells.octaves.one ? k : live ? cells.place_of(table, s, k) : 0;
+    if (queue.any(live)) search.run(s, place, live);
     queue.flush(search);
   }
 }

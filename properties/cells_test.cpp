@@ -86,6 +86,14 @@ TEST(Cells, FindAdjacentSpheresThatAreNoNeighbours) {
   expect_exact(Chain(spheres, Strands{{0, 70, 128, n}, {}}), "a rod cut in three");
 }
 
+/// Every second step leads on, every other one back: each sphere ends before the next but one begins, and meets the third.
+TEST(Cells, TellAZigzagFromARod) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < 6 * block; ++k)
+    spheres.push_back({2.1f * static_cast<float>(k / 2) - static_cast<float>(k % 2), 0, 0, 1});
+  expect_exact(Chain(spheres), "a zigzag");
+}
+
 /// Cells that lie apart in space, and all in one bucket.
 TEST(Cells, LoseNothingWhereAllCollideInTheHash) {
   constexpr std::uint32_t groups = 300;

@@ -25,7 +25,7 @@ class HostSphereCells {
     cells_.count = count_.data(), cells_.start = start_.data(), cells_.rank = rank_.data();
     cells_.index = index_.data(), cells_.sphere = sphere_.data(), cells_.state = &state_;
     for (std::uint32_t i = 0; i < chain.size; ++i)
-      if (takes(i)) cells_.enter(table_, chain.spheres[i], i);
+      if (takes(i)) note(cells_.enter(table_, chain.spheres[i], i));
     for (std::uint32_t k = 0; k < chunks; ++k) allocate(k);
     for (std::uint32_t i = 0; i < chain.size; ++i)
       if (takes(i)) cells_.place(table_, chain.spheres[i], i);
@@ -37,10 +37,12 @@ class HostSphereCells {
   void search(const ChainView& chain, Sink& sink) const {
     const CellSearch<Tests, Sink> search(chain, cells_, table_, sink);
     for (std::uint32_t place = 0; place < state_.places && !sink.satisfied(); ++place)
-      search.run(place, true);
+      search.run(sphere_[place], place, true);
   }
 
  private:
+  void note(std::uint32_t octave) { state_.levels[octave / 32] |= 1u << octave % 32; }
+
   void allocate(std::uint32_t chunk) {
     std::uint32_t* const start = start_.data() + SphereCells::starts(chunk);
     std::uint32_t* const count = count_.data() + chunk * std::size_t{SphereCells::chunk};

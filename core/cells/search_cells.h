@@ -18,8 +18,7 @@ class CellSearch {
 
   /// All threads of a warp come here together; one that is not `live` has no place, and any for `place` will
   /// do.
-  CATENA_HD void run(std::uint32_t place, bool live) const {
-    const Sphere s = cells_.sphere[place];
+  CATENA_HD void run(const Sphere& s, std::uint32_t place, bool live) const {
     if (cells_.octaves.one) return look({s, place, 0, 0, live});
     const std::uint32_t octave = cells_.octaves.of(s.radius);
     for (std::uint32_t word = 0; word < Octaves::count / 32; ++word) {

@@ -21,7 +21,7 @@ struct SphereCells {
   struct State {
     std::uint32_t places;  ///< spheres that were sorted
     std::uint32_t
-        levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k; not kept where it is one
+        levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k; not kept for one octave
   };
 
   CellTable table[tables];  ///< for 2^12, 2^13, ... 2^26 spheres
@@ -73,17 +73,18 @@ struct SphereCells {
     return PointCell::of(s, cells_per_unit * Octaves::cells_of(octave));
   }
 
-  /// Step 1, for each sphere.
-  CATENA_HD void enter(const CellTable& in, const Sphere& s, std::uint32_t i) const {
+  /// Step 1, for each sphere. Returns its octave, which belongs to state->levels.
+  CATENA_HD std::uint32_t enter(const CellTable& in, const Sphere& s, std::uint32_t i) const {
     const std::uint32_t octave = octaves.of(s.radius);
-    if (!octaves.one) set_bits(state->levels + octave / 32, 1u << octave % 32);
     rank[i] = fetch_add(count + in.bucket(cell(s, octave), octave), 1);
+    return octave;
   }
   // Step 2, for each chunk: counts become starts, and 0 again.
   /// Step 3, for each sphere.
-  CATENA_HD void place(const CellTable& in, const Sphere& s, std::uint32_t i) const {
+  CATENA_HD void place(const CellTable& in, const Sphere& s, std::uint32_t i) const { index[place_of(in, s, i)] = i; }
+  CATENA_HD std::uint32_t place_of(const CellTable& in, const Sphere& s, std::uint32_t i) const {
     const std::uint32_t octave = octaves.of(s.radius);
-    index[start[start_of(in.bucket(cell(s, octave), octave))] + rank[i]] = i;
+    return start[start_of(in.bucket(cell(s, octave), octave))] + rank[i];
   }
   /// Step 4, for each place: writes side by side what lies apart, which is faster than to write it apart.
   CATENA_HD void fill(const ChainView& chain, std::uint32_t place) const {
