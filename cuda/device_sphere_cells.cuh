@@ -109,8 +109,8 @@ __global__ void __launch_bounds__(256)
   for_each_of_mine(cells.state->places, [&](std::uint32_t place) { cells.fill(chain, place); });
 }
 
-/// In the order of places, in which the threads of a warp look into the same cells; where radii differ much in that of
-/// the chain, in which they look into the same levels.
+/// In the order of places, in which the threads of a warp look into the same cells; where radii differ much
+/// in that of the chain, in which they look into the same levels.
 template <class Tests, class Members>
 __global__ void __launch_bounds__(128, 8)
     search_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,

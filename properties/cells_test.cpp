@@ -86,7 +86,23 @@ TEST(Cells, FindAdjacentSpheresThatAreNoNeighbours) {
   expect_exact(Chain(spheres, Strands{{0, 70, 128, n}, {}}), "a rod cut in three");
 }
 
-/// Every second step leads on, every other one back: each sphere ends before the next but one begins, and meets the third.
+/// The table for as many crowded spheres as there can be has no more buckets than memory was taken for.
+TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
+  const SphereCells cells = SphereCells::of({1, 1, 1e9, 1e6f});
+  for (const std::uint32_t n :
+       {1u, 32u, 4096u, 262144u, (1u << 20) - 5, 1u << 20, 1u << 24, (1u << 31) - 1}) {
+    ChainView chain{};
+    chain.size = n;
+    CapsuleBlocks::State state{};
+    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1);
+    blocks.state = &state;
+    for (std::uint32_t b = 0; b < blocks.blocks; b += blocks.sample) ++state.crowded;
+    EXPECT_EQ(&cells.table_for(blocks.crowded_spheres()), &cells.table_for(n)) << n;
+  }
+}
+
+/// Every second step leads on, every other one back: each sphere ends before the next but one begins, and
+/// meets the third.
 TEST(Cells, TellAZigzagFromARod) {
   std::vector<Sphere> spheres;
   for (std::uint32_t k = 0; k < 6 * block; ++k)

@@ -61,8 +61,11 @@ struct CapsuleBlocks {
   CATENA_HD bool crowded(std::uint32_t b) const { return partners[b] == is_crowded || met[b] > most_met; }
   CATENA_HD bool ordered(std::uint32_t b) const { return (shape[b] & is_ordered) != 0; }
   CATENA_HD std::uint32_t level(std::uint32_t b) const { return shape[b] & ~std::uint32_t{is_ordered}; }
-  /// About how many spheres are in crowded blocks, once all have met.
-  CATENA_HD std::uint32_t crowded_spheres() const { return state->crowded * sample * block; }
+  /// About how many spheres are in crowded blocks, once all have met; no more than there are blocks for.
+  CATENA_HD std::uint32_t crowded_spheres() const {
+    const std::uint32_t about = state->crowded * sample;
+    return block * (about < blocks ? about : blocks);
+  }
 
   CATENA_HD static std::uint32_t level_of(float reach) {
     const int width = std::ilogb(2 * reach * (1 + 0x1p-16f)) + 1;  // 2^width is above twice the reach

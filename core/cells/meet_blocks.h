@@ -33,8 +33,8 @@ class BlockMeeting {
     const auto at = [&](std::uint32_t k) { return scaled(b * size + k); };
     const BlockPair<Warp> pair{warp_, own, next, at(0), at(15), at(16), at(31), at(63)};
     const BlockCapsule capsule = pair.capsule();
-    const bool ordered =
-        pair.ordered(capsule);  // not where two or more stand in for spheres behind the last one
+    // Never where two or more stand in for spheres behind the last one.
+    const bool ordered = pair.ordered(capsule);
     const std::uint32_t level = CapsuleBlocks::level_of(capsule.reach),
                         bucket = blocks_.bucket_of(capsule, level);
     warp_.once([&] {
@@ -54,23 +54,13 @@ class BlockMeeting {
     bool room = true;
     for (std::uint32_t other = level; room && levels >> other != 0; ++other) {
       if ((levels >> other & 1) == 0) continue;
-      room = around(own, other,
-                    [&](const Lanes<std::uint32_t>& entry) {
-                      const std::uint32_t near = warp_.ballot([&](std::uint32_t lane) {
-                        return entry[lane] != none && meets(b, own, other, entry[lane]);
-                      });
-                      warp_.run([&](std::uint32_t lane) {
-                        if ((near >> lane & 1) == 0) return;
-                        const std::uint32_t place = found + count_bits(near & ((1u << lane) - 1)),
-                                            id = entry[lane] >> 5;
-                        if (place < blocks_.crowd)
-                          blocks_.partner[b * CapsuleBlocks::most_partners + place] = id;
-                        if (other != level && fetch_add(blocks_.met + id, 1) == CapsuleBlocks::most_met)
-                          set_bits(&blocks_.state->any, 1);
-                      });
-                      found += count_bits(near);
-                    }) &&
-             found <= blocks_.crowd;
+      room = around(own, other, [&](const Lanes<std::uint32_t>& entry) {
+        const std::uint32_t near = warp_.ballot(
+            [&](std::uint32_t lane) { return entry[lane] != none && meets(b, own, other, entry[lane]); });
+        note_partners(b, entry, near, found, other != level);
+        found += count_bits(near);
+      });
+      room = room && found <= blocks_.crowd;
     }
     warp_.once([&] {
       blocks_.partners[b] = room ? static_cast<std::uint8_t>(found) : CapsuleBlocks::is_crowded;
@@ -141,6 +131,18 @@ class BlockMeeting {
       visit(entry);
     }
     return true;
+  }
+
+  /// Of these entries those of the lanes `near` are partners of block b, which has `found` already.
+  CATENA_HD void note_partners(std::uint32_t b, const Lanes<std::uint32_t>& entry, std::uint32_t near,
+                               std::uint32_t found, bool coarser) const {
+    warp_.run([&](std::uint32_t lane) {
+      if ((near >> lane & 1) == 0) return;
+      const std::uint32_t place = found + count_bits(near & ((1u << lane) - 1)), id = entry[lane] >> 5;
+      if (place < blocks_.crowd) blocks_.partner[b * CapsuleBlocks::most_partners + place] = id;
+      if (coarser && fetch_add(blocks_.met + id, 1) == CapsuleBlocks::most_met)
+        set_bits(&blocks_.state->any, 1);
+    });
   }
 
   /// Block b, of this capsule, and the block of an entry may collide, and that one is of level `of`.

@@ -27,7 +27,7 @@ struct SphereCells {
   CellTable table[tables];  ///< for 2^12, 2^13, ... 2^26 spheres
   double cells_per_unit;    ///< of octave 0
   Octaves octaves;
-  std::uint32_t *count, *start;  ///< spheres of each bucket, all 0 between builds; see first_place
+  std::uint32_t *count, *start;  ///< spheres of each bucket, all 0 between builds; see starts()
   std::uint32_t* rank;           ///< by sphere: how many came into its bucket before
   std::uint32_t* index;          ///< by place: which sphere
   Sphere* sphere;                ///< by place
@@ -81,7 +81,9 @@ struct SphereCells {
   }
   // Step 2, for each chunk: counts become starts, and 0 again.
   /// Step 3, for each sphere.
-  CATENA_HD void place(const CellTable& in, const Sphere& s, std::uint32_t i) const { index[place_of(in, s, i)] = i; }
+  CATENA_HD void place(const CellTable& in, const Sphere& s, std::uint32_t i) const {
+    index[place_of(in, s, i)] = i;
+  }
   CATENA_HD std::uint32_t place_of(const CellTable& in, const Sphere& s, std::uint32_t i) const {
     const std::uint32_t octave = octaves.of(s.radius);
     return start[start_of(in.bucket(cell(s, octave), octave))] + rank[i];
