@@ -51,11 +51,11 @@ struct CellTable {
 
   /// The same buckets, when a cube of so many cells a side has room in them: laid out so that cells that are
   /// near in space are near in memory. A box of other sides and the same sum of them meets itself a few times
-  /// at most.
+  /// at most; so do finer cells, as often as there are more of them.
   CellTable compact(double side) const {
-    BucketMap map{0, std::ceil(side) + 2, 0, 0, buckets, true};
+    BucketMap map{0, std::floor(std::cbrt(static_cast<double>(buckets))), 0, 0, buckets, true};
     map.layer = map.row * map.row;
-    return map.row * map.layer <= buckets && different_steps(map) ? from(map) : *this;
+    return side + 2 <= map.row && different_steps(map) ? from(map) : *this;
   }
 
   /// Levels begin `level_step` buckets after one another: cells of the same numbers seldom meet.

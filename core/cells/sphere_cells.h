@@ -46,8 +46,7 @@ struct SphereCells {
     // cells.
     cells.cells_per_unit = greatest > 0 ? (1 - BucketMap::cell_slack) / (2 * greatest) : 0x1p149;
     cells.octaves = {greatest, 2.0 * extent.least_radius > greatest || greatest == 0};
-    if (cells.octaves.one)
-      for (CellTable& table : cells.table) table = table.compact(extent.sides * cells.cells_per_unit / 3);
+    for (CellTable& table : cells.table) table = table.compact(extent.sides * cells.cells_per_unit / 3);
     return cells;
   }
 
