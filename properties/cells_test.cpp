@@ -101,12 +101,17 @@ TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
   }
 }
 
-/// Every second step leads on, every other one back: each sphere ends before the next but one begins, and
-/// meets the third.
+/// In every second block each other step leads back, so that a sphere ends before the next but one begins,
+/// and meets the third.
 TEST(Cells, TellAZigzagFromARod) {
   std::vector<Sphere> spheres;
-  for (std::uint32_t k = 0; k < 6 * block; ++k)
-    spheres.push_back({2.1f * static_cast<float>(k / 2) - static_cast<float>(k % 2), 0, 0, 1});
+  for (std::uint32_t k = 0; k < 6 * block; ++k) {
+    const bool back = k % 2 == 1 && k / block % 2 == 0;
+    spheres.push_back({2.1f * static_cast<float>(k / 2) + (back         ? -1.0f
+                                                           : k % 2 == 1 ? 1.05f
+                                                                        : 0.0f),
+                       0, 0, 1});
+  }
   expect_exact(Chain(spheres), "a zigzag");
 }
 

@@ -118,10 +118,11 @@ struct BlockPair {
     return result;
   }
 
-  /// True only when in both blocks no two spheres collide that are not next to one another: along the
-  /// direction from the first to the last, of a length at most `length`, sphere i lies at s_i; where s never
-  /// falls, and rises by more than two greatest radii times length from i to i + 2, it does so to every
-  /// sphere after that. The slack is for the rounding of s and of the sums.
+  /// True only when no sphere of this block collides with another of this block or the next but one next to
+  /// it: along the direction from the first to the last, of a length at most `length`, sphere i lies at s_i;
+  /// where s rises by more than two greatest radii times length from i to i + 2, and does not fall from i to
+  /// i + 1 in this block, it rises by more than that to every sphere after i + 1. The slack is for the
+  /// rounding of s and of the sums.
   CATENA_HD bool ordered(const BlockCapsule& capsule) const {
     const Vector32 direction = centre_of(next_last) - centre_of(first);
     const float length = std::sqrt(dot(direction, direction)) * (1 + 0x1p-16f);
@@ -137,10 +138,10 @@ struct BlockPair {
           [&](std::uint32_t lane) { return dot(centre_of(of[lane]) - capsule.centre, direction); });
     };
     const auto s = along(own), s_next = along(next);
-    const auto one_on = warp.ahead(s, s_next, 1), two_on = warp.ahead(s, s_next, 2);
-    const auto one_on_next = warp.ahead(s_next, s_next, 1), two_on_next = warp.ahead(s_next, s_next, 2);
+    const auto one_on = warp.ahead(s, s_next, 1), two_on = warp.ahead(s, s_next, 2),
+               two_on_next = warp.ahead(s_next, s_next, 2);
     const std::uint32_t fails = warp.ballot([&](std::uint32_t lane) {
-      const bool rises = s[lane] <= one_on[lane] && (lane == 31 || s_next[lane] <= one_on_next[lane]);
+      const bool rises = s[lane] <= one_on[lane];
       const bool apart =
           s[lane] + step < two_on[lane] && (lane >= 30 || s_next[lane] + step < two_on_next[lane]);
       return !(rises && apart);
