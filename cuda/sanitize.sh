@@ -11,8 +11,9 @@ options=(--tool "$tool" --error-exitcode 9)
 [ "$tool" != memcheck ] || options+=(--leak-check full)
 variants=()
 for v in GPU1 bGPU2+GPU2 bGPU2+GPUv2 aGPU2+GPU2 aGPU2+GPUv2 "aGPU2(subtree=6,block=2)+GPU2" aCPU2+GPU2 aGPU2+CPU2 \
-         GPU1/literal aGPU2+GPU2/literal aGPU2+GPUv2/literal bGPU2+GPU2/literal; do
+         DeviceGrid DeviceHybrid "DeviceHybrid(crowd=2)" DeviceLBVH GPU1/literal aGPU2+GPU2/literal aGPU2+GPUv2/literal bGPU2+GPU2/literal; do
   variants+=(--variant "$v")
 done
 compute-sanitizer "${options[@]}" "$catena" verify "${variants[@]}" \
-  path1:n=1537 hair:n=1000 torus_knot:n=800 walk:n=900 coil:n=700,offset=1e6 coil:n=500,scale=1e-25 rod:n=0 rod:n=1 rod:n=385
+  path1:n=1537 hair:n=1000 torus_knot:n=800 walk:n=900 coil:n=700,offset=1e6 coil:n=500,scale=1e-25 rod:n=0 rod:n=1 rod:n=385 \
+  yarn:n=2000 mixed_radii:n=900,decades=6 coincident:n=300

@@ -126,7 +126,7 @@ TEST_P(DeviceResident, AHostBuildAfterwardsIsOfTheHostsChain) {
 
 INSTANTIATE_TEST_SUITE_P(Device, DeviceResident,
                          testing::Values("GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aGPU2+GPU2/double",
-                                         "ResidentBlocks"),
+                                         "DeviceGrid", "DeviceHybrid", "DeviceLBVH", "ResidentBlocks"),
                          [](const auto& info) {
                            std::string name = info.param;
                            std::erase_if(name,

@@ -76,7 +76,7 @@ TEST_F(Device, PairBufferGrowsAndLosesNothing) {
   const Chain chain(
       std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));  // 4.5 million pairs, far past the first guess
   const auto exact = reference::find(chain);
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2"}) {
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     Collisions found;
     for (int round = 0; round < 2; ++round) {
@@ -90,7 +90,7 @@ TEST_F(Device, PairBufferGrowsAndLosesNothing) {
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
   const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
   const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2"}) {
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     variant->build(chain);
     Collisions found;
@@ -157,7 +157,7 @@ TEST_F(Device, EveryExclusionRuleTravels) {
        {Chain(spheres, strands, rule), Chain(spheres, strands, arcs), Chain(spheres, {}, arcs)}) {
     const auto exact = reference::find(chain);
     ASSERT_GT(exact.pair_count, 100u);
-    for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2"}) {
+    for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);
@@ -172,7 +172,7 @@ TEST_F(Device, AMillionSpheres) {
     const Chain chain = scene(input);
     const auto exact = reference::find(chain);
     ASSERT_EQ(exact.pair_count, 45u);
-    for (const char* name : {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2"}) {
+    for (const char* name : {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);

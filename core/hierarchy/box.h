@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catena/core/hierarchy/bound.h"
+#include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 
 namespace catena {
@@ -15,7 +16,7 @@ struct Box {
   /// than a step between floats. Where v is a normal number, |v| 2^-23 is at least that step, so v moved
   /// outward by it, and rounded, which is monotone, has passed the true one; where v is smaller the
   /// difference or sum was exact.
-  static Box around(const Sphere& s) {
+  CATENA_HD static Box around(const Sphere& s) {
     Box box;
     const float centre[] = {s.x, s.y, s.z};
     for (int axis = 0; axis < 3; ++axis) {
@@ -34,7 +35,7 @@ struct Box {
   }
 
   /// False only when a plane across an axis parts them.
-  bool meets(const Box& other) const {
+  CATENA_HD bool meets(const Box& other) const {
     return (low[0] <= other.high[0]) & (other.low[0] <= high[0]) & (low[1] <= other.high[1]) &
            (other.low[1] <= high[1]) & (low[2] <= other.high[2]) & (other.low[2] <= high[2]);
   }

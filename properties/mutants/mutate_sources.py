@@ -40,7 +40,7 @@ def arguments():
     parser.add_argument("--work", type=Path, required=True, help="scratch folder; emptied first")
     parser.add_argument("--budget", type=float, default=1800, help="seconds in all, the first build included")
     parser.add_argument("--seed", type=int, default=1, help="which mutants come first")
-    parser.add_argument("--paths", nargs="+", default=["variants", "core/policies", "core/arithmetic"])
+    parser.add_argument("--paths", nargs="+", default=["variants", "core/policies", "core/cells", "core/arithmetic"])
     parser.add_argument("--tests", nargs="+", default=TESTS, help="labels of the tests, in order")
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
     parser.add_argument("--sample", type=int, help="try only so many")

@@ -54,6 +54,25 @@ TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
   }
 }
 
+TEST(Proofs, AreAboutTheConstantsOfTheCells) {
+  struct Covered {
+    std::string file, declared, script, covered;  ///< as above, of core/cells/
+  };
+  for (const Covered& c :
+       {Covered{"search_cells.h", "limit = reach * reach + 0x1p-20f;", "cell_rows.g", "limit = reach * reach + 2^-20"},
+        Covered{"block_capsule.h", "length * far * BlockTree::slack", "block_capsule_binary32.g", "slack = 32u"},
+        Covered{"block_capsule.h", "mul_add(reach, BlockTree::slack, radius)", "block_capsule_binary32.g",
+                "slack = 32u"},
+        Covered{"block_capsule.h", "return dot(t, t) > reach * reach;", "block_capsule_binary32.g",
+                "the bare radius's 16u"},
+        Covered{"capsule_blocks.h", "2 * reach * (1 + 0x1p-16f)", "block_capsule_binary32.g", "1 + 2^-16"}}) {
+    EXPECT_NE(text_of("core/cells/" + c.file).find(c.declared), std::string::npos)
+        << c.file << " no longer says " << c.declared;
+    EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)
+        << c.script << " does not cover " << c.covered;
+  }
+}
+
 TEST(Proofs, CoverEverySlackOfTheCode) {
   const std::string code = text_of("core/arithmetic/robust.h");
   const std::regex slack("constexpr (float|double) \\w*slack =");

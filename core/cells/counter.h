@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+
+#include "catena/core/host_device.h"
+
+namespace catena {
+
+/// Adds to a number that all threads of a kernel share, and returns what it was. Relaxed: whoever needs more
+/// than the number itself waits for the kernel's end. The host runs these policies on one thread.
+CATENA_HD inline std::uint32_t fetch_add(std::uint32_t* number, std::uint32_t more) {
+#ifdef __CUDA_ARCH__
+  return atomicAdd(number, more);
+#else
+  const std::uint32_t before = *number;
+  *number += more;
+  return before;
+#endif
+}
+
+/// Sets bits of such a number. Most callers find theirs set, and a look costs less than an atomic operation.
+CATENA_HD inline void set_bits(std::uint32_t* number, std::uint32_t bits) {
+#ifdef __CUDA_ARCH__
+  if ((*static_cast<volatile std::uint32_t*>(number) & bits) != bits) atomicOr(number, bits);
+#else
+  *number |= bits;
+#endif
+}
+
+}  // namespace catena

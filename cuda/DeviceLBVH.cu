@@ -1,0 +1,73 @@
+#include "catena/core/arithmetic/in_range.h"
+#include "catena/core/strategy/range_checks.h"
+#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/resident_variant.h"
+#include "catena/cuda/device.h"
+#include "catena/cuda/morton_order.cuh"
+#include "catena/cuda/near_queue.cuh"
+#include "catena/cuda/rope_tree.cuh"
+
+namespace catena::cuda {
+namespace {
+
+template <class Tests>
+__global__ void __launch_bounds__(128)
+    search_tree(const __grid_constant__ ChainView chain, const __grid_constant__ RopeTree tree,
+                const __grid_constant__ ResidentAnswer answer, SphereRange queries) {
+  __shared__ NearQueue::Shared shared;
+  NearQueue queue(shared, answer, queries);
+  __syncthreads();
+  const std::uint32_t leaf = blockIdx.x * blockDim.x + threadIdx.x;
+  const RopeSearch<Tests, NearQueue> search(chain, tree, queue);
+  if (leaf < tree.leaves && !queue.satisfied()) search.run(leaf);
+  queue.flush(search);
+}
+
+/// DeviceLBVH: what a general library does on a GPU. Boxes over the order of Morton codes, one sphere a leaf,
+/// and the half traversal along ropes (ArborX).
+template <class Arithmetic>
+class DeviceLBVH final : public ResidentVariant {
+ public:
+  explicit DeviceLBVH(const Parameters& parameters)
+      : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))) {}
+
+  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
+
+ private:
+  void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
+    const auto stream = static_cast<cudaStream_t>(handle);
+    const std::uint32_t n = chain.size;
+    tree_ = {n};
+    if (n == 0) return;
+    order_.enqueue(chain, stream);
+    tree_ = {n, node_.reserve(2 * std::size_t{n} - 1, stream), range_.reserve(n, stream), order_.code(),
+             order_.id()};
+    CATENA_CUDA(cudaMemsetAsync(tree_.range, 0xFF, n * sizeof *tree_.range, stream));
+    launch(build_rope_tree<ChainView>, n, 256, stream, chain, tree_);
+  }
+
+  void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
+                      StreamHandle stream) override {
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      launch(search_tree<decltype(tests)>, chain.size, 128, static_cast<cudaStream_t>(stream), chain, tree_,
+             answer, request.queries.within(chain.size));
+    });
+    in_range_ = in_range<Arithmetic>(chain);
+  }
+
+  MortonOrder order_;
+  DeviceBuffer<RopeTree::Node> node_;
+  DeviceBuffer<std::uint32_t> range_;
+  RopeTree tree_{};
+  bool in_range_ = false;  ///< of the last search
+};
+
+const RegisterVariant<DeviceLBVH, Robust> registered{
+    {.name = "DeviceLBVH",
+     .summary = "boxes in order of Morton codes, half traversal along ropes: the general baseline",
+     .place = Place::device(),
+     .parameters = with_device({}),
+     .unavailable = unavailable}};
+
+}  // namespace
+}  // namespace catena::cuda

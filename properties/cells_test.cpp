@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "catena/core/cells/capsule_blocks.h"
+#include "catena/core/cells/sphere_cells.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/compare.h"
+#include "catena/reference/reference.h"
+
+// Searches by hashed cells at the limits of their cells, partners and buckets, and one past them.
+namespace catena::properties {
+namespace {
+
+constexpr std::uint32_t block = CapsuleBlocks::block;
+
+/// A straight block of spheres of radius 1, about 50 long, centred at a point, along x or y.
+void add_rod(std::vector<Sphere>& spheres, float x, float y, float z, bool along_y = false, float size = 1) {
+  for (std::uint32_t k = 0; k < block; ++k) {
+    const float s = 1.6f * size * (static_cast<float>(k) - 15.5f);
+    spheres.push_back({along_y ? x : x + s, along_y ? y + s : y, z, size});
+  }
+}
+
+Chain each_block_a_strand(const std::vector<Sphere>& spheres) {
+  Strands strands;
+  for (std::uint32_t at = 0; at <= spheres.size(); at += block) strands.first.push_back(at);
+  return Chain(spheres, strands);
+}
+
+/// By all searches of this kind that can run here.
+void expect_exact(const Chain& chain, const std::string& what, bool with_pairs = true) {
+  const auto exact = reference::find(chain);
+  ASSERT_EQ(exact.pair_count > 0, with_pairs) << what;
+  for (const VariantInfo& info : StrategyRegistry::instance().variants()) {
+    if (info.unavailable || !info.name.starts_with("Device")) continue;
+    std::vector<std::string> names{info.name};
+    if (info.name.starts_with("DeviceHybrid"))
+      names.insert(names.end(), {info.name + "(crowd=0)", info.name + "(crowd=2)"});
+    for (const std::string& name : names) {
+      const auto variant = StrategyRegistry::instance().make(name);
+      Collisions found;
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      EXPECT_TRUE(reference::compare(chain, exact, found).right()) << name << ": " << what;
+    }
+  }
+}
+
+TEST(Cells, HoldAsManyCapsulesAsThereAre) {
+  for (std::uint32_t rods = 1; rods <= 3 * CapsuleBlocks::slots; ++rods) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 0, 1.9f * static_cast<float>(k));
+    expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods side by side", rods > 1);
+  }
+}
+
+TEST(Cells, FindAllPartnersOfABlock) {
+  for (std::uint32_t rods = 1; rods <= CapsuleBlocks::most_partners + 4; ++rods) {
+    std::vector<Sphere> spheres;
+    add_rod(spheres, 0, 0, 0);
+    for (std::uint32_t k = 0; k < rods;
+         ++k)  // across the first; 4 apart, so that they do not meet each other
+      add_rod(spheres, 4.0f * static_cast<float>(k) - 22, 0, 1.5f, true);
+    expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods across");
+  }
+}
+
+TEST(Cells, FindAllFinerPartnersOfABlock) {
+  for (const std::uint32_t rods : {1u, 5u, CapsuleBlocks::most_met - 1, CapsuleBlocks::most_met,
+                                   CapsuleBlocks::most_met + 1, CapsuleBlocks::most_met + 9}) {
+    std::vector<Sphere> spheres;
+    add_rod(spheres, 0, 0, 0, false, 64);
+    for (std::uint32_t k = 0; k < rods; ++k)
+      add_rod(spheres, 70.0f * static_cast<float>(k) - 1500, 20, 10, true);
+    expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " small rods in a large one");
+  }
+}
+
+TEST(Cells, FindAdjacentSpheresThatAreNoNeighbours) {
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 6; ++k) add_rod(spheres, 51.2f * static_cast<float>(k), 0, 0);
+  expect_exact(Chain(spheres, {}, Exclusion::arc(0.5)), "a rod, no two of which are neighbours");
+  const auto n = static_cast<std::uint32_t>(spheres.size());
+  expect_exact(Chain(spheres, Strands{{0, 70, 128, n}, {}}), "a rod cut in three");
+}
+
+/// The table for as many crowded spheres as there can be has no more buckets than memory was taken for.
+TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
+  const SphereCells cells = SphereCells::of({1, 1, 1e9, 1e6f});
+  for (const std::uint32_t n :
+       {1u, 32u, 4096u, 262144u, (1u << 20) - 5, 1u << 20, 1u << 24, (1u << 31) - 1}) {
+    ChainView chain{};
+    chain.size = n;
+    CapsuleBlocks::State state{};
+    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1);
+    blocks.state = &state;
+    for (std::uint32_t b = 0; b < blocks.blocks; b += blocks.sample) ++state.crowded;
+    EXPECT_EQ(&cells.table_for(blocks.crowded_spheres()), &cells.table_for(n)) << n;
+  }
+}
+
+/// In every second block each other step leads back, so that a sphere ends before the next but one begins,
+/// and meets the third.
+TEST(Cells, TellAZigzagFromARod) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < 6 * block; ++k) {
+    const bool back = k % 2 == 1 && k / block % 2 == 0;
+    spheres.push_back({2.1f * static_cast<float>(k / 2) + (back         ? -1.0f
+                                                           : k % 2 == 1 ? 1.05f
+                                                                        : 0.0f),
+                       0, 0, 1});
+  }
+  expect_exact(Chain(spheres), "a zigzag");
+}
+
+/// Cells that lie apart in space, and all in one bucket.
+TEST(Cells, LoseNothingWhereAllCollideInTheHash) {
+  constexpr std::uint32_t groups = 300;
+  const std::uint32_t n = 3 * groups;
+  const SphereCells cells = SphereCells::of({1, 1, 1e9, 1e6f});
+  const CellTable& table = cells.table_for(n);
+  int dx = 0, dy = 0, dz = 0;
+  for (int y = 1; y < 300 && dx == 0; ++y)
+    for (int z = 1; z < 300 && dx == 0; ++z)
+      for (int x = 3; x < 60 && dx == 0; ++x)
+        if (table.bucket(x, y, z, 0) == table.bucket(0, 0, 0, 0)) dx = x, dy = y, dz = z;
+  ASSERT_NE(dx, 0);
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < groups; ++k) {
+    const auto at = [&](int step) {
+      return static_cast<float>((step * double(k) + 0.5) / cells.cells_per_unit);
+    };
+    EXPECT_EQ(table.bucket(cells.cell({at(dx), at(dy), at(dz), 1}, 0), 0), table.bucket(0, 0, 0, 0));
+    for (int s = 0; s < 3; ++s)
+      spheres.push_back({at(dx) + 0.25f * static_cast<float>(s), at(dy), at(dz), 1});
+  }
+  expect_exact(Chain(spheres, {}, {}), "one bucket for all");
+}
+
+}  // namespace
+}  // namespace catena::properties
