@@ -108,6 +108,17 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIE
   OBJECT_DEPENDS ${commit_header})
 
 catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
+# What some readers need. Without it they refuse their files with the reason.
+find_package(ZLIB QUIET)
+if(ZLIB_FOUND)
+  target_link_libraries(catena_part_core PRIVATE ZLIB::ZLIB)
+  set_property(SOURCE ${PROJECT_SOURCE_DIR}/core/readers/compressed.cpp PROPERTY COMPILE_DEFINITIONS CATENA_HAS_ZLIB)
+endif()
+find_package(pugixml QUIET)
+if(pugixml_FOUND)
+  target_link_libraries(catena_part_core PRIVATE pugixml::pugixml)
+  set_property(SOURCE ${PROJECT_SOURCE_DIR}/core/readers/vtk_xml.cpp PROPERTY COMPILE_DEFINITIONS CATENA_HAS_PUGIXML)
+endif()
 if(TARGET catena_cuda)
   target_sources(catena_part_core PRIVATE ${PROJECT_SOURCE_DIR}/cuda/environment.cpp)
 endif()

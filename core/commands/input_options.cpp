@@ -102,6 +102,14 @@ void add_input_options(CLI::App& app, InputOptions& options) {
          "--origin", [&options](const std::string& text) { set_origin(text, options.reading); },
          "Take this point off instead")
       ->type_name("X,Y,Z");
+  app.add_option("--format", options.reading.format,
+                 "Read files as those of this extension; needed for -, which is standard input")
+      ->type_name("EXTENSION");
+  app.add_option("--array", options.reading.array, "The array of a VTK file that holds radii, or diameters")
+      ->type_name("NAME");
+  app.add_option("--topology", options.reading.topology,
+                 "The file with the strands or bonds of a configuration: oxDNA's .top, LAMMPS's .data")
+      ->type_name("FILE");
 }
 
 }  // namespace catena

@@ -8,8 +8,8 @@ class App;
 namespace catena {
 
 /// Adds to a subcommand what a user may say of its inputs: --radius R|half-spacing, --closed, --window,
-/// --arc-window, --columns, --atom, --recentre, --origin. They fill `options`, which must outlive the parsing. A value
-/// that does not parse is an InputError.
+/// --arc-window, --columns, --atom, --recentre, --origin, --format, --array, --topology. They fill `options`, which must
+/// outlive the parsing. A value that does not parse is an InputError.
 void add_input_options(CLI::App& app, InputOptions& options);
 
 }  // namespace catena

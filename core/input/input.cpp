@@ -8,6 +8,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/curve_input.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/scenes/scene.h"
 
@@ -34,7 +35,8 @@ bool is_file(const std::string& spec) {
 }
 
 // A scene's parameters may contain a slash or a dot, its name cannot.
-bool looks_like_file(const std::string& spec) {
+bool looks_like_file(const std::string& spec, const ReadOptions& options) {
+  if (is_standard_input(spec) || !options.format.empty()) return true;
   return !SceneRegistry::instance().contains(scene_name(spec)) &&
          (spec.find('/') != std::string::npos || ReaderRegistry::instance().knows(spec) ||
           std::filesystem::path(spec) == "." || std::filesystem::path(spec) == "..");
@@ -46,7 +48,7 @@ Input open_input(const std::string& spec, const InputOptions& options) {
   if (spec.empty()) throw InputError("no input is named; give a scene or a file");
   Input input;
   input.name = spec;
-  if (is_file(spec) || looks_like_file(spec)) {
+  if (is_file(spec) || looks_like_file(spec, options.reading)) {
     CurveFile curves = ReaderRegistry::instance().read(spec, options.reading);
     complete(curves, options, spec);
     input.warnings = std::move(curves.warnings);
