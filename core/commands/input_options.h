@@ -12,4 +12,7 @@ namespace catena {
 /// outlive the parsing. A value that does not parse is an InputError.
 void add_input_options(CLI::App& app, InputOptions& options);
 
+/// Adds --box, for a command that heeds Input::boxes.
+void add_box_option(CLI::App& app, InputOptions& options);
+
 }  // namespace catena

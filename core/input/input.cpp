@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "catena/core/error.h"
+#include "catena/core/input/box_choice.h"
 #include "catena/core/input/curve_input.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/readers/file_bytes.h"
@@ -51,12 +52,17 @@ Input open_input(const std::string& spec, const InputOptions& options) {
   if (is_file(spec) || looks_like_file(spec, options.reading)) {
     CurveFile curves = ReaderRegistry::instance().read(spec, options.reading);
     complete(curves, options, spec);
+    choose_boxes(curves, options, spec);
     input.warnings = std::move(curves.warnings);
     input.labels = std::move(curves.labels);
     input.rounding = curves.rounding.greatest_error();
+    input.boxes = curves.boxes;
     auto later = std::move(curves.later_frames);
     input.animation = std::make_unique<FileFrames>(make_chain(std::move(curves), options), std::move(later));
   } else {
+    if (options.box_from == BoxFrom::file)
+      throw InputError(fmt::format("{}: a scene has no box; give one with --box X,Y,Z", spec));
+    if (options.box_from == BoxFrom::options) input.boxes = {options.box};
     input.animation = open_scene(spec, options);
   }
   return input;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/readers/curve_graph.h"
@@ -32,7 +33,8 @@ std::vector<std::uint32_t> order_of(const std::vector<std::int64_t>& ids) {
 void BeadFile::add(std::int64_t id, double x, double y, double z, float radius, std::int64_t molecule) {
   if (frames_ == 0) {
     ids_.push_back(id);
-    molecules_.push_back(molecule);
+    if (molecule != 0) molecules_.resize(ids_.size());
+    if (!molecules_.empty()) molecules_.resize(ids_.size()), molecules_.back() = molecule;
   } else {
     if (curves_.later_frames.size() < frames_) curves_.begin_later_frame();
     later_ids_.push_back(id);
@@ -47,7 +49,7 @@ void BeadFile::end_frame() {
     const auto order = order_of(ids);
     permute(frames_ == 0 ? curves_.spheres : curves_.later_frames.back(), order);
     permute(ids, order);
-    if (frames_ == 0) permute(molecules_, order);
+    if (frames_ == 0 && !molecules_.empty()) permute(molecules_, order);
   }
   if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
     throw InputError(fmt::format("{}: atom {} comes twice in frame {}", file_, *twice, frames_));
@@ -64,31 +66,35 @@ std::uint32_t BeadFile::place_of(std::int64_t id) const {
   return static_cast<std::uint32_t>(found - ids_.begin());
 }
 
-std::vector<Pair> BeadFile::edges() {
+void BeadFile::tie(std::int64_t a, std::int64_t b) { bonds_.push_back({place_of(a), place_of(b)}); }
+
+void BeadFile::reserve(std::size_t beads, std::size_t bonds) {
+  curves_.spheres.reserve(beads);
+  ids_.reserve(beads);
+  bonds_.reserve(bonds);
+}
+
+std::vector<Pair> BeadFile::edges_without_bonds() {
   std::vector<Pair> edges;
-  if (!bonds_.empty()) {
-    edges.reserve(bonds_.size());
-    for (const Bond& bond : bonds_) edges.push_back({place_of(bond.a), place_of(bond.b)});
-    return edges;
-  }
-  const bool has_molecules =
-      std::ranges::any_of(molecules_, [](std::int64_t molecule) { return molecule != 0; });
-  if (!has_molecules)
+  if (molecules_.empty()) {
     curves_.warnings.push_back(
         "neither bonds nor molecules are told; all beads are one strand in the order of their ids");
+    for (std::uint32_t k = 1; k < ids_.size(); ++k) edges.push_back({k - 1, k});
+    return edges;
+  }
   const auto by_molecule = order_of(molecules_);
   for (std::size_t k = 1; k < by_molecule.size(); ++k) {
     const Pair step{by_molecule[k - 1], by_molecule[k]};
     const std::int64_t molecule = molecules_[step.i];
-    if (molecule == molecules_[step.j] && (molecule != 0 || !has_molecules)) edges.push_back(step);
+    if (molecule != 0 && molecule == molecules_[step.j]) edges.push_back(step);
   }
   return edges;
 }
 
 CurveFile BeadFile::curves() {
-  auto ties = edges();
-  bonds_ = {}, molecules_ = {};
-  for (const std::uint32_t bead : arrange_along_edges(curves_, ties, true)) curves_.labels.add(ids_[bead]);
+  const auto edges = bonds_.empty() ? edges_without_bonds() : std::move(bonds_);
+  std::exchange(molecules_, {});
+  for (const std::uint32_t bead : arrange_along_edges(curves_, edges, true)) curves_.labels.add(ids_[bead]);
   return std::move(curves_);
 }
 

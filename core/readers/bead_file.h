@@ -11,7 +11,7 @@ namespace catena {
 /// the bonds (see arrange_along_edges), and a bead without one is a strand of its own. Where no bond is told,
 /// the beads of one molecule are tied in the order of their ids; where no molecule either, all are.
 ///
-/// Memory: 16 bytes for a bead's id and molecule beside its sphere, 16 for a bond.
+/// Memory: 8 bytes for a bead's id beside its sphere, 8 for its molecule where one is told, 8 for a bond.
 class BeadFile {
  public:
   /// `file` is for errors.
@@ -22,26 +22,24 @@ class BeadFile {
   /// The beads since the last call are a frame. Throws InputError for an id that comes twice, or another set
   /// of ids than that of the first frame.
   void end_frame();
-  void tie(std::int64_t a, std::int64_t b) { bonds_.push_back({a, b}); }
+  /// A bond; of the beads of the first frame, once that has ended. Throws InputError where one is not there.
+  void tie(std::int64_t a, std::int64_t b);
+  void reserve(std::size_t beads, std::size_t bonds);
 
   CurveFile& about() { return curves_; }  ///< for radii, boxes and warnings
 
-  /// Once. Throws InputError for a bond of a bead that is not there.
-  CurveFile curves();
+  CurveFile curves();  ///< once
 
  private:
-  struct Bond {
-    std::int64_t a, b;
-  };
   std::uint32_t place_of(std::int64_t id) const;
-  std::vector<Pair> edges();
+  std::vector<Pair> edges_without_bonds();
 
   std::string file_;
   CurveFile curves_;
   std::size_t frames_ = 0;
-  std::vector<std::int64_t> ids_, molecules_;  ///< of the first frame
+  std::vector<std::int64_t> ids_, molecules_;  ///< of the first frame; no molecules where all are 0
   std::vector<std::int64_t> later_ids_;        ///< of the frame under way
-  std::vector<Bond> bonds_;
+  std::vector<Pair> bonds_;                    ///< places of the first frame
 };
 
 }  // namespace catena

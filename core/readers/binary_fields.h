@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace catena {
 
@@ -20,6 +21,11 @@ class BinaryFields {
   std::uint64_t size() const { return bytes_.size(); }
   std::uint64_t left() const { return bytes_.size() - at_; }
   const std::string& file_name() const { return name_; }
+  /// Frees the file; nothing more can be read.
+  void forget() {
+    std::exchange(bytes_, {});  // an assignment would keep the memory
+    at_ = 0;
+  }
 
   /// Throws InputError unless `count` items of `size` bytes are left: before memory is asked for. No
   /// overflow.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "catena/core/error.h"
+
 namespace catena {
 namespace {
 
@@ -9,14 +11,15 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 class CurveGraph {
  public:
-  CurveGraph(std::uint32_t points, std::span<const Pair> edges) : row_(std::size_t{points} + 1, 0) {
+  CurveGraph(std::uint32_t points, std::span<const Pair> edges) : row_(std::size_t{points} + 2, 0) {
+    if (edges.size() >= (std::size_t{1} << 31)) throw InputError("more than 2^31 - 1 edges tie the points");
     for (const Pair& edge : edges)
-      if (edge.i != edge.j) ++row_[edge.i + 1], ++row_[edge.j + 1];
-    for (std::uint32_t p = 0; p < points; ++p) row_[p + 1] += row_[p];
+      if (edge.i != edge.j) ++row_[edge.i + 2], ++row_[edge.j + 2];
+    for (std::size_t p = 2; p < row_.size(); ++p) row_[p] += row_[p - 1];
     to_.resize(row_.back());
-    auto next = std::vector<std::uint64_t>(row_.begin(), row_.end() - 1);
+    // Each row begins one place late, and comes to its own begin as the row before it fills.
     for (const Pair& edge : edges)
-      if (edge.i != edge.j) to_[next[edge.i]++] = edge.j, to_[next[edge.j]++] = edge.i;
+      if (edge.i != edge.j) to_[row_[edge.i + 1]++] = edge.j, to_[row_[edge.j + 1]++] = edge.i;
   }
 
   std::span<const std::uint32_t> partners(std::uint32_t point) const {
@@ -31,7 +34,7 @@ class CurveGraph {
   }
 
  private:
-  std::vector<std::uint64_t> row_;
+  std::vector<std::uint32_t> row_;
   std::vector<std::uint32_t> to_;
 };
 
@@ -103,6 +106,7 @@ class Strands {
 };
 
 void permute(std::vector<Sphere>& spheres, std::span<const std::uint32_t> order) {
+  if (order.size() == spheres.size() && std::ranges::is_sorted(order)) return;
   std::vector<Sphere> arranged;
   arranged.reserve(order.size());
   for (const std::uint32_t point : order) arranged.push_back(spheres[point]);

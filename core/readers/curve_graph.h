@@ -18,7 +18,8 @@ namespace catena {
 /// otherwise they are left out. An edge from a point to itself and an edge that comes twice count once or not
 /// at all. Edges name points of `curves`.
 ///
-/// Returns for each sphere the point that it was. O(points + edges) time; 12 bytes a point and 16 an edge.
+/// Returns for each sphere the point that it was. O(points + edges) time; 12 bytes a point and 8 an edge
+/// beside the spheres, which are copied unless they stay in order.
 std::vector<std::uint32_t> arrange_along_edges(CurveFile& curves, std::span<const Pair> edges,
                                                bool keep_free);
 

@@ -117,6 +117,10 @@ RC_GTEST_PROP(DamagedFiles, Text, ()) {
       {"a.dump",
        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 9 1\n0 9 0\n0 9 0\nITEM: ATOMS id mol xs ys zs "
        "radius\n1 1 0 0 0 1\n2 1 0.5 0 0 1\n"},
+      {"a.cif",
+       "loop_\n_entity_poly_seq.mon_id\nGLY\n#\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
+       "_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+       "ATOM C CA GLY A 1 0 0 0\nATOM C 'CA' GLY A 2 3.8 0 0\n#\n"},
       {"a.xyzr", "0 0 0 1\n1 0 0 1\n\n2,0,0,1 # c\n"},
       {"a.nucle3d", "TITLE\tK\nCHR\tchr1\n0,1,2,3\n1,2,3,4,p\nCHR\tchr2\n0,1,2,3\n"},
       {"a.3dg", "chr1\t0\t1\t2\t3\nchr1\t5\t2\t3\t4\nchr2\t0\t1\t2\t3\n"},

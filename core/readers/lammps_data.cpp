@@ -22,6 +22,9 @@ bool starts_with_letter(std::string_view text) {
 
 LammpsData::LammpsData(const std::filesystem::path& file) : lines_(file) {
   lines_.next();  // the title
+  if (lines_.line().find('\0') != std::string_view::npos)
+    throw InputError(
+        fmt::format("{}: is binary; a .data file is one of LAMMPS here, in text", lines_.file_name()));
   while (!at_section_ && lines_.next()) {
     if (starts_with_letter(trimmed(lines_.line()))) {
       take_name();
@@ -114,11 +117,9 @@ class LammpsAtoms {
   CurveFile curves() {
     while (data_.next_section()) {
       if (data_.section() == "Atoms") read_atoms();
+      if (data_.section() == "Bonds" && atoms_ == 0) data_.lines().fail("the bonds come before the atoms");
       if (data_.section() == "Bonds") read_bonds();
     }
-    if (atoms_ == 0 && data_.lines().line().find('\0') != std::string_view::npos)
-      throw InputError(fmt::format("{}: is binary; a .data file is one of LAMMPS here, in text",
-                                   data_.lines().file_name()));
     if (atoms_ == 0) data_.lines().fail("the file has no section Atoms, or nothing in it");
     if (atoms_ != data_.atoms())
       data_.lines().fail(fmt::format("the header says {} atoms, the file has {}", data_.atoms(), atoms_));
@@ -128,7 +129,7 @@ class LammpsAtoms {
       beads_.about().boxes.push_back(data_.box());
       beads_.about().box_is_periodic = false;
     }
-    beads_.end_frame();
+    data_.lines().forget();
     return beads_.curves();
   }
 
@@ -140,10 +141,12 @@ class LammpsAtoms {
           fmt::format("the atom style {} is not one of atomic, angle, bond, molecular, charge, dipole, full, "
                       "sphere and bpm/sphere",
                       in_quotes(data_.style())));
+    const std::size_t most = data_.lines().bytes() / 10;  // of what a header can say truly
+    beads_.reserve(std::min<std::size_t>(data_.atoms(), most), std::min<std::size_t>(data_.bonds(), most));
     std::size_t size = 0;
     for (;;) {
       const auto& row = data_.next_row();
-      if (row.empty()) return;
+      if (row.empty()) return beads_.end_frame();
       if (!columns) columns = guessed(row.size());
       if (size == 0) size = row.size();
       if (row.size() != size || size < columns->x + 3)
@@ -170,9 +173,10 @@ class LammpsAtoms {
       radius = lines.radius(row[*columns.diameter]) / 2;
       beads_.about().has_radii = true;
     }
-    beads_.add(lines.integer(row[0], "atom id"), lines.coordinate(row[columns.x], "x"),
-               lines.coordinate(row[columns.x + 1], "y"), lines.coordinate(row[columns.x + 2], "z"), radius,
-               columns.molecule ? lines.integer(row[*columns.molecule], "molecule") : 0);
+    beads_.add(
+        lines.integer(row[0], "atom id"), lines.coordinate(row[columns.x], "x"),
+        lines.coordinate(row[columns.x + 1], "y"), lines.coordinate(row[columns.x + 2], "z"), radius,
+        columns.molecule && data_.bonds() == 0 ? lines.integer(row[*columns.molecule], "molecule") : 0);
     ++atoms_;
   }
 

@@ -25,6 +25,7 @@ class LammpsDump {
   CurveFile curves() {
     while (lines_.next())
       if (!trimmed(lines_.line()).empty()) read_item();
+    lines_.forget();
     if (!topology_.empty()) read_bonds();
     return beads_.curves();
   }
@@ -37,13 +38,18 @@ class LammpsDump {
     if (!line.starts_with("ITEM: ")) lines_.fail("'ITEM: ...' is due");
     const std::string_view item = line.substr(6);
     if (item.starts_with("NUMBER OF ATOMS"))
-      atoms_ = lines_.count(trimmed(due_line("the number of atoms")), "number of atoms");
+      read_number();
     else if (item.starts_with("BOX BOUNDS"))
       read_box();
     else if (item.starts_with("ATOMS"))
       read_atoms();
     else
       due_line("a value");  // TIMESTEP, UNITS, TIME
+  }
+
+  void read_number() {
+    atoms_ = lines_.count(trimmed(due_line("the number of atoms")), "number of atoms");
+    beads_.reserve(std::min<std::size_t>(atoms_, lines_.bytes() / 8), 0);
   }
 
   std::string_view due_line(const char* what) {

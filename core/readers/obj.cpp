@@ -16,14 +16,17 @@ class Obj {
   Obj(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
+    // The most that can be there: memory that is not touched is none, and growing would take twice what is.
+    curves_.spheres.reserve(lines_.bytes() / 8);
+    edges_.reserve(lines_.bytes() / 6);
     while (lines_.next()) {
       lines_.cut_comment('#');
       if (!lines_.line().empty()) read_statement();
     }
     if (!pending_.empty()) lines_.fail("the last line goes on, but the file ends");
-    for (const Edge& edge : edges_)
-      if (const auto most = std::max(edge.points.i, edge.points.j); most >= curves_.spheres.size())
-        lines_.fail_at(edge.line, fmt::format("vertex {} of {} is named", most + 1, curves_.spheres.size()));
+    if (!edges_.empty() && greatest_ >= static_cast<std::int64_t>(curves_.spheres.size()))
+      lines_.fail_at(greatest_line_,
+                     fmt::format("vertex {} of {} is named", greatest_ + 1, curves_.spheres.size()));
     if (edges_.empty())
       lines_.fail(fmt::format("the file has {} vertices and {} faces, but no lines ('l 1 2 3')",
                               curves_.spheres.size(), faces_));
@@ -31,11 +34,6 @@ class Obj {
   }
 
  private:
-  struct Edge {
-    Pair points;
-    std::size_t line;
-  };
-
   void read_statement() {
     const auto& fields = lines_.fields();
     const bool goes_on = fields.back() == "\\";
@@ -58,7 +56,7 @@ class Obj {
       std::uint32_t before = vertex(fields[1]);
       for (std::size_t k = 2; k < fields.size(); ++k) {
         const std::uint32_t here = vertex(fields[k]);
-        edges_.push_back({{before, here}, lines_.line_number()});
+        edges_.push_back({before, here});
         before = here;
       }
     } else if (fields[0] == "f") {
@@ -67,22 +65,20 @@ class Obj {
   }
 
   /// From 0. Whether there is such a vertex is known at the end, as it may follow.
-  std::uint32_t vertex(std::string_view text) const {
+  std::uint32_t vertex(std::string_view text) {
     const std::int64_t written = lines_.integer(text.substr(0, text.find('/')), "vertex");
     const auto known = static_cast<std::int64_t>(curves_.spheres.size());
     const std::int64_t index = written < 0 ? known + written : written - 1;
     if (index < 0 || index >= 0x7FFFFFFF || written == 0)
       lines_.fail(fmt::format("vertex {} is not one of those before it, counted from 1", in_quotes(text)));
+    if (index > greatest_) greatest_ = index, greatest_line_ = lines_.line_number();
     return static_cast<std::uint32_t>(index);
   }
 
   CurveFile arranged() {
-    std::vector<Pair> pairs;
-    pairs.reserve(edges_.size());
-    for (const Edge& edge : edges_) pairs.push_back(edge.points);
-    edges_ = {};
+    lines_.forget();
     const std::size_t all = curves_.spheres.size();
-    for (const std::uint32_t point : arrange_along_edges(curves_, pairs, false))
+    for (const std::uint32_t point : arrange_along_edges(curves_, edges_, false))
       curves_.labels.add(std::int64_t{point} + 1);
     if (const std::size_t left = all - curves_.spheres.size(); left > 0)
       curves_.warnings.push_back(
@@ -95,7 +91,9 @@ class Obj {
 
   TextLines lines_;
   std::vector<std::string> pending_;  ///< of a statement that goes on after a backslash
-  std::vector<Edge> edges_;
+  std::vector<Pair> edges_;
+  std::int64_t greatest_ = -1;  ///< vertex that a line names, and where
+  std::size_t greatest_line_ = 0;
   std::size_t faces_ = 0;
   CurveFile curves_;
 };

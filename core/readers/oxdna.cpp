@@ -87,6 +87,7 @@ class Oxdna {
       if (frame > 0) curves_.begin_later_frame();
       more = read_frame(frame);
     }
+    lines_.forget();
     for (const std::uint32_t nucleotide : arrange_along_edges(curves_, topology_.bonds, true))
       curves_.labels.add(std::int64_t{nucleotide});
     return std::move(curves_);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "catena/core/readers/binary_fields.h"
 #include "catena/core/readers/file_bytes.h"
@@ -70,6 +71,7 @@ class VtkLegacy {
     ascii_ = form == "ascii";
     while (!fields_.next_word().empty()) read_section();
     add_cells();
+    fields_.forget();
     return mesh_.curves(fields_.file_name());
   }
 
@@ -176,7 +178,7 @@ class VtkLegacy {
         type == vertex || type == vertex_list ? mesh_.add_vertex_cells(1) : mesh_.add_other_cells(1);
       }
     }
-    lines_ = {};
+    std::exchange(lines_, {});
     mesh_.add_other_cells(others_.end.size());
   }
 

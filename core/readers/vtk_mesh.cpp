@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/readers/curve_graph.h"
@@ -102,7 +103,9 @@ CurveFile VtkMesh::curves(const std::string& file) {
     for (const std::uint64_t first = k; k < end; ++k)
       if (k > first) edges.push_back({line_points_[k - 1], line_points_[k]});
   }
-  line_points_ = {}, line_end_ = {}, line_cell_ = {}, arrays_ = {};
+  for (auto* done : {&line_end_, &line_cell_}) std::exchange(*done, {});  // an assignment would keep the memory
+  std::exchange(line_points_, {});
+  std::exchange(arrays_, {});
   const std::size_t all = curves_.spheres.size();
   for (const std::uint32_t point : arrange_along_edges(curves_, edges, false))
     curves_.labels.add(std::int64_t{point});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/readers/file_bytes.h"
@@ -66,7 +67,8 @@ class VtkXml {
     appended_base64_ = std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
     for (const pugi::xml_node piece : data.children("Piece"))
       type == "PolyData" ? read_lines(piece) : read_grid(piece);
-    document_.reset(), parts_ = {};
+    document_.reset();
+    std::exchange(parts_.bytes, {});  // an assignment would keep the memory
     return mesh_.curves(name_);
   }
 
