@@ -57,6 +57,7 @@ Input open_input(const std::string& spec, const InputOptions& options) {
     input.labels = std::move(curves.labels);
     input.rounding = curves.rounding.greatest_error();
     input.boxes = curves.boxes;
+    input.joints = curves.joints;
     auto later = std::move(curves.later_frames);
     input.animation = std::make_unique<FileFrames>(make_chain(std::move(curves), options), std::move(later));
   } else {

@@ -33,6 +33,7 @@ struct Input {
   std::string name;  ///< as the user wrote it
   std::unique_ptr<Animation> animation;
   std::vector<std::string> warnings;  ///< what a reader had to assume, one line each, without the name
+  std::vector<Pair> joints;           ///< of the file, see CurveFile; a scene has none
   Labels labels;                      ///< of the spheres in the user's file; a scene's have none
   double rounding = 0;                ///< the most that a coordinate of the file lost in binary32
   std::vector<PeriodicBox> boxes;     ///< that repeat space (see Periodic): one a frame, one for all, or none
