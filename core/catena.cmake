@@ -12,6 +12,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(hwy REQUIRED)
 find_package(TBB REQUIRED COMPONENTS tbb)
+find_package(Boost REQUIRED)
 
 # Headers are included as "catena/core/chain/chain.h", here and after installation.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
@@ -108,7 +109,18 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIE
   "CATENA_COMMIT_HEADER=\"${commit_header}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\""
   OBJECT_DEPENDS ${commit_header})
 
-catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
+catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen Boost::headers)
+# What some readers need. Without it they refuse their files with the reason.
+find_package(ZLIB QUIET)
+if(ZLIB_FOUND)
+  target_link_libraries(catena_part_core PRIVATE ZLIB::ZLIB)
+  set_property(SOURCE ${PROJECT_SOURCE_DIR}/core/readers/compressed.cpp PROPERTY COMPILE_DEFINITIONS CATENA_HAS_ZLIB)
+endif()
+find_package(pugixml QUIET)
+if(pugixml_FOUND)
+  target_link_libraries(catena_part_core PRIVATE pugixml::pugixml)
+  set_property(SOURCE ${PROJECT_SOURCE_DIR}/core/readers/vtk_xml.cpp PROPERTY COMPILE_DEFINITIONS CATENA_HAS_PUGIXML)
+endif()
 if(TARGET catena_cuda)
   target_sources(catena_part_core PRIVATE ${PROJECT_SOURCE_DIR}/cuda/environment.cpp)
 endif()

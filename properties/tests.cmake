@@ -2,6 +2,8 @@
 # tests carry a label: `long` is left out of the fast suite, `gpu` needs a device and is skipped without one.
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
+find_package(ZLIB REQUIRED)     # packed files are written by the tests themselves
+find_package(pugixml REQUIRED)  # and .vtp files read
 include(GoogleTest)
 
 file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp ${PROJECT_SOURCE_DIR}/variants/*_test.cpp
@@ -9,7 +11,7 @@ file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp 
      ${PROJECT_SOURCE_DIR}/bench/*_test.cpp ${PROJECT_SOURCE_DIR}/reports/*_test.cpp)
 add_executable(catena_tests ${tests})
 target_link_libraries(catena_tests PRIVATE catena_reports catena_timing GTest::gtest_main rapidcheck hwy::hwy
-                      nlohmann_json::nlohmann_json Eigen3::Eigen)
+                      nlohmann_json::nlohmann_json Eigen3::Eigen ZLIB::ZLIB)
 string(JOIN " " library_folders ${CATENA_LIBRARY_FOLDERS})
 target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CATENA_LIBRARY_FOLDERS="${library_folders}"
                            CATENA_PROGRAM="$<TARGET_FILE:catena_cli>")

@@ -30,6 +30,7 @@ class TubeGraph {
       : spheres_(spheres),
         rule_(rule),
         strand_of_(spheres.size()),
+        along_(spheres.size(), 0),
         row_(spheres.size() + 1, 0),
         way_(spheres.size(), far) {
     std::vector<Pair> edges(joints.begin(), joints.end());
@@ -37,23 +38,34 @@ class TubeGraph {
     const auto& first = strands.first.empty() ? one : strands.first;
     for (std::uint32_t s = 0; s + 1 < first.size(); ++s) {
       for (std::uint32_t i = first[s]; i < first[s + 1]; ++i) strand_of_[i] = s;
-      for (std::uint32_t i = first[s]; i + 1 < first[s + 1]; ++i) edges.push_back({i, i + 1});
+      for (std::uint32_t i = first[s]; i + 1 < first[s + 1]; ++i) {
+        edges.push_back({i, i + 1});
+        along_[i + 1] = along_[i] + length(i, i + 1);
+      }
       const bool closed = !strands.closed.empty() && strands.closed[s] != 0;
-      if (closed && first[s + 1] - first[s] > 2) edges.push_back({first[s], first[s + 1] - 1});
+      const bool loop = closed && first[s + 1] - first[s] > 2;
+      if (loop) edges.push_back({first[s], first[s + 1] - 1});
+      loop_.push_back(loop ? along_[first[s + 1] - 1] + length(first[s], first[s + 1] - 1) : far);
     }
     for (const Pair& edge : edges) ++row_[edge.i + 1], ++row_[edge.j + 1];
     for (std::size_t i = 0; i < spheres.size(); ++i) row_[i + 1] += row_[i];
     edge_.resize(row_.back());
     auto next = row_;
     for (const Pair& edge : edges) {
-      const double length = by_index() ? 1 : distance(spheres[edge.i], spheres[edge.j]);
-      edge_[next[edge.i]++] = {edge.j, length};
-      edge_[next[edge.j]++] = {edge.i, length};
+      const double step = length(edge.i, edge.j);
+      edge_[next[edge.i]++] = {edge.j, step};
+      edge_[next[edge.j]++] = {edge.i, step};
     }
   }
 
   bool by_index() const { return rule_.rule == Exclusion::Rule::index_window; }
-  bool same_strand(std::uint32_t i, std::uint32_t j) const { return strand_of_[i] == strand_of_[j]; }
+
+  /// Whether that way is shorter than the one along a strand, and not only rounded differently.
+  bool crosses_joint(std::uint32_t i, std::uint32_t j, double way) const {
+    if (strand_of_[i] != strand_of_[j]) return true;
+    const double ahead = std::abs(along_[i] - along_[j]);
+    return way < std::min(ahead, loop_[strand_of_[i]] - ahead) * (1 - 1e-9);
+  }
 
   /// Every pair is looked for from its end `i` of the larger radius, so that a huge soma is not searched for
   /// from every thin branch: then its way is shorter than this.
@@ -91,6 +103,10 @@ class TubeGraph {
     double length;
   };
 
+  double length(std::uint32_t i, std::uint32_t j) const {
+    return by_index() ? 1 : distance(spheres_[i], spheres_[j]);
+  }
+
   void reached(std::uint32_t i, double way) {
     if (!(way < way_[i])) return;
     if (way_[i] == far) touched_.push_back(i);
@@ -102,6 +118,8 @@ class TubeGraph {
   std::span<const Sphere> spheres_;
   const Exclusion& rule_;
   std::vector<std::uint32_t> strand_of_;
+  std::vector<double> along_;  ///< from the strand's first sphere
+  std::vector<double> loop_;   ///< one a strand: its length around; far when it is open
   std::vector<std::size_t> row_;
   std::vector<Edge> edge_;
   std::vector<double> way_;  ///< of the search under way, far elsewhere
@@ -124,8 +142,8 @@ std::vector<Pair> pairs_across_joints(std::span<const Sphere> spheres, const Str
   }
   TubeGraph graph(spheres, strands, joints, rule);
 
-  // A way to another strand leads over a joint, so only spheres with a joint within reach are searched from.
-  // The slack covers that the same way, summed from its other end, may be rounded differently.
+  // A way that is none of a strand leads over a joint, so only spheres with a joint within reach are searched
+  // from. The slack covers that the same way, summed from its other end, may be rounded differently.
   constexpr double slack = 1.001;
   std::vector<std::uint32_t> near;
   graph.search(ends, far, [&](std::uint32_t i, double way) {
@@ -134,7 +152,7 @@ std::vector<Pair> pairs_across_joints(std::span<const Sphere> spheres, const Str
   std::vector<Pair> pairs;
   for (const std::uint32_t i : near)
     graph.search(std::span(&i, 1), graph.reach(i), [&](std::uint32_t j, double way) {
-      if (!graph.same_strand(i, j) && graph.found_from(i, j) && graph.neighbours(i, j, way))
+      if (graph.found_from(i, j) && graph.neighbours(i, j, way) && graph.crosses_joint(i, j, way))
         pairs.push_back({std::min(i, j), std::max(i, j)});
     });
   std::ranges::sort(pairs);

@@ -50,6 +50,15 @@ TEST(Joints, GoAroundClosedStrands) {
   EXPECT_EQ(pairs, (Pairs{{0, 5}, {0, 6}, {1, 5}, {4, 5}}));
 }
 
+// 0-1-2-3-4-5 whose end is tied back to 1: a loop of five on a stem.
+TEST(Joints, TieALoopToItsOwnStrand) {
+  const std::vector<Sphere> loop{{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}, {2, 1, 0, 1}, {1.5f, 2, 0, 1}, {1, 1, 0, 1}};
+  const Strands one{{0, 6}, {0}};
+  EXPECT_EQ(pairs_across_joints(loop, one, Pairs{{1, 5}}, Exclusion::index(1)), (Pairs{{1, 5}}));
+  EXPECT_EQ(pairs_across_joints(loop, one, Pairs{{1, 5}}, Exclusion::index(2)),
+            (Pairs{{0, 5}, {1, 4}, {1, 5}, {2, 5}}));
+}
+
 TEST(Joints, MustNameTwoSpheres) {
   EXPECT_THROW(pairs_across_joints(tree, tree_strands, Pairs{{2, 8}}, Exclusion::index(1)), InputError);
   EXPECT_THROW(pairs_across_joints(tree, tree_strands, Pairs{{2, 2}}, Exclusion::index(1)), InputError);
@@ -78,29 +87,35 @@ Tangle any_tangle() {
   return t;
 }
 
+using Ways = std::vector<std::vector<double>>;
+
 // Floyd and Warshall: every shortest way, by a method that has nothing in common with the one under test.
-Pairs by_all_ways(const Tangle& t, const Exclusion& rule) {
+Ways all_ways(const Tangle& t, const Pairs& joints, bool by_index) {
   const auto n = static_cast<std::uint32_t>(t.spheres.size());
-  const bool by_index = rule.rule == Exclusion::Rule::index_window;
-  std::vector<std::vector<double>> way(n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
-  std::vector<std::uint32_t> strand(n);
+  Ways way(n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
   const auto edge = [&](std::uint32_t i, std::uint32_t j) {
     way[i][j] = way[j][i] = by_index ? 1 : std::abs(double{t.spheres[i].x} - t.spheres[j].x);
   };
   for (std::uint32_t s = 0; s < t.strands.closed.size(); ++s) {
     const auto first = t.strands.first[s], last = t.strands.first[s + 1];
-    for (auto i = first; i < last; ++i) strand[i] = s;
     for (auto i = first; i + 1 < last; ++i) edge(i, i + 1);
     if (t.strands.closed[s]) edge(first, last - 1);
   }
-  for (const Pair& joint : t.joints) edge(joint.i, joint.j);
+  for (const Pair& joint : joints) edge(joint.i, joint.j);
   for (std::uint32_t k = 0; k < n; ++k)
     for (std::uint32_t i = 0; i < n; ++i)
       for (std::uint32_t j = 0; j < n; ++j) way[i][j] = std::min(way[i][j], way[i][k] + way[k][j]);
+  return way;
+}
+
+Pairs by_all_ways(const Tangle& t, const Exclusion& rule) {
+  const auto n = static_cast<std::uint32_t>(t.spheres.size());
+  const bool by_index = rule.rule == Exclusion::Rule::index_window;
+  const Ways way = all_ways(t, t.joints, by_index), along = all_ways(t, {}, by_index);
   Pairs pairs;
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = i + 1; j < n; ++j)
-      if (strand[i] != strand[j] &&
+      if (way[i][j] < along[i][j] &&
           (by_index ? way[i][j] <= rule.window
                     : way[i][j] < rule.factor * (double{t.spheres[i].radius} + t.spheres[j].radius)))
         pairs.push_back({i, j});

@@ -14,6 +14,7 @@
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
 
@@ -43,13 +44,15 @@ class DetectCommand final : public Command {
     app.add_flag("--plan", plan_, "Say what the variant left out of its work, and why");
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
+    add_box_option(app, options_);
   }
 
   int run() override {
     check_options();
-    const auto variant = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
+    auto variant = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     const Input input = open_input(input_, options_);
     show_warnings(input);
+    Periodic* const periodic = take_box(input, variant);
     const auto [first, last] = frame_.of(input);
     first_frame_ = written_frame(input_);
     AnswerFiles files(files_, input.labels);
@@ -59,6 +62,7 @@ class DetectCommand final : public Command {
     for (std::uint32_t f = first; f < last; ++f) {
       progress.step(fmt::format("frame {}", f));
       const Chain chain = input.animation->frame(f);
+      if (periodic && input.boxes.size() > f) periodic->set_box(input.boxes[f]);
       blaming(variant_, [&] {
         if (f == first) variant->prepare(request_);
         f == first ? variant->build(chain) : variant->update(chain);
@@ -83,6 +87,17 @@ class DetectCommand final : public Command {
     request_.want = any_only_      ? Request::Want::any
                     : counts_only_ ? Request::Want::counts
                                    : Request::Want::pairs;
+  }
+
+  /// Makes the variant one in the input's box; null where it has none.
+  Periodic* take_box(const Input& input, std::unique_ptr<Variant>& variant) const {
+    if (input.boxes.empty()) return nullptr;
+    if (files_.depth || files_.margin)
+      throw InputError("--depth and --margin do not know a box; leave them out, or say --box none");
+    auto periodic = std::make_unique<Periodic>(std::move(variant), input.boxes[0]);
+    Periodic* const seen = periodic.get();
+    variant = std::move(periodic);
+    return seen;
   }
 
   void print(std::uint32_t frame, const Chain& chain, const Collisions& found, const Variant& variant) const {

@@ -46,9 +46,9 @@ class ExportCommand final : public Command {
     say_losses(writer.info, input.animation->frame(first));
     const auto frame = [&](std::uint32_t f) { return exported(input, f, f == first); };
     if (writer.info.frames || last - first == 1) {
-      writer.write(out_, {first, last, frame, input.labels});
+      writer.write(out_, {first, last, frame, input.labels, input.joints});
     } else {
-      for (std::uint32_t f = first; f < last; ++f) writer.write(name_of(f), {f, f + 1, frame, input.labels});
+      for (std::uint32_t f = first; f < last; ++f) writer.write(name_of(f), {f, f + 1, frame, input.labels, input.joints});
     }
     fmt::print("{}: {} of {} as {}\n", out_, counted(last - first, "frame"),
                counted(input.animation->frame(first).size(), "sphere"), writer.info.name);

@@ -69,7 +69,39 @@ void set_origin(const std::string& text, ReadOptions& reading) {
   reading.origin = origin;
 }
 
+void set_box(const std::string& text, InputOptions& options) {
+  if (text == "file" || text == "none") {
+    options.box_from = text == "file" ? BoxFrom::file : BoxFrom::none;
+    return;
+  }
+  std::vector<double> numbers;
+  for (std::string_view rest = text; numbers.size() < 7;) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const auto [value, problem] = parse_double(rest.substr(0, comma));
+    if (!problem.empty())
+      throw InputError(fmt::format("--box {}: {} {}; a box is X,Y,Z or X,Y,Z,XY,XZ,YZ, file or none", in_quotes(text),
+                                   in_quotes(rest.substr(0, comma)), problem));
+    numbers.push_back(value);
+    if (comma == rest.size()) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (numbers.size() != 3 && numbers.size() != 6)
+    throw InputError(fmt::format("--box {}: a box is X,Y,Z or X,Y,Z,XY,XZ,YZ, file or none", in_quotes(text)));
+  options.box_from = BoxFrom::options;
+  options.box = {{numbers[0], numbers[1], numbers[2]}};
+  if (numbers.size() == 6) options.box.xy = numbers[3], options.box.xz = numbers[4], options.box.yz = numbers[5];
+}
+
 }  // namespace
+
+void add_box_option(CLI::App& app, InputOptions& options) {
+  options.takes_box = true;
+  app.add_option_function<std::string>(
+         "--box", [&options](const std::string& text) { set_box(text, options); },
+         "Space repeats in a box of these edges (0: not along this one), and perhaps tilts, or in the file's; without "
+         "it, in the file's where that says it is periodic")
+      ->type_name("X,Y,Z[,XY,XZ,YZ]|file|none");
+}
 
 void add_input_options(CLI::App& app, InputOptions& options) {
   app.add_option_function<std::string>(
@@ -102,6 +134,14 @@ void add_input_options(CLI::App& app, InputOptions& options) {
          "--origin", [&options](const std::string& text) { set_origin(text, options.reading); },
          "Take this point off instead")
       ->type_name("X,Y,Z");
+  app.add_option("--format", options.reading.format,
+                 "Read files as those of this extension; needed for -, which is standard input")
+      ->type_name("EXTENSION");
+  app.add_option("--array", options.reading.array, "The array of a VTK file that holds radii, or diameters")
+      ->type_name("NAME");
+  app.add_option("--topology", options.reading.topology,
+                 "The file with the strands or bonds of a configuration: oxDNA's .top, LAMMPS's .data")
+      ->type_name("FILE");
 }
 
 }  // namespace catena

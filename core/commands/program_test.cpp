@@ -54,6 +54,23 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("fuzz --replay /nowhere.chain", "/nowhere.chain");
 }
 
+TEST_F(Program, RepeatsSpaceInABox) {
+  const std::string melt = "detect " + examples + "melt.data --radius 0.5";
+  expect_says(melt, 0, {"8 spheres, 1 pair"});
+  expect_says(melt + " --box file", 0, {"8 spheres, 2 pairs"});
+  expect_says(melt + " --box 8,8,8,0,0,0 --variant ChainTree", 0, {"8 spheres, 2 pairs"});
+  expect_says(melt + " --box 0,8,8", 0, {"8 spheres, 1 pair"});
+  expect_refused(melt + " --box 3,8,8", "less than twice the reach");
+  expect_refused(melt + " --box 3,8", "a box is X,Y,Z");
+  expect_refused(melt + " --box 3,8,a", "'a' is not a number");
+  expect_refused(melt + " --box file --pairs p.csv --depth", "do not know a box");
+}
+
+TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {
+  expect_says("detect - --format vtp < " + examples + "branch.vtp", 0, {"7 spheres"});
+  expect_refused("detect - < " + examples + "branch.vtp", "standard input: ");
+}
+
 TEST_F(Program, KnowsWhatWasMeant) {
   expect_refused("detct path1", "did you mean 'detect'?");
   expect_refused("detect pth1:n=10", "did you mean 'path1'?");

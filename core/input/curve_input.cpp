@@ -8,6 +8,7 @@
 
 #include "catena/core/chain/joints.h"
 #include "catena/core/error.h"
+#include "catena/core/periodic/unwrapped.h"
 
 namespace catena {
 namespace {
@@ -133,9 +134,16 @@ void complete(CurveFile& curves, const InputOptions& options, const std::string&
 Chain make_chain(CurveFile curves, const InputOptions& options) {
   Exclusion exclusion = chosen_exclusion(options, curves.exclusion);
   Strands strands{std::move(curves.strand_first), std::move(curves.strand_closed)};
+  const bool cut_apart = !curves.boxes.empty() && exclusion.rule == Exclusion::Rule::arc_window;
+  std::vector<Sphere> stored;
+  if (cut_apart) {
+    stored = curves.spheres;
+    curves.spheres = unwrapped(stored, strands, curves.joints, curves.boxes[0]);
+  }
   const auto across = pairs_across_joints(curves.spheres, strands, curves.joints, exclusion);
   exclusion.extra_pairs.insert(exclusion.extra_pairs.end(), across.begin(), across.end());
-  return Chain(std::move(curves.spheres), std::move(strands), std::move(exclusion));
+  const Chain chain(std::move(curves.spheres), std::move(strands), std::move(exclusion));
+  return cut_apart ? chain.moved(std::move(stored)) : chain;
 }
 
 }  // namespace catena

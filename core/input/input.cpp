@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "catena/core/error.h"
+#include "catena/core/input/box_choice.h"
 #include "catena/core/input/curve_input.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/scenes/scene.h"
 
@@ -34,7 +36,8 @@ bool is_file(const std::string& spec) {
 }
 
 // A scene's parameters may contain a slash or a dot, its name cannot.
-bool looks_like_file(const std::string& spec) {
+bool looks_like_file(const std::string& spec, const ReadOptions& options) {
+  if (is_standard_input(spec) || !options.format.empty()) return true;
   return !SceneRegistry::instance().contains(scene_name(spec)) &&
          (spec.find('/') != std::string::npos || ReaderRegistry::instance().knows(spec) ||
           std::filesystem::path(spec) == "." || std::filesystem::path(spec) == "..");
@@ -46,15 +49,21 @@ Input open_input(const std::string& spec, const InputOptions& options) {
   if (spec.empty()) throw InputError("no input is named; give a scene or a file");
   Input input;
   input.name = spec;
-  if (is_file(spec) || looks_like_file(spec)) {
+  if (is_file(spec) || looks_like_file(spec, options.reading)) {
     CurveFile curves = ReaderRegistry::instance().read(spec, options.reading);
     complete(curves, options, spec);
+    choose_boxes(curves, options, spec);
     input.warnings = std::move(curves.warnings);
     input.labels = std::move(curves.labels);
     input.rounding = curves.rounding.greatest_error();
+    input.boxes = curves.boxes;
+    input.joints = curves.joints;
     auto later = std::move(curves.later_frames);
     input.animation = std::make_unique<FileFrames>(make_chain(std::move(curves), options), std::move(later));
   } else {
+    if (options.box_from == BoxFrom::file)
+      throw InputError(fmt::format("{}: a scene has no box; give one with --box X,Y,Z", spec));
+    if (options.box_from == BoxFrom::options) input.boxes = {options.box};
     input.animation = open_scene(spec, options);
   }
   return input;

@@ -5,11 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/periodic/periodic_box.h"
 #include "catena/core/readers/labels.h"
 #include "catena/core/readers/read_options.h"
 #include "catena/core/scenes/animation.h"
 
 namespace catena {
+
+/// Whether a box repeats space, and whose. `told`: the file's, where the file says that it is periodic.
+enum class BoxFrom { told, file, options, none };
 
 /// What a user may say of an input besides its name.
 struct InputOptions {
@@ -18,6 +22,9 @@ struct InputOptions {
   bool closed = false;                    ///< every strand is closed
   std::optional<std::uint32_t> window{};  ///< index window instead of the input's own rule
   std::optional<double> arc_window{};     ///< arc-length window factor instead; excludes `window`
+  BoxFrom box_from = BoxFrom::told;
+  PeriodicBox box{};                      ///< BoxFrom::options
+  bool takes_box = false;                 ///< of the caller: Input::boxes will be heeded
   ReadOptions reading{};                  ///< for files: how they are read
 };
 
@@ -26,8 +33,10 @@ struct Input {
   std::string name;  ///< as the user wrote it
   std::unique_ptr<Animation> animation;
   std::vector<std::string> warnings;  ///< what a reader had to assume, one line each, without the name
+  std::vector<Pair> joints;           ///< of the file, see CurveFile; a scene has none
   Labels labels;                      ///< of the spheres in the user's file; a scene's have none
   double rounding = 0;                ///< the most that a coordinate of the file lost in binary32
+  std::vector<PeriodicBox> boxes;     ///< that repeat space (see Periodic): one a frame, one for all, or none
 };
 
 /// Opens "scene:key=value,..." or a file by its extension. A file that exists wins over a scene of that name.

@@ -155,7 +155,7 @@ TEST(OpenInput, SaysWhatIsWrongWithAFile) {
   EXPECT_REFUSAL("no input is named", "");
   const TestFile unknown("a.docx", "x"), extensionless("a", "x"), empty("a.pdb", "");
   EXPECT_REFUSAL("no reader for '.docx' files; there are readers for: ", unknown.path());
-  EXPECT_REFUSAL("no reader for '' files", extensionless.path());
+  EXPECT_REFUSAL("has no extension; name its format with --format", extensionless.path());
   EXPECT_REFUSAL("is empty", empty.path());
 }
 

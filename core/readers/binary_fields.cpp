@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -11,7 +12,7 @@
 namespace catena {
 
 BinaryFields::BinaryFields(const std::filesystem::path& file, Order order)
-    : name_(file.string()), bytes_(read_bytes(file)), order_(order) {}
+    : name_(shown_name(file)), bytes_(read_bytes(file)), order_(order) {}
 
 void BinaryFields::require(std::uint64_t count, std::uint64_t size, std::string_view what) const {
   if (count > left() / size)
@@ -25,6 +26,39 @@ std::string_view BinaryFields::text(std::uint64_t size, std::string_view what) {
   at_ += size;
   return part;
 }
+
+std::string_view BinaryFields::line(std::string_view what) {
+  require(1, 1, what);
+  const std::string_view rest = std::string_view(bytes_).substr(at_);
+  const std::size_t end = std::min(rest.find('\n'), rest.size());
+  at_ += std::min(end + 1, rest.size());
+  const std::string_view content = rest.substr(0, end);
+  return content.ends_with('\r') ? content.substr(0, end - 1) : content;
+}
+
+std::string_view BinaryFields::next_word() const {
+  const auto is_blank = [](char c) { return c == ' ' || ('\t' <= c && c <= '\r'); };
+  std::size_t begin = at_;
+  while (begin < bytes_.size() && is_blank(bytes_[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < bytes_.size() && !is_blank(bytes_[end])) ++end;
+  return std::string_view(bytes_).substr(begin, end - begin);
+}
+
+std::string_view BinaryFields::word(std::string_view what) {
+  const std::string_view found = next_word();
+  if (found.empty()) fail(fmt::format("the file is truncated: {} is due", what));
+  at_ = static_cast<std::uint64_t>(found.data() - bytes_.data()) + found.size();
+  return found;
+}
+
+void BinaryFields::go_to(std::uint64_t position) {
+  if (position > bytes_.size())
+    fail(fmt::format("the data is said to begin at byte {} of {}", position, bytes_.size()));
+  at_ = position;
+}
+
+double BinaryFields::raw_f64(std::string_view what) { return std::bit_cast<double>(bits(8, what)); }
 
 std::uint64_t BinaryFields::bits(unsigned size, std::string_view what) {
   require(1, size, what);
@@ -50,6 +84,12 @@ float BinaryFields::f32(std::string_view what) {
 
 void BinaryFields::fail(const std::string& reason) const {
   throw InputError(fmt::format("{}: byte {}: {}", name_, at_, reason));
+}
+
+void BinaryFields::fail_at_line(const std::string& reason) const {
+  const auto last = static_cast<std::ptrdiff_t>(at_ > 0 ? at_ - 1 : 0);
+  const auto lines = std::count(bytes_.begin(), bytes_.begin() + last, '\n');
+  throw InputError(fmt::format("{}:{}: {}", name_, lines + 1, reason));
 }
 
 }  // namespace catena

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <iosfwd>
+#include <span>
 
 #include "catena/core/chain/chain.h"
 
@@ -18,13 +19,18 @@ namespace catena {
 ///     2 0 0 0.5
 ///     pairs 1                         extra neighbours, by sphere number from 0; as many lines `i j` follow
 ///     0 2
-///     end                             what tells a whole file from a truncated one
+///     joints 1                        steps of the tube beside those of the strands: where a branch begins,
+///     or a loop 0 2                             ends on itself; as many lines `i j`. Neighbours across them
+///     follow from the rule end                             what tells a whole file from a truncated one
 ///
 /// `#` starts a comment; blank lines are skipped. A chain that was `moved` under an arc window is written
 /// where it is now: the arc lengths of a reader are those of the written spheres.
 ///
-/// Cost O(n). Throws InputError when the stream or the file cannot be written.
-void write_chain(std::ostream& out, const Chain& chain);
-void write_chain(const std::filesystem::path& file, const Chain& chain);
+/// Extra pairs that follow from the joints (see pairs_across_joints) are not written a second time.
+///
+/// Cost O(n), and that of pairs_across_joints. Throws InputError when the stream or the file cannot be
+/// written, and for a joint that names no sphere.
+void write_chain(std::ostream& out, const Chain& chain, std::span<const Pair> joints = {});
+void write_chain(const std::filesystem::path& file, const Chain& chain, std::span<const Pair> joints = {});
 
 }  // namespace catena

@@ -43,10 +43,12 @@ class ChainText {
     else if (word == "strand" && fields.size() == 3)
       read_strand(fields[1], fields[2]);
     else if (word == "pairs" && fields.size() == 2)
-      read_pairs(fields[1]);
+      read_pairs(fields[1], "pairs", curves_.exclusion.extra_pairs);
+    else if (word == "joints" && fields.size() == 2)
+      read_pairs(fields[1], "joints", curves_.joints);
     else
       lines_.fail(
-          fmt::format("{}: expected 'window K', 'arc_window F', 'strand open|closed N', 'pairs N' or 'end'",
+          fmt::format("{}: expected 'window K', 'arc_window F', 'strand open|closed N', 'pairs N', 'joints N' or 'end'",
                       in_quotes(lines_.line())));
     return true;
   }
@@ -87,26 +89,24 @@ class ChainText {
     curves_.strand_closed.push_back(closed);
   }
 
-  void read_pairs(std::string_view size) {
-    const std::uint32_t count = limited_count(size, "number of pairs");
+  void read_pairs(std::string_view size, const std::string& what, std::vector<Pair>& pairs) {
+    const std::uint32_t count = limited_count(size, "number of " + what);
     for (std::uint32_t i = 0; i < count; ++i) {
       const Fields& fields = next_fields("a pair");
       if (fields.size() != 2) lines_.fail(fmt::format("a pair is 'i j', got {} columns", fields.size()));
       const Pair pair{lines_.count(fields[0], "i"), lines_.count(fields[1], "j")};
       if (pair.i == pair.j) lines_.fail(fmt::format("sphere {} cannot be its own neighbour", pair.i));
-      curves_.exclusion.extra_pairs.push_back(pair);
-      pair_line_.push_back(lines_.line_number());
+      pairs.push_back(pair);
+      named_.push_back({pair, lines_.line_number()});
     }
   }
 
   // At the end only, as pairs may stand before the spheres that they name.
   void check_pairs() const {
-    for (std::size_t k = 0; k < pair_line_.size(); ++k) {
-      const Pair& pair = curves_.exclusion.extra_pairs[k];
+    for (const auto& [pair, line] : named_)
       if (pair.i >= curves_.spheres.size() || pair.j >= curves_.spheres.size())
-        lines_.fail_at(pair_line_[k], fmt::format("pair {} {} does not name two of the {} spheres", pair.i,
-                                                  pair.j, curves_.spheres.size()));
-    }
+        lines_.fail_at(line, fmt::format("pair {} {} does not name two of the {} spheres", pair.i, pair.j,
+                                         curves_.spheres.size()));
   }
 
   std::uint32_t limited_count(std::string_view text, const std::string& what) const {
@@ -126,7 +126,11 @@ class ChainText {
 
   TextLines lines_;
   bool has_rule_ = false;
-  std::vector<std::size_t> pair_line_;
+  struct Named {
+    Pair pair;
+    std::size_t line;
+  };
+  std::vector<Named> named_;  ///< all pairs and joints
   CurveFile curves_;
 };
 

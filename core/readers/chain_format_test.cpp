@@ -7,8 +7,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "catena/core/chain/joints.h"
+#include "catena/core/readers/curve_graph.h"
 #include "catena/core/readers/test_file.h"
-#include "catena/core/readers/test_floats.h"
+#include "catena/core/readers/test_graph.h"
 
 namespace catena {
 namespace {
@@ -41,7 +43,8 @@ Chain any_chain() {
   Strands strands{{0}, {}};
   for (auto left = *rc::gen::inRange(1, 5); left > 0; --left) {
     for (auto more = *rc::gen::inRange(0, 6); more > 0; --more)
-      spheres.push_back({*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
+      spheres.push_back(
+          {*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
     strands.first.push_back(static_cast<std::uint32_t>(spheres.size()));
     strands.closed.push_back(*rc::gen::arbitrary<bool>());
   }
@@ -73,6 +76,27 @@ RC_GTEST_PROP(ChainFormat, RefusesEveryTruncation, ()) {
   RC_ASSERT(complaint("a.chain", text.substr(0, size)) != "");
 }
 
+// What a reader makes of a graph: steps and joints come back, and under every rule the same neighbours with
+// them.
+RC_GTEST_PROP(ChainFormat, BringsJointsBack, ()) {
+  const TestGraph graph = any_graph();
+  CurveFile curves;
+  curves.spheres = graph.points;
+  arrange_along_edges(curves, graph.edges, true);
+  const Strands strands{curves.strand_first, curves.strand_closed};
+  Exclusion rule = *rc::gen::arbitrary<bool>() ? Exclusion::index(*rc::gen::inRange<std::uint32_t>(1, 4))
+                                               : Exclusion::arc(1.5);
+  rule.extra_pairs = pairs_across_joints(curves.spheres, strands, curves.joints, rule);
+  const Chain chain(curves.spheres, strands, rule);
+  std::ostringstream out;
+  write_chain(out, chain, curves.joints);
+  RC_ASSERT(out.str().find("pairs ") == std::string::npos);
+  CurveFile again = read_text("a.chain", out.str());
+  RC_ASSERT(again.joints == curves.joints);
+  again.exclusion.extra_pairs = pairs_across_joints(again.spheres, strands, again.joints, again.exclusion);
+  RC_ASSERT(same(chain_of(again), chain));
+}
+
 TEST(ChainFormat, BringsChainsWithoutSpheresBack) {
   EXPECT_TRUE(same(chain_of(read_text("a.chain", text_of(Chain()))), Chain()));
 }
@@ -102,6 +126,8 @@ TEST(ChainFormat, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("2: the arc_window must be above 0", "a.chain", start + "arc_window -1\nend\n");
   EXPECT_COMPLAINT("3: pair 0 1 does not name two of the 1", "a.chain",
                    start + "pairs 1\n0 1\nstrand open 1\n0 0 0 1\nend\n");
+  EXPECT_COMPLAINT("3: pair 0 1 does not name two of the 1", "a.chain",
+                   start + "joints 1\n0 1\nstrand open 1\n0 0 0 1\nend\n");
   EXPECT_COMPLAINT("3: sphere 5 cannot be its own neighbour", "a.chain", start + "pairs 1\n5 5\nend\n");
   EXPECT_COMPLAINT("4: there is more after 'end'", "a.chain", start + "strand open 0\nend\nend\n");
 }

@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <iterator>
 #include <ostream>
 #include <string>
+#include <vector>
 
+#include "catena/core/chain/joints.h"
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
@@ -16,9 +20,16 @@ void append_line(std::string& line, Number first, More... more) {
   line += '\n';
 }
 
+void append_pairs(std::string& text, const char* word, std::span<const Pair> pairs) {
+  if (pairs.empty()) return;
+  text += word;
+  append_line(text, pairs.size());
+  for (const Pair& pair : pairs) append_line(text, pair.i, pair.j);
+}
+
 /// Hands the text to `write`, strand by strand.
 template <class Write>
-void write_text(const Chain& chain, const Write& write) {
+void write_text(const Chain& chain, std::span<const Pair> joints, const Write& write) {
   const Exclusion& exclusion = chain.exclusion();
   std::string text = "catena-chain 1\n";
   const bool by_index = exclusion.rule == Exclusion::Rule::index_window;
@@ -34,24 +45,24 @@ void write_text(const Chain& chain, const Write& write) {
     write(text);
     text.clear();
   }
-  if (!exclusion.extra_pairs.empty()) {
-    text += "pairs ";
-    append_line(text, exclusion.extra_pairs.size());
-    for (const Pair& pair : exclusion.extra_pairs) append_line(text, pair.i, pair.j);
-  }
+  std::vector<Pair> own;
+  std::ranges::set_difference(exclusion.extra_pairs, pairs_across_joints(chain.spheres(), strands, joints, exclusion),
+                              std::back_inserter(own));
+  append_pairs(text, "pairs ", own);
+  append_pairs(text, "joints ", joints);
   write(text += "end\n");
 }
 
 }  // namespace
 
-void write_chain(std::ostream& out, const Chain& chain) {
-  write_text(chain, [&](const std::string& text) { out << text; });
+void write_chain(std::ostream& out, const Chain& chain, std::span<const Pair> joints) {
+  write_text(chain, joints, [&](const std::string& text) { out << text; });
   if (!out) throw InputError("a chain cannot be written: the output does not take it all");
 }
 
-void write_chain(const std::filesystem::path& name, const Chain& chain) {
+void write_chain(const std::filesystem::path& name, const Chain& chain, std::span<const Pair> joints) {
   OutputFile file(name);
-  write_text(chain, [&](const std::string& text) { file.write(text); });
+  write_text(chain, joints, [&](const std::string& text) { file.write(text); });
   file.close();
 }
 

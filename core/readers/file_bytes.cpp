@@ -4,13 +4,22 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 
 #include "catena/core/error.h"
+#include "catena/core/readers/compressed.h"
 
 namespace catena {
 namespace fs = std::filesystem;
 
+bool is_standard_input(const fs::path& file) { return file == "-"; }
+
+std::string shown_name(const fs::path& file) {
+  return is_standard_input(file) ? "standard input" : file.string();
+}
+
 void require_regular_file(const fs::path& file) {
+  if (is_standard_input(file)) return;
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) throw InputError(fmt::format("{}: there is no such file", file.string()));
@@ -20,7 +29,9 @@ void require_regular_file(const fs::path& file) {
   if (!fs::is_regular_file(status)) throw InputError(fmt::format("{}: is not a regular file", file.string()));
 }
 
-std::string read_bytes(const fs::path& file) {
+namespace {
+
+std::string packed_bytes(const fs::path& file) {
   require_regular_file(file);
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InputError(fmt::format("{}: cannot be opened; check its permissions", file.string()));
@@ -32,6 +43,32 @@ std::string read_bytes(const fs::path& file) {
   in.read(bytes.data(), static_cast<std::streamsize>(size));
   if (in.gcount() != static_cast<std::streamsize>(size))
     throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
+  return bytes;
+}
+
+// A pipe has no size, so it is read to its end before anything is made of it.
+std::string bytes_of_standard_input() {
+  constexpr std::size_t piece = std::size_t{1} << 20;
+  std::string bytes;
+  for (std::size_t got = piece; got == piece;) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + piece);
+    std::cin.read(bytes.data() + before, static_cast<std::streamsize>(piece));
+    got = static_cast<std::size_t>(std::cin.gcount());
+    bytes.resize(before + got);
+  }
+  if (std::cin.bad()) throw InputError("standard input: cannot be read to its end");
+  if (bytes.empty()) throw InputError("standard input: is empty");
+  return bytes;
+}
+
+}  // namespace
+
+std::string read_bytes(const fs::path& file) {
+  std::string bytes = is_standard_input(file) ? bytes_of_standard_input() : packed_bytes(file);
+  if (!is_gzip(bytes)) return bytes;
+  bytes = gunzip(bytes, shown_name(file));
+  if (bytes.empty()) throw InputError(fmt::format("{}: holds nothing when unpacked", shown_name(file)));
   return bytes;
 }
 

@@ -5,8 +5,14 @@
 
 namespace catena {
 
-/// The whole file. Throws InputError, naming the file, unless it is a readable regular file of at least one
-/// byte.
+/// True for `-`, which names standard input.
+bool is_standard_input(const std::filesystem::path& file);
+
+/// How errors name it: the path, or "standard input".
+std::string shown_name(const std::filesystem::path& file);
+
+/// The whole file, or all of standard input, unpacked where it is gzip's. Throws InputError, naming the file,
+/// unless it is a readable regular file (or standard input) of at least one byte.
 std::string read_bytes(const std::filesystem::path& file);
 
 /// The part of read_bytes that does not open the file: throws InputError unless there is a regular file.

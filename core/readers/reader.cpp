@@ -13,7 +13,16 @@
 namespace catena {
 namespace {
 
-std::string extension_of(const std::filesystem::path& file) { return lower_case(file.extension().string()); }
+/// In front of .gz, as what is packed there is read as if it were not.
+std::string extension_of(const std::filesystem::path& file) {
+  const std::string extension = lower_case(file.extension().string());
+  return extension == ".gz" ? lower_case(file.stem().extension().string()) : extension;
+}
+
+std::string extension_of(const std::filesystem::path& file, const ReadOptions& options) {
+  if (options.format.empty()) return extension_of(file);
+  return (options.format.starts_with('.') ? "" : ".") + lower_case(options.format);
+}
 
 bool reads(const ReaderInfo& info, const std::string& extension) {
   return std::ranges::find(info.extensions, extension) != info.extensions.end();
@@ -27,6 +36,8 @@ void require_options(const ReaderInfo& info, const std::string& file, const Read
   };
   refuse(!options.columns.empty(), "--columns");
   refuse(!options.atom.empty(), "--atom");
+  refuse(!options.array.empty(), "--array");
+  refuse(!options.topology.empty(), "--topology");
 }
 
 void check(const CurveFile& curves, const std::string& file) {
@@ -92,20 +103,23 @@ bool ReaderRegistry::knows(const std::filesystem::path& file) const {
 
 CurveFile ReaderRegistry::read(const std::filesystem::path& file, const ReadOptions& options) const {
   require_regular_file(file);  // "no such file" helps more than "no such extension"
-  const std::string extension = extension_of(file);
+  const std::string extension = extension_of(file, options), name = shown_name(file);
   for (const Entry& entry : entries_) {
     if (!reads(entry.info, extension)) continue;
-    require_options(entry.info, file.string(), options);
+    require_options(entry.info, name, options);
     CurveFile curves = entry.read(file, options);
-    check(curves, file.string());
+    check(curves, name);
     return curves;
   }
   std::vector<std::string> known;
   for (const Entry& entry : entries_)
     known.insert(known.end(), entry.info.extensions.begin(), entry.info.extensions.end());
   std::ranges::sort(known);
-  throw InputError(fmt::format("{}: no reader for '{}' files; there are readers for: {}", file.string(),
-                               extension, fmt::join(known, " ")));
+  if (extension.empty())
+    throw InputError(fmt::format("{}: has no extension; name its format with --format, one of: {}", name,
+                                 fmt::join(known, " ")));
+  throw InputError(fmt::format("{}: no reader for {} files; there are readers for: {}; --format names one",
+                               name, in_quotes(extension), fmt::join(known, " ")));
 }
 
 }  // namespace catena

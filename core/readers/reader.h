@@ -8,6 +8,7 @@
 
 #include "catena/core/chain/exclusion.h"
 #include "catena/core/pair.h"
+#include "catena/core/periodic/periodic_box.h"
 #include "catena/core/readers/labels.h"
 #include "catena/core/readers/point_rounding.h"
 #include "catena/core/readers/read_options.h"
@@ -25,10 +26,12 @@ struct CurveFile {
   std::vector<std::uint32_t> strand_first{0};  ///< strands + 1 offsets
   std::vector<std::uint8_t> strand_closed;     ///< one flag a strand
   bool is_tree = false;                        ///< its strands are branches, none of which can be closed
-  std::vector<Pair> joints;  ///< spheres of different strands that are neighbours along the tube
+  std::vector<Pair> joints;  ///< steps beside those of the strands: branches, and loops that end on themselves
   Exclusion exclusion;       ///< the file's own rule (catena's format), else window 1
   std::vector<std::vector<Sphere>> later_frames;  ///< the same spheres, moved; empty: a file of one frame
-  Labels labels;                                  ///< of the spheres; none: their numbers from 0
+  std::vector<PeriodicBox> boxes;  ///< one a frame, or one for all; none: space does not repeat
+  bool box_is_periodic = true;     ///< false: the file has a box, but does not say that space repeats it
+  Labels labels;                   ///< of the spheres; none: their numbers from 0
   PointRounding rounding;
   std::vector<std::string> warnings;  ///< without the file's name: "line 3: ..." or "..."
 
@@ -50,7 +53,8 @@ struct ReaderInfo {
   std::vector<std::string> extensions;  ///< {".swc"}, lower case
   std::string summary;                  ///< one line for `catena list`
   std::string label;                    ///< what identifies a sphere: "sample id", "line"
-  std::vector<std::string> options{};   ///< of "--columns", "--atom", those that mean something here
+  std::vector<std::string>
+      options{};  ///< of "--columns", "--atom", "--array", "--topology", those that mean something here
 };
 
 /// All readers of the program, self-registered before main.
@@ -60,10 +64,10 @@ class ReaderRegistry {
   using Read = std::function<CurveFile(const std::filesystem::path&, const ReadOptions&)>;
   static ReaderRegistry& instance();
   void add(ReaderInfo info, Read read);
-  std::vector<ReaderInfo> readers() const;  ///< sorted by name
-  bool knows(const std::filesystem::path& file) const;
-  /// Throws InputError when the extension is unknown, the file cannot be read, or the options are not for its
-  /// reader.
+  std::vector<ReaderInfo> readers() const;              ///< sorted by name
+  bool knows(const std::filesystem::path& file) const;  ///< by its extension, or that in front of .gz
+  /// `-` is standard input. Throws InputError when the extension, or the format of the options, is unknown,
+  /// the file cannot be read, or the options are not for its reader.
   CurveFile read(const std::filesystem::path& file, const ReadOptions& options = {}) const;
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 
 #include "catena/core/readers/test_file.h"
 
@@ -15,13 +16,19 @@ struct Counts {
 };
 
 const std::map<std::string, Counts> counts{
+    {"chromatin/K562.nucle3d", {12137, 23}},
+    {"hair/Ratboy_mohawk.tfx", {71296, 2228}},
     {"hair/sintel_ragged.hair", {6121, 228}},
     {"hair/sintel_ragged_thickness.hair", {6121, 228}},
     {"hair/sintel_uniform_nosegments.hair", {7296, 228}},
     {"intestine/Edin90_small_xyzr.csv", {2870, 1}},
+    {"knot/12n_838-braid.obj", {360, 1}},
     {"knot/3_1_328.vect", {328, 1}},
+    {"knot/4_1-smooth.obj", {272, 1}},
     {"knot/9_47-cubiclattice.txt", {208, 1}},
     {"knot/circle_closure_0.vect", {593, 1}},
+    {"knot/repcurves_earbuds.obj", {529, 1}},
+    {"knot/repcurves_rings640.obj", {6144, 3}},
     {"neuron/1734350788.swc", {4465, 1}},
     {"neuron/Neuron.swc", {847, 1}},
     {"neuron/Neuron_3_random_walker_branches.swc", {1503, 1}},
@@ -43,6 +50,11 @@ const std::map<std::string, Counts> counts{
     {"rod/overhand_n2.txt", {301, 1}},
     {"rod/overhand_n3.txt", {301, 1}},
     {"rod/overhand_n4.txt", {301, 1}},
+    {"tract/complex_big_endian.trk", {8, 3}},
+    {"tract/matlab_nan.tck", {108, 1}},
+    {"tract/tracks300.trk", {14576, 300}},
+    {"vessel/penetrating_artery.vtk", {1274, 1}},
+    {"vessel/penetrating_artery_diameters_on_points.vtk", {1274, 1}},
 };
 
 std::filesystem::path shared_data() { return std::filesystem::path(CATENA_SOURCE_DIR) / "../shared/data"; }
@@ -77,11 +89,27 @@ TEST(SharedDataFiles, RepeatedIdIsRefused) {
   EXPECT_THROW(ReaderRegistry::instance().read(file), InputError);
 }
 
+// 160 lines tie 162 points into three parts, of which two branch: more strands than parts and joints would tell.
+TEST(SharedDataFiles, VesselsBranch) {
+  if (!std::filesystem::exists(shared_data())) GTEST_SKIP() << "no real files at " << shared_data();
+  const CurveFile curves = ReaderRegistry::instance().read(shared_data() / "vessel/one_loop.vtk");
+  EXPECT_EQ(curves.spheres.size(), 162u);
+  EXPECT_EQ(curves.strand_closed.size(), 10u);
+  EXPECT_EQ(curves.joints.size(), 8u);
+}
+
+TEST(SharedDataFiles, HairOfUscIsRefusedInOneLine) {
+  const auto file = shared_data() / "hair/sintel_usc.data";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no real files at " << shared_data();
+  EXPECT_THROW(ReaderRegistry::instance().read(file), InputError);
+}
+
 TEST(SharedDataFiles, EveryFileOfAKnownKindHasCounts) {
   if (!std::filesystem::exists(shared_data())) GTEST_SKIP() << "no real files at " << shared_data();
+  const std::set<std::string> elsewhere{"hair/sintel_usc.data", "neuron/repeated_id.swc", "vessel/one_loop.vtk"};
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data())) {
     const std::string name = std::filesystem::relative(entry.path(), shared_data()).string();
-    if (entry.is_regular_file() && ReaderRegistry::instance().knows(name) && name != "neuron/repeated_id.swc") {
+    if (entry.is_regular_file() && ReaderRegistry::instance().knows(name) && !elsewhere.contains(name)) {
       EXPECT_TRUE(counts.contains(name)) << name;
     }
   }
@@ -98,6 +126,9 @@ TEST(SharedDataFiles, RadiiAreThoseOfTheirNotice) {
   EXPECT_FLOAT_EQ(extremes("hair/sintel_ragged_thickness.hair").first, 0.0135f);
   EXPECT_FLOAT_EQ(extremes("hair/sintel_ragged_thickness.hair").second, 0.06f);
   EXPECT_EQ(extremes("neuron/1734350788.swc"), std::pair(10.f, 375.f));
+  EXPECT_FLOAT_EQ(extremes("vessel/penetrating_artery.vtk").first, 10.5247f);
+  EXPECT_FLOAT_EQ(extremes("vessel/penetrating_artery_diameters_on_points.vtk").first, 10.5247f);
+  EXPECT_FLOAT_EQ(extremes("vessel/one_loop.vtk").second, 2.7426f);
   EXPECT_FLOAT_EQ(extremes("intestine/Edin90_small_xyzr.csv").second, 32.7222f);
 }
 

@@ -11,7 +11,7 @@
 
 namespace catena {
 
-TextLines::TextLines(const std::filesystem::path& file) : name_(file.string()), bytes_(read_bytes(file)) {
+TextLines::TextLines(const std::filesystem::path& file) : name_(shown_name(file)), bytes_(read_bytes(file)) {
   if (bytes_.starts_with("\xEF\xBB\xBF")) next_ = 3;
 }
 

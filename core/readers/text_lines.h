@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace catena {
@@ -33,6 +34,13 @@ class TextLines {
     return bytes_.size();
   }  ///< of the whole file, a limit of any count it can hold
   const std::string& file_name() const { return name_; }
+
+  /// Frees the text; nothing more can be read, and what was read of it is gone.
+  void forget() {
+    std::exchange(bytes_, {});  // an assignment would keep the memory
+    line_ = {};
+    next_ = 0;
+  }
 
   /// Cuts the line at the first `mark`, and blanks from both its ends.
   void cut_comment(char mark);

@@ -12,7 +12,7 @@ const RegisterWriter registered{{.name = "catena chain",
                                  .contacts = false,
                                  .summary = "catena's own text, everything exactly"},
                                 [](const std::filesystem::path& file, const ExportedFrames& frames) {
-                                  write_chain(file, frames.at(frames.first).chain);
+                                  write_chain(file, frames.at(frames.first).chain, frames.joints);
                                 }};
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ExportedFrames {
   std::uint32_t first, last;
   std::function<ExportedFrame(std::uint32_t)> at;  ///< asked once for each, in their order
   const Labels& labels;
+  std::span<const Pair> joints{};  ///< of the file that they come from, see CurveFile
 };
 
 struct WriterInfo {

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "catena/core/input/curve_input.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
 #include "catena/core/readers/reader.h"
@@ -66,9 +67,7 @@ std::string chain_file_of(const Chain& chain) {
 }
 
 Chain load_chain(const std::filesystem::path& file) {
-  CurveFile curves = ReaderRegistry::instance().read(file);
-  return Chain(std::move(curves.spheres), {std::move(curves.strand_first), std::move(curves.strand_closed)},
-               std::move(curves.exclusion));
+  return make_chain(ReaderRegistry::instance().read(file), {});
 }
 
 }  // namespace catena::properties

@@ -8,6 +8,7 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/error.h"
+#include "catena/core/input/curve_input.h"
 #include "catena/core/readers/chain_format.h"
 #include "catena/core/readers/reader.h"
 
@@ -20,6 +21,7 @@ std::filesystem::path scratch(const std::string& extension) {
     const auto root = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
     auto own = root / ("catena-fuzz-" + std::to_string(getpid()));
     std::filesystem::create_directories(own);
+    std::ofstream(own / "input.top") << "3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n";  // what oxDNA's reader looks for
     return own;
   }();
   return folder / ("input" + extension);
@@ -38,18 +40,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       .write(reinterpret_cast<const char*>(data) + 1, static_cast<long>(size) - 1);
   try {
     CurveFile curves = ReaderRegistry::instance().read(path);
-    const Chain chain(std::move(curves.spheres),
-                      {std::move(curves.strand_first), std::move(curves.strand_closed)},
-                      std::move(curves.exclusion));
+    const auto joints = curves.joints;
+    const Chain chain = make_chain(std::move(curves), {});
     const auto copy = scratch(".chain");
-    write_chain(copy, chain);
-    CurveFile again = ReaderRegistry::instance().read(copy);
-    const Chain second(std::move(again.spheres),
-                       {std::move(again.strand_first), std::move(again.strand_closed)},
-                       std::move(again.exclusion));
+    write_chain(copy, chain, joints);
+    const Chain second = make_chain(ReaderRegistry::instance().read(copy), {});
     std::ostringstream first_text, second_text;
-    write_chain(first_text, chain);
-    write_chain(second_text, second);
+    write_chain(first_text, chain, joints);
+    write_chain(second_text, second, joints);
     if (first_text.str() != second_text.str()) std::abort();
   } catch (const InputError&) {
   }

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "catena/core/input/input.h"
+#include "catena/core/readers/reader.h"
+
+namespace catena {
+
+/// Makes `curves.boxes` those that repeat space: the file's, those of the options, or none, with a warning
+/// where a box of the file is left out. `name` is the file, for errors. Throws InputError when the options
+/// ask for a box that the file does not have.
+void choose_boxes(CurveFile& curves, const InputOptions& options, const std::string& name);
+
+}  // namespace catena

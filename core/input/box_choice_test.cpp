@@ -1,0 +1,63 @@
+#include "catena/core/input/box_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/test_file.h"
+
+namespace catena {
+namespace {
+
+const PeriodicBox of_file{{8, 8, 8}}, of_user{{5, 6, 7}};
+
+InputOptions heeding(BoxFrom from) {
+  InputOptions options;
+  options.takes_box = true;
+  options.box_from = from;
+  options.box = of_user;
+  options.radius = 0.5f;
+  return options;
+}
+
+std::vector<PeriodicBox> boxes_of(const std::string& name, BoxFrom from) {
+  return open_input(example(name).string(), heeding(from)).boxes;
+}
+
+TEST(BoxChoice, TakesWhatTheFileSaysIsPeriodicAndAsksForTheRest) {
+  EXPECT_EQ(boxes_of("melt.dump", BoxFrom::told), std::vector<PeriodicBox>(2, of_file));
+  EXPECT_EQ(boxes_of("melt.data", BoxFrom::told), std::vector<PeriodicBox>{});
+  EXPECT_EQ(boxes_of("melt.data", BoxFrom::file), std::vector<PeriodicBox>{of_file});
+  EXPECT_EQ(boxes_of("melt.data", BoxFrom::options), std::vector<PeriodicBox>{of_user});
+  EXPECT_EQ(boxes_of("melt.dump", BoxFrom::none), std::vector<PeriodicBox>{});
+  EXPECT_THROW(boxes_of("loop.obj", BoxFrom::file), InputError);
+  EXPECT_EQ(open_input("path1:n=9", {.box_from = BoxFrom::options, .box = of_user}).boxes,
+            std::vector<PeriodicBox>{of_user});
+  EXPECT_THROW(open_input("path1:n=9", {.box_from = BoxFrom::file}), InputError);
+}
+
+TEST(BoxChoice, SaysWhatIsLeftOut) {
+  const auto warning = [](const char* name, const InputOptions& options) {
+    const Input input = open_input(example(name).string(), options);
+    EXPECT_TRUE(input.boxes.empty());
+    return input.warnings.empty() ? "" : input.warnings.back();
+  };
+  EXPECT_EQ(warning("melt.data", heeding(BoxFrom::told)),
+            "the box of the file, 8 x 8 x 8, is left out; --box file says that space repeats it");
+  EXPECT_EQ(warning("melt.dump", {.radius = 0.5f}),
+            "the box of the file, 8 x 8 x 8, is left out; `catena detect` takes it");
+  EXPECT_EQ(warning("melt.dump", heeding(BoxFrom::none)), "");
+}
+
+// The first chain lies across two faces; its arc lengths are those of the whole chain.
+TEST(BoxChoice, ArcLengthsAreThoseOfWholeTubes) {
+  InputOptions options = heeding(BoxFrom::file);
+  options.arc_window = 2.5;
+  const Chain chain = open_input(example("melt.data").string(), options).animation->frame(0);
+  EXPECT_EQ(chain[2].x, 0.5f);
+  EXPECT_TRUE(chain.neighbours(1, 2));
+  EXPECT_TRUE(chain.neighbours(0, 2));
+  EXPECT_FALSE(chain.neighbours(0, 3));
+}
+
+}  // namespace
+}  // namespace catena

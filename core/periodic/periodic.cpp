@@ -1,0 +1,209 @@
+#include "catena/core/periodic/periodic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+constexpr Shift nowhere{0, 0, 0};
+
+/// Fractions of an edge that cover the rounding of where a sphere is.
+constexpr double slack = 1e-6;
+
+Shift sum(const Shift& a, const Shift& b, std::int32_t sign) {
+  return {a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]};
+}
+
+std::array<double, 3> centre(const Sphere& s) { return {s.x, s.y, s.z}; }
+
+/// The one of each two opposite shifts that is taken.
+bool is_forward(const Shift& shift) { return shift > nowhere; }
+
+}  // namespace
+
+void Periodic::build(const Chain& chain) {
+  const Stopwatch watch;
+  const double reach = 2 * double{chain.view().extent.greatest_radius};
+  check_box(box_, reach);
+  const auto widths = box_.widths();
+  tight_ = false;
+  for (const double width : widths) tight_ = tight_ || (width > 0 && width < 2 * reach * (1 + slack));
+  put_into_box(chain);
+  add_ghosts(chain, reach);
+  images_ = chain_of_images(chain);
+  Request wanted;
+  wanted.queries = {0, chain.size()};
+  variant_->prepare(wanted);
+  variant_->build(images_);
+  timings_ = variant_->timings();
+  timings_.build_ms = watch.ms();
+}
+
+// The box begins at the least sphere where one box holds them all, so that none of them is moved.
+void Periodic::put_into_box(const Chain& chain) {
+  std::vector<std::array<double, 3>> place(chain.size());
+  std::array<double, 3> least, greatest;
+  least.fill(std::numeric_limits<double>::infinity());
+  greatest.fill(-std::numeric_limits<double>::infinity());
+  for (std::uint32_t i = 0; i < chain.size(); ++i) {
+    place[i] = box_.in_edges(centre(chain[i]));
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      least[edge] = std::min(least[edge], place[i][edge]);
+      greatest[edge] = std::max(greatest[edge], place[i][edge]);
+    }
+  }
+  for (std::size_t edge = 0; edge < 3; ++edge)
+    origin_[edge] = greatest[edge] - least[edge] < 1 ? least[edge] : 0;
+  home_.assign(chain.size(), nowhere);
+  spheres_.clear();
+  for (std::uint32_t i = 0; i < chain.size(); ++i) {
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      const double boxes = box_.length[edge] > 0 ? std::floor(place[i][edge] - origin_[edge]) : 0;
+      if (std::abs(boxes) > 0x1p20)
+        throw InputError(
+            fmt::format("sphere {} lies {} boxes away along {}, more than 2^20", i, boxes, "xyz"[edge]));
+      home_[i][edge] = -static_cast<std::int32_t>(boxes);
+    }
+    spheres_.push_back(image(chain[i], home_[i]));
+  }
+}
+
+void Periodic::add_ghosts(const Chain& chain, double reach) {
+  ghosts_.clear();
+  const auto widths = box_.widths();
+  std::array<double, 3> margin{};
+  for (std::size_t edge = 0; edge < 3; ++edge)
+    if (widths[edge] > 0) margin[edge] = reach / widths[edge] + slack;
+  for (std::uint32_t i = 0; i < chain.size(); ++i) {
+    const auto place = box_.in_edges(centre(chain[i]));
+    const auto reaches = [&](std::size_t edge, std::int32_t step) {
+      const double there = place[edge] + home_[i][edge] + step - origin_[edge];
+      return step == 0 || (box_.length[edge] > 0 && there >= -margin[edge] && there <= 1 + margin[edge]);
+    };
+    for (std::int32_t a = 0; a <= 1; ++a)
+      for (std::int32_t b = -1; b <= 1 && reaches(0, a); ++b)
+        for (std::int32_t c = -1; c <= 1 && reaches(1, b); ++c) {
+          const Shift step{a, b, c};
+          if (!is_forward(step) || !reaches(2, c)) continue;
+          const Shift shift = sum(home_[i], step, 1);
+          ghosts_.push_back({i, shift});
+          spheres_.push_back(image(chain[i], shift));
+        }
+  }
+}
+
+// The radius grows by more than the distance between the rounded centre and the true one.
+Sphere Periodic::image(const Sphere& sphere, const Shift& shift) const {
+  if (shift == nowhere) return sphere;
+  const auto moved = box_.along({double(shift[0]), double(shift[1]), double(shift[2])});
+  const double x = sphere.x + moved[0], y = sphere.y + moved[1], z = sphere.z + moved[2];
+  double most =
+      std::max({std::abs(double{sphere.x}), std::abs(double{sphere.y}), std::abs(double{sphere.z})});
+  for (std::size_t edge = 0; edge < 3; ++edge)
+    most = std::max(most, std::abs(shift[edge] * box_.length[edge]));
+  most = std::max(
+      {most, std::abs(shift[1] * box_.xy), std::abs(shift[2] * box_.xz), std::abs(shift[2] * box_.yz)});
+  const double rounded = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  // Half a unit in the last place of binary32 an axis, the rounding of x, y, z in binary64, and denormals.
+  const double off = 2 * (0x1p-24 * rounded + 0x1p-48 * most + 0x1p-149);
+  const double radius = (sphere.radius + off) * (1 + 0x1p-22);
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(radius)};
+}
+
+// An arc window of enlarged spheres would take neighbours for others, so every sphere is a strand of its own
+// there, and neighbours are told apart afterwards.
+Chain Periodic::chain_of_images(const Chain& chain) const {
+  const auto all = static_cast<std::uint32_t>(spheres_.size());
+  Strands strands;
+  Exclusion exclusion = Exclusion::index(1);
+  if (chain.exclusion().rule == Exclusion::Rule::index_window) {
+    strands = chain.strands();
+    exclusion = chain.exclusion();
+  } else {
+    for (std::uint32_t i = 0; i <= chain.size(); ++i) strands.first.push_back(i);
+    strands.closed.assign(chain.size(), 0);
+  }
+  strands.first.push_back(all);
+  strands.closed.push_back(0);
+  return Chain(spheres_, std::move(strands), std::move(exclusion));
+}
+
+void Periodic::find(const Chain& chain, const Request& request, Collisions& result) {
+  if (home_.size() != chain.size()) throw std::logic_error("find: not the chain of the last build");
+  const Stopwatch watch;
+  result.found = false;
+  result.pair_count = 0;
+  result.count.assign(request.want == Request::Want::any ? 0 : chain.size(), 0);
+  result.pairs.clear();
+  search({chain, request, result}, {0, chain.size()});
+  timings_.find_ms = watch.ms();
+  if (request.want == Request::Want::pairs && result.pair_count > request.pair_limit) {
+    result.pairs.clear();
+    throw PairLimitExceeded(result.pair_count, request.pair_limit);
+  }
+}
+
+void Periodic::search(const Search& search, SphereRange queries) {
+  if (queries.size() == 0) return;
+  Request candidates;
+  candidates.queries = queries;
+  candidates.pair_limit = std::max<std::uint64_t>(std::uint64_t{1} << 24, images_.size());
+  try {
+    variant_->find(images_, candidates, candidates_);
+  } catch (const PairLimitExceeded&) {
+    const std::uint32_t middle = queries.begin + queries.size() / 2;
+    this->search(search, {queries.begin, middle});
+    this->search(search, {middle, queries.end});
+    return;
+  }
+  for (const Pair& candidate : candidates_.pairs) meet(search, candidate);
+}
+
+void Periodic::meet(const Search& search, const Pair& candidate) const {
+  const Chain& chain = search.chain;
+  const std::uint32_t i = candidate.i, n = chain.size();
+  const bool ghost = candidate.j >= n;
+  const std::uint32_t j = ghost ? ghosts_[candidate.j - n].sphere : candidate.j;
+  if (i == j || chain.neighbours(i, j)) return;
+  const Shift& there = ghost ? ghosts_[candidate.j - n].shift : home_[j];
+  const bool as_stored = home_[i] == nowhere && there == nowhere;
+  if (!as_stored && !image_overlaps(chain[i], chain[j], sum(there, home_[i], -1), box_)) return;
+  if (tight_ && !collide(chain, i, j, sum(there, home_[i], -1))) return;
+
+  const Pair pair{std::min(i, j), std::max(i, j)};
+  const SphereRange queries = search.request.queries;
+  Collisions& result = search.result;
+  if (search.request.want != Request::Want::any)
+    for (const std::uint32_t sphere : {pair.i, pair.j}) result.count[sphere] += queries.contains(sphere);
+  if (queries.contains(pair.i) || queries.contains(pair.j)) result.found = true;
+  if (!queries.contains(pair.i)) return;
+  ++result.pair_count;
+  if (search.request.want == Request::Want::pairs && result.pair_count <= search.request.pair_limit)
+    result.pairs.push_back(pair);
+}
+
+/// Whether no image before this one overlaps too: two that touch at once are one pair.
+bool Periodic::collide(const Chain& chain, std::uint32_t i, std::uint32_t j, const Shift& shift) const {
+  // As seen from the lower id, so that both sides choose the same.
+  const std::int32_t sign = i < j ? 1 : -1;
+  const Sphere &a = chain[std::min(i, j)], &b = chain[std::max(i, j)];
+  const Shift seen = sum(nowhere, shift, sign);
+  for (std::int32_t x = -1; x <= 1; ++x)
+    for (std::int32_t y = -1; y <= 1; ++y)
+      for (std::int32_t z = -1; z <= 1; ++z) {
+        const Shift step{x, y, z};
+        const bool repeats = (x == 0 || box_.length[0] > 0) && (y == 0 || box_.length[1] > 0) &&
+                             (z == 0 || box_.length[2] > 0);
+        if (!is_forward(step) && step != nowhere && repeats && image_overlaps(a, b, sum(seen, step, 1), box_))
+          return false;
+      }
+  return true;
+}
+
+}  // namespace catena

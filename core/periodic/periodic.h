@@ -1,0 +1,70 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/periodic/periodic_box.h"
+#include "catena/core/strategy/variant.h"
+
+namespace catena {
+
+/// A search in space that a box repeats, by any variant: i and j collide when they are no neighbours and i
+/// overlaps some image of j, |ci - (cj + n * edges)|^2 <= (ri + rj)^2, exactly, on the stored spheres and the
+/// box (see image_overlaps). Each pair comes once, with the ids of the chain; a sphere never meets its own
+/// images. The width of the box is at least twice the largest sum of two radii, so that no two images of one
+/// sphere are both within reach, but where both touch.
+///
+/// How: spheres are put into one box, and those within reach of a face get images on the other side, for one
+/// of each two opposite shifts, so that a pair across a face is met once. An image's centre is seldom a
+/// number in binary32, so it is rounded and its radius enlarged by what that may cost; the variant searches
+/// this chain, and what it finds of moved spheres is decided again, exactly. So the answer is that of the
+/// definition for every variant that is exact.
+///
+/// find costs the variant's search for pairs, whatever is wanted, and O(1) a pair found. A flood of pairs is
+/// searched in parts, and only those that are wanted are kept.
+class Periodic final : public Variant {
+ public:
+  Periodic(std::unique_ptr<Variant> variant, const PeriodicBox& box)
+      : variant_(std::move(variant)), box_(box) {}
+
+  /// For the next build.
+  void set_box(const PeriodicBox& box) { box_ = box; }
+
+  /// Throws InputError for a box that is too narrow (see check_box), and a sphere more than 2^20 boxes away.
+  void build(const Chain& chain) override;
+  void find(const Chain& chain, const Request& request, Collisions& result) override;
+  Timings timings() const override { return timings_; }
+  Plan plan() const override { return variant_->plan(); }
+
+ private:
+  struct Ghost {
+    std::uint32_t sphere;
+    Shift shift;
+  };
+  struct Search {
+    const Chain& chain;
+    const Request& request;
+    Collisions& result;
+  };
+
+  void put_into_box(const Chain& chain);
+  void add_ghosts(const Chain& chain, double reach);
+  Sphere image(const Sphere& sphere, const Shift& shift) const;
+  Chain chain_of_images(const Chain& chain) const;
+  void search(const Search& search, SphereRange queries);
+  void meet(const Search& search, const Pair& candidate) const;
+  bool collide(const Chain& chain, std::uint32_t i, std::uint32_t j, const Shift& shift) const;
+
+  std::unique_ptr<Variant> variant_;
+  PeriodicBox box_;
+  bool tight_ = false;  ///< two images of one sphere may both touch another
+  std::array<double, 3> origin_{};
+  std::vector<Shift> home_;  ///< of each sphere, into the box
+  std::vector<Sphere> spheres_;
+  std::vector<Ghost> ghosts_;
+  Chain images_;  ///< the chain's spheres in the box, then the ghosts
+  Collisions candidates_;
+  Timings timings_;
+};
+
+}  // namespace catena

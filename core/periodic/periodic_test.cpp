@@ -1,0 +1,229 @@
+#include "catena/core/periodic/periodic.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <set>
+
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+using Pairs = std::vector<Pair>;
+
+/// The definition, by rational numbers and every image that may matter: no code of core/.
+bool overlaps(const Sphere& a, const Sphere& b, int nx, int ny, int nz, const PeriodicBox& box) {
+  // Far apart in any arithmetic: most images, which rational numbers would take minutes for.
+  const double x = double{b.x} - a.x + nx * box.length[0] + ny * box.xy + nz * box.xz,
+               y = double{b.y} - a.y + ny * box.length[1] + nz * box.yz,
+               z = double{b.z} - a.z + nz * box.length[2];
+  if (std::sqrt(x * x + y * y + z * z) > 1.5 * (double{a.radius} + b.radius) + 1e-3 * std::abs(x))
+    return false;
+  const Rational dx = Rational(b.x) - Rational(a.x) + nx * Rational(box.length[0]) + ny * Rational(box.xy) +
+                      nz * Rational(box.xz),
+                 dy = Rational(b.y) - Rational(a.y) + ny * Rational(box.length[1]) + nz * Rational(box.yz),
+                 dz = Rational(b.z) - Rational(a.z) + nz * Rational(box.length[2]),
+                 reach = Rational(a.radius) + Rational(b.radius);
+  return dx * dx + dy * dy + dz * dz <= reach * reach;
+}
+
+Pairs by_definition(const Chain& chain, const PeriodicBox& box, int boxes) {
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < chain.size(); ++i)
+    for (std::uint32_t j = i + 1; j < chain.size(); ++j) {
+      bool found = false;
+      for (int x = -boxes; x <= boxes; ++x)
+        for (int y = -boxes; y <= boxes; ++y)
+          for (int z = -boxes; z <= boxes; ++z) {
+            const bool repeats = (x == 0 || box.length[0] > 0) && (y == 0 || box.length[1] > 0) &&
+                                 (z == 0 || box.length[2] > 0);
+            if (repeats && !found) found = overlaps(chain[i], chain[j], x, y, z, box);
+          }
+      if (found && !chain.neighbours(i, j)) pairs.push_back({i, j});
+    }
+  return pairs;
+}
+
+Collisions found(const std::string& variant, const Chain& chain, const PeriodicBox& box,
+                 const Request& request = {}) {
+  Periodic periodic(StrategyRegistry::instance().make(variant), box);
+  Collisions result;
+  periodic.build(chain);
+  periodic.find(chain, request, result);
+  std::ranges::sort(result.pairs);
+  return result;
+}
+
+std::vector<std::uint32_t> counts_of(const Pairs& pairs, std::uint32_t n) {
+  std::vector<std::uint32_t> count(n, 0);
+  for (const Pair& pair : pairs) ++count[pair.i], ++count[pair.j];
+  return count;
+}
+
+struct InABox {
+  Chain chain;
+  PeriodicBox box;
+};
+
+/// Spheres on and off a lattice that divides the box, some boxes away: ties across faces, edges and corners
+/// are as common as centres that no image has in binary32.
+InABox any_in_a_box() {
+  const float step = *rc::gen::element(1.0f, 0.1f, 1.0f / 3);
+  const auto edge = [&] { return *rc::gen::inRange(4, 8); };
+  const std::array<int, 3> steps{edge(), edge(), edge()};
+  PeriodicBox box{{double(steps[0]) * step, double(steps[1]) * step, double(steps[2]) * step}};
+  if (*rc::gen::inRange(0, 4) == 0) box.length[*rc::gen::inRange<std::size_t>(0, 3)] = 0;
+  const bool tilted = *rc::gen::arbitrary<bool>();
+  if (tilted)
+    box.xy = *rc::gen::inRange(-2, 3) * double(step), box.xz = *rc::gen::inRange(-2, 3) * double(step),
+    box.yz = *rc::gen::inRange(-2, 3) * double(step);
+  const auto widths = box.widths();
+  double least = 1e9;
+  for (const double width : widths)
+    if (width > 0) least = std::min(least, width);
+  if (least == 1e9) return {Chain(), PeriodicBox{{1, 1, 1}}};
+  const auto greatest = static_cast<float>(least / 4 * (1 - 1e-6));
+  const bool exact = !tilted && step == 1.0f;
+  std::vector<Sphere> spheres;
+  for (auto left = *rc::gen::inRange(2, 20); left > 0; --left) {
+    const auto coordinate = [&](std::size_t axis) {
+      const float on = step * static_cast<float>(*rc::gen::inRange(0, steps[axis] + 1));
+      const float off = *rc::gen::element(0.0f, 0.0f, 0.5f * step, 0.01f, -1e-6f);
+      return on + off + static_cast<float>(*rc::gen::inRange(-1, 2)) * static_cast<float>(box.length[axis]);
+    };
+    const float radius = std::min(exact ? static_cast<float>(least / 4) : greatest,
+                                  step * *rc::gen::element(0.0f, 0.25f, 0.5f, 0.7f, 1.0f, 9.0f));
+    spheres.push_back({coordinate(0), coordinate(1), coordinate(2), radius});
+  }
+  const auto n = static_cast<std::uint32_t>(spheres.size());
+  Strands strands{{0, *rc::gen::inRange<std::uint32_t>(0, n + 1), n}, {*rc::gen::arbitrary<bool>(), 0}};
+  Exclusion exclusion = *rc::gen::arbitrary<bool>() ? Exclusion::index(*rc::gen::inRange<std::uint32_t>(1, 4))
+                                                    : Exclusion::arc(1.5);
+  if (*rc::gen::arbitrary<bool>()) exclusion.extra_pairs.push_back({0, n - 1});
+  return {Chain(std::move(spheres), std::move(strands), std::move(exclusion)), box};
+}
+
+RC_GTEST_PROP(Periodic, GivesThePairsOfTheDefinition, ()) {
+  const auto [chain, box] = any_in_a_box();
+  const Pairs expected = by_definition(chain, box, 5);
+  const auto variant = *rc::gen::elementOf(
+      std::vector<std::string>{"CPU1", "aCPU2+CPU2", "ChainTree", "Grid", "Hybrid", "GPU1@host"});
+  RC_CLASSIFY(!expected.empty(), "pairs");
+  const Collisions pairs = found(variant, chain, box);
+  RC_ASSERT(pairs.pairs == expected);
+  RC_ASSERT(pairs.pair_count == expected.size());
+  RC_ASSERT(pairs.count == counts_of(expected, chain.size()));
+  RC_ASSERT(pairs.found == !expected.empty());
+  Request counts, any;
+  counts.want = Request::Want::counts, any.want = Request::Want::any;
+  RC_ASSERT(found(variant, chain, box, counts).count == counts_of(expected, chain.size()));
+  RC_ASSERT(found(variant, chain, box, any).found == !expected.empty());
+}
+
+RC_GTEST_PROP(Periodic, AnswersAPartOfTheSpheres, ()) {
+  const auto [chain, box] = any_in_a_box();
+  const Pairs all = by_definition(chain, box, 5);
+  Request request;
+  request.queries.begin = *rc::gen::inRange<std::uint32_t>(0, chain.size() + 1);
+  request.queries.end = *rc::gen::inRange<std::uint32_t>(request.queries.begin, chain.size() + 1);
+  const Collisions part = found("CPU1", chain, box, request);
+  Pairs expected;
+  auto count = counts_of(all, chain.size());
+  for (const Pair& pair : all)
+    if (request.queries.contains(pair.i)) expected.push_back(pair);
+  for (std::uint32_t i = 0; i < chain.size(); ++i)
+    if (!request.queries.contains(i)) count[i] = 0;
+  RC_ASSERT(part.pairs == expected);
+  RC_ASSERT(part.count == count);
+}
+
+float nudged(float value, int ulps) {
+  for (; ulps > 0; --ulps) value = std::nextafter(value, 1e30f);
+  for (; ulps < 0; ++ulps) value = std::nextafter(value, -1e30f);
+  return value;
+}
+
+// A bound that errs by an ulp decides one of these otherwise than the integers do.
+RC_GTEST_PROP(PeriodicBox, ImagesOverlapAsByIntegers, ()) {
+  const float scale = std::ldexp(1.0f, *rc::gen::inRange(-60, 61));
+  const auto number = [&] { return scale * static_cast<float>(*rc::gen::inRange(-1000, 1000)) / 64; };
+  PeriodicBox box{{double(std::abs(number())) + scale * 0.1, double(std::abs(number())) + scale / 3,
+                   double(std::abs(number())) + scale}};
+  if (*rc::gen::arbitrary<bool>()) box.xy = number(), box.xz = number() * 0.1, box.yz = number();
+  const Shift shift{*rc::gen::inRange(-3, 4), *rc::gen::inRange(-3, 4), *rc::gen::inRange(-3, 4)};
+  const Sphere a{number(), number(), number(), std::abs(number())};
+  // b at about the distance of touching, along one axis of the image.
+  const auto moved = box.along({double(shift[0]), double(shift[1]), double(shift[2])});
+  const float radius = std::abs(number());
+  Sphere b{static_cast<float>(a.x - moved[0] + a.radius + radius), static_cast<float>(a.y - moved[1]),
+           static_cast<float>(a.z - moved[2]), radius};
+  for (int ulps = -3; ulps <= 3; ++ulps) {
+    Sphere near = b;
+    near.x = nudged(b.x, ulps);
+    RC_ASSERT(image_overlaps(a, near, shift, box) == image_overlaps_by_integers(a, near, shift, box));
+    RC_ASSERT(image_overlaps_by_integers(a, near, shift, box) ==
+              overlaps(a, near, shift[0], shift[1], shift[2], box));
+  }
+}
+
+// 0.1f + 10 is no number in binary32: the images of these two touch, and do not, as only exact arithmetic
+// tells.
+TEST(Periodic, DecidesATieAcrossAFaceThatNoImageHasInBinary32) {
+  const float x = 0.1f, other = 9.5f;
+  const auto gap = static_cast<float>(double{x} + 10 - other);
+  const double exact = double{x} + 10 - other;
+  ASSERT_NE(static_cast<double>(gap), exact);
+  const float above = gap > exact ? gap : std::nextafter(gap, 1.0f), below = std::nextafter(above, 0.0f);
+  for (const auto& [reach, expected] : {std::pair(above, 1u), std::pair(below, 0u)}) {
+    const Chain chain({{x, 0, 0, reach}, {5, 5, 5, 0}, {other, 0, 0, 0}});
+    EXPECT_EQ(found("aCPU2+CPU2", chain, {{10, 10, 10}}).pair_count, expected);
+  }
+}
+
+TEST(Periodic, CountsAPairOnceThatTouchesThroughBothFaces) {
+  const Chain chain(
+      {{0, 0, 0, 1}, {9, 9, 9, 0}, {2, 0, 0, 1}});  // a box of twice the reach: touched from both sides
+  const Collisions result = found("CPU1", chain, {{4, 20, 20}});
+  EXPECT_EQ(result.pairs, (Pairs{{0, 2}}));
+  EXPECT_EQ(result.count, (std::vector<std::uint32_t>{1, 0, 1}));
+}
+
+TEST(Periodic, StatesTheTrueNumberPastALimit) {
+  std::vector<Sphere> spheres(40, Sphere{0, 0, 0, 1});
+  for (std::size_t i = 0; i < 20; ++i) spheres[i].x = 9.5f;
+  Request request;
+  request.pair_limit = 5;
+  try {
+    found("CPU1", Chain(spheres), {{10, 10, 10}}, request);
+    FAIL();
+  } catch (const PairLimitExceeded& error) {
+    EXPECT_EQ(error.found(), 40u * 39 / 2 - 39);
+  }
+}
+
+TEST(Periodic, RefusesABoxThatIsNone) {
+  const Chain chain({{0, 0, 0, 1}, {3, 0, 0, 1}, {5, 0, 0, 1}});
+  const auto refusal = [&](const PeriodicBox& box) {
+    try {
+      found("CPU1", chain, box);
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(refusal({{3.9, 9, 9}}).find("the box is 3.9 wide along x, less than twice the reach 2"),
+            std::string::npos);
+  EXPECT_NE(refusal({{-9, 9, 9}}).find("lengths above 0"), std::string::npos);
+  EXPECT_NE(refusal({{0, 0, 0}}).find("lengths above 0"), std::string::npos);
+  EXPECT_NE(refusal({{1e-200, 9, 9}}).find("1e-200"), std::string::npos);
+  EXPECT_NE(refusal({{NAN, 9, 9}}).find("nan"), std::string::npos);
+  EXPECT_EQ(refusal({{4, 9, 0}}), "");
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,60 @@
+#include "catena/core/periodic/unwrapped.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+// Whole numbers, so that cutting apart and putting together are exact.
+RC_GTEST_PROP(Unwrapped, PutsTogetherWhatABoxHasCutApart, ()) {
+  const PeriodicBox box{{16, 16, 16}, 4, 0, -2};
+  std::vector<Sphere> whole, cut;
+  Strands strands{{0}, {}};
+  std::vector<Pair> joints;
+  for (auto left = *rc::gen::inRange(1, 4); left > 0; --left) {
+    // Each strand grows from a sphere of one before it.
+    Sphere at{0, 0, 0, 1};
+    if (!whole.empty()) {
+      const auto from = *rc::gen::inRange<std::size_t>(0, whole.size());
+      at = whole[from];
+      joints.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(whole.size())});
+    }
+    for (auto more = *rc::gen::inRange(1, 12); more > 0; --more) {
+      const auto step = [] { return static_cast<float>(*rc::gen::inRange(-3, 4)); };
+      at = {at.x + step(), at.y + step(), at.z + step(), 1};
+      whole.push_back(at);
+      const auto boxes = [] { return static_cast<double>(*rc::gen::inRange(-2, 3)); };
+      const auto by = box.along({boxes(), boxes(), boxes()});
+      cut.push_back({at.x + static_cast<float>(by[0]), at.y + static_cast<float>(by[1]),
+                     at.z + static_cast<float>(by[2]), 1});
+    }
+    strands.first.push_back(static_cast<std::uint32_t>(whole.size()));
+    strands.closed.push_back(0);
+  }
+  const auto together = unwrapped(cut, strands, joints, box);
+  const Sphere a = together[0], b = whole[0];
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    RC_ASSERT(together[i] ==
+              (Sphere{whole[i].x + a.x - b.x, whole[i].y + a.y - b.y, whole[i].z + a.z - b.z, 1}));
+}
+
+TEST(Unwrapped, RefusesARingAroundTheBox) {
+  const std::vector<Sphere> ring{{0, 0, 0, 1}, {3, 0, 0, 1}, {6, 0, 0, 1}};
+  try {
+    unwrapped(ring, Strands::one_closed(3), {}, {{9, 9, 9}});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("winds around the box between spheres 2 and 0"),
+              std::string::npos);
+  }
+  EXPECT_EQ(unwrapped(ring, Strands::one_closed(3), {}, {{0, 9, 9}}), ring);
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,101 @@
+#include "catena/core/readers/bead_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/curve_graph.h"
+
+namespace catena {
+namespace {
+
+template <class T>
+void permute(std::vector<T>& values, std::span<const std::uint32_t> order) {
+  std::vector<T> arranged;
+  arranged.reserve(order.size());
+  for (const std::uint32_t k : order) arranged.push_back(values[k]);
+  values = std::move(arranged);
+}
+
+std::vector<std::uint32_t> order_of(const std::vector<std::int64_t>& ids) {
+  std::vector<std::uint32_t> order(ids.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t k) { return ids[k]; });
+  return order;
+}
+
+}  // namespace
+
+void BeadFile::add(std::int64_t id, double x, double y, double z, float radius, std::int64_t molecule) {
+  if (frames_ == 0) {
+    ids_.push_back(id);
+    if (molecule != 0) molecules_.resize(ids_.size());
+    if (!molecules_.empty()) molecules_.resize(ids_.size()), molecules_.back() = molecule;
+  } else {
+    if (curves_.later_frames.size() < frames_) curves_.begin_later_frame();
+    later_ids_.push_back(id);
+  }
+  curves_.add_point(x, y, z, radius);
+}
+
+void BeadFile::end_frame() {
+  auto& ids = frames_ == 0 ? ids_ : later_ids_;
+  if (frames_ > 0 && curves_.later_frames.size() < frames_) curves_.begin_later_frame();
+  if (!std::ranges::is_sorted(ids)) {
+    const auto order = order_of(ids);
+    permute(frames_ == 0 ? curves_.spheres : curves_.later_frames.back(), order);
+    permute(ids, order);
+    if (frames_ == 0 && !molecules_.empty()) permute(molecules_, order);
+  }
+  if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
+    throw InputError(fmt::format("{}: atom {} comes twice in frame {}", file_, *twice, frames_));
+  if (frames_ > 0 && ids != ids_)
+    throw InputError(fmt::format("{}: frame {} has not the same atoms as frame 0", file_, frames_));
+  later_ids_.clear();
+  ++frames_;
+}
+
+std::uint32_t BeadFile::place_of(std::int64_t id) const {
+  const auto found = std::ranges::lower_bound(ids_, id);
+  if (found == ids_.end() || *found != id)
+    throw InputError(fmt::format("{}: a bond names atom {}, which is not there", file_, id));
+  return static_cast<std::uint32_t>(found - ids_.begin());
+}
+
+void BeadFile::tie(std::int64_t a, std::int64_t b) { bonds_.push_back({place_of(a), place_of(b)}); }
+
+void BeadFile::reserve(std::size_t beads, std::size_t bonds) {
+  curves_.spheres.reserve(beads);
+  ids_.reserve(beads);
+  bonds_.reserve(bonds);
+}
+
+std::vector<Pair> BeadFile::edges_without_bonds() {
+  std::vector<Pair> edges;
+  if (molecules_.empty()) {
+    curves_.warnings.push_back(
+        "neither bonds nor molecules are told; all beads are one strand in the order of their ids");
+    for (std::uint32_t k = 1; k < ids_.size(); ++k) edges.push_back({k - 1, k});
+    return edges;
+  }
+  const auto by_molecule = order_of(molecules_);
+  for (std::size_t k = 1; k < by_molecule.size(); ++k) {
+    const Pair step{by_molecule[k - 1], by_molecule[k]};
+    const std::int64_t molecule = molecules_[step.i];
+    if (molecule != 0 && molecule == molecules_[step.j]) edges.push_back(step);
+  }
+  return edges;
+}
+
+CurveFile BeadFile::curves() {
+  const auto edges = bonds_.empty() ? edges_without_bonds() : std::move(bonds_);
+  std::exchange(molecules_, {});
+  for (const std::uint32_t bead : arrange_along_edges(curves_, edges, true)) curves_.labels.add(ids_[bead]);
+  return std::move(curves_);
+}
+
+}  // namespace catena

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_graph.h"
+
+/// Files of simulations: LAMMPS data and dumps, oxDNA.
+namespace catena {
+namespace {
+
+std::vector<std::uint32_t> any_order(std::size_t n) {
+  std::vector<std::uint32_t> order(n);
+  std::iota(order.begin(), order.end(), 0u);
+  for (std::size_t k = 1; k < n; ++k) std::swap(order[k], order[*rc::gen::inRange<std::size_t>(0, k + 1)]);
+  return order;
+}
+
+std::string data_of(const TestGraph& graph, bool full, bool images, bool named) {
+  std::string text = fmt::format(
+      "a melt\n\n{} atoms\n{} bonds\n1 atom types\n\n-5.0 5.0 xlo xhi\n0 8 ylo yhi\n0 9 zlo zhi\n0.5 0 0 xy "
+      "xz yz\n\nMasses\n\n1 1\n\nAtoms{}\n\n",
+      graph.points.size(), graph.edges.size(), named ? full ? " # full" : " # bond" : "");
+  for (const std::uint32_t k : any_order(graph.points.size())) {
+    const Sphere& p = graph.points[k];
+    text += fmt::format("{} 1 1 {}{} {} {}{}\n", k + 1, full ? "0.5 " : "", p.x, p.y, p.z,
+                        images ? " 0 -1 0" : "");
+  }
+  text += "\nVelocities\n\n1 0 0 0\n\nBonds\n\n";
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    text += fmt::format("{} 1 {} {}\n", e + 1, graph.edges[e].j + 1, graph.edges[e].i + 1);
+  return text;
+}
+
+RC_GTEST_PROP(LammpsDataReader, ReadsWhatIsWritten, (bool full, bool images, bool named)) {
+  const TestGraph graph = any_graph();
+  const CurveFile curves = read_text("a.data", data_of(graph, full, images, named));
+  is_the_graph(curves, graph, 1, false, true);
+  RC_ASSERT(curves.boxes == (std::vector<PeriodicBox>{{{10, 8, 9}, 0.5, 0, 0}}));
+  RC_ASSERT(!curves.box_is_periodic);
+}
+
+TEST(LammpsDataReader, TiesMoleculesWithoutBondsAndTakesDiameters) {
+  const auto curves =
+      read_text("a.data", "t\n\n3 atoms\n\nAtoms # molecular\n\n3 7 1 2 0 0\n1 7 1 0 0 0\n2 0 1 9 9 9\n");
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_EQ(curves.labels.of(1), "3");
+  const auto spheres = read_text("a.data", "t\n\n1 atoms\n\nAtoms # sphere\n\n1 1 4 1.0 5 6 7\n");
+  EXPECT_EQ(spheres.spheres[0], (Sphere{5, 6, 7, 2}));
+  EXPECT_TRUE(spheres.has_radii);
+}
+
+TEST(LammpsDataReader, SaysWhatIsWrong) {
+  const std::string start = "t\n\n2 atoms\n\n";
+  EXPECT_COMPLAINT("7: what the 6 columns are is not told", "a.data",
+                   start + "Atoms\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n");
+  EXPECT_COMPLAINT("5: the atom style 'edpd'", "a.data", start + "Atoms # edpd\n\n1 1 1 0 0 0\n");
+  EXPECT_COMPLAINT("7: the header says 2 atoms, the file has 1", "a.data",
+                   start + "Atoms # bond\n\n1 1 1 0 0 0\n");
+  EXPECT_COMPLAINT(" atom 1 comes twice in frame 0", "a.data",
+                   start + "Atoms # bond\n\n1 1 1 0 0 0\n1 1 1 0 0 0\n");
+  EXPECT_COMPLAINT(" a bond names atom 3", "a.data",
+                   "t\n\n2 atoms\n1 bonds\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n\nBonds\n\n1 1 1 3\n");
+  EXPECT_COMPLAINT("4: the file has no section Atoms", "a.data", start);
+}
+
+std::string dump_of(const std::vector<std::vector<Sphere>>& frames, bool scaled) {
+  std::string text;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    text += fmt::format(
+        "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS pp ff pp\n0 16\n0 8\n-2 6\nITEM: "
+        "ATOMS type {}\n",
+        f, frames[f].size(), scaled ? "xs ys zs id radius mol" : "xu yu zu id radius mol");
+    for (const std::uint32_t k : any_order(frames[f].size())) {
+      const Sphere& p = frames[f][k];
+      text += scaled ? fmt::format("1 {} {} {} {} {} 1\n", p.x / 16, p.y / 8, (p.z + 2) / 8, k + 1, p.radius)
+                     : fmt::format("1 {} {} {} {} {} 1\n", p.x, p.y, p.z, k + 1, p.radius);
+    }
+  }
+  return text;
+}
+
+RC_GTEST_PROP(LammpsDumpReader, ReadsAllFramesInTheOrderOfTheIds, (bool scaled)) {
+  const auto n = *rc::gen::inRange<std::size_t>(1, 6);
+  std::vector<std::vector<Sphere>> frames(*rc::gen::inRange<std::size_t>(1, 4));
+  const auto any = [] {
+    return static_cast<float>(*rc::gen::inRange(-64, 64)) / 16;
+  };  // scaling these is exact
+  for (auto& frame : frames)
+    for (std::size_t k = 0; k < n; ++k) frame.push_back({any(), any(), any(), std::abs(any())});
+  const CurveFile curves = read_text("a.dump", dump_of(frames, scaled));
+  RC_ASSERT(curves.spheres == frames[0]);
+  RC_ASSERT(curves.later_frames == std::vector<std::vector<Sphere>>(frames.begin() + 1, frames.end()));
+  RC_ASSERT(curves.boxes == std::vector<PeriodicBox>(frames.size(), PeriodicBox{{16, 0, 8}}));
+  RC_ASSERT(curves.has_radii);
+  RC_ASSERT(curves.strand_closed.size() == 1u);
+}
+
+TEST(LammpsDumpReader, TakesBondsFromATopologyAndTheTrueBoxOfATiltedOne) {
+  const TestFile data(
+      "bonds.data",
+      "t\n\n3 atoms\n1 bonds\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n3 1 1 0 0 0\n\nBonds\n\n1 1 3 1\n");
+  const TestFile dump("a.dump",
+                      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS xy xz yz pp pp pp\n-1 "
+                      "12 2\n0 5 -1\n0 4 0\nITEM: ATOMS id x y z\n"
+                      "1 0 0 0\n2 1 0 0\n3 2 0 0\n");
+  const auto curves = ReaderRegistry::instance().read(dump.path(), {.topology = data.path().string()});
+  EXPECT_EQ(curves.labels.of(1), "3");
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_EQ(curves.boxes, (std::vector<PeriodicBox>{{{10, 5, 4}, 2, -1, 0}}));
+}
+
+TEST(LammpsDumpReader, SaysWhatIsWrong) {
+  const std::string start =
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n";
+  EXPECT_COMPLAINT("1: 'ITEM: ...' is due", "a.dump", "hello\n");
+  EXPECT_COMPLAINT("9: the columns lack id", "a.dump", start + "ITEM: ATOMS x y z\n0 0 0\n");
+  EXPECT_COMPLAINT("10: an atom of 3 columns, 4 are named", "a.dump",
+                   start + "ITEM: ATOMS id x y z\n0 0 0\n");
+  EXPECT_COMPLAINT("9: the file is truncated", "a.dump", start + "ITEM: ATOMS id x y z\n");
+  EXPECT_COMPLAINT(" frame 1 has not the same atoms", "a.dump",
+                   start + "ITEM: ATOMS id x y z\n1 0 0 0\n" + start + "ITEM: ATOMS id x y z\n2 0 0 0\n");
+}
+
+/// A configuration with its topology beside it.
+CurveFile read_oxdna(const std::string& topology, const std::string& configuration) {
+  const TestFile top("a.top", topology), file("a.conf", configuration);
+  return ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()});
+}
+
+std::string configuration_of(const std::vector<Sphere>& points, int frames) {
+  std::string text;
+  for (int t = 0; t < frames; ++t) {
+    text += fmt::format("t = {}\nb = 20 30 40\nE = 0 0 0\n", t);
+    for (const Sphere& p : points) text += fmt::format("{} {} {} 1 0 0 0 0 1 0 0 0 0 0 0\n", p.x, p.y, p.z);
+  }
+  return text;
+}
+
+RC_GTEST_PROP(OxdnaReader, ReadsOldAndNewTopologies, ()) {
+  std::string old_rows, new_rows;
+  TestGraph graph;
+  std::uint32_t strands = 0, n = 0;
+  for (auto left = *rc::gen::inRange(1, 4); left > 0; --left, ++strands) {
+    const auto size = *rc::gen::inRange<std::uint32_t>(1, 6);
+    const bool circular = size > 2 && *rc::gen::arbitrary<bool>();
+    new_rows += "A(7)GTC"[0] + std::string(size - 1, 'C') + (circular ? " type=DNA circular=true\n" : "\n");
+    for (std::uint32_t k = 0; k < size; ++k) {
+      const std::uint32_t before = n + (k + size - 1) % size, after = n + (k + 1) % size;
+      old_rows += fmt::format("{} A {} {}\n", strands + 1, k > 0 || circular ? int(before) : -1,
+                              k + 1 < size || circular ? int(after) : -1);
+      if (k + 1 < size) graph.edges.push_back({n + k, n + k + 1});
+      graph.points.push_back({any_finite_float(), any_finite_float(), any_finite_float(), 0});
+    }
+    if (circular) graph.edges.push_back({n, n + size - 1});
+    n += size;
+  }
+  std::ranges::sort(graph.edges);
+  const std::string configuration = configuration_of(graph.points, 2);
+  for (const std::string& top :
+       {fmt::format("{} {}\n", n, strands) + old_rows, fmt::format("{} {} 5->3\n", n, strands) + new_rows}) {
+    const CurveFile curves = read_oxdna(top, configuration);
+    is_the_graph(curves, graph, 0, false, true);
+    RC_ASSERT(curves.later_frames.size() == 1u);
+    RC_ASSERT(curves.boxes == std::vector<PeriodicBox>(2, PeriodicBox{{20, 30, 40}}));
+    RC_ASSERT(curves.joints.empty());
+  }
+}
+
+TEST(OxdnaReader, CountsABaseInBracketsOnce) {
+  EXPECT_EQ(read_oxdna("3 1 5->3\nA(12)G\n", configuration_of(std::vector<Sphere>(3), 1)).strand_first,
+            (std::vector<std::uint32_t>{0, 3}));
+}
+
+TEST(OxdnaReader, SaysWhatIsWrong) {
+  EXPECT_COMPLAINT(" the strands are in oxDNA's topology; name it with --topology", "a.conf", "t = 0\n");
+  const std::string top = "2 1\n1 A -1 1\n1 C 0 -1\n", rows = "0 0 0\n1 0 0\n";
+  EXPECT_THROW(read_oxdna("2 1\n1 A -1 1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
+  EXPECT_THROW(read_oxdna("2 1\n1 A -1 9\n1 C 0 -1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
+  EXPECT_THROW(read_oxdna(top, "t = 0\n" + rows), InputError);
+  EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n0 0 0\n"), InputError);
+  EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows + "2 0 0\n"), InputError);
+  EXPECT_EQ(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows).spheres.size(), 2u);
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,73 @@
+#include "catena/core/readers/compressed.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <zlib.h>
+
+#include "catena/core/readers/base64.h"
+#include "catena/core/readers/test_file.h"
+
+namespace catena {
+namespace {
+
+std::string gzipped(const std::string& content) {
+  z_stream stream{};
+  deflateInit2(&stream, 6, Z_DEFLATED, 31, 8, Z_DEFAULT_STRATEGY);
+  std::string out(deflateBound(&stream, content.size()) + 64, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+std::string any_content() {
+  const auto piece = *rc::gen::container<std::string>(rc::gen::arbitrary<char>());
+  std::string content;
+  for (auto times = *rc::gen::inRange(0, 400); times > 0; --times) content += piece;
+  return content;
+}
+
+RC_GTEST_PROP(Gzip, UnpacksWhatIsPackedInAnyNumberOfMembers, ()) {
+  const std::string first = any_content(), second = any_content();
+  RC_ASSERT(gunzip(gzipped(first), "a") == first);
+  RC_ASSERT(gunzip(gzipped(first) + gzipped(second), "a") == first + second);
+}
+
+RC_GTEST_PROP(Gzip, RefusesEveryTruncation, ()) {
+  const std::string packed = gzipped(any_content());
+  const auto size = *rc::gen::inRange<std::size_t>(0, packed.size());
+  RC_ASSERT_THROWS_AS(gunzip(packed.substr(0, size), "a"), InputError);
+}
+
+TEST(Gzip, FilesAreReadByTheNameInside) {
+  EXPECT_EQ(read_text("a.xyzr.gz", gzipped("0 0 0 1\n")).spheres.size(), 1u);
+  EXPECT_EQ(read_text("a.XYZR", gzipped("0 0 0 1\n")).spheres.size(), 1u);  // and by their first bytes
+  EXPECT_COMPLAINT("1: a point is", "a.xyzr.gz", gzipped("0 0\n"));
+  EXPECT_COMPLAINT(" the gzip data is damaged or cut off", "a.xyzr.gz", gzipped("0 0 0 1\n").substr(0, 20));
+  EXPECT_COMPLAINT(" holds nothing when unpacked", "a.xyzr.gz", gzipped(""));
+}
+
+TEST(Format, IsNamedWhereTheExtensionDoesNotTell) {
+  const TestFile file("a.out", "0 0 0 1\n");
+  EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.format = "xyzr"}).spheres.size(), 1u);
+  EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.format = ".XYZR"}).spheres.size(), 1u);
+  EXPECT_COMPLAINT(" no reader for '.out' files", "a.out", "0 0 0 1\n");
+  EXPECT_COMPLAINT(" has no extension; name its format with --format", "plain", "0 0 0 1\n");
+}
+
+TEST(Base64, GoesOnAfterPaddingAndRefusesWhatIsNone) {
+  std::string bytes;
+  Base64 text("AQ==\n AgM=BAUG");
+  EXPECT_TRUE(text.read(6, bytes));
+  EXPECT_EQ(bytes, "\1\2\3\4\5\6");
+  EXPECT_FALSE(text.read(1, bytes));
+  for (const char* bad : {"A", "AQ=", "A===", "====", "AQ=A", "A*AA"})
+    EXPECT_FALSE(Base64(bad).read(1, bytes)) << bad;
+}
+
+}  // namespace
+}  // namespace catena

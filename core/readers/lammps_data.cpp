@@ -1,0 +1,206 @@
+#include "catena/core/readers/lammps_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/bead_file.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/number_text.h"
+#include "catena/core/readers/reader.h"
+
+namespace catena {
+namespace {
+
+bool starts_with_letter(std::string_view text) {
+  return !text.empty() && (('A' <= text[0] && text[0] <= 'Z') || ('a' <= text[0] && text[0] <= 'z'));
+}
+
+}  // namespace
+
+LammpsData::LammpsData(const std::filesystem::path& file) : lines_(file) {
+  lines_.next();  // the title
+  if (lines_.line().find('\0') != std::string_view::npos)
+    throw InputError(
+        fmt::format("{}: is binary; a .data file is one of LAMMPS here, in text", lines_.file_name()));
+  while (!at_section_ && lines_.next()) {
+    if (starts_with_letter(trimmed(lines_.line()))) {
+      take_name();
+    } else {
+      lines_.cut_comment('#');
+      if (!lines_.line().empty()) read_header_line();
+    }
+  }
+}
+
+void LammpsData::take_name() {
+  const std::string_view line = lines_.line();
+  const std::size_t comment = std::min(line.find('#'), line.size());
+  section_ = trimmed(line.substr(0, comment));
+  style_ = comment < line.size() ? trimmed(line.substr(comment + 1)) : "";
+  at_section_ = true;
+}
+
+void LammpsData::read_header_line() {
+  const auto& fields = lines_.fields();
+  const auto is = [&](std::size_t numbers, std::string_view word) {
+    return fields.size() == numbers + 1 && fields[numbers] == word;
+  };
+  if (is(1, "atoms")) atoms_ = lines_.count(fields[0], "number of atoms");
+  if (is(1, "bonds")) bonds_ = lines_.count(fields[0], "number of bonds");
+  constexpr std::string_view axes = "xyz";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (fields.size() == 4 && fields[2] == fmt::format("{}lo", axes[axis]) &&
+        fields[3] == fmt::format("{}hi", axes[axis])) {
+      box_.length[axis] = lines_.wide_real(fields[1], "upper end") - lines_.wide_real(fields[0], "lower end");
+      has_box_ = true;
+    }
+  if (fields.size() == 6 && fields[3] == "xy") {
+    box_.xy = lines_.wide_real(fields[0], "xy");
+    box_.xz = lines_.wide_real(fields[1], "xz");
+    box_.yz = lines_.wide_real(fields[2], "yz");
+  }
+}
+
+bool LammpsData::next_section() {
+  while (!at_section_) {
+    if (!lines_.next()) return false;
+    // Names of types may begin rows elsewhere, but not those of the sections that are read.
+    if (starts_with_letter(trimmed(lines_.line()))) take_name();
+  }
+  at_section_ = false;
+  return true;
+}
+
+const std::vector<std::string_view>& LammpsData::next_row() {
+  while (!at_section_ && lines_.next()) {
+    if (starts_with_letter(trimmed(lines_.line()))) {
+      take_name();
+      break;
+    }
+    lines_.cut_comment('#');
+    if (!lines_.line().empty()) return lines_.fields();
+  }
+  return none_;
+}
+
+namespace {
+
+/// Where a style of atoms has its columns; a style without molecules or diameters has none.
+struct AtomColumns {
+  std::size_t x = 0;
+  std::optional<std::size_t> molecule, diameter;
+};
+
+/// Of the styles of https://docs.lammps.org/read_data.html, by name.
+std::optional<AtomColumns> columns_of(std::string_view style) {
+  if (style == "atomic") return AtomColumns{2, {}, {}};
+  if (style == "angle" || style == "bond" || style == "molecular") return AtomColumns{3, 1, {}};
+  if (style == "charge" || style == "dipole") return AtomColumns{3, {}, {}};
+  if (style == "full") return AtomColumns{4, 1, {}};
+  if (style == "sphere") return AtomColumns{4, {}, 2};
+  if (style == "bpm/sphere") return AtomColumns{5, 1, 3};
+  return std::nullopt;
+}
+
+/// A LAMMPS data file: atoms, bonds and the box. Where `Atoms` says no style, the columns tell it if they
+/// can: with bonds 6 are molecular and 7 full, without 5 are atomic, each perhaps with three image flags
+/// more. Coordinates are taken as they are stored; image flags are not applied. A diameter of style sphere
+/// makes radii. Whether the box is periodic no data file says.
+class LammpsAtoms {
+ public:
+  LammpsAtoms(const std::filesystem::path& file, const ReadOptions& options)
+      : data_(file), beads_(options, shown_name(file)) {}
+
+  CurveFile curves() {
+    while (data_.next_section()) {
+      if (data_.section() == "Atoms") read_atoms();
+      if (data_.section() == "Bonds" && atoms_ == 0) data_.lines().fail("the bonds come before the atoms");
+      if (data_.section() == "Bonds") read_bonds();
+    }
+    if (atoms_ == 0) data_.lines().fail("the file has no section Atoms, or nothing in it");
+    if (atoms_ != data_.atoms())
+      data_.lines().fail(fmt::format("the header says {} atoms, the file has {}", data_.atoms(), atoms_));
+    if (bonds_ != data_.bonds())
+      data_.lines().fail(fmt::format("the header says {} bonds, the file has {}", data_.bonds(), bonds_));
+    if (data_.has_box()) {
+      beads_.about().boxes.push_back(data_.box());
+      beads_.about().box_is_periodic = false;
+    }
+    data_.lines().forget();
+    return beads_.curves();
+  }
+
+ private:
+  void read_atoms() {
+    std::optional<AtomColumns> columns = columns_of(data_.style());
+    if (!data_.style().empty() && !columns)
+      data_.lines().fail(
+          fmt::format("the atom style {} is not one of atomic, angle, bond, molecular, charge, dipole, full, "
+                      "sphere and bpm/sphere",
+                      in_quotes(data_.style())));
+    const std::size_t most = data_.lines().bytes() / 10;  // of what a header can say truly
+    beads_.reserve(std::min<std::size_t>(data_.atoms(), most), std::min<std::size_t>(data_.bonds(), most));
+    std::size_t size = 0;
+    for (;;) {
+      const auto& row = data_.next_row();
+      if (row.empty()) return beads_.end_frame();
+      if (!columns) columns = guessed(row.size());
+      if (size == 0) size = row.size();
+      if (row.size() != size || size < columns->x + 3)
+        data_.lines().fail(fmt::format("the atom has {} columns where {} are due", row.size(),
+                                       std::max(size, columns->x + 3)));
+      add(row, *columns);
+    }
+  }
+
+  AtomColumns guessed(std::size_t columns) {
+    if (data_.bonds() > 0 && (columns == 6 || columns == 9)) return {3, 1, {}};
+    if (data_.bonds() > 0 && (columns == 7 || columns == 10)) return {4, 1, {}};
+    if (data_.bonds() == 0 && (columns == 5 || columns == 8)) return {2, {}, {}};
+    data_.lines().fail(
+        fmt::format("what the {} columns are is not told; write the style behind the section's name, as in "
+                    "'Atoms # full'",
+                    columns));
+  }
+
+  void add(const std::vector<std::string_view>& row, const AtomColumns& columns) {
+    const TextLines& lines = data_.lines();
+    float radius = 0;
+    if (columns.diameter) {
+      radius = lines.radius(row[*columns.diameter]) / 2;
+      beads_.about().has_radii = true;
+    }
+    beads_.add(
+        lines.integer(row[0], "atom id"), lines.coordinate(row[columns.x], "x"),
+        lines.coordinate(row[columns.x + 1], "y"), lines.coordinate(row[columns.x + 2], "z"), radius,
+        columns.molecule && data_.bonds() == 0 ? lines.integer(row[*columns.molecule], "molecule") : 0);
+    ++atoms_;
+  }
+
+  void read_bonds() {
+    for (;;) {
+      const auto& row = data_.next_row();
+      if (row.empty()) return;
+      if (row.size() < 4)
+        data_.lines().fail(fmt::format("a bond is 'id type atom atom', got {} columns", row.size()));
+      beads_.tie(data_.lines().integer(row[2], "atom"), data_.lines().integer(row[3], "atom"));
+      ++bonds_;
+    }
+  }
+
+  LammpsData data_;
+  BeadFile beads_;
+  std::uint64_t atoms_ = 0, bonds_ = 0;
+};
+
+const RegisterReader registered{{"LAMMPS data",
+                                 {".data", ".lmp"},
+                                 "atoms along their bonds, or molecules; the box; radii of style sphere",
+                                 "atom id"},
+                                read_by<LammpsAtoms>};
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,44 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "catena/core/periodic/periodic_box.h"
+#include "catena/core/readers/text_lines.h"
+
+namespace catena {
+
+/// A LAMMPS data file, https://docs.lammps.org/read_data.html, section by section: a title, header lines, and
+/// sections that begin with a name between blank lines.
+class LammpsData {
+ public:
+  /// Reads the header. Throws InputError.
+  explicit LammpsData(const std::filesystem::path& file);
+
+  /// Goes to the next section; false when there is none.
+  bool next_section();
+  const std::string& section() const { return section_; }  ///< "Atoms"
+  const std::string& style() const { return style_; }      ///< what the comment after its name says: "full"
+
+  /// The next row of the section; empty at its end.
+  const std::vector<std::string_view>& next_row();
+
+  TextLines& lines() { return lines_; }
+  std::uint32_t bonds() const { return bonds_; }  ///< that the header announces
+  std::uint32_t atoms() const { return atoms_; }
+  bool has_box() const { return has_box_; }
+  const PeriodicBox& box() const { return box_; }
+
+ private:
+  void read_header_line();
+  void take_name();
+
+  TextLines lines_;
+  std::string section_, style_;
+  std::vector<std::string_view> none_;
+  std::uint32_t atoms_ = 0, bonds_ = 0;
+  bool has_box_ = false, at_section_ = false;
+  PeriodicBox box_;
+};
+
+}  // namespace catena

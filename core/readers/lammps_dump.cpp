@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "catena/core/readers/bead_file.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/lammps_data.h"
+#include "catena/core/readers/reader.h"
+#include "catena/core/readers/text_lines.h"
+
+/// A LAMMPS dump in text, https://docs.lammps.org/dump.html: frames of atoms in any order, by the names of
+/// their columns: id; x y z, unwrapped (xu), scaled (xs) or both (xsu); perhaps mol, and radius or diameter.
+/// The box is that of each frame, periodic along an axis where both bounds say p. Bonds are in a data file
+/// that --topology names.
+namespace catena {
+namespace {
+
+class LammpsDump {
+ public:
+  LammpsDump(const std::filesystem::path& file, const ReadOptions& options)
+      : lines_(file), beads_(options, shown_name(file)), topology_(options.topology) {}
+
+  CurveFile curves() {
+    while (lines_.next())
+      if (!trimmed(lines_.line()).empty()) read_item();
+    lines_.forget();
+    if (!topology_.empty()) read_bonds();
+    return beads_.curves();
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  void read_item() {
+    const std::string_view line = trimmed(lines_.line());
+    if (!line.starts_with("ITEM: ")) lines_.fail("'ITEM: ...' is due");
+    const std::string_view item = line.substr(6);
+    if (item.starts_with("NUMBER OF ATOMS"))
+      read_number();
+    else if (item.starts_with("BOX BOUNDS"))
+      read_box();
+    else if (item.starts_with("ATOMS"))
+      read_atoms();
+    else
+      due_line("a value");  // TIMESTEP, UNITS, TIME
+  }
+
+  void read_number() {
+    atoms_ = lines_.count(trimmed(due_line("the number of atoms")), "number of atoms");
+    beads_.reserve(std::min<std::size_t>(atoms_, lines_.bytes() / 8), 0);
+  }
+
+  std::string_view due_line(const char* what) {
+    if (!lines_.next()) lines_.fail(fmt::format("the file is truncated: it ends where {} is due", what));
+    return lines_.line();
+  }
+
+  // The bounds of a tilted box are those of what encloses it, see
+  // https://docs.lammps.org/Howto_triclinic.html.
+  void read_box() {
+    std::vector<std::string> words;
+    for (const auto word : lines_.fields()) words.emplace_back(word);
+    const bool tilted = words.size() > 3 && words[3] == "xy";
+    if (words.size() > 3 && words[3] == "abc")
+      lines_.fail("a box of general edges (abc origin) is not supported; dump it as xy xz yz");
+    std::array<double, 3> low{}, high{}, tilt{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      due_line("a bound of the box");
+      const auto& fields = lines_.fields();
+      if (fields.size() < (tilted ? 3u : 2u))
+        lines_.fail("a bound of the box is 'low high', and a tilt where it is tilted");
+      low[axis] = lines_.wide_real(fields[0], "lower bound");
+      high[axis] = lines_.wide_real(fields[1], "upper bound");
+      if (tilted) tilt[axis] = lines_.wide_real(fields[2], "tilt");
+    }
+    const auto [xy, xz, yz] = tilt;
+    low[0] -= std::min({0.0, xy, xz, xy + xz}), high[0] -= std::max({0.0, xy, xz, xy + xz});
+    low[1] -= std::min(0.0, yz), high[1] -= std::max(0.0, yz);
+    low_ = low;
+    edge_ = {{high[0] - low[0], high[1] - low[1], high[2] - low[2]}, xy, xz, yz};
+    box_ = edge_;
+    const std::size_t bounds = words.size() - std::min<std::size_t>(words.size(), 3);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string_view kind = bounds >= 3 ? std::string_view(words[words.size() - 3 + axis]) : "pp";
+      if (kind != "pp") box_.length[axis] = 0;
+    }
+  }
+
+  void read_atoms() {
+    find_columns();
+    for (std::uint32_t k = 0; k < atoms_; ++k) {
+      due_line("an atom");
+      const auto& fields = lines_.fields();
+      if (fields.size() != columns_)
+        lines_.fail(fmt::format("an atom of {} columns, {} are named", fields.size(), columns_));
+      add(fields);
+    }
+    beads_.about().boxes.push_back(box_);
+    beads_.end_frame();
+  }
+
+  void find_columns() {
+    std::vector<std::string> names;
+    for (const auto name : lines_.fields()) names.emplace_back(name);
+    names.erase(names.begin(), names.begin() + 2);
+    columns_ = names.size();
+    const auto column = [&](const char* name) {
+      const auto found = std::ranges::find(names, name);
+      return found == names.end() ? none : static_cast<std::size_t>(found - names.begin());
+    };
+    id_ = column("id"), molecule_ = column("mol"), radius_ = column("radius"), diameter_ = column("diameter");
+    scaled_ = false;
+    place_ = {none, none, none};
+    for (const char* suffix : {"", "u", "s", "su"}) {
+      const std::string end = suffix;
+      const std::array<std::size_t, 3> here{column(("x" + end).c_str()), column(("y" + end).c_str()),
+                                            column(("z" + end).c_str())};
+      if (std::ranges::find(here, none) != here.end()) continue;
+      place_ = here;
+      scaled_ = end.starts_with('s');
+      break;
+    }
+    if (id_ == none || place_[0] == none) lines_.fail("the columns lack id, or x y z (or xu, xs, xsu)");
+  }
+
+  void add(const std::vector<std::string_view>& fields) {
+    double x = lines_.coordinate(fields[place_[0]], "x"), y = lines_.coordinate(fields[place_[1]], "y"),
+           z = lines_.coordinate(fields[place_[2]], "z");
+    if (scaled_) {
+      x = low_[0] + x * edge_.length[0] + y * edge_.xy + z * edge_.xz;
+      y = low_[1] + y * edge_.length[1] + z * edge_.yz;
+      z = low_[2] + z * edge_.length[2];
+    }
+    float radius = 0;
+    if (radius_ != none) radius = lines_.radius(fields[radius_]);
+    if (radius_ == none && diameter_ != none) radius = lines_.radius(fields[diameter_]) / 2;
+    beads_.about().has_radii = radius_ != none || diameter_ != none;
+    beads_.add(lines_.integer(fields[id_], "id"), x, y, z, radius,
+               molecule_ == none ? 0 : lines_.integer(fields[molecule_], "mol"));
+  }
+
+  void read_bonds() {
+    LammpsData data(topology_);
+    while (data.next_section()) {
+      if (data.section() != "Bonds") continue;
+      for (;;) {
+        const auto& row = data.next_row();
+        if (row.empty()) break;
+        if (row.size() < 4)
+          data.lines().fail(fmt::format("a bond is 'id type atom atom', got {} columns", row.size()));
+        beads_.tie(data.lines().integer(row[2], "atom"), data.lines().integer(row[3], "atom"));
+      }
+    }
+  }
+
+  TextLines lines_;
+  BeadFile beads_;
+  std::string topology_;
+  std::uint32_t atoms_ = 0;
+  std::array<double, 3> low_{};
+  PeriodicBox edge_, box_;  ///< of the frame; without and with what is not periodic left out
+  std::size_t columns_ = 0, id_ = none, molecule_ = none, radius_ = none, diameter_ = none;
+  std::array<std::size_t, 3> place_{};
+  bool scaled_ = false;
+};
+
+const RegisterReader registered{
+    {"LAMMPS dump",
+     {".dump", ".lammpstrj"},
+     "atoms by id and column names, all frames; the box; bonds by --topology; radii where dumped",
+     "atom id",
+     {"--topology"}},
+    read_by<LammpsDump>};
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_graph.h"
+
+namespace catena {
+namespace {
+
+/// The same residues in both formats: name, chain, number, model, and whether it is HETATM.
+struct Atom {
+  const char *group, *name, *residue;
+  char chain;
+  int number, model;
+  double x, y, z;
+};
+
+std::string cif_of(const std::vector<Atom>& atoms, bool quoted, bool split) {
+  std::string text =
+      "data_a\n_cell.length_a "
+      "1\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_"
+      "alt_id\n"
+      "_atom_site.auth_comp_id\n_atom_site.label_asym_id\n_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n_"
+      "atom_site.pdbx_PDB_ins_code\n"
+      "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.occupancy\n_atom_site.pdbx_PDB_"
+      "model_num\n";
+  for (const Atom& a : atoms)
+    text += fmt::format("{} C {}{}{} . {} {} {} {} ?{}{:.3f} {:.3f} {:.3f} 1.0 {}\n", a.group,
+                        quoted ? "'" : "", a.name, quoted ? "'" : "", a.residue, a.chain, a.chain, a.number,
+                        split ? "\n" : " ", a.x, a.y, a.z, a.model);
+  return text + "#\n";
+}
+
+std::string pdb_of(const std::vector<Atom>& atoms) {
+  std::string text;
+  int serial = 0;
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    const Atom& a = atoms[k];
+    if (k == 0 || a.model != atoms[k - 1].model)
+      text += (k > 0 ? "ENDMDL\n" : "") + fmt::format("MODEL     {:4}\n", a.model);
+    if (k > 0 && a.model == atoms[k - 1].model && a.chain != atoms[k - 1].chain) text += "TER\n";
+    text += fmt::format("{:<6}{:5}  {:<3} {:<3} {}{:4}    {:8.3f}{:8.3f}{:8.3f}  1.00  0.00           C\n",
+                        a.group, ++serial, a.name, a.residue, a.chain, a.number, a.x, a.y, a.z);
+  }
+  return text + "ENDMDL\nEND\n";
+}
+
+// What a .pdb file gives, the same atoms give as mmCIF.
+RC_GTEST_PROP(MmcifReader, GivesWhatPdbGives, (bool quoted, bool split)) {
+  std::vector<Atom> atoms;
+  const auto chains = *rc::gen::inRange(1, 4), length = *rc::gen::inRange(1, 6),
+             models = *rc::gen::inRange(1, 3);
+  for (int model = 1; model <= models; ++model)
+    for (int c = 0; c < chains; ++c)
+      for (int r = 0; r < length; ++r) {
+        const bool gap = r == 3;
+        const double x = 3.8 * r + (gap ? 9 : 0) + *rc::gen::inRange(0, 100) / 1000.0;
+        atoms.push_back({"ATOM", "N", "ALA", static_cast<char>('A' + c), r + 1, model, x - 1, c * 10.0, 0.5});
+        atoms.push_back(
+            {"ATOM", "CA", "ALA", static_cast<char>('A' + c), r + 1, model, x, c * 10.0, model * 1.5});
+      }
+  const CurveFile cif = read_text("a.cif", cif_of(atoms, quoted, split)),
+                  pdb = read_text("a.pdb", pdb_of(atoms));
+  RC_ASSERT(cif.spheres.size() == std::size_t(chains) * length);
+  RC_ASSERT(cif.spheres == pdb.spheres);
+  RC_ASSERT(cif.later_frames == pdb.later_frames);
+  RC_ASSERT(cif.strand_first == pdb.strand_first);
+  RC_ASSERT(cif.labels.strand_names == pdb.labels.strand_names);
+  for (std::uint32_t i = 0; i < cif.spheres.size(); ++i) RC_ASSERT(cif.labels.of(i) == pdb.labels.of(i));
+}
+
+TEST(MmcifReader, SkipsTextsOfSeveralLines) {
+  const std::string atoms = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}}, false, false);
+  EXPECT_EQ(
+      read_text("a.cif", "data_a\n_struct.title\n;a title\nloop_\n_atom_site.fake\n;\n" + atoms.substr(7))
+          .spheres.size(),
+      1u);
+}
+
+TEST(MmcifReader, ComplainsWithFileAndLine) {
+  EXPECT_COMPLAINT("1: the file has no table _atom_site", "a.cif", "data_a\n");
+  EXPECT_COMPLAINT("3: the table _atom_site has no column group_PDB", "a.cif", "loop_\n_atom_site.id\n1\n");
+  const std::string whole = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}}, false, false);
+  EXPECT_COMPLAINT("18: the row has 13 words, the table 14 columns", "a.cif",
+                   whole.substr(0, whole.size() - 5));
+  std::string bad = whole;
+  bad.replace(bad.find("0.000"), 5, "x.000");
+  EXPECT_COMPLAINT("18: Cartn_x 'x.000' is not a number", "a.cif", bad);
+  bad = whole;
+  bad.replace(bad.find(" CA "), 4, " 'CA ");
+  EXPECT_COMPLAINT("18: a quote is not closed", "a.cif", bad);
+}
+
+}  // namespace
+}  // namespace catena

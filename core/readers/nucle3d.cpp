@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/reader.h"
+#include "catena/core/readers/text_lines.h"
+
+/// Genome models of Nucle3D and g3d: lines `KEY<tab>value`, of which `CHR name` begins a chromosome, then
+/// `bin,x,y,z` rows, or `bin,x,y,z,haplotype`. A chromosome, and in it each haplotype, is a strand; bins that
+/// are missing do not end it. No radii.
+namespace catena {
+namespace {
+
+class Nucle3d {
+ public:
+  Nucle3d(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
+
+  CurveFile curves() {
+    while (lines_.next()) {
+      lines_.cut_comment('#');
+      if (!lines_.line().empty()) read_line();
+    }
+    curves_.end_strand();
+    return std::move(curves_);
+  }
+
+ private:
+  void read_line() {
+    if (const auto words = lines_.fields(" \t"); words[0] == "CHR") {
+      if (words.size() != 2) lines_.fail("a chromosome is 'CHR name'");
+      chromosome_ = words[1];
+      new_strand_ = true;
+      return;
+    } else if (words.size() > 1 && words[0].find(',') == std::string_view::npos) {
+      return;  // TITLE, GENOME, BINSIZE
+    }
+    read_point(lines_.fields(", \t"));
+  }
+
+  void read_point(const std::vector<std::string_view>& fields) {
+    if (chromosome_.empty()) lines_.fail("a point before the first 'CHR name'");
+    if (fields.size() != 4 && fields.size() != 5)
+      lines_.fail(
+          fmt::format("a point is 'bin,x,y,z' and perhaps a haplotype, got {} columns", fields.size()));
+    const std::string haplotype(fields.size() == 5 ? fields[4] : "");
+    if (new_strand_ || haplotype != haplotype_) begin_strand(haplotype);
+    lines_.integer(fields[0], "bin");
+    curves_.add_point(lines_.coordinate(fields[1], "x"), lines_.coordinate(fields[2], "y"),
+                      lines_.coordinate(fields[3], "z"));
+    curves_.labels.add(fmt::format("{}:{}", curves_.labels.strand_names.back(), fields[0]));
+  }
+
+  void begin_strand(const std::string& haplotype) {
+    curves_.end_strand();
+    new_strand_ = false;
+    haplotype_ = haplotype;
+    curves_.labels.strand_names.push_back(haplotype.empty() ? chromosome_ : chromosome_ + "/" + haplotype);
+  }
+
+  TextLines lines_;
+  std::string chromosome_, haplotype_;
+  bool new_strand_ = false;
+  CurveFile curves_;
+};
+
+const RegisterReader registered{{"nucle3d genome",
+                                 {".nucle3d"},
+                                 "a strand for each chromosome and haplotype; no radii",
+                                 "chromosome:bin"},
+                                read_by<Nucle3d>};
+
+}  // namespace
+}  // namespace catena

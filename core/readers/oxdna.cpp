@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/curve_graph.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/reader.h"
+#include "catena/core/readers/text_lines.h"
+
+/// oxDNA configurations, https://lorenzo-rovigatti.github.io/oxDNA/configurations.html: frames of `t = `, `b
+/// = ` (the box), `E = ` and a line for each nucleotide, of which the centre of mass is taken. The strands
+/// are in the topology that
+/// --topology names, or in the file beside it that ends in .top: the old form, a line for each nucleotide
+/// with its neighbours, and the new one, a line for each strand with its sequence. The box is periodic. No
+/// radii.
+namespace catena {
+namespace {
+
+struct OxdnaTopology {
+  std::uint32_t nucleotides = 0;
+  std::vector<Pair> bonds;
+};
+
+class TopologyText {
+ public:
+  explicit TopologyText(const std::filesystem::path& file) : lines_(file) {}
+
+  OxdnaTopology topology() {
+    if (!lines_.next() || lines_.fields().size() < 2)
+      lines_.fail("a topology begins with its numbers of nucleotides and strands");
+    topology_.nucleotides = lines_.count(lines_.fields()[0], "number of nucleotides");
+    const bool by_strand = lines_.fields().back() == "5->3";
+    while (lines_.next()) {
+      lines_.cut_comment('#');
+      if (!lines_.line().empty()) by_strand ? read_strand() : read_nucleotide();
+    }
+    if (seen_ != topology_.nucleotides)
+      lines_.fail(fmt::format("the first line says {} nucleotides, {} follow", topology_.nucleotides, seen_));
+    return std::move(topology_);
+  }
+
+ private:
+  // `strand base neighbour-to-3' neighbour-to-5'`; -1 for none.
+  void read_nucleotide() {
+    const auto& fields = lines_.fields();
+    if (fields.size() < 4)
+      lines_.fail(fmt::format("a nucleotide is 'strand base n3 n5', got {} columns", fields.size()));
+    for (const std::size_t k : {2, 3}) {
+      const std::int64_t other = lines_.integer(fields[k], "neighbour");
+      if (other < -1 || other >= topology_.nucleotides)
+        lines_.fail(fmt::format("neighbour {} is not one of {} nucleotides", other, topology_.nucleotides));
+      if (other >= 0) topology_.bonds.push_back({seen_, static_cast<std::uint32_t>(other)});
+    }
+    ++seen_;
+  }
+
+  // `SEQUENCE key=value ...`; a base in brackets is a number, and one base.
+  void read_strand() {
+    const auto& fields = lines_.fields();
+    const std::uint32_t first = seen_;
+    bool in_brackets = false;
+    for (const char c : fields[0]) {
+      if (c == '(') in_brackets = true;
+      if (!in_brackets || c == ')') ++seen_;
+      if (c == ')') in_brackets = false;
+    }
+    for (std::uint32_t i = first; i + 1 < seen_; ++i) topology_.bonds.push_back({i, i + 1});
+    const bool circular = std::ranges::any_of(
+        fields, [](auto field) { return lower_case(field) == "circular=true" || field == "circular=1"; });
+    if (circular && seen_ - first > 2) topology_.bonds.push_back({seen_ - 1, first});
+  }
+
+  TextLines lines_;
+  std::uint32_t seen_ = 0;
+  OxdnaTopology topology_;
+};
+
+class Oxdna {
+ public:
+  Oxdna(const std::filesystem::path& file, const ReadOptions& options)
+      : lines_(file), topology_(TopologyText(topology_of(file, options)).topology()), curves_(options) {}
+
+  CurveFile curves() {
+    bool more = lines_.next();
+    for (std::size_t frame = 0; more; ++frame) {
+      if (frame > 0) curves_.begin_later_frame();
+      more = read_frame(frame);
+    }
+    lines_.forget();
+    for (const std::uint32_t nucleotide : arrange_along_edges(curves_, topology_.bonds, true))
+      curves_.labels.add(std::int64_t{nucleotide});
+    return std::move(curves_);
+  }
+
+ private:
+  static std::filesystem::path topology_of(const std::filesystem::path& file, const ReadOptions& options) {
+    if (!options.topology.empty()) return options.topology;
+    auto beside = file;
+    if (lower_case(beside.extension().string()) == ".gz") beside.replace_extension();
+    beside.replace_extension(".top");
+    if (is_standard_input(file) || !std::filesystem::exists(beside))
+      throw InputError(fmt::format(
+          "{}: the strands are in oxDNA's topology; name it with --topology FILE.top", shown_name(file)));
+    return beside;
+  }
+
+  /// From its first line, which is current; true when another frame follows.
+  bool read_frame(std::size_t frame) {
+    bool has_box = false;
+    std::uint32_t nucleotides = 0;
+    do {
+      const auto& fields = lines_.fields();
+      if (fields.empty()) continue;
+      if (fields.size() > 1 && fields[1] == "=") {
+        if (fields[0] == "t" && (has_box || nucleotides > 0)) break;
+        if (fields[0] == "b") read_box(fields), has_box = true;
+      } else {
+        read_nucleotide(fields, ++nucleotides, frame);
+      }
+    } while (lines_.next());
+    if (!has_box) lines_.fail(fmt::format("frame {} has no line 'b = X Y Z'", frame));
+    if (nucleotides != topology_.nucleotides)
+      lines_.fail(fmt::format("frame {} has {} nucleotides, the topology {}", frame, nucleotides,
+                              topology_.nucleotides));
+    return !lines_.fields().empty() && lines_.fields()[0] == "t";
+  }
+
+  void read_box(const std::vector<std::string_view>& fields) {
+    if (fields.size() != 5) lines_.fail("the box is 'b = X Y Z'");
+    PeriodicBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) box.length[axis] = lines_.wide_real(fields[2 + axis], "box");
+    curves_.boxes.push_back(box);
+  }
+
+  void read_nucleotide(const std::vector<std::string_view>& fields, std::uint32_t number, std::size_t frame) {
+    if (fields.size() < 3)
+      lines_.fail(fmt::format("a nucleotide begins with x y z, got {} columns", fields.size()));
+    if (number > topology_.nucleotides)
+      lines_.fail(
+          fmt::format("frame {} has more nucleotides than the topology's {}", frame, topology_.nucleotides));
+    curves_.add_point(lines_.coordinate(fields[0], "x"), lines_.coordinate(fields[1], "y"),
+                      lines_.coordinate(fields[2], "z"));
+  }
+
+  TextLines lines_;
+  OxdnaTopology topology_;
+  CurveFile curves_;
+};
+
+const RegisterReader registered{{"oxDNA configuration",
+                                 {".oxdna", ".conf", ".dat"},
+                                 "nucleotides along the strands of a topology, all frames; the box; no radii",
+                                 "nucleotide from 0",
+                                 {"--topology"}},
+                                read_by<Oxdna>};
+
+}  // namespace
+}  // namespace catena

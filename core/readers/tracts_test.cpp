@@ -1,0 +1,138 @@
+#include <cstring>
+#include <limits>
+
+#include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_graph.h"
+
+/// Tracts and hair: binary strands of points without radii.
+namespace catena {
+namespace {
+
+template <class T>
+void append(std::string& bytes, T value, bool big_endian = false) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  if (big_endian) std::ranges::reverse(raw);
+  bytes.append(raw, sizeof raw);
+}
+
+std::vector<std::vector<Sphere>> any_strands() {
+  std::vector<std::vector<Sphere>> strands(*rc::gen::inRange<std::size_t>(1, 5));
+  for (auto& strand : strands)
+    for (auto left = *rc::gen::inRange(1, 5); left > 0; --left)
+      strand.push_back({any_finite_float(), any_finite_float(), any_finite_float(), 0});
+  return strands;
+}
+
+void are_the_strands(const CurveFile& curves, const std::vector<std::vector<Sphere>>& strands) {
+  RC_ASSERT(curves.strand_closed == std::vector<std::uint8_t>(strands.size(), 0));
+  RC_ASSERT(!curves.has_radii);
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    RC_ASSERT(curves.strand_first[s + 1] - curves.strand_first[s] == strands[s].size());
+    RC_ASSERT(std::memcmp(&curves.spheres[curves.strand_first[s]], strands[s].data(),
+                          strands[s].size() * sizeof(Sphere)) == 0);
+  }
+}
+
+template <class Real>
+std::string tck_of(const std::vector<std::vector<Sphere>>& strands, bool big_endian) {
+  std::string text = std::string("mrtrix tracks\ncount: 0000000\ndatatype: ") +
+                     (sizeof(Real) == 4 ? "Float32" : "Float64") + (big_endian ? "BE" : "LE") +
+                     "\nfile: . 90\nEND\n";
+  text.resize(90, '\0');
+  const auto triple = [&](Real x, Real y, Real z) {
+    append(text, x, big_endian), append(text, y, big_endian), append(text, z, big_endian);
+  };
+  for (const auto& strand : strands) {
+    for (const Sphere& p : strand)
+      triple(static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z));
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    triple(nan, nan, nan);
+  }
+  const Real infinity = std::numeric_limits<Real>::infinity();
+  triple(infinity, infinity, infinity);
+  return text;
+}
+
+RC_GTEST_PROP(TckReader, ReadsWhatIsWritten, (bool wide, bool big_endian)) {
+  const auto strands = any_strands();
+  const CurveFile curves =
+      read_text("a.tck", wide ? tck_of<double>(strands, big_endian) : tck_of<float>(strands, big_endian));
+  are_the_strands(curves, strands);
+  RC_ASSERT(curves.warnings.empty());
+}
+
+TEST(TckReader, SaysWhatIsWrong) {
+  EXPECT_COMPLAINT("1: the file does not start with", "a.tck", "tracks\n");
+  EXPECT_COMPLAINT("2: the datatype 'Float16LE'", "a.tck", "mrtrix tracks\ndatatype: Float16LE\nEND\n");
+  EXPECT_COMPLAINT("2: the tracks are in another file", "a.tck", "mrtrix tracks\nfile: b.dat 0\nEND\n");
+  EXPECT_COMPLAINT("2: the header lacks", "a.tck", "mrtrix tracks\nEND\n");
+  EXPECT_COMPLAINT(" byte ", "a.tck", "mrtrix tracks\ndatatype: Float32LE\nfile: . 99999\nEND\n");
+  const std::string whole = tck_of<float>({{{1, 2, 3, 0}}}, false);
+  EXPECT_EQ(read_text("a.tck", whole.substr(0, whole.size() - 12)).warnings.size(), 1u);
+  EXPECT_COMPLAINT(" byte ", "a.tck", whole.substr(0, whole.size() - 5));
+}
+
+std::string trk_of(const std::vector<std::vector<Sphere>>& strands, bool big_endian, std::uint16_t scalars,
+                   std::uint16_t properties, std::int32_t announced) {
+  std::string bytes("TRACK", 5);
+  bytes.resize(36, '\0');
+  append(bytes, scalars, big_endian);
+  bytes.resize(238, '\0');
+  append(bytes, properties, big_endian);
+  bytes.resize(988, '\0');
+  append(bytes, announced, big_endian), append(bytes, std::int32_t{2}, big_endian),
+      append(bytes, std::int32_t{1000}, big_endian);
+  for (const auto& strand : strands) {
+    append(bytes, static_cast<std::int32_t>(strand.size()), big_endian);
+    for (const Sphere& p : strand) {
+      append(bytes, p.x, big_endian), append(bytes, p.y, big_endian), append(bytes, p.z, big_endian);
+      bytes.append(4u * scalars, '\x7f');
+    }
+    bytes.append(4u * properties, '\x7f');
+  }
+  return bytes;
+}
+
+RC_GTEST_PROP(TrkReader, ReadsWhatIsWritten, (bool big_endian)) {
+  const auto strands = any_strands();
+  const auto scalars = *rc::gen::inRange<std::uint16_t>(0, 3),
+             properties = *rc::gen::inRange<std::uint16_t>(0, 3);
+  are_the_strands(read_text("a.trk", trk_of(strands, big_endian, scalars, properties, 0)), strands);
+}
+
+TEST(TrkReader, SaysWhatIsWrong) {
+  EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 5)).warnings.size(), 1u);
+  EXPECT_COMPLAINT(" byte 5: the file does not start with TRACK", "a.trk", "TRUCK");
+  EXPECT_COMPLAINT(" byte ", "a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 1).substr(0, 1010));
+  EXPECT_COMPLAINT(" byte 1000: the header does not say", "a.trk", "TRACK" + std::string(1000, '\0'));
+}
+
+RC_GTEST_PROP(TfxReader, ReadsWhatIsWritten, ()) {
+  const auto size = *rc::gen::inRange<std::uint32_t>(1, 5);
+  std::vector<std::vector<Sphere>> strands(*rc::gen::inRange<std::size_t>(1, 5));
+  for (auto& strand : strands)
+    for (std::uint32_t k = 0; k < size; ++k)
+      strand.push_back({any_finite_float(), any_finite_float(), any_finite_float(), 0});
+  std::string bytes;
+  append(bytes, 4.0f), append(bytes, static_cast<std::uint32_t>(strands.size())), append(bytes, size),
+      append(bytes, std::uint32_t{160});
+  bytes.resize(160, '\0');
+  for (const auto& strand : strands)
+    for (const Sphere& p : strand)
+      append(bytes, p.x), append(bytes, p.y), append(bytes, p.z), append(bytes, 1.0f);
+  are_the_strands(read_text("a.tfx", bytes), strands);
+}
+
+TEST(TfxReader, SaysWhatIsWrong) {
+  std::string bytes;
+  append(bytes, 3.0f);
+  EXPECT_COMPLAINT(" byte 4: the version is 3", "a.tfx", bytes);
+  bytes.clear();
+  append(bytes, 4.0f), append(bytes, 0xFFFFFFFFu), append(bytes, 0xFFFFFFFFu),
+      append(bytes, std::uint32_t{16});
+  EXPECT_COMPLAINT(" byte 16: the file is truncated", "a.tfx", bytes);
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,341 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "catena/core/readers/binary_fields.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/number_text.h"
+#include "catena/core/readers/reader.h"
+#include "catena/core/readers/text_lines.h"
+#include "catena/core/readers/vtk_mesh.h"
+
+/// VTK's legacy files, https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html: POLYDATA
+/// and UNSTRUCTURED_GRID, ASCII and binary (big-endian), of versions 1 to 5. What is taken of them vtk_mesh.h
+/// says.
+namespace catena {
+namespace {
+
+enum class Kind { floating, signed_integer, unsigned_integer };
+struct Type {
+  unsigned size;
+  Kind kind;
+};
+
+std::optional<Type> type_named(const std::string& name) {
+  if (name == "float") return Type{4, Kind::floating};
+  if (name == "double") return Type{8, Kind::floating};
+  if (name == "char" || name == "signed_char") return Type{1, Kind::signed_integer};
+  if (name == "unsigned_char") return Type{1, Kind::unsigned_integer};
+  if (name == "short") return Type{2, Kind::signed_integer};
+  if (name == "unsigned_short") return Type{2, Kind::unsigned_integer};
+  if (name == "int" || name == "vtkidtype")
+    return Type{4, Kind::signed_integer};  // as VTK writes its ids here
+  if (name == "unsigned_int") return Type{4, Kind::unsigned_integer};
+  if (name == "long" || name == "vtktypeint64") return Type{8, Kind::signed_integer};
+  if (name == "unsigned_long" || name == "vtktypeuint64") return Type{8, Kind::unsigned_integer};
+  return std::nullopt;
+}
+
+constexpr Type int32{4, Kind::signed_integer};
+
+/// VTK writes a name's odd characters as %20.
+std::string decoded(std::string_view name) {
+  std::string plain;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    const auto digit = [&](std::size_t at) { return std::string_view("0123456789ABCDEF").find(name[at]); };
+    if (name[k] == '%' && k + 2 < name.size() && digit(k + 1) != std::string::npos &&
+        digit(k + 2) != std::string::npos) {
+      plain += static_cast<char>(digit(k + 1) * 16 + digit(k + 2));
+      k += 2;
+    } else {
+      plain += name[k];
+    }
+  }
+  return plain;
+}
+
+class VtkLegacy {
+ public:
+  VtkLegacy(const std::filesystem::path& file, const ReadOptions& options)
+      : fields_(file, BinaryFields::Order::big), mesh_(options) {}
+
+  CurveFile curves() {
+    if (!fields_.line("the header").starts_with("# vtk DataFile Version"))
+      fail("the file does not start with '# vtk DataFile Version'");
+    fields_.line("the title");
+    const std::string form = lower_case(trimmed(fields_.line("ASCII or BINARY")));
+    if (form != "ascii" && form != "binary")
+      fail(fmt::format("{}: expected ASCII or BINARY", in_quotes(form)));
+    ascii_ = form == "ascii";
+    while (!fields_.next_word().empty()) read_section();
+    add_cells();
+    fields_.forget();
+    return mesh_.curves(fields_.file_name());
+  }
+
+ private:
+  struct Cells {
+    std::vector<std::int64_t> points;
+    std::vector<std::uint64_t> end;
+  };
+
+  void read_section() {
+    const std::string word = lower_case(fields_.next_word());
+    if (word == "metadata") return skip_metadata();
+    words_of_line();
+    if (word == "dataset") return check_dataset();
+    if (word == "points") return read_points();
+    if (word == "vertices") return read_cells(vertices_);
+    if (word == "lines" || word == "cells") return read_cells(lines_);
+    if (word == "polygons" || word == "triangle_strips") return read_cells(others_);
+    if (word == "cell_types") return read_types();
+    if (word == "point_data" || word == "cell_data") {
+      of_ = word == "point_data" ? VtkMesh::Of::points : VtkMesh::Of::cells;
+      items_ = count(1, "number of items");
+      return;
+    }
+    if (word == "field") return read_field();
+    read_attribute(word);
+  }
+
+  void check_dataset() {
+    const std::string kind = lower_case(argument(1));
+    unstructured_ = kind == "unstructured_grid";
+    if (!unstructured_ && kind != "polydata")
+      fail(fmt::format("a dataset {} has no lines; poly-lines are in POLYDATA and UNSTRUCTURED_GRID",
+                       in_quotes(argument(1))));
+  }
+
+  void read_points() {
+    const std::uint64_t points = count(1, "number of points");
+    const Type type = type_of(argument(2));
+    require(points, 3, type);
+    mesh_.reserve_points(points);
+    for (std::uint64_t p = 0; p < points; ++p) {
+      const double x = coordinate(type, "x"), y = coordinate(type, "y"), z = coordinate(type, "z");
+      mesh_.add_point(x, y, z);
+    }
+  }
+
+  void read_cells(Cells& cells) {
+    const std::uint64_t first = count(1, "number of cells"), second = count(2, "size of the cells");
+    if (lower_case(fields_.next_word()) == "offsets") return read_offset_cells(cells, first, second);
+    require(second, 1, int32);
+    std::uint64_t used = 0;
+    for (std::uint64_t cell = 0; cell < first; ++cell) {
+      if (used >= second)
+        fail(fmt::format("{} cells do not fit into the {} numbers announced", first, second));
+      const std::int64_t size = integer(int32, "size of a cell");
+      if (size < 0 || static_cast<std::uint64_t>(size) > second - used - 1)
+        fail(fmt::format("a cell of {} points, where {} numbers are left", size, second - used - 1));
+      for (std::int64_t k = 0; k < size; ++k) cells.points.push_back(integer(int32, "point number"));
+      cells.end.push_back(cells.points.size());
+      used += 1 + static_cast<std::uint64_t>(size);
+    }
+    if (used != second) fail(fmt::format("the cells take {} numbers, {} are announced", used, second));
+  }
+
+  // Version 5: where each cell begins, and one more; then the points.
+  void read_offset_cells(Cells& cells, std::uint64_t offsets, std::uint64_t size) {
+    words_of_line();
+    const Type type = type_of(argument(1));
+    require(offsets, 1, type);
+    std::vector<std::int64_t> begin(offsets);
+    for (auto& offset : begin) offset = integer(type, "offset");
+    for (std::size_t k = 0; k < begin.size(); ++k)
+      if (k == 0 ? begin[k] != 0 : begin[k] < begin[k - 1] || static_cast<std::uint64_t>(begin[k]) > size)
+        fail(fmt::format("offset {} is {}; offsets ascend from 0 to {}", k, begin[k], size));
+    words_of_line();
+    if (lower_case(argument(0)) != "connectivity") fail("CONNECTIVITY is due after OFFSETS");
+    const Type point_type = type_of(argument(1));
+    require(size, 1, point_type);
+    for (std::uint64_t k = 0; k < size; ++k) cells.points.push_back(integer(point_type, "point number"));
+    for (std::size_t k = 1; k < begin.size(); ++k) cells.end.push_back(static_cast<std::uint64_t>(begin[k]));
+  }
+
+  void read_types() {
+    const std::uint64_t cells = count(1, "number of cell types");
+    require(cells, 1, int32);
+    for (std::uint64_t k = 0; k < cells; ++k) types_.push_back(integer(int32, "cell type"));
+  }
+
+  // Cell data counts vertices first, then lines, then the rest.
+  void add_cells() {
+    constexpr std::int64_t vertex = 1, vertex_list = 2, line = 3, poly_line = 4;
+    if (unstructured_ && types_.size() != lines_.end.size())
+      fail(fmt::format("{} cells, but {} cell types", lines_.end.size(), types_.size()));
+    mesh_.add_vertex_cells(vertices_.end.size());
+    std::uint64_t begin = 0;
+    for (std::size_t k = 0; k < lines_.end.size(); ++k) {
+      const std::int64_t type = unstructured_ ? types_[k] : poly_line;
+      const auto points = std::span(lines_.points).subspan(begin, lines_.end[k] - begin);
+      begin = lines_.end[k];
+      if (type == line || type == poly_line) {
+        if (const std::string problem = mesh_.add_line(points); !problem.empty()) fail(problem);
+      } else {
+        type == vertex || type == vertex_list ? mesh_.add_vertex_cells(1) : mesh_.add_other_cells(1);
+      }
+    }
+    std::exchange(lines_, {});
+    mesh_.add_other_cells(others_.end.size());
+  }
+
+  void read_field() {
+    const std::uint64_t arrays = count(2, "number of arrays");
+    for (std::uint64_t k = 0; k < arrays; ++k) {
+      while (lower_case(fields_.next_word()) == "metadata") skip_metadata();
+      words_of_line();
+      read_array(argument(0), count(1, "number of components"), count(2, "number of tuples"),
+                 type_of(argument(3)));
+    }
+  }
+
+  void read_attribute(const std::string& word) {
+    const std::string name = words_.size() > 1 ? words_[1] : "";
+    if (word == "scalars") {
+      const Type type = type_of(argument(2));
+      const std::uint64_t components = words_.size() > 3 ? count(3, "number of components") : 1;
+      if (lower_case(fields_.next_word()) == "lookup_table") words_of_line();
+      read_array(name, components, items_, type);
+    } else if (word == "vectors" || word == "normals") {
+      read_array(name, 3, items_, type_of(argument(2)));
+    } else if (word == "tensors" || word == "tensors6") {
+      read_array(name, word == "tensors" ? 9 : 6, items_, type_of(argument(2)));
+    } else if (word == "texture_coordinates") {
+      read_array(name, count(2, "dimension"), items_, type_of(argument(3)));
+    } else if (word == "global_ids" || word == "pedigree_ids" || word == "edge_flags") {
+      read_array(name, 1, items_, type_of(argument(2)));
+    } else if (word == "color_scalars") {
+      read_array(name, count(2, "number of components"), items_,
+                 ascii_ ? Type{4, Kind::floating} : Type{1, Kind::unsigned_integer});
+    } else if (word == "lookup_table") {
+      read_array("", 4, count(2, "size of the table"),
+                 ascii_ ? Type{4, Kind::floating} : Type{1, Kind::unsigned_integer});
+    } else {
+      fail(fmt::format("{}: no section of a VTK file is named so", in_quotes(word)));
+    }
+  }
+
+  void read_array(const std::string& coded_name, std::uint64_t components, std::uint64_t tuples, Type type) {
+    if (components > 0 && tuples > fields_.size() / components)
+      fail("more numbers are announced than the file can hold");
+    require(tuples, components, type);
+    const std::string name = decoded(coded_name);
+    if (of_ && components == 1 && mesh_.may_be_radii(name)) {
+      std::vector<double> values(tuples);
+      for (double& value : values) value = real(type, name);
+      mesh_.add_array(name, *of_, values);
+    } else if (ascii_) {
+      for (std::uint64_t k = 0; k < tuples * components; ++k) fields_.word(name);
+    } else {
+      fields_.skip(tuples * components * type.size, name);
+    }
+  }
+
+  // Up to a blank line, or the file's end.
+  void skip_metadata() {
+    fields_.word("METADATA");
+    fields_.line("METADATA");
+    while (!fields_.next_word().empty() && !trimmed(fields_.line("METADATA")).empty()) {
+    }
+  }
+
+  void words_of_line() {
+    const std::string_view first = fields_.word("a section");
+    words_.assign(1, std::string(first));
+    std::string_view rest = fields_.left() > 0 ? fields_.line("a section") : "";
+    while (!(rest = trimmed(rest)).empty()) {
+      const std::size_t end = std::min(rest.find_first_of(" \t\v\f"), rest.size());
+      words_.emplace_back(rest.substr(0, end));
+      rest.remove_prefix(end);
+    }
+  }
+
+  const std::string& argument(std::size_t k) const {
+    if (k >= words_.size()) fail(fmt::format("{}: word {} is missing after it", in_quotes(words_[0]), k));
+    return words_[k];
+  }
+
+  // Whatever is counted takes a byte at least, so that a damaged count asks for no memory.
+  std::uint64_t count(std::size_t k, std::string_view what) const {
+    const auto [value, problem] = parse_integer(argument(k));
+    if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(argument(k)), problem));
+    if (value < 0 || static_cast<std::uint64_t>(value) > fields_.size())
+      fail(fmt::format("{} {} is not one that a file of {} bytes can have", what, value, fields_.size()));
+    return static_cast<std::uint64_t>(value);
+  }
+
+  Type type_of(const std::string& name) const {
+    const auto type = type_named(lower_case(name));
+    if (!type) fail(fmt::format("the type {} is not supported", in_quotes(name)));
+    return *type;
+  }
+
+  void require(std::uint64_t count, std::uint64_t components, Type type) const {
+    if (!ascii_) fields_.require(count, components * type.size, "values");
+  }
+
+  double real(Type type, std::string_view what) {
+    if (ascii_) {
+      const std::string_view text = fields_.word(what);
+      const auto [value, problem] = parse_double(text);
+      if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+      return value;
+    }
+    if (type.kind != Kind::floating) return static_cast<double>(integer(type, what));
+    return type.size == 4 ? double{fields_.raw_f32(what)} : fields_.raw_f64(what);
+  }
+
+  double coordinate(Type type, std::string_view what) {
+    if (ascii_) {
+      const std::string_view text = fields_.word(what);
+      const auto [value, problem] = parse_coordinate(text);
+      if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+      return value;
+    }
+    const double value = real(type, what);
+    if (!std::isfinite(static_cast<float>(value)))
+      fail(fmt::format("{} is {}, no finite 32-bit float", what, value));
+    return value;
+  }
+
+  std::int64_t integer(Type type, std::string_view what) {
+    if (ascii_) {
+      const std::string_view text = fields_.word(what);
+      const auto [value, problem] = parse_integer(text);
+      if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
+      return value;
+    }
+    if (type.kind == Kind::floating) fail(fmt::format("{} is of a floating type", what));
+    const std::uint64_t bits = fields_.unsigned_of(type.size, what);
+    const unsigned unused = 64 - 8 * type.size;
+    return type.kind == Kind::unsigned_integer ? static_cast<std::int64_t>(bits)
+                                               : static_cast<std::int64_t>(bits << unused) >> unused;
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    ascii_ ? fields_.fail_at_line(reason) : fields_.fail(reason);
+  }
+
+  BinaryFields fields_;
+  VtkMesh mesh_;
+  bool ascii_ = true, unstructured_ = false;
+  std::vector<std::string> words_;  ///< of the section's line
+  std::optional<VtkMesh::Of> of_;
+  std::uint64_t items_ = 0;
+  Cells vertices_, lines_, others_;
+  std::vector<std::int64_t> types_;
+};
+
+const RegisterReader registered{
+    {"VTK legacy",
+     {".vtk"},
+     "poly-lines with radii, ASCII or binary; lines that share points are branches",
+     "point number from 0",
+     {"--array"}},
+    read_by<VtkLegacy>};
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,118 @@
+#include "catena/core/readers/vtk_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "catena/core/error.h"
+#include "catena/core/readers/curve_graph.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/text_lines.h"
+
+namespace catena {
+namespace {
+
+bool is_diameter(std::string_view name) { return lower_case(name).find("diam") != std::string::npos; }
+
+bool says_radius(std::string_view name) {
+  const std::string lower = lower_case(name);
+  return lower == "r" || lower.find("radius") != std::string::npos ||
+         lower.find("radii") != std::string::npos || is_diameter(name);
+}
+
+}  // namespace
+
+std::string VtkMesh::add_line(std::span<const std::int64_t> points_of_line) {
+  for (const std::int64_t point : points_of_line)
+    if (point < 0 || point >= points())
+      return fmt::format("a line names point {}, of {} from 0", point, points());
+  for (const std::int64_t point : points_of_line) line_points_.push_back(static_cast<std::uint32_t>(point));
+  line_end_.push_back(line_points_.size());
+  line_cell_.push_back(cells_++);
+  return "";
+}
+
+bool VtkMesh::may_be_radii(std::string_view name) const {
+  return chosen_.empty() ? says_radius(name) : name == chosen_;
+}
+
+void VtkMesh::add_array(std::string_view name, Of of, std::span<const double> values) {
+  auto array = std::ranges::find_if(arrays_, [&](const Array& a) { return a.name == name && a.of == of; });
+  if (array == arrays_.end()) array = arrays_.insert(arrays_.end(), {std::string(name), of, {}});
+  array->values.insert(array->values.end(), values.begin(), values.end());
+}
+
+const VtkMesh::Array* VtkMesh::radii(const std::string& file) const {
+  if (arrays_.empty() && !chosen_.empty())
+    throw InputError(
+        fmt::format("{}: no array of one number a point or line is named {}", file, in_quotes(chosen_)));
+  const Array* found = nullptr;
+  for (const Array& array : arrays_) {
+    if (found && found->name != array.name)
+      throw InputError(fmt::format("{}: the radii may be {} or {}; choose one with --array NAME", file,
+                                   in_quotes(found->name), in_quotes(array.name)));
+    if (!found || array.of == Of::points) found = &array;
+  }
+  return found;
+}
+
+float VtkMesh::radius_of(const Array& array, std::size_t k, const std::string& file) const {
+  const double value = is_diameter(array.name) ? array.values[k] / 2 : array.values[k];
+  if (!(value >= 0 && value <= double{std::numeric_limits<float>::max()}))
+    throw InputError(fmt::format("{}: {} of {} {} is {}, no radius", file, in_quotes(array.name),
+                                 array.of == Of::points ? "point" : "cell", k, array.values[k]));
+  return static_cast<float>(value);
+}
+
+void VtkMesh::give_radii(const Array& array, const std::string& file) {
+  const std::uint64_t due = array.of == Of::points ? points() : cells_;
+  if (array.values.size() != due)
+    throw InputError(fmt::format("{}: {} has {} values for {} {}", file, in_quotes(array.name),
+                                 array.values.size(), due, array.of == Of::points ? "points" : "cells"));
+  curves_.has_radii = true;
+  if (array.of == Of::points) {
+    for (std::size_t p = 0; p < curves_.spheres.size(); ++p)
+      curves_.spheres[p].radius = radius_of(array, p, file);
+    return;
+  }
+  std::uint64_t k = 0;
+  for (std::size_t line = 0; line < line_end_.size(); ++line)
+    for (const float radius = radius_of(array, line_cell_[line], file); k < line_end_[line]; ++k)
+      curves_.spheres[line_points_[k]].radius = std::max(curves_.spheres[line_points_[k]].radius, radius);
+  curves_.warnings.push_back(
+      fmt::format("{} is one number a line; a point takes the largest of its lines", in_quotes(array.name)));
+}
+
+CurveFile VtkMesh::curves(const std::string& file) {
+  if (line_end_.empty())
+    throw InputError(
+        fmt::format("{}: holds no lines, only {} points and {} other cells; catena reads poly-lines", file,
+                    points(), other_cells_));
+  if (const Array* array = radii(file)) give_radii(*array, file);
+  if (other_cells_ > 0)
+    curves_.warnings.push_back(
+        fmt::format("{} cell{} left out", other_cells_,
+                    other_cells_ == 1 ? " that is no line is" : "s that are no lines are"));
+
+  std::vector<Pair> edges;
+  std::uint64_t k = 0;
+  for (const std::uint64_t end : line_end_) {
+    for (const std::uint64_t first = k; k < end; ++k)
+      if (k > first) edges.push_back({line_points_[k - 1], line_points_[k]});
+  }
+  for (auto* done : {&line_end_, &line_cell_}) std::exchange(*done, {});  // an assignment would keep the memory
+  std::exchange(line_points_, {});
+  std::exchange(arrays_, {});
+  const std::size_t all = curves_.spheres.size();
+  for (const std::uint32_t point : arrange_along_edges(curves_, edges, false))
+    curves_.labels.add(std::int64_t{point});
+  if (const std::size_t left = all - curves_.spheres.size(); left > 0)
+    curves_.warnings.push_back(fmt::format(
+        "{} point{} left out", left, left == 1 ? " that is on no line is" : "s that are on no line are"));
+  return std::move(curves_);
+}
+
+}  // namespace catena

@@ -1,0 +1,239 @@
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <bit>
+
+#include "catena/core/readers/test_file.h"
+#include "catena/core/readers/test_graph.h"
+#include "catena/reports/base64.h"
+
+namespace catena {
+namespace {
+
+template <class T>
+void append(std::string& bytes, T value, bool big_endian) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  if (big_endian) std::ranges::reverse(raw);
+  bytes.append(raw, sizeof raw);
+}
+
+/// One line a cell of two points, which is what vascular tools write.
+std::string legacy_of(const TestGraph& graph, bool ascii, bool version5, bool grid) {
+  std::string text = fmt::format("# vtk DataFile Version {}\ntitle\n{}\nDATASET {}\nPOINTS {} float\n",
+                                 version5 ? "5.1" : "3.0", ascii ? "ASCII" : "BINARY",
+                                 grid ? "UNSTRUCTURED_GRID" : "POLYDATA", graph.points.size());
+  const auto real = [&](float value) {
+    ascii ? text += fmt::format("{} ", value) : (append(text, value, true), text);
+  };
+  const auto whole = [&](auto value) {
+    ascii ? text += fmt::format("{} ", value) : (append(text, value, true), text);
+  };
+  for (const Sphere& p : graph.points) real(p.x), real(p.y), real(p.z);
+  const char* cells = grid ? "CELLS" : "LINES";
+  const auto count = graph.edges.size();
+  if (version5) {
+    text += fmt::format("\n{} {} {}\nOFFSETS vtktypeint64\n", cells, count + 1, 2 * count);
+    for (std::size_t k = 0; k <= count; ++k) whole(static_cast<std::int64_t>(2 * k));
+    text += "\nCONNECTIVITY vtktypeint64\n";
+    for (const Pair& e : graph.edges) whole(std::int64_t{e.i}), whole(std::int64_t{e.j});
+  } else {
+    text += fmt::format("\n{} {} {}\n", cells, count, 3 * count);
+    for (const Pair& e : graph.edges)
+      whole(std::int32_t{2}), whole(static_cast<std::int32_t>(e.i)), whole(static_cast<std::int32_t>(e.j));
+  }
+  if (grid) {
+    text += fmt::format("\nCELL_TYPES {}\n", count);
+    for (std::size_t k = 0; k < count; ++k) whole(std::int32_t{3});
+  }
+  text += fmt::format("\nCELL_DATA {}\nSCALARS kind int 1\nLOOKUP_TABLE default\n", count);
+  for (std::size_t k = 0; k < count; ++k) whole(std::int32_t{7});
+  text += fmt::format("\nPOINT_DATA {}\nVECTORS velocity double\n", graph.points.size());
+  for (std::size_t k = 0; k < 3 * graph.points.size(); ++k)
+    ascii ? text += "0 " : (append(text, 0.0, true), text);
+  text += fmt::format("\nFIELD FieldData 1\nradius 1 {} float\n", graph.points.size());
+  for (const Sphere& p : graph.points) real(p.radius);
+  return text + "\nMETADATA\nINFORMATION 0\n\n";
+}
+
+RC_GTEST_PROP(VtkLegacyReader, ReadsWhatIsWritten, (bool ascii, bool version5, bool grid)) {
+  const TestGraph graph = any_graph();
+  is_the_graph(read_text("a.vtk", legacy_of(graph, ascii, version5, grid)), graph, 0, true, false);
+}
+
+std::string base64_of(const std::string& bytes) { return reports::base64(std::span<const char>(bytes)); }
+
+std::string deflated(const std::string& bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string out(size, '\0');
+  compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+           bytes.size());
+  out.resize(size);
+  return out;
+}
+
+/// How a VTK XML file is written.
+struct Form {
+  std::string format;  ///< ascii, binary, appended raw, appended base64
+  bool compressed, big_endian, wide_header, grid;
+};
+
+class XmlWriter {
+ public:
+  explicit XmlWriter(const Form& form) : form_(form) {}
+
+  template <class T>
+  std::string array(const std::string& name, const std::string& type, int components,
+                    const std::vector<T>& values) {
+    std::string start =
+        fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, name, components);
+    if (form_.format == "ascii") {
+      start += " format=\"ascii\">";
+      for (const T value : values) start += fmt::format("{} ", value);
+      return start + "</DataArray>\n";
+    }
+    std::string bytes;
+    for (const T value : values) append(bytes, value, form_.big_endian);
+    const auto [header, data] = packed(bytes);
+    if (form_.format == "binary") {
+      const std::string text =
+          form_.compressed ? base64_of(header) + base64_of(data) : base64_of(header + data);
+      return start + " format=\"binary\">\n  " + text + "\n</DataArray>\n";
+    }
+    start += fmt::format(" format=\"appended\" offset=\"{}\"/>\n", appended_.size());
+    if (form_.format == "appended raw")
+      appended_ += header + data;
+    else
+      appended_ += form_.compressed ? base64_of(header) + base64_of(data) : base64_of(header + data);
+    return start;
+  }
+
+  std::string file(const TestGraph& graph) {
+    std::vector<float> points, radii;
+    std::vector<std::int64_t> ids, ends;
+    std::vector<std::uint8_t> types;
+    for (const Sphere& p : graph.points)
+      points.insert(points.end(), {p.x, p.y, p.z}), radii.push_back(p.radius);
+    for (const Pair& e : graph.edges) {
+      ids.insert(ids.end(), {e.i, e.j});
+      ends.push_back(static_cast<std::int64_t>(ids.size()));
+      types.push_back(3);
+    }
+    const std::string type = form_.grid ? "UnstructuredGrid" : "PolyData",
+                      cells = form_.grid ? "Cells" : "Lines";
+    std::string text = fmt::format(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
+        "header_type=\"{}\"{}>\n<{}><Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\">\n",
+        type, form_.big_endian ? "BigEndian" : "LittleEndian", form_.wide_header ? "UInt64" : "UInt32",
+        form_.compressed ? " compressor=\"vtkZLibDataCompressor\"" : "", type, graph.points.size(),
+        graph.edges.size());
+    text += "<PointData>" + array("Radius", "Float32", 1, radii) + array("v", "Float32", 3, points) +
+            "</PointData>\n";
+    text += "<Points>" + array("Points", "Float32", 3, points) + "</Points>\n";
+    text += "<" + cells + ">" + array("connectivity", "Int64", 1, ids) + array("offsets", "Int64", 1, ends);
+    if (form_.grid) text += array("types", "UInt8", 1, types);
+    text += "</" + cells + ">\n</Piece></" + type + ">\n";
+    if (form_.format.starts_with("appended"))
+      text +=
+          "<AppendedData encoding=\"" + form_.format.substr(9) + "\">\n_" + appended_ + "\n</AppendedData>\n";
+    return text + "</VTKFile>\n";
+  }
+
+ private:
+  std::pair<std::string, std::string> packed(const std::string& bytes) {
+    std::string header, data;
+    const auto number = [&](std::uint64_t value) {
+      form_.wide_header ? append(header, value, form_.big_endian)
+                        : append(header, static_cast<std::uint32_t>(value), form_.big_endian);
+    };
+    if (!form_.compressed) {
+      number(bytes.size());
+      return {header, bytes};
+    }
+    const std::size_t block = 16, whole = bytes.size() / block, rest = bytes.size() % block;
+    std::vector<std::string> blocks;
+    for (std::size_t k = 0; k < whole + (rest > 0); ++k)
+      blocks.push_back(deflated(bytes.substr(k * block, block)));
+    number(blocks.size()), number(block), number(rest);
+    for (const auto& b : blocks) number(b.size()), data += b;
+    return {header, data};
+  }
+
+  Form form_;
+  std::string appended_;
+};
+
+RC_GTEST_PROP(VtkXmlReader, ReadsWhatIsWritten,
+              (bool compressed, bool big_endian, bool wide_header, bool grid)) {
+  const TestGraph graph = any_graph();
+  const Form form{
+      *rc::gen::elementOf(std::vector<std::string>{"ascii", "binary", "appended raw", "appended base64"}),
+      compressed, big_endian, wide_header, grid};
+  is_the_graph(read_text(grid ? "a.vtu" : "a.vtp", XmlWriter(form).file(graph)), graph, 0, true, false);
+}
+
+const std::string start =
+    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 2 0 0 3 0 0\nLINES "
+    "2 7\n3 0 1 2 2 1 3\n";
+
+TEST(VtkLegacyReader, HalvesDiametersAndTakesTheLargestOfItsLines) {
+  const auto of_points =
+      read_text("a.vtk", start + "POINT_DATA 4\nFIELD f 1\nDIAMETER 1 4 double\n2 4 6 8\n");
+  EXPECT_EQ(of_points.spheres[1].radius, 2.0f);
+  const auto of_lines =
+      read_text("a.vtk", start + "CELL_DATA 2\nSCALARS edge_radius float\nLOOKUP_TABLE default\n1 3\n");
+  std::vector<float> radii;
+  for (const Sphere& s : of_lines.spheres) radii.push_back(s.radius);
+  EXPECT_EQ(radii, (std::vector<float>{1, 3, 1, 3}));
+  EXPECT_EQ(of_lines.joints.size(), 1u);
+  EXPECT_EQ(of_lines.warnings.size(), 1u);
+}
+
+TEST(VtkLegacyReader, CountsCellDataFromTheVertices) {
+  const auto curves =
+      read_text("a.vtk",
+                "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 "
+                "0\nVERTICES 1 2\n1 0\n"
+                "LINES 1 3\n2 0 1\nPOLYGONS 1 3\n2 0 1\nCELL_DATA 3\nFIELD f 1\nradius 1 3 float\n7 5 9\n");
+  EXPECT_EQ(curves.spheres[0].radius, 5.0f);
+  EXPECT_EQ(curves.warnings.back(), "1 cell that is no line is left out");
+}
+
+TEST(VtkLegacyReader, AsksWhichArrayHoldsRadii) {
+  const std::string two =
+      start + "POINT_DATA 4\nFIELD f 2\nradius 1 4 float\n1 1 1 1\nmin_radius 1 4 float\n2 2 2 2\n";
+  EXPECT_COMPLAINT(" the radii may be 'radius' or 'min_radius'; choose one with --array NAME", "a.vtk", two);
+  const TestFile file("a.vtk", two);
+  EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.array = "min_radius"}).spheres[0].radius, 2.0f);
+  EXPECT_THROW(ReaderRegistry::instance().read(file.path(), {.array = "none"}), InputError);
+  EXPECT_FALSE(read_text("a.vtk", start).has_radii);
+}
+
+TEST(VtkLegacyReader, ComplainsWithFileAndLine) {
+  EXPECT_COMPLAINT("1: the file does not start with '# vtk", "a.vtk", "VTK\nx\n");
+  EXPECT_COMPLAINT("3: 'hex': expected ASCII or BINARY", "a.vtk", "# vtk DataFile Version 3.0\nt\nHEX\n");
+  EXPECT_COMPLAINT("4: a dataset 'STRUCTURED_GRID' has no lines", "a.vtk",
+                   "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\n");
+  EXPECT_COMPLAINT("8: a line names point 4, of 4 from 0", "a.vtk",
+                   start.substr(0, start.size() - 4) + "1 4\n");
+  EXPECT_COMPLAINT("8: a cell of 9 points", "a.vtk", start.substr(0, start.find("3 0 1 2")) + "9 0 1\n");
+  EXPECT_COMPLAINT(" 'radius' of point 1 is -1, no radius", "a.vtk",
+                   start + "POINT_DATA 4\nFIELD f 1\nradius 1 4 float\n1 -1 1 1\n");
+  EXPECT_COMPLAINT(" holds no lines, only 1 points", "a.vtk",
+                   "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\n");
+  EXPECT_COMPLAINT("9: 'wind': no section", "a.vtk", start + "WIND 3\n");
+}
+
+TEST(VtkXmlReader, ComplainsInOneLine) {
+  EXPECT_COMPLAINT(" byte ", "a.vtp", "<VTKFile");
+  EXPECT_COMPLAINT(" is XML, but no VTKFile", "a.vtp", "<a/>");
+  EXPECT_COMPLAINT(" holds 'ImageData'", "a.vtp", "<VTKFile type=\"ImageData\"/>");
+  EXPECT_COMPLAINT(" its data is compressed by 'vtkLZ4DataCompressor'", "a.vtp",
+                   "<VTKFile type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\"/>");
+  EXPECT_COMPLAINT(" 'array': its data is cut off", "a.vtp",
+                   "<VTKFile type=\"PolyData\"><PolyData><Piece><Points><DataArray type=\"Float32\" "
+                   "format=\"binary\">AAAB</DataArray></Points></Piece></PolyData></VTKFile>");
+}
+
+}  // namespace
+}  // namespace catena
