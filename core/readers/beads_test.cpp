@@ -150,7 +150,7 @@ RC_GTEST_PROP(OxdnaReader, ReadsOldAndNewTopologies, ()) {
       old_rows += fmt::format("{} A {} {}\n", strands + 1, k > 0 || circular ? int(before) : -1,
                               k + 1 < size || circular ? int(after) : -1);
       if (k + 1 < size) graph.edges.push_back({n + k, n + k + 1});
-      graph.points.push_back({any_finite_float(), any_finite_float(), any_finite_float(), 0});
+      graph.points.push_back({*any_finite(), *any_finite(), *any_finite(), 0});
     }
     if (circular) graph.edges.push_back({n, n + size - 1});
     n += size;

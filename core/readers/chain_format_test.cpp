@@ -43,8 +43,7 @@ Chain any_chain() {
   Strands strands{{0}, {}};
   for (auto left = *rc::gen::inRange(1, 5); left > 0; --left) {
     for (auto more = *rc::gen::inRange(0, 6); more > 0; --more)
-      spheres.push_back(
-          {*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
+      spheres.push_back({*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
     strands.first.push_back(static_cast<std::uint32_t>(spheres.size()));
     strands.closed.push_back(*rc::gen::arbitrary<bool>());
   }

@@ -13,8 +13,7 @@ RC_GTEST_PROP(XyzrReader, ReadsWhatIsWritten, (bool commas)) {
   std::vector<std::uint32_t> first{0};
   for (auto strands = *rc::gen::inRange(1, 4); strands > 0; --strands) {
     for (auto left = *rc::gen::inRange(1, 5); left > 0; --left) {
-      const Sphere s{any_finite_float(), any_finite_float(), any_finite_float(),
-                     std::abs(any_finite_float())};
+      const Sphere s{*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())};
       text +=
           fmt::format(fmt::runtime(commas ? "{},{},{},{}\n" : " {}\t{} {} {}\n"), s.x, s.y, s.z, s.radius);
       spheres.push_back(s);
@@ -43,7 +42,7 @@ RC_GTEST_PROP(GenomeReaders, ReadWhatIsWritten, (bool table)) {
     int bin = 0;
     for (auto left = *rc::gen::inRange(1, 5); left > 0; --left) {
       bin += *rc::gen::inRange(1, 9);
-      const Sphere s{any_finite_float(), any_finite_float(), any_finite_float(), 0};
+      const Sphere s{*any_finite(), *any_finite(), *any_finite(), 0};
       text += table ? fmt::format("chr{}\t{}\t{}\t{}\t{}\n", c, bin, s.x, s.y, s.z)
                     : fmt::format("{},{},{},{}\n", bin, s.x, s.y, s.z);
       spheres.push_back(s);

@@ -24,8 +24,7 @@ struct TestGraph {
 inline TestGraph any_graph() {
   TestGraph graph;
   for (auto left = *rc::gen::inRange(2, 13); left > 0; --left)
-    graph.points.push_back(
-        {*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
+    graph.points.push_back({*any_finite(), *any_finite(), *any_finite(), std::abs(*any_finite())});
   const auto n = static_cast<std::uint32_t>(graph.points.size());
   for (auto left = *rc::gen::inRange(1, 16); left > 0; --left) {
     const auto i = *rc::gen::inRange<std::uint32_t>(0, n),

@@ -20,7 +20,7 @@ std::vector<std::vector<Sphere>> any_strands() {
   std::vector<std::vector<Sphere>> strands(*rc::gen::inRange<std::size_t>(1, 5));
   for (auto& strand : strands)
     for (auto left = *rc::gen::inRange(1, 5); left > 0; --left)
-      strand.push_back({any_finite_float(), any_finite_float(), any_finite_float(), 0});
+      strand.push_back({*any_finite(), *any_finite(), *any_finite(), 0});
   return strands;
 }
 
@@ -113,7 +113,7 @@ RC_GTEST_PROP(TfxReader, ReadsWhatIsWritten, ()) {
   std::vector<std::vector<Sphere>> strands(*rc::gen::inRange<std::size_t>(1, 5));
   for (auto& strand : strands)
     for (std::uint32_t k = 0; k < size; ++k)
-      strand.push_back({any_finite_float(), any_finite_float(), any_finite_float(), 0});
+      strand.push_back({*any_finite(), *any_finite(), *any_finite(), 0});
   std::string bytes;
   append(bytes, 4.0f), append(bytes, static_cast<std::uint32_t>(strands.size())), append(bytes, size),
       append(bytes, std::uint32_t{160});
