@@ -20,6 +20,7 @@ class CATENA_API SearchPlan {
 
   const std::string& variant() const { return chosen_->variant; }
   bool on_device() const { return chosen_->on_device; }
+  bool all_pairs() const { return chosen_->all_pairs; }
   /// About what build and find take.
   double estimate_ms() const { return chosen_->cost.ms(n_); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
