@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <locale>
 #include <sstream>
 
 #include "catena/core/strategy/registry.h"
@@ -41,6 +42,7 @@ Read read(std::istream& text) {
   for (std::size_t number = 3; std::getline(text, line); ++number) {
     if (line == last_line) return result;
     std::istringstream fields(line);
+    fields.imbue(std::locale::classic());
     Machine::VariantCost v;
     std::string rest;
     if (!(fields >> v.variant >> v.cost.fixed_us >> v.cost.sphere_ns >> v.cost.sphere_pair_ns) ||
