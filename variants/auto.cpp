@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -17,8 +17,8 @@
 namespace catena {
 namespace {
 
-/// auto: what a plan chooses for the chain, and leaves out for the request; of a frame it searches what the last one
-/// does not tell.
+/// auto: what a plan chooses for the chain, and leaves out for the request; of a frame it searches what the
+/// last one does not tell.
 template <class Arithmetic>
 class Auto final : public Variant {
  public:
@@ -75,7 +75,8 @@ class Auto final : public Variant {
     Plan steps = plan_->steps();
     steps.front().actual_ms = timings_.build_ms + timings_.find_ms + timings_.transfer_ms;
     if (contact_)
-      steps.back().removed = fmt::format("build and search: spheres {} and {} collide", contact_->i, contact_->j);
+      steps.back().removed =
+          fmt::format("build and search: spheres {} and {} collide", contact_->i, contact_->j);
     if (frames_count())
       for (Decision& decision : frames_.plan()) steps.push_back(std::move(decision));
     if (built_)
@@ -119,7 +120,9 @@ class Auto final : public Variant {
   void search_here(const Chain& chain, const Request& request, Collisions& result) {
     if (!built_) build_searcher(chain);
     Request wider = request;
-    wider.want = std::max(request.want, plan_->want());
+    wider.want = plan_->searched_for(request.want);
+    // A limit is for who asks for pairs.
+    if (wider.want != request.want) wider.pair_limit = std::numeric_limits<std::uint64_t>::max();
     searcher_->find(chain, wider, result);
     drop_unasked(request.want, result);
   }
@@ -155,8 +158,8 @@ class Auto final : public Variant {
   FrameSearch frames_;
   FrameSearch::Way way_ = FrameSearch::Way::full;
   std::vector<std::pair<std::string, std::unique_ptr<Variant>>> held_;
-  Variant* searcher_ = nullptr;            ///< of held_
-  bool built_ = false;                     ///< the searcher, on the chain of the last build or update
+  Variant* searcher_ = nullptr;           ///< of held_
+  bool built_ = false;                    ///< the searcher, on the chain of the last build or update
   std::optional<std::uint32_t> spheres_;  ///< of the last build or update
   Timings timings_, build_timings_;
 };

@@ -15,9 +15,7 @@ namespace {
 /// `catena calibrate`: what searches cost on this machine, for the plans of `auto`.
 class CalibrateCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_flag("--json", json_, "One JSON object, in one line");
-  }
+  void configure(CLI::App& app) override { app.add_flag("--json", json_, "One JSON object, in one line"); }
 
   int run() override {
     const std::filesystem::path file = calibration_file();
@@ -26,7 +24,8 @@ class CalibrateCommand final : public Command {
     const Machine machine = calibrate();
     std::error_code fault;
     std::filesystem::create_directories(file.parent_path(), fault);
-    if (fault) throw InputError(fmt::format("cannot make {}: {}", file.parent_path().string(), fault.message()));
+    if (fault)
+      throw InputError(fmt::format("cannot make {}: {}", file.parent_path().string(), fault.message()));
     write_file(file, calibration_text(machine));
     json_ ? print_json(machine, file) : print_text(machine, file);
     return 0;
@@ -44,7 +43,9 @@ class CalibrateCommand final : public Command {
   }
 
   static void print_json(const Machine& machine, const std::filesystem::path& file) {
-    nlohmann::ordered_json line{{"file", file.string()}, {"crossover", crossover(machine)}, {"costs", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json line{{"file", file.string()},
+                                {"crossover", crossover(machine)},
+                                {"costs", nlohmann::ordered_json::array()}};
     for (const Machine::VariantCost& v : machine.costs)
       line["costs"].push_back({{"variant", v.variant},
                                {"fixed_us", v.cost.fixed_us},
@@ -56,8 +57,8 @@ class CalibrateCommand final : public Command {
   bool json_ = false;
 };
 
-const RegisterCommand<CalibrateCommand> registered("calibrate",
-                                                   "Measure what searches cost on this machine, for the variant auto");
+const RegisterCommand<CalibrateCommand> registered(
+    "calibrate", "Measure what searches cost on this machine, for the variant auto");
 
 }  // namespace
 }  // namespace catena

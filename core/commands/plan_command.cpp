@@ -17,8 +17,8 @@
 namespace catena {
 namespace {
 
-/// `catena plan INPUT`: what the variant auto will do and leave out, and why; with --run what it did, and what
-/// that took.
+/// `catena plan INPUT`: what the variant auto will do and leave out, and why; with --run what it did, and
+/// what that took.
 class PlanCommand final : public Command {
  public:
   void configure(CLI::App& app) override {
@@ -63,15 +63,17 @@ class PlanCommand final : public Command {
   /// `found` is null where nothing was searched.
   void print(std::uint32_t frame, const Chain& chain, const Plan& steps, const Collisions* found) const {
     if (json_) {
-      nlohmann::ordered_json line{{"input", input_}, {"frame", frame}, {"n", chain.size()},
-                                  {"figures", Machine::here().source}};
+      nlohmann::ordered_json line{
+          {"input", input_}, {"frame", frame}, {"n", chain.size()}, {"figures", Machine::here().source}};
       if (found != nullptr) line["collides"] = found->found;
       line["plan"] = to_json(steps);
       fmt::print("{}\n", line.dump());
       return;
     }
     fmt::print("{} frame {}: {} spheres{}\n{}", input_, frame, chain.size(),
-               found == nullptr ? "" : found->found ? ", collides" : ", does not collide",
+               found == nullptr ? ""
+               : found->found   ? ", collides"
+                                : ", does not collide",
                plan_table(steps, "  "));
   }
 
@@ -83,7 +85,8 @@ class PlanCommand final : public Command {
   bool run_ = false, json_ = false;
 };
 
-const RegisterCommand<PlanCommand> registered("plan", "What the variant auto leaves out for an input, and why");
+const RegisterCommand<PlanCommand> registered("plan",
+                                              "What the variant auto leaves out for an input, and why");
 
 }  // namespace
 }  // namespace catena

@@ -25,7 +25,8 @@ std::string plan_table(const Plan& plan, const std::string& indent) {
   for (const Decision& d : plan) rows.push_back(row_of(d));
   std::array<std::size_t, head.size()> width{};
   for (std::size_t c = 0; c < head.size(); ++c) {
-    const bool filled = std::any_of(rows.begin() + 1, rows.end(), [c](const Row& r) { return !r[c].empty(); });
+    const bool filled =
+        std::any_of(rows.begin() + 1, rows.end(), [c](const Row& r) { return !r[c].empty(); });
     if (filled)
       for (const Row& r : rows) width[c] = std::max(width[c], r[c].size());
   }

@@ -80,7 +80,8 @@ std::optional<std::int64_t> shift_between(std::span<const Sphere> before, std::s
                                           std::uint32_t most, std::int64_t guess) {
   if (now.empty()) return std::nullopt;
   if (is_shift(before, now, guess)) return guess;
-  if (const auto s = find_start(before, now, most, [&](std::int64_t by) { return is_shift(before, now, by); }))
+  if (const auto s =
+          find_start(before, now, most, [&](std::int64_t by) { return is_shift(before, now, by); }))
     return s;
   const auto back =
       find_start(now, before, most, [&](std::int64_t by) { return is_shift(before, now, -by); });

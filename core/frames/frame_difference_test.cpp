@@ -71,7 +71,8 @@ TEST(FrameDifference, AShiftIsFoundInBothDirectionsAndOnlyWhereEverySphereAgrees
     for (std::uint32_t i = 0; i < now.size(); ++i) {
       std::vector<Sphere> spoilt = now;
       spoilt[i].radius = std::nextafter(spoilt[i].radius, 0.0f);
-      const auto come_in = s > 0 ? i >= now.size() - static_cast<std::uint32_t>(s) : i < static_cast<std::uint32_t>(-s);
+      const auto come_in =
+          s > 0 ? i >= now.size() - static_cast<std::uint32_t>(s) : i < static_cast<std::uint32_t>(-s);
       EXPECT_EQ(shift_between(before, spoilt, 100, 0).has_value(), come_in) << s << ' ' << i;
       EXPECT_EQ(shift_between(before, spoilt, 100, s).has_value(), come_in) << s << ' ' << i;
     }

@@ -40,13 +40,14 @@ FrameSearch::FrameSearch(const Omissions& omissions, bool always, std::unique_pt
   ranges_.reserve(most_ranges);
 }
 
-bool FrameSearch::find_changes(std::span<const Sphere> before, std::span<const Sphere> now, std::uint32_t most,
-                               std::vector<SphereRange>& ranges) const {
+bool FrameSearch::find_changes(std::span<const Sphere> before, std::span<const Sphere> now,
+                               std::uint32_t most, std::vector<SphereRange>& ranges) const {
   return differing(before, now, most, ranges);
 }
 
-std::optional<std::int64_t> FrameSearch::find_shift(std::span<const Sphere> before, std::span<const Sphere> now,
-                                                    std::uint32_t most, std::int64_t guess) const {
+std::optional<std::int64_t> FrameSearch::find_shift(std::span<const Sphere> before,
+                                                    std::span<const Sphere> now, std::uint32_t most,
+                                                    std::int64_t guess) const {
   return shift_between(before, now, most, guess);
 }
 
@@ -99,14 +100,16 @@ FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
   const std::span<const Sphere> before = row_.spheres(), now = chain.spheres();
   const auto most = static_cast<std::uint32_t>(always_ ? now.size() : now.size() / 4);
   bool few = take(moved, chain.size());
-  if (!few && (always_ || share_that_differs(before, now) < 0.5)) few = find_changes(before, now, most, ranges_);
+  if (!few && (always_ || share_that_differs(before, now) < 0.5))
+    few = find_changes(before, now, most, ranges_);
   if (few) {
     for (const SphereRange& range : ranges_) moved_ += range.size();
     if (ranges_.empty()) return blinds_ = 0, omissions_.may(Omission::unmoved) ? Way::unmoved : Way::full;
     if (always_ && 2 * moved_ > now.size()) few = false;  // so that the other ways are gone too
   }
   if (few && omissions_.may(Omission::still_parts)) {
-    const double runs = static_cast<double>(moved_) / RunTree::run + 2.0 * static_cast<double>(ranges_.size());
+    const double runs =
+        static_cast<double>(moved_) / RunTree::run + 2.0 * static_cast<double>(ranges_.size());
     // Frames of which some parts move seldom come alone.
     const double tree = row_.tree_stands() ? 0 : tree_sphere_ms / 8 * static_cast<double>(now.size());
     if (always_ || runs * run_ms_ + tree < 0.7 * policy_.full_ms()) return blinds_ = 0, Way::parts;
@@ -156,7 +159,8 @@ void FrameSearch::search_all(const Chain& chain, const Request& request, Collisi
                              const FullSearch& here) {
   const bool worth = frames_ && request.want != Request::Want::any && blind_ == 0;
   if (blind_ > 0) --blind_;
-  const bool all = request.want == Request::Want::pairs && request.queries.within(chain.size()) == SphereRange{0, chain.size()};
+  const bool all = request.want == Request::Want::pairs &&
+                   request.queries.within(chain.size()) == SphereRange{0, chain.size()};
   if (!worth) {
     here(chain, request, result);
   } else if (all) {
@@ -219,7 +223,8 @@ void FrameSearch::report(const Chain& chain, const Request& request, Collisions&
   count(n, result);
   result.found = !pairs_.empty();
   result.pair_count = pairs_.size();
-  request.want == Request::Want::pairs ? result.pairs.assign(pairs_.begin(), pairs_.end()) : result.pairs.clear();
+  request.want == Request::Want::pairs ? result.pairs.assign(pairs_.begin(), pairs_.end())
+                                       : result.pairs.clear();
 }
 
 void FrameSearch::find(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,
@@ -244,7 +249,8 @@ void FrameSearch::find(const Chain& chain, const Request& request, Collisions& r
         counts_stand_ &= way_ == Way::parts;
         tree_stood = row_.tree_stands();
         row_.search(chain.view(), pairs_, counts_stand_ ? std::span(counts_) : std::span<std::uint32_t>());
-        if (compared_ > 0 && tree_stood) run_ms_ = 0.7 * run_ms_ + 0.3 * watch.ms() / static_cast<double>(compared_);
+        if (compared_ > 0 && tree_stood)
+          run_ms_ = 0.7 * run_ms_ + 0.3 * watch.ms() / static_cast<double>(compared_);
         break;
       case Way::kept_list:
         search_by_list(chain, search);
@@ -264,7 +270,8 @@ Plan FrameSearch::plan() const {
   if (!updated_) return {};
   const std::string saved = fmt::format("{:.3g} ms of a full search", policy_.full_ms());
   const auto left_out = [&](Omission omission, std::string reason, std::string removed) {
-    return Decision{info_of(omission).step, true, std::move(reason), policy_.full_ms(), find_ms_, std::move(removed)};
+    return Decision{info_of(omission).step, true,     std::move(reason),
+                    policy_.full_ms(),      find_ms_, std::move(removed)};
   };
   const std::size_t n = row_.spheres().size();
   switch (way_) {
@@ -283,7 +290,8 @@ Plan FrameSearch::plan() const {
                        fmt::format("each of {} spheres is within a skin of {:.3g}", n, list_->skin()),
                        fmt::format("all but {} near pairs", compared_))};
   }
-  return {{"search of the whole frame", false, "too little in common with the frame before", std::nullopt, full_ms_}};
+  return {{"search of the whole frame", false, "too little in common with the frame before", std::nullopt,
+           full_ms_}};
 }
 
 }  // namespace catena

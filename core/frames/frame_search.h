@@ -16,9 +16,9 @@
 
 namespace catena {
 
-/// Searches a frame by what is known of the last one that was searched: its spheres and its pairs. What a frame has
-/// in common with it is seen in `update`, which allocates nothing once warm; `find` searches what is left. Measured
-/// times choose the way, never the answer.
+/// Searches a frame by what is known of the last one that was searched: its spheres and its pairs. What a
+/// frame has in common with it is seen in `update`, which allocates nothing once warm; `find` searches what
+/// is left. Measured times choose the way, never the answer.
 class CATENA_API FrameSearch {
  public:
   enum class Way {
@@ -30,15 +30,16 @@ class CATENA_API FrameSearch {
   };
 
   /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too.
-  FrameSearch(const Omissions& omissions, bool always, std::unique_ptr<KeptList> list = std::make_unique<KeptList>());
+  FrameSearch(const Omissions& omissions, bool always,
+              std::unique_ptr<KeptList> list = std::make_unique<KeptList>());
   virtual ~FrameSearch() = default;
 
   /// A first frame. `follow`: others are expected.
   void begin(bool follow);
   /// The next frame, and the way in which find will search it.
   Way update(const Chain& chain, const Moved& moved);
-  /// `here` answers for this chain, `search` builds and answers for any other; `build_ms` is what building this
-  /// one took where the way is full.
+  /// `here` answers for this chain, `search` builds and answers for any other; `build_ms` is what building
+  /// this one took where the way is full.
   void find(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,
             const FullSearch& search, double build_ms);
 
@@ -86,12 +87,12 @@ class CATENA_API FrameSearch {
   std::int64_t shift_ = 0;
   std::unique_ptr<KeptList> list_;
   ListPolicy policy_;
-  double move_ = 0, skin_ = 0;  ///< for the next list: of a frame, at most; wanted
-  std::uint32_t wait_ = 0, waits_ = 0;  ///< frames until a list is tried again; how often it did not pay
+  double move_ = 0, skin_ = 0;            ///< for the next list: of a frame, at most; wanted
+  std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay
   std::uint32_t blind_ = 0, blinds_ = 0;  ///< the same of looking for what frames have in common
-  double run_ms_ = 1e-3;  ///< of a run that changed, measured
-  double full_ms_ = 0, find_ms_ = 0;  ///< of the last full search; of this frame's
-  std::size_t compared_ = 0;          ///< of this frame: runs that changed, or near pairs
+  double run_ms_ = 1e-3;                  ///< of a run that changed, measured
+  double full_ms_ = 0, find_ms_ = 0;      ///< of the last full search; of this frame's
+  std::size_t compared_ = 0;              ///< of this frame: runs that changed, or near pairs
   Collisions own_;
 };
 

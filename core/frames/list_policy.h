@@ -6,11 +6,11 @@
 
 namespace catena {
 
-/// When a kept list pays, how thick its skin is, and so how long it lives: from what was measured. Chooses between
-/// ways to the same answer, and decides nothing else.
+/// When a kept list pays, how thick its skin is, and so how long it lives: from what was measured. Chooses
+/// between ways to the same answer, and decides nothing else.
 ///
-/// A list that is to live k frames in which spheres move by v each needs a skin of k v, and the thicker it is the more
-/// pairs it holds: a frame costs `use` + `growth` k. With one rebuild, the mean of k frames is
+/// A list that is to live k frames in which spheres move by v each needs a skin of k v, and the thicker it is
+/// the more pairs it holds: a frame costs `use` + `growth` k. With one rebuild, the mean of k frames is
 ///     (rebuild + (k - 1) use) / k + growth k,   least where k = sqrt((rebuild - use) / growth).
 class CATENA_API ListPolicy {
  public:

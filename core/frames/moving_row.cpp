@@ -52,7 +52,8 @@ void MovingRow::shift(std::span<const Sphere> now, std::int64_t s) {
   const std::uint32_t end = begin_ + size_;
   const SphereRange fresh = s > 0 ? SphereRange{old_end, end} : SphereRange{begin_, old_begin};
   const SphereRange gone = s > 0 ? SphereRange{old_begin, begin_} : SphereRange{end, old_end};
-  std::copy(now.begin() + (fresh.begin - begin_), now.begin() + (fresh.end - begin_), row_.begin() + fresh.begin);
+  std::copy(now.begin() + (fresh.begin - begin_), now.begin() + (fresh.end - begin_),
+            row_.begin() + fresh.begin);
   change(fresh.begin, fresh.end);
   if (tree_stands_) refresh(gone.begin / run, (gone.end - 1) / run + 1);
 }

@@ -11,9 +11,9 @@
 
 namespace catena {
 
-/// The spheres of the last frame as a window of a longer row, and a tree over it. A frame of which some parts moved, or
-/// which is shifted by some places, changes few runs of the row; pairs with a sphere of these are searched again, every
-/// other pair is of two spheres none of whose bits differ and so is as it was.
+/// The spheres of the last frame as a window of a longer row, and a tree over it. A frame of which some parts
+/// moved, or which is shifted by some places, changes few runs of the row; pairs with a sphere of these are
+/// searched again, every other pair is of two spheres none of whose bits differ and so is as it was.
 class CATENA_API MovingRow {
  public:
   /// Another frame altogether. O(n); does not allocate when n has not grown.
@@ -25,9 +25,9 @@ class CATENA_API MovingRow {
   /// Sphere i of the next frame is sphere i + s of this one, where both are; |s| < n.
   void shift(std::span<const Sphere> now, std::int64_t s);
 
-  /// From the pairs of the frame before the last move or shift, by that frame's indices, to those of this one. `chain` is
-  /// the frame that it was told of. `counts` of these pairs, if there are any, follow; only after a move. O(pairs) and a
-  /// search for each run that changed.
+  /// From the pairs of the frame before the last move or shift, by that frame's indices, to those of this
+  /// one. `chain` is the frame that it was told of. `counts` of these pairs, if there are any, follow; only
+  /// after a move. O(pairs) and a search for each run that changed.
   void search(const ChainView& chain, std::vector<Pair>& pairs, std::span<std::uint32_t> counts);
 
   /// Runs that changed last; each costs about the same.
@@ -51,8 +51,8 @@ class CATENA_API MovingRow {
   std::int64_t shifted_by_ = 0;         ///< since the frame before
   RunTree tree_;
   bool tree_stands_ = false;
-  std::vector<std::uint32_t> changed_;      ///< runs
-  std::vector<std::uint8_t> is_changed_;    ///< of each run
+  std::vector<std::uint32_t> changed_;    ///< runs
+  std::vector<std::uint8_t> is_changed_;  ///< of each run
 };
 
 }  // namespace catena

@@ -40,7 +40,8 @@ void RunTree::set(std::size_t level, std::uint32_t node, const Box& box) {
 Box RunTree::around(const Group& group) {
   Box box;
   for (int d = 0; d < 3; ++d)
-    box.low[d] = *std::ranges::min_element(group.low[d]), box.high[d] = *std::ranges::max_element(group.high[d]);
+    box.low[d] = *std::ranges::min_element(group.low[d]),
+    box.high[d] = *std::ranges::max_element(group.high[d]);
   return box;
 }
 

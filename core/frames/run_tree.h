@@ -10,17 +10,17 @@
 
 namespace catena {
 
-/// Boxes over *runs* of eight consecutive places of a row, of sixteen runs each, and so on to one. The spheres of a
-/// frame are a window of the row, which a frame that is shifted moves on: a place keeps its run. For the few runs that
-/// change from frame to frame; a whole chain is searched otherwise.
+/// Boxes over *runs* of eight consecutive places of a row, of sixteen runs each, and so on to one. The
+/// spheres of a frame are a window of the row, which a frame that is shifted moves on: a place keeps its run.
+/// For the few runs that change from frame to frame; a whole chain is searched otherwise.
 class CATENA_API RunTree {
  public:
   static constexpr std::uint32_t run = 8, fan = 16;
 
   /// Makes room for a row of so many places, all of them empty. Allocates nothing when it has not grown.
   void clear(std::uint32_t places);
-  /// Boxes of runs first, ..., end - 1 and of all that is above them. `row` are all places, of which those of the window
-  /// [begin, end) are spheres. O(runs), and a path to the root.
+  /// Boxes of runs first, ..., end - 1 and of all that is above them. `row` are all places, of which those of
+  /// the window [begin, end) are spheres. O(runs), and a path to the root.
   void refresh(const Sphere* row, std::uint32_t window_begin, std::uint32_t window_end, std::uint32_t first,
                std::uint32_t end);
 

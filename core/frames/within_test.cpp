@@ -41,7 +41,8 @@ std::vector<std::pair<Sphere, Sphere>> around_the_edge() {
       for (int step = -6; step <= 6; ++step) {
         Sphere moved = a;
         for (int s = 0; s < std::abs(step); ++s)
-          moved.x = std::nextafter(moved.x, std::copysign(step < 0 ? 0.0f : std::numeric_limits<float>::max(), moved.x));
+          moved.x = std::nextafter(
+              moved.x, std::copysign(step < 0 ? 0.0f : std::numeric_limits<float>::max(), moved.x));
         cases.emplace_back(moved, b);
       }
       cases.emplace_back(Sphere{a.x * 0.5f, a.y * 0.5f, a.z * 0.5f, a.radius}, b);
@@ -65,7 +66,8 @@ TEST(Within, IsNeverSaidOfASphereThatIsNot) {
 }
 
 TEST(Within, IsSaidOfWhatMovesByHalf) {
-  for (float r : {1e-12f, 0.1f, 1.0f, 1e12f}) EXPECT_TRUE(within({r, r, -r, r}, {1.5f * r, r, -r, 2 * r})) << r;
+  for (float r : {1e-12f, 0.1f, 1.0f, 1e12f})
+    EXPECT_TRUE(within({r, r, -r, r}, {1.5f * r, r, -r, 2 * r})) << r;
 }
 
 TEST(Within, WithItsRoundingDownTheTestSeesIt) {
@@ -74,7 +76,8 @@ TEST(Within, WithItsRoundingDownTheTestSeesIt) {
     return dx * dx + dy * dy + dz * dz <= m * m;
   };
   EXPECT_GT(wrong(rounded_down), 0u);
-  EXPECT_GT(wrong([&](const Sphere& a, const Sphere& b) { return rounded_down(a, b) && b.radius < 1e15f; }), 0u);
+  EXPECT_GT(wrong([&](const Sphere& a, const Sphere& b) { return rounded_down(a, b) && b.radius < 1e15f; }),
+            0u);
 }
 
 }  // namespace

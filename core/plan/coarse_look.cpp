@@ -29,8 +29,17 @@ std::optional<Pair> CoarseLook::look_near(const ChainView& chain, const SphereRa
   const SphereRange a = range(pair.i), b = range(pair.j);
   for (std::uint32_t i = a.begin; i < a.end; ++i)
     for (std::uint32_t j = std::max(b.begin, i + 1); j < b.end; ++j)
-      if (queries.contains(i) && Robust::overlap(chain.spheres[i], chain.spheres[j]) && !chain.neighbours(i, j))
+      if (queries.contains(i) && Robust::overlap(chain.spheres[i], chain.spheres[j]) &&
+          !chain.neighbours(i, j))
         return Pair{i, j};
+  return std::nullopt;
+}
+
+std::optional<Pair> CoarseLook::look_along(const ChainView& chain, const SphereRange& queries,
+                                           std::uint32_t i) {
+  for (std::uint32_t j = i + 1; j < std::min(chain.size, i + around); ++j)
+    if (queries.contains(i) && Robust::overlap(chain.spheres[i], chain.spheres[j]) && !chain.neighbours(i, j))
+      return Pair{i, j};
   return std::nullopt;
 }
 
@@ -79,6 +88,7 @@ std::optional<Pair> CoarseLook::look(const ChainView& chain, const SphereRange& 
   const auto most = static_cast<std::uint32_t>(stretches_.size() / 16) + 32;
   std::uint64_t left = std::uint64_t{64} * stretches_.size();  // visits, where lists grow long
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
+    if (const auto pair = look_along(chain, queries, k * stretch + stretch / 2)) return pair;
     Stretch& own = stretches_[k];
     for (int d = 0; d < 27; ++d) {
       for (std::uint32_t e = buckets_[bucket(own.cell, d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1)]; e != nothing;

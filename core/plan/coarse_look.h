@@ -12,7 +12,8 @@ namespace catena {
 
 /// A quick look for one colliding pair where it is likeliest: stretches of the chain, seen by three spheres
 /// each, are laid into cells one after the other, and where one comes near another the nearest spheres of the
-/// two are compared exactly. What it gives is a colliding pair; nothing found proves nothing.
+/// two are compared exactly, and of each one sphere with those next along the chain. What it gives is a
+/// colliding pair; nothing found proves nothing.
 class CATENA_API CoarseLook {
  public:
   static constexpr std::uint32_t stretch = 128;  ///< spheres
@@ -37,6 +38,7 @@ class CATENA_API CoarseLook {
     std::uint32_t next;  ///< in the same bucket
   };
   void lay_out(const ChainView& chain);
+  static std::optional<Pair> look_along(const ChainView& chain, const SphereRange& queries, std::uint32_t i);
   std::uint32_t bucket(const std::int32_t (&cell)[3], int dx, int dy, int dz) const;
   static std::optional<Pair> compare(const ChainView& chain, const SphereRange& queries, std::uint32_t a,
                                      std::uint32_t b);

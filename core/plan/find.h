@@ -5,9 +5,9 @@
 
 namespace catena {
 
-/// The self-collisions of a chain, by the variant `auto`. For one chain; a caller with many, or with frames of one,
-/// holds a variant, which keeps its memory: StrategyRegistry::instance().make("auto"). Throws as Variant::build and
-/// Variant::find do.
+/// The self-collisions of a chain, by the variant `auto`. For one chain; a caller with many, or with frames
+/// of one, holds a variant, which keeps its memory: StrategyRegistry::instance().make("auto"). Throws as
+/// Variant::build and Variant::find do.
 CATENA_API Collisions find(const Chain& chain, const Request& request = {});
 
 }  // namespace catena

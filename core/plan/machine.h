@@ -17,20 +17,20 @@ struct CATENA_API Machine {
     bool on_device = false, all_pairs = false;
   };
   std::vector<VariantCost> costs;
-  std::string source;                 ///< where the figures are from, for the user
-  std::optional<std::string> warning; ///< one line, when a file could not be used
+  std::string source;                  ///< where the figures are from, for the user
+  std::optional<std::string> warning;  ///< one line, when a file could not be used
 
   /// What the strategies say of themselves; those that are available here.
   static Machine built_in();
-  /// The built-in figures, and in their place those of the file where it has them. A file that is not there is no
-  /// fault; one that is damaged, or of another machine, is a warning, and nothing of it is used.
+  /// The built-in figures, and in their place those of the file where it has them. A file that is not there
+  /// is no fault; one that is damaged, or of another machine, is a warning, and nothing of it is used.
   static Machine from(const std::filesystem::path& file);
   /// From calibration_file(), read once in a program.
   static const Machine& here();
 };
 
-/// Where `catena calibrate` keeps its figures: catena/calibration.txt below XDG_CACHE_HOME, or below ~/.cache.
-/// Empty where the environment names no home.
+/// Where `catena calibrate` keeps its figures: catena/calibration.txt below XDG_CACHE_HOME, or below
+/// ~/.cache. Empty where the environment names no home.
 CATENA_API std::filesystem::path calibration_file();
 
 /// The figures as text, as Machine::from reads them.

@@ -15,7 +15,8 @@ namespace {
 
 class MachineFile : public testing::Test {
  protected:
-  MachineFile() : file_(std::filesystem::temp_directory_path() / ("catena-machine-" + std::to_string(getpid()))) {}
+  MachineFile()
+      : file_(std::filesystem::temp_directory_path() / ("catena-machine-" + std::to_string(getpid()))) {}
   ~MachineFile() override { std::filesystem::remove(file_); }
   Machine read(const std::string& text) const {
     std::ofstream(file_) << text;
@@ -35,7 +36,8 @@ TEST_F(MachineFile, ComesBackAsItWasWritten) {
   EXPECT_FALSE(back.warning);
   EXPECT_NE(back.source.find(file_.string()), std::string::npos) << back.source;
   ASSERT_EQ(back.costs.size(), machine.costs.size());
-  for (const Machine::VariantCost& v : machine.costs) EXPECT_EQ(cost_of(back, v.variant), v.cost) << v.variant;
+  for (const Machine::VariantCost& v : machine.costs)
+    EXPECT_EQ(cost_of(back, v.variant), v.cost) << v.variant;
 }
 
 TEST_F(MachineFile, ThatIsNotThereGivesTheBuiltInFiguresInSilence) {
@@ -48,7 +50,8 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
   const Machine built_in = Machine::built_in();
   std::string good = calibration_text(built_in);
   std::vector<std::string> damaged{"", "nonsense"};
-  for (std::size_t length = 1; length + 1 < good.size(); length += 3) damaged.push_back(good.substr(0, length));
+  for (std::size_t length = 1; length + 1 < good.size(); length += 3)
+    damaged.push_back(good.substr(0, length));
   for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
     damaged.push_back(std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 ") + figure + "\n"));
   damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
@@ -59,7 +62,8 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
     EXPECT_NE(machine.warning->find(file_.string()), std::string::npos) << *machine.warning;
     EXPECT_EQ(machine.source, built_in.source);
     ASSERT_EQ(machine.costs.size(), built_in.costs.size());
-    for (const Machine::VariantCost& v : built_in.costs) EXPECT_EQ(cost_of(machine, v.variant), v.cost) << text;
+    for (const Machine::VariantCost& v : built_in.costs)
+      EXPECT_EQ(cost_of(machine, v.variant), v.cost) << text;
   }
 }
 

@@ -31,13 +31,18 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
   if (chosen_ == nullptr || (all_pairs_ != nullptr && omissions.may(Omission::hierarchy) &&
                              all_pairs_->cost.ms(n) < chosen_->cost.ms(n)))
     chosen_ = all_pairs_;
-  if (device_ != nullptr && (chosen_ == nullptr || !omissions.may(Omission::device) ||
-                             device_->cost.ms(n) < chosen_->cost.ms(n)))
+  if (device_ != nullptr &&
+      (chosen_ == nullptr || !omissions.may(Omission::device) || device_->cost.ms(n) < chosen_->cost.ms(n)))
     chosen_ = device_;
   if (chosen_ == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
-  if (want_ == Request::Want::any && !omissions.may(Omission::after_hit)) want_ = Request::Want::counts;
-  if (want_ == Request::Want::counts && !omissions.may(Omission::pair_list)) want_ = Request::Want::pairs;
+  want_ = searched_for(asked_);
   look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
+}
+
+Request::Want SearchPlan::searched_for(Request::Want asked) const {
+  if (asked == Request::Want::any && !omissions_.may(Omission::after_hit)) asked = Request::Want::counts;
+  if (asked == Request::Want::counts && !omissions_.may(Omission::pair_list)) asked = Request::Want::pairs;
+  return asked;
 }
 
 Decision SearchPlan::hierarchy() const {
@@ -56,7 +61,8 @@ Decision SearchPlan::device() const {
   if (device_ == nullptr) return {"device", true, "none that is available says what it costs"};
   const Candidate host = tree_ != nullptr ? tree_ : all_pairs_;
   return {"device", chosen_ != device_,
-          (host != nullptr ? fmt::format("{}, {}", priced(*device_, n_), priced(*host, n_)) : priced(*device_, n_)) +
+          (host != nullptr ? fmt::format("{}, {}", priced(*device_, n_), priced(*host, n_))
+                           : priced(*device_, n_)) +
               switched_off(omissions_, Omission::device),
           device_->cost.ms(n_)};
 }
@@ -76,14 +82,15 @@ Plan SearchPlan::steps() const {
   plan.push_back({info_of(Omission::after_hit).step, want_ == any,
                   "one pair is the answer yes" + switched_off(omissions_, Omission::after_hit)});
   plan.push_back({info_of(Omission::other_places).step, look_first_,
-                  (look_first_ ? fmt::format("a look at every {}th sphere first, {} of {}", CoarseLook::stretch,
-                                             n_ / CoarseLook::stretch, n_)
+                  (look_first_ ? fmt::format("a look at every {}th sphere first, {} of {}",
+                                             CoarseLook::stretch, n_ / CoarseLook::stretch, n_)
                                : fmt::format("{} spheres: a look pays from {} on", n_, CoarseLook::least)) +
                       switched_off(omissions_, Omission::other_places)});
   return plan;
 }
 
-Plan plan(const ChainView& chain, const Request& request, const Machine& machine, const Omissions& omissions) {
+Plan plan(const ChainView& chain, const Request& request, const Machine& machine,
+          const Omissions& omissions) {
   return SearchPlan(chain.size, request, machine, omissions).steps();
 }
 

@@ -11,8 +11,8 @@
 
 namespace catena {
 
-/// How one chain is searched from nothing: by which variant, what is left out, and why. Choosing compares a few
-/// numbers and takes no memory; the words are made when they are asked for.
+/// How one chain is searched from nothing: by which variant, what is left out, and why. Choosing compares a
+/// few numbers and takes no memory; the words are made when they are asked for.
 class CATENA_API SearchPlan {
  public:
   /// `machine` must outlive this. Throws CapacityError when it has the cost of no variant.
@@ -25,8 +25,9 @@ class CATENA_API SearchPlan {
   double estimate_ms() const { return chosen_->cost.ms(n_); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
   bool look_first() const { return look_first_; }
-  /// Want of the search, which may be more than that of the request where an omission is switched off.
-  Request::Want want() const { return want_; }
+  /// What is searched for where this is asked: more where an omission is switched off.
+  Request::Want searched_for(Request::Want asked) const;
+  Request::Want want() const { return want_; }  ///< of the request that was planned
 
   Plan steps() const;
 
@@ -39,7 +40,8 @@ class CATENA_API SearchPlan {
   Request::Want asked_, want_;
   const Machine& machine_;
   Omissions omissions_;
-  Candidate tree_ = nullptr, all_pairs_ = nullptr, device_ = nullptr;  ///< cheapest of a kind; null: there is none
+  Candidate tree_ = nullptr, all_pairs_ = nullptr,
+            device_ = nullptr;  ///< cheapest of a kind; null: there is none
   Candidate chosen_ = nullptr;
   bool look_first_ = false;
 };

@@ -25,7 +25,8 @@ Machine machine() {
           "a test",
           {}};
 }
-std::string chosen(std::uint32_t n, const std::vector<std::string>& keep = {}, const Machine& of = machine()) {
+std::string chosen(std::uint32_t n, const std::vector<std::string>& keep = {},
+                   const Machine& of = machine()) {
   return SearchPlan(n, {}, of, Omissions::without(keep)).variant();
 }
 const Decision& step(const Plan& plan, const std::string& name) {
@@ -58,7 +59,8 @@ TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {
   EXPECT_TRUE(step(plan, "pair list").left_out);
   EXPECT_TRUE(step(plan, "device").left_out);
   const Plan full = SearchPlan(20, {Want::counts}, of, Omissions::without(omission_names())).steps();
-  for (const char* name : {"hierarchy", "pair list", "device"}) EXPECT_FALSE(step(full, name).left_out) << name;
+  for (const char* name : {"hierarchy", "pair list", "device"})
+    EXPECT_FALSE(step(full, name).left_out) << name;
   EXPECT_NE(step(full, "pair list").reason.find("--no-omit pair-list"), std::string::npos);
 }
 
@@ -76,7 +78,8 @@ TEST(SearchPlan, EveryOmissionStatesItsObligation) {
 
 TEST(CoarseLook, GivesOnlyPairsThatCollideAndFindsThoseOfAScene) {
   std::uint32_t found = 0;
-  for (const char* input : {"path1:n=30000", "yarn:n=30000", "coincident:n=20000", "coil:n=30000", "rod:n=30000", "hair:n=30000"}) {
+  for (const char* input : {"path1:n=30000", "yarn:n=30000", "coincident:n=20000", "coil:n=30000",
+                            "rod:n=30000", "hair:n=30000"}) {
     const Chain chain = open_input(input).animation->frame(0);
     CoarseLook look;
     for (const SphereRange& queries : {SphereRange{}, SphereRange{0, 10}, SphereRange{5000, 25000}}) {

@@ -5,8 +5,8 @@
 #include "catena/core/frames/frame_search.h"
 #include "catena/properties/mutants/mutant.h"
 
-// Bugs of searches that use what frames have in common: what a comparison of two frames, or the check of a kept list,
-// may forget.
+// Bugs of searches that use what frames have in common: what a comparison of two frames, or the check of a
+// kept list, may forget.
 namespace catena::properties {
 namespace {
 
@@ -104,7 +104,8 @@ class DirtyRangeTooShort final : public FrameSearch {
   }
 };
 const RegisterMutant<WithSearch<DirtyRangeTooShort>> range{
-    "dirty-range-off-by-one", "the last sphere of a stretch that differs counts as unmoved", frames_parameter};
+    "dirty-range-off-by-one", "the last sphere of a stretch that differs counts as unmoved",
+    frames_parameter};
 
 class RadiiNotCompared final : public FrameSearch {
  public:
@@ -140,7 +141,8 @@ class ShiftBySamples final : public FrameSearch {
   }
 };
 const RegisterMutant<WithSearch<ShiftBySamples>> samples{
-    "shift-seen-by-samples", "a shift is taken for one where a sphere in the middle differs", frames_parameter};
+    "shift-seen-by-samples", "a shift is taken for one where a sphere in the middle differs",
+    frames_parameter};
 
 }  // namespace
 }  // namespace catena::properties

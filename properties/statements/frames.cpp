@@ -30,7 +30,8 @@ class Film {
   /// Two stretches, one of them the last spheres, change places with others.
   void parts(bool told, std::uint32_t by) {
     const std::vector<Sphere> before = spheres_;
-    const std::uint32_t a = n_ / 5, b = std::max(a, n_ / 5 + std::max(1u, n_ / 7)), c = n_ - std::max(1u, n_ / 9);
+    const std::uint32_t a = n_ / 5, b = std::max(a, n_ / 5 + std::max(1u, n_ / 7)),
+                        c = n_ - std::max(1u, n_ / 9);
     std::vector<SphereRange> ranges;
     for (const auto& [begin, end] : {SphereRange{a, std::min(b, c)}, SphereRange{c, n_}})
       if (begin < end) ranges.push_back({begin, end});
@@ -39,8 +40,8 @@ class Film {
     add("parts", told, std::move(ranges));
   }
 
-  /// A window that moves on; what comes in lies where the other end was. `spoilt`: in all but one sphere, which is put
-  /// onto another.
+  /// A window that moves on; what comes in lies where the other end was. `spoilt`: in all but one sphere,
+  /// which is put onto another.
   void shift(std::int64_t s, bool spoilt) {
     const auto by = static_cast<std::uint32_t>(s < 0 ? n_ - static_cast<std::uint32_t>(-s) % n_ : s % n_);
     std::ranges::rotate(spheres_, spheres_.begin() + by);
@@ -105,9 +106,9 @@ std::vector<Frame> film_of(const Chain& chain) {
   return film.take();
 }
 
-/// Of frame after frame the answer is that of the frame, whatever is known of the ones before: some parts move or none,
-/// the chain moves on along itself, spheres drift and grow, a part turns. For variants that use what frames have in
-/// common, and say so by a parameter `frames`.
+/// Of frame after frame the answer is that of the frame, whatever is known of the ones before: some parts
+/// move or none, the chain moves on along itself, spheres drift and grow, a part turns. For variants that use
+/// what frames have in common, and say so by a parameter `frames`.
 class Frames final : public Property {
  public:
   std::string name() const override { return "frame after frame"; }
