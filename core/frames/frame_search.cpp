@@ -149,6 +149,7 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
 /// pairs_ are those of this chain.
 void FrameSearch::remember(const Chain& chain) {
   counts_stand_ = false;
+  counts_.reserve(chain.size());
   row_.hold(chain.spheres());
   topology_ = chain.view().topology;
   window_ = can_shift(chain) ? chain.exclusion().window : 0;
