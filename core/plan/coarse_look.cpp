@@ -11,8 +11,9 @@ namespace catena {
 namespace {
 
 constexpr std::uint32_t nothing = 0xFFFFFFFFu;
-constexpr std::uint32_t coarse = 8;   ///< of a stretch every so many spheres are looked at first
-constexpr std::uint32_t around = 12;  ///< spheres to either side that are then compared
+constexpr std::uint32_t coarse = 16;  ///< of a stretch every so many spheres are looked at first
+constexpr std::uint32_t around = 20;  ///< spheres to either side that are then compared
+constexpr std::uint32_t along = 4;    ///< spheres that follow a middle one
 
 float square(const Sphere& a, const Sphere& b) {
   const float dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
@@ -37,7 +38,7 @@ std::optional<Pair> CoarseLook::look_near(const ChainView& chain, const SphereRa
 
 std::optional<Pair> CoarseLook::look_along(const ChainView& chain, const SphereRange& queries,
                                            std::uint32_t i) {
-  for (std::uint32_t j = i + 1; j < std::min(chain.size, i + around); ++j)
+  for (std::uint32_t j = i + 1; j < std::min(chain.size, i + along); ++j)
     if (queries.contains(i) && Robust::overlap(chain.spheres[i], chain.spheres[j]) && !chain.neighbours(i, j))
       return Pair{i, j};
   return std::nullopt;
@@ -55,13 +56,17 @@ std::optional<Pair> CoarseLook::compare(const ChainView& chain, const SphereRang
 
 void CoarseLook::lay_out(const ChainView& chain) {
   stretches_.resize(chain.size / stretch);
+  const auto middle = [&](std::size_t k) -> const Sphere& {
+    return chain.spheres[k * stretch + stretch / 2];
+  };
   double sum = 0;
-  for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
-    const Sphere* const s = chain.spheres + std::size_t{k} * stretch;
-    const Sphere& middle = s[stretch / 2];
-    const float reach =
-        std::sqrt(std::max(square(middle, s[0]), square(middle, s[stretch - 1]))) + middle.radius;
-    stretches_[k] = {middle.x, middle.y, middle.z, reach, {}, nothing};
+  constexpr std::size_t ahead = 16;  // each is in a part of memory of its own
+  for (std::size_t k = 0; k < stretches_.size(); ++k) {
+    if (k + ahead < stretches_.size()) __builtin_prefetch(&middle(k + ahead));
+    const Sphere &own = middle(k), &before = middle(k - (k > 0)),
+                 &next = middle(k + (k + 1 < stretches_.size()));
+    const float reach = std::sqrt(std::max(square(own, before), square(own, next))) / 2 + own.radius;
+    stretches_[k] = {own.x, own.y, own.z, reach, {}, nothing};
     sum += reach;
   }
   // As wide as two usual stretches reach; a longer one is found less often, which is no fault of the answer.

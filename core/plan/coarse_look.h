@@ -10,14 +10,14 @@
 
 namespace catena {
 
-/// A quick look for one colliding pair where it is likeliest: stretches of the chain, seen by three spheres
+/// A quick look for one colliding pair where it is likeliest: stretches of the chain, seen by one sphere
 /// each, are laid into cells one after the other, and where one comes near another the nearest spheres of the
 /// two are compared exactly, and of each one sphere with those next along the chain. What it gives is a
 /// colliding pair; nothing found proves nothing.
 class CATENA_API CoarseLook {
  public:
-  static constexpr std::uint32_t stretch = 128;  ///< spheres
-  static constexpr std::uint32_t least = 64 * stretch;
+  static constexpr std::uint32_t stretch = 512;  ///< spheres
+  static constexpr std::uint32_t least = 16 * stretch;
   /// Below, all is searched as quickly.
   static bool pays(std::uint32_t n) { return n >= least; }
 
@@ -31,7 +31,7 @@ class CATENA_API CoarseLook {
   std::uint32_t compared() const { return compared_; }
 
  private:
-  /// A stretch around its middle sphere, as far as its first and its last one reach.
+  /// A stretch around its middle sphere, as far as half way to those of the stretches beside it.
   struct Stretch {
     float x, y, z, reach;
     std::int32_t cell[3];
