@@ -73,6 +73,10 @@ class Auto final : public Variant {
   Plan plan() const override {
     if (!plan_) return {};
     Plan steps = plan_->steps();
+    if (!built_)
+      for (Decision& step : steps)
+        if (step.step == info_of(Omission::hierarchy).step)
+          step.left_out = true, step.reason += "; nothing was built";
     steps.front().actual_ms = timings_.build_ms + timings_.find_ms + timings_.transfer_ms;
     if (contact_)
       steps.back().removed =

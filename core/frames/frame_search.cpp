@@ -238,8 +238,12 @@ void FrameSearch::find(const Chain& chain, const Request& request, Collisions& r
   try {
     switch (way_) {
       case Way::full:
-        search_all(chain, request, result, here);
-        policy_.searched(full_ms_ = build_ms + watch.ms());
+        search_all(chain, request, result, [&](const Chain& c, const Request& r, Collisions& found) {
+          const Stopwatch searching;
+          here(c, r, found);
+          full_ms_ = build_ms + searching.ms();
+        });
+        policy_.searched(full_ms_);
         return;
       case Way::unmoved:
         break;
