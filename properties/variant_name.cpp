@@ -31,7 +31,9 @@ std::optional<std::string> with_settings(const std::string& variant, const std::
 std::vector<Subject> in_small_blocks(const std::vector<Subject>& subjects) {
   std::vector<Subject> small;
   for (const Subject& subject : subjects)
-    if (const auto name = with_settings(subject.info.name, {{"subtree", "6"}, {"block", "4"}, {"crowd", "0"}}))
+    if (const auto name =
+            with_settings(subject.info.name,
+                          {{"subtree", "6"}, {"block", "4"}, {"crowd", "0"}, {"frames", "always"}}))
       small.push_back(Subject::named(*name));
   return small;
 }

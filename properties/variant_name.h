@@ -12,9 +12,9 @@ namespace catena::properties {
 /// takes any.
 std::optional<std::string> with_settings(const std::string& variant, const std::vector<Setting>& settings);
 
-/// The subjects again with the smallest subtrees, blocks and crowds, where they have such parameters, so that
-/// short chains meet every stage and every declared limit. A strategy joins by naming its parameters `subtree`,
-/// `block` or `crowd`.
+/// The subjects again with the smallest subtrees, blocks and crowds, and with what frames have in common used always,
+/// where they have such parameters, so that short chains meet every stage and every declared limit. A strategy joins by
+/// naming its parameters `subtree`, `block`, `crowd` or `frames`.
 std::vector<Subject> in_small_blocks(const std::vector<Subject>& subjects);
 
 }  // namespace catena::properties

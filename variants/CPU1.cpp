@@ -63,7 +63,8 @@ class CPU1 final : public Variant {
 };
 
 const RegisterVariant<CPU1, Robust, Literal, Double> registered{
-    {.name = "CPU1", .summary = "all pairs, sequential, O(n^2)", .all_pairs = true}};
+    {.name = "CPU1", .summary = "all pairs, sequential, O(n^2)", .all_pairs = true,
+     .cost = Cost{.fixed_us = 0.05, .sphere_pair_ns = 1.3}}};
 
 }  // namespace
 }  // namespace catena

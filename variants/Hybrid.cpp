@@ -84,7 +84,8 @@ const RegisterVariant<Hybrid, Robust> registered{
     {.name = "Hybrid",
      .summary = "ChainTree, and Grid among the spheres whose nodes of 128 meet too many others",
      .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others is left to the grid"},
-                    Team::threads_parameter()}}};
+                    Team::threads_parameter()},
+     .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6}}};
 
 }  // namespace
 }  // namespace catena

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "catena/core/export.h"
@@ -25,6 +26,10 @@ class CATENA_API Chain {
   /// too; they are shared, not copied. O(n). Throws InputError when the number of spheres differs or a sphere
   /// is not valid.
   Chain moved(std::vector<Sphere> spheres) const;
+
+  /// The spheres of a chain that is not needed any more, so that their memory may serve the next frame's. It is then as
+  /// one that was moved from.
+  std::vector<Sphere> release() && { return std::move(spheres_); }
 
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(spheres_.size()); }
   std::span<const Sphere> spheres() const noexcept { return spheres_; }

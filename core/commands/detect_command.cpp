@@ -8,6 +8,8 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/plan_options.h"
+#include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/commands/whole_number_option.h"
@@ -27,6 +29,7 @@ class DetectCommand final : public Command {
   void configure(CLI::App& app) override {
     app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
     app.add_option("--variant", variant_, "How to find the pairs; see catena list")->capture_default_str();
+    no_omit_.add_to(app);
     frame_.add_to(app);
     app.add_option(
         "--pairs", files_.pairs,
@@ -39,9 +42,8 @@ class DetectCommand final : public Command {
                    "Most pairs to keep; more is an error with the true number")
         ->transform(whole_number_option())
         ->capture_default_str();
-    app.add_flag("--counts-only", counts_only_, "Find counts, keep no pairs");
-    app.add_flag("--any", any_only_, "Only whether anything collides");
-    app.add_flag("--plan", plan_, "Say what the variant left out of its work, and why");
+    want_.add_to(app);
+    app.add_flag("--plan", plan_, "Say what the variant left out of its work, and why; see catena plan");
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
     add_box_option(app, options_);
@@ -54,6 +56,7 @@ class DetectCommand final : public Command {
     show_warnings(input);
     Periodic* const periodic = take_box(input, variant);
     const auto [first, last] = frame_.of(input);
+    request_.frames_follow = last - first > 1;
     first_frame_ = written_frame(input_);
     AnswerFiles files(files_, input.labels);
 
@@ -78,15 +81,16 @@ class DetectCommand final : public Command {
 
  private:
   void check_options() {
+    request_.want = want_.want();
     if ((files_.depth || files_.margin) && files_.pairs.empty())
       throw InputError("--depth and --margin are columns of --pairs; name its file, too");
-    if (any_only_ && (counts_only_ || !files_.pairs.empty() || !files_.counts.empty()))
+    if (request_.want == Request::Want::any && (!files_.pairs.empty() || !files_.counts.empty()))
       throw InputError("--any finds neither counts nor pairs; leave out --counts-only, --counts and --pairs");
-    if (counts_only_ && !files_.pairs.empty())
+    if (request_.want == Request::Want::counts && !files_.pairs.empty())
       throw InputError("--counts-only keeps no pairs; leave out --pairs or --counts-only");
-    request_.want = any_only_      ? Request::Want::any
-                    : counts_only_ ? Request::Want::counts
-                                   : Request::Want::pairs;
+    if (no_omit_.given() && variant_ != usual_variant)
+      throw InputError("--no-omit is about the variant auto; leave it out, or --variant");
+    if (no_omit_.given()) variant_ = no_omit_.variant();
   }
 
   /// Makes the variant one in the input's box; null where it has none.
@@ -102,6 +106,7 @@ class DetectCommand final : public Command {
 
   void print(std::uint32_t frame, const Chain& chain, const Collisions& found, const Variant& variant) const {
     const Timings t = variant.timings();
+    const std::string by = variant.answered_by();
     const std::uint32_t most = found.count.empty() ? 0 : *std::ranges::max_element(found.count);
     if (json_) {
       nlohmann::ordered_json line{{"input", input_},
@@ -109,36 +114,36 @@ class DetectCommand final : public Command {
                                   {"n", chain.size()},
                                   {"variant", variant_},
                                   {"collides", found.found}};
-      if (!any_only_) line["pairs"] = found.pair_count, line["max_count"] = most;
+      if (!by.empty()) line["answered_by"] = by;
+      if (request_.want != Request::Want::any) line["pairs"] = found.pair_count, line["max_count"] = most;
       line["build_ms"] = t.build_ms;
       line["find_ms"] = t.find_ms;
       line["transfer_ms"] = t.transfer_ms;
-      if (plan_) {
-        line["plan"] = nlohmann::ordered_json::array();
-        for (const Decision& d : variant.plan())
-          line["plan"].push_back({{"step", d.step}, {"left_out", d.left_out}, {"reason", d.reason}});
-      }
+      if (plan_) line["plan"] = to_json(variant.plan());
       fmt::print("{}\n", line.dump());
       return;
     }
     const std::string what =
-        any_only_ ? (found.found ? "collides" : "does not collide")
-                  : fmt::format("{}, at most {} a sphere", counted(found.pair_count, "pair"), most);
-    fmt::print("{} frame {}: {}, {}; {}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
-               counted(chain.size(), "sphere"), what, variant_, t.build_ms, t.find_ms,
+        request_.want == Request::Want::any
+            ? (found.found ? "collides" : "does not collide")
+            : fmt::format("{}, at most {} a sphere", counted(found.pair_count, "pair"), most);
+    fmt::print("{} frame {}: {}, {}; {}{}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
+               counted(chain.size(), "sphere"), what, variant_, by.empty() ? "" : ", " + by, t.build_ms, t.find_ms,
                t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
-    if (plan_)
-      for (const Decision& d : variant.plan())
-        fmt::print("  {} {}: {}\n", d.step, d.left_out ? "left out" : "done", d.reason);
+    if (plan_) fmt::print("{}", plan_table(variant.plan(), "  "));
   }
 
-  std::string input_, variant_ = "aCPU2+CPU2";
+  static constexpr const char* usual_variant = "auto";
+
+  std::string input_, variant_ = usual_variant;
   AnswerFiles::Names files_;
   FrameOption frame_;
+  WantOptions want_;
+  NoOmitOption no_omit_;
   InputOptions options_;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   Request request_;
-  bool json_ = false, counts_only_ = false, any_only_ = false, plan_ = false;
+  bool json_ = false, plan_ = false;
 };
 
 const RegisterCommand<DetectCommand> registered("detect", "Find the self-collisions of a scene or file");

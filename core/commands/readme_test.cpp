@@ -41,7 +41,11 @@ std::string steady(const std::string& text) {
   return std::regex_replace(text, milliseconds, "# ms");
 }
 
-class Readme : public Program {};
+class Readme : public Program {
+ protected:
+  Readme() { setenv("XDG_CACHE_HOME", file("cache").c_str(), 1); }
+  ~Readme() override { unsetenv("XDG_CACHE_HOME"); }
+};
 
 TEST_F(Readme, ShowsWhatTheProgramPrints) {
   std::filesystem::create_symlink(CATENA_SOURCE_DIR "/core", file("core"));
@@ -82,7 +86,8 @@ std::string documented(const std::string& command) {
 
 TEST_F(Readme, EveryKeyOfEveryLineOfJsonIsDocumented) {
   for (const std::string run_line :
-       {"detect coincident:n=9 --plan", "detect coincident:n=9 --any", "list",
+       {"detect coincident:n=9 --plan", "detect coincident:n=9 --any", "plan coincident:n=9 --run",
+        "calibrate", "list",
         "margins coincident:n=9 lattice:n=30",
         "verify lattice:n=60 --variant CPU1 --variant aCPU2+CPU2/literal --variant aCPU2+Dual --certify",
         "verify lattice:n=2000 --variant bGPU2@host+CPU2", "examine rod:n=50",

@@ -71,4 +71,18 @@ std::string Parameters::choice(const std::string& key, const std::vector<std::st
   return value(key);
 }
 
+std::vector<std::string> Parameters::choices(const std::string& key,
+                                             const std::vector<std::string>& allowed) const {
+  std::vector<std::string> chosen;
+  std::string_view text = value(key);
+  if (text == "none") return chosen;
+  do {
+    chosen.emplace_back(text.substr(0, text.find('+')));
+    if (std::ranges::find(allowed, chosen.back()) == allowed.end())
+      refuse(key, fmt::format("none, or of these, joined by '+': {}", fmt::join(allowed, ", ")));
+    text.remove_prefix(std::min(text.size(), chosen.back().size() + 1));
+  } while (!text.empty());
+  return chosen;
+}
+
 }  // namespace catena

@@ -26,6 +26,8 @@ class CATENA_API Parameters {
   std::uint64_t unsigned_integer(const std::string& key, std::uint64_t least, std::uint64_t greatest) const;
   double real(const std::string& key, double least, double greatest) const;
   std::string choice(const std::string& key, const std::vector<std::string>& allowed) const;
+  /// Several of them, joined by '+'; none of them for "none".
+  std::vector<std::string> choices(const std::string& key, const std::vector<std::string>& allowed) const;
   /// False when the value is the default one.
   bool given(const std::string& key) const;
 

@@ -27,6 +27,17 @@ TEST(Parameters, ReadWholeNumbersAsTheyAreWritten) {
   EXPECT_THROW(Parameters("scene x", declared, "n=0.5").unsigned_integer("n", 0, 2'000'000), InputError);
 }
 
+TEST(Parameters, ReadSeveralChoices) {
+  const std::vector<ParameterInfo> declared{{"keep", "none", "some"}};
+  const auto read = [&](const std::string& text) {
+    return Parameters("auto", declared, text).choices("keep", {"tree", "list"});
+  };
+  EXPECT_EQ(read(""), std::vector<std::string>{});
+  EXPECT_EQ(read("keep=list"), std::vector<std::string>{"list"});
+  EXPECT_EQ(read("keep=list+tree"), (std::vector<std::string>{"list", "tree"}));
+  for (const char* wrong : {"keep=", "keep=x", "keep=tree+x", "keep=+tree"}) EXPECT_THROW(read(wrong), InputError) << wrong;
+}
+
 TEST(DidYouMean, KnowsASlipOfThePen) {
   const std::vector<std::string> known{"path1", "path2", "yarn", "lattice", "aCPU2+CPU2", "CPU1"};
   EXPECT_EQ(did_you_mean("pth1", known), "; did you mean 'path1'?");

@@ -33,6 +33,7 @@ class InDefaultFloats final : public Variant {
   }
   Timings timings() const override { return variant_->timings(); }
   Plan plan() const override { return variant_->plan(); }
+  std::string answered_by() const override { return variant_->answered_by(); }
   void visit_bounds(BoundsVisitor& visitor) const override { variant_->visit_bounds(visitor); }
   Accounting evidence() const override { return variant_->evidence(); }
   ResidentSearch* resident() override { return variant_->resident(); }

@@ -107,6 +107,7 @@ VariantInfo StrategyRegistry::info_of(const VariantEntry& entry) const {
   info.peer = entry.info.peer;
   info.hidden = entry.hidden;
   info.promises = entry.info.promises;
+  info.cost = entry.info.cost;
   info.unavailable = reason(entry.info);
   return info;
 }

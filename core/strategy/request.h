@@ -37,6 +37,8 @@ struct CATENA_API Request {
   /// one of them. So searches whose ranges part the chain, on other devices or ranks, give every count and
   /// every pair once.
   SphereRange queries = {};
+  /// Frames of the same chain will follow, by update: a build may keep what they can do without.
+  bool frames_follow = false;
 };
 
 /// The answer. Reused from call to call, so that its memory is too.

@@ -1,5 +1,6 @@
 #pragma once
 #include <stdexcept>
+#include <string>
 
 #include "catena/core/export.h"
 #include "catena/core/chain/chain.h"
@@ -47,6 +48,9 @@ class CATENA_API Variant {
 
   /// What the last build and find did and left out, and why.
   virtual Plan plan() const { return {}; }
+
+  /// What answered the last find, in a few words, where this holds other variants and chooses; else empty.
+  virtual std::string answered_by() const { return {}; }
 
   /// Every (parent, child) of the last build; nothing for strategies without a hierarchy.
   virtual void visit_bounds(BoundsVisitor&) const {}

@@ -6,6 +6,7 @@
 
 #include "catena/core/export.h"
 #include "catena/core/parameters/parameters.h"
+#include "catena/core/strategy/cost.h"
 #include "catena/core/strategy/place.h"
 #include "catena/core/strategy/variant_name.h"
 
@@ -30,6 +31,8 @@ struct CATENA_API StrategyInfo {
       false;  ///< a variant complete in itself that shows a hierarchy; every combination of stages does
   bool peer = false;  ///< somebody else's library, asked for comparison
   Promises promises = {};
+  /// On a usual machine; without one no plan chooses it. `catena calibrate` measures those that have one.
+  std::optional<Cost> cost = {};
   /// Why it cannot run on this machine; nullopt when it can. Empty function: it always can.
   std::function<std::optional<std::string>()> unavailable = {};
 };
@@ -54,6 +57,7 @@ struct CATENA_API VariantInfo {
   bool peer = false;       ///< somebody else's library
   bool hidden = false;     ///< a mutant: made by name, never listed among the variants
   Promises promises = {};
+  std::optional<Cost> cost = {};
   std::optional<std::string> unavailable = {};
 
   /// At least one stage runs on a device.

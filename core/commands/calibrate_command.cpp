@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/error.h"
+#include "catena/core/output_file.h"
+#include "catena/core/plan/calibrate.h"
+
+namespace catena {
+namespace {
+
+/// `catena calibrate`: what searches cost on this machine, for the plans of `auto`.
+class CalibrateCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override { app.add_flag("--json", json_, "One JSON object, in one line"); }
+
+  int run() override {
+    const std::filesystem::path file = calibration_file();
+    if (file.empty())
+      throw InputError("there is no folder for the figures: set XDG_CACHE_HOME or HOME to an absolute path");
+    const Machine machine = calibrate();
+    std::error_code fault;
+    std::filesystem::create_directories(file.parent_path(), fault);
+    if (fault)
+      throw InputError(fmt::format("cannot make {}: {}", file.parent_path().string(), fault.message()));
+    write_file(file, calibration_text(machine));
+    json_ ? print_json(machine, file) : print_text(machine, file);
+    return 0;
+  }
+
+ private:
+  static void print_text(const Machine& machine, const std::filesystem::path& file) {
+    fmt::print("{:<24} {:>12} {:>14} {:>12}\n", "variant", "fixed, us", "a sphere, ns", "a pair, ns");
+    for (const Machine::VariantCost& v : machine.costs)
+      fmt::print("{:<24} {:>12.3g} {:>14.3g} {:>12.3g}\n", v.variant, v.cost.fixed_us, v.cost.sphere_ns,
+                 v.cost.sphere_pair_ns);
+    if (const std::uint32_t n = crossover(machine); n > 0)
+      fmt::print("a hierarchy pays from {} spheres on\n", n);
+    fmt::print("kept in {}\n", file.string());
+  }
+
+  static void print_json(const Machine& machine, const std::filesystem::path& file) {
+    nlohmann::ordered_json line{{"file", file.string()},
+                                {"crossover", crossover(machine)},
+                                {"costs", nlohmann::ordered_json::array()}};
+    for (const Machine::VariantCost& v : machine.costs)
+      line["costs"].push_back({{"variant", v.variant},
+                               {"fixed_us", v.cost.fixed_us},
+                               {"sphere_ns", v.cost.sphere_ns},
+                               {"sphere_pair_ns", v.cost.sphere_pair_ns}});
+    fmt::print("{}\n", line.dump());
+  }
+
+  bool json_ = false;
+};
+
+const RegisterCommand<CalibrateCommand> registered(
+    "calibrate", "Measure what searches cost on this machine, for the variant auto");
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/frame_option.h"
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/plan_options.h"
+#include "catena/core/commands/plan_report.h"
+#include "catena/core/commands/show_warnings.h"
+#include "catena/core/input/input.h"
+#include "catena/core/plan/search_plan.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/core/thrown.h"
+
+namespace catena {
+namespace {
+
+/// `catena plan INPUT`: what the variant auto will do and leave out, and why; with --run what it did, and
+/// what that took.
+class PlanCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
+    app.add_flag("--run", run_, "Search, and say what each step took and what was not done");
+    frame_.add_to(app);
+    want_.add_to(app);
+    no_omit_.add_to(app);
+    app.add_flag("--json", json_, "One JSON object a line for each frame");
+    add_input_options(app, options_);
+  }
+
+  int run() override {
+    const Input input = open_input(input_, options_);
+    show_warnings(input);
+    const Machine& machine = Machine::here();
+    if (machine.warning) fmt::print(stderr, "catena: {}\n", *machine.warning);
+    const auto [first, last] = frame_.of(input);
+    Request request;
+    request.want = want_.want();
+    request.frames_follow = last - first > 1;
+
+    const auto variant = StrategyRegistry::instance().make(no_omit_.variant());
+    variant->prepare(request);
+    Collisions found;
+    for (std::uint32_t f = first; f < last; ++f) {
+      const Chain chain = input.animation->frame(f);
+      if (!run_) {
+        print(f, chain, plan(chain.view(), request, machine, Omissions::without(no_omit_.names())), nullptr);
+        continue;
+      }
+      blaming("auto", [&] {
+        f == first ? variant->build(chain) : variant->update(chain);
+        variant->find(chain, request, found);
+      });
+      print(f, chain, variant->plan(), &found);
+    }
+    return 0;
+  }
+
+ private:
+  /// `found` is null where nothing was searched.
+  void print(std::uint32_t frame, const Chain& chain, const Plan& steps, const Collisions* found) const {
+    if (json_) {
+      nlohmann::ordered_json line{
+          {"input", input_}, {"frame", frame}, {"n", chain.size()}, {"figures", Machine::here().source}};
+      if (found != nullptr) line["collides"] = found->found;
+      line["plan"] = to_json(steps);
+      fmt::print("{}\n", line.dump());
+      return;
+    }
+    fmt::print("{} frame {}: {} spheres{}\n{}", input_, frame, chain.size(),
+               found == nullptr ? ""
+               : found->found   ? ", collides"
+                                : ", does not collide",
+               plan_table(steps, "  "));
+  }
+
+  std::string input_;
+  FrameOption frame_;
+  InputOptions options_;
+  WantOptions want_;
+  NoOmitOption no_omit_;
+  bool run_ = false, json_ = false;
+};
+
+const RegisterCommand<PlanCommand> registered("plan",
+                                              "What the variant auto leaves out for an input, and why");
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "catena/core/commands/test_program.h"
+
+namespace catena {
+namespace {
+
+/// `catena plan` and `catena calibrate`, with a cache of their own.
+class PlanProgram : public Program {
+ protected:
+  PlanProgram() { setenv("XDG_CACHE_HOME", file("cache").c_str(), 1); }
+  ~PlanProgram() override { unsetenv("XDG_CACHE_HOME"); }
+  std::string figures() const { return file("cache/catena/calibration.txt"); }
+  nlohmann::json json(const std::string& arguments) const {
+    const ProgramOutcome r = run(arguments);
+    EXPECT_EQ(r.code, 0) << r.output;
+    return nlohmann::json::parse(r.output);
+  }
+  static nlohmann::json step(const nlohmann::json& line, const std::string& name) {
+    for (const auto& s : line["plan"])
+      if (s["step"] == name) return s;
+    return nullptr;
+  }
+};
+
+TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
+  expect_says("plan path1:n=20", 0, {"hierarchy", "left out", "20 spheres", "built-in figures", "estimate"});
+  const auto before = json("plan path1:n=20 --counts-only --json"),
+             after = json("plan path1:n=20 --run --json");
+  EXPECT_FALSE(before.contains("collides"));
+  EXPECT_TRUE(after["collides"]);
+  EXPECT_TRUE(step(before, "hierarchy")["left_out"]);
+  EXPECT_TRUE(step(before, "pair list")["left_out"]);
+  EXPECT_FALSE(step(after, "pair list")["left_out"]);
+  EXPECT_TRUE(step(after, "choice of variant").contains("actual_ms"));
+}
+
+TEST_F(PlanProgram, OmitsNothingThatIsSwitchedOff) {
+  EXPECT_FALSE(step(json("plan path1:n=20 --no-omit hierarchy --json"), "hierarchy")["left_out"]);
+  expect_says("detect path1:n=20 --no-omit hierarchy", 0, {"auto(keep=hierarchy), Hybrid"});
+  expect_refused("plan path1:n=20 --no-omit nonsense", "hierarchy");
+  expect_refused("detect path1:n=20 --variant CPU1 --no-omit hierarchy", "--variant");
+  expect_refused("plan path1:n=20 --any --counts-only", "--any");
+}
+
+TEST_F(PlanProgram, FramesOfAnAnimationAreToldWhatTheyShare) {
+  const ProgramOutcome r = run("plan path1:n=30000 --frame all --run --json");
+  std::istringstream lines(r.output);
+  std::size_t shifted = 0, frames = 0;
+  for (std::string line; std::getline(lines, line); ++frames)
+    shifted += step(nlohmann::json::parse(line), "search of the shifted part") != nullptr;
+  EXPECT_EQ(frames, 56u);
+  EXPECT_EQ(shifted, 55u);
+}
+
+TEST_F(PlanProgram, UsesTheFiguresThatCalibrateKeepsAndSaysSoWhenTheyAreDamaged) {
+  expect_says("calibrate", 0, {"Hybrid", "CPU1", "spheres on", figures()});
+  expect_says("plan path1:n=20", 0, {"figures of " + figures()});
+  std::ofstream(figures()) << "nonsense";
+  const ProgramOutcome r = run("plan path1:n=20");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.output.find("catena: " + figures()), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("built-in figures"), std::string::npos) << r.output;
+  expect_says("calibrate --json", 0, {"\"crossover\""});
+  expect_says("plan path1:n=20", 0, {"figures of " + figures()});
+  setenv("XDG_CACHE_HOME", "/dev/null", 1);
+  expect_refused("calibrate", "/dev/null");
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,99 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/export.h"
+#include "catena/core/frames/kept_list.h"
+#include "catena/core/frames/list_policy.h"
+#include "catena/core/frames/moving_row.h"
+#include "catena/core/plan/omissions.h"
+#include "catena/core/strategy/moved.h"
+#include "catena/core/strategy/plan.h"
+
+namespace catena {
+
+/// Searches a frame by what is known of the last one that was searched: its spheres and its pairs. What a
+/// frame has in common with it is seen in `update`, which allocates nothing once warm; `find` searches what
+/// is left. Measured times choose the way, never the answer.
+class CATENA_API FrameSearch {
+ public:
+  enum class Way {
+    full,      ///< all is searched
+    unmoved,   ///< the answer is that of the last frame
+    parts,     ///< what moved is searched
+    shifted,   ///< what came in is searched
+    kept_list  ///< near pairs are compared
+  };
+
+  /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too.
+  FrameSearch(const Omissions& omissions, bool always,
+              std::unique_ptr<KeptList> list = std::make_unique<KeptList>());
+  virtual ~FrameSearch() = default;
+
+  /// A first frame. `follow`: others are expected.
+  void begin(bool follow);
+  /// The next frame, and the way in which find will search it.
+  Way update(const Chain& chain, const Moved& moved);
+  /// `here` answers for this chain, `search` builds and answers for any other; `build_ms` is what building
+  /// this one took where the way is full.
+  void find(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,
+            const FullSearch& search, double build_ms);
+
+  /// What was decided for the last frame; nothing for a first frame alone.
+  Plan plan() const;
+  /// Of the last frame.
+  Way way() const { return way_; }
+
+ protected:
+  // What a test may break.
+  virtual bool find_changes(std::span<const Sphere> before, std::span<const Sphere> now, std::uint32_t most,
+                            std::vector<SphereRange>& ranges) const;
+  virtual std::optional<std::int64_t> find_shift(std::span<const Sphere> before, std::span<const Sphere> now,
+                                                 std::uint32_t most, std::int64_t guess) const;
+
+ private:
+  Way choose(const Chain& chain, const Moved& moved);
+  std::optional<Way> choose_shift(const Chain& chain);
+  std::optional<Way> choose_list(const Chain& chain);
+  bool comparable(const Chain& chain) const;
+  bool can_shift(const Chain& chain) const;
+  bool take(const Moved& moved, std::uint32_t n);
+  void remember(const Chain& chain);
+  void forget() { answered_ = false; }
+  void search_all(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here);
+  void search_by_list(const Chain& chain, const FullSearch& search);
+  void report(const Chain& chain, const Request& request, Collisions& result);
+  void count(std::uint32_t n, Collisions& result);
+
+  const Omissions omissions_;
+  const bool always_;
+  Way way_ = Way::full;
+  bool frames_ = false;    ///< more than one frame, or others are expected
+  bool answered_ = false;  ///< row_ and pairs_ are those of the last frame that was searched
+  bool behind_ = false;    ///< an update since was not searched
+  bool updated_ = false;   ///< the last frame is not a first one
+  MovingRow row_;
+  std::vector<Pair> pairs_;
+  std::vector<std::uint32_t> counts_;  ///< of pairs_, where counts_stand_
+  bool counts_stand_ = false;
+  std::uint64_t topology_ = 0;
+  std::uint32_t window_ = 0;  ///< of a chain whose only rule it is; 0: another rule
+  std::vector<SphereRange> ranges_;
+  std::uint64_t moved_ = 0;  ///< spheres of ranges_
+  std::int64_t shift_ = 0;
+  std::unique_ptr<KeptList> list_;
+  ListPolicy policy_;
+  double move_ = 0, skin_ = 0;            ///< for the next list: of a frame, at most; wanted
+  std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay
+  std::uint32_t blind_ = 0, blinds_ = 0;  ///< the same of looking for what frames have in common
+  double run_ms_ = 1e-3;                  ///< of a run that changed, measured
+  double full_ms_ = 0, find_ms_ = 0;      ///< of the last full search; of this frame's
+  std::size_t compared_ = 0;              ///< of this frame: runs that changed, or near pairs
+  Collisions own_;
+};
+
+}  // namespace catena

@@ -1,0 +1,145 @@
+#include "catena/core/frames/frame_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "catena/core/input/input.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena {
+namespace {
+
+using Way = FrameSearch::Way;
+
+/// Frames of a chain, each searched; every full search of it is counted.
+class Frames {
+ public:
+  explicit Frames(const Chain& first, std::vector<std::string> keep = {})
+      : search_(Omissions::without(keep), true),
+        base_(StrategyRegistry::instance().make("Hybrid")),
+        chain_(first) {
+    search_.begin(true);
+    find();
+  }
+  /// The way in which the next frame is searched, whose answer is that of a full search.
+  Way next(const std::vector<Sphere>& spheres, const Moved& moved = {}) {
+    chain_ = chain_.moved(spheres);
+    const Way way = search_.update(chain_, moved);
+    find();
+    Collisions full;
+    search_all(chain_, {}, full);
+    std::ranges::sort(full.pairs);
+    std::ranges::sort(found_.pairs);
+    EXPECT_EQ(found_.pairs, full.pairs);
+    EXPECT_EQ(found_.count, full.count);
+    EXPECT_GT(full.pairs.size(), 0u);
+    return way;
+  }
+  std::vector<Sphere> spheres() const { return {chain_.spheres().begin(), chain_.spheres().end()}; }
+  Plan plan() const { return search_.plan(); }
+  unsigned searches() const { return searches_; }
+
+ private:
+  void search_all(const Chain& chain, const Request& request, Collisions& found) {
+    base_->build(chain);
+    base_->find(chain, request, found);
+  }
+  void find() {
+    const FullSearch counted = [this](const Chain& c, const Request& r, Collisions& f) {
+      ++searches_;
+      search_all(c, r, f);
+    };
+    search_.find(chain_, {}, found_, counted, counted, 0);
+  }
+
+  FrameSearch search_;
+  std::unique_ptr<Variant> base_;
+  Chain chain_;
+  Collisions found_;
+  unsigned searches_ = 0;
+};
+
+Chain yarn() { return open_input("yarn:n=3000").animation->frame(0); }
+
+std::vector<Sphere> shaken(std::vector<Sphere> spheres, float by) {
+  for (std::size_t i = 0; i < spheres.size(); ++i) (&spheres[i].x)[i % 3] += i % 2 ? by : -by;
+  return spheres;
+}
+
+TEST(FrameSearch, GoesTheWayThatAFrameAllows) {
+  Frames frames(yarn());
+  EXPECT_EQ(frames.next(frames.spheres()), Way::unmoved);
+  EXPECT_EQ(frames.next(frames.spheres(), Moved(std::span<const SphereRange>())), Way::unmoved);
+  auto spheres = frames.spheres();
+  for (std::size_t i = 700; i < 760; ++i) spheres[i] = spheres[i + 1000];
+  EXPECT_EQ(frames.next(spheres), Way::parts);
+  const SphereRange told{100, 130};
+  for (std::size_t i = told.begin; i < told.end; ++i) spheres[i].x += 0.5f;
+  EXPECT_EQ(frames.next(spheres, Moved(std::span(&told, 1))), Way::parts);
+  for (const int by : {40, -13, 2000, 2000}) {  // the last ones out of the row
+    spheres = frames.spheres();
+    std::ranges::rotate(spheres, by > 0 ? spheres.begin() + by : spheres.end() + by);
+    EXPECT_EQ(frames.next(spheres), Way::shifted) << by;
+  }
+  EXPECT_EQ(frames.searches(), 1u) << "of the first frame alone";
+  EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::kept_list);
+  EXPECT_EQ(frames.searches(), 2u) << "of thick spheres";
+  EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::kept_list);
+  EXPECT_EQ(frames.searches(), 2u);
+  ASSERT_EQ(frames.plan().size(), 1u);
+  EXPECT_TRUE(frames.plan()[0].left_out);
+  EXPECT_NE(frames.plan()[0].reason.find("3000"), std::string::npos);
+}
+
+TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
+  Frames frames(yarn(), omission_names());
+  EXPECT_EQ(frames.next(frames.spheres()), Way::full);
+  EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::full);
+  EXPECT_EQ(frames.searches(), 3u);
+  EXPECT_FALSE(frames.plan()[0].left_out);
+}
+
+TEST(FrameSearch, ASearchThatFailsLeavesNothingHalfKnown) {
+  FrameSearch search({}, true);
+  const auto base = StrategyRegistry::instance().make("Hybrid");
+  bool fails = false;
+  const FullSearch full = [&](const Chain& c, const Request& r, Collisions& f) {
+    if (fails) throw std::runtime_error("no memory");
+    base->build(c);
+    base->find(c, r, f);
+  };
+  const Chain first = yarn();
+  Collisions found, exact;
+  search.begin(true);
+  search.find(first, {}, found, full, full, 0);
+  const Chain next = first.moved(shaken({first.spheres().begin(), first.spheres().end()}, 0.05f));
+  EXPECT_EQ(search.update(next, {}), Way::kept_list);
+  fails = true;
+  EXPECT_THROW(search.find(next, {}, found, full, full, 0), std::runtime_error);
+  fails = false;
+  search.find(next, {}, found, full, full, 0);
+  full(next, {}, exact);
+  EXPECT_EQ(found.count, exact.count);
+  EXPECT_GT(exact.pair_count, 0u);
+}
+
+TEST(ListPolicy, TakesALongerLifeWhereARebuildIsDearer) {
+  ListPolicy cheap, dear;
+  for (ListPolicy* policy : {&cheap, &dear}) {
+    policy->searched(20);
+    policy->rebuilt(policy == &cheap ? 5 : 50, 0.01);
+    policy->used(4, 0.1, 1000, 800);
+  }
+  EXPECT_LT(cheap.life(), dear.life());
+  EXPECT_GE(cheap.life(), ListPolicy::shortest);
+  EXPECT_LE(dear.life(), ListPolicy::longest);
+  EXPECT_TRUE(dear.pays());
+  dear.used(40, 0.1, 1000, 800);
+  for (int k = 0; k < 20; ++k) dear.used(40, 0.1, 1000, 800);
+  EXPECT_FALSE(dear.pays()) << "where it costs more than a full search";
+}
+
+}  // namespace
+}  // namespace catena

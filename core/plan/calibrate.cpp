@@ -1,0 +1,89 @@
+#include "catena/core/plan/calibrate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena {
+namespace {
+
+constexpr double seconds_each = 0.02;
+
+/// A spring whose turns lie side by side: near itself, and without collisions.
+Chain spring(std::uint32_t n) {
+  constexpr double width = 10, pitch = 3;
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double turn = i / width;
+    spheres.push_back({static_cast<float>(width * std::cos(turn)), static_cast<float>(width * std::sin(turn)),
+                       static_cast<float>(pitch * turn / (2 * std::numbers::pi)), 1});
+  }
+  return Chain(std::move(spheres));
+}
+
+/// Least time of one build and find, of so many as fit into `seconds_each`.
+double least_ms(Variant& variant, std::uint32_t n) {
+  const Chain chain = spring(n);
+  const std::uint32_t batch = std::max(1u, 2000 / n);  // so that the clock's own time is little of it
+  Collisions found;
+  double least = std::numeric_limits<double>::infinity();
+  const Stopwatch all;
+  do {
+    const Stopwatch watch;
+    for (std::uint32_t k = 0; k < batch; ++k) {
+      variant.build(chain);
+      variant.find(chain, {}, found);
+    }
+    least = std::min(least, watch.ms() / batch);
+  } while (all.ms() < seconds_each * 1e3);
+  return least;
+}
+
+double pairs(double n) { return n * (n - 1) / 2; }
+
+/// A line through two measurements.
+Cost measured(const Machine::VariantCost& v) {
+  const auto variant = StrategyRegistry::instance().make(v.variant);
+  const std::uint32_t few = v.on_device ? 1024 : 16, many = v.on_device ? 1u << 18 : v.all_pairs ? 256 : 8192;
+  const double short_us = least_ms(*variant, few) * 1e3, long_us = least_ms(*variant, many) * 1e3;
+  const double items = v.all_pairs ? pairs(many) - pairs(few) : static_cast<double>(many) - few;
+  const double item_us = std::max(0.0, long_us - short_us) / items;
+  Cost cost;
+  cost.fixed_us = std::max(0.0, short_us - item_us * (v.all_pairs ? pairs(few) : few));
+  (v.all_pairs ? cost.sphere_pair_ns : cost.sphere_ns) = item_us * 1e3;
+  return cost;
+}
+
+}  // namespace
+
+Machine calibrate() {
+  Machine machine = Machine::built_in();
+  for (Machine::VariantCost& v : machine.costs) try {
+      v.cost = measured(v);
+    } catch (const CapacityError&) {
+    }
+  machine.source = "measured now";
+  return machine;
+}
+
+std::uint32_t crossover(const Machine& machine) {
+  const auto least = [&](bool all_pairs, std::uint32_t n) {
+    double ms = std::numeric_limits<double>::infinity();
+    for (const Machine::VariantCost& v : machine.costs)
+      if (!v.on_device && v.all_pairs == all_pairs) ms = std::min(ms, v.cost.ms(n));
+    return ms;
+  };
+  if (!std::isfinite(least(true, 1)) || !std::isfinite(least(false, 1))) return 0;
+  std::uint32_t low = 0, high = 1u << 20;  // all pairs are cheaper at low, a tree at high
+  while (high - low > 1) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    (least(false, middle) < least(true, middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace catena

@@ -1,0 +1,39 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catena/core/export.h"
+#include "catena/core/strategy/cost.h"
+
+namespace catena {
+
+/// What searches cost on this machine, as far as plans need it.
+struct CATENA_API Machine {
+  struct VariantCost {
+    std::string variant;  ///< by the name that StrategyRegistry::make takes
+    Cost cost;
+    bool on_device = false, all_pairs = false;
+  };
+  std::vector<VariantCost> costs;
+  std::string source;                  ///< where the figures are from, for the user
+  std::optional<std::string> warning;  ///< one line, when a file could not be used
+
+  /// What the strategies say of themselves; those that are available here.
+  static Machine built_in();
+  /// The built-in figures, and in their place those of the file where it has them. A file that is not there
+  /// is no fault; one that is damaged, or of another machine, is a warning, and nothing of it is used.
+  static Machine from(const std::filesystem::path& file);
+  /// From calibration_file(), read once in a program.
+  static const Machine& here();
+};
+
+/// Where `catena calibrate` keeps its figures: catena/calibration.txt below XDG_CACHE_HOME, or below
+/// ~/.cache. Empty where the environment names no home.
+CATENA_API std::filesystem::path calibration_file();
+
+/// The figures as text, as Machine::from reads them.
+CATENA_API std::string calibration_text(const Machine& machine);
+
+}  // namespace catena

@@ -1,0 +1,91 @@
+#include "catena/core/plan/machine.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "catena/core/plan/calibrate.h"
+
+namespace catena {
+namespace {
+
+class MachineFile : public testing::Test {
+ protected:
+  MachineFile()
+      : file_(std::filesystem::temp_directory_path() / ("catena-machine-" + std::to_string(getpid()))) {}
+  ~MachineFile() override { std::filesystem::remove(file_); }
+  Machine read(const std::string& text) const {
+    std::ofstream(file_) << text;
+    return Machine::from(file_);
+  }
+  static const Cost& cost_of(const Machine& machine, const std::string& variant) {
+    return std::ranges::find(machine.costs, variant, &Machine::VariantCost::variant)->cost;
+  }
+  const std::filesystem::path file_;
+};
+
+TEST_F(MachineFile, ComesBackAsItWasWritten) {
+  Machine machine = Machine::built_in();
+  ASSERT_GE(machine.costs.size(), 2u);
+  for (Machine::VariantCost& v : machine.costs) v.cost.fixed_us += 1, v.cost.sphere_ns += 0.1;
+  const Machine back = read(calibration_text(machine));
+  EXPECT_FALSE(back.warning);
+  EXPECT_NE(back.source.find(file_.string()), std::string::npos) << back.source;
+  ASSERT_EQ(back.costs.size(), machine.costs.size());
+  for (const Machine::VariantCost& v : machine.costs)
+    EXPECT_EQ(cost_of(back, v.variant), v.cost) << v.variant;
+}
+
+TEST_F(MachineFile, ThatIsNotThereGivesTheBuiltInFiguresInSilence) {
+  const Machine machine = Machine::from(file_);
+  EXPECT_FALSE(machine.warning);
+  EXPECT_EQ(machine.source, Machine::built_in().source);
+}
+
+TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
+  const Machine built_in = Machine::built_in();
+  std::string good = calibration_text(built_in);
+  std::vector<std::string> damaged{"", "nonsense"};
+  for (std::size_t length = 1; length + 1 < good.size(); length += 3)
+    damaged.push_back(good.substr(0, length));
+  for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
+    damaged.push_back(std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 ") + figure + "\n"));
+  damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
+  for (const std::string& text : damaged) {
+    const Machine machine = read(text);
+    ASSERT_TRUE(machine.warning) << text;
+    EXPECT_EQ(std::ranges::count(*machine.warning, '\n'), 0) << *machine.warning;
+    EXPECT_NE(machine.warning->find(file_.string()), std::string::npos) << *machine.warning;
+    EXPECT_EQ(machine.source, built_in.source);
+    ASSERT_EQ(machine.costs.size(), built_in.costs.size());
+    for (const Machine::VariantCost& v : built_in.costs)
+      EXPECT_EQ(cost_of(machine, v.variant), v.cost) << text;
+  }
+}
+
+TEST_F(MachineFile, OfVariantsThatAreGoneIsUsedForTheOthers) {
+  Machine machine = Machine::built_in();
+  const std::string variant = machine.costs[0].variant;
+  machine.costs = {{"Gone", {1, 2, 3}}, {variant, {4, 5, 6}}};
+  const Machine back = read(calibration_text(machine));
+  EXPECT_FALSE(back.warning);
+  EXPECT_EQ(cost_of(back, variant), (Cost{4, 5, 6}));
+  EXPECT_EQ(std::ranges::count(back.costs, std::string("Gone"), &Machine::VariantCost::variant), 0);
+}
+
+TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
+  const Machine machine = calibrate();
+  for (const Machine::VariantCost& v : machine.costs) {
+    EXPECT_GT(v.cost.ms(100000), 0) << v.variant;
+    EXPECT_TRUE(std::isfinite(v.cost.ms(100000))) << v.variant;
+  }
+  EXPECT_GE(crossover(machine), 2u);
+  EXPECT_LE(crossover(machine), 2000u);
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,54 @@
+#include "catena/core/plan/omissions.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace catena {
+namespace {
+
+const std::array<OmissionInfo, 9>& table() {
+  static const std::array<OmissionInfo, 9> all{{
+      {Omission::hierarchy, "hierarchy", "hierarchy",
+       "all pairs are compared instead, by the same exact test"},
+      {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
+      {Omission::pair_list, "pair-list", "pair list", "pairs are counted as they are found and not kept"},
+      {Omission::after_hit, "after-hit", "search after the first pair",
+       "one colliding pair is the answer yes, whatever the others are"},
+      {Omission::other_places, "other-places", "build before a look at the likeliest places",
+       "a look answers yes alone, by a pair that the exact test found; without one all is searched"},
+      {Omission::unmoved, "unmoved", "search of an unmoved frame",
+       "no bit of a sphere differs, so that no pair does"},
+      {Omission::still_parts, "still-parts", "search of the parts that did not move",
+       "a pair of two spheres none of whose bits differ is as it was; every other is searched"},
+      {Omission::shifted, "shifted", "search of the shifted part",
+       "sphere i is bit for bit what i + s was, and the window of neighbours goes by |i - j| alone"},
+      {Omission::far_pairs, "far-pairs", "search of pairs farther apart than their skins",
+       "each sphere lies, by a bound rounded up, within the thicker sphere that the list was made of"},
+  }};
+  return all;
+}
+
+}  // namespace
+
+std::span<const OmissionInfo> all_omissions() { return table(); }
+
+const OmissionInfo& info_of(Omission omission) { return table()[static_cast<std::size_t>(omission)]; }
+
+std::vector<std::string> omission_names() {
+  std::vector<std::string> names;
+  for (const OmissionInfo& o : table()) names.push_back(o.name);
+  return names;
+}
+
+Omissions Omissions::without(std::span<const std::string> names) {
+  Omissions result;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(table(), name, &OmissionInfo::name);
+    if (found == table().end()) throw std::logic_error("there is no omission " + name);
+    result.off_.set(static_cast<std::size_t>(found->omission));
+  }
+  return result;
+}
+
+}  // namespace catena

@@ -1,0 +1,132 @@
+#include "catena/core/plan/search_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "catena/core/arithmetic/robust.h"
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/core/plan/coarse_look.h"
+#include "catena/core/plan/find.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena {
+namespace {
+
+using Want = Request::Want;
+
+/// All pairs are cheaper up to 40 spheres, the device from 10,000 on.
+Machine machine() {
+  return {{{"pairs", {.sphere_pair_ns = 2}, false, true},
+           {"tree", {.fixed_us = 1.2, .sphere_ns = 9}},
+           {"slow tree", {.fixed_us = 5, .sphere_ns = 9}},
+           {"device", {.fixed_us = 82, .sphere_ns = 0.92}, true}},
+          "a test",
+          {}};
+}
+std::string chosen(std::uint32_t n, const std::vector<std::string>& keep = {},
+                   const Machine& of = machine()) {
+  return SearchPlan(n, {}, of, Omissions::without(keep)).variant();
+}
+const Decision& step(const Plan& plan, const std::string& name) {
+  const auto found = std::ranges::find(plan, name, &Decision::step);
+  if (found == plan.end()) throw std::logic_error("no step " + name);
+  return *found;
+}
+
+TEST(SearchPlan, TakesWhatIsCheapestForTheNumberOfSpheres) {
+  for (const std::uint32_t n : {0u, 1u, 2u, 30u}) EXPECT_EQ(chosen(n), "pairs") << n;
+  for (const std::uint32_t n : {60u, 1000u, 9000u}) EXPECT_EQ(chosen(n), "tree") << n;
+  for (const std::uint32_t n : {11000u, 1u << 30}) EXPECT_EQ(chosen(n), "device") << n;
+}
+
+TEST(SearchPlan, DoesWhatMayNotBeLeftOut) {
+  EXPECT_EQ(chosen(5, {"hierarchy"}), "tree");
+  EXPECT_EQ(chosen(5, {"device"}), "device");
+  EXPECT_EQ(chosen(5, {"device", "hierarchy"}), "device");
+  Machine without = machine();
+  without.costs.pop_back();
+  EXPECT_EQ(chosen(1u << 20, {"device"}, without), "tree");
+  EXPECT_THROW(chosen(5, {}, Machine{}), CapacityError);
+}
+
+TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {
+  const Machine of = machine();
+  const Plan plan = SearchPlan(20, {Want::counts}, of, {}).steps();
+  EXPECT_TRUE(step(plan, "hierarchy").left_out);
+  EXPECT_NE(step(plan, "hierarchy").reason.find("20 spheres"), std::string::npos);
+  EXPECT_TRUE(step(plan, "pair list").left_out);
+  EXPECT_TRUE(step(plan, "device").left_out);
+  const Plan full = SearchPlan(20, {Want::counts}, of, Omissions::without(omission_names())).steps();
+  for (const char* name : {"hierarchy", "pair list", "device"})
+    EXPECT_FALSE(step(full, name).left_out) << name;
+  EXPECT_NE(step(full, "pair list").reason.find("--no-omit pair-list"), std::string::npos);
+}
+
+TEST(SearchPlan, EveryOmissionStatesItsObligation) {
+  std::vector<std::string> names = omission_names();
+  std::ranges::sort(names);
+  EXPECT_TRUE(std::ranges::adjacent_find(names) == names.end());
+  for (const OmissionInfo& o : all_omissions()) {
+    EXPECT_FALSE(o.obligation.empty()) << o.name;
+    EXPECT_EQ(&info_of(o.omission), &o);
+    EXPECT_FALSE(Omissions::without(std::vector{o.name}).may(o.omission)) << o.name;
+    EXPECT_TRUE(Omissions().may(o.omission)) << o.name;
+  }
+}
+
+TEST(CoarseLook, GivesOnlyPairsThatCollideAndFindsThoseOfAScene) {
+  std::uint32_t found = 0;
+  for (const char* input : {"path1:n=30000", "yarn:n=30000", "coincident:n=20000", "coil:n=30000",
+                            "rod:n=30000", "hair:n=30000"}) {
+    const Chain chain = open_input(input).animation->frame(0);
+    CoarseLook look;
+    for (const SphereRange& queries : {SphereRange{}, SphereRange{0, 10}, SphereRange{5000, 25000}}) {
+      const auto pair = look.look(chain.view(), queries);
+      if (!pair) continue;
+      ++found;
+      EXPECT_LT(pair->i, pair->j);
+      EXPECT_TRUE(queries.contains(pair->i));
+      EXPECT_TRUE(Robust::overlap(chain[pair->i], chain[pair->j])) << input;
+      EXPECT_FALSE(chain.neighbours(pair->i, pair->j)) << input;
+      EXPECT_NE(std::string(input).substr(0, 4), "coil");
+    }
+    EXPECT_EQ(look.look(chain.view(), {}).has_value(), find(chain, {Want::counts}).found) << input;
+  }
+  EXPECT_GE(found, 4u);
+}
+
+TEST(Find, AnswersInOneCallWhateverIsLeftOut) {
+  for (const char* input : {"path1:n=20", "yarn:n=700", "yarn:n=9000", "coil:n=9000"}) {
+    const Chain chain = open_input(input).animation->frame(0);
+    const auto full = StrategyRegistry::instance().make("CPU1");
+    Collisions exact;
+    full->build(chain);
+    full->find(chain, {}, exact);
+    Collisions all = find(chain);
+    std::ranges::sort(all.pairs);
+    std::ranges::sort(exact.pairs);
+    EXPECT_EQ(all.pairs, exact.pairs) << input;
+    EXPECT_EQ(all.count, exact.count) << input;
+    EXPECT_EQ(find(chain, {Want::any}).found, exact.found) << input;
+    EXPECT_EQ(find(chain, {Want::counts}).count, exact.count) << input;
+    for (const std::string& name : omission_names()) {
+      const auto kept = StrategyRegistry::instance().make("auto(keep=" + name + ")");
+      for (const Want want : {Want::any, Want::counts, Want::pairs}) {
+        Collisions found;
+        kept->prepare({want});
+        kept->build(chain);
+        kept->find(chain, {want}, found);
+        EXPECT_EQ(found.found, exact.found) << input << ' ' << name;
+        if (want != Want::any) {
+          EXPECT_EQ(found.count, exact.count) << input << ' ' << name;
+        }
+        EXPECT_EQ(found.pairs.size(), want == Want::pairs ? exact.pairs.size() : 0u) << input << ' ' << name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace catena

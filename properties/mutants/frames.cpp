@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cmath>
+
+#include "catena/core/frames/frame_difference.h"
+#include "catena/core/frames/frame_search.h"
+#include "catena/properties/mutants/mutant.h"
+
+// Bugs of searches that use what frames have in common: what a comparison of two frames, or the check of a
+// kept list, may forget.
+namespace catena::properties {
+namespace {
+
+/// A right search of frames around CPU1, with some part of it broken.
+class FaultyFrames : public Variant {
+ public:
+  explicit FaultyFrames(std::unique_ptr<FrameSearch> frames)
+      : base_(StrategyRegistry::instance().make("CPU1")), frames_(std::move(frames)) {}
+
+  void build(const Chain& chain) override {
+    frames_->begin(true);
+    n_ = chain.size();
+  }
+  void update(const Chain& chain, const Moved& moved) override {
+    if (n_ != chain.size()) return build(chain);
+    frames_->update(chain, moved);
+  }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (n_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
+    const FullSearch search = [this](const Chain& c, const Request& r, Collisions& found) {
+      base_->build(c);
+      base_->find(c, r, found);
+    };
+    frames_->find(chain, request, result, search, search, 0);
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  std::unique_ptr<Variant> base_;
+  std::unique_ptr<FrameSearch> frames_;
+  std::optional<std::uint32_t> n_;
+};
+
+template <class List>
+class WithList final : public FaultyFrames {
+ public:
+  WithList() : FaultyFrames(std::make_unique<FrameSearch>(Omissions(), true, std::make_unique<List>())) {}
+};
+template <class Search>
+class WithSearch final : public FaultyFrames {
+ public:
+  WithSearch() : FaultyFrames(std::make_unique<Search>(Omissions(), true)) {}
+};
+
+const std::vector<ParameterInfo> frames_parameter{{"frames", "always", "used always"}};
+
+class CheckedSometimes final : public KeptList {
+  bool holds(const Chain& chain) const override {
+    return KeptList::holds(chain) || (made() && ++calls_ % 4 != 0 && chain.size() == thick().size());
+  }
+  mutable unsigned calls_ = 0;
+};
+const RegisterMutant<WithList<CheckedSometimes>> sometimes{
+    "skin-checked-every-fourth-frame", "molecular dynamics' fixed rebuild interval ('dangerous builds')",
+    frames_parameter};
+
+class RoundedDown final : public KeptList {
+  bool holds(const Chain& chain) const override {
+    if (!made() || chain.size() != thick().size()) return false;
+    for (std::uint32_t i = 0; i < chain.size(); ++i) {
+      const Sphere &a = chain[i], &b = thick()[i];
+      const float moved = std::max({std::fabs(a.x - b.x), std::fabs(a.y - b.y), std::fabs(a.z - b.z)});
+      if (!(moved <= b.radius - a.radius)) return false;
+    }
+    return true;
+  }
+};
+const RegisterMutant<WithList<RoundedDown>> down{
+    "displacement-rounded-down", "the greatest of three coordinates, which is less than the distance",
+    frames_parameter};
+
+class GrowthForgotten final : public KeptList {
+  bool holds(const Chain& chain) const override {
+    if (!made() || chain.size() != thick().size()) return false;
+    for (std::uint32_t i = 0; i < chain.size(); ++i) {
+      const Sphere &a = chain[i], &b = thick()[i];
+      if (!(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= skin() * 0.99f)) return false;
+    }
+    return true;
+  }
+};
+const RegisterMutant<WithList<GrowthForgotten>> growth{
+    "growth-forgotten", "a skin for what moves alone, where radii grow", frames_parameter};
+
+class DirtyRangeTooShort final : public FrameSearch {
+ public:
+  using FrameSearch::FrameSearch;
+
+ private:
+  bool find_changes(std::span<const Sphere> before, std::span<const Sphere> now, std::uint32_t most,
+                    std::vector<SphereRange>& ranges) const override {
+    const bool few = FrameSearch::find_changes(before, now, most, ranges);
+    for (SphereRange& range : ranges) --range.end;
+    return few;
+  }
+};
+const RegisterMutant<WithSearch<DirtyRangeTooShort>> range{
+    "dirty-range-off-by-one", "the last sphere of a stretch that differs counts as unmoved",
+    frames_parameter};
+
+class RadiiNotCompared final : public FrameSearch {
+ public:
+  using FrameSearch::FrameSearch;
+
+ private:
+  bool find_changes(std::span<const Sphere> before, std::span<const Sphere> now, std::uint32_t most,
+                    std::vector<SphereRange>& ranges) const override {
+    const auto same_centre = [](const Sphere& a, const Sphere& b) {
+      return a.x == b.x && a.y == b.y && a.z == b.z;
+    };
+    ranges.clear();
+    if (std::ranges::equal(before, now, same_centre)) return true;
+    return FrameSearch::find_changes(before, now, most, ranges);
+  }
+};
+const RegisterMutant<WithSearch<RadiiNotCompared>> radii{
+    "still-frame-by-its-centres", "a frame whose radii alone change counts as unmoved", frames_parameter};
+
+class ShiftBySamples final : public FrameSearch {
+ public:
+  using FrameSearch::FrameSearch;
+
+ private:
+  std::optional<std::int64_t> find_shift(std::span<const Sphere> before, std::span<const Sphere> now,
+                                         std::uint32_t most, std::int64_t) const override {
+    for (std::size_t s = 1; s <= most && s < now.size(); ++s) {
+      const std::size_t last = now.size() - 1 - s;
+      if (before[s] == now[0] && before[s + last / 4] == now[last / 4] && before[s + last] == now[last])
+        return static_cast<std::int64_t>(s);
+    }
+    return std::nullopt;
+  }
+};
+const RegisterMutant<WithSearch<ShiftBySamples>> samples{
+    "shift-seen-by-samples", "a shift is taken for one where a sphere in the middle differs",
+    frames_parameter};
+
+}  // namespace
+}  // namespace catena::properties

@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "catena/properties/property.h"
+#include "catena/reference/compare.h"
+
+namespace catena::properties {
+namespace {
+
+struct Frame {
+  std::string name;
+  Case test;
+  bool told;                        ///< update is told what moved
+  std::vector<SphereRange> ranges;  ///< then this
+};
+
+/// A film of one chain: each frame from the last one.
+class Film {
+ public:
+  explicit Film(const Chain& chain)
+      : chain_(chain), spheres_(chain.spheres().begin(), chain.spheres().end()), n_(chain.size()) {}
+
+  void still(bool told) { add("unmoved", told, {}); }
+
+  /// Two stretches, one of them the last spheres, change places with others.
+  void parts(bool told, std::uint32_t by) {
+    const std::vector<Sphere> before = spheres_;
+    const std::uint32_t a = n_ / 5, b = std::max(a, n_ / 5 + std::max(1u, n_ / 7)),
+                        c = n_ - std::max(1u, n_ / 9);
+    std::vector<SphereRange> ranges;
+    for (const auto& [begin, end] : {SphereRange{a, std::min(b, c)}, SphereRange{c, n_}})
+      if (begin < end) ranges.push_back({begin, end});
+    for (const SphereRange& range : ranges)
+      for (std::uint32_t i = range.begin; i < range.end; ++i) spheres_[i] = before[(i + by) % n_];
+    add("parts", told, std::move(ranges));
+  }
+
+  /// A window that moves on; what comes in lies where the other end was. `spoilt`: in all but one sphere,
+  /// which is put onto another.
+  void shift(std::int64_t s, bool spoilt) {
+    const auto by = static_cast<std::uint32_t>(s < 0 ? n_ - static_cast<std::uint32_t>(-s) % n_ : s % n_);
+    std::ranges::rotate(spheres_, spheres_.begin() + by);
+    if (spoilt) spheres_[n_ / 2] = spheres_[n_ / 8];
+    add(spoilt ? "shift but for a sphere" : "shift", false, {});
+  }
+
+  /// Every other sphere goes one way, the rest the other.
+  void drift(float step) {
+    for (std::uint32_t i = 0; i < n_; ++i) {
+      const float by = i / 3 % 2 == 0 ? step : -step;
+      nudge(spheres_[i].x, by), nudge(spheres_[i].y, by), nudge(spheres_[i].z, -by);
+    }
+    add("drift", false, {});
+  }
+
+  void grow(float factor) {
+    for (Sphere& s : spheres_) nudge(s.radius, s.radius * (factor - 1));
+    add("growth", false, {});
+  }
+
+  /// What follows a sphere turns about it by a right angle.
+  void pivot() {
+    const std::uint32_t at = n_ / 3;
+    for (std::uint32_t i = at + 1; i < n_; ++i) {
+      const float dx = spheres_[i].x - spheres_[at].x, dy = spheres_[i].y - spheres_[at].y;
+      const float x = spheres_[at].x - dy, y = spheres_[at].y + dx;
+      if (std::isfinite(x) && std::isfinite(y)) spheres_[i].x = x, spheres_[i].y = y;
+    }
+    add("pivot", false, {});
+  }
+
+  std::vector<Frame> take() { return std::move(frames_); }
+
+ private:
+  static void nudge(float& value, float by) {
+    if (std::isfinite(value + by)) value += by;
+  }
+  void add(std::string name, bool told, std::vector<SphereRange> ranges) {
+    frames_.push_back({std::move(name), Case::of(chain_.moved(spheres_)), told, std::move(ranges)});
+  }
+
+  const Chain& chain_;
+  std::vector<Sphere> spheres_;
+  const std::uint32_t n_;
+  std::vector<Frame> frames_;
+};
+
+std::vector<Frame> film_of(const Chain& chain) {
+  Film film(chain);
+  if (chain.size() < 2) return film.take();
+  std::vector<float> radii;
+  for (const Sphere& s : chain.spheres()) radii.push_back(s.radius);
+  std::ranges::nth_element(radii, radii.begin() + radii.size() / 2);
+  const float radius = radii[radii.size() / 2];
+  film.parts(true, chain.size() / 2), film.still(true), film.still(false);
+  film.parts(false, chain.size() / 3), film.shift(3, false), film.shift(3, true), film.shift(-2, false);
+  if (chain.size() > 64) return film.take();
+  for (int k = 0; k < 12; ++k) film.drift(0.06f * radius);
+  for (int k = 0; k < 6; ++k) film.grow(1.06f);
+  film.pivot(), film.still(false), film.parts(true, 1);
+  return film.take();
+}
+
+/// Of frame after frame the answer is that of the frame, whatever is known of the ones before: some parts
+/// move or none, the chain moves on along itself, spheres drift and grow, a part turns. For variants that use
+/// what frames have in common, and say so by a parameter `frames`.
+class Frames final : public Property {
+ public:
+  std::string name() const override { return "frame after frame"; }
+  bool applies_to(const Subject& subject) const override {
+    const auto& stages = subject.info.parts.stages;
+    const StrategyInfo* const info =
+        stages.size() == 1 ? StrategyRegistry::instance().find_strategy(stages[0].strategy) : nullptr;
+    return subject.exact() && info != nullptr &&
+           std::ranges::find(info->parameters, "frames", &ParameterInfo::name) != info->parameters.end();
+  }
+
+  std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
+    using Want = Request::Want;
+    const auto& frames = frames_(test, [&] { return film_of(test.chain); });
+    for (const bool searched : {true, false}) {  // each frame is searched, or every third alone
+      variant.prepare({.frames_follow = true});
+      variant.build(test.chain);
+      variant.find(test.chain, {}, found_);
+      for (std::size_t k = 0; k < frames.size(); ++k) {
+        const Frame& frame = frames[k];
+        frame.told ? variant.update(frame.test.chain, Moved(frame.ranges)) : variant.update(frame.test.chain);
+        if (!searched && k % 3 != 2) continue;
+        variant.find(frame.test.chain, {}, found_);
+        if (!reference::compare(frame.test.chain, frame.test.exact, found_).right())
+          return fmt::format("frame {}, {}: {} pairs, exactly {}", k, frame.name, found_.pair_count,
+                             frame.test.exact.pairs.size());
+        const std::vector<std::uint32_t> counts = found_.count;
+        variant.find(frame.test.chain, {Want::counts}, found_);
+        if (found_.count != counts) return fmt::format("frame {}, {}: other counts alone", k, frame.name);
+        variant.find(frame.test.chain, {Want::any}, found_);
+        if (found_.found != !frame.test.exact.pairs.empty())
+          return fmt::format("frame {}, {}: yes or no is wrong", k, frame.name);
+      }
+    }
+    variant.prepare({});
+    return std::nullopt;
+  }
+
+ private:
+  DerivedFrom<std::vector<Frame>> frames_;
+  Collisions found_;
+};
+
+const RegisterProperty<Frames> registered;
+
+}  // namespace
+}  // namespace catena::properties

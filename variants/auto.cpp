@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "catena/core/executor/pair_collector.h"
+#include "catena/core/frames/frame_search.h"
+#include "catena/core/plan/coarse_look.h"
+#include "catena/core/plan/search_plan.h"
+#include "catena/core/strategy/register.h"
+
+namespace catena {
+namespace {
+
+/// auto: what a plan chooses for the chain, and leaves out for the request; of a frame it searches what the
+/// last one does not tell.
+template <class Arithmetic>
+class Auto final : public Variant {
+ public:
+  explicit Auto(const Parameters& parameters)
+      : omissions_(Omissions::without(parameters.choices("keep", omission_names()))),
+        always_(parameters.choice("frames", {"measured", "always"}) == "always"),
+        frames_(omissions_, always_) {}
+
+  void prepare(const Request& request) override { request_ = request; }
+
+  void build(const Chain& chain) override {
+    contact_.reset();
+    begin(chain, [&] { frames_.begin(request_.frames_follow); });
+  }
+
+  void update(const Chain& chain, const Moved& moved) override {
+    if (spheres_ != chain.size()) return build(chain);
+    begin(chain, [&] { way_ = frames_.update(chain, moved); });
+  }
+
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (spheres_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
+    const Stopwatch watch;
+    timings_ = build_timings_;
+    if (contact_ && request.want == Request::Want::any && request.queries == request_.queries) {
+      PairCollector collector(chain.size(), request, result);
+      collector.lane(0).pair(contact_->i, contact_->j);
+      collector.finish();
+    } else if (frames_count()) {
+      frames_.find(
+          chain, request, result,
+          [this](const Chain& c, const Request& r, Collisions& found) { search_here(c, r, found); },
+          [this](const Chain& c, const Request& r, Collisions& found) { search_other(c, r, found); },
+          build_timings_.build_ms + build_timings_.transfer_ms);
+    } else {
+      search_here(chain, request, result);
+    }
+    if (built_ && plan_->on_device())
+      timings_ = searcher_->timings();
+    else
+      timings_.find_ms = watch.ms();
+  }
+
+  Timings timings() const override { return timings_; }
+
+  std::string answered_by() const override {
+    if (!plan_) return {};
+    if (contact_) return "a look at likely places";
+    return frames_count() && way_ != FrameSearch::Way::full ? "the frame before" : plan_->variant();
+  }
+
+  Plan plan() const override {
+    if (!plan_) return {};
+    Plan steps = plan_->steps();
+    if (!built_)
+      for (Decision& step : steps)
+        if (step.step == info_of(Omission::hierarchy).step)
+          step.left_out = true, step.reason += "; nothing was built";
+    steps.front().actual_ms = timings_.build_ms + timings_.find_ms + timings_.transfer_ms;
+    if (contact_)
+      steps.back().removed =
+          fmt::format("build and search: spheres {} and {} collide", contact_->i, contact_->j);
+    if (frames_count())
+      for (Decision& decision : frames_.plan()) steps.push_back(std::move(decision));
+    if (built_)
+      for (Decision& decision : searcher_->plan()) steps.push_back(std::move(decision));
+    return steps;
+  }
+
+ private:
+  /// `see` looks at what the frame has in common with the last one, if there was one.
+  template <class See>
+  void begin(const Chain& chain, const See& see) {
+    const Stopwatch watch;
+    spheres_.reset();
+    built_ = false;
+    way_ = FrameSearch::Way::full;
+    plan_.emplace(chain.size(), request_, Machine::here(), omissions_);
+    if (plan_->look_first()) {
+      if (contact_) contact_ = CoarseLook::look_near(chain.view(), request_.queries, *contact_);
+      if (!contact_) contact_ = look_.look(chain.view(), request_.queries);
+    }
+    if (frames_count()) see();
+    if (!contact_ && way_ == FrameSearch::Way::full) build_searcher(chain);
+    spheres_ = chain.size();
+    build_timings_ = built_ && plan_->on_device() ? searcher_->timings() : Timings{watch.ms()};
+    timings_ = build_timings_;
+  }
+
+  /// What a frame before tells is of use: all is searched, and for more than yes or no.
+  bool frames_count() const {
+    return plan_->want() != Request::Want::any && request_.queries == SphereRange{} &&
+           (always_ || !plan_->all_pairs());
+  }
+
+  void build_searcher(const Chain& chain) {
+    searcher_ = &held(plan_->variant());
+    searcher_->prepare(request_);
+    searcher_->build(chain);
+    built_ = true;
+  }
+
+  void search_here(const Chain& chain, const Request& request, Collisions& result) {
+    if (!built_) build_searcher(chain);
+    Request wider = request;
+    wider.want = plan_->searched_for(request.want);
+    // A limit is for who asks for pairs.
+    if (wider.want != request.want) wider.pair_limit = std::numeric_limits<std::uint64_t>::max();
+    searcher_->find(chain, wider, result);
+    drop_unasked(request.want, result);
+  }
+  /// Of another chain; that of the last build is none any more.
+  void search_other(const Chain& chain, const Request& request, Collisions& result) {
+    built_ = false;
+    searcher_ = &held(plan_->variant());
+    searcher_->prepare(request);
+    searcher_->build(chain);
+    searcher_->find(chain, request, result);
+  }
+
+  /// Variants that were chosen before, with their memory.
+  Variant& held(const std::string& name) {
+    for (const auto& [known, variant] : held_)
+      if (known == name) return *variant;
+    held_.emplace_back(name, StrategyRegistry::instance().make(name));
+    return *held_.back().second;
+  }
+
+  /// A search whose omissions are switched off finds more than was asked for.
+  static void drop_unasked(Request::Want want, Collisions& result) {
+    if (want != Request::Want::pairs) result.pairs.clear();
+    if (want == Request::Want::any) result.count.clear(), result.pair_count = 0;
+  }
+
+  const Omissions omissions_;
+  const bool always_;
+  Request request_;
+  std::optional<SearchPlan> plan_;
+  CoarseLook look_;
+  std::optional<Pair> contact_;  ///< of the last frame, found by a look
+  FrameSearch frames_;
+  FrameSearch::Way way_ = FrameSearch::Way::full;
+  std::vector<std::pair<std::string, std::unique_ptr<Variant>>> held_;
+  Variant* searcher_ = nullptr;           ///< of held_
+  bool built_ = false;                    ///< the searcher, on the chain of the last build or update
+  std::optional<std::uint32_t> spheres_;  ///< of the last build or update
+  Timings timings_, build_timings_;
+};
+
+const RegisterVariant<Auto, Robust> registered{
+    {.name = "auto",
+     .summary = "what a plan chooses for the chain, and leaves out for the request",
+     .parameters = {{"keep", "none", "omissions that are switched off, joined by '+'"},
+                    {"frames", "measured", "what frames have in common is used where it pays, or always"}}}};
+
+}  // namespace
+}  // namespace catena
