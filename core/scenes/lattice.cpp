@@ -29,7 +29,8 @@ Chain lattice(const SceneSetup& setup, std::uint32_t ulps, Random random) {
   spheres.reserve(setup.n());
   for (std::uint32_t i = 0; i < setup.n(); ++i) {
     const auto [x, y, z] = serpentine_cell(i, side);
-    Sphere s = setup.place(setup.spacing() * (Vec3{double(x), double(y), double(z)} - Vec3{middle, middle, middle}));
+    Sphere s =
+        setup.place(setup.spacing() * (Vec3{double(x), double(y), double(z)} - Vec3{middle, middle, middle}));
     if (ulps > 0)
       s = {moved(s.x, ulps, random), moved(s.y, ulps, random), moved(s.z, ulps, random), s.radius};
     spheres.push_back(s);
