@@ -26,18 +26,27 @@ struct PivotWalk::Cut {
   LatticePoint centre;  ///< of the turn: the last point before the cut
 
   std::uint32_t node(std::size_t level) const { return leaf >> (levels - 1 - level); }
+  bool goes_later(std::size_t level) const { return node(level + 1) % 2 == 1; }  ///< from this level down
 };
 
 PivotWalk::PivotWalk(std::uint32_t points) : size_(points) {
   if (points < 2 || points > 1u << 30)
     throw InputError(fmt::format("a walk has 2 to 2^30 points, not {}", points));
   while (std::uint64_t{leaves_} * most_in_leaf < points) leaves_ *= 2;
-  nodes_.resize(2 * std::size_t{leaves_});
   near_.resize(points);
   for (std::uint32_t leaf = leaves_; leaf < 2 * leaves_; ++leaf)
     for (std::uint32_t p = first_point(leaf); p < first_point(leaf + 1); ++p)
       near_[p] = {static_cast<std::int8_t>(p - first_point(leaf) + 1), 0, 0};
-  for (std::uint32_t node = 2 * leaves_; node-- > 1;) gather(node);
+  const auto straight = [](std::uint32_t steps) {
+    return LatticePoint{static_cast<std::int32_t>(steps), 0, 0};
+  };
+  halves_.resize(leaves_);
+  for (std::uint32_t node = 1; node < leaves_; ++node) {
+    const std::uint32_t begin = first_below(2 * node), middle = first_below(2 * node + 1);
+    const LatticePoint earlier_end = straight(middle - begin), later_end = straight(end_below(node) - middle);
+    halves_[node] = {{straight(1), earlier_end}, {straight(1), later_end}, earlier_end, {}};
+  }
+  end_ = straight(points);
 }
 
 std::uint32_t PivotWalk::leaf_of(std::uint32_t point) const {
@@ -51,15 +60,29 @@ std::uint32_t PivotWalk::first_below(std::uint32_t node) const {
   return first_point(node << (std::bit_width(leaves_) - std::bit_width(node)));
 }
 
+/// The first point beyond a node.
+std::uint32_t PivotWalk::end_below(std::uint32_t node) const {
+  return first_point((node + 1) << (std::bit_width(leaves_) - std::bit_width(node)));
+}
+
 LatticePoint PivotWalk::near(std::uint32_t point) const {
   const NearPoint& p = near_[point];
   return {p.x, p.y, p.z};
 }
 
-PivotWalk::Part PivotWalk::part(std::uint32_t node, const LatticeMove& at) const {
-  Part part{node, 0, 0, at, at(nodes_[node].box)};
-  if (is_leaf(node)) part.begin = first_point(node), part.end = first_point(node + 1);
-  return part;
+PivotWalk::Part PivotWalk::root() const { return {1, 0, size_, from_origin, {}}; }
+
+PivotWalk::Part PivotWalk::half(std::uint32_t node, const LatticeMove& at, const LatticeBounds& box) const {
+  if (is_leaf(node)) return {node, first_point(node), first_point(node + 1), at, at(box)};
+  return {node, 0, 0, at, at(box)};
+}
+
+PivotWalk::Part PivotWalk::earlier(std::uint32_t node, const LatticeMove& at) const {
+  return half(2 * node, at, halves_[node].earlier_box);
+}
+
+PivotWalk::Part PivotWalk::later(std::uint32_t node, const LatticeMove& at) const {
+  return half(2 * node + 1, at_later(node, at), halves_[node].later_box);
 }
 
 /// Points begin .. end - 1 of a leaf, at least one.
@@ -71,26 +94,16 @@ PivotWalk::Part PivotWalk::some_of(std::uint32_t leaf, std::uint32_t begin, std:
 }
 
 LatticeMove PivotWalk::at_later(std::uint32_t node, const LatticeMove& at) const {
-  return {at.turn.after(nodes_[node].later_turn), at(nodes_[2 * node].end)};
+  return {at.turn.after(halves_[node].later_turn), at(halves_[node].earlier_end)};
+}
+
+/// The last point of the later half, as it sees itself, from that of the node.
+LatticePoint PivotWalk::later_end(std::uint32_t node, const LatticePoint& end) const {
+  return halves_[node].later_turn.inverse()(end - halves_[node].earlier_end);
 }
 
 PivotWalk::Part PivotWalk::moved(const Part& part, const LatticeMove& move) const {
   return {part.node, part.begin, part.end, move.after(part.at), move(part.box)};
-}
-
-/// The node's box and end from what is below it.
-void PivotWalk::gather(std::uint32_t node) {
-  Node& n = nodes_[node];
-  if (is_leaf(node)) {
-    n.box = some_of(node, first_point(node), first_point(node + 1), {}).box;
-    n.end = near(first_point(node + 1) - 1);
-    return;
-  }
-  const Node &earlier = nodes_[2 * node], &later = nodes_[2 * node + 1];
-  const LatticeMove to_later{n.later_turn, earlier.end};
-  n.box = earlier.box;
-  n.box.join(to_later(later.box));
-  n.end = to_later(later.end);
 }
 
 /// A point of one is a point of the other. What is nearest to where the two join is looked at first: a walk
@@ -99,8 +112,8 @@ bool PivotWalk::meet(const Part& before, const Part& after) const {
   if (!before.box.meets(after.box)) return false;
   if (is_leaf(before.node) && is_leaf(after.node)) return points_meet(before, after);
   if (is_leaf(after.node) || (!is_leaf(before.node) && before.node <= after.node))
-    return meet(later(before), after) || meet(earlier(before), after);
-  return meet(before, earlier(after)) || meet(before, later(after));
+    return meet(later(before.node, before.at), after) || meet(earlier(before.node, before.at), after);
+  return meet(before, earlier(after.node, after.at)) || meet(before, later(after.node, after.at));
 }
 
 bool PivotWalk::points_meet(const Part& before, const Part& after) const {
@@ -124,13 +137,12 @@ PivotWalk::Cut PivotWalk::cut(std::uint32_t site) const {
   cut.site = site;
   cut.leaf = leaf_of(site);
   cut.levels = static_cast<std::size_t>(std::bit_width(leaves_));
-  for (std::size_t level = 1; level < cut.levels;
-       ++level)  // the whole way is known: its cache misses need not queue
-    for (const std::uint32_t child : {0u, 1u}) __builtin_prefetch(&nodes_[(cut.node(level) & ~1u) + child]);
+  // The way is known from the site: its cache misses need not queue.
+  for (std::size_t level = 0; level + 1 < cut.levels; ++level) __builtin_prefetch(&halves_[cut.node(level)]);
   cut.at[0] = from_origin;
   for (std::size_t level = 1; level < cut.levels; ++level)
     cut.at[level] =
-        cut.node(level) % 2 == 0 ? cut.at[level - 1] : at_later(cut.node(level - 1), cut.at[level - 1]);
+        cut.goes_later(level - 1) ? at_later(cut.node(level - 1), cut.at[level - 1]) : cut.at[level - 1];
   cut.centre = cut.at[cut.levels - 1](near(site));
   return cut;
 }
@@ -138,21 +150,40 @@ PivotWalk::Cut PivotWalk::cut(std::uint32_t site) const {
 /// Turns everything after the cut about the last point before it.
 void PivotWalk::turn(const Cut& cut, LatticeSymmetry turn) {
   const auto seen_from = [&](const LatticeMove& at) { return at.turn.inverse().after(turn).after(at.turn); };
+  std::array<LatticePoint, most_levels> end;  // of the nodes on the way, as they are before the turn
+  end[0] = end_;
+  for (std::size_t level = 0; level + 1 < cut.levels; ++level) {
+    const std::uint32_t node = cut.node(level);
+    end[level + 1] = cut.goes_later(level) ? later_end(node, end[level]) : halves_[node].earlier_end;
+  }
+
   const LatticeSymmetry in_leaf = seen_from(cut.at[cut.levels - 1]);
   const LatticePoint centre = near(cut.site);
-  for (std::uint32_t p = cut.site + 1; p < first_point(cut.leaf + 1); ++p) {
+  const std::uint32_t beyond_leaf = first_point(cut.leaf + 1);
+  for (std::uint32_t p = cut.site + 1; p < beyond_leaf; ++p) {
     const LatticePoint turned = centre + in_leaf(near(p) - centre);
     near_[p] = {static_cast<std::int8_t>(turned.x), static_cast<std::int8_t>(turned.y),
                 static_cast<std::int8_t>(turned.z)};
   }
-  gather(cut.leaf);
+
+  LatticeBounds box = some_of(cut.leaf, first_point(cut.leaf), beyond_leaf, {}).box;
+  LatticePoint now = near(beyond_leaf - 1);
   for (std::size_t level = cut.levels - 1; level-- > 0;) {
-    if (cut.node(level + 1) % 2 == 0) {  // the whole later half turns
-      Node& n = nodes_[cut.node(level)];
-      n.later_turn = seen_from(cut.at[level]).after(n.later_turn);
+    Halves& halves = halves_[cut.node(level)];
+    LatticePoint of_later = now;
+    if (cut.goes_later(level)) {
+      halves.later_box = box;
+    } else {  // the whole later half turns
+      of_later = later_end(cut.node(level), end[level]);
+      halves.later_turn = seen_from(cut.at[level]).after(halves.later_turn);
+      halves.earlier_box = box, halves.earlier_end = now;
     }
-    gather(cut.node(level));
+    const LatticeMove to_later{halves.later_turn, halves.earlier_end};
+    box = halves.earlier_box;
+    box.join(to_later(halves.later_box));
+    now = to_later(of_later);
   }
+  end_ = now;
 }
 
 bool PivotWalk::attempt(const Pivot& pivot) {
@@ -166,15 +197,15 @@ bool PivotWalk::attempt(const Pivot& pivot) {
         moved(some_of(cut.leaf, cut.site + 1, first_point(cut.leaf + 1), at_leaf), about_centre));
     if (meet(before_[0], after_[0])) return false;
   }
-  for (std::size_t level = cut.levels - 1;
-       level-- > 0;) {  // what this level adds, against the other side so far
+  // What each level adds, from the leaf up, against the other side so far.
+  for (std::size_t level = cut.levels - 1; level-- > 0;) {
     const std::uint32_t node = cut.node(level);
-    if (cut.node(level + 1) % 2 == 0) {
-      after_.push_back(moved(part(2 * node + 1, at_later(node, cut.at[level])), about_centre));
+    if (!cut.goes_later(level)) {
+      after_.push_back(moved(later(node, cut.at[level]), about_centre));
       for (const Part& before : before_)
         if (meet(before, after_.back())) return false;
     } else {
-      before_.push_back(part(2 * node, cut.at[level]));
+      before_.push_back(earlier(node, cut.at[level]));
       for (const Part& after : after_)
         if (meet(before_.back(), after)) return false;
     }
@@ -188,7 +219,7 @@ bool PivotWalk::attempt(std::span<const Pivot> pivots) {
   for (const Pivot& pivot : pivots) turn(cut(pivot.site), pivot.turn);
   std::vector<Pivot> sorted(pivots.begin(), pivots.end());
   std::ranges::sort(sorted, {}, &Pivot::site);
-  if (!meets_itself(part(1, from_origin), sorted)) return true;
+  if (!meets_itself(root(), sorted)) return true;
   for (std::size_t k = pivots.size(); k-- > 0;) turn(cut(pivots[k].site), pivots[k].turn.inverse());
   return false;
 }
@@ -206,25 +237,25 @@ bool PivotWalk::meets_itself(const Part& whole, std::span<const Pivot> sorted) c
   const std::uint32_t middle = first_below(2 * whole.node + 1);
   const auto joining = std::ranges::lower_bound(sorted, middle - 1, {}, &Pivot::site);
   const auto beyond = std::ranges::lower_bound(sorted, middle, {}, &Pivot::site);
-  const Part earlier_half = earlier(whole), later_half = later(whole);
+  const Part earlier_half = earlier(whole.node, whole.at), later_half = later(whole.node, whole.at);
   return meets_itself(earlier_half, {sorted.begin(), joining}) ||
          meets_itself(later_half, {beyond, sorted.end()}) || meet(earlier_half, later_half);
 }
 
-LatticePoint PivotWalk::end_to_end() const { return from_origin(nodes_[1].end); }
+LatticePoint PivotWalk::end_to_end() const { return from_origin(end_); }
 
 std::vector<LatticePoint> PivotWalk::points() const {
   std::vector<LatticePoint> points;
   points.reserve(size_);
-  std::vector<Part> open{part(1, from_origin)};
+  std::vector<Part> open{root()};
   while (!open.empty()) {
     const Part next = open.back();
     open.pop_back();
     if (is_leaf(next.node)) {
       for (std::uint32_t p = next.begin; p < next.end; ++p) points.push_back(next.at(near(p)));
     } else {
-      open.push_back(later(next));
-      open.push_back(earlier(next));
+      open.push_back(later(next.node, next.at));
+      open.push_back(earlier(next.node, next.at));
     }
   }
   return points;

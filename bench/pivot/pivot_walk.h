@@ -18,7 +18,7 @@ struct Pivot {
 /// A self-avoiding walk on the cubic lattice under pivots, after Clisby's SAW-tree (J. Stat. Phys. 140,
 /// 2010): a binary tree over the walk whose nodes hold a box and, lazily, the symmetry of their later half;
 /// its leaves are runs of at most eight points. A pivot costs O(log n) but for the search for a collision,
-/// which ends at the first one and looks nearest to the pivot first. Memory 15 to 25 bytes a point.
+/// which ends at the first one and looks nearest to the pivot first. Memory 11 to 19 bytes a point.
 class PivotWalk {
  public:
   /// A straight walk. Throws InputError unless it has 2 to 2^30 points.
@@ -41,11 +41,12 @@ class PivotWalk {
  private:
   static constexpr std::uint32_t most_in_leaf = 8;
 
-  /// A subwalk as seen from the point before it, turned in some way that its parents know.
-  struct Node {
-    LatticeBounds box;
-    LatticePoint end;            ///< the last point
-    LatticeSymmetry later_turn;  ///< of the second child, as seen from this node; unused in a leaf
+  /// The two halves of a subwalk, each as seen from the point before it and turned in some way that its
+  /// parents know. All that a search reads of them is one line of the cache.
+  struct alignas(64) Halves {
+    LatticeBounds earlier_box, later_box;
+    LatticePoint earlier_end;    ///< the last point of the earlier half
+    LatticeSymmetry later_turn;  ///< of the later half, as seen from the earlier one
   };
   /// A point of a leaf as seen from the leaf: at most eight steps away.
   struct NearPoint {
@@ -67,16 +68,18 @@ class PivotWalk {
   }
   std::uint32_t leaf_of(std::uint32_t point) const;
   std::uint32_t first_below(std::uint32_t node) const;
+  std::uint32_t end_below(std::uint32_t node) const;
   LatticePoint near(std::uint32_t point) const;
 
-  Part part(std::uint32_t node, const LatticeMove& at) const;
+  Part root() const;
+  Part half(std::uint32_t node, const LatticeMove& at, const LatticeBounds& box) const;
   Part some_of(std::uint32_t leaf, std::uint32_t begin, std::uint32_t end, const LatticeMove& at) const;
-  Part earlier(const Part& of) const { return part(2 * of.node, of.at); }
-  Part later(const Part& of) const { return part(2 * of.node + 1, at_later(of.node, of.at)); }
+  Part earlier(std::uint32_t node, const LatticeMove& at) const;
+  Part later(std::uint32_t node, const LatticeMove& at) const;
   LatticeMove at_later(std::uint32_t node, const LatticeMove& at) const;
+  LatticePoint later_end(std::uint32_t node, const LatticePoint& end) const;
   Part moved(const Part& part, const LatticeMove& move) const;
 
-  void gather(std::uint32_t node);
   bool meet(const Part& before, const Part& after) const;
   bool points_meet(const Part& before, const Part& after) const;
   bool meets_itself(const Part& part, std::span<const Pivot> sorted) const;
@@ -84,7 +87,8 @@ class PivotWalk {
   void turn(const Cut& cut, LatticeSymmetry turn);
 
   std::uint32_t size_, leaves_ = 1;
-  std::vector<Node> nodes_;
+  std::vector<Halves> halves_;  ///< of inner nodes
+  LatticePoint end_;            ///< of the root
   std::vector<NearPoint> near_;
   std::vector<Part> before_, after_;  ///< of the attempt under way
 };
