@@ -64,7 +64,7 @@ Profile quick() {
              {"lattice_moved:n=1000"}};
   p.judged_steps = 8;
   p.judged_side = 30;
-  p.judged_n = 10'000;
+  p.judged_n = 32'000;
   p.judged_moves = 20'000;
   p.wants_inputs = {"path1:n=10000", "yarn:n=5000"};
   p.coherent_inputs = {"path1:n=10000"};

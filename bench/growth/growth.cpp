@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -23,21 +25,22 @@ double student_t(std::size_t freedom) {
 }  // namespace
 
 Growth::Law Growth::law() const {
-  if (points.size() < 3) throw std::logic_error("growth: a law needs three points");
-  const auto count = static_cast<double>(points.size());
-  double mean_x = 0, mean_y = 0;
-  for (const Point& p : points) {
+  if (points.size() < 4) throw std::logic_error("growth: a law needs four points");
+  const auto rows = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd terms(rows, 3);
+  Eigen::VectorXd logs(rows);
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    const Point& p = points[static_cast<std::size_t>(k)];
     if (p.n == 0 || p.node_pairs == 0) throw std::logic_error("growth: nothing was counted");
-    mean_x += std::log(p.n) / count, mean_y += std::log(static_cast<double>(p.node_pairs)) / count;
+    terms.row(k) << 1, std::log(p.n), 1 / std::cbrt(p.n);
+    logs(k) = std::log(static_cast<double>(p.node_pairs));
   }
-  double xx = 0, xy = 0, yy = 0;
-  for (const Point& p : points) {
-    const double x = std::log(p.n) - mean_x, y = std::log(static_cast<double>(p.node_pairs)) - mean_y;
-    xx += x * x, xy += x * y, yy += y * y;
-  }
-  const double slope = xy / xx, rest = std::max(0.0, yy - slope * xy);
-  const double half = student_t(points.size() - 2) * std::sqrt(rest / (count - 2) / xx);
-  return {slope, slope - half, slope + half};
+  const Eigen::Matrix3d inverse = (terms.transpose() * terms).inverse();
+  const Eigen::Vector3d fit = inverse * terms.transpose() * logs;
+  const std::size_t freedom = points.size() - 3;
+  const double rest = (logs - terms * fit).squaredNorm() / static_cast<double>(freedom);
+  const double half = student_t(freedom) * std::sqrt(rest * inverse(1, 1));
+  return {fit(1), fit(1) - half, fit(1) + half};
 }
 
 Growth measure_growth(const std::string& scene, const VariantInfo& variant, std::uint32_t most) {

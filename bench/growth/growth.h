@@ -18,13 +18,13 @@ struct Growth {
   std::string scene, variant;
   std::vector<Point> points;
 
-  /// node_pairs ~ n^exponent: the slope of a straight line through the logarithms, by least squares, and its
-  /// interval of 95 % by Student's t. What does not lie on a line widens it; it says nothing of longer
-  /// chains.
+  /// node_pairs ~ n^exponent (1 + a n^(-1/3)), the second term the share of a body of n spheres that its
+  /// surface is: least squares in logarithms, with the interval of 95 % by Student's t. It says nothing of
+  /// longer chains.
   struct Law {
     double exponent, low, high;
   };
-  Law law() const;  ///< of at least three points, n > 0 and node_pairs > 0; throws std::logic_error otherwise
+  Law law() const;  ///< of at least four points, n > 0 and node_pairs > 0; throws std::logic_error otherwise
 
   /// O(n^(4/3)) is not contradicted: the interval's lower end is not above 4/3.
   bool within_four_thirds() const { return law().low <= 4.0 / 3; }

@@ -20,7 +20,7 @@ class GrowthCommand final : public Command {
   void configure(CLI::App& app) override {
     app.add_option("SCENE", scenes_, "Scenes without n")->capture_default_str();
     app.add_option("--n", most_, "Spheres of the longest chain; from 1,000 in half decades")
-        ->transform(whole_number_option(10'000))
+        ->transform(whole_number_option(32'000))
         ->capture_default_str();
     app.add_option("--variant", variants_, "Whose work is counted; repeatable")
         ->allow_extra_args(false)

@@ -42,6 +42,8 @@ class PivotCommand final : public Command {
 
   int run() override {
     if (points_ > 1u << 30) throw InputError("--n must be at most 2^30");
+    if (exponent_ && points_ < 64)
+      throw InputError("--n must be at least 64 with --exponent: walks down to n/32 points");
     std::vector<EndToEnd> lengths;
     Random random(seed_);
     for (std::uint64_t points = exponent_ ? points_ / 32 : points_; points <= points_; points *= 2) {

@@ -56,7 +56,7 @@ void add_closed_form(nlohmann::ordered_json& rows, const bench::LatticeBox& box,
 
 void add_growth(nlohmann::ordered_json& rows, std::uint32_t most) {
   for (const char* scene : {"yarn", "path1", "lattice"})
-    for (const char* variant : {"Necklace", "Necklace(balls=nested)", "aCPU2+Dual", "aCPU2+CPU2"}) {
+    for (const char* variant : {"Necklace", "Necklace(balls=nested)", "aCPU2+Dual"}) {
       const auto growth = bench::measure_growth(scene, StrategyRegistry::instance().describe(variant), most);
       const auto law = growth.law();
       rows.push_back(row(
