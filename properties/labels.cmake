@@ -9,7 +9,7 @@ endif()
 # Needs a device; skipped without one.
 set(gpu Device DeviceGolden)
 # Not in the fast suite; `ctest --preset long`.
-set(long SmallScopeLong SnakeLong StabilityLong SizesLong)
+set(long SmallScopeLong SnakeLong StabilityLong SizesLong EnumerateLong LatticeBoxLong SecondArithmeticLong GrowthLong EndToEndLong)
 set(golden Golden DeviceGolden)
 # Simulates moving tubes at length; sanitizers make hours of it.
 set(simulation SnakeProperty Yarn PulledRope.StretchesByThePullOverTheStiffness PulledRope.MovesTheSameBitsWithEveryExactVariant

@@ -62,6 +62,10 @@ Profile quick() {
              {"path1:n=20000"},
              {"far:n=2000,exponent=22"},
              {"lattice_moved:n=1000"}};
+  p.judged_steps = 8;
+  p.judged_side = 30;
+  p.judged_n = 32'000;
+  p.judged_moves = 20'000;
   p.wants_inputs = {"path1:n=10000", "yarn:n=5000"};
   p.coherent_inputs = {"path1:n=10000"};
   p.short_chains = {10, 30, 100, 300, 1000, 3000};
@@ -93,6 +97,10 @@ Profile full() {
   p.tube_spacings = {2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01};
   p.examine_settings.insert(p.examine_settings.end(), {"n=100000", "n=10000,offset=1e7"});
   p.stability_n = 1000;
+  p.judged_steps = 11;
+  p.judged_side = 100;
+  p.judged_n = 1'000'000;
+  p.judged_moves = 2'000'000;
   p.wants_inputs = {"path1:n=10000", "path1:n=100000", "yarn:n=5000", "yarn:n=50000", "winding:n=5000"};
   p.coherent_inputs = {"path1:n=10000", "path1:n=100000", "path2:n=100000"};
   p.short_chains = {10, 20, 50, 100, 200, 500, 1000, 2000, 5000};

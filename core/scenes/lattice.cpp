@@ -5,26 +5,12 @@
 
 #include "catena/core/scenes/random.h"
 #include "catena/core/scenes/scene.h"
+#include "catena/core/scenes/serpentine_path.h"
 #include "catena/core/scenes/setup.h"
 #include "catena/core/scenes/still.h"
 
 namespace catena {
 namespace {
-
-/// The least whole number whose cube is at least n.
-std::uint32_t side_of(std::uint32_t n) {
-  std::uint64_t side = 1;
-  while (side * side * side < n) ++side;
-  return static_cast<std::uint32_t>(side);
-}
-
-/// Point i of a tube that runs to and fro along x, then y, then z.
-Vec3 point(std::uint32_t i, std::uint32_t side) {
-  const std::uint32_t row = i / side, layer = row / side;
-  const std::uint32_t x = row % 2 == 0 ? i % side : side - 1 - i % side;
-  const std::uint32_t y = layer % 2 == 0 ? row % side : side - 1 - row % side;
-  return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(layer)};
-}
 
 /// Up to `ulps` steps up or down, at random; zero stays, as the ulp of zero is no distance of this lattice.
 float moved(float v, std::uint32_t ulps, Random& random) {
@@ -37,12 +23,14 @@ float moved(float v, std::uint32_t ulps, Random& random) {
 }
 
 Chain lattice(const SceneSetup& setup, std::uint32_t ulps, Random random) {
-  const std::uint32_t side = side_of(setup.n());
+  const std::uint32_t side = side_of_cube(setup.n());
   const double middle = side / 2;
   std::vector<Sphere> spheres;
   spheres.reserve(setup.n());
   for (std::uint32_t i = 0; i < setup.n(); ++i) {
-    Sphere s = setup.place(setup.spacing() * (point(i, side) - Vec3{middle, middle, middle}));
+    const auto [x, y, z] = serpentine_cell(i, side);
+    Sphere s =
+        setup.place(setup.spacing() * (Vec3{double(x), double(y), double(z)} - Vec3{middle, middle, middle}));
     if (ulps > 0)
       s = {moved(s.x, ulps, random), moved(s.y, ulps, random), moved(s.z, ulps, random), s.radius};
     spheres.push_back(s);

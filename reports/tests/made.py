@@ -248,6 +248,17 @@ def run(**options):
                 }
                 for i in inputs
             ],
+            "judged": [
+                {
+                    "source": source,
+                    "what": "self-avoiding walks of 8 steps, cubic lattice",
+                    "published": "387966",
+                    "found": found,
+                    "agrees": found == "387966",
+                    "command": "catena enumerate --walks 8",
+                }
+                for source, found in (("https://oeis.org/A001412", "387966"), ("nobody <b>", "387965"))
+            ],
             "counts": [
                 {
                     "input": i,

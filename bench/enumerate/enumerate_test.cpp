@@ -1,0 +1,157 @@
+#include "catena/bench/enumerate/enumerate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "catena/bench/enumerate/judge.h"
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+const float below_half = std::nextafter(0.5f, 0.0f);
+
+std::vector<WalkVerdict> judged(const std::string& variant, const WalkQuestion& question) {
+  return judge_walks(*StrategyRegistry::instance().make(variant), question);
+}
+
+void expect_published(const std::string& variant, const WalkQuestion& question) {
+  const auto verdicts = judged(variant, question);
+  EXPECT_EQ(verdicts.size(), static_cast<std::size_t>(question.steps) * (question.contacts ? 2 : 1));
+  for (const WalkVerdict& v : verdicts) {
+    ASSERT_TRUE(v.published) << v.counts << ", " << v.steps << " steps";
+    EXPECT_EQ(v.found, *v.published) << variant << ": " << v.sequence << ", " << v.steps << " steps";
+  }
+}
+
+/// Every walk, no symmetry, no sphere and no catena: a set of points.
+struct Counted {
+  std::uint64_t self_avoiding = 0, contact_free = 0, contacts = 0;
+};
+void count_by_hand(std::vector<std::array<int, 3>>& walk, int dimensions, int steps, std::uint64_t contacts,
+                   Counted& sum) {
+  if (steps == 0) {
+    ++sum.self_avoiding, sum.contact_free += contacts == 0, sum.contacts += contacts;
+    return;
+  }
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis)
+    for (const int way : {1, -1}) {
+      std::array<int, 3> next = walk.back();
+      next[axis] += way;
+      if (std::ranges::find(walk, next) != walk.end()) continue;
+      const auto near = std::ranges::count_if(walk, [&](const auto& p) {
+        return std::abs(p[0] - next[0]) + std::abs(p[1] - next[1]) + std::abs(p[2] - next[2]) == 1;
+      });
+      walk.push_back(next);
+      count_by_hand(walk, dimensions, steps - 1, contacts + static_cast<std::uint64_t>(near) - 1, sum);
+      walk.pop_back();
+    }
+}
+
+TEST(PublishedTables, BeginAsASetOfPointsCountsThem) {
+  for (const PublishedTable& table : published_tables())
+    for (int steps = 0; steps <= (table.dimensions == 2 ? 10 : 7); ++steps) {
+      Counted sum;
+      std::vector<std::array<int, 3>> walk{{0, 0, 0}};
+      count_by_hand(walk, table.dimensions, steps, 0, sum);
+      const std::uint64_t counted = table.counts == WalkTable::self_avoiding  ? sum.self_avoiding
+                                    : table.counts == WalkTable::contact_free ? sum.contact_free
+                                                                              : sum.contacts;
+      EXPECT_EQ(table.terms[static_cast<std::size_t>(steps)], counted)
+          << table.sequence << ", " << steps << " steps";
+    }
+}
+
+TEST(PublishedTables, AreEachThereOnce) {
+  std::set<std::string> sequences;
+  for (const PublishedTable& table : published_tables()) {
+    EXPECT_TRUE(sequences.insert(table.sequence).second) << table.sequence;
+    EXPECT_EQ(published_table(table.dimensions, table.counts), &table);
+  }
+  EXPECT_EQ(sequences.size(), 5u);
+  EXPECT_EQ(published_table(3, WalkTable::contacts), nullptr);
+}
+
+TEST(Enumerate, FindsThePublishedNumbersOnTheCubicLattice) {
+  expect_published("Hybrid", {.dimensions = 3, .radius = below_half, .steps = 8});
+  expect_published("Hybrid", {.dimensions = 3, .radius = 0.5f, .steps = 8});
+  expect_published("Hybrid", {.dimensions = 3, .radius = 0.7f, .steps = 7});  // diagonals are 1.414 apart
+  expect_published("Hybrid", {.dimensions = 3, .radius = 0, .steps = 6});     // points
+}
+
+TEST(Enumerate, FindsThePublishedNumbersOnTheSquareLattice) {
+  expect_published("Hybrid", {.dimensions = 2, .radius = below_half, .contacts = true, .steps = 12});
+  expect_published("Hybrid", {.dimensions = 2, .radius = 0.5f, .steps = 12});
+}
+
+TEST(Enumerate, FindsThePublishedNumbersByEveryExactVariant) {
+  for (const VariantInfo& info : StrategyRegistry::instance().variants()) {
+    if (!info.exact || info.unavailable || info.places.front().on_device()) continue;
+    const int steps = info.all_pairs || info.peer ? 3 : 5;
+    expect_published(info.name, {.dimensions = 3, .radius = below_half, .steps = steps});
+    expect_published(info.name, {.dimensions = 3, .radius = 0.5f, .steps = steps});
+  }
+}
+
+TEST(EnumerateLong, FindsThePublishedNumbersToTwelveSteps) {
+  expect_published("Hybrid", {.dimensions = 3, .radius = below_half, .steps = 12});
+  expect_published("Hybrid", {.dimensions = 3, .radius = 0.5f, .steps = 12});
+  expect_published("Hybrid", {.dimensions = 2, .radius = below_half, .contacts = true, .steps = 18});
+}
+
+TEST(Enumerate, DecidesAnErratum) {
+  const auto verdicts = judged("Hybrid", {.dimensions = 3, .radius = 0.5f, .steps = 10});
+  EXPECT_EQ(verdicts.back().found, 2675022u);  // and not 2674926, as was printed in 1961
+}
+
+TEST(Enumerate, SeesADifference) {
+  WalkVerdict verdict = judged("CPU1", {.dimensions = 2, .radius = 0.5f, .steps = 3}).back();
+  EXPECT_FALSE(verdict.differs());
+  EXPECT_EQ(to_json(verdict)["agrees"], true);
+  ++verdict.found;
+  EXPECT_TRUE(verdict.differs());
+  EXPECT_EQ(to_json(verdict)["agrees"], false);
+}
+
+TEST(Enumerate, RefusesWhatItCannotCount) {
+  const auto variant = StrategyRegistry::instance().make("CPU1");
+  EXPECT_THROW(enumerate_walks(*variant, {.steps = 0}), InputError);
+  EXPECT_THROW(enumerate_walks(*variant, {.steps = 21}), InputError);
+  EXPECT_THROW(enumerate_walks(*variant, {.radius = -1}), InputError);
+  EXPECT_THROW(enumerate_walks(*variant, {.radius = std::nanf("")}), InputError);
+}
+
+TEST(ChainOfWalks, HasStrandsThatDoNotSeeOneAnother) {
+  std::vector<Walk> walks{{}};
+  for (int n = 1; n <= 5; ++n) {
+    std::vector<Walk> longer;
+    for (const Walk& walk : walks)
+      for_each_extension(walk, 3, [&](const Walk& one) { longer.push_back(one); });
+    walks = longer;
+  }
+  for (const float radius : {0.25f, 0.5f, 1.0f, 2.5f}) {
+    const Chain chain = chain_of_walks(walks, radius);
+    ASSERT_EQ(chain.strand_count(), walks.size());
+    const auto answer = reference::find(chain);
+    EXPECT_FALSE(answer.pairs.empty());
+    for (const Pair& p : answer.pairs) EXPECT_EQ(p.i / 6, p.j / 6) << radius;
+  }
+}
+
+TEST(Walks, OfAClassAreAsManyAsItsImages) {
+  std::uint64_t images = 0;
+  for_each_extension(Walk{}, 3, [&](const Walk& first) {
+    for_each_extension(first, 3, [&](const Walk& second) {
+      for_each_extension(second, 3, [&](const Walk& third) { images += third.images(3); });
+    });
+  });
+  EXPECT_EQ(images, 6u * 6 * 6);
+}
+
+}  // namespace
+}  // namespace catena::bench

@@ -1,0 +1,73 @@
+#include "catena/bench/growth/growth.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "catena/bench/counts/count_work.h"
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+
+namespace catena::bench {
+namespace {
+
+/// The 0.975 quantile of Student's t by degrees of freedom, from 1; beyond, the last is a little wide.
+double student_t(std::size_t freedom) {
+  constexpr std::array<double, 10> quantile{12.706, 4.303, 3.182, 2.776, 2.571,
+                                            2.447,  2.365, 2.306, 2.262, 2.228};
+  return quantile[std::min(freedom, quantile.size()) - 1];
+}
+
+}  // namespace
+
+Growth::Law Growth::law() const {
+  if (points.size() < 4) throw std::logic_error("growth: a law needs four points");
+  const auto rows = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd terms(rows, 3);
+  Eigen::VectorXd logs(rows);
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    const Point& p = points[static_cast<std::size_t>(k)];
+    if (p.n == 0 || p.node_pairs == 0) throw std::logic_error("growth: nothing was counted");
+    terms.row(k) << 1, std::log(p.n), 1 / std::cbrt(p.n);
+    logs(k) = std::log(static_cast<double>(p.node_pairs));
+  }
+  const Eigen::Matrix3d inverse = (terms.transpose() * terms).inverse();
+  const Eigen::Vector3d fit = inverse * terms.transpose() * logs;
+  const std::size_t freedom = points.size() - 3;
+  const double rest = (logs - terms * fit).squaredNorm() / static_cast<double>(freedom);
+  const double half = student_t(freedom) * std::sqrt(rest * inverse(1, 1));
+  return {fit(1), fit(1) - half, fit(1) + half};
+}
+
+Growth measure_growth(const std::string& scene, const VariantInfo& variant, std::uint32_t most) {
+  Growth growth{scene, variant.name, {}};
+  const std::string separator = scene.find(':') == std::string::npos ? ":" : ",";
+  for (int half_decades = 6;; ++half_decades) {
+    const auto n = static_cast<std::uint32_t>(std::round(std::pow(10.0, half_decades / 2.0)));
+    if (n > most) return growth;
+    const Chain chain = open_input(fmt::format("{}{}n={}", scene, separator, n)).animation->frame(0);
+    const auto work = count_work(variant, chain);
+    if (!work)
+      throw InputError(fmt::format("{} does not count what it compares; see catena list", variant.name));
+    growth.points.push_back({chain.size(), work->pair_tests + work->node_visits});
+  }
+}
+
+nlohmann::ordered_json to_json(const Growth& growth) {
+  const Growth::Law law = growth.law();
+  auto points = nlohmann::ordered_json::array();
+  for (const auto& p : growth.points) points.push_back({{"n", p.n}, {"node_pairs", p.node_pairs}});
+  return {{"scene", growth.scene},
+          {"variant", growth.variant},
+          {"points", points},
+          {"exponent", law.exponent},
+          {"low", law.low},
+          {"high", law.high},
+          {"within_four_thirds", growth.within_four_thirds()}};
+}
+
+}  // namespace catena::bench

@@ -1,0 +1,62 @@
+#include "catena/bench/growth/growth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "catena/core/error.h"
+
+namespace catena::bench {
+namespace {
+
+Growth measured(const std::string& scene, const std::string& variant, std::uint32_t most) {
+  return measure_growth(scene, StrategyRegistry::instance().describe(variant), most);
+}
+
+TEST(Growth, OfAPowerIsItsExponent) {
+  Growth growth{"made", "up", {}};
+  for (const std::uint32_t n : {1000u, 4000u, 16000u, 64000u, 256000u})
+    growth.points.push_back({n, static_cast<std::uint64_t>(std::pow(n, 1.5))});
+  EXPECT_NEAR(growth.law().exponent, 1.5, 1e-3);
+  EXPECT_NEAR(growth.law().low, 1.5, 1e-2);
+  EXPECT_FALSE(growth.within_four_thirds());
+  growth.points[2].node_pairs *= 3;
+  EXPECT_LT(growth.law().low, 1.0) << "what lies off the line widens the interval";
+}
+
+TEST(Growth, TellsABodyFromItsSurface) {
+  Growth growth{"made", "up", {}};
+  for (const std::uint32_t n : {1000u, 4000u, 16000u, 64000u, 256000u}) {
+    const double surface = 0.5 / std::cbrt(n);
+    growth.points.push_back({n, static_cast<std::uint64_t>(100 * std::pow(n, 4.0 / 3) * std::exp(-surface))});
+  }
+  EXPECT_NEAR(growth.law().exponent, 4.0 / 3, 1e-4);
+  EXPECT_TRUE(growth.within_four_thirds());
+}
+
+TEST(Growth, CountsEveryPairOfAllPairs) {
+  const Growth growth = measured("path1", "CPU1", 1000);
+  ASSERT_EQ(growth.points.size(), 1u);
+  EXPECT_EQ(growth.points.front().n, 1000u);
+  EXPECT_EQ(growth.points.front().node_pairs, 999u * 998 / 2);
+}
+
+TEST(Growth, OfANecklaceIsWithinFourThirds) {
+  for (const char* scene : {"yarn", "path1", "lattice"})
+    for (const char* variant : {"Necklace", "Necklace(balls=nested)"})
+      EXPECT_TRUE(measured(scene, variant, 32'000).within_four_thirds()) << scene << ' ' << variant;
+}
+
+TEST(GrowthLong, OfANecklaceIsWithinFourThirdsToAMillion) {
+  for (const char* scene : {"yarn", "path1", "lattice"})
+    for (const char* variant : {"Necklace", "Necklace(balls=nested)"})
+      EXPECT_TRUE(measured(scene, variant, 1'000'000).within_four_thirds()) << scene << ' ' << variant;
+}
+
+TEST(Growth, RefusesAVariantThatCountsNothing) {
+  EXPECT_THROW(measured("yarn", "nanoflann", 10'000), Error);
+  EXPECT_THROW(Growth{}.law(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace catena::bench

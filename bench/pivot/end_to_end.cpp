@@ -1,0 +1,81 @@
+#include "catena/bench/pivot/end_to_end.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <ctime>
+
+#include "catena/core/error.h"
+
+namespace catena::bench {
+namespace {
+
+constexpr int runs = 32;
+
+double square(const LatticePoint& p) {
+  return static_cast<double>(p.x) * p.x + static_cast<double>(p.y) * p.y + static_cast<double>(p.z) * p.z;
+}
+
+/// Processor time: another program on the core costs nothing.
+double processor_us() { return static_cast<double>(std::clock()) * 1e6 / CLOCKS_PER_SEC; }
+
+}  // namespace
+
+Pivot random_pivot(std::uint32_t points, Random& random) {
+  const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random.unit() * n); };
+  const std::uint32_t site = below(points - 1);
+  return {site, LatticeSymmetry::number(static_cast<int>(1 + below(LatticeSymmetry::count - 1)))};
+}
+
+EndToEnd measure_end_to_end(PivotWalk& walk, std::uint64_t attempts, Random& random) {
+  for (std::uint64_t k = 0; k < attempts / 5; ++k) walk.attempt(random_pivot(walk.size(), random));
+  EndToEnd seen{.points = walk.size(), .attempts = attempts / runs * runs};
+  double means = 0, squares = 0;
+  std::uint64_t accepted = 0;
+  const double start = processor_us();
+  for (int run = 0; run < runs; ++run) {
+    double sum = 0;
+    for (std::uint64_t k = 0; k < seen.attempts / runs; ++k) {
+      accepted += walk.attempt(random_pivot(walk.size(), random));
+      sum += square(walk.end_to_end());
+    }
+    const double mean = sum / static_cast<double>(seen.attempts / runs);
+    means += mean / runs, squares += mean * mean / runs;
+  }
+  const auto count = static_cast<double>(seen.attempts);
+  seen.us_per_attempt = (processor_us() - start) / count;
+  seen.acceptance = static_cast<double>(accepted) / count;
+  seen.mean_square = means;
+  seen.error = std::sqrt(std::max(0.0, squares - means * means) / (runs - 1));
+  return seen;
+}
+
+bool Exponent::agrees() const { return std::fabs(nu - published) <= half_width + published_error; }
+
+Exponent fit_exponent(std::span<const EndToEnd> lengths) {
+  if (lengths.size() < 4) throw InputError("the exponent needs walks of at least four lengths");
+  const auto rows = static_cast<Eigen::Index>(lengths.size());
+  Eigen::MatrixXd terms(rows, 3);
+  Eigen::VectorXd logs(rows);
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    const EndToEnd& seen = lengths[static_cast<std::size_t>(k)];
+    const double steps = seen.points - 1.0,
+                 weight = seen.mean_square / seen.error;  // 1 / error of the logarithm
+    terms.row(k) << weight, weight * 2 * std::log(steps), weight * std::pow(steps, -0.528);
+    logs(k) = weight * std::log(seen.mean_square);
+  }
+  const Eigen::Matrix3d inverse = (terms.transpose() * terms).inverse();
+  const Eigen::Vector3d fit = inverse * terms.transpose() * logs;
+  constexpr double normal = 1.96;
+  return {fit(1), normal * std::sqrt(inverse(1, 1))};
+}
+
+nlohmann::ordered_json to_json(const EndToEnd& seen) {
+  return {{"n", seen.points},
+          {"attempts", seen.attempts},
+          {"acceptance", seen.acceptance},
+          {"mean_square", seen.mean_square},
+          {"error", seen.error},
+          {"us_per_attempt", seen.us_per_attempt}};
+}
+
+}  // namespace catena::bench

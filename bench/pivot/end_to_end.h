@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "catena/bench/pivot/pivot_walk.h"
+#include "catena/core/scenes/random.h"
+
+namespace catena::bench {
+
+/// A pivot about a random point by a random symmetry other than the identity.
+Pivot random_pivot(std::uint32_t points, Random& random);
+
+/// What a run of the pivot algorithm saw of a walk's two ends.
+struct EndToEnd {
+  std::uint32_t points = 0;
+  std::uint64_t attempts = 0;  ///< measured, after a fifth as many from a straight walk on
+  double acceptance = 0;       ///< share of attempts
+  double mean_square = 0;      ///< of the distance of the ends, in steps
+  double error = 0;            ///< standard error of that, from 32 runs of consecutive attempts
+  double us_per_attempt = 0;   ///< processor time of this thread, measuring and all
+};
+
+/// `attempts` of at least 64. Every attempt counts, whether the walk moved or not.
+EndToEnd measure_end_to_end(PivotWalk& walk, std::uint64_t attempts, Random& random);
+
+/// The exponent nu of R^2 = D N^(2 nu) (1 + a N^-0.528), N steps, by weighted least squares in logarithms;
+/// 0.528 is the leading correction (Clisby and Duenweg, Phys. Rev. E 94, 052102, 2016).
+struct Exponent {
+  static constexpr double published = 0.58759700, published_error = 0.00000040;  ///< the same paper
+  double nu = 0, half_width = 0;                                                 ///< of the interval of 95 %
+
+  bool agrees() const;  ///< the published value lies in the interval, give or take its own error
+};
+
+/// Of at least four lengths. Throws InputError otherwise.
+Exponent fit_exponent(std::span<const EndToEnd> lengths);
+
+/// {n, attempts, acceptance, mean_square, error, us_per_attempt}
+nlohmann::ordered_json to_json(const EndToEnd& seen);
+
+}  // namespace catena::bench

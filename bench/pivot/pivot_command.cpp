@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "catena/bench/pivot/end_to_end.h"
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/whole_number_option.h"
+#include "catena/core/error.h"
+#include "catena/core/readers/chain_format.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+/// `catena pivot`: a self-avoiding walk under the pivot algorithm, judged by the exact reference at its end.
+class PivotCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("--n", points_, "Points of the walk")
+        ->transform(whole_number_option(2))
+        ->capture_default_str();
+    app.add_option("--moves", moves_,
+                   "Attempts that are measured, after a fifth as many from a straight walk on")
+        ->transform(whole_number_option(64))
+        ->capture_default_str();
+    app.add_option("--seed", seed_, "Of the random pivots")
+        ->transform(whole_number_option())
+        ->capture_default_str();
+    app.add_flag("--exponent", exponent_,
+                 "Walks of N, N/2, ... N/32 points, and the exponent nu from all of them");
+    app.add_option("--out", out_, "Write the last walk to this .chain file, spheres that touch where it does")
+        ->type_name("FILE");
+    app.add_flag("--json", json_, "One JSON object a line for each length");
+    app.footer("Exit code 1 when the exact reference finds that the walk meets itself.");
+  }
+
+  int run() override {
+    if (points_ > 1u << 30) throw InputError("--n must be at most 2^30");
+    if (exponent_ && points_ < 64)
+      throw InputError("--n must be at least 64 with --exponent: walks down to n/32 points");
+    std::vector<EndToEnd> lengths;
+    Random random(seed_);
+    for (std::uint64_t points = exponent_ ? points_ / 32 : points_; points <= points_; points *= 2) {
+      PivotWalk walk(static_cast<std::uint32_t>(points));
+      lengths.push_back(measure_end_to_end(walk, moves_, random));
+      const bool avoids_itself =
+          reference::find(walk.chain(std::nextafter(0.5f, 0.0f)), {.want = Request::Want::counts})
+              .pair_count == 0;
+      print(lengths.back(), avoids_itself);
+      if (!avoids_itself) return 1;
+      if (points * 2 > points_ && !out_.empty()) write_chain(std::filesystem::path(out_), walk.chain(0.5f));
+    }
+    if (exponent_) print(fit_exponent(lengths));
+    return 0;
+  }
+
+ private:
+  void print(const EndToEnd& seen, bool avoids_itself) const {
+    if (json_) {
+      auto line = to_json(seen);
+      line["avoids_itself"] = avoids_itself;
+      fmt::print("{}\n", line.dump());
+      return;
+    }
+    fmt::print("{} points: {} attempts, {:.4f} accepted, {:.3f} us each; R^2 = {:.6g} +- {:.2g}; {}\n",
+               seen.points, seen.attempts, seen.acceptance, seen.us_per_attempt, seen.mean_square, seen.error,
+               avoids_itself ? "self-avoiding by the exact reference" : "MEETS ITSELF");
+  }
+
+  void print(const Exponent& exponent) const {
+    if (json_) {
+      const nlohmann::ordered_json line{{"nu", exponent.nu},
+                                        {"half_width", exponent.half_width},
+                                        {"published", Exponent::published},
+                                        {"agrees", exponent.agrees()}};
+      fmt::print("{}\n", line.dump());
+      return;
+    }
+    fmt::print("nu = {:.6f} +- {:.6f}; published {:.8f} +- {:.8f}: {}\n", exponent.nu, exponent.half_width,
+               Exponent::published, Exponent::published_error, exponent.agrees() ? "agrees" : "DIFFERS");
+  }
+
+  std::uint64_t points_ = 4096, moves_ = 100'000, seed_ = 1;
+  bool exponent_ = false, json_ = false;
+  std::string out_;
+};
+
+const RegisterCommand<PivotCommand> registered{
+    "pivot", "A self-avoiding walk under the pivot algorithm: acceptance, distance of its ends, exponent"};
+
+}  // namespace
+}  // namespace catena::bench

@@ -1,0 +1,149 @@
+#include "catena/bench/pivot/pivot_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <vector>
+
+#include "catena/bench/pivot/end_to_end.h"
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/properties/property.h"
+#include "catena/reference/reference.h"
+
+namespace catena::bench {
+namespace {
+
+/// The move by its definition, on points, with a set that says whether the walk meets itself.
+struct PlainWalk {
+  std::vector<LatticePoint> points;
+
+  bool attempt(std::span<const Pivot> pivots) {
+    std::vector<LatticePoint> turned = points;
+    for (const auto& [site, turn] : pivots)
+      for (std::size_t p = site + 1; p < turned.size(); ++p)
+        turned[p] = turned[site] + turn(turned[p] - turned[site]);
+    if (std::set<LatticePoint>(turned.begin(), turned.end()).size() < turned.size()) return false;
+    points = std::move(turned);
+    return true;
+  }
+};
+
+void expect_the_same_as_plain(std::uint32_t n, std::size_t at_once, int moves, std::uint64_t seed) {
+  PivotWalk walk(n);
+  PlainWalk plain{walk.points()};
+  Random random(seed);
+  int accepted = 0;
+  for (int k = 0; k < moves; ++k) {
+    std::vector<Pivot> pivots;
+    for (std::size_t p = 0; p < at_once; ++p) pivots.push_back(random_pivot(n, random));
+    const bool made = plain.attempt(pivots);
+    ASSERT_EQ(walk.attempt(pivots), made) << n << " points, move " << k;
+    ASSERT_EQ(walk.end_to_end(), plain.points.back());
+    accepted += made;
+    if (k % 50 == 0) {
+      ASSERT_EQ(walk.points(), plain.points) << n << " points, move " << k;
+    }
+  }
+  EXPECT_EQ(walk.points(), plain.points);
+  EXPECT_GT(accepted, 0);
+}
+
+TEST(PivotWalk, IsTheMoveByItsDefinition) {
+  for (const std::uint32_t n : {2u, 3u, 4u, 7u, 8u, 9u, 15u, 16u, 17u, 33u, 100u, 257u})
+    expect_the_same_as_plain(n, 1, 2000, n);
+}
+
+TEST(PivotWalk, IsTheMoveByItsDefinitionManyAtATime) {
+  for (const std::uint32_t n : {9u, 40u, 200u})
+    for (const std::size_t at_once : {2u, 3u, 8u}) expect_the_same_as_plain(n, at_once, 1000, n + at_once);
+}
+
+TEST(PivotWalk, IsAnOrdinaryChainThatTheExactReferenceJudges) {
+  PivotWalk walk(5000);
+  Random random(3);
+  for (int round = 0; round < 5; ++round) {
+    for (int k = 0; k < 2000; ++k) walk.attempt(random_pivot(walk.size(), random));
+    EXPECT_EQ(reference::find(walk.chain(std::nextafter(0.5f, 0.0f))).pair_count, 0u);
+    const auto chain = walk.chain(0.5f);
+    const auto exact = reference::find(chain);
+    EXPECT_GT(exact.pair_count, 100u) << "a walk touches itself often";
+    Collisions found;
+    const auto hybrid = StrategyRegistry::instance().make("Hybrid");
+    hybrid->build(chain);
+    hybrid->find(chain, {}, found);
+    EXPECT_EQ(found.pair_count, exact.pair_count);
+  }
+}
+
+TEST(PivotWalk, RefusesWhatIsNoWalk) {
+  EXPECT_THROW(PivotWalk(0), InputError);
+  EXPECT_THROW(PivotWalk(1), InputError);
+  EXPECT_THROW(PivotWalk((1u << 30) + 1), InputError);
+}
+
+TEST(LatticeSymmetry, IsAGroupOfFortyEight) {
+  const LatticePoint p{1, 2, 3};
+  std::set<LatticePoint> images;
+  for (int k = 0; k < LatticeSymmetry::count; ++k) {
+    const auto g = LatticeSymmetry::number(k);
+    images.insert(g(p));
+    EXPECT_EQ(g.after(g.inverse()), LatticeSymmetry());
+    for (int l = 0; l < LatticeSymmetry::count; ++l) {
+      const auto h = LatticeSymmetry::number(l);
+      EXPECT_EQ(g.after(h)(p), g(h(p)));
+    }
+  }
+  EXPECT_EQ(images.size(), 48u);
+}
+
+/// Short walks are all known: the mean square of the ends over all 30 walks of two steps is 2 2/5 (24 bent, 6
+/// straight).
+TEST(EndToEnd, IsThatOfAllWalksOfTwoSteps) {
+  PivotWalk walk(3);
+  Random random(4);
+  const EndToEnd seen = measure_end_to_end(walk, 200'000, random);
+  EXPECT_NEAR(seen.mean_square, (24 * 2 + 6 * 4) / 30.0, 5 * seen.error);
+  EXPECT_LT(seen.error, 0.02);
+}
+
+TEST(EndToEnd, GivesTheExponentOfAPowerLaw) {
+  std::vector<EndToEnd> lengths;
+  for (std::uint32_t n = 101; n < 20'000; n *= 2) {
+    const double steps = n - 1;
+    const double mean = 1.2 * std::pow(steps, 2 * Exponent::published) * (1 - 0.1 * std::pow(steps, -0.528));
+    lengths.push_back({.points = n, .attempts = 1, .mean_square = mean, .error = 1e-4 * mean});
+  }
+  EXPECT_NEAR(fit_exponent(lengths).nu, Exponent::published, 1e-4);
+  EXPECT_TRUE(fit_exponent(lengths).agrees());
+  for (EndToEnd& seen : lengths) seen.mean_square *= std::pow(seen.points, 0.01);
+  EXPECT_FALSE(fit_exponent(lengths).agrees());
+  EXPECT_THROW(fit_exponent(std::span(lengths).first(3)), InputError);
+}
+
+std::vector<EndToEnd> lengths_to(std::uint32_t most, std::uint64_t attempts) {
+  std::vector<EndToEnd> lengths;
+  Random random(5);
+  for (std::uint32_t n = most / 32; n <= most; n *= 2) {
+    PivotWalk walk(n);
+    lengths.push_back(measure_end_to_end(walk, attempts, random));
+  }
+  return lengths;
+}
+
+TEST(EndToEnd, HasThePublishedExponent) {
+  const Exponent exponent = fit_exponent(lengths_to(4096, 50'000));
+  EXPECT_TRUE(exponent.agrees()) << exponent.nu << " +- " << exponent.half_width;
+  EXPECT_LT(exponent.half_width, 0.05);
+}
+
+TEST(EndToEndLong, HasThePublishedExponent) {
+  const Exponent exponent = fit_exponent(lengths_to(65536, 20'000'000));
+  EXPECT_TRUE(exponent.agrees()) << exponent.nu << " +- " << exponent.half_width;
+  EXPECT_LT(exponent.half_width, 0.002);
+}
+
+}  // namespace
+}  // namespace catena::bench

@@ -1,0 +1,41 @@
+"""What others published, or a formula knows, against what catena finds."""
+from .. import words
+from ..section import Section
+from ..table import Cell, Table
+
+
+def build(report):
+    section = Section("judged", "Judged from outside")
+    for run in report.having("judged"):
+        section.blocks += report.heading(run) + [_table(report, run, run.list("judged"))]
+    return section if section.blocks else None
+
+
+def _table(report, run, rows):
+    differ = [row for row in rows if not row["agrees"]]
+    title = (
+        f"{words.plural(len(differ), 'number')} of {len(rows)} differ from what is published"
+        if differ
+        else f"All {words.plural(len(rows), 'number')} agree with what is published"
+    )
+    return Table(
+        f"judged{report.key(run)}",
+        title,
+        (
+            "No number at the left was computed by catena, and no reference of its own is asked. A growth agrees"
+            " where its interval of 95 % does not lie above the law's exponent, an exponent where its interval holds"
+            " the published one. The command asks again."
+        ),
+        ["source", "what", "command", "published", "found"],
+        [
+            [
+                row["source"],
+                row["what"],
+                row["command"],
+                row["published"],
+                Cell(row["found"], kind="good" if row["agrees"] else "bad"),
+            ]
+            for row in rows
+        ],
+        words=3,
+    )

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "catena/bench/closed_form/lattice_box.h"
+#include "catena/bench/enumerate/judge.h"
+#include "catena/bench/growth/growth.h"
+#include "catena/bench/pivot/end_to_end.h"
+#include "catena/core/input/input.h"
+#include "catena/reports/faults.h"
+#include "catena/reports/section.h"
+
+namespace catena::reports {
+namespace {
+
+constexpr auto judged_variant = "Hybrid";
+
+nlohmann::ordered_json row(const std::string& source, const std::string& what, const std::string& published,
+                           const std::string& found, bool agrees, const std::string& command) {
+  return {{"source", source}, {"what", what},     {"published", published},
+          {"found", found},   {"agrees", agrees}, {"command", command}};
+}
+
+/// The longest walks of each published table, or the first length that differs.
+void add_walks(nlohmann::ordered_json& rows, int steps) {
+  const auto variant = StrategyRegistry::instance().make(judged_variant);
+  for (const int dimensions : {3, 2})
+    for (const float radius : {std::nextafter(0.5f, 0.0f), 0.5f}) {
+      const auto verdicts = bench::judge_walks(*variant, {dimensions, radius, radius < 0.5f, steps});
+      for (const bench::WalkVerdict& v : verdicts) {
+        if (!v.published || (v.steps < steps && !v.differs())) continue;
+        rows.push_back(row(
+            "https://oeis.org/" + v.sequence,
+            fmt::format("{} of {} steps, {} lattice", v.counts, v.steps, bench::lattice_name(dimensions)),
+            fmt::format("{}", *v.published), fmt::format("{}", v.found), !v.differs(),
+            fmt::format("catena enumerate --walks {} --lattice {}", steps, bench::lattice_name(dimensions))));
+      }
+    }
+}
+
+void add_closed_form(nlohmann::ordered_json& rows, const bench::LatticeBox& box, const std::string& options) {
+  const auto variant = StrategyRegistry::instance().make(judged_variant);
+  const Chain chain = open_input(box.scene()).animation->frame(0);
+  const Request counts{.want = Request::Want::counts};
+  Collisions found;
+  variant->prepare(counts);
+  variant->build(chain);
+  variant->find(chain, counts, found);
+  rows.push_back(row("closed form",
+                     fmt::format("pairs of {}, {} of them exact ties", box.scene(), box.ties()),
+                     fmt::format("{}", box.pairs()), fmt::format("{}", found.pair_count),
+                     bench::fault(box, found, false).empty(),
+                     fmt::format("catena closed-form --side {} --reach {}{}", box.side, box.reach, options)));
+}
+
+void add_growth(nlohmann::ordered_json& rows, std::uint32_t most) {
+  for (const char* scene : {"yarn", "path1", "lattice"})
+    for (const char* variant : {"Necklace", "Necklace(balls=nested)", "aCPU2+Dual"}) {
+      const auto growth = bench::measure_growth(scene, StrategyRegistry::instance().describe(variant), most);
+      const auto law = growth.law();
+      rows.push_back(row(
+          "Agarwal, Guibas, Nguyen, Russel and Zhang (2004)",
+          fmt::format("pairs of nodes of {} on {}, from 1000 to {} spheres", variant, scene,
+                      growth.points.back().n),
+          "O(n^(4/3))",
+          fmt::format("n^{:.3f} [{:.3f}, {:.3f}], {:.1f} a sphere at last", law.exponent, law.low, law.high,
+                      static_cast<double>(growth.points.back().node_pairs) / growth.points.back().n),
+          growth.within_four_thirds(),
+          fmt::format("catena growth {} --n {} --variant '{}'", scene, most, variant)));
+    }
+}
+
+void add_exponent(nlohmann::ordered_json& rows, std::uint64_t moves) {
+  constexpr std::uint32_t most = 4096;
+  std::vector<bench::EndToEnd> lengths;
+  Random random(1);
+  for (std::uint32_t n = most / 32; n <= most; n *= 2) {
+    bench::PivotWalk walk(n);
+    lengths.push_back(bench::measure_end_to_end(walk, moves, random));
+  }
+  const auto exponent = bench::fit_exponent(lengths);
+  rows.push_back(
+      row("Clisby and Dünweg (2016)",
+          fmt::format("exponent nu of self-avoiding walks, {} to {} points under pivots", most / 32, most),
+          fmt::format("{:.8f} ± {:.8f}", exponent.published, exponent.published_error),
+          fmt::format("{:.4f} ± {:.4f}", exponent.nu, exponent.half_width), exponent.agrees(),
+          fmt::format("catena pivot --exponent --n {} --moves {}", most, moves)));
+}
+
+/// What others published, or a formula knows, against what catena finds.
+nlohmann::ordered_json judged(const Profile& profile) {
+  auto rows = nlohmann::ordered_json::array();
+  if (profile.judged_steps == 0) return rows;
+  attempt(judged_variant, [&] {
+    add_walks(rows, profile.judged_steps);
+    add_closed_form(rows, {.side = profile.judged_side, .reach = 3}, "");
+    add_closed_form(rows, {.side = profile.judged_side, .reach = 4, .face_centred = true}, " --face-centred");
+    add_closed_form(rows, {.side = profile.judged_side, .reach = 3, .rods = true}, " --rods");
+  });
+  add_growth(rows, profile.judged_n);
+  add_exponent(rows, profile.judged_moves);
+  return rows;
+}
+
+const RegisterSection registered{"judged", judged};
+
+}  // namespace
+}  // namespace catena::reports

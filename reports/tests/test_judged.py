@@ -1,0 +1,43 @@
+"""Judged from outside: every number is shown beside the published one, and what differs is counted."""
+import json
+import unittest
+
+import made
+from catena_report import report, runfile
+from catena_report.sections import judged
+
+
+def section_of(value):
+    return judged.build(report.Report([runfile.Run("run.json", json.loads(json.dumps(value)))]))
+
+
+class Judged(unittest.TestCase):
+    def setUp(self):
+        self.value = made.run()
+
+    def table(self):
+        return next(block for block in section_of(self.value).blocks if hasattr(block, "columns"))
+
+    def test_every_row_is_shown_with_what_is_published(self):
+        rows = self.value["catena"]["judged"]
+        self.assertEqual(len(self.table().rows), len(rows))
+        for shown, row in zip(self.table().rows, rows):
+            self.assertEqual(
+                [cell.text for cell in shown],
+                [row[key] for key in ("source", "what", "command", "published", "found")],
+            )
+            self.assertEqual(shown[-1].kind, "good" if row["agrees"] else "bad")
+
+    def test_the_title_counts_what_differs(self):
+        self.assertIn("1 number of 2 differ", self.table().title)
+        for row in self.value["catena"]["judged"]:
+            row["agrees"] = True
+        self.assertIn("All 2 numbers agree", self.table().title)
+
+    def test_nothing_judged_is_no_section(self):
+        del self.value["catena"]["judged"]
+        self.assertIsNone(section_of(self.value))
+
+
+if __name__ == "__main__":
+    unittest.main()
