@@ -22,26 +22,31 @@ double student_t(std::size_t freedom) {
   return quantile[std::min(freedom, quantile.size()) - 1];
 }
 
-}  // namespace
-
-Growth::Law Growth::law() const {
+/// By the first `columns` of: a constant, the power of n, the surface.
+Growth::Law fit(const std::vector<Growth::Point>& points, int columns) {
   if (points.size() < 4) throw std::logic_error("growth: a law needs four points");
   const auto rows = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd terms(rows, 3);
+  Eigen::MatrixXd terms(rows, columns);
   Eigen::VectorXd logs(rows);
   for (Eigen::Index k = 0; k < rows; ++k) {
-    const Point& p = points[static_cast<std::size_t>(k)];
+    const Growth::Point& p = points[static_cast<std::size_t>(k)];
     if (p.n == 0 || p.node_pairs == 0) throw std::logic_error("growth: nothing was counted");
-    terms.row(k) << 1, std::log(p.n), 1 / std::cbrt(p.n);
+    const Eigen::Vector3d term{1, std::log(p.n), 1 / std::cbrt(p.n)};
+    terms.row(k) = term.head(columns);
     logs(k) = std::log(static_cast<double>(p.node_pairs));
   }
-  const Eigen::Matrix3d inverse = (terms.transpose() * terms).inverse();
-  const Eigen::Vector3d fit = inverse * terms.transpose() * logs;
-  const std::size_t freedom = points.size() - 3;
-  const double rest = (logs - terms * fit).squaredNorm() / static_cast<double>(freedom);
+  const Eigen::MatrixXd inverse = (terms.transpose() * terms).inverse();
+  const Eigen::VectorXd best = inverse * terms.transpose() * logs;
+  const std::size_t freedom = points.size() - static_cast<std::size_t>(columns);
+  const double rest = (logs - terms * best).squaredNorm() / static_cast<double>(freedom);
   const double half = student_t(freedom) * std::sqrt(rest * inverse(1, 1));
-  return {fit(1), fit(1) - half, fit(1) + half};
+  return {best(1), best(1) - half, best(1) + half};
 }
+
+}  // namespace
+
+Growth::Law Growth::law() const { return fit(points, 3); }
+Growth::Law Growth::plain_power() const { return fit(points, 2); }
 
 Growth measure_growth(const std::string& scene, const VariantInfo& variant, std::uint32_t most) {
   Growth growth{scene, variant.name, {}};
@@ -58,7 +63,7 @@ Growth measure_growth(const std::string& scene, const VariantInfo& variant, std:
 }
 
 nlohmann::ordered_json to_json(const Growth& growth) {
-  const Growth::Law law = growth.law();
+  const Growth::Law law = growth.law(), plain = growth.plain_power();
   auto points = nlohmann::ordered_json::array();
   for (const auto& p : growth.points) points.push_back({{"n", p.n}, {"node_pairs", p.node_pairs}});
   return {{"scene", growth.scene},
@@ -67,6 +72,7 @@ nlohmann::ordered_json to_json(const Growth& growth) {
           {"exponent", law.exponent},
           {"low", law.low},
           {"high", law.high},
+          {"plain", {{"exponent", plain.exponent}, {"low", plain.low}, {"high", plain.high}}},
           {"within_four_thirds", growth.within_four_thirds()}};
 }
 

@@ -49,6 +49,9 @@ class GrowthCommand final : public Command {
     fmt::print("{:<12} {:<24} {:>9.4f} {:>8} {:>17} {}\n", growth.scene, growth.variant, law.exponent, "",
                fmt::format("{:.4f} to {:.4f}", law.low, law.high),
                growth.within_four_thirds() ? "within" : "ABOVE");
+    const Growth::Law plain = growth.plain_power();
+    fmt::print("  without a surface's share n^(-1/3): {:.4f}, {:.4f} to {:.4f}\n", plain.exponent, plain.low,
+               plain.high);
     for (const auto& p : growth.points)
       fmt::print("  {:>10} {:>14} {:>9.1f} a sphere\n", p.n, p.node_pairs,
                  static_cast<double>(p.node_pairs) / p.n);

@@ -19,6 +19,7 @@ TEST(Growth, OfAPowerIsItsExponent) {
     growth.points.push_back({n, static_cast<std::uint64_t>(std::pow(n, 1.5))});
   EXPECT_NEAR(growth.law().exponent, 1.5, 1e-3);
   EXPECT_NEAR(growth.law().low, 1.5, 1e-2);
+  EXPECT_NEAR(growth.plain_power().exponent, 1.5, 1e-3);
   EXPECT_FALSE(growth.within_four_thirds());
   growth.points[2].node_pairs *= 3;
   EXPECT_LT(growth.law().low, 1.0) << "what lies off the line widens the interval";
