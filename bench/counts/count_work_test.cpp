@@ -47,7 +47,9 @@ TEST(Work, IsTheSameInEveryRunAndForTheSameSearch) {
     if (!work || info.all_pairs) continue;
     // ChainTree's wide nodes are visited by fewer than one a sphere; a sweep has none.
     const std::uint64_t visits = info.name == "ChainTree" ? chain.size() / 8 : chain.size();
-    if (info.name != "SweepAndPrune") EXPECT_GT(work->node_visits, visits) << info.name;
+    if (info.name != "SweepAndPrune") {
+      EXPECT_GT(work->node_visits, visits) << info.name;
+    }
     // The tests' own example of a tree has coarse leaves, of eight spheres.
     const std::uint64_t share = info.name == "Boxes+BoxesAgainstBoxes" ? 2 : 4;
     EXPECT_LT(work->pair_tests, admissible_pairs(chain) / share) << info.name;

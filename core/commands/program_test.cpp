@@ -60,7 +60,7 @@ TEST_F(Program, RepeatsSpaceInABox) {
   expect_says(melt + " --box file", 0, {"8 spheres, 2 pairs"});
   expect_says(melt + " --box 8,8,8,0,0,0 --variant ChainTree", 0, {"8 spheres, 2 pairs"});
   expect_says(melt + " --box 0,8,8", 0, {"8 spheres, 1 pair"});
-  expect_refused(melt + " --box 3,8,8", "less than twice the reach");
+  expect_refused(melt + " --box 1.5,8,8", "less than twice the reach");
   expect_refused(melt + " --box 3,8", "a box is X,Y,Z");
   expect_refused(melt + " --box 3,8,a", "'a' is not a number");
   expect_refused(melt + " --box file --pairs p.csv --depth", "do not know a box");

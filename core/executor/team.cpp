@@ -1,12 +1,12 @@
 #include "catena/core/executor/team.h"
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
 namespace catena {
 
@@ -18,7 +18,9 @@ struct Team::Arena {
 Team::Team() = default;
 Team::Team(const Parameters& parameters)
     : size_(static_cast<unsigned>(parameters.unsigned_integer("threads", 0, 1024))) {
-  if (size_ == 0) size_ = std::max(1u, std::thread::hardware_concurrency());
+  // Those that this process may use; more bring nothing, and oneTBB would complain of them.
+  const auto cores = static_cast<unsigned>(std::max(1, oneapi::tbb::info::default_concurrency()));
+  size_ = size_ == 0 ? cores : std::min(size_, cores);
   if (size_ > 1) arena_ = std::make_unique<Arena>(size_);
 }
 Team::~Team() = default;

@@ -11,7 +11,7 @@ namespace catena {
 /// costs nothing.
 class CATENA_API Team {
  public:
-  static ParameterInfo threads_parameter() { return {"threads", "1", "host threads; 0: one a core"}; }
+  static ParameterInfo threads_parameter() { return {"threads", "1", "host threads, one a core at most; 0: all cores"}; }
 
   Team();  ///< one
   explicit Team(const Parameters& parameters);

@@ -40,6 +40,12 @@ class Film {
     add("parts", told, std::move(ranges));
   }
 
+  /// One sphere is put where another is.
+  void lone(std::uint32_t i) {
+    spheres_[i] = spheres_[(i + n_ / 2) % n_];
+    add("a lone sphere", false, {});
+  }
+
   /// A window that moves on; what comes in lies where the other end was. `spoilt`: in all but one sphere,
   /// which is put onto another.
   void shift(std::int64_t s, bool spoilt) {
@@ -98,7 +104,9 @@ std::vector<Frame> film_of(const Chain& chain) {
   std::ranges::nth_element(radii, radii.begin() + radii.size() / 2);
   const float radius = radii[radii.size() / 2];
   film.parts(true, chain.size() / 2), film.still(true), film.still(false);
-  film.parts(false, chain.size() / 3), film.shift(3, false), film.shift(3, true), film.shift(-2, false);
+  film.parts(false, chain.size() / 3), film.lone(chain.size() - 1),
+      film.lone(std::min(15u, chain.size() - 1));
+  film.shift(3, false), film.shift(3, true), film.shift(-2, false);
   if (chain.size() > 64) return film.take();
   for (int k = 0; k < 12; ++k) film.drift(0.06f * radius);
   for (int k = 0; k < 6; ++k) film.grow(1.06f);
