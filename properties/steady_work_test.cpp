@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "catena/core/blocks/block_kernels.h"
 #include "catena/core/chain/chain.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/scenes/random.h"
+#include "catena/core/strategy/registry.h"
 
 // No cliff: a chain that differs a little is not searched at a much greater cost. By counts, so that no clock
 // is asked; what each costs need only be about right, for a jump shows all the same.
@@ -82,19 +85,25 @@ std::vector<Sphere> ball(double radius, double other_radius) {
   return spheres;
 }
 
-constexpr std::uint32_t default_limit = 32;
+/// Hybrid's own, where it gives the chain's order up.
+std::uint32_t default_limit() {
+  const auto& parameters = StrategyRegistry::instance().strategy("Hybrid").parameters;
+  const auto crowd = std::ranges::find(parameters, "crowd", &ParameterInfo::name);
+  return static_cast<std::uint32_t>(std::stoul(crowd->default_value));
+}
+
 constexpr double most = 1.5;
 
 TEST(SteadyWork, OverTheThicknessOfABall) {
   bool crowded;
-  EXPECT_LT(greatest_jump([](double r) { return Chain(ball(r, r)); }, 0.3, 2.0, default_limit, crowded),
+  EXPECT_LT(greatest_jump([](double r) { return Chain(ball(r, r)); }, 0.3, 2.0, default_limit(), crowded),
             most);
   EXPECT_TRUE(crowded) << "the sweep passes no border";
 }
 
 TEST(SteadyWork, OverTheRatioOfRadii) {
   bool crowded;
-  EXPECT_LT(greatest_jump([](double q) { return Chain(ball(0.5, 0.5 * q)); }, 1, 8, default_limit, crowded),
+  EXPECT_LT(greatest_jump([](double q) { return Chain(ball(0.5, 0.5 * q)); }, 1, 8, default_limit(), crowded),
             most);
   EXPECT_TRUE(crowded);
 }
@@ -112,7 +121,7 @@ TEST(SteadyWork, OverThePitchOfACoil) {
     }
     return Chain(std::move(spheres));
   };
-  EXPECT_LT(greatest_jump(coil, 0.05, 0.12, default_limit, crowded), most);
+  EXPECT_LT(greatest_jump(coil, 0.05, 0.12, default_limit(), crowded), most);
   EXPECT_TRUE(crowded);
 }
 
@@ -125,7 +134,7 @@ TEST(SteadyWork, SeesACliff) {
     for (std::uint32_t i = 0; spheres.size() < n; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.5f});
     return Chain(std::move(spheres));
   };
-  EXPECT_GT(greatest_jump(two_balls, 0.58, 0.62, default_limit, crowded), most);
+  EXPECT_GT(greatest_jump(two_balls, 0.58, 0.62, default_limit(), crowded), most);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/host_warp.h"
 #include "catena/core/cells/meet_blocks.h"
+#include "catena/core/strategy/host_search.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 
@@ -15,55 +16,40 @@ namespace {
 
 /// DeviceHybrid with its steps run on the host, one after the other, warps emulated.
 template <class Arithmetic>
-class DeviceHybridOnHost final : public Variant {
+class DeviceHybridOnHost final : public HostSearch {
  public:
   explicit DeviceHybridOnHost(const Parameters& parameters)
       : crowd_(static_cast<std::uint32_t>(
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))) {}
 
-  void build(const Chain& chain) override {
-    const Stopwatch watch;
-    built_ = false;
-    const ChainView view = chain.view();
-    lay_out(view);
-    const BlockMeeting<HostWarp> meeting(warp_, view, blocks_);
-    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) meeting.enclose(b);
-    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) meeting.meet(b);
-    cells_.build(view, blocks_.crowded_spheres(),
-                 [&](std::uint32_t i) { return blocks_.crowded(i / CapsuleBlocks::block); });
-    spheres_ = chain.size();
-    built_ = true;
-    timings_.build_ms = watch.ms();
-  }
-
-  void find(const Chain& chain, const Request& request, Collisions& result) override {
-    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
-    const Stopwatch watch;
-    const ChainView view = chain.view();
-    PairCollector collector(spheres_, request, result);
-    LaneSink sink{collector.lane(0)};
-    with_tests_for<Arithmetic>(view, [&](auto tests) {
-      const BlockMeeting<HostWarp> meeting(warp_, view, blocks_);
-      for (std::uint32_t b = 0; b < blocks_.blocks && !sink.satisfied(); ++b)
-        meeting.plan(b, [&](auto work) { meeting.template compare<decltype(tests)>(b, work, sink); });
-      cells_.search<decltype(tests)>(view, sink);
-    });
-    collector.finish();
-    in_range_ = in_range<Arithmetic>(view);
-    timings_.find_ms = watch.ms();
-  }
-
   Plan plan() const override {
     Plan plan = range_checks_plan<Arithmetic>(in_range_);
     std::uint32_t crowded = 0;
-    for (std::uint32_t b = 0; built_ && b < blocks_.blocks; ++b) crowded += blocks_.crowded(b);
+    for (std::uint32_t b = 0; built() && b < blocks_.blocks; ++b) crowded += blocks_.crowded(b);
     plan.push_back({"grid of spheres", crowded == 0,
                     fmt::format("{} of {} blocks of 32 spheres are crowded", crowded, blocks_.blocks)});
     return plan;
   }
-  Timings timings() const override { return timings_; }
 
  private:
+  void construct(const ChainView& chain) override {
+    lay_out(chain);
+    const BlockMeeting<HostWarp> meeting(warp_, chain, blocks_);
+    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) meeting.enclose(b);
+    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) meeting.meet(b);
+    cells_.build(chain, blocks_.crowded_spheres(),
+                 [&](std::uint32_t i) { return blocks_.crowded(i / CapsuleBlocks::block); });
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    LaneSink sink{collector.lane(0)};
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      const BlockMeeting<HostWarp> meeting(warp_, chain, blocks_);
+      for (std::uint32_t b = 0; b < blocks_.blocks && !sink.satisfied(); ++b)
+        meeting.plan(b, [&](auto work) { meeting.template compare<decltype(tests)>(b, work, sink); });
+      cells_.search<decltype(tests)>(chain, sink);
+    });
+    in_range_ = in_range<Arithmetic>(chain);
+  }
   void lay_out(const ChainView& chain) {
     blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent));
     capsule_.resize(blocks_.blocks);
@@ -87,9 +73,7 @@ class DeviceHybridOnHost final : public Variant {
   std::vector<std::uint8_t> shape_, partners_;
   std::vector<std::uint32_t> in_bucket_, bucket_, partner_, met_;
   HostSphereCells cells_;
-  std::uint32_t spheres_ = 0;
-  bool built_ = false, in_range_ = false;
-  Timings timings_;
+  bool in_range_ = false;
 };
 
 const RegisterVariant<DeviceHybridOnHost, Robust> registered{

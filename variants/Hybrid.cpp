@@ -2,6 +2,7 @@
 
 #include "catena/core/blocks/block_kernels.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/strategy/host_search.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -13,7 +14,7 @@ namespace {
 /// node has just so many others, one costs about as much as the other, so that no small change of a chain
 /// makes a great one of the time.
 template <class Arithmetic>
-class Hybrid final : public Variant {
+class Hybrid final : public HostSearch {
  public:
   explicit Hybrid(const Parameters& parameters)
       : limit_(static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20))),
@@ -21,40 +22,27 @@ class Hybrid final : public Variant {
         block_queues_(team_.size()),
         grid_queues_(team_.size()) {}
 
-  void build(const Chain& chain) override {
-    const Stopwatch watch;
-    built_ = false;
-    const ChainView view = chain.view();
-    build_block_tree(view, tree_, team_);
-    find_crowds(tree_, limit_, crowding_, team_);
-    gather_crowd();
-    const bool everyone = crowd_.size() == chain.size();  // so that their list need not be read
-    if (!crowd_.empty()) build_grid(view, grid_, everyone ? std::span<const std::uint32_t>() : crowd_, team_);
-    spheres_ = chain.size();
-    built_ = true;
-    timings_.build_ms = watch.ms();
-  }
-
-  void find(const Chain& chain, const Request& request, Collisions& result) override {
-    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
-    const Stopwatch watch;
-    const ChainView view = chain.view();
-    PairCollector collector(spheres_, request, result, team_.size());
-    search_uncrowded(view, tree_, crowding_, block_queues_, collector, team_);
-    if (!crowd_.empty()) search_grid(view, grid_, grid_queues_, collector, team_);
-    collector.finish();
-    timings_.find_ms = watch.ms();
-  }
-
   Plan plan() const override {
     return {{"grid of spheres", crowd_.empty(),
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others", crowding_.crowded_nodes(),
                          crowding_.nodes(), limit_)}};
   }
 
-  Timings timings() const override { return timings_; }
-
  private:
+  void construct(const ChainView& chain) override {
+    build_block_tree(chain, tree_, team_);
+    find_crowds(tree_, limit_, crowding_, team_);
+    gather_crowd();
+    const bool everyone = crowd_.size() == chain.size;  // so that their list need not be read
+    if (!crowd_.empty())
+      build_grid(chain, grid_, everyone ? std::span<const std::uint32_t>() : crowd_, team_);
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    search_uncrowded(chain, tree_, crowding_, block_queues_, collector, team_);
+    if (!crowd_.empty()) search_grid(chain, grid_, grid_queues_, collector, team_);
+  }
+  unsigned lanes() const override { return team_.size(); }
+
   /// The spheres of all crowded nodes.
   void gather_crowd() {
     crowd_.clear();
@@ -75,9 +63,6 @@ class Hybrid final : public Variant {
   std::vector<std::uint32_t> crowd_;
   SphereGrid grid_;
   std::vector<GridQueues> grid_queues_;
-  std::uint32_t spheres_ = 0;
-  bool built_ = false;
-  Timings timings_;
 };
 
 const RegisterVariant<Hybrid, Robust> registered{

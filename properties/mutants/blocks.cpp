@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catena/core/blocks/block_kernels.h"
+#include "catena/core/strategy/host_search.h"
 #include "catena/properties/mutants/mutant.h"
 
 // Bugs of searches by blocks of eight spheres: what a capsule, an order, a box or a queue may forget.
@@ -9,39 +10,24 @@ namespace catena::properties {
 namespace {
 
 /// ChainTree with its tree tampered with.
-class FaultyBlocks : public Variant {
- public:
-  void build(const Chain& chain) override {
-    view_ = chain.view();
-    build_block_tree(view_, tree_, team_);
-    tamper(view_, tree_);
-    spheres_ = chain.size();
-    built_ = true;
-  }
-  void find(const Chain& chain, const Request& request, Collisions& result) override {
-    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
-    PairCollector collector(spheres_, request, result);
-    search(chain.view(), collector);
-    collector.finish();
-  }
-  Timings timings() const override { return {}; }
-
+class FaultyBlocks : public HostSearch {
  protected:
-  virtual void tamper(const ChainView&, BlockTree&) {}
-  virtual void search(const ChainView& chain, PairCollector& collector) {
+  void construct(const ChainView& chain) override {
+    build_block_tree(chain, tree_, team_);
+    tamper(chain, tree_);
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
     search_blocks(chain, tree_, queues_, collector.lane(0), nullptr);
   }
+  virtual void tamper(const ChainView&, BlockTree&) {}
   const BlockTree& tree() const { return tree_; }
   std::span<BlockQueues> queues() { return {&queues_, 1}; }
   const Team& team() const { return team_; }
 
  private:
-  ChainView view_{};
   const Team team_;
   BlockTree tree_;
   BlockQueues queues_;
-  std::uint32_t spheres_ = 0;
-  bool built_ = false;
 };
 
 class NoSagitta final : public FaultyBlocks {

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <stdexcept>
+
+#include "catena/core/executor/pair_collector.h"
+#include "catena/core/strategy/variant.h"
+
+namespace catena {
+
+/// A variant that is complete in itself and runs on the host: what such ones have in common. It times both
+/// stages, refuses a find on another chain than that of the last build, and gathers the pairs.
+class HostSearch : public Variant {
+ public:
+  void build(const Chain& chain) final {
+    const Stopwatch watch;
+    built_ = false;
+    construct(chain.view());
+    spheres_ = chain.size();
+    built_ = true;
+    timings_.build_ms = watch.ms();
+  }
+
+  void find(const Chain& chain, const Request& request, Collisions& result) final {
+    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+    const Stopwatch watch;
+    PairCollector collector(spheres_, request, result, lanes());
+    search(chain.view(), collector);
+    collector.finish();
+    timings_.find_ms = watch.ms();
+  }
+
+  Timings timings() const final { return timings_; }
+
+ protected:
+  /// Makes what `search` needs. What it throws leaves nothing built.
+  virtual void construct(const ChainView& chain) = 0;
+  /// Reports every colliding pair, once, to the collector's lanes.
+  virtual void search(const ChainView& chain, PairCollector& collector) = 0;
+  /// Workers of a search, each of which has a lane.
+  virtual unsigned lanes() const { return 1; }
+
+  bool built() const { return built_; }
+
+ private:
+  std::uint32_t spheres_ = 0;
+  bool built_ = false;
+  Timings timings_;
+};
+
+}  // namespace catena
