@@ -1,6 +1,6 @@
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/cells/host_sphere_cells.h"
-#include "catena/core/strategy/host_search.h"
+#include "catena/core/executor/host_search.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 

@@ -7,7 +7,7 @@
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/host_warp.h"
 #include "catena/core/cells/meet_blocks.h"
-#include "catena/core/strategy/host_search.h"
+#include "catena/core/executor/host_search.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 

@@ -1,5 +1,5 @@
+#include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
-#include "catena/core/strategy/host_search.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {

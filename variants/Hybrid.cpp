@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "catena/core/blocks/block_kernels.h"
+#include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
-#include "catena/core/strategy/host_search.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {

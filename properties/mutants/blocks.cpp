@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catena/core/blocks/block_kernels.h"
-#include "catena/core/strategy/host_search.h"
+#include "catena/core/executor/host_search.h"
 #include "catena/properties/mutants/mutant.h"
 
 // Bugs of searches by blocks of eight spheres: what a capsule, an order, a box or a queue may forget.
