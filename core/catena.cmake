@@ -60,14 +60,14 @@ endfunction()
 
 # The library. Everything is hidden but what says CATENA_API (core/export.h), the standard library's templates too, and
 # it calls its own functions: no other program's copy, compiled with other flags, takes their place.
-set(CATENA_LIBRARY_FOLDERS arithmetic blocks cells chain executor frames grid hierarchy parameters plan policies strategy)  # of core
+set(CATENA_LIBRARY_FOLDERS arithmetic blocks cells chain executor frames grid hierarchy hybrid parameters plan policies space_tree strategy)  # of core
 list(TRANSFORM CATENA_LIBRARY_FOLDERS PREPEND core/ OUTPUT_VARIABLE folders)
 catena_sources(library_sources ${folders} variants)
 add_library(catena SHARED ${library_sources})
 add_library(catena::catena ALIAS catena)
 set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0 EXPORT_NAME catena
   CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${PROJECT_SOURCE_DIR}/core/exports.map)
-target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy TBB::tbb)
+target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy hwy::hwy_contrib TBB::tbb)
 target_link_options(catena PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/core/exports.map LINKER:-Bsymbolic-functions)
 if(NOT CATENA_SANITIZE)
   target_link_options(catena PRIVATE LINKER:--no-undefined)  # nothing of the program is missed
@@ -77,7 +77,9 @@ target_compile_features(catena PUBLIC cxx_std_20)
 # GCC refuses to inline Highway's NEON functions, which are compiled for +crypto, into the constructors that it makes
 # itself of structs that hold vectors, unless these are for +crypto too. No such instruction is ever used.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
-  set_source_files_properties(${PROJECT_SOURCE_DIR}/core/blocks/block_kernels.cpp ${PROJECT_SOURCE_DIR}/core/grid/grid_kernels.cpp
+  set(of_many_targets blocks/build_blocks blocks/search_blocks grid/grid_kernels space_tree/space_kernels)
+  list(TRANSFORM of_many_targets REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/\\1.cpp")
+  set_source_files_properties(${of_many_targets}
     PROPERTIES COMPILE_OPTIONS -march=armv8-a+crypto SKIP_PRECOMPILE_HEADERS ON)
 endif()
 # Whoever builds trees by the library's headers must get the bits of the library's own.

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "catena/core/blocks/block_kernels.h"
 #include "catena/core/chain/chain.h"
-#include "catena/core/grid/grid_kernels.h"
+#include "catena/core/hybrid/hybrid_search.h"
 #include "catena/core/scenes/random.h"
 #include "catena/core/strategy/registry.h"
 
@@ -20,49 +19,43 @@ namespace {
 constexpr std::uint32_t n = 20'000;
 
 /// About nanoseconds on one core.
-struct Work {
-  std::uint64_t rows = 0, pairs = 0, tests = 0, crowd = 0;
-  double cost() const {
-    return 4.0 * n + 25.0 * static_cast<double>(rows) + 20.0 * static_cast<double>(pairs) +
-           10.0 * static_cast<double>(crowd) + 6.0 * static_cast<double>(tests);
-  }
-};
+double cost(const HybridSearch::Work& work) {
+  return 4.0 * n + 25.0 * static_cast<double>(work.rows) + 8.0 * static_cast<double>(work.entries) +
+         25.0 * static_cast<double>(work.near) + 6.0 * static_cast<double>(work.tests) +
+         6.0 * static_cast<double>(work.crowded) + 8.0 * static_cast<double>(work.dense);
+}
 
-/// What Hybrid does; its parts are called as it calls them.
-Work work_of(const Chain& chain, std::uint32_t limit) {
+HybridSearch::Work work_of(const Chain& chain, const HybridSearch::Settings& settings) {
   const Team alone;
   const ChainView view = chain.view();
-  BlockTree tree;
-  Crowding crowding;
-  build_block_tree(view, tree, alone);
-  find_crowds(tree, limit, crowding, alone);
-  std::vector<std::uint32_t> crowd;
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (crowding.crowded(i / (BlockTree::block * BlockTree::group))) crowd.push_back(i);
-  std::vector<BlockQueues> blocks(1);
-  std::vector<GridQueues> cells(1);
+  HybridSearch search(settings, 1);
+  search.build(view, alone);
   Collisions found;
   PairCollector collector(n, {Request::Want::counts}, found);
-  search_uncrowded(view, tree, crowding, blocks, collector, alone);
-  if (!crowd.empty()) {
-    SphereGrid grid;
-    build_grid(view, grid, crowd, alone);
-    search_grid(view, grid, cells, collector, alone);
-  }
+  search.search(view, collector, alone);
   collector.finish();
-  return {blocks[0].rows_done(), blocks[0].pairs_done(), cells[0].tests_done, crowd.size()};
+  return search.work();
+}
+
+/// Hybrid's own.
+HybridSearch::Settings defaults() {
+  const auto& parameters = StrategyRegistry::instance().strategy("Hybrid").parameters;
+  const auto value = [&](const char* name) {
+    return std::ranges::find(parameters, name, &ParameterInfo::name)->default_value;
+  };
+  return {static_cast<std::uint32_t>(std::stoul(value("crowd"))), std::stod(value("dense"))};
 }
 
 /// The greatest factor between the costs of two neighbours of a sweep in steps of 1 %.
-double greatest_jump(const std::function<Chain(double)>& chain, double from, double to, std::uint32_t limit,
-                     bool& crowded) {
+double greatest_jump(const std::function<Chain(double)>& chain, double from, double to, bool& crowded) {
   double greatest = 1, before = 0;
   crowded = false;
   for (double p = from; p <= to; p *= 1.01) {
-    const Work work = work_of(chain(p), limit);
-    if (before > 0) greatest = std::max({greatest, work.cost() / before, before / work.cost()});
-    before = work.cost();
-    crowded = crowded || work.crowd > 0;
+    const HybridSearch::Work work = work_of(chain(p), defaults());
+    const double now = cost(work);
+    if (before > 0) greatest = std::max({greatest, now / before, before / now});
+    before = now;
+    crowded = crowded || work.crowded > 0;
   }
   return greatest;
 }
@@ -85,26 +78,17 @@ std::vector<Sphere> ball(double radius, double other_radius) {
   return spheres;
 }
 
-/// Hybrid's own, where it gives the chain's order up.
-std::uint32_t default_limit() {
-  const auto& parameters = StrategyRegistry::instance().strategy("Hybrid").parameters;
-  const auto crowd = std::ranges::find(parameters, "crowd", &ParameterInfo::name);
-  return static_cast<std::uint32_t>(std::stoul(crowd->default_value));
-}
-
 constexpr double most = 1.5;
 
 TEST(SteadyWork, OverTheThicknessOfABall) {
   bool crowded;
-  EXPECT_LT(greatest_jump([](double r) { return Chain(ball(r, r)); }, 0.3, 2.0, default_limit(), crowded),
-            most);
+  EXPECT_LT(greatest_jump([](double r) { return Chain(ball(r, r)); }, 0.3, 2.0, crowded), most);
   EXPECT_TRUE(crowded) << "the sweep passes no border";
 }
 
 TEST(SteadyWork, OverTheRatioOfRadii) {
   bool crowded;
-  EXPECT_LT(greatest_jump([](double q) { return Chain(ball(0.5, 0.5 * q)); }, 1, 8, default_limit(), crowded),
-            most);
+  EXPECT_LT(greatest_jump([](double q) { return Chain(ball(0.5, 0.5 * q)); }, 1, 8, crowded), most);
   EXPECT_TRUE(crowded);
 }
 
@@ -121,7 +105,7 @@ TEST(SteadyWork, OverThePitchOfACoil) {
     }
     return Chain(std::move(spheres));
   };
-  EXPECT_LT(greatest_jump(coil, 0.05, 0.12, default_limit(), crowded), most);
+  EXPECT_LT(greatest_jump(coil, 0.05, 0.12, crowded), most);
   EXPECT_TRUE(crowded);
 }
 
@@ -134,7 +118,7 @@ TEST(SteadyWork, SeesACliff) {
     for (std::uint32_t i = 0; spheres.size() < n; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.5f});
     return Chain(std::move(spheres));
   };
-  EXPECT_GT(greatest_jump(two_balls, 0.58, 0.62, default_limit(), crowded), most);
+  EXPECT_GT(greatest_jump(two_balls, 0.58, 0.62, crowded), most);
 }
 
 }  // namespace

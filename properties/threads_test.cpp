@@ -40,16 +40,17 @@ TEST(Threads, AnyNumberGivesTheSameOnEveryFamily) {
 /// Long enough for many ranges of work, crowded and not, with levels of radii.
 TEST(Threads, ShareOutLargeChains) {
   Collisions expected, found;
-  for (const std::string scene : {"yarn:n=20000", "path1:n=40000", "points:n=20000,share=0.7",
-                                  "stretched:n=20000,octaves=3"}) {
+  for (const std::string scene :
+       {"yarn:n=20000", "path1:n=40000", "points:n=20000,share=0.7", "stretched:n=20000,octaves=3"}) {
     const Chain chain = SceneRegistry::instance().open(scene)->frame(scene.starts_with("path1") ? 28 : 0);
     const auto single = StrategyRegistry::instance().make("aCPU2+Dual");
     single->build(chain);
     single->find(chain, {}, expected);
     ASSERT_GT(expected.pair_count, 10u) << scene;
     sort(expected.pairs);
-    for (const char* const name : {"Hybrid(threads=2)", "Hybrid(threads=3,crowd=2)",
-                                   "Hybrid(threads=3,crowd=100000)", "Grid(threads=3)"}) {
+    for (const char* const name :
+         {"Hybrid(threads=2)", "Hybrid(threads=3,crowd=2)", "Hybrid(threads=3,crowd=100000)",
+          "Hybrid(threads=3,crowd=0,dense=1e6)", "Hybrid(threads=3,crowd=0,dense=0)", "Grid(threads=3)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       for (int again = 0; again < 3; ++again) {
         variant->build(chain);

@@ -8,15 +8,6 @@ namespace {
 
 constexpr std::uint32_t block = BlockTree::block;
 
-/// A block of its own for `size` consecutive spheres, fewer than eight.
-void copy_block(const ChainView& chain, std::uint32_t begin, std::uint32_t size, BlockTree& tree) {
-  tree.first.push_back(BlockTree::copied | static_cast<std::uint32_t>(tree.copies.size()));
-  for (std::uint32_t k = 0; k < block; ++k) {
-    tree.copies.push_back(chain.spheres[begin + std::min(k, size - 1)]);
-    tree.copied_from.push_back(k < size ? begin + k : BlockTree::no_sphere);
-  }
-}
-
 void make_room(BlockTree& tree) {
   constexpr std::uint32_t group = BlockTree::group;
   const auto groups = [](std::uint32_t count) { return count / group + (count % group != 0); };
@@ -33,6 +24,14 @@ void make_room(BlockTree& tree) {
 
 }  // namespace
 
+void append_copied_block(const ChainView& chain, std::uint32_t begin, std::uint32_t size, BlockTree& tree) {
+  tree.first.push_back(BlockTree::copied | static_cast<std::uint32_t>(tree.copies.size()));
+  for (std::uint32_t k = 0; k < block; ++k) {
+    tree.copies.push_back(chain.spheres[begin + std::min(k, size - 1)]);
+    tree.copied_from.push_back(k < size ? begin + k : BlockTree::no_sphere);
+  }
+}
+
 float block_scale(const Extent& extent) {
   const float greatest = std::max(extent.greatest_coordinate, extent.greatest_radius);
   if (greatest == 0) return 1;
@@ -47,7 +46,7 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     std::uint32_t at = one ? 0 : chain.exclusion.strand_first[s];
     const std::uint32_t end = one ? chain.size : chain.exclusion.strand_first[s + 1];
     for (; at + block <= end; at += block) tree.first.push_back(at);
-    if (at < end) copy_block(chain, at, end - at, tree);
+    if (at < end) append_copied_block(chain, at, end - at, tree);
   }
   tree.blocks = static_cast<std::uint32_t>(tree.first.size());
   make_room(tree);

@@ -7,6 +7,9 @@ namespace catena {
 /// holds it; 1 for a chain of zeros.
 float block_scale(const Extent& extent);
 
+/// One more block, for `size` consecutive spheres, at most eight; filled up with copies of the last.
+void append_copied_block(const ChainView& chain, std::uint32_t begin, std::uint32_t size, BlockTree& tree);
+
 /// Lays every strand out in blocks of eight consecutive spheres, the last one copied where it is short. Sets
 /// scale, blocks, first, copies; makes room for capsules, order and nodes. O(n); does not
 /// allocate when n has not grown.

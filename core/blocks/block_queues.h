@@ -17,7 +17,7 @@ class BlockQueues {
     std::uint32_t block, group, lanes;
   };
 
-  BlockQueues() : rows_(row_room), pairs_(pair_room) {}
+  BlockQueues() : rows_(row_room), pairs_(pair_room), hits_(hit_room) {}
 
   void clear() { row_count_ = pair_count_ = 0; }
 
@@ -42,16 +42,21 @@ class BlockQueues {
     pair_count_ = 0;
   }
 
+  /// Room for colliding spheres, with what a vector writes past the last: past hit_limit they are to be
+  /// handed over before the next two blocks.
+  static constexpr std::size_t hit_limit = 448;
+  Pair* hits() { return hits_.data(); }
+
   /// Rows and pairs looked into since this was made.
   std::uint64_t rows_done() const { return rows_done_; }
   std::uint64_t pairs_done() const { return pairs_done_; }
 
  private:
   static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024,
-                               pair_room = pair_limit + 64;
+                               pair_room = pair_limit + 64, hit_room = hit_limit + 64 + 8;
 
   std::vector<Row> rows_;
-  std::vector<Pair> pairs_;
+  std::vector<Pair> pairs_, hits_;
   std::size_t row_count_ = 0, pair_count_ = 0;
   std::uint64_t rows_done_ = 0, pairs_done_ = 0;
 };

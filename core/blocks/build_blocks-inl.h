@@ -11,24 +11,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
+/// The spheres of the sixteen blocks of node g, and of the next one, block after block; in the chain itself
+/// where they lie there so, else in `copy`. Past the tree's last block that one is repeated.
+HWY_INLINE const Sphere* consecutive_blocks(const ChainView& chain, const BlockTree& tree, std::uint32_t g,
+                                            Sphere* copy) {
+  constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
+  const std::uint32_t begin = g * group, next = begin + group;
+  if (next < tree.blocks && !(tree.first[begin] & BlockTree::copied) &&
+      tree.first[next] == tree.first[begin] + group * block)
+    return chain.spheres + tree.first[begin];
+  for (std::uint32_t k = 0; k <= group; ++k)
+    std::memcpy(copy + k * block, tree.spheres(chain, begin + k < tree.blocks ? begin + k : tree.blocks - 1),
+                sizeof(Sphere) * block);
+  return copy;
+}
+
 /// Fills the capsules and order of group g, whose blocks are laid out.
 HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32_t g) {
   constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
   const std::uint32_t begin = g * group;
   Sphere copy[(group + 1) * block];
-  const Sphere* spheres = copy;
-  // Seventeen blocks in one run: sixteen, and the next for the window of the last.
-  const std::uint32_t next = begin + group;
-  const bool in_one_run = next < tree.blocks && !(tree.first[begin] & BlockTree::copied) &&
-                          tree.first[next] == tree.first[begin] + group * block;
-  if (in_one_run) {
-    spheres = chain.spheres + tree.first[begin];
-  } else {
-    for (std::uint32_t k = 0; k <= group; ++k)
-      std::memcpy(copy + k * block,
-                  tree.spheres(chain, begin + k < tree.blocks ? begin + k : tree.blocks - 1),
-                  sizeof(Sphere) * block);
-  }
+  const Sphere* const spheres = consecutive_blocks(chain, tree, g, copy);
+  const bool in_one_run = spheres != copy;
   BlockSpheres own;
   load(spheres, Lanes16::all(tree.scale), own);
   Lanes16 reach;

@@ -25,6 +25,15 @@ struct Capsules {
     return {Vectors::all(f, lane), Vectors::all(f + 48, lane), Lanes16::all(f[96 + lane]),
             Lanes16::all(f[112 + lane])};
   }
+  /// Lane k is of the fields that lie one after another at row(k).
+  template <class Row>
+  static HWY_INLINE Capsules of_rows(const Row& row) {
+    static_assert(fields == 8);
+    Lanes16 a[4], b[4];
+    transpose_rows(row, a);
+    transpose_rows([&](std::size_t k) { return row(k) + 4; }, b);
+    return {{a[0], a[1], a[2]}, {a[3], b[0], b[1]}, b[2], b[3]};
+  }
   HWY_INLINE void store(float* f) const {
     centre.store(f), half.store(f + 48), radius.store(f + 96), inverse.store(f + 112);
   }

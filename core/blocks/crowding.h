@@ -39,13 +39,26 @@ class Crowding {
   std::span<const std::vector<Pair>> pairs() const { return pairs_; }
   std::span<std::vector<Pair>> pairs() { return pairs_; }
 
+  /// Bit k: block k of a crowded node is dense: its pairs with other such blocks are left to a search that
+  /// does not know of blocks. All are until something else is said.
+  std::uint16_t& dense(std::uint32_t node) { return dense_[node]; }
+  std::uint16_t dense(std::uint32_t node) const { return dense_[node]; }
+  /// To be called after the walk.
+  void all_dense() {
+    dense_.assign(nodes(), 0);
+    for (std::uint32_t k = 0; k < nodes(); ++k) dense_[k] = crowded(k) ? 0xFFFF : 0;
+  }
+
   /// Nodes a and b of level 0 meet, as a thread found.
   void met(std::uint32_t a, std::uint32_t b, unsigned thread) {
     pairs_[thread].push_back({a, b});
-    for (std::uint32_t k : {a, b}) {
-      if (crowded(k) || add(partners_[k], 1) != limit_) continue;
-      for (auto& level : open_) add(level[k], ~std::uint32_t{0}), k /= BlockTree::group;
-    }
+    for (const std::uint32_t k : {a, b})
+      if (!crowded(k) && add(partners_[k], 1) == limit_) close(k);
+  }
+  /// A node is crowded, as is known without a walk, before it begins.
+  void crowd(std::uint32_t node) {
+    partners_[node] = limit_ + 1;
+    close(node);
   }
   /// Every pair of a node below a and one below b is left out.
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const {
@@ -57,6 +70,9 @@ class Crowding {
   }
 
  private:
+  void close(std::uint32_t node) {
+    for (auto& level : open_) add(level[node], ~std::uint32_t{0}), node /= BlockTree::group;
+  }
   static std::uint32_t read(const std::uint32_t& number) {
     return std::atomic_ref(const_cast<std::uint32_t&>(number)).load(std::memory_order_relaxed);
   }
@@ -69,8 +85,9 @@ class Crowding {
   }
 
   std::uint32_t limit_ = 0;
-  std::vector<std::uint32_t> partners_;   // of each node: others it met, counted to just above the limit
-  std::vector<std::vector<Pair>> pairs_;  // [thread]
+  std::vector<std::uint32_t> partners_;  // of each node: others it met, counted to just above the limit
+  std::vector<std::uint16_t> dense_;
+  std::vector<std::vector<Pair>> pairs_;          // [thread]
   std::vector<std::vector<std::uint32_t>> open_;  // [level][node]: nodes below that are not crowded
 };
 

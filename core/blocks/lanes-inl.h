@@ -7,6 +7,7 @@
 #define CATENA_CORE_BLOCKS_LANES_INL_H
 #endif
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -145,6 +146,14 @@ template <std::size_t n>
 HWY_INLINE Lanes<n> select(const Flags<n>& flags, const Lanes<n>& yes, const Lanes<n>& no) {
   return Lanes<n>::from(
       [&](std::size_t k) { return hn::IfThenElse(flags.part[k], yes.part[k], no.part[k]); });
+}
+
+/// The bits of the first `count` of sixteen lanes.
+HWY_INLINE std::uint32_t lane_bits(std::uint32_t count) { return count >= 16 ? 0xFFFFu : (1u << count) - 1; }
+/// The lanes whose bits are set, in turn.
+template <class Body>
+HWY_INLINE void for_each_lane(std::uint32_t bits, const Body& body) {
+  for (; bits != 0; bits &= bits - 1) body(static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
 using Lanes16 = Lanes<16>;

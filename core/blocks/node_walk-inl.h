@@ -15,15 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// The bits of `count` lanes.
-HWY_INLINE std::uint32_t lane_bits(std::uint32_t count) {
-  return count >= BlockTree::group ? 0xFFFFu : (1u << count) - 1;
-}
-template <class Body>
-HWY_INLINE void for_each_lane(std::uint32_t bits, const Body& body) {
-  for (; bits != 0; bits &= bits - 1) body(static_cast<std::uint32_t>(std::countr_zero(bits)));
-}
-
 /// How far the children of `node` of level m reach along the axes of node `frame` of level l.
 HWY_INLINE Intervals in_frame_of(const BlockTree& tree, std::size_t l, std::uint32_t frame, std::size_t m,
                                  std::uint32_t node) {

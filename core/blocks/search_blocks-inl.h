@@ -8,12 +8,9 @@
 #endif
 
 #include "catena/core/arithmetic/robust.h"
-#include "catena/core/blocks/block_queues.h"
 #include "catena/core/blocks/crowding.h"
+#include "catena/core/blocks/leaf_pairs-inl.h"
 #include "catena/core/blocks/node_walk-inl.h"
-#include "catena/core/blocks/tests-inl.h"
-#include "catena/core/executor/pair_collector.h"
-#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -32,7 +29,7 @@ class BlockSearch {
   void run() {
     if (tree_.blocks == 0) return;
     const std::uint32_t nodes = tree_.level[0].count;
-    along_the_chain(0, nodes, [](std::uint32_t) { return true; });
+    along_the_chain(0, nodes, [](std::uint32_t) { return 0u; });
     for (std::uint32_t k = 0; k < nodes && !stop(); ++k) within(k);
     NodeWalk(tree_, *this, sink_).run();
     finish();
@@ -41,7 +38,9 @@ class BlockSearch {
   /// Every pair within nodes begin to end - 1, and from the last block of each to the next along the chain,
   /// but those within a crowded node.
   void run_nodes(const Crowding& crowding, std::uint32_t begin, std::uint32_t end) {
-    along_the_chain(begin, end, [&](std::uint32_t k) { return !crowding.crowded(k); });
+    along_the_chain(begin, end, [&](std::uint32_t k) { return crowding.dense(k); });
+    for (std::uint32_t k = begin; k + 1 < crowding.nodes() && k < end && !stop(); ++k)
+      if (crowding.left_out({k, k + 1})) to_the_next(k, crowding.dense(k), crowding.dense(k + 1));
     for (std::uint32_t k = begin; k < end && !stop(); ++k)
       if (!crowding.crowded(k)) within(k);
     finish();
@@ -63,29 +62,37 @@ class BlockSearch {
  private:
   static constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 
-  /// Of nodes `from` to `to` - 1 that are wanted: blocks against themselves, and against the next of their
-  /// node along the chain, but for those that are ordered.
-  template <class Wanted>
-  void along_the_chain(std::uint32_t from, std::uint32_t to, const Wanted& wanted) {
+  /// Of nodes `from` to `to` - 1: blocks against themselves, and against the next of their node along the
+  /// chain, but for those that are ordered. dense(node) has bits of blocks that are left out, against
+  /// themselves and one another.
+  template <class Dense>
+  void along_the_chain(std::uint32_t from, std::uint32_t to, const Dense& dense) {
     // 1: the last window of the group before is ordered.
     std::uint32_t before = from > 0 ? tree_.ordered[from - 1] >> (group - 1) : 0u;
     for (std::uint32_t g = from; g < to; ++g) {
-      const std::uint32_t begin = g * group, all = lane_bits(tree_.blocks_of(g));
-      const std::uint32_t windows = tree_.ordered[g], between = all >> 1;
+      const std::uint32_t begin = g * group, blocks = lane_bits(tree_.blocks_of(g)), left_out = dense(g);
+      const std::uint32_t all = blocks & ~left_out, between = blocks >> 1 & ~(left_out & left_out >> 1);
+      const std::uint32_t windows = tree_.ordered[g];
       const std::uint32_t inside = (windows | windows << 1 | before) & all;
       before = windows >> (group - 1);
-      if (!wanted(g)) continue;
-      for_each_lane(all & ~inside, [&](std::uint32_t k) { queues_.add_pair({begin + k, begin + k}); });
-      for_each_lane(between & ~windows, [&](std::uint32_t k) {
-        queues_.add_pair({begin + k, begin + k + 1});
-      });
+      for_each_lane(all & ~inside, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k); });
+      for_each_lane(between & ~windows, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k + 1); });
       if (Sink::listens || !adjacent_are_neighbours_) {
         for_each_lane(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
         for_each_lane(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
       }
-      if (queues_.pairs_full()) flush_pairs();
+      leaves_.make_room();
       if (lane_.satisfied()) return;
     }
+  }
+
+  /// The last block of a crowded node and the first of the next, also crowded, unless both are dense.
+  void to_the_next(std::uint32_t node, std::uint32_t dense, std::uint32_t dense_next) {
+    const std::uint32_t last = node * group + group - 1;
+    if ((dense >> (group - 1) & dense_next & 1) != 0) return;
+    if (tree_.ordered[node] >> (group - 1)) return ordered_between(last);
+    leaves_.add(last, last + 1);
+    leaves_.make_room();
   }
 
   /// Block b is ordered: of its spheres only those next to one another may collide, if they are not
@@ -156,7 +163,7 @@ class BlockSearch {
   }
   void finish() {
     flush_rows();
-    flush_pairs();
+    leaves_.flush();
   }
 
   void flush_rows() {
@@ -168,65 +175,19 @@ class BlockSearch {
       for_each_lane(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
       for_each_lane(near, [&](std::uint32_t j) {
         sink_.blocks_near(a, r.group * group + j);
-        queues_.add_pair({a, r.group * group + j});
+        leaves_.add(a, r.group * group + j);
       });
-      if (queues_.pairs_full()) flush_pairs();
+      leaves_.make_room();
     }
     queues_.clear_rows();
-  }
-
-  void flush_pairs() {
-    const auto pairs = queues_.pairs();
-    constexpr std::size_t ahead = 6;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      if (k + ahead < pairs.size()) {
-        for (const std::uint32_t b : {pairs[k + ahead].i, pairs[k + ahead].j}) {
-          const Sphere* const s = tree_.spheres(chain_, b);
-          hwy::Prefetch(s), hwy::Prefetch(s + 4);
-        }
-      }
-      leaves(pairs[k].i, pairs[k].j);
-    }
-    queues_.clear_pairs();
-  }
-
-  /// Spheres of block a against those of block b; of a block with itself, each pair once.
-  void leaves(std::uint32_t a, std::uint32_t b) {
-    const Sphere *const sa = tree_.spheres(chain_, a), *const sb = tree_.spheres(chain_, b);
-    const SpherePairs pairs = sphere_pairs(sa, sb);
-    constexpr std::uint64_t later = 0x0080C0E0F0F8FCFEu;  // bit 8 i + j where j > i
-    std::uint64_t wanted = a == b ? later : ~std::uint64_t{0};
-    if constexpr (Sink::listens) account(a, b, wanted);
-    wanted &= pairs.may;
-    for (; wanted != 0; wanted &= wanted - 1) {
-      const auto bit = static_cast<std::uint32_t>(std::countr_zero(wanted));
-      std::uint32_t i = tree_.index(a, bit / block), j = tree_.index(b, bit % block);
-      if (i == BlockTree::no_sphere || j == BlockTree::no_sphere) continue;
-      if (i > j) std::swap(i, j);
-      if (window_is_all_ ? j - i <= chain_.exclusion.window : chain_.neighbours(i, j)) continue;
-      if ((pairs.certain >> bit & 1) || Robust::overlap(sa[bit / block], sb[bit % block]))
-        lane_.collide(i, j);
-    }
-  }
-
-  /// Tells the sink of every pair that is compared.
-  void account(std::uint32_t a, std::uint32_t b, std::uint64_t wanted) {
-    for (; wanted != 0; wanted &= wanted - 1) {
-      const auto bit = static_cast<std::uint32_t>(std::countr_zero(wanted));
-      const std::uint32_t i = tree_.index(a, bit / block), j = tree_.index(b, bit % block);
-      if (i == BlockTree::no_sphere || j == BlockTree::no_sphere) continue;
-      sink_.compared(std::min(i, j), std::max(i, j));
-    }
   }
 
   const ChainView& chain_;
   const BlockTree& tree_;
   BlockQueues& queues_;
   PairCollector::Lane& lane_;
-  Sink sink_;
-  /// Only the index window makes neighbours.
-  const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
-                              chain_.exclusion.rule == Exclusion::Rule::index_window;
+  const Sink sink_;
+  LeafPairs<Sink> leaves_{chain_, tree_, queues_, lane_, sink_};
   /// An ordered window is of one strand, where an index window of 1 or more takes in the next sphere.
   const bool adjacent_are_neighbours_ = chain_.exclusion.rule == Exclusion::Rule::index_window;
 };

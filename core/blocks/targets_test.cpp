@@ -60,7 +60,8 @@ TEST(SimdTargets, GiveTheExactPairsEachOfThem) {
   std::set<std::size_t> chosen;
   for (const std::int64_t target : targets) {
     const ForcedTarget forced(target);
-    for (const char* name : {"ChainTree", "Grid", "Hybrid", "Hybrid(crowd=0)"}) {
+    for (const char* name : {"ChainTree", "Grid", "Hybrid", "Hybrid(crowd=0)", "Hybrid(crowd=0,dense=0)",
+                             "Hybrid(crowd=0,dense=0.2)", "Hybrid(crowd=0,dense=1e6)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       for (const Solved& s : solved) {
         Collisions found;

@@ -33,48 +33,38 @@ HWY_INLINE std::uint32_t may_collide(const Capsules& a, const Capsules& b) {
   return ~separate.bits() & 0xFFFFu;
 }
 
-/// Bit 8 i + j: sphere i of one block may collide with, or for certain overlaps, sphere j of another.
-struct SpherePairs {
-  std::uint64_t may, certain;
-};
-
-/// Stage 1 of Robust, eight at a time: q = |cA - cB|^2 against t = (rA + rB)^2. Most blocks that are compared
-/// have no such spheres, so that bits are made, and what is certain is asked, only where there are some.
-HWY_INLINE SpherePairs sphere_pairs(const Sphere* a, const Sphere* b) {
-  using Tag = Lanes8::Tag;
-  Lanes8 x, y, z, r;
-  for (std::size_t k = 0; k < Lanes8::parts; ++k)
-    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(b + k * Lanes8::width), x.part[k], y.part[k],
-                         z.part[k], r.part[k]);
-  constexpr float overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;
-  const Lanes8 slack = Lanes8::all(overlap_slack), floor = Lanes8::all(overlap_floor);
+/// Eight spheres, against which others are tested: stage 1 of Robust, q = |cA - cB|^2 against
+/// t = (rA + rB)^2.
+class SphereLanes {
+ public:
   struct Squares {
     Lanes8 q, t;
   };
-  const auto squares = [&](std::uint32_t i) -> Squares {
-    const Lanes8 dx = x - Lanes8::all(a[i].x), dy = y - Lanes8::all(a[i].y), dz = z - Lanes8::all(a[i].z);
-    const Lanes8 reach = r + Lanes8::all(a[i].radius);
+
+  explicit HWY_INLINE SphereLanes(const Sphere* spheres) {
+    using Tag = Lanes8::Tag;
+    for (std::size_t k = 0; k < Lanes8::parts; ++k)
+      hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(spheres + k * Lanes8::width), x_.part[k],
+                           y_.part[k], z_.part[k], radius_.part[k]);
+  }
+
+  HWY_INLINE Squares squares(const Sphere& s) const {
+    const Lanes8 dx = x_ - Lanes8::all(s.x), dy = y_ - Lanes8::all(s.y), dz = z_ - Lanes8::all(s.z);
+    const Lanes8 reach = radius_ + Lanes8::all(s.radius);
     return {mul_add(dx, dx, mul_add(dy, dy, dz * dz)), reach * reach};
-  };
-  // Not less, rather than at most: a NaN of two infinities is neither, and may collide.
-  Flags<8> near[BlockTree::block];
-  for (std::uint32_t i = 0; i < BlockTree::block; ++i) {
-    const Squares s = squares(i);
-    near[i] = not_less(mul_add(s.t, slack, floor), s.q);
   }
-  const Flags<8> any =
-      ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
-  SpherePairs result{0, 0};
-  if (any.none()) return result;
-  for (std::uint32_t i = 0; i < BlockTree::block; ++i) {
-    const std::uint64_t may = near[i].bits();
-    if (may == 0) continue;
-    const Squares s = squares(i);
-    result.may |= may << (8 * i);
-    result.certain |= std::uint64_t{(mul_add(s.q, slack, floor) < s.t).bits()} << (8 * i);
+  /// Not less, rather than at most: a NaN of two infinities is neither, and may overlap.
+  static HWY_INLINE Flags<8> may_overlap(const Squares& s) {
+    return not_less(mul_add(s.t, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)), s.q);
   }
-  return result;
-}
+  static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s) {
+    return mul_add(s.q, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)) < s.t;
+  }
+
+ private:
+  static constexpr float overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;
+  Lanes8 x_, y_, z_, radius_;
+};
 
 }  // namespace catena::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -12,31 +12,33 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors to shuffle
-/// Four floats each of as many rows as a vector has quads, rows `stride` floats apart.
-template <class Tag>
-HWY_INLINE hn::Vec<Tag> quads(Tag tag, const float* first, std::size_t stride) {
+/// Four floats each of as many rows as a vector has quads: row(first), row(first + step) and so on.
+template <class Tag, class Row>
+HWY_INLINE hn::Vec<Tag> quads(Tag tag, const Row& row, std::size_t first, std::size_t step) {
   if constexpr (hn::MaxLanes(Tag()) == 4) {
-    return hn::LoadU(tag, first);
+    return hn::LoadU(tag, row(first));
   } else {
     const hn::Half<Tag> half;
     constexpr std::size_t quads_of_half = hn::MaxLanes(half) / 4;
-    return hn::Combine(tag, quads(half, first + quads_of_half * stride, stride), quads(half, first, stride));
+    return hn::Combine(tag, quads(half, row, first + quads_of_half * step, step),
+                       quads(half, row, first, step));
   }
 }
 #endif
 
-/// Lane k of to[c] becomes first[k * stride + c], for four columns c of sixteen rows k.
-HWY_INLINE void transpose(const float* first, std::size_t stride, Lanes16 (&to)[4]) {
+/// Lane k of to[c] becomes row(k)[c], for four columns c of sixteen rows k; row(k) points at four floats.
+template <class Row>
+HWY_INLINE void transpose_rows(const Row& row, Lanes16 (&to)[4]) {
   using Tag = Lanes16::Tag;
   for (std::size_t k = 0; k < Lanes16::parts; ++k) {
-    const float* const row = first + k * Lanes16::width * stride;
+    const std::size_t first = k * Lanes16::width;
 #if HWY_TARGET == HWY_SCALAR
-    for (std::size_t c = 0; c < 4; ++c) to[c].part[k] = hn::Set(Tag(), row[c]);
+    for (std::size_t c = 0; c < 4; ++c) to[c].part[k] = hn::Set(Tag(), row(first)[c]);
 #else
     // Quad q of `a` is row 4 q of this part, of `b` row 4 q + 1, and so on; then four by four transposed.
     const hn::Repartition<double, Tag> two;
-    const auto a = quads(Tag(), row, 4 * stride), b = quads(Tag(), row + stride, 4 * stride);
-    const auto c = quads(Tag(), row + 2 * stride, 4 * stride), d = quads(Tag(), row + 3 * stride, 4 * stride);
+    const auto a = quads(Tag(), row, first, 4), b = quads(Tag(), row, first + 1, 4);
+    const auto c = quads(Tag(), row, first + 2, 4), d = quads(Tag(), row, first + 3, 4);
     const auto lower_ab = hn::BitCast(two, hn::InterleaveLower(Tag(), a, b));
     const auto lower_cd = hn::BitCast(two, hn::InterleaveLower(Tag(), c, d));
     const auto upper_ab = hn::BitCast(two, hn::InterleaveUpper(Tag(), a, b));
@@ -47,6 +49,11 @@ HWY_INLINE void transpose(const float* first, std::size_t stride, Lanes16 (&to)[
     to[3].part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, upper_ab, upper_cd));
 #endif
   }
+}
+
+/// The same of rows `stride` floats apart.
+HWY_INLINE void transpose(const float* first, std::size_t stride, Lanes16 (&to)[4]) {
+  transpose_rows([=](std::size_t k) { return first + k * stride; }, to);
 }
 
 /// Lane k of the result is lane k + 1 of `a`; the last is `after`.

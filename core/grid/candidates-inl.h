@@ -12,9 +12,7 @@
 #include <span>
 
 #include "catena/core/arithmetic/robust.h"
-#include "catena/core/blocks/simd_targets.h"
-#include "catena/core/executor/pair_collector.h"
-#include "catena/core/grid/compress_table.h"
+#include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/member_buckets-inl.h"
 #include "catena/core/grid/sphere_grid.h"
@@ -29,15 +27,18 @@ struct Run {
   std::uint32_t first, end;
 };
 
+/// Found has collide(pairs), which takes pairs of spheres that overlap and are no neighbours, each once, the
+/// lower index first; and satisfied(), true when nothing more is asked for.
+template <class Found>
 class Candidates {
  public:
   static constexpr std::uint32_t part = 1024;  ///< candidates at a time where a neighbourhood is too crowded
 
-  Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane)
+  Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found)
       : chain_(chain),
         from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         q_(queues),
-        lane_(lane) {
+        found_(found) {
     const ExclusionView& rule = chain.exclusion;
     const bool window = rule.rule == Exclusion::Rule::index_window && rule.one_open_strand;
     window_ = window ? std::min(rule.window, chain.size) : 0;
@@ -182,35 +183,12 @@ class Candidates {
       auto keep = hn::And(hn::RebindMask(Bits(), may), far);
       const auto undecided = hn::AndNot(hn::RebindMask(Bits(), certain), keep);
       if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) keep = decide(i, c, keep, undecided);
-      hits += store_kept(i, j, keep, found + hits);
+      hits += store_pairs(Bits(), i, j, keep, found + hits);
       if (HWY_UNLIKELY(hits >= GridQueues::hit_limit)) hits_ = hits, flush(), hits = 0;
     }
     hits_ = hits;
     q_.tests_done += count;
     tests_ = 0;
-  }
-
-  /// Stores pairs of i and the lanes that are kept, side by side; returns their number. May write as many
-  /// pairs as a vector has lanes.
-  static HWY_INLINE std::uint32_t store_kept(std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
-                                             Pair* to) {
-    static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
-    hn::Vec<Bits> kept;
-    std::size_t size;
-    if constexpr (lanes == 8) {  // for which Highway 1.0 copies its table to the stack at each call
-      std::uint8_t bits[8];
-      hn::StoreMaskBits(Bits(), keep, bits);
-      const hn::Rebind<std::uint8_t, Bits> bytes;
-      const auto order = hn::PromoteTo(Bits(), hn::LoadU(bytes, compress_table[bits[0]].data()));
-      kept = hn::TableLookupLanes(j, hn::IndicesFromVec(Bits(), order));
-      size = static_cast<std::size_t>(std::popcount(bits[0]));
-    } else {  // not CompressStore: to memory, AMD's instruction takes a hundred times as long
-      kept = hn::Compress(j, keep);
-      size = hn::CountTrue(Bits(), keep);
-    }
-    const auto all_i = hn::Set(Bits(), i);
-    hn::StoreInterleaved2(hn::Min(all_i, kept), hn::Max(all_i, kept), Bits(), &to->i);
-    return static_cast<std::uint32_t>(size);
   }
 
   /// `keep` without those undecided that do not overlap.
@@ -219,10 +197,12 @@ class Candidates {
     std::uint8_t open[8] = {}, kept[8] = {};
     hn::StoreMaskBits(Bits(), undecided, open);
     hn::StoreMaskBits(Bits(), keep, kept);
-    for (std::uint32_t k = 0; k < lanes; ++k)
-      if ((open[k / 8] >> k % 8 & 1) &&
-          !Robust::overlap(chain_.spheres[i], chain_.spheres[q_.candidates.index[c + k]]))
-        kept[k / 8] = static_cast<std::uint8_t>(kept[k / 8] & ~(1u << k % 8));
+    for (std::uint32_t byte = 0; byte < (lanes + 7) / 8; ++byte)
+      for (std::uint32_t bits = open[byte]; bits != 0; bits &= bits - 1) {
+        const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
+        if (!Robust::overlap(chain_.spheres[i], chain_.spheres[q_.candidates.index[c + 8 * byte + k]]))
+          kept[byte] = static_cast<std::uint8_t>(kept[byte] & ~(1u << k));
+      }
     return hn::LoadMaskBits(Bits(), kept);
   }
 
@@ -230,16 +210,16 @@ class Candidates {
   HWY_NOINLINE void flush() {
     const std::span<Pair> hits(q_.hits.data(), hits_);
     hits_ = 0;
-    if (window_is_all_) return lane_.collide(hits);
+    if (window_is_all_) return found_.collide(hits);
     const auto neighbours = [&](const Pair& p) { return chain_.neighbours(p.i, p.j); };
-    lane_.collide(hits.first(
+    found_.collide(hits.first(
         static_cast<std::size_t>(std::remove_if(hits.begin(), hits.end(), neighbours) - hits.begin())));
   }
 
   const ChainView& chain_;
   const Places from_;
   GridQueues& q_;
-  PairCollector::Lane& lane_;
+  Found& found_;
   std::uint32_t window_;
   bool window_is_all_;  // it decides alone who is a neighbour
   std::uint32_t size_ = 0, end_ = 0, tests_ = 0, hits_ = 0;

@@ -7,6 +7,7 @@
 #include "catena/core/grid/centre_box-inl.h"
 #include "catena/core/grid/form_levels-inl.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/grid/grid_parts.h"
 #include "catena/core/grid/search_grid-inl.h"
 #include "catena/core/grid/sort_spheres-inl.h"
 
@@ -23,7 +24,7 @@ void build_grid_here(const ChainView& chain, SphereGrid& grid, std::span<const s
 
 void search_grid_here(const ChainView& chain, const SphereGrid& grid, std::size_t l, std::uint32_t begin,
                       std::uint32_t end, bool across, GridQueues& queues, PairCollector::Lane& lane) {
-  GridSearch search(chain, grid, queues, lane);
+  GridSearch<PairCollector::Lane> search(chain, grid, queues, lane);
   if (across)
     search.across(l, begin, end);
   else
@@ -46,25 +47,11 @@ void build_grid(const ChainView& chain, SphereGrid& grid, std::span<const std::u
 
 void search_grid(const ChainView& chain, const SphereGrid& grid, std::span<GridQueues> queues,
                  PairCollector& collector, const Team& team) {
-  const auto search = [&](std::size_t l, std::uint32_t begin, std::uint32_t end, bool across) {
+  for_each_part(grid, team, [&](std::size_t l, std::uint32_t begin, std::uint32_t end, bool across) {
     const unsigned member = team.member();
     HWY_DYNAMIC_DISPATCH(search_grid_here)
     (chain, grid, l, begin, end, across, queues[member], collector.lane(member));
-  };
-  // Ranges of whole groups of buckets, and of members.
-  constexpr std::uint32_t buckets_of_a_task = 4096, members_of_a_task = 2048;
-  for (std::size_t l = 0; l < grid.levels.size(); ++l) {
-    const SphereGrid::Level& level = grid.levels[l];
-    team.for_each_range(
-        level.map.buckets / 2 + 1, buckets_of_a_task / 2, [&](std::uint32_t begin, std::uint32_t end) {
-          search(l, std::min(2 * begin, level.map.buckets), std::min(2 * end, level.map.buckets), false);
-        });
-    if (l == 0) continue;
-    team.for_each_range(level.end - level.first, members_of_a_task,
-                        [&](std::uint32_t begin, std::uint32_t end) {
-                          search(l, level.first + begin, level.first + end, true);
-                        });
-  }
+  });
 }
 
 }  // namespace catena

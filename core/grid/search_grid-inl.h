@@ -17,10 +17,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
+/// Found as for Candidates.
+template <class Found>
 class GridSearch {
  public:
-  GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, PairCollector::Lane& lane)
-      : chain_(chain), grid_(grid), queues_(queues), lane_(lane), candidates_(chain, grid, queues, lane) {}
+  GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found)
+      : chain_(chain), grid_(grid), queues_(queues), found_(found), candidates_(chain, grid, queues, found) {}
 
   /// Pairs of level l whose bucket is begin to end - 1, begin even. A sphere is compared with those after it
   /// in its own group of buckets and the bucket behind, and with the four rows of cells that come after its
@@ -31,7 +33,7 @@ class GridSearch {
     const std::uint32_t buckets = level.map.buckets;
     const std::uint32_t steps[4] = {step_before(level.map, 1, 0), step_before(level.map, -1, 1),
                                     step_before(level.map, 0, 1), step_before(level.map, 1, 1)};
-    for (std::uint32_t at = begin; at < end && !lane_.satisfied(); at += group * groups_at_a_time) {
+    for (std::uint32_t at = begin; at < end && !found_.satisfied(); at += group * groups_at_a_time) {
       for (const std::uint32_t b : groups(start, at, end)) {
         const std::uint32_t size = std::min(group, buckets - b);
         const Run own{start[b], start[b + size]};
@@ -55,7 +57,7 @@ class GridSearch {
   /// candidates.
   void across(std::size_t l, std::uint32_t begin, std::uint32_t end) {
     MemberBuckets members;
-    for (std::uint32_t at = begin; at < end && !lane_.satisfied(); at += MemberBuckets::most) {
+    for (std::uint32_t at = begin; at < end && !found_.satisfied(); at += MemberBuckets::most) {
       const std::uint32_t size = std::min(MemberBuckets::most, end - at);
       members.take(chain_, grid_, at, size);
       const MemberBox all = members.box(0, size);
@@ -115,8 +117,8 @@ class GridSearch {
   /// The same, or all candidates, part by part: where they are too many for the queues.
   HWY_NOINLINE void meet_crowd(const Run& own, const Runs& runs, bool behind) {
     for (const Run& run : runs) {
-      for (Run part{run.first, 0}; part.first < run.end && !lane_.satisfied(); part.first = part.end) {
-        part.end = std::min(run.end, part.first + Candidates::part);
+      for (Run part{run.first, 0}; part.first < run.end && !found_.satisfied(); part.first = part.end) {
+        part.end = std::min(run.end, part.first + Candidates<Found>::part);
         candidates_.start_over();
         const std::uint32_t first = candidates_.gather(std::array{part});
         for (std::uint32_t p = own.first; p < own.end; ++p)
@@ -193,8 +195,8 @@ class GridSearch {
   const ChainView& chain_;
   const SphereGrid& grid_;
   GridQueues& queues_;
-  PairCollector::Lane& lane_;
-  Candidates candidates_;
+  Found& found_;
+  Candidates<Found> candidates_;
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -59,8 +59,10 @@ TEST(Proofs, AreAboutTheConstantsOfTheCells) {
     std::string file, declared, script, covered;  ///< as above, of core/cells/
   };
   for (const Covered& c :
-       {Covered{"search_cells.h", "limit = reach * reach + 0x1p-20f;", "cell_rows.g", "limit = reach * reach + 2^-20"},
-        Covered{"block_capsule.h", "length * far * BlockTree::slack", "block_capsule_binary32.g", "slack = 32u"},
+       {Covered{"search_cells.h", "limit = reach * reach + 0x1p-20f;", "cell_rows.g",
+                "limit = reach * reach + 2^-20"},
+        Covered{"block_capsule.h", "length * far * BlockTree::slack", "block_capsule_binary32.g",
+                "slack = 32u"},
         Covered{"block_capsule.h", "mul_add(reach, BlockTree::slack, radius)", "block_capsule_binary32.g",
                 "slack = 32u"},
         Covered{"block_capsule.h", "return dot(t, t) > reach * reach;", "block_capsule_binary32.g",
@@ -71,6 +73,14 @@ TEST(Proofs, AreAboutTheConstantsOfTheCells) {
     EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)
         << c.script << " does not cover " << c.covered;
   }
+}
+
+TEST(Proofs, AreAboutTheConstantsOfTheOrderOfSpace) {
+  EXPECT_NE(
+      text_of("core/space_tree/axis_boxes-inl.h")
+          .find("mul_add(abs(at) + spheres.radius[k], Lanes16::all(BlockTree::slack), spheres.radius[k])"),
+      std::string::npos);
+  EXPECT_NE(text_of("properties/proofs/axis_box_binary32.g").find("Covers: slack = 32u."), std::string::npos);
 }
 
 TEST(Proofs, CoverEverySlackOfTheCode) {

@@ -1,0 +1,174 @@
+// Eight spheres against eight: the last step of a search for the pairs of a BlockTree.
+#if defined(CATENA_CORE_BLOCKS_LEAF_PAIRS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_LEAF_PAIRS_INL_H
+#undef CATENA_CORE_BLOCKS_LEAF_PAIRS_INL_H
+#else
+#define CATENA_CORE_BLOCKS_LEAF_PAIRS_INL_H
+#endif
+
+#include <algorithm>
+#include <span>
+
+#include "catena/core/arithmetic/robust.h"
+#include "catena/core/blocks/block_queues.h"
+#include "catena/core/blocks/store_pairs-inl.h"
+#include "catena/core/blocks/tests-inl.h"
+#include "catena/core/executor/pair_collector.h"
+#include "hwy/cache_control.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Pairs of blocks that may collide, of which the colliding spheres are reported. Sink as for BlockSearch.
+template <class Sink>
+class LeafPairs {
+ public:
+  LeafPairs(const ChainView& chain, const BlockTree& tree, BlockQueues& queues, PairCollector::Lane& lane,
+            const Sink& sink)
+      : chain_(chain), tree_(tree), queues_(queues), lane_(lane), sink_(sink) {}
+
+  /// Blocks a <= b, to be looked into; room for a row's, then call make_room.
+  void add(std::uint32_t a, std::uint32_t b) { queues_.add_pair({a, b}); }
+  void make_room() {
+    if (queues_.pairs_full()) flush();
+  }
+
+  void flush() {
+    const auto pairs = queues_.pairs();
+    constexpr std::size_t ahead = 6;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (k + ahead < pairs.size()) {
+        for (const std::uint32_t b : {pairs[k + ahead].i, pairs[k + ahead].j}) {
+          const Sphere* const s = tree_.spheres(chain_, b);
+          hwy::Prefetch(s), hwy::Prefetch(s + 4);
+        }
+      }
+      meet(pairs[k].i, pairs[k].j);
+    }
+    queues_.clear_pairs();
+    hand_over();
+  }
+
+ private:
+  static constexpr std::uint32_t block = BlockTree::block;
+  using Bits = hn::RebindToUnsigned<Lanes8::Tag>;
+
+  /// Spheres of block a against those of block b; of a block with itself, each pair once. Most blocks that
+  /// are met have no spheres that may overlap: what is certain, and who it is, is asked only where there are.
+  void meet(std::uint32_t a, std::uint32_t b) {
+    const Sphere *const sa = tree_.spheres(chain_, a), *const sb = tree_.spheres(chain_, b);
+    if constexpr (Sink::listens) account(a, b);
+    const SphereLanes of_b(sb);
+    Flags<block> near[block];
+    for (std::uint32_t p = 0; p < block; ++p) near[p] = SphereLanes::may_overlap(of_b.squares(sa[p]));
+    const auto any =
+        ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
+    if (any.none()) return;
+    std::uint64_t may = 0;
+    for (std::uint32_t p = 0; p < block; ++p) may |= std::uint64_t{near[p].bits()} << (block * p);
+    if (a == b)
+      may &= inside_;
+    else if (window_is_all_ && tree_.first[b] == tree_.first[a] + block &&
+             !(tree_.first[b] & BlockTree::copied))
+      may &= next_;
+    while (may != 0) {
+      const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
+      row(a, p, b, of_b.squares(sa[p]));
+      may &= ~std::uint64_t{0} << (block * p) << block;
+    }
+    if (hit_count_ > BlockQueues::hit_limit) hand_over();
+  }
+
+  /// Sphere p of block a and those of block b.
+  HWY_INLINE void row(std::uint32_t a, std::uint32_t p, std::uint32_t b,
+                      const SphereLanes::Squares& squares) {
+    const std::uint32_t i = tree_.index(a, p);
+    // Who may be no neighbour: indices from `first` to the last; what fills up a block is beyond it.
+    const std::uint64_t first = std::uint64_t{i} + window_ + 1;
+    if (first >= chain_.size) return;
+    const Flags<block> may = SphereLanes::may_overlap(squares),
+                       certain = SphereLanes::overlap_for_certain(squares);
+    const auto from = static_cast<std::uint32_t>(first);
+    for (std::size_t k = 0; k < Lanes8::parts; ++k) {
+      const Bits bits;
+      const auto j = indices(b, k);
+      const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, chain_.size - from));
+      auto keep = hn::And(hn::RebindMask(bits, may.part[k]), wanted);
+      const auto open = hn::AndNot(hn::RebindMask(bits, certain.part[k]), keep);
+      if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) keep = decide(i, j, keep, open);
+      hit_count_ += store_pairs(bits, i, j, keep, hits_ + hit_count_);
+    }
+  }
+
+  /// Indices of the spheres of part k of a block; no_sphere for what fills it up.
+  HWY_INLINE hn::Vec<Bits> indices(std::uint32_t b, std::size_t k) const {
+    const std::uint32_t first = tree_.first[b];
+    constexpr std::uint32_t width = Lanes8::width;
+    if (HWY_UNLIKELY(first & BlockTree::copied))
+      return hn::LoadU(Bits(), tree_.copied_from.data() + (first & ~BlockTree::copied) + k * width);
+    return hn::Iota(Bits(), first + static_cast<std::uint32_t>(k) * width);
+  }
+
+  /// `keep` without those open that are neighbours, which often touch, or do not overlap.
+  HWY_NOINLINE hn::Mask<Bits> decide(std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
+                                     hn::Mask<Bits> open) const {
+    std::uint8_t undecided[8] = {}, kept[8] = {};
+    std::uint32_t other[Lanes8::width];
+    hn::StoreMaskBits(Bits(), open, undecided);
+    hn::StoreMaskBits(Bits(), keep, kept);
+    hn::StoreU(j, Bits(), other);
+    for_each_lane(undecided[0], [&](std::uint32_t k) {
+      if (chain_.neighbours(i, other[k]) || !Robust::overlap(chain_.spheres[i], chain_.spheres[other[k]]))
+        kept[0] = static_cast<std::uint8_t>(kept[0] & ~(1u << k));
+    });
+    return hn::LoadMaskBits(Bits(), kept);
+  }
+
+  void hand_over() {
+    std::span<Pair> hits(hits_, hit_count_);
+    hit_count_ = 0;
+    if (!window_is_all_) {
+      const auto neighbours = [&](const Pair& p) { return chain_.neighbours(p.i, p.j); };
+      hits = {hits.begin(), std::remove_if(hits.begin(), hits.end(), neighbours)};
+    }
+    lane_.collide(std::span<const Pair>(hits));
+  }
+
+  /// Of a block and that which begins `ahead` spheres after it: pairs q after p that the index window allows.
+  std::uint64_t wanted_from(std::uint32_t ahead) const {
+    const bool window = chain_.exclusion.rule == Exclusion::Rule::index_window;
+    const std::uint64_t nearest = window ? std::uint64_t{chain_.exclusion.window} + 1 : 1;
+    std::uint64_t bits = 0;
+    for (std::uint32_t p = 0; p < block; ++p)
+      for (std::uint32_t q = 0; q < block; ++q)
+        if (ahead + q >= p + nearest) bits |= std::uint64_t{1} << (block * p + q);
+    return bits;
+  }
+
+  /// Tells the sink of every pair that is compared.
+  void account(std::uint32_t a, std::uint32_t b) {
+    for (std::uint32_t p = 0; p < block; ++p)
+      for (std::uint32_t q = a == b ? p + 1 : 0; q < block; ++q)
+        if (tree_.index(a, p) != BlockTree::no_sphere && tree_.index(b, q) != BlockTree::no_sphere)
+          sink_.compared(tree_.index(a, p), tree_.index(b, q));
+  }
+
+  const ChainView& chain_;
+  const BlockTree& tree_;
+  BlockQueues& queues_;
+  PairCollector::Lane& lane_;
+  const Sink& sink_;
+  /// The index window alone makes neighbours, of one strand; else it is not asked before the rest is known.
+  const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
+                              chain_.exclusion.rule == Exclusion::Rule::index_window;
+  const std::uint32_t window_ = window_is_all_ ? chain_.exclusion.window : 0;
+  /// Bit 8 p + q: sphere p of a block and q of the same one, or of the next along the chain, are to be
+  /// compared: without neighbours, of which most of these pairs are.
+  const std::uint64_t inside_ = wanted_from(0), next_ = wanted_from(block);
+  Pair* const hits_ = queues_.hits();
+  std::size_t hit_count_ = 0;
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,75 @@
+// A look at some nodes of a BlockTree before all are walked.
+#if defined(CATENA_CORE_BLOCKS_SAMPLE_CROWDS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_SAMPLE_CROWDS_INL_H
+#undef CATENA_CORE_BLOCKS_SAMPLE_CROWDS_INL_H
+#else
+#define CATENA_CORE_BLOCKS_SAMPLE_CROWDS_INL_H
+#endif
+
+#include "catena/core/blocks/crowding.h"
+#include "catena/core/blocks/oriented_boxes-inl.h"
+#include "catena/core/blocks/tests-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Those of the nodes below node k of level l that a box may meet: met(node), until it returns false.
+template <class Met>
+inline bool for_each_met_below(const BlockTree& tree, const OrientedBoxes& box, std::size_t l,
+                               std::uint32_t k, const Met& met) {
+  if (l == 0) return met(k);
+  std::uint32_t near = may_meet(box, OrientedBoxes::load(tree.level[l - 1].at(k * BlockTree::group))) &
+                       lane_bits(tree.children_of(l, k));
+  for (; near != 0; near &= near - 1) {
+    const auto child = k * BlockTree::group + static_cast<std::uint32_t>(std::countr_zero(near));
+    if (!for_each_met_below(tree, box, l - 1, child, met)) return false;
+  }
+  return true;
+}
+/// The nodes of level 0 that one of them may meet, itself among them.
+template <class Met>
+inline void for_each_met(const BlockTree& tree, std::uint32_t node, const Met& met) {
+  const auto box = OrientedBoxes::all(tree.level[0].at(node), node % BlockTree::group);
+  for_each_met_below(tree, box, tree.level.size() - 1, 0, met);
+}
+
+/// Counts the blocks whose capsules one may meet, in any order, no further than just past `enough`.
+class NearBlocks {
+ public:
+  NearBlocks(const BlockTree& tree, std::uint32_t b, std::uint32_t enough)
+      : tree_(tree), enough_(enough), capsule_(Capsules::all(tree.capsules_of(b / group), b % group)) {
+    for_each_met(tree, b / group, [&](std::uint32_t node) {
+      const std::uint32_t near = may_collide(capsule_, Capsules::load(tree_.capsules_of(node)));
+      count_ += static_cast<std::uint32_t>(std::popcount(near & lane_bits(tree_.blocks_of(node))));
+      return count_ <= enough_;
+    });
+  }
+  bool enough() const { return count_ > enough_; }
+
+ private:
+  static constexpr std::uint32_t group = BlockTree::group;
+  const BlockTree& tree_;
+  const std::uint32_t enough_;
+  const Capsules capsule_;
+  std::uint32_t count_ = 0;
+};
+
+/// Of every sixteen nodes that follow one another one is looked at: where it is crowded, or one of its blocks
+/// meets so many others that its spheres may be better met one by one, all are taken to be.
+inline void sample_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding) {
+  constexpr std::uint32_t group = BlockTree::group, most_near = 24;
+  const std::uint32_t nodes = crowding.nodes();
+  for (std::uint32_t first = 0; first < nodes; first += group) {
+    const std::uint32_t end = std::min(nodes, first + group), node = (first + end) / 2;
+    std::uint64_t met = 0;
+    const std::uint64_t most = std::uint64_t{limit} + 1;  // others, and itself
+    for_each_met(tree, node, [&](std::uint32_t) { return ++met <= most; });
+    if (met <= most && !NearBlocks(tree, node * group + tree.blocks_of(node) / 2, most_near).enough())
+      continue;
+    for (std::uint32_t k = first; k < end; ++k) crowding.crowd(k);
+  }
+}
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,51 @@
+#include "catena/core/hybrid/hybrid_search.h"
+
+namespace catena {
+
+HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
+    : settings_(settings), block_queues_(threads), entry_queues_(threads), grid_queues_(threads) {}
+
+void HybridSearch::build(const ChainView& chain, const Team& team) {
+  build_block_tree(chain, tree_, team);
+  find_crowds(tree_, settings_.crowd, crowding_, team);
+  space_.entries = 0;
+  dense_.clear();
+  if (crowding_.crowded_nodes() == 0) return;
+  build_space_tree(chain, tree_, crowding_, space_, settings_.dense, entry_queues_[0]);
+  gather_dense();
+  const bool everyone = dense_.size() == chain.size;  // so that their list need not be read
+  if (!dense_.empty()) build_grid(chain, grid_, everyone ? std::span<const std::uint32_t>() : dense_, team);
+}
+
+void HybridSearch::search(const ChainView& chain, PairCollector& collector, const Team& team) {
+  search_uncrowded(chain, tree_, crowding_, block_queues_, collector, team);
+  if (space_.entries > 0)
+    search_space_tree(chain, tree_, space_, entry_queues_, block_queues_, collector, team);
+  if (!dense_.empty()) search_grid(chain, grid_, grid_queues_, collector, team);
+}
+
+void HybridSearch::gather_dense() {
+  for (std::uint32_t node = 0; node < crowding_.nodes(); ++node) {
+    const std::uint32_t begin = node * BlockTree::group, dense = crowding_.dense(node);
+    for (std::uint32_t b = begin; b < begin + tree_.blocks_of(node); ++b) {
+      if ((dense >> (b - begin) & 1) == 0) continue;
+      for (std::uint32_t k = 0; k < BlockTree::block; ++k)
+        if (const std::uint32_t i = tree_.index(b, k); i != BlockTree::no_sphere) dense_.push_back(i);
+    }
+  }
+}
+
+HybridSearch::Work HybridSearch::work() const {
+  Work work;
+  for (const BlockQueues& queues : block_queues_) {
+    work.rows += queues.rows_done();
+    work.near += queues.pairs_done();
+  }
+  for (const SpaceQueue& queue : entry_queues_) work.entries += queue.done;
+  for (const GridQueues& queues : grid_queues_) work.tests += queues.tests_done;
+  work.crowded = std::uint64_t{crowding_.crowded_nodes()} * BlockTree::group * BlockTree::block;
+  work.dense = dense_.size();
+  return work;
+}
+
+}  // namespace catena

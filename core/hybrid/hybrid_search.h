@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/blocks/block_kernels.h"
+#include "catena/core/executor/pair_collector.h"
+#include "catena/core/executor/team.h"
+#include "catena/core/export.h"
+#include "catena/core/grid/grid_kernels.h"
+#include "catena/core/space_tree/space_kernels.h"
+
+namespace catena {
+
+/// A search that takes, part by part of the chain, the cheapest of three:
+/// - the chain's own order: a BlockTree, where nodes of 128 spheres meet few others;
+/// - the order of space: a SpaceTree of the blocks of nodes that meet more, the *crowded* ones;
+/// - single spheres in cells: a SphereGrid of those blocks among them that have so much near them that most
+/// of
+///   their eight spheres must be looked at anyway, the *dense* ones.
+/// Pairs of two dense blocks are the third one's, those of two other crowded nodes the second one's, the rest
+/// the first one's, so that each is met once. What is crowded or dense is told by a look at some nodes and
+/// blocks, and where it is about even both ways cost about the same.
+class CATENA_API HybridSearch {
+ public:
+  struct Settings {
+    std::uint32_t crowd;  ///< a node that meets more others is crowded
+    double dense;         ///< a block is dense that costs more than so many times its spheres in cells
+  };
+  /// What the stages met, since this was made; about what the time goes into.
+  struct Work {
+    std::uint64_t rows = 0;                ///< a block against sixteen, in the chain's order
+    std::uint64_t entries = 0;             ///< two blocks in the order of space
+    std::uint64_t near = 0;                ///< eight spheres against eight
+    std::uint64_t tests = 0;               ///< a sphere against a vector of others
+    std::uint64_t crowded = 0, dense = 0;  ///< spheres of the last build's, at most
+  };
+
+  HybridSearch(const Settings& settings, unsigned threads);
+
+  /// O(n log n), of which only n / 8 is sorted; does not allocate when n and the crowd have not grown, in a
+  /// team of one. What it throws leaves nothing built.
+  void build(const ChainView& chain, const Team& team);
+  /// Reports every colliding pair, once. As many lanes as the team has members.
+  void search(const ChainView& chain, PairCollector& collector, const Team& team);
+
+  Work work() const;
+  const Settings& settings() const { return settings_; }
+  std::uint32_t nodes() const { return crowding_.nodes(); }
+  std::uint32_t crowded_nodes() const { return crowding_.crowded_nodes(); }
+
+ private:
+  void gather_dense();
+
+  const Settings settings_;
+  BlockTree tree_;
+  Crowding crowding_;
+  SpaceTree space_;
+  SphereGrid grid_;
+  std::vector<std::uint32_t> dense_;  ///< spheres of dense blocks, ascending
+  // [member of the team]
+  std::vector<BlockQueues> block_queues_;
+  std::vector<SpaceQueue> entry_queues_;
+  std::vector<GridQueues> grid_queues_;
+};
+
+}  // namespace catena

@@ -1,0 +1,86 @@
+// Which crowded blocks are dense: where one sphere after another in cells of space is the cheaper search.
+#if defined(CATENA_CORE_SPACE_TREE_JUDGE_DENSITY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_SPACE_TREE_JUDGE_DENSITY_INL_H
+#undef CATENA_CORE_SPACE_TREE_JUDGE_DENSITY_INL_H
+#else
+#define CATENA_CORE_SPACE_TREE_JUDGE_DENSITY_INL_H
+#endif
+
+#include <algorithm>
+
+#include "catena/core/blocks/crowding.h"
+#include "catena/core/blocks/sample_crowds-inl.h"
+#include "catena/core/space_tree/search_cost.h"
+#include "catena/core/space_tree/search_space_tree-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// True when nearly all of some crowded blocks, taken all along the chain, meet so many others that no order
+/// of blocks would do.
+inline bool dense_everywhere(const BlockTree& tree, const Crowding& crowding, double sphere_ns) {
+  constexpr std::uint32_t samples = 32, others = samples / 8, group = BlockTree::group;
+  const double search_ns = BlockTree::block * sphere_ns - SpaceCost::build_ns;
+  const auto enough =
+      static_cast<std::uint32_t>(std::max(0.0, 2 * search_ns * SpaceCost::near_share / SpaceCost::near_ns));
+  const std::uint32_t step = std::max(1u, crowding.crowded_nodes() / samples);
+  std::uint32_t sparse = 0;
+  for (std::uint32_t node = 0, crowded = 0; node < crowding.nodes(); ++node) {
+    if (!crowding.crowded(node) || crowded++ % step != 0) continue;
+    if (NearBlocks(tree, node * group + tree.blocks_of(node) / 2, enough).enough()) continue;
+    if (++sparse > others) return false;
+  }
+  return true;
+}
+
+/// What a node of a SpaceTree costs, told no further than just past `enough`.
+class SpaceSample {
+ public:
+  SpaceSample(const SpaceTree& space, double enough_ns) : space_(space), enough_ns_(enough_ns) {}
+  bool skip(std::uint32_t, std::uint32_t) { return ++cost_.nodes, enough(); }
+  void take(std::span<const Pair> entries) {
+    cost_.entries += entries.size();
+    for_each_near(space_, entries, [&](std::uint32_t, std::uint32_t) { ++cost_.near; });
+  }
+  /// Each of two nodes that meet pays one half.
+  bool enough() const { return cost_.ns() / 2 > enough_ns_; }
+
+ private:
+  const SpaceTree& space_;
+  const double enough_ns_;
+  SpaceCost cost_;
+};
+
+/// Looks at one node of sixteen, and judges all by it; where most are dense, a second search for the rest is
+/// not worth its while. `sphere_ns` is what the other search costs a sphere.
+inline void judge_density(SpaceTree& space, Crowding& crowding, SpaceQueue& queue, double sphere_ns) {
+  constexpr std::uint32_t group = SpaceTree::group, judged_at_once = 16;
+  for (std::uint32_t node = 0; node < crowding.nodes(); ++node) crowding.dense(node) = 0;
+  std::uint32_t dense = 0;
+  for (std::uint32_t first = 0; first < space.nodes(); first += judged_at_once) {
+    const std::uint32_t end = std::min(space.nodes(), first + judged_at_once);
+    SpaceSample sample(space, sphere_ns * BlockTree::block * group);
+    SpaceWalk walk(space, queue, sample);
+    walk.node((first + end) / 2, true);
+    walk.finish();
+    if (!sample.enough()) continue;
+    dense += end - first;
+    for (std::uint32_t k = first * group; k < std::min(space.entries, end * group); ++k)
+      crowding.dense(space.whole[k] / group) |= static_cast<std::uint16_t>(1u << space.whole[k] % group);
+  }
+  if (dense > space.nodes() / 2) {
+    crowding.all_dense();
+    space.entries = 0;
+    return;
+  }
+  space.dense_entry.assign(space.entries, 0);
+  space.dense_node.assign(space.nodes(), 1);
+  for (std::uint32_t k = 0; k < space.entries; ++k) {
+    space.dense_entry[k] = crowding.dense(space.whole[k] / group) >> space.whole[k] % group & 1;
+    space.dense_node[k / group] &= space.dense_entry[k];
+  }
+}
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

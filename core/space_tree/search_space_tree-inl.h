@@ -1,0 +1,76 @@
+// The colliding pairs of a SpaceTree: boxes, then capsules, sixteen pairs a test, then eight spheres against
+// eight.
+#if defined(CATENA_CORE_SPACE_TREE_SEARCH_SPACE_TREE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_SPACE_TREE_SEARCH_SPACE_TREE_INL_H
+#undef CATENA_CORE_SPACE_TREE_SEARCH_SPACE_TREE_INL_H
+#else
+#define CATENA_CORE_SPACE_TREE_SEARCH_SPACE_TREE_INL_H
+#endif
+
+#include <algorithm>
+#include <array>
+
+#include "catena/core/blocks/block_evidence.h"
+#include "catena/core/blocks/leaf_pairs-inl.h"
+#include "catena/core/space_tree/space_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Near has near(a, b), called for each pair of entries whose capsules may collide.
+template <class Near>
+HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entries, const Near& near) {
+  constexpr std::uint32_t at_once = SpaceTree::group;
+  const float* const capsules = space.capsules.data();
+  const auto test = [&](const Pair* pairs, std::uint32_t count) HWY_ATTR {
+    const auto of_i = [=](std::size_t k) { return capsules + std::size_t{pairs[k].i} * Capsules::fields; };
+    const auto of_j = [=](std::size_t k) { return capsules + std::size_t{pairs[k].j} * Capsules::fields; };
+    const std::uint32_t may = may_collide(Capsules::of_rows(of_i), Capsules::of_rows(of_j));
+    for_each_lane(may & lane_bits(count), [&](std::uint32_t k) { near(pairs[k].i, pairs[k].j); });
+  };
+  for (; entries.size() >= at_once; entries = entries.subspan(at_once)) test(entries.data(), at_once);
+  if (entries.empty()) return;
+  std::array<Pair, at_once> last;
+  std::fill(std::copy(entries.begin(), entries.end(), last.begin()), last.end(), entries.front());
+  test(last.data(), static_cast<std::uint32_t>(entries.size()));
+}
+
+/// Reports the spheres that overlap of every two entries, but of two that are dense, and of blocks that
+/// follow one another along the chain, which are another search's.
+class SpaceSearch {
+ public:
+  SpaceSearch(const ChainView& chain, const BlockTree& tree, const SpaceTree& space, BlockQueues& queues,
+              PairCollector::Lane& lane)
+      : space_(space), leaves_(chain, tree, queues, lane, nothing_) {}
+
+  bool skip(std::uint32_t a, std::uint32_t b) const { return space_.dense_node[a] && space_.dense_node[b]; }
+
+  void take(std::span<const Pair> entries) {
+    constexpr std::size_t row = 16;
+    std::size_t found = 0;
+    for_each_near(space_, entries, [&](std::uint32_t a, std::uint32_t b) {
+      meet(a, b);
+      if (++found % row == 0) leaves_.make_room();
+    });
+  }
+  void finish() { leaves_.flush(); }
+
+ private:
+  void meet(std::uint32_t a, std::uint32_t b) {
+    if (space_.dense_entry[a] && space_.dense_entry[b]) return;
+    const std::uint32_t one = space_.whole[a], other = space_.whole[b];
+    if (one - other + 1 <= 2) return;  // -1, 0 or 1
+    if (one < other)
+      leaves_.add(space_.block[a], space_.block[b]);
+    else
+      leaves_.add(space_.block[b], space_.block[a]);
+  }
+
+  const SpaceTree& space_;
+  const NoBlockEvidence nothing_{};
+  LeafPairs<NoBlockEvidence> leaves_;
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,62 @@
+// Compiled once for each instruction set; the best that the machine has is chosen at the first call.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "catena/core/space_tree/space_kernels.cpp"
+#include "catena/core/blocks/simd_targets.h"
+#include "hwy/foreach_target.h"
+// After foreach_target.h:
+#include "catena/core/space_tree/build_space_tree-inl.h"
+#include "catena/core/space_tree/judge_density-inl.h"
+#include "catena/core/space_tree/search_space_tree-inl.h"
+#include "catena/core/space_tree/space_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
+                           double dense, SpaceQueue& queue) {
+  space.entries = 0;
+  const double sphere_ns = dense * grid_ns(chain, tree, crowding);
+  if (dense_everywhere(tree, crowding, sphere_ns)) return;
+  SpaceBuild build(chain, tree, crowding, space);
+  if (!build.collect()) return;
+  build.build();
+  judge_density(space, crowding, queue, sphere_ns);
+}
+
+void search_space_tree_here(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
+                            std::uint32_t begin, std::uint32_t end, SpaceQueue& entry_queue,
+                            BlockQueues& block_queues, PairCollector::Lane& lane) {
+  SpaceSearch search(chain, tree, space, block_queues, lane);
+  SpaceWalk walk(space, entry_queue, search);
+  for (std::uint32_t a = begin; a < end && !lane.satisfied(); ++a) walk.node(a, false);
+  walk.finish();
+  search.finish();
+}
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace catena {
+
+HWY_EXPORT(build_space_tree_here);
+HWY_EXPORT(search_space_tree_here);
+
+void build_space_tree(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
+                      double dense, SpaceQueue& queue) {
+  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, dense, queue);
+}
+
+void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
+                       std::span<SpaceQueue> entry_queues, std::span<BlockQueues> block_queues,
+                       PairCollector& collector, const Team& team) {
+  constexpr std::uint32_t nodes_of_a_task = 16;
+  team.for_each_range(space.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    const unsigned member = team.member();
+    HWY_DYNAMIC_DISPATCH(search_space_tree_here)
+    (chain, tree, space, begin, end, entry_queues[member], block_queues[member], collector.lane(member));
+  });
+}
+
+}  // namespace catena
+#endif

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+
+#include "catena/core/export.h"
+
+namespace catena {
+
+/// Boxes, `stride` floats from one's lows x y z to the next one's; the highs follow the lows.
+struct BoxRows {
+  const float* first;
+  std::size_t stride;
+  std::uint32_t size;
+};
+
+/// Sorts boxes in space: by class of size, a factor of 4 each and the greatest first, and in a class along
+/// a curve (Morton's) through the cubes of the box of their middles, 512 a side, and of cubes with many of
+/// them. Equal ones keep their order.
+class CATENA_API SpaceOrder {
+ public:
+  SpaceOrder();
+  ~SpaceOrder();
+  SpaceOrder(SpaceOrder&&) noexcept;
+  SpaceOrder& operator=(SpaceOrder&&) noexcept;
+
+  /// O(n log n); does not allocate when n has not grown.
+  void sort(const BoxRows& boxes);
+  /// The number of the box that comes to this place.
+  std::uint32_t operator[](std::size_t place) const;
+
+ private:
+  struct Keys;
+  std::unique_ptr<Keys> keys_;
+};
+
+}  // namespace catena

@@ -1,0 +1,16 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/pair.h"
+
+namespace catena {
+
+/// What a walk of a SpaceTree has found and not looked into yet: past `limit` pairs it is worked off.
+struct SpaceQueue {
+  static constexpr std::size_t limit = 1024, room = limit + 16 * 16 + 16;
+  std::uint64_t done = 0;  ///< pairs worked off since this was made
+  std::vector<Pair> pairs = std::vector<Pair>(room);
+};
+
+}  // namespace catena

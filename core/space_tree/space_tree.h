@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/blocks/block_tree.h"
+#include "catena/core/space_tree/space_order.h"
+
+namespace catena {
+
+/// Blocks of a BlockTree in the order of space, for where the chain's own says little of what is near: sorted
+/// along a space-filling curve, sixteen that follow one another a node, in boxes along the axes of space. A
+/// block that the chain jumps in is there in *parts*, which are blocks of the tree behind its own. A block or
+/// part in this order is an *entry*. Lengths are the tree's, scaled; boxes are relative to `origin`.
+struct SpaceTree {
+  static constexpr std::uint32_t group = BlockTree::group;
+  /// Fields of sixteen boxes: low x y z, high x y z.
+  static constexpr std::uint32_t box_fields = 6;
+
+  float origin[3] = {};
+  std::uint32_t entries = 0;
+  std::vector<std::uint32_t> block;  ///< [entry]: of the tree, or a part
+  std::vector<std::uint32_t> whole;  ///< [entry]: the block that it is of
+  std::vector<float> capsules;       ///< BlockTree::capsule_fields of each entry
+  /// [level]: of entries, of nodes of sixteen, and so on to a single group; groups of sixteen.
+  std::vector<std::vector<float>> boxes;
+
+  /// [entry], [node]: whether it is dense, all of it; see Crowding.
+  std::vector<std::uint8_t> dense_entry, dense_node;
+
+  /// Of the build: entries before they are sorted.
+  struct Unsorted {
+    float capsule[BlockTree::capsule_fields];
+    float low[3], high[3];
+    std::uint32_t block, whole;
+  };
+  std::vector<Unsorted> unsorted;
+  std::vector<std::uint32_t> part_of;  ///< the block of each part
+  SpaceOrder order;
+
+  std::uint32_t nodes() const { return (entries + group - 1) / group; }
+  const float* boxes_of(std::size_t level, std::uint32_t g) const {
+    return boxes[level].data() + std::size_t{g} * group * box_fields;
+  }
+  float* boxes_of(std::size_t level, std::uint32_t g) {
+    return boxes[level].data() + std::size_t{g} * group * box_fields;
+  }
+};
+
+}  // namespace catena

@@ -1,0 +1,130 @@
+#include "catena/core/space_tree/space_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "catena/core/blocks/block_kernels.h"
+#include "catena/core/chain/chain.h"
+#include "catena/core/space_tree/space_kernels.h"
+#include "catena/properties/generators/dice.h"
+#include "catena/properties/generators/family.h"
+
+namespace catena {
+namespace {
+
+struct Built {
+  BlockTree tree;
+  Crowding crowding;
+  SpaceTree space;
+  explicit Built(const ChainView& chain) {
+    const Team alone;
+    SpaceQueue queue;
+    build_block_tree(chain, tree, alone);
+    find_crowds(tree, 0, crowding, alone);
+    if (crowding.crowded_nodes() > 0) build_space_tree(chain, tree, crowding, space, 1e6, queue);
+  }
+};
+
+float field(const SpaceTree& space, std::size_t level, std::uint32_t k, std::uint32_t f) {
+  return space.boxes_of(level, k / SpaceTree::group)[f * SpaceTree::group + k % SpaceTree::group];
+}
+
+/// In 64 bits of precision; the slack that a box has is 2^20 times as much.
+bool holds(const SpaceTree& space, std::uint32_t entry, const Sphere& s, float scale) {
+  const float at[3] = {s.x, s.y, s.z};
+  for (std::uint32_t d = 0; d < 3; ++d) {
+    const long double from = static_cast<long double>(at[d]) * scale - space.origin[d],
+                      radius = static_cast<long double>(s.radius) * scale;
+    if (from - radius < field(space, 0, entry, d) || from + radius > field(space, 0, entry, 3 + d))
+      return false;
+  }
+  return true;
+}
+
+void expect_sound(const Chain& chain, const std::string& what, std::uint32_t& parts) {
+  const Built built(chain.view());
+  const SpaceTree& space = built.space;
+  if (space.entries == 0) return;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> spheres_of;  // by block
+  for (std::uint32_t k = 0; k < space.entries; ++k) {
+    const std::uint32_t b = space.block[k];
+    parts += b >= built.tree.blocks;
+    for (std::uint32_t j = 0; j < BlockTree::block; ++j) {
+      const std::uint32_t i = built.tree.index(b, j);
+      if (i == BlockTree::no_sphere) continue;
+      spheres_of[space.whole[k]].push_back(i);
+      EXPECT_TRUE(holds(space, k, chain.spheres()[i], built.tree.scale)) << what << ": sphere " << i;
+    }
+  }
+  for (auto& [b, spheres] : spheres_of) {
+    std::ranges::sort(spheres);
+    std::vector<std::uint32_t> own;
+    for (std::uint32_t j = 0; j < BlockTree::block; ++j)
+      if (const std::uint32_t i = built.tree.index(b, j); i != BlockTree::no_sphere) own.push_back(i);
+    EXPECT_EQ(spheres, own) << what << ": block " << b << " is not there as a whole, or in parts that differ";
+  }
+  std::uint32_t crowded = 0;
+  for (std::uint32_t node = 0; node < built.crowding.nodes(); ++node)
+    if (built.crowding.crowded(node)) crowded += built.tree.blocks_of(node);
+  EXPECT_EQ(spheres_of.size(), crowded) << what;
+  for (std::size_t l = 1; l < space.boxes.size(); ++l)
+    for (std::uint32_t k = 0; k < space.boxes[l - 1].size() / SpaceTree::box_fields; ++k)
+      for (std::uint32_t d = 0; d < 3; ++d) {
+        EXPECT_LE(field(space, l, k / SpaceTree::group, d), field(space, l - 1, k, d)) << what;
+        EXPECT_GE(field(space, l, k / SpaceTree::group, 3 + d), field(space, l - 1, k, 3 + d)) << what;
+      }
+}
+
+TEST(SpaceTree, HoldsEachSphereOfACrowdOnceAndInItsBoxes) {
+  std::uint32_t parts = 0;
+  std::uint64_t seed = 0;
+  for (const properties::Family& family : properties::FamilyRegistry::instance().families())
+    for (const std::uint32_t size : {500u, 3000u}) {
+      properties::Dice dice(++seed);
+      expect_sound(properties::generate(family, dice, size), family.name, parts);
+    }
+  // Strands of a rope that are told as one chain: it jumps from each to the next.
+  std::vector<Sphere> hair;
+  for (std::uint32_t k = 0; k < 60; ++k)
+    for (std::uint32_t i = 0; i < 37; ++i)
+      hair.push_back(
+          {static_cast<float>(i), static_cast<float>(k % 8) * 1.5f, static_cast<float>(k / 8), 0.6f});
+  expect_sound(Chain(hair), "hair", parts);
+  EXPECT_GT(parts, 50u) << "no block was cut";
+}
+
+TEST(SpaceOrder, SortsEveryBoxOnceGreatOnesFirst) {
+  properties::Dice dice(5);
+  std::vector<float> boxes;
+  constexpr std::uint32_t n = 3000;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const float size = dice.one_in(10) ? 50.0f : 1.0f;
+    float low[3];
+    for (float& x : low) boxes.push_back(x = 100 * dice.symmetric());
+    for (const float x : low) boxes.push_back(x + size);
+  }
+  SpaceOrder order;
+  order.sort({boxes.data(), 6, n});
+  std::vector<std::uint32_t> all;
+  double steps = 0;
+  bool small = false;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    all.push_back(order[k]);
+    const float* const box = boxes.data() + 6 * all.back();
+    const bool is_small = box[3] - box[0] < 25;
+    EXPECT_TRUE(is_small || !small) << "a great box after a small one";
+    small = is_small;
+    if (k > 0)
+      for (int d = 0; d < 3; ++d) steps += std::abs(box[d] - boxes[6 * all[k - 1] + d]);
+  }
+  std::ranges::sort(all);
+  for (std::uint32_t k = 0; k < n; ++k) ASSERT_EQ(all[k], k);
+  // At random two are 200 apart, on average.
+  EXPECT_LT(steps / n, 60) << "what follows one another is not near";
+}
+
+}  // namespace
+}  // namespace catena

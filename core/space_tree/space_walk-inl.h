@@ -1,0 +1,104 @@
+// The pairs of entries of a SpaceTree whose boxes meet.
+#if defined(CATENA_CORE_SPACE_TREE_SPACE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_SPACE_TREE_SPACE_WALK_INL_H
+#undef CATENA_CORE_SPACE_TREE_SPACE_WALK_INL_H
+#else
+#define CATENA_CORE_SPACE_TREE_SPACE_WALK_INL_H
+#endif
+
+#include <span>
+
+#include "catena/core/blocks/store_pairs-inl.h"
+#include "catena/core/space_tree/axis_boxes-inl.h"
+#include "catena/core/space_tree/space_queue.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Take has skip(a, b), whether pairs of nodes a and b are of no interest, and take(pairs), of entries whose
+/// boxes meet; each pair once, and at most `room` at a time.
+template <class Take>
+class SpaceWalk {
+ public:
+  SpaceWalk(const SpaceTree& space, SpaceQueue& queue, Take& take)
+      : space_(space), take_(take), done_(queue.done), queue_(queue.pairs.data()) {}
+
+  /// Node a with itself, and with each later one; or, with `all`, with every other.
+  void node(std::uint32_t a, bool all) {
+    if (!take_.skip(a, a)) within(a);
+    if (space_.boxes.size() == 1) return;
+    const AxisBoxes box = AxisBoxes::all(space_.boxes_of(1, a / group), a % group);
+    down(space_.boxes.size() - 1, 0, a, box, all);
+  }
+  void finish() { hand_over(); }
+
+ private:
+  static constexpr std::uint32_t group = SpaceTree::group;
+  using Bits = hn::RebindToUnsigned<Lanes16::Tag>;
+
+  void within(std::uint32_t a) {
+    const float* const boxes = space_.boxes_of(0, a);
+    const AxisBoxes those = AxisBoxes::load(boxes);
+    for (std::uint32_t i = 0; i + 1 < group; ++i)
+      add(a * group + i, a * group, meet(AxisBoxes::all(boxes, i), those),
+          lane_bits(group) & ~((2u << i) - 1));
+    make_room();
+  }
+
+  /// Node a, in `box`, with those below group g of level l.
+  void down(std::size_t l, std::uint32_t g, std::uint32_t a, const AxisBoxes& box, bool all) {
+    const std::uint32_t met = meet(box, AxisBoxes::load(space_.boxes_of(l, g))).bits();
+    for_each_lane(met, [&](std::uint32_t k) {
+      const std::uint32_t child = g * group + k;
+      if (l == 1) {
+        if ((child > a || (all && child != a)) && !take_.skip(a, child)) between(a, child, box);
+      } else if (all || ((std::uint64_t{child} + 1) << (4 * (l - 1))) > std::uint64_t{a} + 1) {
+        down(l - 1, child, a, box, all);
+      }
+    });
+  }
+
+  void between(std::uint32_t a, std::uint32_t b, const AxisBoxes& box_a) {
+    const float* const boxes = space_.boxes_of(0, a);
+    const AxisBoxes those = AxisBoxes::load(space_.boxes_of(0, b));
+    const AxisBoxes box_b = AxisBoxes::all(space_.boxes_of(1, b / group), b % group);
+    const std::uint32_t theirs = meet(box_a, those).bits();
+    if (theirs == 0) return;
+    for_each_lane(meet(box_b, AxisBoxes::load(boxes)).bits(), [&](std::uint32_t i) {
+      add(a * group + i, b * group, meet(AxisBoxes::all(boxes, i), those), theirs);
+    });
+    make_room();
+  }
+
+  /// Entry i and those from `first` on that are met and among the candidates.
+  HWY_INLINE void add(std::uint32_t i, std::uint32_t first, const Flags<16>& met, std::uint32_t candidates) {
+    const Bits bits;
+    for (std::uint32_t k = 0; k < Lanes16::parts; ++k) {
+      constexpr std::uint32_t width = Lanes16::width;
+      const std::uint16_t some = static_cast<std::uint16_t>(candidates >> (k * width));
+      std::uint8_t bytes[8] = {};
+      std::memcpy(bytes, &some, sizeof some);
+      const auto wanted = hn::LoadMaskBits(bits, bytes);
+      size_ += store_pairs(bits, i, hn::Iota(bits, first + k * width),
+                           hn::And(hn::RebindMask(bits, met.part[k]), wanted), queue_ + size_);
+    }
+  }
+  void make_room() {
+    if (size_ > SpaceQueue::limit) hand_over();
+  }
+  void hand_over() {
+    take_.take(std::span<const Pair>(queue_, size_));
+    done_ += size_;
+    size_ = 0;
+  }
+
+  const SpaceTree& space_;
+  Take& take_;
+  std::uint64_t& done_;
+  Pair* const queue_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
