@@ -17,7 +17,7 @@ class Grid final : public HostSearch {
   void search(const ChainView& chain, PairCollector& collector) override {
     search_grid(chain, grid_, queues_, collector, team_);
   }
-  unsigned lanes() const override { return team_.size(); }
+  const Team& team() const override { return team_; }
 
   const Team team_;
   SphereGrid grid_;

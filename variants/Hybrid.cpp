@@ -31,7 +31,7 @@ class Hybrid final : public HostSearch {
   void search(const ChainView& chain, PairCollector& collector) override {
     search_.search(chain, collector, team_);
   }
-  unsigned lanes() const override { return team_.size(); }
+  const Team& team() const override { return team_; }
 
   const Team team_;
   HybridSearch search_;

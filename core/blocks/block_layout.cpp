@@ -45,7 +45,10 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     const bool one = chain.strand_count == 1;
     std::uint32_t at = one ? 0 : chain.exclusion.strand_first[s];
     const std::uint32_t end = one ? chain.size : chain.exclusion.strand_first[s + 1];
-    for (; at + block <= end; at += block) tree.first.push_back(at);
+    const std::uint32_t full = (end - at) / block;
+    const std::size_t begin = tree.first.size();
+    tree.first.resize(begin + full);
+    for (std::uint32_t k = 0; k < full; ++k, at += block) tree.first[begin + k] = at;
     if (at < end) append_copied_block(chain, at, end - at, tree);
   }
   tree.blocks = static_cast<std::uint32_t>(tree.first.size());

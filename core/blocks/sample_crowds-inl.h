@@ -9,6 +9,7 @@
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/blocks/oriented_boxes-inl.h"
 #include "catena/core/blocks/tests-inl.h"
+#include "catena/core/executor/team.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -56,18 +57,22 @@ class NearBlocks {
 
 /// Of every sixteen nodes that follow one another one is looked at: where it is crowded, or one of its blocks
 /// meets so many others that its spheres may be better met one by one, all are taken to be.
-inline void sample_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding) {
+inline void sample_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
   constexpr std::uint32_t group = BlockTree::group, most_near = 24;
   const std::uint32_t nodes = crowding.nodes();
-  for (std::uint32_t first = 0; first < nodes; first += group) {
+  const auto look = [&](std::uint32_t first) {
     const std::uint32_t end = std::min(nodes, first + group), node = (first + end) / 2;
     std::uint64_t met = 0;
     const std::uint64_t most = std::uint64_t{limit} + 1;  // others, and itself
     for_each_met(tree, node, [&](std::uint32_t) { return ++met <= most; });
-    if (met <= most && !NearBlocks(tree, node * group + tree.blocks_of(node) / 2, most_near).enough())
-      continue;
+    if (met <= most && !NearBlocks(tree, node * group + tree.blocks_of(node) / 2, most_near).enough()) return;
     for (std::uint32_t k = first; k < end; ++k) crowding.crowd(k);
-  }
+  };
+  constexpr std::uint32_t groups_of_a_task = 16;
+  team.for_each_range((nodes + group - 1) / group, groups_of_a_task,
+                      [&](std::uint32_t begin, std::uint32_t end) {
+                        for (std::uint32_t g = begin; g < end; ++g) look(g * group);
+                      });
 }
 
 }  // namespace catena::HWY_NAMESPACE

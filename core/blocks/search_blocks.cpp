@@ -25,7 +25,7 @@ struct CrowdWalk {
 
 void find_crowds_here(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
   if (tree.blocks == 0) return;
-  sample_crowds(tree, limit, crowding);
+  sample_crowds(tree, limit, crowding, team);
   const CrowdWalk walk{crowding, team};
   if (team.size() == 1)
     NodeWalk(tree, walk, NoBlockEvidence{}).run();

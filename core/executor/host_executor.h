@@ -9,9 +9,9 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/host_group.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/parameters/parameters.h"
 #include "catena/core/policies/visitor.h"
 #include "catena/core/strategy/evidence.h"
-#include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/plan.h"
 
 namespace catena {

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <type_traits>
 
-
 namespace catena {
 
 /// A thread block, emulated on the host: what `threadIdx`, a strided loop and __syncthreads() are to a

@@ -23,7 +23,7 @@ class HostSearch : public Variant {
   void find(const Chain& chain, const Request& request, Collisions& result) final {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
     const Stopwatch watch;
-    PairCollector collector(spheres_, request, result, lanes());
+    PairCollector collector(spheres_, request, result, team());
     search(chain.view(), collector);
     collector.finish();
     timings_.find_ms = watch.ms();
@@ -36,12 +36,13 @@ class HostSearch : public Variant {
   virtual void construct(const ChainView& chain) = 0;
   /// Reports every colliding pair, once, to the collector's lanes.
   virtual void search(const ChainView& chain, PairCollector& collector) = 0;
-  /// Workers of a search, each of which has a lane.
-  virtual unsigned lanes() const { return 1; }
+  /// Who searches; each member has a lane.
+  virtual const Team& team() const { return alone_; }
 
   bool built() const { return built_; }
 
  private:
+  const Team alone_;
   std::uint32_t spheres_ = 0;
   bool built_ = false;
   Timings timings_;

@@ -1,6 +1,6 @@
 #pragma once
+#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,27 +13,34 @@ namespace catena {
 /// another's lines of the cache.
 class LaneCounts {
  public:
-  /// One more for counts[i]. When a byte is full, its 256 go to `counts`, atomically.
-  void add(std::uint32_t i, std::uint32_t* counts) {
+  static constexpr std::uint32_t page = 4096;
+
+  /// One more for count i.
+  void add(std::uint32_t i) {
     if (i / page >= pages_.size()) pages_.resize(i / page + 1);
     auto& p = pages_[i / page];
     if (!p) p = std::make_unique<Page>();
-    if (++(*p)[i % page] == 0) std::atomic_ref(counts[i]).fetch_add(256, std::memory_order_relaxed);
+    if (++(*p)[i % page] == 0) full_.push_back(i);
   }
 
-  /// Adds what is left; when all threads are done.
-  void add_to(std::span<std::uint32_t> counts) const {
-    for (std::size_t k = 0; k < pages_.size(); ++k) {
+  /// Adds what the bytes of pages `begin` to `end` - 1 hold; when all threads are done.
+  void add_pages_to(std::span<std::uint32_t> counts, std::uint32_t begin, std::uint32_t end) const {
+    for (std::uint32_t k = begin; k < std::min<std::size_t>(end, pages_.size()); ++k) {
       if (!pages_[k]) continue;
-      const auto part = counts.subspan(k * page, std::min(page, counts.size() - k * page));
+      const std::size_t first = std::size_t{k} * page;
+      const auto part = counts.subspan(first, std::min<std::size_t>(page, counts.size() - first));
       for (std::size_t i = 0; i < part.size(); ++i) part[i] += (*pages_[k])[i];
     }
   }
+  /// And what did not fit bytes.
+  void add_full_to(std::span<std::uint32_t> counts) const {
+    for (const std::uint32_t i : full_) counts[i] += 256;
+  }
 
  private:
-  static constexpr std::size_t page = 4096;
   using Page = std::array<std::uint8_t, page>;
   std::vector<std::unique_ptr<Page>> pages_;
+  std::vector<std::uint32_t> full_;  // a count each time that its byte was full
 };
 
 }  // namespace catena

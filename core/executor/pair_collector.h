@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -7,6 +8,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/executor/lane_counts.h"
+#include "catena/core/executor/team.h"
 #include "catena/core/strategy/request.h"
 
 namespace catena {
@@ -66,9 +68,11 @@ class PairCollector {
       if (alone_)
         ++counts_[i];
       else
-        shared_.add(i, counts_);
+        shared_.add(i);
     }
-    std::vector<Pair>& store() { return this == &owner_.first_ ? owner_.result_.pairs : own_; }
+    std::vector<Pair>& store() {
+      return this == &owner_.first_ && owner_.team_ == nullptr ? owner_.result_.pairs : own_;
+    }
 
     /// Stores what is buffered, or `pairs`, while pairs are kept, and tells the other lanes how many were
     /// found; past the limit nothing more is kept.
@@ -89,26 +93,17 @@ class PairCollector {
     const std::size_t room_;       // one pair is all, when any will do
     std::size_t buffered_ = 0;
     std::array<Pair, 512> buffer_;  // pairs found and not handed over yet
-    std::vector<Pair> own_;         // of every lane but the first, which writes the result
-    LaneCounts shared_;             // where there are others
+    std::vector<Pair> own_;  // of every lane but the first, which writes the result; with a team, of all
+    LaneCounts shared_;      // where there are others
   };
 
   /// Empties `result` (keeping its memory) for n spheres and opens `lanes` lanes.
   PairCollector(std::uint32_t n, const Request& request, Collisions& result, unsigned lanes = 1)
-      : result_(emptied(result, n, request)),
-        limit_(request.pair_limit),
-        queries_(request.queries.within(n)),
-        everything_(queries_ == SphereRange{0, n}),
-        any_only_(request.want == Request::Want::any),
-        keep_counts_(!any_only_),
-        pairs_wanted_(request.want == Request::Want::pairs),
-        lanes_(lanes),
-        keep_pairs_(pairs_wanted_) {
-    if (lanes > 1) {
-      others_.reserve(lanes - 1);
-      for (unsigned k = 1; k < lanes; ++k) others_.emplace_back(*this);
-    }
-  }
+      : PairCollector(n, request, result, lanes, nullptr) {}
+  /// A lane for each member of the team, which shares out what there is to do before and after the search
+  /// too. Its searches report by collide() alone.
+  PairCollector(std::uint32_t n, const Request& request, Collisions& result, const Team& team)
+      : PairCollector(n, request, result, team.size(), team.size() > 1 ? &team : nullptr) {}
   PairCollector(const PairCollector&) = delete;
   PairCollector& operator=(const PairCollector&) = delete;
 
@@ -124,27 +119,86 @@ class PairCollector {
     const std::uint64_t found = found_.load();
     result_.found = found > 0;
     if (any_only_) return;
-    first_.shared_.add_to(result_.count);
-    for (Lane& lane : others_) lane.shared_.add_to(result_.count);
+    if (lanes_ > 1) add_up_counts();
     result_.pair_count = found;
     if (pairs_wanted_ && found > limit_) {
       std::vector<Pair>().swap(result_.pairs);  // gives the memory back
       throw PairLimitExceeded(found, limit_);
     }
-    for (const Lane& lane : others_)
-      result_.pairs.insert(result_.pairs.end(), lane.own_.begin(), lane.own_.end());
+    if (team_ == nullptr) {
+      for (const Lane& lane : others_)
+        result_.pairs.insert(result_.pairs.end(), lane.own_.begin(), lane.own_.end());
+    } else if (pairs_wanted_) {
+      gather_pairs(found);
+    }
   }
 
  private:
-  static Collisions& emptied(Collisions& result, std::uint32_t n, const Request& request) {
+  PairCollector(std::uint32_t n, const Request& request, Collisions& result, unsigned lanes, const Team* team)
+      : result_(emptied(result, n, request, team)),
+        team_(team),
+        limit_(request.pair_limit),
+        queries_(request.queries.within(n)),
+        everything_(queries_ == SphereRange{0, n}),
+        any_only_(request.want == Request::Want::any),
+        keep_counts_(!any_only_),
+        pairs_wanted_(request.want == Request::Want::pairs),
+        lanes_(lanes),
+        keep_pairs_(pairs_wanted_) {
+    if (lanes > 1) {
+      others_.reserve(lanes - 1);
+      for (unsigned k = 1; k < lanes; ++k) others_.emplace_back(*this);
+    }
+    if (team_ != nullptr) result_.pairs.swap(last_pairs_);
+  }
+
+  const Lane& lane(unsigned k) const { return k == 0 ? first_ : others_[k - 1]; }
+
+  /// What the lanes counted; with a team nothing else was, and what is in the result is of an earlier one.
+  void add_up_counts() {
+    const std::span<std::uint32_t> counts = result_.count;
+    const auto pages = static_cast<std::uint32_t>((counts.size() + LaneCounts::page - 1) / LaneCounts::page);
+    const auto add = [&](std::uint32_t begin, std::uint32_t end) {
+      if (team_ != nullptr)
+        std::fill(counts.begin() + std::size_t{begin} * LaneCounts::page,
+                  counts.begin() + std::min(counts.size(), std::size_t{end} * LaneCounts::page), 0);
+      for (unsigned k = 0; k < lanes_; ++k) lane(k).shared_.add_pages_to(counts, begin, end);
+    };
+    if (team_ != nullptr)
+      team_->for_each_range(pages, 4, add);
+    else
+      add(0, pages);
+    for (unsigned k = 0; k < lanes_; ++k) lane(k).shared_.add_full_to(counts);
+  }
+
+  /// All lanes' pairs, in the memory of an earlier result: what it has need not be made again.
+  void gather_pairs(std::uint64_t found) {
+    last_pairs_.resize(found);
+    std::vector<std::size_t> begin(lanes_);
+    for (unsigned k = 1; k < lanes_; ++k) begin[k] = begin[k - 1] + lane(k - 1).own_.size();
+    team_->for_each_range(lanes_, 1, [&](std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t k = first; k < end; ++k)
+        std::copy(lane(k).own_.begin(), lane(k).own_.end(), last_pairs_.begin() + begin[k]);
+    });
+    result_.pairs.swap(last_pairs_);
+  }
+
+  static Collisions& emptied(Collisions& result, std::uint32_t n, const Request& request, const Team* team) {
+    const std::uint32_t counts = request.want == Request::Want::any ? 0 : n;
     result.found = false;
     result.pair_count = 0;
-    result.pairs.clear();
-    result.count.assign(request.want == Request::Want::any ? 0 : n, 0);
+    if (team == nullptr) {
+      result.pairs.clear();
+      result.count.assign(counts, 0);
+    } else {
+      result.count.resize(counts);
+    }
     return result;
   }
 
   Collisions& result_;
+  const Team* const team_;        // null where one thread does it
+  std::vector<Pair> last_pairs_;  // with a team: the memory of the result
   const std::uint64_t limit_;
   const SphereRange queries_;
   const bool everything_;  // the queries are all spheres

@@ -11,7 +11,9 @@ namespace catena {
 /// costs nothing.
 class CATENA_API Team {
  public:
-  static ParameterInfo threads_parameter() { return {"threads", "1", "host threads, one a core at most; 0: all cores"}; }
+  static ParameterInfo threads_parameter() {
+    return {"threads", "1", "host threads, one a core at most; 0: all cores"};
+  }
 
   Team();  ///< one
   explicit Team(const Parameters& parameters);

@@ -7,9 +7,11 @@
 #endif
 
 #include <algorithm>
+#include <vector>
 
 #include "catena/core/blocks/simd_targets.h"
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/executor/team.h"
 #include "catena/core/grid/bucket_map.h"
 #include "hwy/highway.h"
 
@@ -17,15 +19,22 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Zeros for no spheres. Lane k of a vector, and so of the least and greatest, is field k mod 4 of a sphere.
-HWY_INLINE CentreBox box_of_centres(const ChainView& chain) {
-  CentreBox box{};
-  if (chain.size == 0) return box;
+HWY_INLINE void take_in(CentreBox& box, const CentreBox& other) {
+  for (std::size_t d = 0; d < 3; ++d) {
+    box.low[d] = std::min(box.low[d], other.low[d]);
+    box.high[d] = std::max(box.high[d], other.high[d]);
+  }
+}
+
+/// Of `size` spheres from `spheres` on, at least one. Lane k of a vector, and so of the least and greatest,
+/// is field k mod 4 of a sphere.
+HWY_INLINE CentreBox box_of_centres(const Sphere* spheres_of, std::uint32_t size) {
+  CentreBox box;
   constexpr std::size_t lanes = 16;
   using Tag = hn::CappedTag<float, lanes>;
   constexpr std::size_t width = hn::MaxLanes(Tag()), parts = lanes / width, spheres = lanes / 4;
-  const auto* const fields = reinterpret_cast<const float*>(chain.spheres);
-  const std::uint32_t whole = chain.size / spheres * spheres;
+  const auto* const fields = reinterpret_cast<const float*>(spheres_of);
+  const std::uint32_t whole = size / spheres * spheres;
   float low[lanes], high[lanes];
   for (std::size_t k = 0; k < lanes; ++k) low[k] = high[k] = fields[k % 4];
   hn::Vec<Tag> least[parts], greatest[parts];
@@ -44,13 +53,28 @@ HWY_INLINE CentreBox box_of_centres(const ChainView& chain) {
     box.low[k] = std::min({low[k], low[k + 4], low[k + 8], low[k + 12]});
     box.high[k] = std::max({high[k], high[k + 4], high[k + 8], high[k + 12]});
   }
-  for (std::uint32_t i = whole; i < chain.size; ++i)
+  for (std::uint32_t i = whole; i < size; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const float v = fields[std::size_t{i} * 4 + k];
       box.low[k] = std::min(box.low[k], v);
       box.high[k] = std::max(box.high[k], v);
     }
   return box;
+}
+
+/// Of all of a chain's; zeros for no spheres.
+HWY_INLINE CentreBox box_of_centres(const ChainView& chain, const Team& team) {
+  CentreBox all{};
+  if (chain.size == 0) return all;
+  if (team.size() == 1) return box_of_centres(chain.spheres, chain.size);
+  all = box_of_centres(chain.spheres, 1);
+  std::vector<CentreBox> box(team.size(), all);  // [member]
+  constexpr std::uint32_t spheres_of_a_task = 1 << 14;
+  team.for_each_range(chain.size, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    take_in(box[team.member()], box_of_centres(chain.spheres + begin, end - begin));
+  });
+  for (const CentreBox& some : box) take_in(all, some);
+  return all;
 }
 
 }  // namespace catena::HWY_NAMESPACE

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 #include "catena/core/executor/team.h"
+#include "catena/core/grid/centre_box-inl.h"
 #include "catena/core/grid/member_buckets-inl.h"
 #include "hwy/cache_control.h"
 
@@ -63,22 +65,37 @@ class SphereSort {
       members.take(chain_, grid_, at, size);
       const CentreBox some = members.box(0, size).centres;
       if (at == level.first) level.centres = some;
-      for (std::size_t d = 0; d < 3; ++d) {
-        level.centres.low[d] = std::min(level.centres.low[d], some.low[d]);
-        level.centres.high[d] = std::max(level.centres.high[d], some.high[d]);
-      }
+      take_in(level.centres, some);
     }
   }
 
-  /// Counts become places.
+  /// Counts become places, part by part of the buckets.
   void add_up(const SphereGrid::Level& level) {
     std::uint32_t* const start = grid_.start.data() + level.starts;
-    std::uint32_t place = level.first;
-    for (std::uint32_t b = 0; b <= level.map.buckets; ++b) {
-      const std::uint32_t spheres = start[b];
-      start[b] = place;
-      place += spheres;
-    }
+    const std::uint32_t buckets = level.map.buckets + 1, parts = team_.size() == 1 ? 1 : 4 * team_.size();
+    const auto first_of = [&](std::uint32_t part) {
+      return static_cast<std::uint32_t>(std::uint64_t{buckets} * part / parts);
+    };
+    grid_.part_place.assign(parts + 1, 0);
+    const auto each = [&](const auto& work) {
+      team_.for_each_range(parts, 1, [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t part = begin; part < end; ++part) work(part);
+      });
+    };
+    if (parts > 1)
+      each([&](std::uint32_t part) {
+        grid_.part_place[part + 1] = std::accumulate(start + first_of(part), start + first_of(part + 1), 0u);
+      });
+    grid_.part_place[0] = level.first;
+    std::partial_sum(grid_.part_place.begin(), grid_.part_place.end(), grid_.part_place.begin());
+    each([&](std::uint32_t part) {
+      std::uint32_t place = grid_.part_place[part];
+      for (std::uint32_t b = first_of(part); b < first_of(part + 1); ++b) {
+        const std::uint32_t spheres = start[b];
+        start[b] = place;
+        place += spheres;
+      }
+    });
   }
 
   void place(const SphereGrid::Level& level, std::uint32_t begin, std::uint32_t end) {

@@ -38,6 +38,7 @@ struct SphereGrid {
   /// by their number there, bucket and how many came into it before.
   std::vector<Octave> octaves;
   std::vector<std::uint32_t> members, bucket, rank;
+  std::vector<std::uint32_t> part_place;  ///< first places of parts of the buckets that threads share out
 
   std::uint32_t member(std::uint32_t at) const { return members.empty() ? at : members[at]; }
 

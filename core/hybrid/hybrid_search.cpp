@@ -10,18 +10,23 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   find_crowds(tree_, settings_.crowd, crowding_, team);
   space_.entries = 0;
   dense_.clear();
+  dense_count_ = 0;
   if (crowding_.crowded_nodes() == 0) return;
   build_space_tree(chain, tree_, crowding_, space_, settings_.dense, entry_queues_[0]);
-  gather_dense();
-  const bool everyone = dense_.size() == chain.size;  // so that their list need not be read
-  if (!dense_.empty()) build_grid(chain, grid_, everyone ? std::span<const std::uint32_t>() : dense_, team);
+  if (space_.entries == 0 && crowding_.crowded_nodes() == crowding_.nodes()) {
+    dense_count_ = chain.size;  // their list need not be made
+  } else {
+    gather_dense();
+    dense_count_ = static_cast<std::uint32_t>(dense_.size());
+  }
+  if (dense_count_ > 0) build_grid(chain, grid_, dense_, team);
 }
 
 void HybridSearch::search(const ChainView& chain, PairCollector& collector, const Team& team) {
   search_uncrowded(chain, tree_, crowding_, block_queues_, collector, team);
   if (space_.entries > 0)
     search_space_tree(chain, tree_, space_, entry_queues_, block_queues_, collector, team);
-  if (!dense_.empty()) search_grid(chain, grid_, grid_queues_, collector, team);
+  if (dense_count_ > 0) search_grid(chain, grid_, grid_queues_, collector, team);
 }
 
 void HybridSearch::gather_dense() {
@@ -44,7 +49,7 @@ HybridSearch::Work HybridSearch::work() const {
   for (const SpaceQueue& queue : entry_queues_) work.entries += queue.done;
   for (const GridQueues& queues : grid_queues_) work.tests += queues.tests_done;
   work.crowded = std::uint64_t{crowding_.crowded_nodes()} * BlockTree::group * BlockTree::block;
-  work.dense = dense_.size();
+  work.dense = dense_count_;
   return work;
 }
 

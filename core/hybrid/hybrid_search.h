@@ -56,7 +56,8 @@ class CATENA_API HybridSearch {
   Crowding crowding_;
   SpaceTree space_;
   SphereGrid grid_;
-  std::vector<std::uint32_t> dense_;  ///< spheres of dense blocks, ascending
+  std::uint32_t dense_count_ = 0;     ///< spheres of dense blocks
+  std::vector<std::uint32_t> dense_;  ///< they, ascending; empty where all are
   // [member of the team]
   std::vector<BlockQueues> block_queues_;
   std::vector<SpaceQueue> entry_queues_;

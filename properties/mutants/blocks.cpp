@@ -13,7 +13,7 @@ namespace {
 class FaultyBlocks : public HostSearch {
  protected:
   void construct(const ChainView& chain) override {
-    build_block_tree(chain, tree_, team_);
+    build_block_tree(chain, tree_, team());
     tamper(chain, tree_);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
@@ -22,10 +22,8 @@ class FaultyBlocks : public HostSearch {
   virtual void tamper(const ChainView&, BlockTree&) {}
   const BlockTree& tree() const { return tree_; }
   std::span<BlockQueues> queues() { return {&queues_, 1}; }
-  const Team& team() const { return team_; }
 
  private:
-  const Team team_;
   BlockTree tree_;
   BlockQueues queues_;
 };

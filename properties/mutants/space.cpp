@@ -13,8 +13,8 @@ namespace {
 /// All blocks in the order of space, tampered with.
 class FaultySpace : public HostSearch {
   void construct(const ChainView& chain) override {
-    build_block_tree(chain, tree_, team_);
-    find_crowds(tree_, 0, crowding_, team_);
+    build_block_tree(chain, tree_, team());
+    find_crowds(tree_, 0, crowding_, team());
     space_.entries = 0;
     if (crowding_.crowded_nodes() == 0) return;
     build_space_tree(chain, tree_, crowding_, space_, 1e6, entry_queue_);
@@ -22,13 +22,12 @@ class FaultySpace : public HostSearch {
     tamper(tree_, space_);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
-    search_uncrowded(chain, tree_, crowding_, {&block_queues_, 1}, collector, team_);
+    search_uncrowded(chain, tree_, crowding_, {&block_queues_, 1}, collector, team());
     if (space_.entries > 0)
-      search_space_tree(chain, tree_, space_, {&entry_queue_, 1}, {&block_queues_, 1}, collector, team_);
+      search_space_tree(chain, tree_, space_, {&entry_queue_, 1}, {&block_queues_, 1}, collector, team());
   }
   virtual void tamper(BlockTree& tree, SpaceTree& space) = 0;
 
-  const Team team_;
   BlockTree tree_;
   Crowding crowding_;
   SpaceTree space_;
