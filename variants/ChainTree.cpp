@@ -39,11 +39,17 @@ class ChainTree final : public Variant {
 
   Timings timings() const override { return timings_; }
 
+  std::vector<WorkDone> work() const override {
+    return {{"block, sixteen blocks", queues_.rows_done() - rows_before_},
+            {"eight spheres, eight", queues_.pairs_done() - pairs_before_}};
+  }
+
  private:
   void search(const Chain& chain, const Request& request, Collisions& result, const BlockEvidence* evidence) {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
     const Stopwatch watch;
     PairCollector collector(spheres_, request, result);
+    rows_before_ = queues_.rows_done(), pairs_before_ = queues_.pairs_done();
     search_blocks(chain.view(), tree_, queues_, collector.lane(0), evidence);
     collector.finish();
     timings_.find_ms = watch.ms();
@@ -51,6 +57,7 @@ class ChainTree final : public Variant {
 
   BlockTree tree_;
   BlockQueues queues_;
+  std::uint64_t rows_before_ = 0, pairs_before_ = 0;  // the last search
   ChainView view_{};
   std::uint32_t spheres_ = 0;
   bool built_ = false;

@@ -12,16 +12,28 @@ class Grid final : public HostSearch {
  public:
   explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {}
 
+  std::vector<WorkDone> work() const override {
+    return {{"sphere, vector of spheres", tests_done() - tests_before_}};
+  }
+
  private:
   void construct(const ChainView& chain) override { build_grid(chain, grid_, {}, team_); }
   void search(const ChainView& chain, PairCollector& collector) override {
+    tests_before_ = tests_done();
     search_grid(chain, grid_, queues_, collector, team_);
   }
   const Team& team() const override { return team_; }
 
+  std::uint64_t tests_done() const {
+    std::uint64_t tests = 0;
+    for (const GridQueues& queues : queues_) tests += queues.tests_done;
+    return tests;
+  }
+
   const Team team_;
   SphereGrid grid_;
   std::vector<GridQueues> queues_;  // [member of the team]
+  std::uint64_t tests_before_ = 0;  // the last search
 };
 
 const RegisterVariant<Grid, Robust> registered{

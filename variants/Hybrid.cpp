@@ -26,6 +26,14 @@ class Hybrid final : public HostSearch {
             {"grid of spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)}};
   }
 
+  std::vector<WorkDone> work() const override {
+    const HybridSearch::Work work = search_.work();
+    return {{"block, sixteen blocks", work.rows},
+            {"two blocks in space", work.entries},
+            {"eight spheres, eight", work.near},
+            {"sphere, vector of spheres", work.tests}};
+  }
+
  private:
   void construct(const ChainView& chain) override { search_.build(chain, team_); }
   void search(const ChainView& chain, PairCollector& collector) override {

@@ -23,6 +23,7 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
 }
 
 void HybridSearch::search(const ChainView& chain, PairCollector& collector, const Team& team) {
+  before_ = met();
   search_uncrowded(chain, tree_, crowding_, block_queues_, collector, team);
   if (space_.entries > 0)
     search_space_tree(chain, tree_, space_, entry_queues_, block_queues_, collector, team);
@@ -40,7 +41,7 @@ void HybridSearch::gather_dense() {
   }
 }
 
-HybridSearch::Work HybridSearch::work() const {
+HybridSearch::Work HybridSearch::met() const {
   Work work;
   for (const BlockQueues& queues : block_queues_) {
     work.rows += queues.rows_done();
@@ -48,6 +49,13 @@ HybridSearch::Work HybridSearch::work() const {
   }
   for (const SpaceQueue& queue : entry_queues_) work.entries += queue.done;
   for (const GridQueues& queues : grid_queues_) work.tests += queues.tests_done;
+  return work;
+}
+
+HybridSearch::Work HybridSearch::work() const {
+  Work work = met();
+  work.rows -= before_.rows, work.near -= before_.near;
+  work.entries -= before_.entries, work.tests -= before_.tests;
   work.crowded = std::uint64_t{crowding_.crowded_nodes()} * BlockTree::group * BlockTree::block;
   work.dense = dense_count_;
   return work;

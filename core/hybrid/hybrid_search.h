@@ -26,7 +26,7 @@ class CATENA_API HybridSearch {
     std::uint32_t crowd;  ///< a node that meets more others is crowded
     double dense;         ///< a block is dense that costs more than so many times its spheres in cells
   };
-  /// What the stages met, since this was made; about what the time goes into.
+  /// What the last search met, by its stages; about what the time goes into.
   struct Work {
     std::uint64_t rows = 0;                ///< a block against sixteen, in the chain's order
     std::uint64_t entries = 0;             ///< two blocks in the order of space
@@ -49,9 +49,11 @@ class CATENA_API HybridSearch {
   std::uint32_t crowded_nodes() const { return crowding_.crowded_nodes(); }
 
  private:
+  Work met() const;  ///< since this was made
   void gather_dense();
 
   const Settings settings_;
+  Work before_;  ///< met before the last search
   BlockTree tree_;
   Crowding crowding_;
   SpaceTree space_;

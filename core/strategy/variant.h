@@ -1,6 +1,7 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "catena/core/export.h"
 #include "catena/core/chain/chain.h"
@@ -10,6 +11,7 @@
 #include "catena/core/strategy/plan.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/timings.h"
+#include "catena/core/strategy/work_done.h"
 
 namespace catena {
 
@@ -48,6 +50,10 @@ class CATENA_API Variant {
 
   /// What the last build and find did and left out, and why.
   virtual Plan plan() const { return {}; }
+
+  /// How often the last find took each of its steps; also before the first, with zeros. Nothing for strategies that
+  /// do not count them.
+  virtual std::vector<WorkDone> work() const { return {}; }
 
   /// What answered the last find, in a few words, where this holds other variants and chooses; else empty.
   virtual std::string answered_by() const { return {}; }

@@ -24,6 +24,7 @@ ARRAYS = (
     "motion",
     "keyframes",
     "memory",
+    "steps",
     "viewer",
 )
 

@@ -281,6 +281,19 @@ def run(**options):
                 for v in exact
                 if "GPU" not in v
             ],
+            "steps": [
+                {
+                    "input": i,
+                    "variant": v,
+                    "pairs": 5 * int(i.split(":")[1]),
+                    "steps": [
+                        {"step": step, "times": int(i.split(":")[1]) * (k + 2)}
+                        for k, step in enumerate(("rows", "tests")[: 1 + (v == exact[0])])
+                    ],
+                }
+                for i in inputs
+                for v in exact[:2]
+            ],
             "bandwidth": {"place": "host", "copied_bytes": 2**28, "gb_s": [10.0, 10.5, 9.5, 10.1, 9.9, 10.0]},
             "keyframes": [{"input": f"{scene}/n:10000", "pairs": [f % 46 for f in range(56)]} for scene in SCENES],
             "wants": [
