@@ -68,6 +68,15 @@ TEST(CsvReader, NamesTheColumnsThatItDoesNotRead) {
   EXPECT_EQ(curves.warnings[0], "not read: columns 'pressure', 'a,b'");
 }
 
+TEST(CsvReader, TakesADoubledQuotationMarkForOne) {
+  const auto curves = read_text("a.csv", "id,x,y,z\n\"5\"\",\"\"\",0,0,0\n \" a \" ,1,0,0\n\"\",2,0,0\n5\"x,3,0,0\n");
+  std::vector<std::string> ids;
+  for (std::uint32_t i = 0; i < 4; ++i) ids.push_back(curves.labels.of(i));
+  EXPECT_EQ(ids, (std::vector<std::string>{"5\",\"", " a ", "", "5\"x"}));
+  for (const char* cell : {"\"a", "\"a\"b", "\"a\"\"", "\""})
+    EXPECT_COMPLAINT("2: a quotation mark is not closed", "a.csv", std::string("id,x,y,z\n") + cell + ",0,0,0\n");
+}
+
 TEST(CsvReader, LabelsSpheresByTheirIdOrElseByTheirLine) {
   EXPECT_EQ(read_text("a.csv", "# c\nx,y,z\n0,0,0\n\n1,0,0\n").labels.of(1), "5");
   EXPECT_EQ(read_text("a.csv", "x,y,z,id\n0,0,0,p7\n1,0,0,p3\n").labels.of(1), "p3");

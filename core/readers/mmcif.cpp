@@ -17,6 +17,11 @@
 namespace catena {
 namespace {
 
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Keywords and names have no case.
+bool is_loop(std::string_view line) { return line.size() == 5 && lower_case(line) == "loop_"; }
+
 class CifTables {
  public:
   explicit CifTables(const std::filesystem::path& file) : lines_(file) {}
@@ -24,15 +29,15 @@ class CifTables {
   TextLines& lines() { return lines_; }
   const TextLines& lines() const { return lines_; }
 
-  /// Goes to the next table of this category; false when there is none.
+  /// Goes to the next table of this category, in lower case; false when there is none.
   bool find(std::string_view category) {
     names_.clear();
     while (lines_.next()) {
       const std::string_view line = trimmed(lines_.line());
       if (lines_.line().starts_with(';')) skip_text();
-      if (line != "loop_") continue;
+      if (!is_loop(line)) continue;
       while (lines_.next() && trimmed(lines_.line()).starts_with('_')) {
-        const std::string_view name = lines_.fields()[0];
+        const std::string name = lower_case(lines_.fields()[0]);
         if (name.starts_with(category) && name.substr(category.size()).starts_with('.'))
           names_.emplace_back(name.substr(category.size() + 1));
       }
@@ -43,7 +48,7 @@ class CifTables {
   }
 
   std::optional<std::size_t> column(std::string_view name) const {
-    const auto found = std::ranges::find(names_, name);
+    const auto found = std::ranges::find(names_, lower_case(name));
     if (found == names_.end()) return {};
     return static_cast<std::size_t>(found - names_.begin());
   }
@@ -56,8 +61,7 @@ class CifTables {
       fresh_ = false;
       const std::string_view line = trimmed(lines_.line());
       if (line.empty()) continue;
-      if (row_.empty() && (line[0] == '#' || line[0] == '_' || line == "loop_" || line.starts_with("data_")))
-        return row_;
+      if (row_.empty() && (line[0] == '#' || line[0] == '_' || is_loop(line) || line.starts_with("data_"))) return row_;
       if (line[0] == ';') lines_.fail("a text of several lines where a word is due");
       add_words(line);
     }
@@ -74,16 +78,19 @@ class CifTables {
 
   // A quoted word ends at a quote before a blank, so that O5' may be written "O5'".
   void add_words(std::string_view line) {
-    while (!(line = trimmed(line)).empty() && line[0] != '#') {
-      const bool quoted = line[0] == '\'' || line[0] == '"';
-      std::size_t end = quoted ? 1 : 0;
-      for (; end < line.size(); ++end) {
-        const bool blank_follows = end + 1 == line.size() || line[end + 1] == ' ' || line[end + 1] == '\t';
-        if (quoted ? line[end] == line[0] && blank_follows : line[end] == ' ' || line[end] == '\t') break;
+    for (std::size_t at = 0; at < line.size() && line[at] != '#';) {
+      const char quote = line[at];
+      std::size_t end = at + 1;
+      if (quote == '\'' || quote == '"') {
+        while (end < line.size() && (line[end] != quote || (end + 1 < line.size() && !is_blank(line[end + 1])))) ++end;
+        if (end == line.size()) lines_.fail("a quote is not closed");
+        row_.push_back(line.substr(at + 1, end - at - 1));
+        ++end;
+      } else {
+        while (end < line.size() && !is_blank(line[end])) ++end;
+        row_.push_back(line.substr(at, end - at));
       }
-      if (quoted && end == line.size()) lines_.fail("a quote is not closed");
-      row_.push_back(quoted ? line.substr(1, end - 1) : line.substr(0, end));
-      line.remove_prefix(std::min(line.size(), end + (quoted ? 1 : 0)));
+      for (at = end; at < line.size() && is_blank(line[at]);) ++at;
     }
   }
 
@@ -105,7 +112,10 @@ class Mmcif {
     if (!tables_.find("_atom_site")) tables_.lines().fail("the file has no table _atom_site");
     read_atoms();
     models_.end_model(tables_.lines());
-    return models_.curves(tables_.lines());
+    CurveFile curves = models_.curves(tables_.lines());
+    if (!models_.over() && tables_.find("_atom_site"))
+      curves.warnings.push_back(fmt::format("line {}: a second table _atom_site is not read", tables_.lines().line_number()));
+    return curves;
   }
 
  private:

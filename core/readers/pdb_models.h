@@ -26,13 +26,12 @@ class PdbModels {
   CurveFile curves(const TextLines& lines);
 
  private:
-  void take_first();
+  void take_first(PdbTrace first);
   void say(const PdbTrace::Note& note, const std::string& one, const std::string& many);
 
   std::string atom_;
   CurveFile curves_;
   PdbTracer tracer_;
-  PdbTrace first_;
   bool over_ = false;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
-#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "catena/core/readers/labels.h"
 #include "catena/core/readers/pdb_atom.h"
 
 namespace catena {
@@ -13,11 +13,10 @@ namespace catena {
 struct PdbTrace {
   struct Point {
     double x, y, z;
-    std::string label;  ///< chain/residue/atom: "A/MSE151/CA"
-    std::string chain;
     bool starts_strand;
   };
   std::vector<Point> points;
+  Labels labels;  ///< of the points, chain/residue/atom: "A/MSE151/CA"; the strands have the names of their chains
 
   /// What was left out, or is a break: how many, and the first.
   struct Note {
@@ -60,6 +59,7 @@ class PdbTracer {
   std::vector<PdbAtom> residue_;  ///< under way
   bool continues_ = false;        ///< the next point may be of the strand of the last
   PdbAtom last_atom_{};
+  std::string label_;             ///< under way
   std::set<std::string, std::less<>> ended_;  ///< chains that a TER has ended
 };
 

@@ -15,6 +15,7 @@ class Vect {
   Vect(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
+    lines_.read_once();
     if (token("the keyword VECT") != "VECT")
       lines_.fail("a VECT file starts with the keyword VECT (4VECT and binary VECT are not supported)");
     const std::uint32_t polylines = limited_count("number of polylines");
