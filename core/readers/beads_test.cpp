@@ -217,6 +217,7 @@ TEST(OxdnaReader, SaysWhatIsWrong) {
   EXPECT_THROW(read_oxdna("2 1\n1 A -1 1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
   EXPECT_THROW(read_oxdna("2 1\n1 A -1 9\n1 C 0 -1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
   EXPECT_THROW(read_oxdna(top, "t = 0\n" + rows), InputError);
+  EXPECT_THROW(read_oxdna(top, "\xEF\xBB\xBF"), InputError);  // a mark and nothing else, found by libFuzzer
   EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n0 0 0\n"), InputError);
   EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows + "2 0 0\n"), InputError);
   EXPECT_EQ(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows).spheres.size(), 2u);

@@ -85,6 +85,7 @@ class Oxdna {
   CurveFile curves() {
     lines_.read_once();
     bool more = lines_.next();
+    if (!more) lines_.fail("the file has no frame");
     for (std::size_t frame = 0; more; ++frame) {
       if (frame > 0) curves_.begin_later_frame();
       more = read_frame(frame);
