@@ -29,16 +29,16 @@ bool overlap_by_rationals(const Sphere& a, const Sphere& b, const Steps& n, cons
   return dx * dx + dy * dy + dz * dz <= reach * reach;
 }
 
-// Each difference is a sum of at most five terms, so its error is below 6u of `most`, the sum of all magnitudes
-// (u = 2^-53); q and t differ from the truth by less than 64u of its square. 2^-46 is twice that.
+// Each difference is a sum of at most five terms, so its error is below 6u of `most`, the sum of all
+// magnitudes (u = 2^-53); q and t differ from the truth by less than 64u of its square. 2^-46 is twice that.
 bool overlap(const Sphere& a, const Sphere& b, const Steps& n, const PeriodicBox& box) {
   const double dx = (double{b.x} - a.x) + n[0] * box.length[0] + n[1] * box.xy + n[2] * box.xz,
                dy = (double{b.y} - a.y) + n[1] * box.length[1] + n[2] * box.yz,
                dz = (double{b.z} - a.z) + n[2] * box.length[2], reach = double{a.radius} + b.radius;
   double most = reach;
-  for (const double term : {double{a.x}, double{a.y}, double{a.z}, double{b.x}, double{b.y}, double{b.z},
-                            n[0] * box.length[0], n[1] * box.xy, n[2] * box.xz, n[1] * box.length[1], n[2] * box.yz,
-                            n[2] * box.length[2]})
+  for (const double term :
+       {double{a.x}, double{a.y}, double{a.z}, double{b.x}, double{b.y}, double{b.z}, n[0] * box.length[0],
+        n[1] * box.xy, n[2] * box.xz, n[1] * box.length[1], n[2] * box.yz, n[2] * box.length[2]})
     most += std::abs(term);
   const double q = dx * dx + dy * dy + dz * dz, t = reach * reach;
   if (std::abs(q - t) > 0x1p-46 * most * most) return q < t;
@@ -80,7 +80,8 @@ class BoxCells {
 
   bool collide(std::uint32_t i, std::uint32_t j) const {
     Steps nearest{};
-    for (std::size_t edge = 0; edge < 3; ++edge) nearest[edge] = std::round(place_[i][edge] - place_[j][edge]);
+    for (std::size_t edge = 0; edge < 3; ++edge)
+      nearest[edge] = std::round(place_[i][edge] - place_[j][edge]);
     const auto beside = [&](std::size_t edge, int step) { return box_.length[edge] > 0 || step == 0; };
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)

@@ -21,13 +21,16 @@ Collisions found(const Chain& chain, const PeriodicBox& box) {
   return result;
 }
 
-/// Edges of 4 to 32, or none; tilts of up to half an edge; all multiples of a quarter, so that spheres touch exactly.
+/// Edges of 4 to 32, or none; tilts of up to half an edge; all multiples of a quarter, so that spheres touch
+/// exactly.
 PeriodicBox any_box() {
   const auto quarters = [](int from, int to) { return *rc::gen::inRange(from, to) / 4.0; };
   PeriodicBox box;
-  for (double& length : box.length) length = *rc::gen::weightedElement<int>({{4, 1}, {1, 0}}) * quarters(24, 128);
+  for (double& length : box.length)
+    length = *rc::gen::weightedElement<int>({{4, 1}, {1, 0}}) * quarters(24, 128);
   box.length[*rc::gen::inRange<std::size_t>(0, 3)] = quarters(24, 128);
-  if (*rc::gen::arbitrary<bool>()) box.xy = quarters(-8, 9), box.xz = quarters(-8, 9), box.yz = quarters(-8, 9);
+  if (*rc::gen::arbitrary<bool>())
+    box.xy = quarters(-8, 9), box.xz = quarters(-8, 9), box.yz = quarters(-8, 9);
   return box;
 }
 
@@ -37,7 +40,8 @@ RC_GTEST_PROP(FindInBox, AgreesWithASearchAmongImages, ()) {
   std::vector<Sphere> spheres;
   const auto coordinate = [] { return static_cast<float>(*rc::gen::inRange(-300, 300)) / 4; };
   for (auto left = *rc::gen::inRange(1, 60); left > 0; --left)
-    spheres.push_back({coordinate(), coordinate(), coordinate(), *rc::gen::element(0.0f, 0.25f, 0.75f, 1.0f)});
+    spheres.push_back(
+        {coordinate(), coordinate(), coordinate(), *rc::gen::element(0.0f, 0.25f, 0.75f, 1.0f)});
   const auto n = static_cast<std::uint32_t>(spheres.size());
   const Chain chain(std::move(spheres), {{0, n}, {*rc::gen::arbitrary<bool>()}});
   const Collisions expected = found(chain, box);
@@ -64,7 +68,8 @@ TEST(FindInBox, CountsPastTheLimitAndRefusesNarrowBoxes) {
 // Touching across a face, and apart by an ulp.
 TEST(FindInBox, DecidesTiesExactly) {
   const auto pairs = [](float x) {
-    return find_in_box(Chain({{0.5f, 0, 0, 1}, {x, 0, 0, 0.5f}}, {{0, 1, 2}, {0, 0}}), {{8, 8, 8}}, 1).pair_count;
+    return find_in_box(Chain({{0.5f, 0, 0, 1}, {x, 0, 0, 0.5f}}, {{0, 1, 2}, {0, 0}}), {{8, 8, 8}}, 1)
+        .pair_count;
   };
   EXPECT_EQ(pairs(7.0f), 1u);
   EXPECT_EQ(pairs(std::nextafter(7.0f, 0.0f)), 0u);

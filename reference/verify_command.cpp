@@ -30,7 +30,7 @@ namespace {
 /// A variant to verify; it keeps its buffers from input to input, as it would in use.
 struct Candidate {
   VariantInfo info;
-  std::unique_ptr<Variant> variant;   ///< null when unavailable
+  std::unique_ptr<Variant> variant;    ///< null when unavailable
   std::unique_ptr<Periodic> in_box{};  ///< made for the first input with a box
 };
 

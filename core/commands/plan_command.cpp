@@ -38,7 +38,8 @@ class PlanCommand final : public Command {
     options_.takes_box = run_;
     const Input input = open_input(input_, options_);
     if (!input.boxes.empty() && !run_)
-      throw InputError("what is searched in a box is known when it is searched; add --run, or leave --box out");
+      throw InputError(
+          "what is searched in a box is known when it is searched; add --run, or leave --box out");
     show_warnings(input);
     const Machine& machine = Machine::here();
     if (machine.warning) fmt::print(stderr, "catena: {}\n", *machine.warning);

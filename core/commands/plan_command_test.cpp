@@ -47,7 +47,8 @@ TEST_F(PlanProgram, OmitsNothingThatIsSwitchedOff) {
 }
 
 TEST_F(PlanProgram, IsOfTheSearchInABox) {
-  const std::string melt = "plan '" CATENA_SOURCE_DIR "/core/readers/examples/melt.data' --radius 0.5 --box file";
+  const std::string melt =
+      "plan '" CATENA_SOURCE_DIR "/core/readers/examples/melt.data' --radius 0.5 --box file";
   expect_says(melt + " --run", 0, {"8 spheres, collides", "choice of variant"});
   expect_refused(melt, "add --run");
 }

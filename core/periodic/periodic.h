@@ -68,8 +68,8 @@ class Periodic final : public Variant {
   Timings timings_;
 };
 
-/// Makes this a search in the boxes of an input, and goes to that of its first frame. Null where there is none: the
-/// variant stays what it was.
+/// Makes this a search in the boxes of an input, and goes to that of its first frame. Null where there is
+/// none: the variant stays what it was.
 Periodic* put_into_boxes(std::unique_ptr<Variant>& variant, std::span<const PeriodicBox> boxes);
 
 /// The box of the next frame to be built, where there is one for each; `periodic` may be null.

@@ -140,7 +140,8 @@ TEST(LammpsDumpReader, TakesBondsFromATopologyAndTheTrueBoxOfATiltedOne) {
 
 // As versions of LAMMPS before 2010 wrote it.
 TEST(LammpsDumpReader, DoesNotTakeABoxForPeriodicThatDoesNotSaySo) {
-  const std::string rest = "0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n1 0 0 0\n", start = "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS";
+  const std::string rest = "0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n1 0 0 0\n",
+                    start = "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS";
   EXPECT_FALSE(read_text("a.dump", start + "\n" + rest).box_is_periodic);
   EXPECT_EQ(read_text("a.dump", start + "\n" + rest).boxes, (std::vector<PeriodicBox>{{{9, 9, 9}}}));
   EXPECT_TRUE(read_text("a.dump", start + " pp fs pp\n" + rest).box_is_periodic);
@@ -155,8 +156,9 @@ TEST(LammpsDumpReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT("10: an atom of 3 columns, 4 are named", "a.dump",
                    start + "ITEM: ATOMS id x y z\n0 0 0\n");
   EXPECT_COMPLAINT("9: the file is truncated", "a.dump", start + "ITEM: ATOMS id x y z\n");
-  EXPECT_COMPLAINT("19: this frame and the first differ in having radii", "a.dump",
-                   start + "ITEM: ATOMS id x y z radius\n1 0 0 0 1\n" + start + "ITEM: ATOMS id x y z\n1 0 0 0\n");
+  EXPECT_COMPLAINT(
+      "19: this frame and the first differ in having radii", "a.dump",
+      start + "ITEM: ATOMS id x y z radius\n1 0 0 0 1\n" + start + "ITEM: ATOMS id x y z\n1 0 0 0\n");
   EXPECT_COMPLAINT(" frame 1 has not the same atoms", "a.dump",
                    start + "ITEM: ATOMS id x y z\n1 0 0 0\n" + start + "ITEM: ATOMS id x y z\n2 0 0 0\n");
 }

@@ -81,7 +81,8 @@ TEST(GenomeReaders, TakeRowsOfBlanksForPointsNotForHeaders) {
 TEST(GenomeReaders, ComplainWithFileAndLine) {
   EXPECT_COMPLAINT("1: a point before the first 'CHR name'", "a.nucle3d", "0,0,0,0\n");
   EXPECT_COMPLAINT("2: a point is 'bin,x,y,z'", "a.nucle3d", "CHR chr1\n0,0,0\n");
-  EXPECT_COMPLAINT("4: 'chr1/m' comes back after another", "a.nucle3d", "CHR chr1\n0,0,0,0,m\n0,1,0,0,p\n1,0,1,0,m\n");
+  EXPECT_COMPLAINT("4: 'chr1/m' comes back after another", "a.nucle3d",
+                   "CHR chr1\n0,0,0,0,m\n0,1,0,0,p\n1,0,1,0,m\n");
   EXPECT_COMPLAINT("5: 'chr1' comes back", "a.nucle3d", "CHR chr1\n0,0,0,0\nCHR chr2\nCHR chr1\n1,0,1,0\n");
   EXPECT_COMPLAINT("1: a row is 'chromosome position x y z', got 4 columns", "a.3dg", "chr1 0 0 0\n");
   EXPECT_COMPLAINT("2: position 5 of 'chr1' comes after 5", "a.3dg", "chr1 5 0 0 0\nchr1 5 1 0 0\n");

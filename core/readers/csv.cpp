@@ -18,8 +18,8 @@ using Role = TableColumns::Role;
 
 constexpr std::string_view blanks = " \t\v\f";
 
-/// Takes the quoted text at the front off the line, a doubled quotation mark being one, and appends it. False where the
-/// quotes are not closed, or more than blanks follow them in the cell.
+/// Takes the quoted text at the front off the line, a doubled quotation mark being one, and appends it. False
+/// where the quotes are not closed, or more than blanks follow them in the cell.
 bool take_quoted(std::string_view& line, char separator, std::string& text) {
   for (std::size_t at = 1; at < line.size(); ++at) {
     if (line[at] == '"' && line.substr(at + 1).starts_with('"')) {
@@ -35,8 +35,8 @@ bool take_quoted(std::string_view& line, char separator, std::string& text) {
   return false;
 }
 
-/// The cells of a line, without the blanks and quotes around them; valid while the line and `unquoted` are. Throws
-/// InputError, without a place, for quotes that do not hold a whole cell.
+/// The cells of a line, without the blanks and quotes around them; valid while the line and `unquoted` are.
+/// Throws InputError, without a place, for quotes that do not hold a whole cell.
 void split(std::string_view line, char separator, std::vector<std::string_view>& cells,
            std::string& unquoted) {
   cells.clear();
@@ -49,7 +49,8 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
       line.remove_prefix(begin);
       const std::size_t first = unquoted.size();
       if (!take_quoted(line, separator, unquoted))
-        throw InputError("a quotation mark is not closed at the end of its cell; double those that are part of one");
+        throw InputError(
+            "a quotation mark is not closed at the end of its cell; double those that are part of one");
       cells.push_back(std::string_view(unquoted).substr(first));
     } else {
       cells.push_back(trimmed(line.substr(0, end)));

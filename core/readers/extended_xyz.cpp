@@ -20,8 +20,8 @@ void skip_blanks(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
 }
 
-/// Where the value at the front of the line ends, behind its quote or bracket if it has one. Brackets may stand in
-/// brackets.
+/// Where the value at the front of the line ends, behind its quote or bracket if it has one. Brackets may
+/// stand in brackets.
 std::size_t end_of_value(std::string_view line) {
   constexpr std::string_view openings = "\"'{[", closings = "\"'}]";
   const std::size_t kind = line.empty() ? std::string_view::npos : openings.find(line[0]);

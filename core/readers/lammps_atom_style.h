@@ -14,11 +14,13 @@ struct LammpsAtomStyle {
   std::optional<std::size_t> molecule{}, diameter{};
   bool more_columns = false;  ///< at the end, as the style or its sub-styles need them
 
-  bool fits(std::size_t row) const { return row == columns || row == columns + 3 || (more_columns && row > columns); }
+  bool fits(std::size_t row) const {
+    return row == columns || row == columns + 3 || (more_columns && row > columns);
+  }
 };
 
-/// All styles of https://docs.lammps.org/read_data.html but those whose atoms are no points (ellipsoids, lines,
-/// triangles and bodies are taken by their centres).
+/// All styles of https://docs.lammps.org/read_data.html but those whose atoms are no points (ellipsoids,
+/// lines, triangles and bodies are taken by their centres).
 std::span<const LammpsAtomStyle> lammps_atom_styles();
 
 }  // namespace catena

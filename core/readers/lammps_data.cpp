@@ -24,9 +24,6 @@ bool starts_with_letter(std::string_view text) {
 LammpsData::LammpsData(const std::filesystem::path& file) : lines_(file) {
   lines_.read_once();
   lines_.next();  // the title
-  if (lines_.line().find('\0') != std::string_view::npos)
-    throw InputError(
-        fmt::format("{}: is binary; a .data file is one of LAMMPS here, in text", lines_.file_name()));
   while (!at_section_ && lines_.next()) {
     if (starts_with_letter(trimmed(lines_.line()))) {
       take_name();
@@ -92,8 +89,8 @@ namespace {
 
 /// A LAMMPS data file: atoms, bonds and the box. Where `Atoms` says no style, the columns tell it if they
 /// can: with bonds 6 are molecular and 7 full, without 5 are atomic, each perhaps with three image flags
-/// more, which are whole numbers. Coordinates are taken as they are stored; image flags are not applied. A diameter of style sphere
-/// makes radii. Whether the box is periodic no data file says.
+/// more, which are whole numbers. Coordinates are taken as they are stored; image flags are not applied. A
+/// diameter of style sphere makes radii. Whether the box is periodic no data file says.
 class LammpsAtoms {
  public:
   LammpsAtoms(const std::filesystem::path& file, const ReadOptions& options)
@@ -129,8 +126,9 @@ class LammpsAtoms {
       if (row.empty()) return beads_.end_frame();
       if (style == nullptr) style = &guessed(row), guessed_ = true;
       if (size == 0 && !style->fits(row.size()))
-        data_.lines().fail(fmt::format("an atom of style {} has {} columns, perhaps 3 image flags more, not {}",
-                                       style->name, style->columns, row.size()));
+        data_.lines().fail(
+            fmt::format("an atom of style {} has {} columns, perhaps 3 image flags more, not {}", style->name,
+                        style->columns, row.size()));
       if (size == 0) size = row.size();
       if (row.size() != size)
         data_.lines().fail(fmt::format("the atom has {} columns, those before it {}", row.size(), size));

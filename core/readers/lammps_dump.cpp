@@ -68,7 +68,8 @@ class LammpsDump {
       lines_.fail("a box of general edges (abc origin) is not supported; dump it as xy xz yz");
     const std::size_t kinds = tilted ? 6 : 3;
     if (words.size() != kinds && words.size() != kinds + 3)
-      lines_.fail("'ITEM: BOX BOUNDS' has three words such as pp behind it, and xy xz yz in front of them if tilted");
+      lines_.fail(
+          "'ITEM: BOX BOUNDS' has three words such as pp behind it, and xy xz yz in front of them if tilted");
     if (words.size() == kinds) beads_.about().box_is_periodic = false;
     std::array<double, 3> low{}, high{}, tilt{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

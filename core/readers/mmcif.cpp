@@ -61,7 +61,8 @@ class CifTables {
       fresh_ = false;
       const std::string_view line = trimmed(lines_.line());
       if (line.empty()) continue;
-      if (row_.empty() && (line[0] == '#' || line[0] == '_' || is_loop(line) || line.starts_with("data_"))) return row_;
+      if (row_.empty() && (line[0] == '#' || line[0] == '_' || is_loop(line) || line.starts_with("data_")))
+        return row_;
       if (line[0] == ';') lines_.fail("a text of several lines where a word is due");
       add_words(line);
     }
@@ -82,7 +83,9 @@ class CifTables {
       const char quote = line[at];
       std::size_t end = at + 1;
       if (quote == '\'' || quote == '"') {
-        while (end < line.size() && (line[end] != quote || (end + 1 < line.size() && !is_blank(line[end + 1])))) ++end;
+        while (end < line.size() &&
+               (line[end] != quote || (end + 1 < line.size() && !is_blank(line[end + 1]))))
+          ++end;
         if (end == line.size()) lines_.fail("a quote is not closed");
         row_.push_back(line.substr(at + 1, end - at - 1));
         ++end;
@@ -114,7 +117,8 @@ class Mmcif {
     models_.end_model(tables_.lines());
     CurveFile curves = models_.curves(tables_.lines());
     if (!models_.over() && tables_.find("_atom_site"))
-      curves.warnings.push_back(fmt::format("line {}: a second table _atom_site is not read", tables_.lines().line_number()));
+      curves.warnings.push_back(
+          fmt::format("line {}: a second table _atom_site is not read", tables_.lines().line_number()));
     return curves;
   }
 

@@ -8,8 +8,8 @@
 #include "catena/core/readers/text_lines.h"
 
 /// Genome models of Nucle3D and g3d: lines `KEY<tab>value`, of which `CHR name` begins a chromosome, then
-/// `bin,x,y,z` rows, or `bin,x,y,z,haplotype`. A chromosome, and in it each haplotype, is a strand, so its rows
-/// stand together; bins that are missing do not end it. No radii.
+/// `bin,x,y,z` rows, or `bin,x,y,z,haplotype`. A chromosome, and in it each haplotype, is a strand, so its
+/// rows stand together; bins that are missing do not end it. No radii.
 namespace catena {
 namespace {
 

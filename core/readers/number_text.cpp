@@ -37,8 +37,8 @@ bool is_tiny(std::string_view text) {
   return exponent < -place;
 }
 
-// Fortran may write the exponent of a double as D. `stop` is where a number without one ends. Empty where that is not
-// so.
+// Fortran may write the exponent of a double as D. `stop` is where a number without one ends. Empty where
+// that is not so.
 std::string fortran_with_e(std::string_view text, const char* stop) {
   const auto at = static_cast<std::size_t>(stop - text.data());
   if (at == 0 || at + 1 >= text.size() || (text[at] != 'D' && text[at] != 'd')) return {};
@@ -54,7 +54,8 @@ Parsed<Real> parse_real(std::string_view text, const char* type) {
   Real value = 0;
   const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
   if (error == std::errc::invalid_argument || end != plain.data() + plain.size()) {
-    if (const std::string with_e = fortran_with_e(plain, end); !with_e.empty()) return parse_real<Real>(with_e, type);
+    if (const std::string with_e = fortran_with_e(plain, end); !with_e.empty())
+      return parse_real<Real>(with_e, type);
     return {0, "is not a number"};
   }
   if (error == std::errc::result_out_of_range) {

@@ -72,7 +72,8 @@ RC_GTEST_PROP(NumberText, ReadsTheShortestTextOfEveryFloatBitForBit, (std::uint3
 // Rounded once more, the double must be the float that the text is nearest to: also beside the middle of two.
 RC_GTEST_PROP(NumberText, ACoordinateRoundsToTheNearestFloat, ()) {
   const float low = *rc::gen::suchThat(
-      rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [](std::uint32_t b) { return std::bit_cast<float>(b); }),
+      rc::gen::map(rc::gen::arbitrary<std::uint32_t>(),
+                   [](std::uint32_t b) { return std::bit_cast<float>(b); }),
       [](float value) { return std::isfinite(value) && std::isfinite(std::nextafter(value, HUGE_VALF)); });
   const double middle = (double{low} + double{std::nextafter(low, HUGE_VALF)}) / 2;
   std::string text = fmt::format("{:.780f}", middle);

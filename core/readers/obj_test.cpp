@@ -52,8 +52,18 @@ TEST(ObjReader, SaysThatItDoesNotSampleFreeFormCurves) {
   EXPECT_COMPLAINT("6: the file has 2 vertices, 0 faces and 1 free-form curves", "a.obj", curve);
 }
 
+TEST(ObjReader, SaysWhatIsNoStatement) {
+  const std::string line = "v 0 0 0\nv 1 0 0\nusemtl a\nvt 0 0\nl 1 2\n";
+  EXPECT_TRUE(read_text("a.obj", line).warnings.empty());
+  EXPECT_EQ(read_text("a.obj", line + "w 2 0 0\n").warnings,
+            (std::vector<std::string>{"line 6: 'w' is no statement of OBJ"}));
+  EXPECT_EQ(read_text("a.obj", line + "w 2 0 0\nV 1 1 1\nv1 1 1\n").warnings,
+            (std::vector<std::string>{"line 6: 'w' is no statement of OBJ, nor are 2 more"}));
+}
+
 TEST(ObjReader, ComplainsWithFileAndLine) {
-  EXPECT_COMPLAINT("2: the file has 1 vertices, 1 faces and 0 free-form curves, but no lines", "a.obj", "v 0 0 0\nf 1 1 1\n");
+  EXPECT_COMPLAINT("2: the file has 1 vertices, 1 faces and 0 free-form curves, but no lines", "a.obj",
+                   "v 0 0 0\nf 1 1 1\n");
   EXPECT_COMPLAINT("2: vertex 2 of 1 is named", "a.obj", "v 0 0 0\nl 1 2\n");
   EXPECT_COMPLAINT("2: vertex '0' is not", "a.obj", "v 0 0 0\nl 0 1\n");
   EXPECT_COMPLAINT("2: vertex '-2' is not", "a.obj", "v 0 0 0\nl -2 1\n");

@@ -81,7 +81,9 @@ const PdbAtom* PdbTracer::atom_named(std::string_view name) const {
 }
 
 const PdbAtom* PdbTracer::chosen() {
-  const auto of_polymer = [&] { return (atom_named("N") && atom_named("C")) || atom_named("C1'") || atom_named("C1*"); };
+  const auto of_polymer = [&] {
+    return (atom_named("N") && atom_named("C")) || atom_named("C1'") || atom_named("C1*");
+  };
   const PdbAtom* atom = wanted_.empty() ? atom_named("CA") : atom_named(wanted_);
   if (atom == nullptr && wanted_.empty()) atom = atom_named("P");
   const bool hetero = residue_.front().hetero;

@@ -16,7 +16,8 @@ struct PdbTrace {
     bool starts_strand;
   };
   std::vector<Point> points;
-  Labels labels;  ///< of the points, chain/residue/atom: "A/MSE151/CA"; the strands have the names of their chains
+  Labels labels;  ///< of the points, chain/residue/atom: "A/MSE151/CA"; the strands have the names of their
+                  ///< chains
 
   /// What was left out, or is a break: how many, and the first.
   struct Note {
@@ -59,7 +60,7 @@ class PdbTracer {
   std::vector<PdbAtom> residue_;  ///< under way
   bool continues_ = false;        ///< the next point may be of the strand of the last
   PdbAtom last_atom_{};
-  std::string label_;             ///< under way
+  std::string label_;                         ///< under way
   std::set<std::string, std::less<>> ended_;  ///< chains that a TER has ended
 };
 

@@ -78,7 +78,9 @@ class Neuron {
     curves_.spheres.reserve(samples);
   }
 
-  std::size_t line_of(std::uint32_t sample) const { return static_cast<std::size_t>(line_.number_of(sample)); }
+  std::size_t line_of(std::uint32_t sample) const {
+    return static_cast<std::size_t>(line_.number_of(sample));
+  }
 
   void sort_ids() {
     const auto id_of = [&](std::uint32_t i) { return samples_[i].id; };

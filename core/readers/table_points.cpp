@@ -76,10 +76,12 @@ void TablePoints::require_same_sphere(std::span<const std::string_view> cells) {
   }
   if (piece_.empty() || !columns_.has(Role::strand)) return;
   const auto next = std::ranges::upper_bound(curves_.strand_first, sphere);
-  const std::string& strand = names_[piece_[static_cast<std::size_t>(next - curves_.strand_first.begin()) - 1]];
+  const std::string& strand =
+      names_[piece_[static_cast<std::size_t>(next - curves_.strand_first.begin()) - 1]];
   if (const auto here = cells[columns_.place(Role::strand)]; here != strand)
-    lines_.fail(fmt::format("strand {} stands where frame 0 has {}; write the rows of all frames in one order",
-                            in_quotes(here), in_quotes(strand)));
+    lines_.fail(
+        fmt::format("strand {} stands where frame 0 has {}; write the rows of all frames in one order",
+                    in_quotes(here), in_quotes(strand)));
 }
 
 void TablePoints::enter_strand(std::string_view name) {

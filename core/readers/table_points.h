@@ -27,8 +27,8 @@ class TablePoints {
   const TableColumns& columns() const { return columns_; }
 
   /// A row of as many cells as there are columns. In a frame after the first its point counts, and its id or
-  /// element and its strand must be those of the first frame. Throws InputError for others, for another number of
-  /// cells, and for what is no number.
+  /// element and its strand must be those of the first frame. Throws InputError for others, for another
+  /// number of cells, and for what is no number.
   void add(std::span<const std::string_view> cells);
   /// The rows since the last call are a strand.
   void end_strand();
@@ -47,9 +47,9 @@ class TablePoints {
   const TextLines& lines_;
   CurveFile& curves_;
   TableColumns columns_;
-  Role label_of_ = Role::unread;                              ///< of the first frame's: id, element, or their line
-  std::string text_;                                          ///< of the label under way
-  std::vector<std::string> names_;                            ///< of the strands, as they first come
+  Role label_of_ = Role::unread;    ///< of the first frame's: id, element, or their line
+  std::string text_;                ///< of the label under way
+  std::vector<std::string> names_;  ///< of the strands, as they first come
   std::unordered_map<std::string, std::uint32_t> number_of_;  ///< in names_
   std::vector<std::uint32_t> piece_;  ///< of each run of rows, the number of its strand
   bool closed_ = false;               ///< the strand under way

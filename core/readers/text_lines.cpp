@@ -18,13 +18,19 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 TextLines::TextLines(const std::filesystem::path& file) : name_(shown_name(file)), bytes_(read_bytes(file)) {
   if (bytes_.starts_with("\xEF\xBB\xBF")) next_ = 3;
+  // Where a part of a file was lost there may be zeros, which some formats would skip as a line that is not
+  // theirs.
+  if (const std::size_t zero = bytes_.find('\0'); zero != std::string::npos)
+    throw InputError(
+        fmt::format("{}: byte {} is 0, so this is no text; it is binary, damaged or UTF-16", name_, zero));
 }
 
 // A line feed is looked for once, also where thousands of lines end with CR alone.
 std::size_t TextLines::end_of_line() const {
   if (line_feed_ < next_ || (line_feed_ < bytes_.size() && bytes_[line_feed_] != '\n'))
     line_feed_ = std::min(bytes_.find('\n', next_), bytes_.size());
-  return next_ + std::min(std::string_view(bytes_).substr(next_, line_feed_ - next_).find('\r'), line_feed_ - next_);
+  return next_ +
+         std::min(std::string_view(bytes_).substr(next_, line_feed_ - next_).find('\r'), line_feed_ - next_);
 }
 
 bool TextLines::next() {
@@ -54,7 +60,8 @@ void TextLines::cut_comment(char mark) { line_ = trimmed(line_.substr(0, line_.f
 const std::vector<std::string_view>& TextLines::columns() {
   bool cell = false;  // since the last comma
   for (const char c : line_) {
-    if (c == ',' && !cell) fail("a column in front of a comma is empty; write _ or 0 there, or use a .csv file");
+    if (c == ',' && !cell)
+      fail("a column in front of a comma is empty; write _ or 0 there, or use a .csv file");
     cell = c != ',' && (cell || !is_blank(c));
   }
   return split(',');

@@ -12,7 +12,7 @@ namespace catena {
 /// end with LF, CRLF or CR; a byte order mark is skipped. O(size of the file) memory and time.
 class TextLines {
  public:
-  /// Throws InputError unless the file can be read (see read_bytes).
+  /// Throws InputError unless the file can be read (see read_bytes) and has no byte 0.
   explicit TextLines(const std::filesystem::path& file);
 
   /// Goes to the next line; false when there is none. The first call goes to the first line.

@@ -36,6 +36,13 @@ RC_GTEST_PROP(TextLines, EndWithLfCrlfOrCr, (bool once, bool mark)) {
   }
 }
 
+// What a part of a disk leaves that was lost; as unknown lines PDB and OBJ would skip it, and read half a
+// file.
+TEST(TextLines, RefuseBytesOfZero) {
+  for (const std::string name : {"a.pdb", "a.obj", "a.swc", "a.cif", "a.csv", "a.data"})
+    EXPECT_COMPLAINT(" byte 9 is 0, so this is no text", name, std::string("v 0 0 0\nv\0\0 1 0\n", 16));
+}
+
 TEST(TextLines, GiveTheMemoryOfWhatWasReadBackAndNothingElse) {
   constexpr std::uint32_t lines = 1500000;
   std::string text;

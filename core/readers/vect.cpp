@@ -31,13 +31,13 @@ class Vect {
       all_vertices += magnitude(count);
     }
     if (all_vertices != vertices)
-      lines_.fail(
-          fmt::format("the vertex counts of the polylines sum to {}, the header says {}", all_vertices, vertices));
+      lines_.fail(fmt::format("the vertex counts of the polylines sum to {}, the header says {}",
+                              all_vertices, vertices));
     for (std::uint32_t i = 0; i < polylines; ++i)
       all_colours += lines_.count(token("a colour count"), "colour count");
     if (all_colours != colours)
-      lines_.fail(
-          fmt::format("the colour counts of the polylines sum to {}, the header says {}", all_colours, colours));
+      lines_.fail(fmt::format("the colour counts of the polylines sum to {}, the header says {}", all_colours,
+                              colours));
 
     curves_.spheres.reserve(vertices);
     for (const std::int64_t count : signed_count) {

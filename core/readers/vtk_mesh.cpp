@@ -127,7 +127,8 @@ CurveFile VtkMesh::curves(const std::string& file) {
       if (k > first) edges.push_back({line_points_[k - 1], line_points_[k]});
   }
   for (const std::uint32_t vertex : vertices_) edges.push_back({vertex, vertex});
-  for (auto* done : {&line_end_, &line_cell_, &vertex_cell_}) std::exchange(*done, {});  // an assignment would keep the memory
+  for (auto* done : {&line_end_, &line_cell_, &vertex_cell_})
+    std::exchange(*done, {});  // an assignment would keep the memory
   for (auto* done : {&line_points_, &vertices_}) std::exchange(*done, {});
   std::exchange(arrays_, {});
   const std::size_t all = curves_.spheres.size();

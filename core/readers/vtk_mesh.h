@@ -11,8 +11,8 @@
 namespace catena {
 
 /// What VTK's files have in common: points, cells of which the poly-lines are curves, and arrays of which one
-/// may hold radii. A point that several lines share is a branch; a point of a vertex cell and of no line is a strand
-/// of its own; points of neither are left out, and so are other cells, both with a warning.
+/// may hold radii. A point that several lines share is a branch; a point of a vertex cell and of no line is a
+/// strand of its own; points of neither are left out, and so are other cells, both with a warning.
 ///
 /// Radii: the array of one number a point, or a line, that --array names, or else the only one whose name
 /// says radius, diameter or r; a diameter is halved. Where lines have radii, a point takes the largest of its

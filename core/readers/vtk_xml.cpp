@@ -89,7 +89,8 @@ class VtkXml {
     first_point_ = mesh_.points();
     const auto array = piece.child("Points").child("DataArray");
     const std::string_view components = array.attribute("NumberOfComponents").as_string("3");
-    if (components != "3") fail(fmt::format("points of {} coordinates; three are due", in_quotes(components)));
+    if (components != "3")
+      fail(fmt::format("points of {} coordinates; three are due", in_quotes(components)));
     const std::vector<double> values = array ? numbers(array) : std::vector<double>{};
     if (values.size() % 3 != 0) fail(fmt::format("{} coordinates are no points of three", values.size()));
     require_count(piece, "NumberOfPoints", values.size() / 3);
@@ -117,7 +118,8 @@ class VtkXml {
     read_points(piece);
     const auto types = numbers_named(piece.child("Cells"), "types"),
                ends = numbers_named(piece.child("Cells"), "offsets");
-    if (types.size() != ends.size()) fail(fmt::format("{} cells, but {} cell types", ends.size(), types.size()));
+    if (types.size() != ends.size())
+      fail(fmt::format("{} cells, but {} cell types", ends.size(), types.size()));
     read_cells(piece.child("Cells"), [&](std::size_t k) { return types[k]; }, {piece, "NumberOfCells"});
     read_arrays(piece);
   }
@@ -125,7 +127,8 @@ class VtkXml {
   /// An attribute that a file may leave out.
   void require_count(const pugi::xml_node& piece, const char* attribute, std::uint64_t found) const {
     if (piece.attribute(attribute) && cells_of(piece, attribute) != found)
-      fail(fmt::format("{} is {}, but the piece has {}", attribute, piece.attribute(attribute).value(), found));
+      fail(fmt::format("{} is {}, but the piece has {}", attribute, piece.attribute(attribute).value(),
+                       found));
   }
 
   std::uint64_t cells_of(const pugi::xml_node& piece, const char* attribute) const {

@@ -84,27 +84,28 @@ class XyzFrames {
     }
   }
 
-  // A box of catena's has its edge a along x, b in the plane of x and y; another would have to be turned, and the
-  // spheres with it, which rounds them.
+  // A box of catena's has its edge a along x, b in the plane of x and y; another would have to be turned, and
+  // the spheres with it, which rounds them.
   void take_box(const ExtendedXyz& title, bool first) {
     const auto& periodic = title.periodic;
     const bool repeats = title.lattice && (periodic[0] || periodic[1] || periodic[2]);
-    if (!first && repeats != has_box_) lines_.fail("this frame and the first differ in having a periodic Lattice");
+    if (!first && repeats != has_box_)
+      lines_.fail("this frame and the first differ in having a periodic Lattice");
     has_box_ = repeats;
     if (!repeats) return;
     const auto [ax, ay, az, bx, by, bz, cx, cy, cz] = *title.lattice;
     if (ay != 0 || az != 0 || bz != 0 || ax <= 0 || by <= 0 || cz <= 0) {
-      if (!first && !curves_.boxes.empty()) lines_.fail("this Lattice does not lie along the axes, as the first does");
+      if (!first && !curves_.boxes.empty())
+        lines_.fail("this Lattice does not lie along the axes, as the first does");
       if (first)
-        curves_.warnings.push_back(
-            fmt::format("line {}: the Lattice is left out, and nothing is periodic, as its first edge is not along x, "
-                        "or its second not in x and y",
-                        lines_.line_number()));
+        curves_.warnings.push_back(fmt::format(
+            "line {}: the Lattice is left out, and nothing is periodic, as its first edge is not along x, "
+            "or its second not in x and y",
+            lines_.line_number()));
       return;
     }
     if (!first && curves_.boxes.empty()) lines_.fail("this Lattice lies along the axes, the first does not");
-    curves_.boxes.push_back(
-        {{periodic[0] ? ax : 0, periodic[1] ? by : 0, periodic[2] ? cz : 0}, bx, cx, cy});
+    curves_.boxes.push_back({{periodic[0] ? ax : 0, periodic[1] ? by : 0, periodic[2] ? cz : 0}, bx, cx, cy});
   }
 
   void choose_columns(const ExtendedXyz& title, const std::vector<std::string_view>& row, bool first) {

@@ -132,8 +132,8 @@ CurveFile titled(const std::string& title) {
 TEST(XyzReader, TakesTheLatticeAsAPeriodicBoxUnlessPbcSaysOtherwise) {
   using Boxes = std::vector<PeriodicBox>;
   for (const std::string lattice :
-       {"Lattice=\"9 0 0 1 8 0 -2 3.5 7\"", "lattice = '9 0 0 1 8 0 -2 3.5 7'", "Lattice={9 0 0 1 8 0 -2 3.5 7}",
-        "Lattice=[[9, 0, 0], [1, 8, 0], [-2, 3.5, 7]]"}) {
+       {"Lattice=\"9 0 0 1 8 0 -2 3.5 7\"", "lattice = '9 0 0 1 8 0 -2 3.5 7'",
+        "Lattice={9 0 0 1 8 0 -2 3.5 7}", "Lattice=[[9, 0, 0], [1, 8, 0], [-2, 3.5, 7]]"}) {
     EXPECT_EQ(titled(lattice).boxes, (Boxes{{{9, 8, 7}, 1, -2, 3.5}})) << lattice;
     EXPECT_TRUE(titled(lattice).box_is_periodic);
     EXPECT_EQ(titled("pbc=\"T F T\" " + lattice).boxes, (Boxes{{{9, 0, 7}, 1, -2, 3.5}}));
@@ -142,7 +142,8 @@ TEST(XyzReader, TakesTheLatticeAsAPeriodicBoxUnlessPbcSaysOtherwise) {
     EXPECT_TRUE(titled(lattice).warnings.empty());
   }
   EXPECT_TRUE(titled("pbc=\"T T T\"").boxes.empty());
-  for (const char* turned : {"0 9 0 9 0 0 0 0 9", "9 1 0 0 9 0 0 0 9", "9 0 0 0 9 1 0 0 9", "-9 0 0 0 9 0 0 0 9"}) {
+  for (const char* turned :
+       {"0 9 0 9 0 0 0 0 9", "9 1 0 0 9 0 0 0 9", "9 0 0 0 9 1 0 0 9", "-9 0 0 0 9 0 0 0 9"}) {
     const CurveFile curves = titled(std::string("Lattice=\"") + turned + "\"");
     EXPECT_TRUE(curves.boxes.empty());
     ASSERT_EQ(curves.warnings.size(), 1u) << turned;
@@ -156,7 +157,8 @@ TEST(XyzReader, TakesTheLatticeAsAPeriodicBoxUnlessPbcSaysOtherwise) {
 
 TEST(XyzReader, TakesTheBoxOfEachFrame) {
   const auto frame = [](const std::string& lattice) { return "1\n" + lattice + "\nC 0 0 0\n"; };
-  const std::string nine = frame("Lattice=\"9 0 0 0 9 0 0 0 9\""), eight = frame("Lattice=\"8 0 0 0 8 0 0 0 8\""),
+  const std::string nine = frame("Lattice=\"9 0 0 0 9 0 0 0 9\""),
+                    eight = frame("Lattice=\"8 0 0 0 8 0 0 0 8\""),
                     turned = frame("Lattice=\"0 9 0 9 0 0 0 0 9\""), none = frame("t");
   EXPECT_EQ(read_text("a.xyz", nine + eight).boxes, (std::vector<PeriodicBox>{{{9, 9, 9}}, {{8, 8, 8}}}));
   EXPECT_TRUE(read_text("a.xyz", turned + turned).boxes.empty());
@@ -174,7 +176,10 @@ TEST(XyzReader, RefusesFramesInAnotherOrder) {
                    ids + "1 0 0 0 0\n2 0 1 0 0\n" + ids + "1 0 0 0 0\n2 1 1 0 0\n");
   EXPECT_COMPLAINT("7: 'O1' stands where frame 0 has 'C1'", "a.xyz",
                    elements + "C 0 0 0\nO 1 0 0\n" + elements + "O 1 0 0\nC 0 0 0\n");
-  EXPECT_EQ(read_text("a.xyz", ids + "1 0 0 0 0\n2 1 1 0 0\n" + ids + "1 0 5 0 0\n2 1 6 0 0\n").later_frames[0][1].x, 6.0f);
+  EXPECT_EQ(read_text("a.xyz", ids + "1 0 0 0 0\n2 1 1 0 0\n" + ids + "1 0 5 0 0\n2 1 6 0 0\n")
+                .later_frames[0][1]
+                .x,
+            6.0f);
 }
 
 TEST(XyzReader, ReadsFramesAsAnAnimation) {

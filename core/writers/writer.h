@@ -24,7 +24,7 @@ struct ExportedFrames {
   std::uint32_t first, last;
   std::function<ExportedFrame(std::uint32_t)> at;  ///< asked once for each, in their order
   const Labels& labels;
-  std::span<const Pair> joints{};  ///< of the file that they come from, see CurveFile
+  std::span<const Pair> joints{};        ///< of the file that they come from, see CurveFile
   std::span<const PeriodicBox> boxes{};  ///< one a frame of the input, one for all, or none; see Input
 };
 

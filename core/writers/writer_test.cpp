@@ -160,8 +160,8 @@ TEST(Writers, WriteWhatParaViewShows) {
 }
 
 // By the readers of these formats, where there are any.
-/// As lines and points show it, in the order in which they are read: first the strands with two ends. Of fewer than
-/// three spheres none is closed.
+/// As lines and points show it, in the order in which they are read: first the strands with two ends. Of
+/// fewer than three spheres none is closed.
 Chain as_lines(const Chain& chain) {
   std::vector<Sphere> spheres;
   Strands strands{{0}, {}};
@@ -209,7 +209,8 @@ RC_GTEST_PROP(Writers, BringTheBoxOfEachFrameBackFromXyz, (bool one_for_all)) {
   const TestFile file("a.xyz", "");
   WriterRegistry::instance()
       .of(file.path())
-      .write(file.path(), {0, frames, [&](std::uint32_t) { return ExportedFrame{chain}; }, Labels(), {}, boxes});
+      .write(file.path(),
+             {0, frames, [&](std::uint32_t) { return ExportedFrame{chain}; }, Labels(), {}, boxes});
   const CurveFile curves = ReaderRegistry::instance().read(file.path());
   RC_ASSERT(curves.boxes.size() == frames);
   RC_ASSERT(curves.box_is_periodic);
@@ -223,8 +224,8 @@ std::multiset<std::array<float, 3>> points_of(const CurveFile& curves) {
   return points;
 }
 
-// Of every reader there is a sample. Lines come back in an order of their own, and a strand that is closed for two
-// spheres is none of theirs.
+// Of every reader there is a sample. Lines come back in an order of their own, and a strand that is closed
+// for two spheres is none of theirs.
 TEST(Writers, BringEverySampleBack) {
   std::size_t samples = 0;
   for (const auto& entry : std::filesystem::directory_iterator(example(""))) {

@@ -29,8 +29,8 @@ void write_xyz(const std::filesystem::path& name, const ExportedFrames& frames) 
   for (std::uint32_t f = frames.first; f < frames.last; ++f) {
     const Chain chain = frames.at(f).chain;
     const auto& boxes = frames.boxes;
-    file.write(fmt::format("{}\n{}Properties=species:S:1:pos:R:3:radius:R:1:strand:I:1:closed:I:1\n", chain.size(),
-                           boxes.empty() ? "" : lattice_of(boxes[boxes.size() > f ? f : 0])));
+    file.write(fmt::format("{}\n{}Properties=species:S:1:pos:R:3:radius:R:1:strand:I:1:closed:I:1\n",
+                           chain.size(), boxes.empty() ? "" : lattice_of(boxes[boxes.size() > f ? f : 0])));
     std::string line;
     for (std::uint32_t s = 0; s < chain.strand_count(); ++s)
       for (std::uint32_t i = chain.strands().first[s]; i < chain.strands().first[s + 1]; ++i) {

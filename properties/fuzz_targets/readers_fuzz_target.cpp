@@ -17,14 +17,17 @@ namespace {
 
 /// The readers take files: one in memory, where there is such a place, that every run overwrites.
 std::filesystem::path scratch(const std::string& extension) {
-  static const std::filesystem::path folder = [] {
-    const std::filesystem::path memory = "/dev/shm";
-    const auto root = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-    auto own = root / ("catena-fuzz-" + std::to_string(getpid()));
-    std::filesystem::create_directories(own);
-    std::ofstream(own / "input.top") << "3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n";  // what oxDNA's reader looks for
-    return own;
-  }();
+  static const std::filesystem::path folder =
+      [] {
+        const std::filesystem::path memory = "/dev/shm";
+        const auto root =
+            std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+        auto own = root / ("catena-fuzz-" + std::to_string(getpid()));
+        std::filesystem::create_directories(own);
+        std::ofstream(own / "input.top")
+            << "3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n";  // what oxDNA's reader looks for
+        return own;
+      }();
   return folder / ("input" + extension);
 }
 
@@ -35,7 +38,9 @@ void write_seeds(const std::filesystem::path& folder) {
   const auto readers = ReaderRegistry::instance().readers();
   for (const auto& entry : std::filesystem::directory_iterator(CATENA_EXAMPLES_IN_SOURCE))
     for (std::size_t k = 0; k < readers.size(); ++k) {
-      if (std::ranges::find(readers[k].extensions, entry.path().extension().string()) == readers[k].extensions.end()) continue;
+      if (std::ranges::find(readers[k].extensions, entry.path().extension().string()) ==
+          readers[k].extensions.end())
+        continue;
       constexpr std::size_t most = 4000;
       std::string head(most, '\0');
       std::ifstream in(entry.path(), std::ios::binary);
