@@ -81,6 +81,8 @@ TEST(LammpsDataReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT("5: 'edpt' behind Atoms is no style", "a.data", start + "Atoms # edpt\n\n1 1 1 0 0 0\n");
   EXPECT_COMPLAINT("7: an atom of style bond has 6 columns, perhaps 3 image flags more, not 7", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0.5 0 0 0\n2 1 1 0.5 0 0 0\n");
+  EXPECT_COMPLAINT("7: an atom of style atomic has 5 columns, perhaps 3 image flags more, not 8", "a.data",
+                   start + "Atoms # atomic\n\n1 1 1 1 1 0.5 0 0\n");
   EXPECT_COMPLAINT("8: what the 8 columns are is not told", "a.data",
                    start + "Atoms\n\n1 1 1 1 1 0 0 0\n2 1 1 1 1 0.5 0 0\n");  // of bpm/sphere
   EXPECT_COMPLAINT("7: the header says 2 atoms, the file has 1", "a.data",

@@ -125,7 +125,8 @@ class LammpsAtoms {
       const auto& row = data_.next_row();
       if (row.empty()) return beads_.end_frame();
       if (style == nullptr) style = &guessed(row), guessed_ = true;
-      if (size == 0 && !style->fits(row.size()))
+      const bool flags = row.size() != style->columns + 3 || style->more_columns || has_flags(row);
+      if (size == 0 && !(style->fits(row.size()) && flags))
         data_.lines().fail(
             fmt::format("an atom of style {} has {} columns, perhaps 3 image flags more, not {}", style->name,
                         style->columns, row.size()));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <optional>
 #include <set>
 #include <string>
@@ -56,7 +57,9 @@ class CifTables {
   /// The next row; empty at the table's end. A row may take several lines.
   const std::vector<std::string_view>& next_row() {
     row_.clear();
+    kept_.clear();
     while (row_.size() < names_.size()) {
+      keep_words();
       if (!fresh_ && !lines_.next()) break;
       fresh_ = false;
       const std::string_view line = trimmed(lines_.line());
@@ -72,6 +75,11 @@ class CifTables {
   }
 
  private:
+  // Of a row that goes on, as a line's text may be gone when the next is read.
+  void keep_words() {
+    for (std::size_t k = kept_.size(); k < row_.size(); ++k) row_[k] = kept_.emplace_back(row_[k]);
+  }
+
   void skip_text() {
     while (lines_.next() && !lines_.line().starts_with(';')) {
     }
@@ -100,7 +108,8 @@ class CifTables {
   TextLines lines_;
   std::vector<std::string> names_;
   std::vector<std::string_view> row_;
-  bool fresh_ = false;  ///< the current line is the first of the table's rows
+  std::deque<std::string> kept_;  ///< the first words of the row, which views name
+  bool fresh_ = false;            ///< the current line is the first of the table's rows
 };
 
 class Mmcif {
@@ -112,6 +121,7 @@ class Mmcif {
     const auto start = tables_.lines().mark();
     if (tables_.find("_entity_poly_seq")) read_sequence();
     tables_.lines().return_to(start);
+    tables_.lines().read_once();
     if (!tables_.find("_atom_site")) tables_.lines().fail("the file has no table _atom_site");
     read_atoms();
     models_.end_model(tables_.lines());
@@ -134,7 +144,7 @@ class Mmcif {
 
   void read_atoms() {
     find_columns();
-    std::string_view model, chain;
+    std::string model, chain;  // of the row before
     for (bool first = true;; first = false) {
       const auto& row = tables_.next_row();
       if (row.empty() || models_.over()) return;

@@ -1,6 +1,7 @@
 #pragma once
 #include <set>
 #include <string>
+#include <utility>
 
 #include "catena/core/readers/pdb_trace.h"
 #include "catena/core/readers/reader.h"
@@ -17,7 +18,7 @@ class PdbModels {
   PdbModels(const PdbModels&) = delete;
   PdbModels& operator=(const PdbModels&) = delete;
 
-  void add(const PdbAtom& atom) { tracer_.add(atom); }
+  void add(PdbAtom atom) { tracer_.add(std::move(atom)); }
   void end_chain() { tracer_.end_chain(); }
   void end_model(const TextLines& lines);
   bool over() const { return over_; }  ///< nothing more is to be added

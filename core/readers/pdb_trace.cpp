@@ -47,7 +47,7 @@ std::string label_of(const PdbAtom& atom) {
 
 }  // namespace
 
-void PdbTracer::add(const PdbAtom& atom) {
+void PdbTracer::add(PdbAtom atom) {
   // Where two atoms are no alternatives of each other, numbers of residues are used twice.
   const auto repeats = [&](const PdbAtom& other) {
     const bool alternates = other.alternate != ' ' && atom.alternate != ' ';
@@ -56,7 +56,7 @@ void PdbTracer::add(const PdbAtom& atom) {
   };
   if (!residue_.empty() && (!residue_.front().same_residue(atom) || std::ranges::any_of(residue_, repeats)))
     end_residue();
-  residue_.push_back(atom);
+  residue_.push_back(std::move(atom));
 }
 
 void PdbTracer::end_chain() {

@@ -32,7 +32,7 @@ struct PdbTrace {
   Note hetero;        ///< HETATM residues that have the atom, but are not of the chain
 };
 
-/// Makes a trace of the atoms of a model, in their order. The atoms' texts must stay until finish().
+/// Makes a trace of the atoms of a model, in their order.
 ///
 /// The atom of a residue is its C-alpha, or else the P of a nucleotide; or the one the user names. Of
 /// alternate locations the one of the best occupancy counts, the first of equals. HETATM residues are of the
@@ -44,7 +44,7 @@ class PdbTracer {
   PdbTracer(std::string_view atom, const std::set<std::string, std::less<>>& polymer_residues)
       : wanted_(atom), polymer_residues_(polymer_residues) {}
 
-  void add(const PdbAtom& atom);
+  void add(PdbAtom atom);
   void end_chain();   ///< TER
   PdbTrace finish();  ///< at the end of the model; the next one begins
 

@@ -165,28 +165,20 @@ class VtkLegacy {
 
   // Cell data counts vertices first, then lines, then the rest.
   void add_cells() {
-    constexpr std::int64_t vertex = 1, vertex_list = 2, line = 3, poly_line = 4;
     if (unstructured_ && types_.size() != lines_.end.size())
       fail(fmt::format("{} cells, but {} cell types", lines_.end.size(), types_.size()));
     const auto add = [&](Cells& cells, const auto& type_of_cell) {
       std::uint64_t begin = 0;
       for (std::size_t k = 0; k < cells.end.size(); ++k) {
-        const std::int64_t type = type_of_cell(k);
         const auto points = std::span(cells.points).subspan(begin, cells.end[k] - begin);
         begin = cells.end[k];
-        std::string problem;
-        if (type == line || type == poly_line)
-          problem = mesh_.add_line(points);
-        else if (type == vertex || type == vertex_list)
-          problem = mesh_.add_vertices(points);
-        else
-          mesh_.add_other_cells(1);
-        if (!problem.empty()) fail(problem);
+        if (const std::string problem = mesh_.add_cell(type_of_cell(k), points); !problem.empty())
+          fail(problem);
       }
       std::exchange(cells, {});
     };
-    add(vertices_, [](std::size_t) { return vertex_list; });
-    add(lines_, [&](std::size_t k) { return unstructured_ ? types_[k] : poly_line; });
+    add(vertices_, [](std::size_t) { return VtkMesh::poly_vertex; });
+    add(lines_, [&](std::size_t k) { return unstructured_ ? types_[k] : VtkMesh::poly_line; });
     mesh_.add_other_cells(others_.end.size());
   }
 
@@ -277,7 +269,7 @@ class VtkLegacy {
 
   Type type_of(const std::string& name) const {
     const auto type = type_named(lower_case(name));
-    if (!type) fail(fmt::format("the type {} is not supported", in_quotes(name)));
+    if (!type) fail(fmt::format("{} is no type of numbers here; leave the array out", in_quotes(name)));
     return *type;
   }
 

@@ -25,28 +25,18 @@ bool says_radius(std::string_view name) {
 
 }  // namespace
 
-std::string VtkMesh::problem_of(std::span<const std::int64_t> points_of_cell) const {
+std::string VtkMesh::add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell) {
+  const bool is_vertex = type == vertex || type == poly_vertex;
+  if (!is_vertex && type != line && type != poly_line) return add_other_cells(1), "";
   for (const std::int64_t point : points_of_cell)
     if (point < 0 || point >= points())
       return fmt::format("a cell names point {}, of {} from 0", point, points());
-  return "";
-}
-
-std::string VtkMesh::add_vertices(std::span<const std::int64_t> points_of_cell) {
-  if (std::string problem = problem_of(points_of_cell); !problem.empty()) return problem;
   for (const std::int64_t point : points_of_cell) {
-    vertices_.push_back(static_cast<std::uint32_t>(point));
-    vertex_cell_.push_back(cells_);
+    (is_vertex ? vertices_ : line_points_).push_back(static_cast<std::uint32_t>(point));
+    if (is_vertex) vertex_cell_.push_back(cells_);
   }
+  if (!is_vertex) line_end_.push_back(line_points_.size()), line_cell_.push_back(cells_);
   ++cells_;
-  return "";
-}
-
-std::string VtkMesh::add_line(std::span<const std::int64_t> points_of_line) {
-  if (std::string problem = problem_of(points_of_line); !problem.empty()) return problem;
-  for (const std::int64_t point : points_of_line) line_points_.push_back(static_cast<std::uint32_t>(point));
-  line_end_.push_back(line_points_.size());
-  line_cell_.push_back(cells_++);
   return "";
 }
 

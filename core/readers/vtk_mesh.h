@@ -26,11 +26,10 @@ class VtkMesh {
   void add_point(double x, double y, double z) { curves_.add_point(x, y, z); }
 
   std::uint64_t cells() const { return cells_; }
-  /// The next cell, a line along these points. The reason when it is none; empty when it is good.
-  std::string add_line(std::span<const std::int64_t> points);
+  enum CellType : std::int64_t { vertex = 1, poly_vertex = 2, line = 3, poly_line = 4 };  ///< VTK's numbers
+  /// The next cell, of these or any other type. The reason when a point of it is none; empty when it is good.
+  std::string add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell);
   void add_other_cells(std::uint64_t cells) { cells_ += cells, other_cells_ += cells; }
-  /// The next cell, one or several vertices. The reason when it is none; empty when it is good.
-  std::string add_vertices(std::span<const std::int64_t> points_of_cell);
 
   enum class Of { points, cells };
   /// Whether the values of this array, one number each, are to be handed over.
@@ -42,8 +41,6 @@ class VtkMesh {
   CurveFile curves(const std::string& file);
 
  private:
-  std::string problem_of(std::span<const std::int64_t> points_of_cell) const;
-
   struct Array {
     std::string name;
     Of of;

@@ -106,10 +106,11 @@ class VtkXml {
 
   // Cell data counts vertices first, then lines, then the rest.
   void read_lines(const pugi::xml_node& piece) {
-    constexpr double vertex_list = 2, poly_line = 4;
     read_points(piece);
-    read_cells(piece.child("Verts"), [](std::size_t) { return vertex_list; }, {piece, "NumberOfVerts"});
-    read_cells(piece.child("Lines"), [](std::size_t) { return poly_line; }, {piece, "NumberOfLines"});
+    read_cells(piece.child("Verts"), [](std::size_t) { return VtkMesh::poly_vertex; },
+               {piece, "NumberOfVerts"});
+    read_cells(piece.child("Lines"), [](std::size_t) { return VtkMesh::poly_line; },
+               {piece, "NumberOfLines"});
     mesh_.add_other_cells(cells_of(piece, "NumberOfStrips") + cells_of(piece, "NumberOfPolys"));
     read_arrays(piece);
   }
@@ -120,7 +121,8 @@ class VtkXml {
                ends = numbers_named(piece.child("Cells"), "offsets");
     if (types.size() != ends.size())
       fail(fmt::format("{} cells, but {} cell types", ends.size(), types.size()));
-    read_cells(piece.child("Cells"), [&](std::size_t k) { return types[k]; }, {piece, "NumberOfCells"});
+    read_cells(piece.child("Cells"), [&](std::size_t k) { return index(types[k], 255, "cell type"); },
+               {piece, "NumberOfCells"});
     read_arrays(piece);
   }
 
@@ -157,22 +159,10 @@ class VtkXml {
       line.clear();
       for (; begin < end; ++begin)
         line.push_back(first_point_ + index(points[begin], mesh_.points() - first_point_, "point number"));
-      add_cell(line, type(k));
+      if (const std::string problem = mesh_.add_cell(type(k), line); !problem.empty()) fail(problem);
     }
     if (begin != points.size())
       fail(fmt::format("the offsets end at {}, the connectivity has {} numbers", begin, points.size()));
-  }
-
-  void add_cell(const std::vector<std::int64_t>& points, double type) {
-    constexpr double vertex = 1, vertex_list = 2, line = 3, poly_line = 4;
-    std::string problem;
-    if (type == line || type == poly_line)
-      problem = mesh_.add_line(points);
-    else if (type == vertex || type == vertex_list)
-      problem = mesh_.add_vertices(points);
-    else
-      mesh_.add_other_cells(1);
-    if (!problem.empty()) fail(problem);
   }
 
   std::int64_t index(double value, std::uint64_t most, std::string_view what) const {
