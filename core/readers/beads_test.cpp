@@ -53,11 +53,11 @@ TEST(LammpsDataReader, TiesMoleculesWithoutBondsAndTakesDiameters) {
 }
 
 // The columns of a row that are not read are 77, so that one taken for a coordinate shows.
-RC_GTEST_PROP(LammpsDataReader, ReadsEveryStyle, (bool flags)) {
+RC_GTEST_PROP(LammpsDataReader, ReadsEveryStyle, (bool flags, bool kokkos)) {
   const auto styles = lammps_atom_styles();
   const LammpsAtomStyle& style = styles[*rc::gen::inRange<std::size_t>(0, styles.size())];
   const auto atoms = *rc::gen::inRange<std::uint32_t>(1, 5);
-  std::string text = fmt::format("t\n\n{} atoms\n\nAtoms # {}\n\n", atoms, style.name);
+  std::string text = fmt::format("t\n\n{} atoms\n\nAtoms # {}{}\n\n", atoms, style.name, kokkos ? "/kk" : "");
   std::vector<Sphere> spheres;
   for (std::uint32_t k = 0; k < atoms; ++k) {
     spheres.push_back({*any_finite(), *any_finite(), *any_finite(), style.diameter ? 2.0f : 0.0f});

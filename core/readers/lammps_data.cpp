@@ -138,12 +138,14 @@ class LammpsAtoms {
     }
   }
 
-  /// Null where the section names none. Sub-styles may stand behind hybrid.
+  /// Null where the section names none. Sub-styles may stand behind hybrid; /kk is where LAMMPS keeps the
+  /// atoms.
   const LammpsAtomStyle* told_style() const {
-    const std::string_view told = data_.style(), name = told.substr(0, told.find_first_of(" \t"));
-    if (name.empty()) return nullptr;
+    const std::string_view told = data_.style(), word = told.substr(0, told.find_first_of(" \t"));
+    if (word.empty()) return nullptr;
+    const std::string_view name = word.substr(0, word.size() - (word.ends_with("/kk") ? 3 : 0));
     const auto found = std::ranges::find(lammps_atom_styles(), name, &LammpsAtomStyle::name);
-    if (found == lammps_atom_styles().end() || (name != told && name != "hybrid"))
+    if (found == lammps_atom_styles().end() || (word != told && name != "hybrid"))
       data_.lines().fail(fmt::format("{} behind Atoms is no style of atoms; write one, as in 'Atoms # full'",
                                      in_quotes(told)));
     return &*found;
