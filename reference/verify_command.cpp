@@ -16,8 +16,10 @@
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
+#include "catena/reference/find_in_box.h"
 #include "catena/reference/verify.h"
 #include "catena/reference/verify_inputs.h"
 #include "catena/reference/verify_report.h"
@@ -28,7 +30,8 @@ namespace {
 /// A variant to verify; it keeps its buffers from input to input, as it would in use.
 struct Candidate {
   VariantInfo info;
-  std::unique_ptr<Variant> variant;  ///< null when unavailable
+  std::unique_ptr<Variant> variant;    ///< null when unavailable
+  std::unique_ptr<Periodic> in_box{};  ///< made for the first input with a box
 };
 
 Candidate candidate(const std::string& name) {
@@ -51,6 +54,7 @@ class VerifyCommand final : public Command {
         "--certify", certify_,
         "Prove each answer by the variant's own evidence, where it has some; no reference is run for it");
     add_input_options(app, options_);
+    add_box_option(app, options_);
   }
 
   int run() override {
@@ -87,9 +91,11 @@ class VerifyCommand final : public Command {
   void verify_frame(const Input& input, std::uint32_t frame, std::vector<Candidate>& candidates,
                     VerifyReport& report, Progress& progress) const {
     const Chain chain = input.animation->frame(frame);
+    const auto& boxes = input.boxes;
+    const PeriodicBox* const box = boxes.empty() ? nullptr : &boxes[boxes.size() > frame ? frame : 0];
     std::optional<Answer> found;  // only when somebody needs it: a certificate does without
     const auto exact = [&]() -> const Answer& {
-      if (!found) found = exact_answer(chain, pair_limit);
+      if (!found) found = box ? find_in_box(chain, *box, pair_limit) : exact_answer(chain, pair_limit);
       return *found;
     };
     const std::uint32_t first_frame = written_frame(input.name);
@@ -104,6 +110,8 @@ class VerifyCommand final : public Command {
         v.verdict = Verdict::unavailable;
         v.reason = *c.info.unavailable;
         print(c.info, certify_ ? 0 : exact().pair_count, std::move(v));
+      } else if (box) {
+        print(c.info, exact().pair_count, verify(in_box(c, *box), !c.info.exact, chain, exact()));
       } else if (certify_ && c.info.exact && c.variant->evidence() != Accounting::none) {
         std::uint64_t proved;
         Verification v = verify_by_certificate(*c.variant, chain, pair_limit, proved);
@@ -112,6 +120,14 @@ class VerifyCommand final : public Command {
         print(c.info, exact().pair_count, verify(*c.variant, !c.info.exact, chain, exact()));
       }
     }
+  }
+
+  static Variant& in_box(Candidate& c, const PeriodicBox& box) {
+    if (!c.in_box)
+      c.in_box = std::make_unique<Periodic>(
+          blaming(c.info.name, [&] { return StrategyRegistry::instance().make(c.info.name); }), box);
+    c.in_box->set_box(box);
+    return *c.in_box;
   }
 
   std::vector<std::string> inputs_, variants_;

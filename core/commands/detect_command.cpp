@@ -65,7 +65,7 @@ class DetectCommand final : public Command {
     for (std::uint32_t f = first; f < last; ++f) {
       progress.step(fmt::format("frame {}", f));
       const Chain chain = input.animation->frame(f);
-      if (periodic && input.boxes.size() > f) periodic->set_box(input.boxes[f]);
+      go_to_frame(periodic, input.boxes, f);
       blaming(variant_, [&] {
         if (f == first) variant->prepare(request_);
         f == first ? variant->build(chain) : variant->update(chain);
@@ -93,15 +93,10 @@ class DetectCommand final : public Command {
     if (no_omit_.given()) variant_ = no_omit_.variant();
   }
 
-  /// Makes the variant one in the input's box; null where it has none.
   Periodic* take_box(const Input& input, std::unique_ptr<Variant>& variant) const {
-    if (input.boxes.empty()) return nullptr;
-    if (files_.depth || files_.margin)
+    if (!input.boxes.empty() && (files_.depth || files_.margin))
       throw InputError("--depth and --margin do not know a box; leave them out, or say --box none");
-    auto periodic = std::make_unique<Periodic>(std::move(variant), input.boxes[0]);
-    Periodic* const seen = periodic.get();
-    variant = std::move(periodic);
-    return seen;
+    return put_into_boxes(variant, input.boxes);
   }
 
   void print(std::uint32_t frame, const Chain& chain, const Collisions& found, const Variant& variant) const {

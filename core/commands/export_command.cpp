@@ -31,6 +31,7 @@ class ExportCommand final : public Command {
                  "Find the collisions, and write for each sphere what it collides with (.vtp)");
     app.add_option("--variant", variant_, "How to find them; see catena list")->capture_default_str();
     add_input_options(app, options_);
+    add_box_option(app, options_);
   }
 
   int run() override {
@@ -41,14 +42,17 @@ class ExportCommand final : public Command {
     if (contacts_) search_ = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     const Input input = open_input(input_, options_);
     show_warnings(input);
+    if (contacts_ && !input.boxes.empty())
+      throw InputError("--contacts do not know a box; leave them out, or say --box none");
     const auto [first, last] = frame_.of(input);
     first_frame_ = written_frame(input_);
-    say_losses(writer.info, input.animation->frame(first));
+    say_losses(writer.info, input.animation->frame(first), !input.boxes.empty());
     const auto frame = [&](std::uint32_t f) { return exported(input, f, f == first); };
     if (writer.info.frames || last - first == 1) {
-      writer.write(out_, {first, last, frame, input.labels, input.joints});
+      writer.write(out_, {first, last, frame, input.labels, input.joints, input.boxes});
     } else {
-      for (std::uint32_t f = first; f < last; ++f) writer.write(name_of(f), {f, f + 1, frame, input.labels, input.joints});
+      for (std::uint32_t f = first; f < last; ++f)
+        writer.write(name_of(f), {f, f + 1, frame, input.labels, input.joints, input.boxes});
     }
     fmt::print("{}: {} of {} as {}\n", out_, counted(last - first, "frame"),
                counted(input.animation->frame(first).size(), "sphere"), writer.info.name);
@@ -76,7 +80,7 @@ class ExportCommand final : public Command {
         .string();
   }
 
-  void say_losses(const WriterInfo& info, const Chain& chain) const {
+  void say_losses(const WriterInfo& info, const Chain& chain, bool has_box) const {
     const auto say = [&](const char* what) {
       fmt::print(stderr, "catena: {}\n", one_line(fmt::format("{}: {} holds no {}", out_, info.name, what)));
     };
@@ -85,6 +89,7 @@ class ExportCommand final : public Command {
     if (!info.rule && (rule.rule != Exclusion::Rule::index_window || rule.window != 1))
       say("exclusion rule; give it with --window or --arc-window when it is read");
     if (!info.rule && !rule.extra_pairs.empty()) say("neighbours across joints; .chain does");
+    if (!info.box && has_box) say("box; give it with --box when it is read, or export to .xyz");
   }
 
   std::string input_, out_, variant_ = "aCPU2+CPU2";

@@ -9,7 +9,9 @@
 #include "catena/core/commands/plan_options.h"
 #include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/show_warnings.h"
+#include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
@@ -29,10 +31,15 @@ class PlanCommand final : public Command {
     no_omit_.add_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
+    add_box_option(app, options_);
   }
 
   int run() override {
+    options_.takes_box = run_;
     const Input input = open_input(input_, options_);
+    if (!input.boxes.empty() && !run_)
+      throw InputError(
+          "what is searched in a box is known when it is searched; add --run, or leave --box out");
     show_warnings(input);
     const Machine& machine = Machine::here();
     if (machine.warning) fmt::print(stderr, "catena: {}\n", *machine.warning);
@@ -41,7 +48,8 @@ class PlanCommand final : public Command {
     request.want = want_.want();
     request.frames_follow = last - first > 1;
 
-    const auto variant = StrategyRegistry::instance().make(no_omit_.variant());
+    auto variant = StrategyRegistry::instance().make(no_omit_.variant());
+    Periodic* const periodic = put_into_boxes(variant, input.boxes);
     variant->prepare(request);
     Collisions found;
     for (std::uint32_t f = first; f < last; ++f) {
@@ -50,6 +58,7 @@ class PlanCommand final : public Command {
         print(f, chain, plan(chain.view(), request, machine, Omissions::without(no_omit_.names())), nullptr);
         continue;
       }
+      go_to_frame(periodic, input.boxes, f);
       blaming("auto", [&] {
         f == first ? variant->build(chain) : variant->update(chain);
         variant->find(chain, request, found);

@@ -46,6 +46,13 @@ TEST_F(PlanProgram, OmitsNothingThatIsSwitchedOff) {
   expect_refused("plan path1:n=20 --any --counts-only", "--any");
 }
 
+TEST_F(PlanProgram, IsOfTheSearchInABox) {
+  const std::string melt =
+      "plan '" CATENA_SOURCE_DIR "/core/readers/examples/melt.data' --radius 0.5 --box file";
+  expect_says(melt + " --run", 0, {"8 spheres, collides", "choice of variant"});
+  expect_refused(melt, "add --run");
+}
+
 TEST_F(PlanProgram, FramesOfAnAnimationAreToldWhatTheyShare) {
   const ProgramOutcome r = run("plan path1:n=30000 --frame all --run --json");
   std::istringstream lines(r.output);

@@ -66,6 +66,19 @@ TEST_F(Program, RepeatsSpaceInABox) {
   expect_refused(melt + " --box file --pairs p.csv --depth", "do not know a box");
 }
 
+// The pair across the face is found in what was written, too.
+TEST_F(Program, ExportsTheBoxToXyzAndSaysWhereItCannot) {
+  const std::string melt = examples + "melt.data --radius 0.5 --box file ";
+  expect_says("export " + melt + file("a.xyz"), 0, {"8 spheres"});
+  expect_says("detect " + file("a.xyz"), 0, {"8 spheres, 2 pairs"});
+  expect_says("detect " + file("a.xyz") + " --box none", 0, {"8 spheres, 1 pair"});
+  expect_says("export " + melt + file("a.csv"), 0,
+              {"CSV table holds no box; give it with --box when it is read"});
+  expect_says("verify " + melt, 0, {"melt.data", " 2 "});
+  expect_refused("verify " + examples + "melt.data --radius 0.5 --box 1,1,1", "less than twice the reach");
+  expect_refused("export " + melt + file("a.vtp") + " --contacts", "--contacts do not know a box");
+}
+
 TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {
   expect_says("detect - --format vtp < " + examples + "branch.vtp", 0, {"7 spheres"});
   expect_refused("detect - < " + examples + "branch.vtp", "standard input: ");

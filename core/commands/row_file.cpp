@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "catena/core/csv_cell.h"
 #include "catena/core/readers/number_text.h"
 
 namespace catena {
@@ -42,12 +43,8 @@ RowFile& RowFile::text(std::string_view value) {
   begin_cell();
   if (json_) {
     line_ += nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  } else if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
-    line_ += value;
   } else {
-    line_ += '"';
-    for (const char c : value) line_.append(c == '"' ? 2 : 1, c);
-    line_ += '"';
+    append_csv_cell(line_, value);
   }
   return *this;
 }

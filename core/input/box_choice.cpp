@@ -15,9 +15,9 @@ void choose_boxes(CurveFile& curves, const InputOptions& options, const std::str
   if (!has_box || options.box_from != BoxFrom::told) return;
   if (curves.box_is_periodic && options.takes_box) return;
   const auto [x, y, z] = curves.boxes[0].length;
-  curves.warnings.push_back(
-      fmt::format("the box of the file, {} x {} x {}, is left out; {}", x, y, z,
-                  options.takes_box ? "--box file says that space repeats it" : "`catena detect` takes it"));
+  curves.warnings.push_back(fmt::format("the box of the file, {} x {} x {}, is left out; {}", x, y, z,
+                                        options.takes_box ? "--box file says that space repeats it"
+                                                          : "`catena detect` and `catena verify` take it"));
   curves.boxes.clear();
 }
 

@@ -44,7 +44,7 @@ TEST(BoxChoice, SaysWhatIsLeftOut) {
   EXPECT_EQ(warning("melt.data", heeding(BoxFrom::told)),
             "the box of the file, 8 x 8 x 8, is left out; --box file says that space repeats it");
   EXPECT_EQ(warning("melt.dump", {.radius = 0.5f}),
-            "the box of the file, 8 x 8 x 8, is left out; `catena detect` takes it");
+            "the box of the file, 8 x 8 x 8, is left out; `catena detect` and `catena verify` take it");
   EXPECT_EQ(warning("melt.dump", heeding(BoxFrom::none)), "");
 }
 

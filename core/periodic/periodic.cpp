@@ -27,6 +27,18 @@ bool is_forward(const Shift& shift) { return shift > nowhere; }
 
 }  // namespace
 
+Periodic* put_into_boxes(std::unique_ptr<Variant>& variant, std::span<const PeriodicBox> boxes) {
+  if (boxes.empty()) return nullptr;
+  auto periodic = std::make_unique<Periodic>(std::move(variant), boxes[0]);
+  Periodic* const seen = periodic.get();
+  variant = std::move(periodic);
+  return seen;
+}
+
+void go_to_frame(Periodic* periodic, std::span<const PeriodicBox> boxes, std::uint32_t frame) {
+  if (periodic != nullptr && boxes.size() > frame) periodic->set_box(boxes[frame]);
+}
+
 void Periodic::build(const Chain& chain) {
   const Stopwatch watch;
   const double reach = 2 * double{chain.view().extent.greatest_radius};

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
@@ -66,5 +67,12 @@ class Periodic final : public Variant {
   Collisions candidates_;
   Timings timings_;
 };
+
+/// Makes this a search in the boxes of an input, and goes to that of its first frame. Null where there is
+/// none: the variant stays what it was.
+Periodic* put_into_boxes(std::unique_ptr<Variant>& variant, std::span<const PeriodicBox> boxes);
+
+/// The box of the next frame to be built, where there is one for each; `periodic` may be null.
+void go_to_frame(Periodic* periodic, std::span<const PeriodicBox> boxes, std::uint32_t frame);
 
 }  // namespace catena

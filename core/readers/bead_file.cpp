@@ -77,7 +77,7 @@ void BeadFile::reserve(std::size_t beads, std::size_t bonds) {
 std::vector<Pair> BeadFile::edges_without_bonds() {
   std::vector<Pair> edges;
   if (molecules_.empty()) {
-    curves_.warnings.push_back(
+    curves_.warnings.emplace_back(
         "neither bonds nor molecules are told; all beads are one strand in the order of their ids");
     for (std::uint32_t k = 1; k < ids_.size(); ++k) edges.push_back({k - 1, k});
     return edges;

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <numeric>
 
+#include "catena/core/readers/lammps_atom_style.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_graph.h"
 
@@ -50,11 +52,39 @@ TEST(LammpsDataReader, TiesMoleculesWithoutBondsAndTakesDiameters) {
   EXPECT_TRUE(spheres.has_radii);
 }
 
+// The columns of a row that are not read are 77, so that one taken for a coordinate shows.
+RC_GTEST_PROP(LammpsDataReader, ReadsEveryStyle, (bool flags, bool kokkos)) {
+  const auto styles = lammps_atom_styles();
+  const LammpsAtomStyle& style = styles[*rc::gen::inRange<std::size_t>(0, styles.size())];
+  const auto atoms = *rc::gen::inRange<std::uint32_t>(1, 5);
+  std::string text = fmt::format("t\n\n{} atoms\n\nAtoms # {}{}\n\n", atoms, style.name, kokkos ? "/kk" : "");
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < atoms; ++k) {
+    spheres.push_back({*any_finite(), *any_finite(), *any_finite(), style.diameter ? 2.0f : 0.0f});
+    std::vector<std::string> row(style.columns + (flags ? 3 : 0), "77");
+    row[0] = std::to_string(k + 1);
+    if (style.diameter) row[*style.diameter] = "4";
+    for (const auto& [at, value] : {std::pair(0, spheres[k].x), {1, spheres[k].y}, {2, spheres[k].z}})
+      row[style.x + static_cast<std::size_t>(at)] = fmt::format("{}", value);
+    text += fmt::format("{}\n", fmt::join(row, " "));
+  }
+  const CurveFile curves = read_text("a.data", text);
+  RC_ASSERT(curves.spheres == spheres);
+  RC_ASSERT(curves.has_radii == style.diameter.has_value());
+  RC_ASSERT(curves.warnings.empty() == style.molecule.has_value());
+}
+
 TEST(LammpsDataReader, SaysWhatIsWrong) {
   const std::string start = "t\n\n2 atoms\n\n";
   EXPECT_COMPLAINT("7: what the 6 columns are is not told", "a.data",
                    start + "Atoms\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n");
-  EXPECT_COMPLAINT("5: the atom style 'edpd'", "a.data", start + "Atoms # edpd\n\n1 1 1 0 0 0\n");
+  EXPECT_COMPLAINT("5: 'edpt' behind Atoms is no style", "a.data", start + "Atoms # edpt\n\n1 1 1 0 0 0\n");
+  EXPECT_COMPLAINT("7: an atom of style bond has 6 columns, perhaps 3 image flags more, not 7", "a.data",
+                   start + "Atoms # bond\n\n1 1 1 0.5 0 0 0\n2 1 1 0.5 0 0 0\n");
+  EXPECT_COMPLAINT("7: an atom of style atomic has 5 columns, perhaps 3 image flags more, not 8", "a.data",
+                   start + "Atoms # atomic\n\n1 1 1 1 1 0.5 0 0\n");
+  EXPECT_COMPLAINT("8: what the 8 columns are is not told", "a.data",
+                   start + "Atoms\n\n1 1 1 1 1 0 0 0\n2 1 1 1 1 0.5 0 0\n");  // of bpm/sphere
   EXPECT_COMPLAINT("7: the header says 2 atoms, the file has 1", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0 0 0\n");
   EXPECT_COMPLAINT(" atom 1 comes twice in frame 0", "a.data",
@@ -110,6 +140,16 @@ TEST(LammpsDumpReader, TakesBondsFromATopologyAndTheTrueBoxOfATiltedOne) {
   EXPECT_EQ(curves.boxes, (std::vector<PeriodicBox>{{{10, 5, 4}, 2, -1, 0}}));
 }
 
+// As versions of LAMMPS before 2010 wrote it.
+TEST(LammpsDumpReader, DoesNotTakeABoxForPeriodicThatDoesNotSaySo) {
+  const std::string rest = "0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n1 0 0 0\n",
+                    start = "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS";
+  EXPECT_FALSE(read_text("a.dump", start + "\n" + rest).box_is_periodic);
+  EXPECT_EQ(read_text("a.dump", start + "\n" + rest).boxes, (std::vector<PeriodicBox>{{{9, 9, 9}}}));
+  EXPECT_TRUE(read_text("a.dump", start + " pp fs pp\n" + rest).box_is_periodic);
+  EXPECT_COMPLAINT("3: 'ITEM: BOX BOUNDS' has three words", "a.dump", start + " pp\n" + rest);
+}
+
 TEST(LammpsDumpReader, SaysWhatIsWrong) {
   const std::string start =
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n";
@@ -118,6 +158,9 @@ TEST(LammpsDumpReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT("10: an atom of 3 columns, 4 are named", "a.dump",
                    start + "ITEM: ATOMS id x y z\n0 0 0\n");
   EXPECT_COMPLAINT("9: the file is truncated", "a.dump", start + "ITEM: ATOMS id x y z\n");
+  EXPECT_COMPLAINT(
+      "19: this frame and the first differ in having radii", "a.dump",
+      start + "ITEM: ATOMS id x y z radius\n1 0 0 0 1\n" + start + "ITEM: ATOMS id x y z\n1 0 0 0\n");
   EXPECT_COMPLAINT(" frame 1 has not the same atoms", "a.dump",
                    start + "ITEM: ATOMS id x y z\n1 0 0 0\n" + start + "ITEM: ATOMS id x y z\n2 0 0 0\n");
 }
@@ -178,6 +221,7 @@ TEST(OxdnaReader, SaysWhatIsWrong) {
   EXPECT_THROW(read_oxdna("2 1\n1 A -1 1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
   EXPECT_THROW(read_oxdna("2 1\n1 A -1 9\n1 C 0 -1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
   EXPECT_THROW(read_oxdna(top, "t = 0\n" + rows), InputError);
+  EXPECT_THROW(read_oxdna(top, "\xEF\xBB\xBF"), InputError);  // a mark and nothing else, found by libFuzzer
   EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n0 0 0\n"), InputError);
   EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows + "2 0 0\n"), InputError);
   EXPECT_EQ(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows).spheres.size(), 2u);

@@ -15,6 +15,7 @@ class ChainText {
   ChainText(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
+    lines_.read_once();
     const Fields& first = next_fields("the line 'catena-chain 1'");
     if (first.size() != 2 || first[0] != "catena-chain")
       lines_.fail("the file does not start with 'catena-chain 1'");

@@ -33,6 +33,16 @@ TEST(XyzrReader, ComplainsWithFileAndLine) {
   EXPECT_EQ(read_text("a.xyzr", "# r\n0 0 0 1\n").labels.of(0), "2");
 }
 
+// Taken as if it were not there, an empty column would make the next one x.
+TEST(TextColumns, RefuseAnEmptyOneInFrontOfAComma) {
+  for (const char* row : {"1,,2,3", ",1,2,3", "1, ,2,3", "1 2,\t,3 4", "1,2,3,,"})
+    for (const char* name : {"a.xyz", "a.xyzr", "a.3dg"})
+      EXPECT_COMPLAINT("1: a column in front of a comma is empty", name, std::string(row) + "\n");
+  EXPECT_COMPLAINT("3: a column in front of a comma is empty", "a.xyz", "1\nt,,t\n0,,0,0\n");
+  EXPECT_COMPLAINT("2: a column in front of a comma is empty", "a.nucle3d", "CHR chr1\n0,,1,2,3\n");
+  EXPECT_EQ(read_text("a.xyzr", "1 , 2,\t3 ,4,\n").spheres[0], (Sphere{1, 2, 3, 4}));
+}
+
 RC_GTEST_PROP(GenomeReaders, ReadWhatIsWritten, (bool table)) {
   std::string text = table ? "chr\tpos\tx\ty\tz\n" : "TITLE\ta cell\nGENOME\thg38\nBINSIZE\t1000\n";
   std::vector<Sphere> spheres;
@@ -63,9 +73,17 @@ TEST(GenomeReaders, BeginAStrandForEachHaplotype) {
   EXPECT_EQ(curves.labels.of(2), "chr1/m:0");
 }
 
+TEST(GenomeReaders, TakeRowsOfBlanksForPointsNotForHeaders) {
+  EXPECT_EQ(read_text("a.nucle3d", "TITLE a b\nCHR chr1\n0,1,2,3\n1 2 3 4\n2,\t3, 4 5\n").spheres,
+            (std::vector<Sphere>{{1, 2, 3, 0}, {2, 3, 4, 0}, {3, 4, 5, 0}}));
+}
+
 TEST(GenomeReaders, ComplainWithFileAndLine) {
   EXPECT_COMPLAINT("1: a point before the first 'CHR name'", "a.nucle3d", "0,0,0,0\n");
   EXPECT_COMPLAINT("2: a point is 'bin,x,y,z'", "a.nucle3d", "CHR chr1\n0,0,0\n");
+  EXPECT_COMPLAINT("4: 'chr1/m' comes back after another", "a.nucle3d",
+                   "CHR chr1\n0,0,0,0,m\n0,1,0,0,p\n1,0,1,0,m\n");
+  EXPECT_COMPLAINT("5: 'chr1' comes back", "a.nucle3d", "CHR chr1\n0,0,0,0\nCHR chr2\nCHR chr1\n1,0,1,0\n");
   EXPECT_COMPLAINT("1: a row is 'chromosome position x y z', got 4 columns", "a.3dg", "chr1 0 0 0\n");
   EXPECT_COMPLAINT("2: position 5 of 'chr1' comes after 5", "a.3dg", "chr1 5 0 0 0\nchr1 5 1 0 0\n");
   EXPECT_COMPLAINT("3: chromosome 'chr1' comes back", "a.3dg", "chr1 5 0 0 0\nchr2 5 1 0 0\nchr1 6 1 0 0\n");

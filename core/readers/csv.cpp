@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "catena/core/error.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/table_columns.h"
@@ -8,33 +9,55 @@
 #include "catena/core/readers/text_lines.h"
 
 /// Tables with a header line that names the columns as TableColumns does, in any order. Other columns are not
-/// read, and named. Separated by comma, semicolon or tab, whichever the header has; cells may be quoted; `#`
-/// starts a comment line.
+/// read, and named. Separated by comma, semicolon or tab, whichever the header has; cells may be
+/// quoted, with quotation marks doubled; `#` starts a comment line.
 namespace catena {
 namespace {
 
 using Role = TableColumns::Role;
 
+constexpr std::string_view blanks = " \t\v\f";
+
+/// Takes the quoted text at the front off the line, a doubled quotation mark being one, and appends it. False
+/// where the quotes are not closed, or more than blanks follow them in the cell.
+bool take_quoted(std::string_view& line, char separator, std::string& text) {
+  for (std::size_t at = 1; at < line.size(); ++at) {
+    if (line[at] == '"' && line.substr(at + 1).starts_with('"')) {
+      ++at;
+    } else if (line[at] == '"') {
+      const std::size_t end = std::min(line.find(separator, at), line.size());
+      if (!trimmed(line.substr(at + 1, end - at - 1)).empty()) return false;
+      line.remove_prefix(end);
+      return true;
+    }
+    text += line[at];
+  }
+  return false;
+}
+
 /// The cells of a line, without the blanks and quotes around them; valid while the line and `unquoted` are.
+/// Throws InputError, without a place, for quotes that do not hold a whole cell.
 void split(std::string_view line, char separator, std::vector<std::string_view>& cells,
            std::string& unquoted) {
   cells.clear();
-  if (line.find('"') != std::string_view::npos) {
-    constexpr char end_of_cell = '\0';
-    unquoted.clear();
-    bool quoted = false;
-    for (const char c : line)
-      if (c == '"')
-        quoted = !quoted;
-      else
-        unquoted += c == separator && !quoted ? end_of_cell : c;
-    line = unquoted;
-    separator = end_of_cell;
-  }
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, at), line.size());
-    cells.push_back(trimmed(line.substr(at, end - at)));
-    at = end + 1;
+  unquoted.clear();
+  unquoted.reserve(line.size());  // so that no text moves
+  for (bool more = true; more;) {
+    const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
+    const std::size_t end = std::min(line.find(separator), line.size());
+    if (begin < end && line[begin] == '"') {
+      line.remove_prefix(begin);
+      const std::size_t first = unquoted.size();
+      if (!take_quoted(line, separator, unquoted))
+        throw InputError(
+            "a quotation mark is not closed at the end of its cell; double those that are part of one");
+      cells.push_back(std::string_view(unquoted).substr(first));
+    } else {
+      cells.push_back(trimmed(line.substr(0, end)));
+      line.remove_prefix(end);
+    }
+    more = !line.empty();
+    if (more) line.remove_prefix(1);
   }
 }
 
@@ -44,15 +67,16 @@ class Table {
       : lines_(file), curves_(options), given_(options.columns), points_(lines_, curves_) {}
 
   CurveFile curves() {
+    lines_.read_once();
     if (!next_row()) lines_.fail("the file has no header line; name the columns: x,y,z,r");
     choose_separator();
-    split(lines_.line(), separator_, cells_, unquoted_);
+    split_line();
     if (given_.empty())
       points_.set_columns_named(cells_);
     else
       take_given_columns();
     while (next_row()) {
-      split(lines_.line(), separator_, cells_, unquoted_);
+      split_line();
       read_row();
     }
     points_.finish();
@@ -66,6 +90,14 @@ class Table {
       if (!text.empty() && text[0] != '#') return true;
     }
     return false;
+  }
+
+  void split_line() {
+    try {
+      split(lines_.line(), separator_, cells_, unquoted_);
+    } catch (const InputError& error) {
+      lines_.fail(error.what());
+    }
   }
 
   void choose_separator() {

@@ -32,7 +32,8 @@ TEST(CsvReader, GathersTheRowsOfAStrandThatComesBackAndSaysSo) {
   EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 3, 5}));
   std::vector<float> x;
   std::vector<std::string> lines;
-  for (std::uint32_t i = 0; i < 5; ++i) x.push_back(curves.spheres[i].x), lines.push_back(curves.labels.of(i));
+  for (std::uint32_t i = 0; i < 5; ++i)
+    x.push_back(curves.spheres[i].x), lines.push_back(curves.labels.of(i));
   EXPECT_EQ(x, (std::vector<float>{0, 1, 2, 5, 6}));
   EXPECT_EQ(lines, (std::vector<std::string>{"2", "4", "6", "3", "5"}));
   ASSERT_EQ(curves.warnings.size(), 1u);
@@ -41,7 +42,8 @@ TEST(CsvReader, GathersTheRowsOfAStrandThatComesBackAndSaysSo) {
 }
 
 RC_GTEST_PROP(CsvReader, TakesTheRowsOfANameInTheirOrder, ()) {
-  const auto names = *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::elementOf(std::string("abc"))));
+  const auto names =
+      *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::elementOf(std::string("abc"))));
   std::string text = "x,y,z,strand\n", seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
     text += std::to_string(i) + ",0,0," + names[i] + "\n";
@@ -66,6 +68,17 @@ TEST(CsvReader, NamesTheColumnsThatItDoesNotRead) {
   const auto curves = read_text("a.csv", "x,y,z,pressure,\"a,b\"\n0,0,0,1,2\n");
   ASSERT_EQ(curves.warnings.size(), 1u);
   EXPECT_EQ(curves.warnings[0], "not read: columns 'pressure', 'a,b'");
+}
+
+TEST(CsvReader, TakesADoubledQuotationMarkForOne) {
+  const auto curves =
+      read_text("a.csv", "id,x,y,z\n\"5\"\",\"\"\",0,0,0\n \" a \" ,1,0,0\n\"\",2,0,0\n5\"x,3,0,0\n");
+  std::vector<std::string> ids;
+  for (std::uint32_t i = 0; i < 4; ++i) ids.push_back(curves.labels.of(i));
+  EXPECT_EQ(ids, (std::vector<std::string>{"5\",\"", " a ", "", "5\"x"}));
+  for (const char* cell : {"\"a", "\"a\"b", "\"a\"\"", "\""})
+    EXPECT_COMPLAINT("2: a quotation mark is not closed", "a.csv",
+                     std::string("id,x,y,z\n") + cell + ",0,0,0\n");
 }
 
 TEST(CsvReader, LabelsSpheresByTheirIdOrElseByTheirLine) {

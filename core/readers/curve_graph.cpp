@@ -14,7 +14,12 @@ class CurveGraph {
   CurveGraph(std::uint32_t points, std::span<const Pair> edges) : row_(std::size_t{points} + 2, 0) {
     if (edges.size() >= (std::size_t{1} << 31)) throw InputError("more than 2^31 - 1 edges tie the points");
     for (const Pair& edge : edges)
-      if (edge.i != edge.j) ++row_[edge.i + 2], ++row_[edge.j + 2];
+      if (edge.i != edge.j) {
+        ++row_[edge.i + 2], ++row_[edge.j + 2];
+      } else {
+        drawn_.resize(points);
+        drawn_[edge.i] = true;
+      }
     for (std::size_t p = 2; p < row_.size(); ++p) row_[p] += row_[p - 1];
     to_.resize(row_.back());
     // Each row begins one place late, and comes to its own begin as the row before it fills.
@@ -26,6 +31,9 @@ class CurveGraph {
     return std::span(to_).subspan(row_[point], row_[point + 1] - row_[point]);
   }
 
+  /// Whether the point is of a line, or drawn alone.
+  bool is_kept(std::uint32_t point) const { return degree(point) > 0 || (!drawn_.empty() && drawn_[point]); }
+
   /// An edge that is written twice does not make a branch.
   std::uint32_t degree(std::uint32_t point) const {
     const auto all = partners(point);
@@ -36,6 +44,7 @@ class CurveGraph {
  private:
   std::vector<std::uint32_t> row_;
   std::vector<std::uint32_t> to_;
+  std::vector<bool> drawn_;  ///< points with an edge to themselves; empty: none has
 };
 
 class Strands {
@@ -49,7 +58,7 @@ class Strands {
     for (std::uint32_t p = 0; p < points; ++p)
       if (graph_.degree(p) == 1) lay_out_from(p);
     for (std::uint32_t p = 0; p < points; ++p)
-      if (keep_free || graph_.degree(p) > 0) lay_out_from(p);
+      if (keep_free || graph_.is_kept(p)) lay_out_from(p);
     tie();
     return std::move(order_);
   }

@@ -15,8 +15,8 @@ namespace catena {
 ///
 /// `curves` holds every point of the file in its order, in each frame; afterwards only those that a strand
 /// holds, in the order of the strands. Points without an edge become strands of one where `keep_free`,
-/// otherwise they are left out. An edge from a point to itself and an edge that comes twice count once or not
-/// at all. Edges name points of `curves`.
+/// otherwise they are left out, but for those with an edge to themselves: points that a file draws as such.
+/// An edge that comes twice counts once. Edges name points of `curves`.
 ///
 /// Returns for each sphere the point that it was. O(points + edges) time; 12 bytes a point and 8 an edge
 /// beside the spheres, which are copied unless they stay in order.

@@ -49,6 +49,16 @@ TEST(CurveGraph, CountsAnEdgeOnceAndNoneToItself) {
   EXPECT_EQ(curves.spheres.size(), 3u);
 }
 
+TEST(CurveGraph, KeepsAPointWithAnEdgeToItself) {
+  CurveFile curves;
+  curves.spheres.resize(5);
+  const auto order = arrange_along_edges(curves, std::vector<Pair>{{1, 1}, {3, 4}, {3, 3}, {1, 1}}, false);
+  EXPECT_EQ(order, (std::vector<std::uint32_t>{3, 4, 1}));
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_EQ(curves.strand_closed, (std::vector<std::uint8_t>{0, 0}));
+  EXPECT_TRUE(curves.joints.empty());
+}
+
 TEST(CurveGraph, TiesALoopToItsStem) {
   CurveFile curves;
   curves.spheres.resize(5);

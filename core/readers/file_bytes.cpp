@@ -2,7 +2,13 @@
 
 #include <fmt/format.h>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <iostream>
 
@@ -70,6 +76,15 @@ std::string read_bytes(const fs::path& file) {
   bytes = gunzip(bytes, shown_name(file));
   if (bytes.empty()) throw InputError(fmt::format("{}: holds nothing when unpacked", shown_name(file)));
   return bytes;
+}
+
+void release_pages(std::string& bytes, std::size_t begin, std::size_t end) {
+#ifdef __linux__
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto first = (reinterpret_cast<std::uintptr_t>(bytes.data() + begin) + page - 1) / page * page;
+  const auto last = reinterpret_cast<std::uintptr_t>(bytes.data() + end) / page * page;
+  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+#endif
 }
 
 std::string in_quotes(std::string_view text) {

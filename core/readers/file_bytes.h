@@ -18,6 +18,10 @@ std::string read_bytes(const std::filesystem::path& file);
 /// The part of read_bytes that does not open the file: throws InputError unless there is a regular file.
 void require_regular_file(const std::filesystem::path& file);
 
+/// Gives the whole pages of memory between two places of a text back to the system, where that can be done;
+/// nothing there may be read again.
+void release_pages(std::string& bytes, std::size_t begin, std::size_t end);
+
 /// Text of a file as it may be shown inside an error of one line: in quotes, at most 40 characters,
 /// everything that does not print as '?'.
 std::string in_quotes(std::string_view text);

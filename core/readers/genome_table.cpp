@@ -19,9 +19,10 @@ class GenomeTable {
       : lines_(file), curves_(options) {}
 
   CurveFile curves() {
+    lines_.read_once();
     while (lines_.next()) {
       lines_.cut_comment('#');
-      if (!lines_.line().empty()) read_row(lines_.fields(" \t,"));
+      if (!lines_.line().empty()) read_row(lines_.columns());
     }
     curves_.end_strand();
     return std::move(curves_);

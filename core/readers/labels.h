@@ -19,6 +19,10 @@ class Labels {
   void add(std::string_view text);
 
   std::uint32_t size() const { return size_; }
+  friend bool operator==(const Labels&, const Labels&) = default;
+
+  /// The number that is the label of sphere i, where labels are numbers. O(log runs).
+  std::int64_t number_of(std::uint32_t i) const;
 
   /// The label of sphere i; i itself where there are none. O(log runs). Throws std::out_of_range where there
   /// are labels and i is not of theirs.
@@ -33,8 +37,8 @@ class Labels {
   struct Run {
     std::uint32_t first;  ///< sphere
     std::int64_t number;  ///< of that sphere; those after it have the following ones
+    friend bool operator==(const Run&, const Run&) = default;
   };
-  std::int64_t number_of(std::uint32_t i) const;
   std::string_view text_of(std::uint32_t i) const;
 
   std::uint32_t size_ = 0;

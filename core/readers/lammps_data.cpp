@@ -8,6 +8,7 @@
 #include "catena/core/error.h"
 #include "catena/core/readers/bead_file.h"
 #include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/lammps_atom_style.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/readers/reader.h"
 
@@ -21,10 +22,8 @@ bool starts_with_letter(std::string_view text) {
 }  // namespace
 
 LammpsData::LammpsData(const std::filesystem::path& file) : lines_(file) {
+  lines_.read_once();
   lines_.next();  // the title
-  if (lines_.line().find('\0') != std::string_view::npos)
-    throw InputError(
-        fmt::format("{}: is binary; a .data file is one of LAMMPS here, in text", lines_.file_name()));
   while (!at_section_ && lines_.next()) {
     if (starts_with_letter(trimmed(lines_.line()))) {
       take_name();
@@ -88,27 +87,10 @@ const std::vector<std::string_view>& LammpsData::next_row() {
 
 namespace {
 
-/// Where a style of atoms has its columns; a style without molecules or diameters has none.
-struct AtomColumns {
-  std::size_t x = 0;
-  std::optional<std::size_t> molecule, diameter;
-};
-
-/// Of the styles of https://docs.lammps.org/read_data.html, by name.
-std::optional<AtomColumns> columns_of(std::string_view style) {
-  if (style == "atomic") return AtomColumns{2, {}, {}};
-  if (style == "angle" || style == "bond" || style == "molecular") return AtomColumns{3, 1, {}};
-  if (style == "charge" || style == "dipole") return AtomColumns{3, {}, {}};
-  if (style == "full") return AtomColumns{4, 1, {}};
-  if (style == "sphere") return AtomColumns{4, {}, 2};
-  if (style == "bpm/sphere") return AtomColumns{5, 1, 3};
-  return std::nullopt;
-}
-
 /// A LAMMPS data file: atoms, bonds and the box. Where `Atoms` says no style, the columns tell it if they
 /// can: with bonds 6 are molecular and 7 full, without 5 are atomic, each perhaps with three image flags
-/// more. Coordinates are taken as they are stored; image flags are not applied. A diameter of style sphere
-/// makes radii. Whether the box is periodic no data file says.
+/// more, which are whole numbers. Coordinates are taken as they are stored; image flags are not applied. A
+/// diameter of style sphere makes radii. Whether the box is periodic no data file says.
 class LammpsAtoms {
  public:
   LammpsAtoms(const std::filesystem::path& file, const ReadOptions& options)
@@ -135,38 +117,62 @@ class LammpsAtoms {
 
  private:
   void read_atoms() {
-    std::optional<AtomColumns> columns = columns_of(data_.style());
-    if (!data_.style().empty() && !columns)
-      data_.lines().fail(
-          fmt::format("the atom style {} is not one of atomic, angle, bond, molecular, charge, dipole, full, "
-                      "sphere and bpm/sphere",
-                      in_quotes(data_.style())));
+    const LammpsAtomStyle* style = told_style();
     const std::size_t most = data_.lines().bytes() / 10;  // of what a header can say truly
     beads_.reserve(std::min<std::size_t>(data_.atoms(), most), std::min<std::size_t>(data_.bonds(), most));
     std::size_t size = 0;
     for (;;) {
       const auto& row = data_.next_row();
       if (row.empty()) return beads_.end_frame();
-      if (!columns) columns = guessed(row.size());
+      if (style == nullptr) style = &guessed(row), guessed_ = true;
+      const bool flags = row.size() != style->columns + 3 || style->more_columns || has_flags(row);
+      if (size == 0 && !(style->fits(row.size()) && flags))
+        data_.lines().fail(
+            fmt::format("an atom of style {} has {} columns, perhaps 3 image flags more, not {}", style->name,
+                        style->columns, row.size()));
       if (size == 0) size = row.size();
-      if (row.size() != size || size < columns->x + 3)
-        data_.lines().fail(fmt::format("the atom has {} columns where {} are due", row.size(),
-                                       std::max(size, columns->x + 3)));
-      add(row, *columns);
+      if (row.size() != size)
+        data_.lines().fail(fmt::format("the atom has {} columns, those before it {}", row.size(), size));
+      if (guessed_ && size > style->columns && !has_flags(row)) fail_untold(size);
+      add(row, *style);
     }
   }
 
-  AtomColumns guessed(std::size_t columns) {
-    if (data_.bonds() > 0 && (columns == 6 || columns == 9)) return {3, 1, {}};
-    if (data_.bonds() > 0 && (columns == 7 || columns == 10)) return {4, 1, {}};
-    if (data_.bonds() == 0 && (columns == 5 || columns == 8)) return {2, {}, {}};
+  /// Null where the section names none. Sub-styles may stand behind hybrid; /kk is where LAMMPS keeps the
+  /// atoms.
+  const LammpsAtomStyle* told_style() const {
+    const std::string_view told = data_.style(), word = told.substr(0, told.find_first_of(" \t"));
+    if (word.empty()) return nullptr;
+    const std::string_view name = word.substr(0, word.size() - (word.ends_with("/kk") ? 3 : 0));
+    const auto found = std::ranges::find(lammps_atom_styles(), name, &LammpsAtomStyle::name);
+    if (found == lammps_atom_styles().end() || (word != told && name != "hybrid"))
+      data_.lines().fail(fmt::format("{} behind Atoms is no style of atoms; write one, as in 'Atoms # full'",
+                                     in_quotes(told)));
+    return &*found;
+  }
+
+  static bool has_flags(const std::vector<std::string_view>& row) {
+    return row.size() > 7 && std::all_of(row.end() - 3, row.end(), is_integer);
+  }
+
+  [[noreturn]] void fail_untold(std::size_t columns) const {
     data_.lines().fail(
         fmt::format("what the {} columns are is not told; write the style behind the section's name, as in "
                     "'Atoms # full'",
                     columns));
   }
 
-  void add(const std::vector<std::string_view>& row, const AtomColumns& columns) {
+  const LammpsAtomStyle& guessed(const std::vector<std::string_view>& row) const {
+    const std::size_t columns = row.size() - (has_flags(row) ? 3 : 0);
+    const std::string_view name = data_.bonds() == 0 ? (columns == 5 ? "atomic" : "")
+                                  : columns == 6     ? "molecular"
+                                  : columns == 7     ? "full"
+                                                     : "";
+    if (name.empty()) fail_untold(row.size());
+    return *std::ranges::find(lammps_atom_styles(), name, &LammpsAtomStyle::name);
+  }
+
+  void add(const std::vector<std::string_view>& row, const LammpsAtomStyle& columns) {
     const TextLines& lines = data_.lines();
     float radius = 0;
     if (columns.diameter) {
@@ -194,6 +200,7 @@ class LammpsAtoms {
   LammpsData data_;
   BeadFile beads_;
   std::uint64_t atoms_ = 0, bonds_ = 0;
+  bool guessed_ = false;  ///< the style, from the columns
 };
 
 const RegisterReader registered{{"LAMMPS data",

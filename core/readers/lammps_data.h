@@ -24,6 +24,7 @@ class LammpsData {
   const std::vector<std::string_view>& next_row();
 
   TextLines& lines() { return lines_; }
+  const TextLines& lines() const { return lines_; }
   std::uint32_t bonds() const { return bonds_; }  ///< that the header announces
   std::uint32_t atoms() const { return atoms_; }
   bool has_box() const { return has_box_; }

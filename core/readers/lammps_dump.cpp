@@ -12,8 +12,8 @@
 
 /// A LAMMPS dump in text, https://docs.lammps.org/dump.html: frames of atoms in any order, by the names of
 /// their columns: id; x y z, unwrapped (xu), scaled (xs) or both (xsu); perhaps mol, and radius or diameter.
-/// The box is that of each frame, periodic along an axis where both bounds say p. Bonds are in a data file
-/// that --topology names.
+/// The box is that of each frame, periodic along an axis where both bounds say p; old versions of LAMMPS say
+/// nothing. Bonds are in a data file that --topology names.
 namespace catena {
 namespace {
 
@@ -23,6 +23,7 @@ class LammpsDump {
       : lines_(file), beads_(options, shown_name(file)), topology_(options.topology) {}
 
   CurveFile curves() {
+    lines_.read_once();
     while (lines_.next())
       if (!trimmed(lines_.line()).empty()) read_item();
     lines_.forget();
@@ -65,6 +66,11 @@ class LammpsDump {
     const bool tilted = words.size() > 3 && words[3] == "xy";
     if (words.size() > 3 && words[3] == "abc")
       lines_.fail("a box of general edges (abc origin) is not supported; dump it as xy xz yz");
+    const std::size_t kinds = tilted ? 6 : 3;
+    if (words.size() != kinds && words.size() != kinds + 3)
+      lines_.fail(
+          "'ITEM: BOX BOUNDS' has three words such as pp behind it, and xy xz yz in front of them if tilted");
+    if (words.size() == kinds) beads_.about().box_is_periodic = false;
     std::array<double, 3> low{}, high{}, tilt{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       due_line("a bound of the box");
@@ -81,11 +87,8 @@ class LammpsDump {
     low_ = low;
     edge_ = {{high[0] - low[0], high[1] - low[1], high[2] - low[2]}, xy, xz, yz};
     box_ = edge_;
-    const std::size_t bounds = words.size() - std::min<std::size_t>(words.size(), 3);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string_view kind = bounds >= 3 ? std::string_view(words[words.size() - 3 + axis]) : "pp";
-      if (kind != "pp") box_.length[axis] = 0;
-    }
+    for (std::size_t axis = 0; axis < 3 && words.size() > kinds; ++axis)
+      if (words[kinds + axis] != "pp") box_.length[axis] = 0;
   }
 
   void read_atoms() {
@@ -123,6 +126,10 @@ class LammpsDump {
       break;
     }
     if (id_ == none || place_[0] == none) lines_.fail("the columns lack id, or x y z (or xu, xs, xsu)");
+    const bool has_radii = radius_ != none || diameter_ != none;
+    if (!beads_.about().boxes.empty() && has_radii != beads_.about().has_radii)
+      lines_.fail("this frame and the first differ in having radii");
+    beads_.about().has_radii = has_radii;
   }
 
   void add(const std::vector<std::string_view>& fields) {
@@ -136,7 +143,6 @@ class LammpsDump {
     float radius = 0;
     if (radius_ != none) radius = lines_.radius(fields[radius_]);
     if (radius_ == none && diameter_ != none) radius = lines_.radius(fields[diameter_]) / 2;
-    beads_.about().has_radii = radius_ != none || diameter_ != none;
     beads_.add(lines_.integer(fields[id_], "id"), x, y, z, radius,
                molecule_ == none ? 0 : lines_.integer(fields[molecule_], "mol"));
   }

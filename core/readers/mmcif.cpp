@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,6 +18,11 @@
 namespace catena {
 namespace {
 
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Keywords and names have no case.
+bool is_loop(std::string_view line) { return line.size() == 5 && lower_case(line) == "loop_"; }
+
 class CifTables {
  public:
   explicit CifTables(const std::filesystem::path& file) : lines_(file) {}
@@ -24,15 +30,15 @@ class CifTables {
   TextLines& lines() { return lines_; }
   const TextLines& lines() const { return lines_; }
 
-  /// Goes to the next table of this category; false when there is none.
+  /// Goes to the next table of this category, in lower case; false when there is none.
   bool find(std::string_view category) {
     names_.clear();
     while (lines_.next()) {
       const std::string_view line = trimmed(lines_.line());
       if (lines_.line().starts_with(';')) skip_text();
-      if (line != "loop_") continue;
+      if (!is_loop(line)) continue;
       while (lines_.next() && trimmed(lines_.line()).starts_with('_')) {
-        const std::string_view name = lines_.fields()[0];
+        const std::string name = lower_case(lines_.fields()[0]);
         if (name.starts_with(category) && name.substr(category.size()).starts_with('.'))
           names_.emplace_back(name.substr(category.size() + 1));
       }
@@ -43,7 +49,7 @@ class CifTables {
   }
 
   std::optional<std::size_t> column(std::string_view name) const {
-    const auto found = std::ranges::find(names_, name);
+    const auto found = std::ranges::find(names_, lower_case(name));
     if (found == names_.end()) return {};
     return static_cast<std::size_t>(found - names_.begin());
   }
@@ -51,12 +57,14 @@ class CifTables {
   /// The next row; empty at the table's end. A row may take several lines.
   const std::vector<std::string_view>& next_row() {
     row_.clear();
+    kept_.clear();
     while (row_.size() < names_.size()) {
+      keep_words();
       if (!fresh_ && !lines_.next()) break;
       fresh_ = false;
       const std::string_view line = trimmed(lines_.line());
       if (line.empty()) continue;
-      if (row_.empty() && (line[0] == '#' || line[0] == '_' || line == "loop_" || line.starts_with("data_")))
+      if (row_.empty() && (line[0] == '#' || line[0] == '_' || is_loop(line) || line.starts_with("data_")))
         return row_;
       if (line[0] == ';') lines_.fail("a text of several lines where a word is due");
       add_words(line);
@@ -67,6 +75,11 @@ class CifTables {
   }
 
  private:
+  // Of a row that goes on, as a line's text may be gone when the next is read.
+  void keep_words() {
+    for (std::size_t k = kept_.size(); k < row_.size(); ++k) row_[k] = kept_.emplace_back(row_[k]);
+  }
+
   void skip_text() {
     while (lines_.next() && !lines_.line().starts_with(';')) {
     }
@@ -74,23 +87,29 @@ class CifTables {
 
   // A quoted word ends at a quote before a blank, so that O5' may be written "O5'".
   void add_words(std::string_view line) {
-    while (!(line = trimmed(line)).empty() && line[0] != '#') {
-      const bool quoted = line[0] == '\'' || line[0] == '"';
-      std::size_t end = quoted ? 1 : 0;
-      for (; end < line.size(); ++end) {
-        const bool blank_follows = end + 1 == line.size() || line[end + 1] == ' ' || line[end + 1] == '\t';
-        if (quoted ? line[end] == line[0] && blank_follows : line[end] == ' ' || line[end] == '\t') break;
+    for (std::size_t at = 0; at < line.size() && line[at] != '#';) {
+      const char quote = line[at];
+      std::size_t end = at + 1;
+      if (quote == '\'' || quote == '"') {
+        while (end < line.size() &&
+               (line[end] != quote || (end + 1 < line.size() && !is_blank(line[end + 1]))))
+          ++end;
+        if (end == line.size()) lines_.fail("a quote is not closed");
+        row_.push_back(line.substr(at + 1, end - at - 1));
+        ++end;
+      } else {
+        while (end < line.size() && !is_blank(line[end])) ++end;
+        row_.push_back(line.substr(at, end - at));
       }
-      if (quoted && end == line.size()) lines_.fail("a quote is not closed");
-      row_.push_back(quoted ? line.substr(1, end - 1) : line.substr(0, end));
-      line.remove_prefix(std::min(line.size(), end + (quoted ? 1 : 0)));
+      for (at = end; at < line.size() && is_blank(line[at]);) ++at;
     }
   }
 
   TextLines lines_;
   std::vector<std::string> names_;
   std::vector<std::string_view> row_;
-  bool fresh_ = false;  ///< the current line is the first of the table's rows
+  std::deque<std::string> kept_;  ///< the first words of the row, which views name
+  bool fresh_ = false;            ///< the current line is the first of the table's rows
 };
 
 class Mmcif {
@@ -102,10 +121,15 @@ class Mmcif {
     const auto start = tables_.lines().mark();
     if (tables_.find("_entity_poly_seq")) read_sequence();
     tables_.lines().return_to(start);
+    tables_.lines().read_once();
     if (!tables_.find("_atom_site")) tables_.lines().fail("the file has no table _atom_site");
     read_atoms();
     models_.end_model(tables_.lines());
-    return models_.curves(tables_.lines());
+    CurveFile curves = models_.curves(tables_.lines());
+    if (!models_.over() && tables_.find("_atom_site"))
+      curves.warnings.push_back(
+          fmt::format("line {}: a second table _atom_site is not read", tables_.lines().line_number()));
+    return curves;
   }
 
  private:
@@ -120,7 +144,7 @@ class Mmcif {
 
   void read_atoms() {
     find_columns();
-    std::string_view model, chain;
+    std::string model, chain;  // of the row before
     for (bool first = true;; first = false) {
       const auto& row = tables_.next_row();
       if (row.empty() || models_.over()) return;

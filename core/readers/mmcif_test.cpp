@@ -76,6 +76,33 @@ TEST(MmcifReader, SkipsTextsOfSeveralLines) {
       1u);
 }
 
+TEST(MmcifReader, TakesNamesAndKeywordsOfAnyCase) {
+  std::string text = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 1, 2, 3}}, false, false);
+  text.replace(text.find("loop_"), 5, "LOOP_");
+  text.replace(text.find("_atom_site.Cartn_x"), 18, "_Atom_Site.cartn_X");
+  EXPECT_EQ(read_text("a.cif", text).spheres, (std::vector<Sphere>{{1, 2, 3, 0}}));
+}
+
+TEST(MmcifReader, SaysThatItDoesNotReadASecondBlock) {
+  const std::string block = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 1, 2, 3}}, false, false);
+  EXPECT_EQ(read_text("a.cif", block + block).warnings,
+            (std::vector<std::string>{"line 37: a second table _atom_site is not read"}));
+}
+
+// Longer than what is given back of the text while it is read.
+TEST(MmcifReader, ReadsLongFilesWhoseRowsTakeTwoLines) {
+  std::vector<Atom> atoms;
+  for (int k = 0; k < 200000; ++k) atoms.push_back({"ATOM", "CA", "ALA", 'A', k, 1, 3.8 * (k % 9), 0, 0});
+  const std::string text = cif_of(atoms, false, true);
+  ASSERT_GT(text.size(), std::size_t{8} << 20);
+  const CurveFile curves = read_text("a.cif", text);
+  ASSERT_EQ(curves.spheres.size(), atoms.size());
+  for (std::uint32_t k = 0; k < atoms.size(); ++k) {
+    ASSERT_EQ(curves.spheres[k].x, static_cast<float>(std::stod(fmt::format("{:.3f}", atoms[k].x))));
+    ASSERT_EQ(curves.labels.of(k), fmt::format("A/ALA{}/CA", k));
+  }
+}
+
 TEST(MmcifReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("1: the file has no table _atom_site", "a.cif", "data_a\n");
   EXPECT_COMPLAINT("3: the table _atom_site has no column group_PDB", "a.cif", "loop_\n_atom_site.id\n1\n");

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <unordered_set>
+
 #include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/number_text.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
 
 /// Genome models of Nucle3D and g3d: lines `KEY<tab>value`, of which `CHR name` begins a chromosome, then
-/// `bin,x,y,z` rows, or `bin,x,y,z,haplotype`. A chromosome, and in it each haplotype, is a strand; bins that
-/// are missing do not end it. No radii.
+/// `bin,x,y,z` rows, or `bin,x,y,z,haplotype`. A chromosome, and in it each haplotype, is a strand, so its
+/// rows stand together; bins that are missing do not end it. No radii.
 namespace catena {
 namespace {
 
@@ -15,6 +18,7 @@ class Nucle3d {
   Nucle3d(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
+    lines_.read_once();
     while (lines_.next()) {
       lines_.cut_comment('#');
       if (!lines_.line().empty()) read_line();
@@ -25,15 +29,14 @@ class Nucle3d {
 
  private:
   void read_line() {
-    if (const auto words = lines_.fields(" \t"); words[0] == "CHR") {
+    const auto& words = lines_.fields();
+    if (words[0] == "CHR") {
       if (words.size() != 2) lines_.fail("a chromosome is 'CHR name'");
       chromosome_ = words[1];
       new_strand_ = true;
-      return;
-    } else if (words.size() > 1 && words[0].find(',') == std::string_view::npos) {
-      return;  // TITLE, GENOME, BINSIZE
-    }
-    read_point(lines_.fields(", \t"));
+    } else if (words.size() == 1 || is_integer(words[0].substr(0, words[0].find(',')))) {
+      read_point(lines_.columns());
+    }  // else TITLE, GENOME, BINSIZE
   }
 
   void read_point(const std::vector<std::string_view>& fields) {
@@ -53,11 +56,15 @@ class Nucle3d {
     curves_.end_strand();
     new_strand_ = false;
     haplotype_ = haplotype;
-    curves_.labels.strand_names.push_back(haplotype.empty() ? chromosome_ : chromosome_ + "/" + haplotype);
+    std::string name = haplotype.empty() ? chromosome_ : chromosome_ + "/" + haplotype;
+    if (!seen_.insert(name).second)
+      lines_.fail(fmt::format("{} comes back after another; sort the rows", in_quotes(name)));
+    curves_.labels.strand_names.push_back(std::move(name));
   }
 
   TextLines lines_;
   std::string chromosome_, haplotype_;
+  std::unordered_set<std::string> seen_;
   bool new_strand_ = false;
   CurveFile curves_;
 };

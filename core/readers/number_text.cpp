@@ -37,13 +37,27 @@ bool is_tiny(std::string_view text) {
   return exponent < -place;
 }
 
+// Fortran may write the exponent of a double as D. `stop` is where a number without one ends. Empty where
+// that is not so.
+std::string fortran_with_e(std::string_view text, const char* stop) {
+  const auto at = static_cast<std::size_t>(stop - text.data());
+  if (at == 0 || at + 1 >= text.size() || (text[at] != 'D' && text[at] != 'd')) return {};
+  if (text.substr(0, at).find_first_of("eE") != std::string_view::npos) return {};
+  std::string with_e(text);
+  with_e[at] = 'e';
+  return with_e;
+}
+
 template <class Real>
 Parsed<Real> parse_real(std::string_view text, const char* type) {
   const std::string_view plain = without_plus(text);
   Real value = 0;
   const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-  if (error == std::errc::invalid_argument || end != plain.data() + plain.size())
+  if (error == std::errc::invalid_argument || end != plain.data() + plain.size()) {
+    if (const std::string with_e = fortran_with_e(plain, end); !with_e.empty())
+      return parse_real<Real>(with_e, type);
     return {0, "is not a number"};
+  }
   if (error == std::errc::result_out_of_range) {
     if (is_tiny(plain)) return {plain.starts_with('-') ? -Real{0} : Real{0}, ""};
     return {0, std::string("is too large for ") + type};

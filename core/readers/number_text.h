@@ -7,7 +7,8 @@
 
 namespace catena {
 
-/// Decimal text as numbers, whatever the locale. A leading '+' is accepted, blanks around the number are not.
+/// Decimal text as numbers, whatever the locale. A leading '+' is accepted, and D for the E of an exponent,
+/// as Fortran writes it; blanks around the number are not.
 
 /// True when the whole text has the form of a number: also one that is out of range, infinite or NaN.
 bool is_number(std::string_view text);

@@ -20,6 +20,15 @@ TEST(NumberText, TakesTheUsualForms) {
   EXPECT_TRUE(std::signbit(parse_float("-0").value));
 }
 
+TEST(NumberText, TakesTheExponentsOfFortran) {
+  EXPECT_EQ(parse_float("1.5D+01").value, 15.0f);
+  EXPECT_EQ(parse_double("-.25d-1").value, -0.025);
+  EXPECT_EQ(parse_coordinate("+1D0").value, 1.0);
+  EXPECT_EQ(parse_double("1D999").problem, "is too large for a 64-bit float");
+  for (const char* text : {"D5", "1D", "1D+", "1DD5", "1E5D5", "1D5E5", "1D5x", "nanD5", "-D1"})
+    EXPECT_EQ(parse_double(text).problem, "is not a number") << text;
+}
+
 TEST(NumberText, RefusesWhatIsNoFiniteNumber) {
   for (const char* text : {"", "+", "-", "+-1", "++1", "1x", " 1", "1 ", "0x10", "1,5", "e5"})
     EXPECT_EQ(parse_float(text).problem, "is not a number") << text;
@@ -63,7 +72,8 @@ RC_GTEST_PROP(NumberText, ReadsTheShortestTextOfEveryFloatBitForBit, (std::uint3
 // Rounded once more, the double must be the float that the text is nearest to: also beside the middle of two.
 RC_GTEST_PROP(NumberText, ACoordinateRoundsToTheNearestFloat, ()) {
   const float low = *rc::gen::suchThat(
-      rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [](std::uint32_t b) { return std::bit_cast<float>(b); }),
+      rc::gen::map(rc::gen::arbitrary<std::uint32_t>(),
+                   [](std::uint32_t b) { return std::bit_cast<float>(b); }),
       [](float value) { return std::isfinite(value) && std::isfinite(std::nextafter(value, HUGE_VALF)); });
   const double middle = (double{low} + double{std::nextafter(low, HUGE_VALF)}) / 2;
   std::string text = fmt::format("{:.780f}", middle);

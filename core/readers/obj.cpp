@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
+#include <set>
+
+#include "catena/core/counted.h"
 #include "catena/core/readers/curve_graph.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
 
-/// Wavefront OBJ: the vertices that `l` lines join. An index counts from 1, or back from the last vertex when
-/// negative; what stands behind a slash, and more columns of a vertex, are not read. Lines that share
-/// vertices are branches. Faces are surfaces, so they are left out with a warning. No radii.
+/// Wavefront OBJ: the vertices that `l` lines join and `p` points name. An index counts from 1, or back from
+/// the last vertex when negative; what stands behind a slash, and more columns of a vertex, are not read.
+/// Lines that share vertices are branches. Faces are surfaces, and free-form curves are not sampled, so they
+/// are left out with a warning. No radii.
 namespace catena {
 namespace {
 
@@ -16,6 +20,7 @@ class Obj {
   Obj(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
+    lines_.read_once();
     // The most that can be there: memory that is not touched is none, and growing would take twice what is.
     curves_.spheres.reserve(lines_.bytes() / 8);
     edges_.reserve(lines_.bytes() / 6);
@@ -28,8 +33,10 @@ class Obj {
       lines_.fail_at(greatest_line_,
                      fmt::format("vertex {} of {} is named", greatest_ + 1, curves_.spheres.size()));
     if (edges_.empty())
-      lines_.fail(fmt::format("the file has {} vertices and {} faces, but no lines ('l 1 2 3')",
-                              curves_.spheres.size(), faces_));
+      lines_.fail(
+          fmt::format("the file has {} vertices, {} faces and {} free-form curves, but no lines ('l 1 2 3'); "
+                      "convert curves to polylines, and export edges",
+                      curves_.spheres.size(), faces_, free_form_));
     return arranged();
   }
 
@@ -59,9 +66,31 @@ class Obj {
         edges_.push_back({before, here});
         before = here;
       }
+    } else if (fields[0] == "p") {
+      if (fields.size() < 2) lines_.fail("a point needs a vertex");
+      for (std::size_t k = 1; k < fields.size(); ++k) {
+        const std::uint32_t here = vertex(fields[k]);
+        edges_.push_back({here, here});
+      }
     } else if (fields[0] == "f") {
       ++faces_;
+    } else if (fields[0] == "curv") {
+      ++free_form_;
+    } else if (!is_statement(fields[0]) && unknown_++ == 0) {
+      first_unknown_ =
+          fmt::format("line {}: {} is no statement of OBJ", lines_.line_number(), in_quotes(fields[0]));
     }
+  }
+
+  /// Of those that say nothing of points or lines. What is none may be damaged, and the numbers of vertices
+  /// with it.
+  static bool is_statement(std::string_view word) {
+    static const std::set<std::string_view> words{
+        "vt",     "vn",       "vp",       "g",          "o",         "s",    "mg",   "usemtl", "mtllib",
+        "usemap", "maplib",   "lod",      "bevel",      "cstype",    "deg",  "bmat", "step",   "curv2",
+        "surf",   "parm",     "trim",     "hole",       "scrv",      "sp",   "end",  "con",    "ctech",
+        "stech",  "c_interp", "d_interp", "shadow_obj", "trace_obj", "call", "csh"};
+    return words.contains(word);
   }
 
   /// From 0. Whether there is such a vertex is known at the end, as it may follow.
@@ -86,6 +115,14 @@ class Obj {
     if (faces_ > 0)
       curves_.warnings.push_back(fmt::format(
           "{} {} left out", faces_, faces_ == 1 ? "face is no curve and" : "faces are no curves and"));
+    if (unknown_ > 0)
+      curves_.warnings.push_back(
+          first_unknown_ +
+          (unknown_ == 1 ? "" : fmt::format(", nor {} {} more", unknown_ == 2 ? "is" : "are", unknown_ - 1)));
+    if (free_form_ > 0)
+      curves_.warnings.push_back(fmt::format("{} left out; export {} as a polyline",
+                                             counted(free_form_, "free-form curve"),
+                                             free_form_ == 1 ? "it" : "each"));
     return std::move(curves_);
   }
 
@@ -94,13 +131,16 @@ class Obj {
   std::vector<Pair> edges_;
   std::int64_t greatest_ = -1;  ///< vertex that a line names, and where
   std::size_t greatest_line_ = 0;
-  std::size_t faces_ = 0;
+  std::size_t faces_ = 0, free_form_ = 0, unknown_ = 0;
+  std::string first_unknown_;
   CurveFile curves_;
 };
 
-const RegisterReader registered{
-    {"Wavefront OBJ", {".obj"}, "vertices along l lines, which may branch; no radii", "vertex number from 1"},
-    read_by<Obj>};
+const RegisterReader registered{{"Wavefront OBJ",
+                                 {".obj"},
+                                 "vertices along l lines, which may branch, and p points; no radii",
+                                 "vertex number from 1"},
+                                read_by<Obj>};
 
 }  // namespace
 }  // namespace catena

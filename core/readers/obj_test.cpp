@@ -36,8 +36,34 @@ TEST(ObjReader, SaysWhatItLeavesOut) {
   EXPECT_EQ(curves.warnings[1], "1 face is no curve and left out");
 }
 
+TEST(ObjReader, TakesPointsAsStrandsOfTheirOwn) {
+  const auto curves = read_text("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\np -4 1\nl 3 4\np 4\n");
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3, 4}));
+  std::vector<std::string> labels;
+  for (std::uint32_t i = 0; i < 4; ++i) labels.push_back(curves.labels.of(i));
+  EXPECT_EQ(labels, (std::vector<std::string>{"3", "4", "1", "2"}));
+  EXPECT_EQ(curves.warnings, (std::vector<std::string>{"1 vertex is on no line and left out"}));
+}
+
+TEST(ObjReader, SaysThatItDoesNotSampleFreeFormCurves) {
+  const std::string curve = "v 0 0 0\nv 1 0 0\ncstype bezier\ndeg 1\ncurv 0 1 1 2\nend\n";
+  EXPECT_EQ(read_text("a.obj", curve + "l 1 2\n").warnings,
+            (std::vector<std::string>{"1 free-form curve left out; export it as a polyline"}));
+  EXPECT_COMPLAINT("6: the file has 2 vertices, 0 faces and 1 free-form curves", "a.obj", curve);
+}
+
+TEST(ObjReader, SaysWhatIsNoStatement) {
+  const std::string line = "v 0 0 0\nv 1 0 0\nusemtl a\nvt 0 0\nl 1 2\n";
+  EXPECT_TRUE(read_text("a.obj", line).warnings.empty());
+  EXPECT_EQ(read_text("a.obj", line + "w 2 0 0\n").warnings,
+            (std::vector<std::string>{"line 6: 'w' is no statement of OBJ"}));
+  EXPECT_EQ(read_text("a.obj", line + "w 2 0 0\nV 1 1 1\nv1 1 1\n").warnings,
+            (std::vector<std::string>{"line 6: 'w' is no statement of OBJ, nor are 2 more"}));
+}
+
 TEST(ObjReader, ComplainsWithFileAndLine) {
-  EXPECT_COMPLAINT("2: the file has 1 vertices and 1 faces, but no lines", "a.obj", "v 0 0 0\nf 1 1 1\n");
+  EXPECT_COMPLAINT("2: the file has 1 vertices, 1 faces and 0 free-form curves, but no lines", "a.obj",
+                   "v 0 0 0\nf 1 1 1\n");
   EXPECT_COMPLAINT("2: vertex 2 of 1 is named", "a.obj", "v 0 0 0\nl 1 2\n");
   EXPECT_COMPLAINT("2: vertex '0' is not", "a.obj", "v 0 0 0\nl 0 1\n");
   EXPECT_COMPLAINT("2: vertex '-2' is not", "a.obj", "v 0 0 0\nl -2 1\n");

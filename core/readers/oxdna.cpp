@@ -27,6 +27,7 @@ class TopologyText {
   explicit TopologyText(const std::filesystem::path& file) : lines_(file) {}
 
   OxdnaTopology topology() {
+    lines_.read_once();
     if (!lines_.next() || lines_.fields().size() < 2)
       lines_.fail("a topology begins with its numbers of nucleotides and strands");
     topology_.nucleotides = lines_.count(lines_.fields()[0], "number of nucleotides");
@@ -82,7 +83,9 @@ class Oxdna {
       : lines_(file), topology_(TopologyText(topology_of(file, options)).topology()), curves_(options) {}
 
   CurveFile curves() {
+    lines_.read_once();
     bool more = lines_.next();
+    if (!more) lines_.fail("the file has no frame");
     for (std::size_t frame = 0; more; ++frame) {
       if (frame > 0) curves_.begin_later_frame();
       more = read_frame(frame);

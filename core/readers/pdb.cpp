@@ -18,6 +18,7 @@ class Polymers {
 
   CurveFile curves() {
     read_sequence();
+    lines_.read_once();
     while (lines_.next() && !models_.over()) {
       const std::string_view record = trimmed(pdb_columns(lines_.line(), 1, 6));
       if (record == "TER") models_.end_chain();

@@ -55,7 +55,7 @@ PdbAtom parse_pdb_atom(const TextLines& lines) {
   atom.x = lines.coordinate(field(31, 38), "x");
   atom.y = lines.coordinate(field(39, 46), "y");
   atom.z = lines.coordinate(field(47, 54), "z");
-  atom.segment = atom.chain.empty() ? field(73, 76) : std::string_view{};
+  if (atom.chain.empty()) atom.segment = field(73, 76);
   const std::string_view occupancy = field(55, 60);
   atom.occupancy = occupancy.empty() ? 1 : lines.wide_real(occupancy, "occupancy");
   atom.calcium = atom.name == "CA" && line[12] == 'C' &&

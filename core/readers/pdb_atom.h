@@ -6,12 +6,12 @@
 
 namespace catena {
 
-/// An ATOM or HETATM line of the PDB format, by its columns. The texts are those of the line.
+/// An ATOM or HETATM line of the PDB format, by its columns.
 struct PdbAtom {
   bool hetero;
-  std::string_view name;  ///< "CA"
-  char alternate;         ///< location; blank: the only one
-  std::string_view residue, chain, number, segment;
+  std::string name;  ///< "CA"
+  char alternate;    ///< location; blank: the only one
+  std::string residue, chain, number, segment;
   char insertion;
   double x, y, z;
   double occupancy;  ///< 1 where the line has none

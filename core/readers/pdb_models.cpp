@@ -7,21 +7,15 @@
 #include "catena/core/readers/file_bytes.h"
 
 namespace catena {
-namespace {
-
-bool same_atoms(const PdbTrace& a, const PdbTrace& b) {
-  return std::ranges::equal(a.points, b.points, {}, &PdbTrace::Point::label, &PdbTrace::Point::label);
-}
-
-}  // namespace
-
 void PdbModels::end_model(const TextLines& lines) {
   PdbTrace trace = tracer_.finish();
   if (trace.points.empty()) return;
-  if (first_.points.empty()) {
-    first_ = std::move(trace);
-    take_first();
-  } else if (same_atoms(first_, trace)) {
+  const bool first = curves_.spheres.empty();
+  // A longer step in another model breaks no strand.
+  if (!first) trace.labels.strand_names = curves_.labels.strand_names;
+  if (first) {
+    take_first(std::move(trace));
+  } else if (trace.labels == curves_.labels) {
     curves_.begin_later_frame();
     for (const auto& point : trace.points) curves_.add_point(point.x, point.y, point.z);
   } else {
@@ -34,28 +28,25 @@ void PdbModels::end_model(const TextLines& lines) {
 }
 
 CurveFile PdbModels::curves(const TextLines& lines) {
-  if (first_.points.empty())
+  if (curves_.spheres.empty())
     lines.fail(atom_.empty()
                    ? "the file ends without a C-alpha of a protein or a P of a nucleic acid"
                    : fmt::format("the file ends without an atom {} of a polymer", in_quotes(atom_)));
   return std::move(curves_);
 }
 
-void PdbModels::take_first() {
-  for (const auto& point : first_.points) {
-    if (point.starts_strand) {
-      curves_.end_strand();
-      curves_.labels.strand_names.push_back(point.chain);
-    }
-    curves_.labels.add(std::string_view(point.label));
+void PdbModels::take_first(PdbTrace first) {
+  for (const auto& point : first.points) {
+    if (point.starts_strand) curves_.end_strand();
     curves_.add_point(point.x, point.y, point.z);
   }
   curves_.end_strand();
-  say(first_.breaks, "step longer than a bond is a break", "steps longer than a bond are breaks");
+  curves_.labels = std::move(first.labels);
+  say(first.breaks, "step longer than a bond is a break", "steps longer than a bond are breaks");
   const std::string atom = atom_.empty() ? "C-alpha or P" : in_quotes(atom_);
-  say(first_.without_atom, "residue without " + atom + " is left out",
+  say(first.without_atom, "residue without " + atom + " is left out",
       "residues without " + atom + " are left out");
-  say(first_.hetero, "HETATM residue is left out, as it is not of a chain",
+  say(first.hetero, "HETATM residue is left out, as it is not of a chain",
       "HETATM residues are left out, as they are not of a chain");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <set>
 #include <string>
+#include <utility>
 
 #include "catena/core/readers/pdb_trace.h"
 #include "catena/core/readers/reader.h"
@@ -17,7 +18,7 @@ class PdbModels {
   PdbModels(const PdbModels&) = delete;
   PdbModels& operator=(const PdbModels&) = delete;
 
-  void add(const PdbAtom& atom) { tracer_.add(atom); }
+  void add(PdbAtom atom) { tracer_.add(std::move(atom)); }
   void end_chain() { tracer_.end_chain(); }
   void end_model(const TextLines& lines);
   bool over() const { return over_; }  ///< nothing more is to be added
@@ -26,13 +27,12 @@ class PdbModels {
   CurveFile curves(const TextLines& lines);
 
  private:
-  void take_first();
+  void take_first(PdbTrace first);
   void say(const PdbTrace::Note& note, const std::string& one, const std::string& many);
 
   std::string atom_;
   CurveFile curves_;
   PdbTracer tracer_;
-  PdbTrace first_;
   bool over_ = false;
 };
 

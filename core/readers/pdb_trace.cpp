@@ -16,22 +16,38 @@ double longest_step(std::string_view atom) {
   return atom == "CA" ? 4.5 : atom == "P" ? 8 : std::numeric_limits<double>::infinity();
 }
 
-std::string residue_name(const PdbAtom& atom) {
-  const std::string_view chain = atom.chain.empty() ? atom.segment : atom.chain;
-  const std::string insertion = atom.insertion == ' ' ? "" : std::string(1, atom.insertion);
-  return fmt::format("{}/{}{}{}", chain, atom.residue, atom.number, insertion);
+/// A chain's letter, or its segment where it has none.
+std::string_view chain_of(const PdbAtom& atom) { return atom.chain.empty() ? atom.segment : atom.chain; }
+
+void append_residue(std::string& text, const PdbAtom& atom) {
+  text += chain_of(atom);
+  text += '/';
+  text += atom.residue;
+  text += atom.number;
+  if (atom.insertion != ' ') text += atom.insertion;
 }
 
-std::string label_of(const PdbAtom& atom) { return fmt::format("{}/{}", residue_name(atom), atom.name); }
+void append_label(std::string& text, const PdbAtom& atom) {
+  append_residue(text, atom);
+  text += '/';
+  text += atom.name;
+}
 
-/// A chain's letter, or its segment where it has none.
-std::string chain_of(const PdbAtom& atom) {
-  return std::string(atom.chain.empty() ? atom.segment : atom.chain);
+std::string residue_name(const PdbAtom& atom) {
+  std::string text;
+  append_residue(text, atom);
+  return text;
+}
+
+std::string label_of(const PdbAtom& atom) {
+  std::string text;
+  append_label(text, atom);
+  return text;
 }
 
 }  // namespace
 
-void PdbTracer::add(const PdbAtom& atom) {
+void PdbTracer::add(PdbAtom atom) {
   // Where two atoms are no alternatives of each other, numbers of residues are used twice.
   const auto repeats = [&](const PdbAtom& other) {
     const bool alternates = other.alternate != ' ' && atom.alternate != ' ';
@@ -40,12 +56,12 @@ void PdbTracer::add(const PdbAtom& atom) {
   };
   if (!residue_.empty() && (!residue_.front().same_residue(atom) || std::ranges::any_of(residue_, repeats)))
     end_residue();
-  residue_.push_back(atom);
+  residue_.push_back(std::move(atom));
 }
 
 void PdbTracer::end_chain() {
   end_residue();
-  if (continues_) ended_.insert(chain_of(last_atom_));
+  if (continues_) ended_.emplace(chain_of(last_atom_));
   continues_ = false;
 }
 
@@ -65,20 +81,20 @@ const PdbAtom* PdbTracer::atom_named(std::string_view name) const {
 }
 
 const PdbAtom* PdbTracer::chosen() {
-  const bool amino_acid = atom_named("N") && atom_named("C");
-  const bool nucleotide = atom_named("C1'") || atom_named("C1*");
+  const auto of_polymer = [&] {
+    return (atom_named("N") && atom_named("C")) || atom_named("C1'") || atom_named("C1*");
+  };
   const PdbAtom* atom = wanted_.empty() ? atom_named("CA") : atom_named(wanted_);
   if (atom == nullptr && wanted_.empty()) atom = atom_named("P");
   const bool hetero = residue_.front().hetero;
-  const bool ended = ended_.contains(chain_of(residue_.front()));
+  if (atom != nullptr && !hetero) return atom;
+  const bool ended = hetero && ended_.contains(chain_of(residue_.front()));
   if (atom == nullptr) {
-    if (!(hetero && ended) && (amino_acid || nucleotide))
-      trace_.without_atom.add(residue_name(residue_.front()));
+    if (!ended && of_polymer()) trace_.without_atom.add(residue_name(residue_.front()));
     return nullptr;
   }
-  if (!hetero) return atom;
   const bool listed = atom->residue == "MSE" || polymer_residues_.contains(atom->residue);
-  if (!ended && (listed || amino_acid || nucleotide)) return atom;
+  if (!ended && (listed || of_polymer())) return atom;
   if (!ended && atom->name != "P") trace_.hetero.add(residue_name(*atom));  // a P alone is a phosphate
   return nullptr;
 }
@@ -90,7 +106,8 @@ void PdbTracer::end_residue() {
 }
 
 void PdbTracer::add_point(const PdbAtom& atom) {
-  ended_.erase(chain_of(atom));  // a TER in a chain that goes on
+  if (const auto ended = ended_.find(chain_of(atom)); ended != ended_.end())
+    ended_.erase(ended);  // a TER in a chain that goes on
   bool starts = !continues_ || chain_of(atom) != chain_of(last_atom_);
   if (!starts) {
     const double step = std::hypot(atom.x - last_atom_.x, atom.y - last_atom_.y, atom.z - last_atom_.z);
@@ -98,7 +115,11 @@ void PdbTracer::add_point(const PdbAtom& atom) {
     if (starts)
       trace_.breaks.add(fmt::format("{} to {}, {:.1f} Angstrom", label_of(last_atom_), label_of(atom), step));
   }
-  trace_.points.push_back({atom.x, atom.y, atom.z, label_of(atom), chain_of(atom), starts});
+  if (starts) trace_.labels.strand_names.emplace_back(chain_of(atom));
+  label_.clear();
+  append_label(label_, atom);
+  trace_.labels.add(std::string_view(label_));
+  trace_.points.push_back({atom.x, atom.y, atom.z, starts});
   last_atom_ = atom;
   continues_ = true;
 }

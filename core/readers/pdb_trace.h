@@ -1,10 +1,10 @@
 #pragma once
-#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "catena/core/readers/labels.h"
 #include "catena/core/readers/pdb_atom.h"
 
 namespace catena {
@@ -13,11 +13,11 @@ namespace catena {
 struct PdbTrace {
   struct Point {
     double x, y, z;
-    std::string label;  ///< chain/residue/atom: "A/MSE151/CA"
-    std::string chain;
     bool starts_strand;
   };
   std::vector<Point> points;
+  Labels labels;  ///< of the points, chain/residue/atom: "A/MSE151/CA"; the strands have the names of their
+                  ///< chains
 
   /// What was left out, or is a break: how many, and the first.
   struct Note {
@@ -32,7 +32,7 @@ struct PdbTrace {
   Note hetero;        ///< HETATM residues that have the atom, but are not of the chain
 };
 
-/// Makes a trace of the atoms of a model, in their order. The atoms' texts must stay until finish().
+/// Makes a trace of the atoms of a model, in their order.
 ///
 /// The atom of a residue is its C-alpha, or else the P of a nucleotide; or the one the user names. Of
 /// alternate locations the one of the best occupancy counts, the first of equals. HETATM residues are of the
@@ -44,7 +44,7 @@ class PdbTracer {
   PdbTracer(std::string_view atom, const std::set<std::string, std::less<>>& polymer_residues)
       : wanted_(atom), polymer_residues_(polymer_residues) {}
 
-  void add(const PdbAtom& atom);
+  void add(PdbAtom atom);
   void end_chain();   ///< TER
   PdbTrace finish();  ///< at the end of the model; the next one begins
 
@@ -60,6 +60,7 @@ class PdbTracer {
   std::vector<PdbAtom> residue_;  ///< under way
   bool continues_ = false;        ///< the next point may be of the strand of the last
   PdbAtom last_atom_{};
+  std::string label_;                         ///< under way
   std::set<std::string, std::less<>> ended_;  ///< chains that a TER has ended
 };
 

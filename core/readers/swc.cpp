@@ -27,7 +27,9 @@ class Neuron {
  public:
   Neuron(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {
     reserve();
+    lines_.read_once();
     while (lines_.next_content()) add_sample();
+    lines_.forget();
     sort_ids();
     // Backwards, so that each is put in front of its siblings.
     for (auto i = static_cast<std::uint32_t>(samples_.size()); i > 0; --i) link_to_parent(i - 1);
@@ -63,22 +65,21 @@ class Neuron {
                                lines_.coordinate(fields[4], "z"), lines_.radius(fields[5]));
     sample.parent = lines_.integer(fields[6], "parent");
     samples_.push_back(sample);
+    line_.add(static_cast<std::int64_t>(lines_.line_number()));
   }
 
   // So that a file of millions of samples is not copied while it is read.
   void reserve() {
+    const auto start = lines_.mark();
     std::size_t samples = 0;
     while (lines_.next_content()) ++samples;
-    lines_.return_to(start_);
+    lines_.return_to(start);
     samples_.reserve(samples);
     curves_.spheres.reserve(samples);
   }
 
-  /// Read once more: lines are asked for in errors and warnings alone.
-  std::size_t line_of(std::uint32_t sample) {
-    lines_.return_to(start_);
-    for (std::uint32_t i = 0; i <= sample; ++i) lines_.next_content();
-    return lines_.line_number();
+  std::size_t line_of(std::uint32_t sample) const {
+    return static_cast<std::size_t>(line_.number_of(sample));
   }
 
   void sort_ids() {
@@ -148,8 +149,8 @@ class Neuron {
   }
 
   TextLines lines_;
-  TextLines::Mark start_ = lines_.mark();
   std::vector<Sample> samples_;
+  Labels line_;                       ///< of each sample
   std::vector<std::uint32_t> by_id_;  ///< samples, in order of their ids
   std::vector<std::uint32_t> roots_, place_;
   std::size_t orphans_ = 0;

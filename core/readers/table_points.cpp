@@ -50,20 +50,38 @@ void TablePoints::add(std::span<const std::string_view> cells) {
     if (columns_.has(Role::strand)) enter_strand(cells[columns_.place(Role::strand)]);
     if (columns_.has(Role::closed)) read_closed(cells[columns_.place(Role::closed)]);
     label(cells);
+  } else {
+    require_same_sphere(cells);
   }
   curves_.add_point(x, y, z, radius);
 }
 
 void TablePoints::label(std::span<const std::string_view> cells) {
-  if (columns_.has(Role::id)) {
-    curves_.labels.add(cells[columns_.place(Role::id)]);
-  } else if (columns_.has(Role::element)) {
-    text_ = cells[columns_.place(Role::element)];
-    fmt::format_to(std::back_inserter(text_), "{}", curves_.spheres.size() + 1);
-    curves_.labels.add(std::string_view(text_));
-  } else {
-    curves_.labels.add(static_cast<std::int64_t>(lines_.line_number()));
+  label_of_ = columns_.has(Role::id) ? Role::id : columns_.has(Role::element) ? Role::element : Role::unread;
+  if (label_of_ == Role::unread) return curves_.labels.add(static_cast<std::int64_t>(lines_.line_number()));
+  text_ = cells[columns_.place(label_of_)];
+  if (label_of_ == Role::element) fmt::format_to(std::back_inserter(text_), "{}", curves_.spheres.size() + 1);
+  curves_.labels.add(std::string_view(text_));
+}
+
+// Some programs write the rows of each frame in an order of its own.
+void TablePoints::require_same_sphere(std::span<const std::string_view> cells) {
+  const auto sphere = static_cast<std::uint32_t>(curves_.later_frames.back().size());
+  if (label_of_ != Role::unread && columns_.has(label_of_)) {
+    text_ = cells[columns_.place(label_of_)];
+    if (label_of_ == Role::element) fmt::format_to(std::back_inserter(text_), "{}", sphere + 1);
+    if (const std::string first = curves_.labels.of(sphere); first != text_)
+      lines_.fail(fmt::format("{} stands where frame 0 has {}; write the rows of all frames in one order",
+                              in_quotes(text_), in_quotes(first)));
   }
+  if (piece_.empty() || !columns_.has(Role::strand)) return;
+  const auto next = std::ranges::upper_bound(curves_.strand_first, sphere);
+  const std::string& strand =
+      names_[piece_[static_cast<std::size_t>(next - curves_.strand_first.begin()) - 1]];
+  if (const auto here = cells[columns_.place(Role::strand)]; here != strand)
+    lines_.fail(
+        fmt::format("strand {} stands where frame 0 has {}; write the rows of all frames in one order",
+                    in_quotes(here), in_quotes(strand)));
 }
 
 void TablePoints::enter_strand(std::string_view name) {

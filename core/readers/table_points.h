@@ -26,8 +26,9 @@ class TablePoints {
   void set_columns_named(std::span<const std::string_view> names);
   const TableColumns& columns() const { return columns_; }
 
-  /// A row of as many cells as there are columns. In a frame after the first only its point counts. Throws
-  /// InputError for another number of cells, and for what is no number.
+  /// A row of as many cells as there are columns. In a frame after the first its point counts, and its id or
+  /// element and its strand must be those of the first frame. Throws InputError for others, for another
+  /// number of cells, and for what is no number.
   void add(std::span<const std::string_view> cells);
   /// The rows since the last call are a strand.
   void end_strand();
@@ -38,6 +39,7 @@ class TablePoints {
   using Role = TableColumns::Role;
 
   void label(std::span<const std::string_view> cells);
+  void require_same_sphere(std::span<const std::string_view> cells);
   void enter_strand(std::string_view name);
   void read_closed(std::string_view flag);
   void gather_strands();
@@ -45,8 +47,9 @@ class TablePoints {
   const TextLines& lines_;
   CurveFile& curves_;
   TableColumns columns_;
-  std::string text_;                                          ///< of the label under way
-  std::vector<std::string> names_;                            ///< of the strands, as they first come
+  Role label_of_ = Role::unread;    ///< of the first frame's: id, element, or their line
+  std::string text_;                ///< of the label under way
+  std::vector<std::string> names_;  ///< of the strands, as they first come
   std::unordered_map<std::string, std::uint32_t> number_of_;  ///< in names_
   std::vector<std::uint32_t> piece_;  ///< of each run of rows, the number of its strand
   bool closed_ = false;               ///< the strand under way

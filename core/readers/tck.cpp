@@ -42,6 +42,8 @@ class Tracks {
       if (key == "file") offset = offset_of(value), has_place = true;
     }
     if (!has_type || !has_place) fields_.fail_at_line("the header lacks 'datatype:' or 'file: . OFFSET'");
+    if (offset < fields_.position())
+      fields_.fail_at_line(fmt::format("the tracks are said to begin at byte {}, inside the header", offset));
     fields_.go_to(offset);
   }
 

@@ -10,14 +10,37 @@
 #include "catena/core/readers/number_text.h"
 
 namespace catena {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+}  // namespace
 
 TextLines::TextLines(const std::filesystem::path& file) : name_(shown_name(file)), bytes_(read_bytes(file)) {
   if (bytes_.starts_with("\xEF\xBB\xBF")) next_ = 3;
+  // Where a part of a file was lost there may be zeros, which some formats would skip as a line that is not
+  // theirs.
+  if (const std::size_t zero = bytes_.find('\0'); zero != std::string::npos)
+    throw InputError(
+        fmt::format("{}: byte {} is 0, so this is no text; it is binary, damaged or UTF-16", name_, zero));
+}
+
+// A line feed is looked for once, also where thousands of lines end with CR alone.
+std::size_t TextLines::end_of_line() const {
+  if (line_feed_ < next_ || (line_feed_ < bytes_.size() && bytes_[line_feed_] != '\n'))
+    line_feed_ = std::min(bytes_.find('\n', next_), bytes_.size());
+  return next_ +
+         std::min(std::string_view(bytes_).substr(next_, line_feed_ - next_).find('\r'), line_feed_ - next_);
 }
 
 bool TextLines::next() {
   if (next_ >= bytes_.size()) return false;
-  const std::size_t end = std::min(bytes_.find_first_of("\r\n", next_), bytes_.size());
+  constexpr std::size_t piece = std::size_t{4} << 20;
+  if (once_ && next_ - released_ > piece) {
+    release_pages(bytes_, released_, next_);
+    released_ = next_;
+  }
+  const std::size_t end = end_of_line();
   line_ = std::string_view(bytes_).substr(next_, end - next_);
   next_ = end + (bytes_.compare(end, 2, "\r\n") == 0 ? 2 : 1);
   ++number_;
@@ -34,12 +57,24 @@ bool TextLines::next_content(char mark) {
 
 void TextLines::cut_comment(char mark) { line_ = trimmed(line_.substr(0, line_.find(mark))); }
 
-const std::vector<std::string_view>& TextLines::fields(std::string_view separators) {
+const std::vector<std::string_view>& TextLines::columns() {
+  bool cell = false;  // since the last comma
+  for (const char c : line_) {
+    if (c == ',' && !cell)
+      fail("a column in front of a comma is empty; write _ or 0 there, or use a .csv file");
+    cell = c != ',' && (cell || !is_blank(c));
+  }
+  return split(',');
+}
+
+const std::vector<std::string_view>& TextLines::split(char separator) {
   fields_.clear();
-  for (std::size_t at = 0; (at = line_.find_first_not_of(separators, at)) != std::string_view::npos;) {
-    const std::size_t end = std::min(line_.find_first_of(separators, at), line_.size());
-    fields_.push_back(line_.substr(at, end - at));
-    at = end;
+  const char* const end = line_.data() + line_.size();
+  for (const char* at = line_.data(); at != end;) {
+    const char* const begin = at;
+    while (at != end && !is_blank(*at) && *at != separator) ++at;
+    if (at != begin) fields_.emplace_back(begin, at);
+    if (at != end) ++at;
   }
   return fields_;
 }

@@ -12,7 +12,7 @@ namespace catena {
 /// end with LF, CRLF or CR; a byte order mark is skipped. O(size of the file) memory and time.
 class TextLines {
  public:
-  /// Throws InputError unless the file can be read (see read_bytes).
+  /// Throws InputError unless the file can be read (see read_bytes) and has no byte 0.
   explicit TextLines(const std::filesystem::path& file);
 
   /// Goes to the next line; false when there is none. The first call goes to the first line.
@@ -21,33 +21,38 @@ class TextLines {
   /// Goes to the next line that holds more than blanks and a comment after `mark`, and takes both off it.
   bool next_content(char mark = '#');
 
+  /// From here on the memory of lines that were read is given back; return_to() must not go back to them.
+  void read_once() { once_ = true, released_ = next_; }
+
   /// A place in the file to come back to: after return_to(mark()) the next line is the same again.
   struct Mark {
     std::size_t next, number;
   };
   Mark mark() const { return {next_, number_}; }
-  void return_to(Mark mark) { next_ = mark.next, number_ = mark.number, line_ = {}; }
+  void return_to(Mark mark) { next_ = line_feed_ = mark.next, number_ = mark.number, line_ = {}; }
 
   std::string_view line() const { return line_; }      ///< without its end
   std::size_t line_number() const { return number_; }  ///< from 1; stays at the last line after the end
-  std::size_t bytes() const {
-    return bytes_.size();
-  }  ///< of the whole file, a limit of any count it can hold
+  /// Of the whole file, a limit of any count it can hold.
+  std::size_t bytes() const { return bytes_.size(); }
   const std::string& file_name() const { return name_; }
 
   /// Frees the text; nothing more can be read, and what was read of it is gone.
   void forget() {
     std::exchange(bytes_, {});  // an assignment would keep the memory
     line_ = {};
-    next_ = 0;
+    next_ = line_feed_ = 0;
   }
 
   /// Cuts the line at the first `mark`, and blanks from both its ends.
   void cut_comment(char mark);
 
-  /// The parts of the line between runs of these separators; none is empty. Valid until the next line is
-  /// read.
-  const std::vector<std::string_view>& fields(std::string_view separators = " \t");
+  /// The parts of the line between runs of blanks; none is empty. Valid until the next line is read.
+  const std::vector<std::string_view>& fields() { return split(' '); }
+
+  /// Those between blanks, commas, or commas among blanks. Throws InputError where a comma has nothing in
+  /// front of it: what stands in the columns after an empty one would be taken for others.
+  const std::vector<std::string_view>& columns();
 
   /// Throws InputError "file:line: reason", for the current line or another.
   [[noreturn]] void fail(const std::string& reason) const { fail_at(number_, reason); }
@@ -62,8 +67,15 @@ class TextLines {
   std::uint32_t count(std::string_view text, std::string_view what) const;  ///< an integer from 0 to 2^32 - 1
 
  private:
+  /// At blanks and at `separator`.
+  const std::vector<std::string_view>& split(char separator);
+  std::size_t end_of_line() const;
+
   std::string name_, bytes_;
   std::size_t next_ = 0, number_ = 0;
+  bool once_ = false;
+  std::size_t released_ = 0;
+  mutable std::size_t line_feed_ = 0;  ///< the first from next_ on, where it is not before that
   std::string_view line_;
   std::vector<std::string_view> fields_;
 };

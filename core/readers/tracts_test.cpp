@@ -62,6 +62,11 @@ RC_GTEST_PROP(TckReader, ReadsWhatIsWritten, (bool wide, bool big_endian)) {
   RC_ASSERT(curves.warnings.empty());
 }
 
+TEST(TckReader, RefusesTracksInTheHeader) {
+  EXPECT_COMPLAINT("4: the tracks are said to begin at byte 0", "a.tck",
+                   "mrtrix tracks\ndatatype: Float32LE\nfile: . 0\nEND\n" + std::string(56, '\0'));
+}
+
 TEST(TckReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT("1: the file does not start with", "a.tck", "tracks\n");
   EXPECT_COMPLAINT("2: the datatype 'Float16LE'", "a.tck", "mrtrix tracks\ndatatype: Float16LE\nEND\n");

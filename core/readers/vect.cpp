@@ -15,6 +15,7 @@ class Vect {
   Vect(const std::filesystem::path& file, const ReadOptions& options) : lines_(file), curves_(options) {}
 
   CurveFile curves() {
+    lines_.read_once();
     if (token("the keyword VECT") != "VECT")
       lines_.fail("a VECT file starts with the keyword VECT (4VECT and binary VECT are not supported)");
     const std::uint32_t polylines = limited_count("number of polylines");
@@ -30,13 +31,13 @@ class Vect {
       all_vertices += magnitude(count);
     }
     if (all_vertices != vertices)
-      lines_.fail(
-          fmt::format("the vertex counts of the polylines sum to {}, the header says {}", all_vertices, vertices));
+      lines_.fail(fmt::format("the vertex counts of the polylines sum to {}, the header says {}",
+                              all_vertices, vertices));
     for (std::uint32_t i = 0; i < polylines; ++i)
       all_colours += lines_.count(token("a colour count"), "colour count");
     if (all_colours != colours)
-      lines_.fail(
-          fmt::format("the colour counts of the polylines sum to {}, the header says {}", all_colours, colours));
+      lines_.fail(fmt::format("the colour counts of the polylines sum to {}, the header says {}", all_colours,
+                              colours));
 
     curves_.spheres.reserve(vertices);
     for (const std::int64_t count : signed_count) {

@@ -147,6 +147,8 @@ class VtkLegacy {
     for (std::size_t k = 0; k < begin.size(); ++k)
       if (k == 0 ? begin[k] != 0 : begin[k] < begin[k - 1] || static_cast<std::uint64_t>(begin[k]) > size)
         fail(fmt::format("offset {} is {}; offsets ascend from 0 to {}", k, begin[k], size));
+    if (const std::int64_t last = begin.empty() ? 0 : begin.back(); static_cast<std::uint64_t>(last) != size)
+      fail(fmt::format("the offsets end at {}, not at the {} numbers announced", last, size));
     words_of_line();
     if (lower_case(argument(0)) != "connectivity") fail("CONNECTIVITY is due after OFFSETS");
     const Type point_type = type_of(argument(1));
@@ -163,22 +165,20 @@ class VtkLegacy {
 
   // Cell data counts vertices first, then lines, then the rest.
   void add_cells() {
-    constexpr std::int64_t vertex = 1, vertex_list = 2, line = 3, poly_line = 4;
     if (unstructured_ && types_.size() != lines_.end.size())
       fail(fmt::format("{} cells, but {} cell types", lines_.end.size(), types_.size()));
-    mesh_.add_vertex_cells(vertices_.end.size());
-    std::uint64_t begin = 0;
-    for (std::size_t k = 0; k < lines_.end.size(); ++k) {
-      const std::int64_t type = unstructured_ ? types_[k] : poly_line;
-      const auto points = std::span(lines_.points).subspan(begin, lines_.end[k] - begin);
-      begin = lines_.end[k];
-      if (type == line || type == poly_line) {
-        if (const std::string problem = mesh_.add_line(points); !problem.empty()) fail(problem);
-      } else {
-        type == vertex || type == vertex_list ? mesh_.add_vertex_cells(1) : mesh_.add_other_cells(1);
+    const auto add = [&](Cells& cells, const auto& type_of_cell) {
+      std::uint64_t begin = 0;
+      for (std::size_t k = 0; k < cells.end.size(); ++k) {
+        const auto points = std::span(cells.points).subspan(begin, cells.end[k] - begin);
+        begin = cells.end[k];
+        if (const std::string problem = mesh_.add_cell(type_of_cell(k), points); !problem.empty())
+          fail(problem);
       }
-    }
-    std::exchange(lines_, {});
+      std::exchange(cells, {});
+    };
+    add(vertices_, [](std::size_t) { return VtkMesh::poly_vertex; });
+    add(lines_, [&](std::size_t k) { return unstructured_ ? types_[k] : VtkMesh::poly_line; });
     mesh_.add_other_cells(others_.end.size());
   }
 
@@ -269,7 +269,7 @@ class VtkLegacy {
 
   Type type_of(const std::string& name) const {
     const auto type = type_named(lower_case(name));
-    if (!type) fail(fmt::format("the type {} is not supported", in_quotes(name)));
+    if (!type) fail(fmt::format("{} is no type of numbers here; leave the array out", in_quotes(name)));
     return *type;
   }
 

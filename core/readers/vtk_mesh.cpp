@@ -25,13 +25,18 @@ bool says_radius(std::string_view name) {
 
 }  // namespace
 
-std::string VtkMesh::add_line(std::span<const std::int64_t> points_of_line) {
-  for (const std::int64_t point : points_of_line)
+std::string VtkMesh::add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell) {
+  const bool is_vertex = type == vertex || type == poly_vertex;
+  if (!is_vertex && type != line && type != poly_line) return add_other_cells(1), "";
+  for (const std::int64_t point : points_of_cell)
     if (point < 0 || point >= points())
-      return fmt::format("a line names point {}, of {} from 0", point, points());
-  for (const std::int64_t point : points_of_line) line_points_.push_back(static_cast<std::uint32_t>(point));
-  line_end_.push_back(line_points_.size());
-  line_cell_.push_back(cells_++);
+      return fmt::format("a cell names point {}, of {} from 0", point, points());
+  for (const std::int64_t point : points_of_cell) {
+    (is_vertex ? vertices_ : line_points_).push_back(static_cast<std::uint32_t>(point));
+    if (is_vertex) vertex_cell_.push_back(cells_);
+  }
+  if (!is_vertex) line_end_.push_back(line_points_.size()), line_cell_.push_back(cells_);
+  ++cells_;
   return "";
 }
 
@@ -78,16 +83,23 @@ void VtkMesh::give_radii(const Array& array, const std::string& file) {
       curves_.spheres[p].radius = radius_of(array, p, file);
     return;
   }
+  const auto give = [&](std::uint32_t point, float radius) {
+    curves_.spheres[point].radius = std::max(curves_.spheres[point].radius, radius);
+  };
   std::uint64_t k = 0;
   for (std::size_t line = 0; line < line_end_.size(); ++line)
     for (const float radius = radius_of(array, line_cell_[line], file); k < line_end_[line]; ++k)
-      curves_.spheres[line_points_[k]].radius = std::max(curves_.spheres[line_points_[k]].radius, radius);
+      give(line_points_[k], radius);
+  std::vector<bool> on_line(points());
+  for (const std::uint32_t point : line_points_) on_line[point] = true;
+  for (std::size_t v = 0; v < vertices_.size(); ++v)
+    if (!on_line[vertices_[v]]) give(vertices_[v], radius_of(array, vertex_cell_[v], file));
   curves_.warnings.push_back(
       fmt::format("{} is one number a line; a point takes the largest of its lines", in_quotes(array.name)));
 }
 
 CurveFile VtkMesh::curves(const std::string& file) {
-  if (line_end_.empty())
+  if (line_end_.empty() && vertices_.empty())
     throw InputError(
         fmt::format("{}: holds no lines, only {} points and {} other cells; catena reads poly-lines", file,
                     points(), other_cells_));
@@ -100,18 +112,21 @@ CurveFile VtkMesh::curves(const std::string& file) {
   std::vector<Pair> edges;
   std::uint64_t k = 0;
   for (const std::uint64_t end : line_end_) {
+    if (end == k + 1) edges.push_back({line_points_[k], line_points_[k]});
     for (const std::uint64_t first = k; k < end; ++k)
       if (k > first) edges.push_back({line_points_[k - 1], line_points_[k]});
   }
-  for (auto* done : {&line_end_, &line_cell_}) std::exchange(*done, {});  // an assignment would keep the memory
-  std::exchange(line_points_, {});
+  for (const std::uint32_t vertex : vertices_) edges.push_back({vertex, vertex});
+  for (auto* done : {&line_end_, &line_cell_, &vertex_cell_})
+    std::exchange(*done, {});  // an assignment would keep the memory
+  for (auto* done : {&line_points_, &vertices_}) std::exchange(*done, {});
   std::exchange(arrays_, {});
   const std::size_t all = curves_.spheres.size();
   for (const std::uint32_t point : arrange_along_edges(curves_, edges, false))
     curves_.labels.add(std::int64_t{point});
   if (const std::size_t left = all - curves_.spheres.size(); left > 0)
     curves_.warnings.push_back(fmt::format(
-        "{} point{} left out", left, left == 1 ? " that is on no line is" : "s that are on no line are"));
+        "{} point{} left out", left, left == 1 ? " that is of no line is" : "s that are of no line are"));
   return std::move(curves_);
 }
 

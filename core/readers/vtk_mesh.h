@@ -11,8 +11,8 @@
 namespace catena {
 
 /// What VTK's files have in common: points, cells of which the poly-lines are curves, and arrays of which one
-/// may hold radii. A point that several lines share is a branch; points of no line are left out, and so are
-/// other cells, both with a warning.
+/// may hold radii. A point that several lines share is a branch; a point of a vertex cell and of no line is a
+/// strand of its own; points of neither are left out, and so are other cells, both with a warning.
 ///
 /// Radii: the array of one number a point, or a line, that --array names, or else the only one whose name
 /// says radius, diameter or r; a diameter is halved. Where lines have radii, a point takes the largest of its
@@ -26,12 +26,10 @@ class VtkMesh {
   void add_point(double x, double y, double z) { curves_.add_point(x, y, z); }
 
   std::uint64_t cells() const { return cells_; }
-  /// The next cell, a line along these points. The reason when it is none; empty when it is good.
-  std::string add_line(std::span<const std::int64_t> points);
+  enum CellType : std::int64_t { vertex = 1, poly_vertex = 2, line = 3, poly_line = 4 };  ///< VTK's numbers
+  /// The next cell, of these or any other type. The reason when a point of it is none; empty when it is good.
+  std::string add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell);
   void add_other_cells(std::uint64_t cells) { cells_ += cells, other_cells_ += cells; }
-  void add_vertex_cells(std::uint64_t cells) {
-    cells_ += cells;
-  }  ///< points of their own, nothing to warn about
 
   enum class Of { points, cells };
   /// Whether the values of this array, one number each, are to be handed over.
@@ -58,6 +56,8 @@ class VtkMesh {
   std::uint64_t cells_ = 0, other_cells_ = 0;
   std::vector<std::uint32_t> line_points_;  ///< of all lines, one after the other
   std::vector<std::uint64_t> line_end_, line_cell_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint64_t> vertex_cell_;  ///< of each of the vertices
   std::vector<Array> arrays_;
 };
 

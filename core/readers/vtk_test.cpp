@@ -199,6 +199,56 @@ TEST(VtkLegacyReader, CountsCellDataFromTheVertices) {
   EXPECT_EQ(curves.warnings.back(), "1 cell that is no line is left out");
 }
 
+// A vertex of a line is no strand of its own, and takes the radius of the line.
+TEST(VtkReaders, TakeVerticesForStrandsOfOneSphere) {
+  const auto
+      legacy = read_text(
+          "a.vtk",
+          "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n0 0 0 1 0 0 2 0 0 "
+          "3 0 0 4 0 0\nVERTICES 2 5\n2 3 0\n1 1\nLINES 1 3\n2 1 2\nCELL_DATA 3\nFIELD f 1\nradius "
+          "1 3 float\n7 8 9\n"),
+      xml = read_text(
+          "a.vtp",
+          "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfVerts=\"2\" NumberOfLines=\"1\"><Points>"
+          "<DataArray type=\"Float32\">0 0 0 1 0 0 2 0 0 3 0 0 4 0 0</DataArray></Points>"
+          "<Verts><DataArray Name=\"connectivity\">3 0 1</DataArray><DataArray Name=\"offsets\">2 "
+          "3</DataArray></Verts>"
+          "<Lines><DataArray Name=\"connectivity\">1 2</DataArray><DataArray "
+          "Name=\"offsets\">2</DataArray></Lines>"
+          "<CellData><DataArray Name=\"radius\">7 8 9</DataArray></CellData></Piece></PolyData></VTKFile>");
+  for (const CurveFile* curves : {&legacy, &xml}) {
+    EXPECT_EQ(curves->spheres, (std::vector<Sphere>{{1, 0, 0, 9}, {2, 0, 0, 9}, {0, 0, 0, 7}, {3, 0, 0, 7}}));
+    EXPECT_EQ(curves->strand_first, (std::vector<std::uint32_t>{0, 2, 3, 4}));
+    EXPECT_EQ(curves->warnings.back(), "1 point that is of no line is left out");
+  }
+}
+
+TEST(VtkXmlReader, RefusesCountsThatDoNotFit) {
+  const auto file = [](const char* points, const char* lines, const char* connectivity,
+                       const char* components) {
+    return fmt::format(
+        "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\"><Points>"
+        "<DataArray NumberOfComponents=\"{}\">0 0 0 1 0 0</DataArray></Points><Lines><DataArray "
+        "Name=\"connectivity\">{}</DataArray><DataArray "
+        "Name=\"offsets\">2</DataArray></Lines></Piece></PolyData></VTKFile>",
+        points, lines, components, connectivity);
+  };
+  EXPECT_EQ(complaint("a.vtp", file("2", "1", "0 1", "3")), "");
+  EXPECT_COMPLAINT(" NumberOfPoints is 3, but the piece has 2", "a.vtp", file("3", "1", "0 1", "3"));
+  EXPECT_COMPLAINT(" NumberOfLines is 2, but the piece has 1", "a.vtp", file("2", "2", "0 1", "3"));
+  EXPECT_COMPLAINT(" the offsets end at 2, the connectivity has 3 numbers", "a.vtp",
+                   file("2", "1", "0 1 0", "3"));
+  EXPECT_COMPLAINT(" points of '2' coordinates", "a.vtp", file("2", "1", "0 1", "2"));
+  EXPECT_COMPLAINT(" NumberOfLines 'x' is no number", "a.vtp", file("2", "x", "0 1", "3"));
+}
+
+TEST(VtkLegacyReader, RefusesOffsetsThatLeavePointsOver) {
+  EXPECT_COMPLAINT("9: the offsets end at 2, not at the 3 numbers announced", "a.vtk",
+                   "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 2 0 "
+                   "0\nLINES 2 3\nOFFSETS "
+                   "vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1 2\n");
+}
+
 TEST(VtkLegacyReader, AsksWhichArrayHoldsRadii) {
   const std::string two =
       start + "POINT_DATA 4\nFIELD f 2\nradius 1 4 float\n1 1 1 1\nmin_radius 1 4 float\n2 2 2 2\n";
@@ -214,7 +264,7 @@ TEST(VtkLegacyReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("3: 'hex': expected ASCII or BINARY", "a.vtk", "# vtk DataFile Version 3.0\nt\nHEX\n");
   EXPECT_COMPLAINT("4: a dataset 'STRUCTURED_GRID' has no lines", "a.vtk",
                    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\n");
-  EXPECT_COMPLAINT("8: a line names point 4, of 4 from 0", "a.vtk",
+  EXPECT_COMPLAINT("8: a cell names point 4, of 4 from 0", "a.vtk",
                    start.substr(0, start.size() - 4) + "1 4\n");
   EXPECT_COMPLAINT("8: a cell of 9 points", "a.vtk", start.substr(0, start.find("3 0 1 2")) + "9 0 1\n");
   EXPECT_COMPLAINT(" 'radius' of point 1 is -1, no radius", "a.vtk",

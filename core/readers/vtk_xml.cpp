@@ -88,8 +88,12 @@ class VtkXml {
   void read_points(const pugi::xml_node& piece) {
     first_point_ = mesh_.points();
     const auto array = piece.child("Points").child("DataArray");
+    const std::string_view components = array.attribute("NumberOfComponents").as_string("3");
+    if (components != "3")
+      fail(fmt::format("points of {} coordinates; three are due", in_quotes(components)));
     const std::vector<double> values = array ? numbers(array) : std::vector<double>{};
     if (values.size() % 3 != 0) fail(fmt::format("{} coordinates are no points of three", values.size()));
+    require_count(piece, "NumberOfPoints", values.size() / 3);
     mesh_.reserve_points(mesh_.points() + values.size() / 3);
     for (std::size_t k = 0; k < values.size(); k += 3) {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -103,31 +107,50 @@ class VtkXml {
   // Cell data counts vertices first, then lines, then the rest.
   void read_lines(const pugi::xml_node& piece) {
     read_points(piece);
-    mesh_.add_vertex_cells(cells_of(piece, "NumberOfVerts"));
-    read_cells(piece.child("Lines"), {});
+    read_cells(piece.child("Verts"), [](std::size_t) { return VtkMesh::poly_vertex; },
+               {piece, "NumberOfVerts"});
+    read_cells(piece.child("Lines"), [](std::size_t) { return VtkMesh::poly_line; },
+               {piece, "NumberOfLines"});
     mesh_.add_other_cells(cells_of(piece, "NumberOfStrips") + cells_of(piece, "NumberOfPolys"));
     read_arrays(piece);
   }
 
   void read_grid(const pugi::xml_node& piece) {
     read_points(piece);
-    read_cells(piece.child("Cells"), numbers_named(piece.child("Cells"), "types"));
+    const auto types = numbers_named(piece.child("Cells"), "types"),
+               ends = numbers_named(piece.child("Cells"), "offsets");
+    if (types.size() != ends.size())
+      fail(fmt::format("{} cells, but {} cell types", ends.size(), types.size()));
+    read_cells(piece.child("Cells"), [&](std::size_t k) { return index(types[k], 255, "cell type"); },
+               {piece, "NumberOfCells"});
     read_arrays(piece);
+  }
+
+  /// An attribute that a file may leave out.
+  void require_count(const pugi::xml_node& piece, const char* attribute, std::uint64_t found) const {
+    if (piece.attribute(attribute) && cells_of(piece, attribute) != found)
+      fail(fmt::format("{} is {}, but the piece has {}", attribute, piece.attribute(attribute).value(),
+                       found));
   }
 
   std::uint64_t cells_of(const pugi::xml_node& piece, const char* attribute) const {
     const auto [value, problem] = parse_integer(piece.attribute(attribute).as_string("0"));
     if (!problem.empty() || value < 0 || value > 0xFFFFFFFF)
-      fail(fmt::format("{} is no number of cells", attribute));
+      fail(fmt::format("{} {} is no number that a file can have", attribute,
+                       in_quotes(piece.attribute(attribute).value())));
     return static_cast<std::uint64_t>(value);
   }
 
-  /// Without types all are lines.
-  void read_cells(const pugi::xml_node& cells, const std::vector<double>& types) {
+  struct Announced {
+    const pugi::xml_node& piece;
+    const char* attribute;
+  };
+
+  /// type(k): VTK's number for what cell k is.
+  template <class Type>
+  void read_cells(const pugi::xml_node& cells, const Type& type, const Announced& announced) {
     const auto points = numbers_named(cells, "connectivity"), ends = numbers_named(cells, "offsets");
-    const bool typed = std::string_view(cells.name()) == "Cells";
-    if (typed && types.size() != ends.size())
-      fail(fmt::format("{} cells, but {} cell types", ends.size(), types.size()));
+    require_count(announced.piece, announced.attribute, ends.size());
     std::vector<std::int64_t> line;
     std::size_t begin = 0;
     for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -136,17 +159,10 @@ class VtkXml {
       line.clear();
       for (; begin < end; ++begin)
         line.push_back(first_point_ + index(points[begin], mesh_.points() - first_point_, "point number"));
-      add_cell(line, typed ? types[k] : 4);
+      if (const std::string problem = mesh_.add_cell(type(k), line); !problem.empty()) fail(problem);
     }
-  }
-
-  void add_cell(const std::vector<std::int64_t>& points, double type) {
-    constexpr double vertex = 1, vertex_list = 2, line = 3, poly_line = 4;
-    if (type == line || type == poly_line) {
-      if (const std::string problem = mesh_.add_line(points); !problem.empty()) fail(problem);
-    } else {
-      type == vertex || type == vertex_list ? mesh_.add_vertex_cells(1) : mesh_.add_other_cells(1);
-    }
+    if (begin != points.size())
+      fail(fmt::format("the offsets end at {}, the connectivity has {} numbers", begin, points.size()));
   }
 
   std::int64_t index(double value, std::uint64_t most, std::string_view what) const {

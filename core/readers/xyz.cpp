@@ -16,7 +16,6 @@ namespace catena {
 namespace {
 
 using Role = TableColumns::Role;
-constexpr std::string_view separators = " \t,";
 
 class PointColumns {
  public:
@@ -36,7 +35,7 @@ class PointColumns {
 
  private:
   bool is_count() {
-    const auto& fields = lines_.fields(separators);
+    const auto& fields = lines_.columns();
     return fields.size() == 1 && is_integer(fields[0]);
   }
 
@@ -48,7 +47,7 @@ class PointColumns {
       blank_line = blank_line || (blank && !curves_.spheres.empty());
       if (lines_.line().empty()) continue;
       blank_line_inside_ = blank_line_inside_ || blank_line;
-      read_row(lines_.fields(separators));
+      read_row(lines_.columns());
     }
     points_.finish();
     if (blank_line_inside_) curves_.warnings.emplace_back("blank lines do not end a strand; END does");

@@ -14,8 +14,6 @@
 namespace catena {
 namespace {
 
-constexpr std::string_view separators = " \t,";
-
 class XyzFrames {
  public:
   XyzFrames(TextLines& lines, const ReadOptions& options, CurveFile& curves)
@@ -31,7 +29,7 @@ class XyzFrames {
 
  private:
   void read_frame(bool first) {
-    const auto& head = lines_.fields(separators);
+    const auto& head = lines_.fields();
     if (head.size() != 1 || !is_integer(head[0]))
       lines_.fail(fmt::format(
           "the number of points of another frame is due here, or the end: {} points were announced",
@@ -44,18 +42,19 @@ class XyzFrames {
     if (first) curves_.spheres.reserve(std::min<std::size_t>(announced_, lines_.bytes() / 6));
     ExtendedXyz title;
     if (has_title()) title = read_title(first);
+    take_box(title, first);
     for (std::uint32_t i = 0; i < announced_; ++i) {
       if (!lines_.next_content() || is_count())
         lines_.fail_at(count_line, fmt::format("{} point{} announced, {} follow", announced_,
                                                announced_ == 1 ? " is" : "s are", i));
-      const auto& row = lines_.fields(separators);
+      const auto& row = lines_.columns();
       if (i == 0) choose_columns(title, row, first);
       points_.add(row);
     }
   }
 
   bool is_count() {
-    const auto& fields = lines_.fields(separators);
+    const auto& fields = lines_.fields();
     return fields.size() == 1 && is_integer(fields[0]);
   }
 
@@ -64,7 +63,7 @@ class XyzFrames {
     if (announced_ == 0) return true;
     const auto place = lines_.mark();
     const bool title = lines_.next();
-    const auto& fields = lines_.fields(separators);
+    const auto& fields = lines_.fields();
     const bool point = fields.size() >= 3 && std::all_of(fields.begin() + 1, fields.end(), is_number);
     bool enough = title;
     for (std::uint32_t i = 0; enough && i < announced_; ++i) enough = lines_.next_content() && !is_count();
@@ -77,15 +76,36 @@ class XyzFrames {
     if (!lines_.next()) return {};
     try {
       ExtendedXyz title = parse_extended_xyz(lines_.line());
-      if (first && title.has_lattice)
-        curves_.warnings.push_back(
-            fmt::format("line {}: the Lattice is not read; nothing is periodic", lines_.line_number()));
       if (first && !title.unread.empty() && options_.columns.empty())
         curves_.warnings.push_back(fmt::format("not read: {}", fmt::join(title.unread, ", ")));
       return title;
     } catch (const InputError& error) {
       lines_.fail(error.what());
     }
+  }
+
+  // A box of catena's has its edge a along x, b in the plane of x and y; another would have to be turned, and
+  // the spheres with it, which rounds them.
+  void take_box(const ExtendedXyz& title, bool first) {
+    const auto& periodic = title.periodic;
+    const bool repeats = title.lattice && (periodic[0] || periodic[1] || periodic[2]);
+    if (!first && repeats != has_box_)
+      lines_.fail("this frame and the first differ in having a periodic Lattice");
+    has_box_ = repeats;
+    if (!repeats) return;
+    const auto [ax, ay, az, bx, by, bz, cx, cy, cz] = *title.lattice;
+    if (ay != 0 || az != 0 || bz != 0 || ax <= 0 || by <= 0 || cz <= 0) {
+      if (!first && !curves_.boxes.empty())
+        lines_.fail("this Lattice does not lie along the axes, as the first does");
+      if (first)
+        curves_.warnings.push_back(fmt::format(
+            "line {}: the Lattice is left out, and nothing is periodic, as its first edge is not along x, "
+            "or its second not in x and y",
+            lines_.line_number()));
+      return;
+    }
+    if (!first && curves_.boxes.empty()) lines_.fail("this Lattice lies along the axes, the first does not");
+    curves_.boxes.push_back({{periodic[0] ? ax : 0, periodic[1] ? by : 0, periodic[2] ? cz : 0}, bx, cx, cy});
   }
 
   void choose_columns(const ExtendedXyz& title, const std::vector<std::string_view>& row, bool first) {
@@ -108,6 +128,7 @@ class XyzFrames {
   CurveFile& curves_;
   TablePoints points_;
   std::uint32_t announced_ = 0;
+  bool has_box_ = false;  ///< the title of the frame before says that space repeats
 };
 
 }  // namespace

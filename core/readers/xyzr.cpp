@@ -14,6 +14,7 @@ class Xyzr {
 
   CurveFile curves() {
     curves_.has_radii = true;
+    lines_.read_once();
     while (lines_.next()) {
       if (trimmed(lines_.line()).empty()) curves_.end_strand();
       lines_.cut_comment('#');
@@ -25,7 +26,7 @@ class Xyzr {
 
  private:
   void read_point() {
-    const auto& fields = lines_.fields(" \t,");
+    const auto& fields = lines_.columns();
     if (fields.size() != 4) lines_.fail(fmt::format("a point is 'x y z r', got {} columns", fields.size()));
     curves_.add_point(lines_.coordinate(fields[0], "x"), lines_.coordinate(fields[1], "y"),
                       lines_.coordinate(fields[2], "z"), lines_.radius(fields[3]));

@@ -10,6 +10,7 @@ const RegisterWriter registered{{.name = "catena chain",
                                  .rule = true,
                                  .frames = false,
                                  .contacts = false,
+                                 .box = false,
                                  .summary = "catena's own text, everything exactly"},
                                 [](const std::filesystem::path& file, const ExportedFrames& frames) {
                                   write_chain(file, frames.at(frames.first).chain, frames.joints);

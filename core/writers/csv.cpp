@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/csv_cell.h"
 #include "catena/core/output_file.h"
 #include "catena/core/writers/point_row.h"
 #include "catena/core/writers/writer.h"
@@ -10,17 +11,6 @@
 /// Strands have the names of the file where these tell them apart, or else their numbers.
 namespace catena {
 namespace {
-
-void append_cell(std::string& text, const std::string& cell) {
-  if (cell.find_first_of(",;\t\"#\r\n") == std::string::npos) {
-    text += cell;
-    return;
-  }
-  text += '"';
-  for (const char c : cell)
-    if (c != '"') text += c == '\r' || c == '\n' ? ' ' : c;
-  text += '"';
-}
 
 void write_csv(const std::filesystem::path& name, const ExportedFrames& frames) {
   const Chain chain = frames.at(frames.first).chain;
@@ -33,8 +23,8 @@ void write_csv(const std::filesystem::path& name, const ExportedFrames& frames) 
   for (std::uint32_t s = 0; s < chain.strand_count(); ++s)
     for (std::uint32_t i = chain.strands().first[s]; i < chain.strands().first[s + 1]; ++i) {
       line.clear();
-      if (labelled) append_cell(line, frames.labels.of(i)), line += ',';
-      append_cell(line, named ? names[s] : std::to_string(s));
+      if (labelled) append_csv_cell(line, frames.labels.of(i)), line += ',';
+      append_csv_cell(line, named ? names[s] : std::to_string(s));
       line += chain.strands().closed[s] ? ",1," : ",0,";
       append_point(line, chain[i], ',');
       line += ',';
@@ -51,6 +41,7 @@ const RegisterWriter registered{
      .rule = false,
      .frames = false,
      .contacts = false,
+     .box = false,
      .summary = "a row a sphere, exactly: strand, closed, x, y, z, r, and id where there are labels"},
     write_csv};
 

@@ -37,6 +37,7 @@ const RegisterWriter registered{{.name = "OBJ lines",
                                  .rule = false,
                                  .frames = false,
                                  .contacts = false,
+                                 .box = false,
                                  .summary = "vertices and a line for each strand, exactly, without radii"},
                                 write_obj};
 

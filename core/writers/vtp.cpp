@@ -111,6 +111,7 @@ const RegisterWriter registered{{.name = "VTK XML poly-data",
                                  .rule = false,
                                  .frames = false,
                                  .contacts = true,
+                                 .box = false,
                                  .summary = "lines with radius and strand, exactly; with --contacts what "
                                             "each sphere collides with, for ParaView"},
                                 [](const std::filesystem::path& file, const ExportedFrames& frames) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/periodic/periodic_box.h"
 #include "catena/core/readers/labels.h"
 #include "catena/core/strategy/request.h"
 
@@ -23,14 +24,15 @@ struct ExportedFrames {
   std::uint32_t first, last;
   std::function<ExportedFrame(std::uint32_t)> at;  ///< asked once for each, in their order
   const Labels& labels;
-  std::span<const Pair> joints{};  ///< of the file that they come from, see CurveFile
+  std::span<const Pair> joints{};        ///< of the file that they come from, see CurveFile
+  std::span<const PeriodicBox> boxes{};  ///< one a frame of the input, one for all, or none; see Input
 };
 
 struct WriterInfo {
   std::string name;                     ///< "OBJ lines"
   std::vector<std::string> extensions;  ///< {".obj"}, lower case
-  bool radii, rule, frames,
-      contacts;  ///< what the format can hold: the exclusion rule, several frames, what was found
+  bool radii, rule, frames, contacts,
+      box;  ///< what the format can hold: the exclusion rule, several frames, what was found, a periodic box
   std::string summary;
 };
 

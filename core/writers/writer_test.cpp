@@ -90,12 +90,12 @@ RC_GTEST_PROP(Writers, BringLabelsBackFromCsv, ()) {
   const Chain chain = any_chain();
   const auto word = [] {
     return *rc::gen::nonEmpty(
-        rc::gen::container<std::string>(rc::gen::elementOf(std::string("aB1/,;'\t#."))));
+        rc::gen::container<std::string>(rc::gen::elementOf(std::string("aB1/,;'\" \t#."))));
   };
   Labels labels;
   std::vector<std::string> ids;
   for (std::uint32_t i = 0; i < chain.size(); ++i) {
-    std::string id = "l" + word() + "l";
+    std::string id = word();
     ids.push_back(id);
     labels.add(std::string_view(id));
   }
@@ -160,27 +160,26 @@ TEST(Writers, WriteWhatParaViewShows) {
 }
 
 // By the readers of these formats, where there are any.
-/// What lines can show, in the order in which they are read: strands of two spheres and more, then closed
-/// ones of three and more.
+/// As lines and points show it, in the order in which they are read: first the strands with two ends. Of
+/// fewer than three spheres none is closed.
 Chain as_lines(const Chain& chain) {
   std::vector<Sphere> spheres;
   Strands strands{{0}, {}};
-  for (const bool closed : {false, true}) {
+  for (const bool ends : {true, false}) {
     for (std::uint32_t s = 0; s < chain.strand_count(); ++s) {
       const std::uint32_t first = chain.strands().first[s], end = chain.strands().first[s + 1];
-      if (end - first < 2 || closed != (end - first > 2 && chain.strands().closed[s])) continue;
+      const bool closed = end - first > 2 && chain.strands().closed[s];
+      if (ends != (end - first > 1 && !closed)) continue;
       spheres.insert(spheres.end(), chain.spheres().begin() + first, chain.spheres().begin() + end);
       strands.first.push_back(static_cast<std::uint32_t>(spheres.size()));
       strands.closed.push_back(closed);
     }
   }
-  if (spheres.empty()) return Chain();
   return Chain(std::move(spheres), std::move(strands));
 }
 
-RC_GTEST_PROP(Writers, BringLinesBackFromObjAndVtp, ()) {
+RC_GTEST_PROP(Writers, BringLinesAndPointsBackFromObjAndVtp, ()) {
   const Chain chain = as_lines(any_chain());
-  RC_PRE(chain.size() > 0);
   for (const std::string name : {"a.obj", "a.vtp"}) {
     if (!ReaderRegistry::instance().knows(name)) continue;
     const CurveFile curves = again(name, {chain});
@@ -190,7 +189,67 @@ RC_GTEST_PROP(Writers, BringLinesBackFromObjAndVtp, ()) {
                                         : without_radii(chain.spheres())));
     RC_ASSERT(curves.strand_first == chain.strands().first);
     RC_ASSERT(std::ranges::equal(curves.strand_closed, chain.strands().closed));
+    RC_ASSERT(curves.warnings.empty());
   }
+}
+
+PeriodicBox any_box() {
+  const auto number = [] { return *rc::gen::inRange(-999, 1000) / 7.0; };
+  PeriodicBox box{{0, 0, 0}, number(), number(), number()};
+  for (double& length : box.length) length = *rc::gen::arbitrary<bool>() ? std::abs(number()) : 0;
+  box.length[*rc::gen::inRange<std::size_t>(0, 3)] = 1 + std::abs(number());
+  return box;
+}
+
+RC_GTEST_PROP(Writers, BringTheBoxOfEachFrameBackFromXyz, (bool one_for_all)) {
+  const Chain chain = any_chain();
+  const std::uint32_t frames = *rc::gen::inRange(1u, 4u);
+  std::vector<PeriodicBox> boxes(one_for_all ? 1 : frames);
+  std::ranges::generate(boxes, any_box);
+  const TestFile file("a.xyz", "");
+  WriterRegistry::instance()
+      .of(file.path())
+      .write(file.path(),
+             {0, frames, [&](std::uint32_t) { return ExportedFrame{chain}; }, Labels(), {}, boxes});
+  const CurveFile curves = ReaderRegistry::instance().read(file.path());
+  RC_ASSERT(curves.boxes.size() == frames);
+  RC_ASSERT(curves.box_is_periodic);
+  for (std::uint32_t f = 0; f < frames; ++f) RC_ASSERT(curves.boxes[f] == boxes[one_for_all ? 0 : f]);
+}
+
+/// The points of a file without their order.
+std::multiset<std::array<float, 3>> points_of(const CurveFile& curves) {
+  std::multiset<std::array<float, 3>> points;
+  for (const Sphere& s : curves.spheres) points.insert({s.x, s.y, s.z});
+  return points;
+}
+
+// Of every reader there is a sample. Lines come back in an order of their own, and a strand that is closed
+// for two spheres is none of theirs.
+TEST(Writers, BringEverySampleBack) {
+  std::size_t samples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(example(""))) {
+    if (!ReaderRegistry::instance().knows(entry.path())) continue;
+    ++samples;
+    const CurveFile read = ReaderRegistry::instance().read(entry.path());
+    const Chain chain(read.spheres, {read.strand_first, read.strand_closed});
+    for (const std::string name : {"a.chain", "a.csv", "a.xyz"}) {
+      const CurveFile curves = again(name, {chain}, read.labels);
+      EXPECT_TRUE(same_bits(curves.spheres, read.spheres)) << entry.path() << name;
+      EXPECT_EQ(curves.strand_first, read.strand_first) << entry.path() << name;
+      EXPECT_EQ(curves.strand_closed, read.strand_closed) << entry.path() << name;
+      for (std::uint32_t i = 0; name == "a.csv" && read.labels.size() > 0 && i < chain.size(); ++i)
+        ASSERT_EQ(curves.labels.of(i), read.labels.of(i)) << entry.path();
+    }
+    for (const std::string name : {"a.obj", "a.vtp"}) {
+      if (!ReaderRegistry::instance().knows(name)) continue;
+      const CurveFile curves = again(name, {chain}, read.labels);
+      EXPECT_EQ(points_of(curves), points_of(read)) << entry.path() << name;
+      EXPECT_EQ(curves.strand_closed.size(), read.strand_closed.size()) << entry.path() << name;
+      EXPECT_TRUE(curves.joints.empty()) << entry.path() << name;
+    }
+  }
+  EXPECT_GE(samples, ReaderRegistry::instance().readers().size() - 2);  // pugixml and zlib may be absent
 }
 
 TEST(Writers, NameWhatThereIs) {

@@ -1,12 +1,19 @@
-# One libFuzzer program for each *_fuzz_target.cpp (preset `fuzz`, clang): build/fuzz/strategies_fuzz_target -max_len=1026
+# One libFuzzer program for each *_fuzz_target.cpp (preset `fuzz`, clang): build/fuzz/strategies_fuzz_target -max_len=1026.
+# `ctest --preset fuzz` runs each for an hour, from a corpus that it keeps in the build folder.
 if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   message(FATAL_ERROR "CATENA_FUZZ_TARGETS needs clang: cmake --preset fuzz")
 endif()
+enable_testing()
 file(GLOB targets CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/properties/fuzz_targets/*_fuzz_target.cpp)
 foreach(source ${targets})
   get_filename_component(name ${source} NAME_WE)
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE catena_program)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  target_compile_definitions(${name} PRIVATE CATENA_EXAMPLES_IN_SOURCE="${PROJECT_SOURCE_DIR}/core/readers/examples")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  set(corpus ${PROJECT_BINARY_DIR}/${name}_corpus)
+  file(MAKE_DIRECTORY ${corpus})
+  add_test(NAME ${name} COMMAND ${name} -max_total_time=3600 -timeout=60 -rss_limit_mb=4096 ${corpus})
+  set_tests_properties(${name} PROPERTIES LABELS long TIMEOUT 3900 ENVIRONMENT CATENA_SEEDS=${corpus})
 endforeach()

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,18 +17,46 @@ namespace {
 
 /// The readers take files: one in memory, where there is such a place, that every run overwrites.
 std::filesystem::path scratch(const std::string& extension) {
-  static const std::filesystem::path folder = [] {
-    const std::filesystem::path memory = "/dev/shm";
-    const auto root = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-    auto own = root / ("catena-fuzz-" + std::to_string(getpid()));
-    std::filesystem::create_directories(own);
-    std::ofstream(own / "input.top") << "3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n";  // what oxDNA's reader looks for
-    return own;
-  }();
+  static const std::filesystem::path folder =
+      [] {
+        const std::filesystem::path memory = "/dev/shm";
+        const auto root =
+            std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+        auto own = root / ("catena-fuzz-" + std::to_string(getpid()));
+        std::filesystem::create_directories(own);
+        std::ofstream(own / "input.top")
+            << "3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n";  // what oxDNA's reader looks for
+        return own;
+      }();
   return folder / ("input" + extension);
 }
 
+/// The head of each sample file as an input: what binary and long formats have to say stands there.
+void write_seeds(const std::filesystem::path& folder) {
+  using namespace catena;
+  std::filesystem::create_directories(folder);
+  const auto readers = ReaderRegistry::instance().readers();
+  for (const auto& entry : std::filesystem::directory_iterator(CATENA_EXAMPLES_IN_SOURCE))
+    for (std::size_t k = 0; k < readers.size(); ++k) {
+      if (std::ranges::find(readers[k].extensions, entry.path().extension().string()) ==
+          readers[k].extensions.end())
+        continue;
+      constexpr std::size_t most = 4000;
+      std::string head(most, '\0');
+      std::ifstream in(entry.path(), std::ios::binary);
+      in.read(head.data(), most);
+      head.resize(static_cast<std::size_t>(in.gcount()));
+      std::ofstream(folder / entry.path().filename(), std::ios::binary) << static_cast<char>(k) << head;
+    }
+}
+
 }  // namespace
+
+/// CATENA_SEEDS names the folder of a corpus that is to begin with the sample files.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  if (const char* folder = std::getenv("CATENA_SEEDS")) write_seeds(folder);
+  return 0;
+}
 
 /// libFuzzer over all readers: the first byte chooses one, the rest is the file. It is read, or refused with
 /// an InputError; what is read makes a chain or is refused, and a chain that is written reads back as itself.
