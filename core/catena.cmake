@@ -31,6 +31,10 @@ if(CATENA_SANITIZE)
   target_link_options(catena_options INTERFACE -fsanitize=${CATENA_SANITIZE})
 endif()
 
+if(CATENA_SANITIZE MATCHES "thread")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/core/executor/team.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=thread SKIP_PRECOMPILE_HEADERS ON)
+endif()
+
 if(CATENA_COVERAGE)
   target_compile_options(catena_options INTERFACE --coverage -fprofile-update=atomic)
   target_link_options(catena_options INTERFACE --coverage)

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
@@ -32,15 +33,27 @@ class CATENA_API Team {
   void for_each_range(std::uint32_t n, std::uint32_t grain, const Body& body) const {
     if (n == 0) return;
     if (size_ == 1) return body(0u, n);
-    share_out(n, grain, &body, [](const void* of, std::uint32_t begin, std::uint32_t end) {
-      (*static_cast<const Body*>(of))(begin, end);
+    // What a range did is seen by the caller: oneTBB sees to that, and these two say it where ThreadSanitizer,
+    // which does not look into oneTBB, can see it.
+    struct Shared {
+      const Body& body;
+      std::atomic<bool> begun{false};
+      std::atomic<std::uint32_t> ended{0};
+    } shared{body};
+    shared.begun.store(true, std::memory_order_release);
+    share_out(n, grain, &shared, [](void* of, std::uint32_t begin, std::uint32_t end) {
+      auto& ours = *static_cast<Shared*>(of);
+      static_cast<void>(ours.begun.load(std::memory_order_acquire));
+      ours.body(begin, end);
+      ours.ended.fetch_add(1, std::memory_order_release);
     });
+    static_cast<void>(shared.ended.load(std::memory_order_acquire));
   }
 
  private:
   struct Arena;
-  using Call = void (*)(const void* body, std::uint32_t begin, std::uint32_t end);
-  void share_out(std::uint32_t n, std::uint32_t grain, const void* body, Call call) const;
+  using Call = void (*)(void* body, std::uint32_t begin, std::uint32_t end);
+  void share_out(std::uint32_t n, std::uint32_t grain, void* body, Call call) const;
 
   unsigned size_ = 1;
   std::unique_ptr<Arena> arena_;
