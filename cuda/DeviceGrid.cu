@@ -19,8 +19,11 @@ class DeviceGrid final : public ResidentVariant {
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
  private:
-  void enqueue_build(const ChainView& chain, const Request&, StreamHandle stream) override {
-    cells_.enqueue_build(chain, {chain.size}, static_cast<cudaStream_t>(stream));
+  void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
+    const auto stream = static_cast<cudaStream_t>(handle);
+    SphereCells::State* const state = state_.reserve(1, stream);
+    CATENA_CUDA(cudaMemsetAsync(state, 0, sizeof *state, stream));
+    cells_.enqueue_build(chain, {chain.size}, state, stream);
   }
 
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
@@ -32,6 +35,7 @@ class DeviceGrid final : public ResidentVariant {
     in_range_ = in_range<Arithmetic>(chain);
   }
 
+  DeviceBuffer<SphereCells::State> state_;
   DeviceSphereCells<AllSpheres> cells_;
   bool in_range_ = false;  ///< of the last search
 };

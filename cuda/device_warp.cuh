@@ -5,16 +5,18 @@
 
 namespace catena::cuda {
 
+/// A value a lane: each thread holds its own, and asks for no other.
+template <class T>
+struct OwnLane {
+  T own;
+  __device__ const T& operator[](std::uint32_t) const { return own; }
+};
+
 /// The calling warp, whole and together; the host's twin is HostWarp.
 struct DeviceWarp {
   static constexpr std::uint32_t lanes = 32, all = 0xFFFFFFFFu;
-
-  /// A value a lane: each thread holds its own, and asks for no other.
   template <class T>
-  struct Lanes {
-    T own;
-    __device__ const T& operator[](std::uint32_t) const { return own; }
-  };
+  using Lanes = OwnLane<T>;
 
   __device__ static std::uint32_t lane() { return threadIdx.x % lanes; }
 
@@ -28,18 +30,18 @@ struct DeviceWarp {
     __syncwarp();
   }
   template <class F>
-  __device__ void once(const F& body) const {
-    if (lane() == 0) body();
-    __syncwarp();
-  }
-  template <class F>
   __device__ std::uint32_t ballot(const F& flag) const {
     const bool own = flag(lane());
     return __ballot_sync(all, own);
   }
-  template <class F>
-  __device__ float greatest(const F& number) const {
-    return __uint_as_float(greatest_of(__float_as_uint(fabsf(number(lane())))));
+  /// Those that any lane has.
+  __device__ static std::uint32_t bits_of_all(std::uint32_t own) {
+#if __CUDA_ARCH__ >= 800
+    return __reduce_or_sync(all, own);
+#else
+    for (int step = lanes / 2; step > 0; step /= 2) own |= __shfl_xor_sync(all, own, step);
+    return own;
+#endif
   }
   template <class T>
   __device__ T from(const Lanes<T>& value, std::uint32_t lane) const {
@@ -50,21 +52,51 @@ struct DeviceWarp {
     return {__shfl_sync(all, value.own.x, of), __shfl_sync(all, value.own.y, of),
             __shfl_sync(all, value.own.z, of), __shfl_sync(all, value.own.radius, of)};
   }
-  __device__ Lanes<float> ahead(const Lanes<float>& own, const Lanes<float>& next,
-                                std::uint32_t steps) const {
-    const auto from = static_cast<int>((lane() + steps) % lanes);
-    const float of_own = __shfl_sync(all, own.own, from), of_next = __shfl_sync(all, next.own, from);
-    return {lane() + steps < lanes ? of_own : of_next};
-  }
+};
 
- private:
-  __device__ static std::uint32_t greatest_of(std::uint32_t v) {
-#if __CUDA_ARCH__ >= 800
-    return __reduce_max_sync(all, v);
-#else
-    for (int step = 16; step > 0; step /= 2) v = max(v, __shfl_xor_sync(all, v, step));
-    return v;
-#endif
+/// Four threads side by side of a warp that comes whole and together; the host's twin is HostQuad.
+struct DeviceQuad {
+  static constexpr std::uint32_t lanes = 4;
+  template <class T>
+  using Lanes = OwnLane<T>;
+
+  __device__ static std::uint32_t lane() { return threadIdx.x % lanes; }
+
+  template <class F>
+  __device__ auto each(const F& value) const {
+    return Lanes<decltype(value(0u))>{value(lane())};
+  }
+  template <class F>
+  __device__ void once(const F& body) const {
+    if (lane() == 0) body();
+    __syncwarp();
+  }
+  template <class F>
+  __device__ bool none(const F& flag) const {
+    const bool own = flag(lane());
+    return (__ballot_sync(DeviceWarp::all, own) >> (DeviceWarp::lane() & ~(lanes - 1)) & (1u << lanes) - 1) ==
+           0;
+  }
+  template <class F>
+  __device__ float greatest(const F& number) const {
+    float result = number(lane());
+    for (std::uint32_t step = 1; step < lanes; step *= 2)
+      result = fmaxf(result, __shfl_xor_sync(DeviceWarp::all, result, static_cast<int>(step)));
+    return result;
+  }
+};
+
+/// How much the lanes before the calling one have together, of a warp that comes whole; `all` is what all
+/// have.
+struct LaneSum {
+  std::uint32_t before, all;
+  __device__ static LaneSum of(std::uint32_t own) {
+    std::uint32_t upto = own;
+    for (std::uint32_t step = 1; step < DeviceWarp::lanes; step *= 2) {
+      const std::uint32_t other = __shfl_up_sync(DeviceWarp::all, upto, step);
+      if (DeviceWarp::lane() >= step) upto += other;
+    }
+    return {upto - own, __shfl_sync(DeviceWarp::all, upto, DeviceWarp::lanes - 1)};
   }
 };
 

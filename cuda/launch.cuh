@@ -24,4 +24,36 @@ void launch(void (*kernel)(Parameters...), std::uint64_t items, unsigned threads
                 arguments...);
 }
 
+/// At the begin of a kernel that launch_next() starts: what comes before it in the stream is done, and its
+/// memory seen. The next kernel's blocks may take their places from here on; they wait in the same way, so
+/// that an order of kernels is kept as it is.
+__device__ inline void await_previous() {
+#if __CUDA_ARCH__ >= 900
+  cudaTriggerProgrammaticLaunchCompletion();
+  cudaGridDependencySynchronize();
+#endif
+}
+
+/// Like launch_blocks, of a kernel that begins with await_previous() and comes next after another kernel: its
+/// start overlaps that one's end, where the code is of an architecture that can wait.
+template <auto kernel, class... Arguments>
+void launch_next(unsigned blocks, unsigned threads, cudaStream_t stream, const Arguments&... arguments) {
+  static const bool can_wait = [] {
+    cudaFuncAttributes attributes{};
+    CATENA_CUDA(cudaFuncGetAttributes(&attributes, kernel));
+    return attributes.ptxVersion >= 90;
+  }();
+  if (blocks == 0) return;
+  cudaLaunchAttribute overlap{};
+  overlap.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+  overlap.val.programmaticStreamSerializationAllowed = 1;
+  cudaLaunchConfig_t config{};
+  config.gridDim = blocks;
+  config.blockDim = threads;
+  config.stream = stream;
+  config.attrs = &overlap;
+  config.numAttrs = can_wait ? 1 : 0;
+  CATENA_CUDA(cudaLaunchKernelEx(&config, kernel, arguments...));
+}
+
 }  // namespace catena::cuda

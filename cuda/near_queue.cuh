@@ -1,17 +1,21 @@
 #pragma once
+#include "catena/core/cells/search_cells.h"
 #include "catena/cuda/pair_stage.cuh"
 
 namespace catena::cuda {
 
-/// The sink of a CellSearch in a kernel: gathers who is near, to decide it by all threads of the block alike,
-/// as threads find very different numbers of them.
+/// The sink of a search in a kernel: gathers who is near, to decide it by all threads of the block alike, as
+/// threads find very different numbers of them. Each thread asks for one sphere at a time.
 class NearQueue {
  public:
-  static constexpr std::uint32_t room = 1280;
+  static constexpr std::uint32_t room = 1280, most_threads = 128;
   struct Shared {
-    struct {
-      std::uint32_t place, at, level;
-    } near[room];
+    struct Near {
+      std::uint32_t at;
+      std::uint16_t thread, level;
+    } near[room];                       ///< of a thread's sphere
+    std::uint32_t place[most_threads];  ///< by thread: whose are these
+    std::uint32_t met[most_threads];    ///< by thread: how many of these collided
     std::uint32_t used;
     PairStage::Shared pairs;
   };
@@ -19,36 +23,95 @@ class NearQueue {
   /// By all threads of the block, which then synchronize.
   __device__ NearQueue(Shared& shared, const ResidentAnswer& answer, SphereRange queries)
       : shared_(shared), pairs_(shared.pairs, answer, queries) {
+    shared_.met[threadIdx.x] = 0;
     if (threadIdx.x == 0) shared_.used = 0;
   }
 
-  template <class Search>
-  __device__ void near(const Search& search, std::uint32_t place, std::uint32_t at, std::uint32_t level) {
-    const std::uint32_t k = atomicAdd(&shared_.used, 1u);
-    if (k < room)
-      shared_.near[k] = {place, at, level};
-    else
-      search.decide(place, at, level);
+  /// By all threads of a warp together.
+  template <class Search, std::size_t sets>
+  __device__ void near(const Search& search, std::uint32_t place, std::uint32_t level,
+                       const PlaceSet (&near)[sets]) {
+    std::uint32_t own = 0;
+    for (const PlaceSet& set : near) own += __popc(set.bits);
+    const LaneSum sum = LaneSum::of(own);
+    if (sum.all == 0) return;
+    shared_.place[threadIdx.x] = place;
+    std::uint32_t first = 0;
+    if (DeviceWarp::lane() == 0) first = atomicAdd(&shared_.used, sum.all);
+    first = __shfl_sync(DeviceWarp::all, first, 0);
+    std::uint32_t k = first + sum.before;
+    if (first + sum.all <= room) {  // mostly: without the rare path in the loop
+#pragma unroll
+      for (const PlaceSet& set : near)
+        for (std::uint32_t bits = set.bits; bits != 0; bits &= bits - 1)
+          put(k++, set.first + lowest_bit(bits), level);
+    } else {
+#pragma unroll
+      for (const PlaceSet& set : near) put_or_decide(search, k, place, level, set);
+    }
+    converge();
   }
-  __device__ void pair(std::uint32_t i, std::uint32_t j) { pairs_.pair(i, j); }
+  template <class Search>
+  __device__ void near_too(const Search& search, std::uint32_t place, std::uint32_t level, PlaceSet set) {
+    if (set.bits == 0) return;
+    shared_.place[threadIdx.x] = place;
+    std::uint32_t k = atomicAdd(&shared_.used, __popc(set.bits));
+    put_or_decide(search, k, place, level, set);
+  }
   __device__ bool satisfied() const { return pairs_.satisfied(); }
   /// These two by all threads of a warp together.
   __device__ void converge() const { __syncwarp(); }
-  __device__ bool any(bool own) const { return __any_sync(0xFFFFFFFFu, own); }
+  __device__ bool any(bool own) const { return __any_sync(DeviceWarp::all, own); }
 
   /// Decides what was gathered and brings what collides to the answer. By all threads of the block together.
   template <class Search>
   __device__ void flush(const Search& search) {
     __syncthreads();
     const std::uint32_t queued = min(shared_.used, room);
-    for (std::uint32_t k = threadIdx.x; k < queued; k += blockDim.x)
-      search.decide(shared_.near[k].place, shared_.near[k].at, shared_.near[k].level);
+    for (std::uint32_t first = 0; first < queued; first += blockDim.x) {
+      const std::uint32_t k = first + threadIdx.x;
+      bool collides = false;
+      std::uint32_t a = 0, b = 0;
+      if (k < queued) {
+        const Shared::Near near = shared_.near[k];
+        const std::uint32_t place = shared_.place[near.thread];
+        if (search.collides(place, near.at, near.level)) {
+          collides = true;
+          a = search.sphere_at(place), b = search.sphere_at(near.at);
+          atomicAdd(&shared_.met[near.thread], 1u);
+          pairs_.count(b, 1);
+        }
+      }
+      pairs_.keep_of_warp(collides, min(a, b), max(a, b));
+    }
     __syncthreads();
+    if (const std::uint32_t met = shared_.met[threadIdx.x]; met != 0) {
+      pairs_.count(search.sphere_at(shared_.place[threadIdx.x]), met);
+      shared_.met[threadIdx.x] = 0;
+    }
     if (threadIdx.x == 0) shared_.used = 0;
     pairs_.flush();  // with a barrier
   }
 
  private:
+  __device__ void put(std::uint32_t k, std::uint32_t at, std::uint32_t level) {
+    shared_.near[k] = {at, static_cast<std::uint16_t>(threadIdx.x), static_cast<std::uint16_t>(level)};
+  }
+  /// As far as there is room; the others are decided at once.
+  template <class Search>
+  __device__ void put_or_decide(const Search& search, std::uint32_t& k, std::uint32_t place,
+                                std::uint32_t level, PlaceSet set) {
+    for (; set.bits != 0; set.bits &= set.bits - 1, ++k) {
+      const std::uint32_t at = set.first + lowest_bit(set.bits);
+      if (k < room) {
+        put(k, at, level);
+      } else if (search.collides(place, at, level)) {
+        const std::uint32_t a = search.sphere_at(place), b = search.sphere_at(at);
+        pairs_.pair(min(a, b), max(a, b));
+      }
+    }
+  }
+
   Shared& shared_;
   PairStage pairs_;
 };

@@ -3,6 +3,7 @@
 
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/resident.h"
+#include "catena/cuda/device_warp.cuh"
 
 namespace catena::cuda {
 
@@ -13,59 +14,79 @@ class PairStage {
   static constexpr std::uint32_t room = 1024;
   struct Shared {
     Pair pairs[room];
-    std::uint32_t used;        ///< pairs that came, those without room too
-    std::uint32_t counted;     ///< pairs that were only to be counted
+    std::uint32_t used;        ///< pairs that came, those without room too, and those only to be counted
     unsigned long long first;  ///< place in the answer of the first
+    bool satisfied;
   };
 
   /// By all threads of the block, which then synchronize.
   __device__ PairStage(Shared& shared, const ResidentAnswer& answer, SphereRange queries)
       : shared_(shared), answer_(answer), queries_(queries) {
-    if (threadIdx.x == 0) shared_.used = shared_.counted = 0;
+    if (threadIdx.x == 0) {
+      shared_.used = 0;
+      shared_.satisfied = found_already();
+    }
   }
 
+  /// By any thread: counts and keeps i < j.
   __device__ void pair(std::uint32_t i, std::uint32_t j) {
-    const bool of_i = queries_.contains(i);
-    if (answer_.count != nullptr) {
-      if (of_i) atomicAdd(answer_.count + i, 1u);
-      if (queries_.contains(j)) atomicAdd(answer_.count + j, 1u);
+    count(i, 1);
+    count(j, 1);
+    if (queries_.contains(i)) keep(atomicAdd(&shared_.used, 1u), i, j);
+  }
+
+  __device__ void count(std::uint32_t i, std::uint32_t more) const {
+    if (answer_.count != nullptr && queries_.contains(i)) atomicAdd(answer_.count + i, more);
+  }
+  /// By all threads of a warp together: keeps i < j of those that have a pair.
+  __device__ void keep_of_warp(bool has, std::uint32_t i, std::uint32_t j) {
+    has = has && queries_.contains(i);
+    const std::uint32_t having = __ballot_sync(DeviceWarp::all, has);
+    if (having == 0) return;
+    std::uint32_t first = 0;
+    if (DeviceWarp::lane() == 0) first = atomicAdd(&shared_.used, __popc(having));
+    first = __shfl_sync(DeviceWarp::all, first, 0);
+    if (has) keep(first + __popc(having & ((1u << DeviceWarp::lane()) - 1)), i, j);
+  }
+
+  /// True when another block had answered Want::any when this one began; the same for all of its threads.
+  __device__ bool satisfied() const { return shared_.satisfied; }
+
+  /// Brings what was gathered to the answer, and looks anew whether that is satisfied. By all threads of the
+  /// block together.
+  __device__ void flush() {
+    __syncthreads();
+    const std::uint32_t came = shared_.used;
+    if (threadIdx.x == 0) shared_.satisfied = found_already();
+    // Nobody goes on to use the stage before all know what came.
+    if (!__syncthreads_or(came != 0)) return;
+    const bool to_keep = answer_.pairs != nullptr;
+    if (threadIdx.x == 0) {
+      // What found no room was told to the answer already.
+      const std::uint32_t told = to_keep ? min(came, room) : came;
+      shared_.first = atomicAdd(&answer_.state->found, static_cast<unsigned long long>(told));
+      shared_.used = 0;
     }
-    if (!of_i) return;
-    came_ = true;
-    if (answer_.pairs == nullptr) {
-      atomicAdd(&shared_.counted, 1u);
-      return;
-    }
-    const std::uint32_t at = atomicAdd(&shared_.used, 1u);
+    __syncthreads();
+    if (to_keep)
+      for (std::uint32_t k = threadIdx.x; k < min(came, room); k += blockDim.x)
+        store(shared_.first + k, shared_.pairs[k]);
+    __syncthreads();
+  }
+
+ private:
+  __device__ bool found_already() const {
+    return answer_.count == nullptr && answer_.pairs == nullptr &&
+           *static_cast<volatile unsigned long long*>(&answer_.state->found) > 0;
+  }
+
+  __device__ void keep(std::uint32_t at, std::uint32_t i, std::uint32_t j) {
+    if (answer_.pairs == nullptr) return;
     if (at < room)
       shared_.pairs[at] = {i, j};
     else
       store(atomicAdd(&answer_.state->found, 1ull), {i, j});
   }
-
-  /// True when another block has answered Want::any already.
-  __device__ bool satisfied() const {
-    return answer_.count == nullptr && answer_.pairs == nullptr &&
-           *static_cast<volatile unsigned long long*>(&answer_.state->found) > 0;
-  }
-
-  /// Brings what was gathered to the answer. By all threads of the block together.
-  __device__ void flush() {
-    if (!__syncthreads_or(came_)) return;
-    came_ = false;
-    const std::uint32_t staged = min(shared_.used, room), counted = shared_.counted;
-    __syncthreads();
-    if (threadIdx.x == 0) {
-      shared_.first = atomicAdd(&answer_.state->found, static_cast<unsigned long long>(staged + counted));
-      shared_.used = shared_.counted = 0;
-    }
-    __syncthreads();
-    for (std::uint32_t k = threadIdx.x; k < staged; k += blockDim.x)
-      store(shared_.first + k, shared_.pairs[k]);
-    __syncthreads();
-  }
-
- private:
   __device__ void store(unsigned long long place, const Pair& pair) const {
     if (place < answer_.capacity)
       answer_.pairs[place] = pair;
@@ -76,7 +97,6 @@ class PairStage {
   Shared& shared_;
   const ResidentAnswer& answer_;
   const SphereRange queries_;
-  bool came_ = false;  ///< a pair of this thread, since the last flush
 };
 
 }  // namespace catena::cuda

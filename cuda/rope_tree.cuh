@@ -94,15 +94,16 @@ class RopeSearch {
     for (std::uint32_t at = own.rope; at != RopeTree::end;) {
       const RopeTree::Node other = tree_.node[at];
       const bool meets = own.box.meets(other.box);
-      if (meets && tree_.is_leaf(at)) sink_.near(*this, own.left, other.left, 0);
+      if (meets && tree_.is_leaf(at)) sink_.near_too(*this, own.left, 0, {other.left, 1});
       at = meets && !tree_.is_leaf(at) ? other.left : other.rope;
     }
   }
 
-  __device__ void decide(std::uint32_t a, std::uint32_t b, std::uint32_t) const {
-    const std::uint32_t i = min(a, b), j = max(a, b);
-    if (Tests::overlap(chain_.spheres[i], chain_.spheres[j]) && !chain_.neighbours(i, j)) sink_.pair(i, j);
+  /// Of spheres: what NearQueue asks of places.
+  __device__ bool collides(std::uint32_t a, std::uint32_t b, std::uint32_t) const {
+    return Tests::overlap(chain_.spheres[a], chain_.spheres[b]) && !chain_.neighbours(a, b);
   }
+  __device__ std::uint32_t sphere_at(std::uint32_t i) const { return i; }
 
  private:
   const ChainView& chain_;

@@ -48,12 +48,15 @@ void expect_exact(const Chain& chain, const std::string& what, bool with_pairs =
   }
 }
 
-TEST(Cells, HoldAsManyCapsulesAsThereAre) {
-  for (std::uint32_t rods = 1; rods <= 3 * CapsuleBlocks::slots; ++rods) {
-    std::vector<Sphere> spheres;
-    for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 0, 1.9f * static_cast<float>(k));
-    expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods side by side", rods > 1);
-  }
+TEST(Cells, LookAtNoMoreCapsulesThanAreDense) {
+  constexpr std::uint32_t dense = CapsuleBlocks::dense;
+  for (const std::uint32_t rods : {1u, 2u, 9u, dense - 1, dense, dense + 1, 3 * dense})
+    for (const float apart : {1.9f, 2.1f, 0.15f}) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 0, apart * static_cast<float>(k));
+      expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods side by side",
+                   rods > 1 && apart < 2);
+    }
 }
 
 TEST(Cells, FindAllPartnersOfABlock) {
@@ -98,6 +101,53 @@ TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
     blocks.state = &state;
     for (std::uint32_t b = 0; b < blocks.blocks; b += blocks.sample) ++state.crowded;
     EXPECT_EQ(&cells.table_for(blocks.crowded_spheres()), &cells.table_for(n)) << n;
+  }
+}
+
+/// Thicker than it is finely sampled: a window certifies what no neighbours do.
+TEST(Cells, GoOnInOrderBeyondAWindow) {
+  for (const std::uint32_t window : {2u, 3u, 30u, 31u, 32u, 40u})
+    for (const std::uint32_t beyond : {0u, 1u}) {
+      std::vector<Sphere> spheres;
+      const float step = 2.0f / static_cast<float>(window + beyond) - 0.001f;
+      for (std::uint32_t k = 0; k < 5 * block + 3; ++k)
+        spheres.push_back({step * static_cast<float>(k), 0, 0, 1});
+      expect_exact(Chain(spheres, {}, Exclusion::index(window)), "a rod in a window of " + std::to_string(window),
+                   beyond == 1);
+    }
+}
+
+/// Every third step leads back, farther than a window of two sees.
+TEST(Cells, TellAZigzagInAWindowFromARod) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < 6 * block; ++k) {
+    const float ahead = k % 3 == 0 ? 0.0f : k % 3 == 1 ? 1.0f : 3.0f;
+    spheres.push_back({2.1f * static_cast<float>(k / 3) + ahead, 0, 0, 1});
+  }
+  expect_exact(Chain(spheres, {}, Exclusion::index(2)), "a zigzag in a window");
+}
+
+/// A crowded block and the next one, of a coarser level, go on in order: what is adjacent is found once.
+TEST(Cells, FindOnceWhatIsAdjacentToACrowdedBlock) {
+  std::vector<Sphere> spheres;
+  add_rod(spheres, 0, 0, 0);
+  const float end = 1.6f * 15.5f;
+  for (std::uint32_t k = 0; k < block; ++k)
+    spheres.push_back({end + 1.6f + 4.0f * static_cast<float>(k), 0, 0, 1});
+  for (std::uint32_t k = 0; k < CapsuleBlocks::most_partners + 2; ++k)
+    add_rod(spheres, 4.0f * static_cast<float>(k) - 24, 0, 1.5f, true);
+  expect_exact(each_block_a_strand(spheres), "a crowded rod that goes on with longer steps");
+}
+
+/// Small spheres by the hundred in the cell of a large one are sorted by octaves.
+TEST(Cells, PartByOctavesWhatCrowdsOneLevel) {
+  for (const std::uint32_t small : {30u, 300u, 3000u}) {
+    std::vector<Sphere> spheres{{0, 0, 0, 1}, {50, 0, 0, 1}};
+    for (std::uint32_t k = 0; k < small; ++k)
+      spheres.push_back({0.9f + 0.002f * static_cast<float>(k % 100), 0.01f * static_cast<float>(k / 100), 0, 0.0015f});
+    Strands strands;
+    for (std::uint32_t at = 0; at <= spheres.size(); ++at) strands.first.push_back(at);
+    expect_exact(Chain(spheres, strands), std::to_string(small) + " small spheres beside a large one");
   }
 }
 

@@ -87,6 +87,25 @@ TEST_F(Device, PairBufferGrowsAndLosesNothing) {
   }
 }
 
+/// Whatever the order in which blocks of threads come: sizes at the borders of blocks, teams and thread blocks.
+TEST_F(Device, FindsTheSamePairsEveryTime) {
+  const int rounds = 40;
+  for (const char* kind : {"yarn", "mixed_radii", "path1"})
+    for (const std::uint32_t n : {31u, 32u, 33u, 127u, 129u, 1023u, 1025u, 4097u, 20001u}) {
+      const Chain chain = scene(std::string(kind) + ":n=" + std::to_string(n));
+      const auto exact = reference::find(chain);
+      for (const char* name : {"DeviceGrid", "DeviceHybrid", "DeviceHybrid(crowd=0)", "DeviceLBVH"}) {
+        const auto variant = StrategyRegistry::instance().make(name);
+        Collisions found;
+        for (int round = 0; round < rounds; ++round) {
+          variant->build(chain);
+          variant->find(chain, {}, found);
+          ASSERT_TRUE(reference::compare(chain, exact, found).right()) << name << " on " << kind << ", n " << n;
+        }
+      }
+    }
+}
+
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
   const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
   const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;

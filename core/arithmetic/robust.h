@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "catena/core/arithmetic/exact_sign.h"
+#include "catena/core/arithmetic/mul_add.h"
 #include "catena/core/hierarchy/radius_range.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
@@ -22,7 +23,9 @@ struct Robust {
   CATENA_HD static Bound bound(const Sphere& s) { return s; }
 
   /// True only when the spheres are separate for certain by stage 1; cheap, and free of calls.
-  CATENA_HD static bool separate(const Sphere& a, const Sphere& b) { return Binary32(a, b).separate(); }
+  CATENA_HD static bool separate(const Sphere& a, const Sphere& b) {
+    return Binary32::fused_square(a, b) > Binary32::greatest_square(a, b) + underflow_floor;
+  }
 
   /// True when the spheres overlap or touch. Exact for all finite Spheres.
   CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
@@ -44,7 +47,9 @@ struct Robust {
   struct InRange {
     using Bound = Sphere;
     CATENA_HD static Bound bound(const Sphere& s) { return s; }
-    CATENA_HD static bool separate(const Sphere& a, const Sphere& b) { return !may_overlap(a, b); }
+    CATENA_HD static bool separate(const Sphere& a, const Sphere& b) {
+      return Binary32::fused_square(a, b) > Binary32::greatest_square(a, b);
+    }
     CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
       const Binary32 n(a, b);
       if (n.q > n.t * binary32_slack) return false;
@@ -110,6 +115,18 @@ struct Robust {
     /// Stage 1 decides all that it ever can.
     CATENA_HD bool in_range() const { return t > safe_square_min && t < safe_square_max; }
     float q, t;
+
+    /// q with fused products where they are faster: what it decides is certain either way, and need not be alike
+    /// on host and device.
+    CATENA_HD static float fused_square(const Sphere& a, const Sphere& b) {
+      const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+      return mul_add(dz, dz, mul_add(dy, dy, dx * dx));
+    }
+    /// Above it q is separate, where nothing underflows; a constant of a loop over spheres of one radius.
+    CATENA_HD static float greatest_square(const Sphere& a, const Sphere& b) {
+      const float reach = a.radius + b.radius;
+      return reach * reach * binary32_slack;
+    }
   };
 
   /// Stage 2, binary64: no binary32 input can overflow or underflow here.

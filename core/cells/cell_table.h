@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -49,13 +50,18 @@ struct CellTable {
     return from(map_buckets(1, {{-1e9f, -1e9f, -1e9f}, {1e9f, 1e9f, 1e9f}}, count / 2));
   }
 
-  /// The same buckets, when a cube of so many cells a side has room in them: laid out so that cells that are
-  /// near in space are near in memory. A box of other sides and the same sum of them meets itself a few times
-  /// at most; so do finer cells, as often as there are more of them.
-  CellTable compact(double side) const {
-    BucketMap map{0, std::floor(std::cbrt(static_cast<double>(buckets))), 0, 0, buckets, true};
+  /// Laid out so that cells which are near in space are near in memory, when there is room for a cube of so
+  /// many cells a side; rows are of an odd length, for memory in banks. A box of other sides and the same sum
+  /// of them meets itself a few times at most; so do finer cells, as often as there are more of them. With
+  /// one level of cells there are no more buckets than the cube has cells.
+  CellTable compact(double side, bool one_level) const {
+    const auto odd = [](double at_most) { return 2 * std::floor((at_most - 1) / 2) + 1; };
+    const double most = odd(std::cbrt(static_cast<double>(buckets)));
+    if (!(side + 2 <= most)) return *this;
+    BucketMap map{0, one_level ? odd(side + 3) : most, 0, 0, buckets, true};
     map.layer = map.row * map.row;
-    return side + 2 <= map.row && different_steps(map) ? from(map) : *this;
+    if (one_level) map.buckets = std::max(512u, static_cast<std::uint32_t>(map.row * map.layer));
+    return different_steps(map) ? from(map) : *this;
   }
 
   /// Levels begin `level_step` buckets after one another: cells of the same numbers seldom meet.

@@ -27,7 +27,7 @@ void expect_27_buckets(const CellTable& table, double x, double y, double z, std
 TEST(CellTable, HasAnotherBucketForEachOf27Cells) {
   for (const std::uint32_t count : {0u, 1u, 300u, 1u << 12, 1u << 17, 3000000u, 1u << 26})
     for (const double side : {0.0, 1.0, 7.5, 15.0, 150.0, 1e6}) {
-      const CellTable table = CellTable::of(count).compact(side);
+      const CellTable table = CellTable::of(count).compact(side, side < 100);
       for (const double at : {0.0, -1.0, 12345.0, -33554431.0, 33554430.0})
         for (const std::uint32_t level : {0u, 1u, 31u, 287u}) {
           expect_27_buckets(table, at, -at / 3, at / 7, level);
@@ -47,12 +47,15 @@ TEST(CellTable, BringsEveryWholeRoundBackToTheFirstBucket) {
 }
 
 TEST(CellTable, LaysACompactBoxOutWithoutSharedBuckets) {
-  const CellTable table = CellTable::of(1 << 15).compact(20);
-  std::set<std::uint32_t> buckets;
-  for (int x = 0; x < 20; ++x)
-    for (int y = 0; y < 20; ++y)
-      for (int z = 0; z < 20; ++z) buckets.insert(table.bucket(x - 10, y - 10, z - 10, 0));
-  EXPECT_EQ(buckets.size(), 8000u);
+  for (const bool one_level : {false, true}) {
+    const CellTable table = CellTable::of(1 << 15).compact(20, one_level);
+    EXPECT_LE(table.buckets, one_level ? 13000u : 1u << 16);
+    std::set<std::uint32_t> buckets;
+    for (int x = 0; x < 20; ++x)
+      for (int y = 0; y < 20; ++y)
+        for (int z = 0; z < 20; ++z) buckets.insert(table.bucket(x - 10, y - 10, z - 10, 0));
+    EXPECT_EQ(buckets.size(), 8000u);
+  }
 }
 
 TEST(AxisCell, NumbersEqualFarCoordinatesAlikeAndReachesNothingElse) {
@@ -68,7 +71,7 @@ TEST(AxisCell, NumbersEqualFarCoordinatesAlikeAndReachesNothingElse) {
 
 TEST(Octaves, HoldNoRadiusAboveTheirBound) {
   for (const float greatest : {1.0f, 1.5f, 3e38f, 1e-40f, 0x1p-149f}) {
-    const Octaves octaves{greatest, false};
+    const Octaves octaves{greatest, false, false};
     for (float r = greatest; r > 0; r *= 0.4999f) {
       const std::uint32_t k = octaves.of(r);
       ASSERT_LT(k, Octaves::count);

@@ -11,7 +11,8 @@ namespace catena {
 struct Octaves {
   static constexpr std::uint32_t count = 288;
   double greatest;
-  bool one;  ///< all radii are in octave 0
+  bool one;    ///< all radii are in octave 0
+  bool equal;  ///< they are all the same
 
   CATENA_HD std::uint32_t of(float radius) const {
     if (one) return 0;

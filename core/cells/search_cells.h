@@ -6,39 +6,46 @@
 
 namespace catena {
 
+/// Some of 32 places side by side: bit k is that of first + k.
+struct PlaceSet {
+  std::uint32_t first, bits;
+};
+
 /// Who may collide with the sphere at a place: of what comes after it in its own cell, of the thirteen cells
 /// of its level that come after that one, and of all 27 of each coarser level; so each pair is met once.
-/// Tells them to sink.near(search, place, at, level), which asks search.decide(place, at, level) of each in
-/// its own time.
-template <class Tests, class Sink>
+/// Tells the sink, which asks collides() of each in its own time: sink.near(search, place, level, sets) by
+/// all threads of a warp together, `sets` an array of PlaceSet, and sink.near_too(search, place, level, set)
+/// by a thread alone.
+template <class Tests, bool equal_radii, class Sink>
 class CellSearch {
  public:
   CATENA_HD CellSearch(const ChainView& chain, const SphereCells& cells, const CellTable& table, Sink& sink)
-      : chain_(chain), cells_(cells), table_(table), sink_(sink) {}
+      : chain_(chain), cells_(cells), placed_(cells), table_(table), sink_(sink) {}
 
-  /// All threads of a warp come here together; one that is not `live` has no place, and any for `place` will
-  /// do.
+  /// All threads of a warp come to these two together; one that is not `live` has no place, and any for
+  /// `place` will do. This one is for spheres in one level, the other for those sorted by octaves.
+  CATENA_HD void run_in_one_level(const Sphere& s, std::uint32_t place, bool live) const {
+    look<own_row>({s, place, 0, 0, live});
+  }
   CATENA_HD void run(const Sphere& s, std::uint32_t place, bool live) const {
-    if (cells_.octaves.one) return look({s, place, 0, 0, live});
     const std::uint32_t octave = cells_.octaves.of(s.radius);
     for (std::uint32_t word = 0; word < Octaves::count / 32; ++word) {
       const std::uint32_t levels = cells_.state->levels[word];
       for (std::uint32_t level = word * 32; levels >> level % 32 != 0; ++level) {
         if ((levels >> level % 32 & 1) && sink_.any(live && level <= octave))
-          look({s, place, octave, level, live && level <= octave});
+          look<0>({s, place, octave, level, live && level <= octave});
         if (level % 32 == 31) break;
       }
     }
   }
 
-  /// Whether the spheres at these places collide, the second in a cell of that level; if so, sink.pair(i, j),
-  /// i < j.
-  CATENA_HD void decide(std::uint32_t place, std::uint32_t at, std::uint32_t level) const {
-    const Sphere s = cells_.sphere[place], other = cells_.sphere[at];
-    if (!Tests::overlap(s, other) || cells_.octaves.of(other.radius) != level) return;
-    const std::uint32_t a = cells_.index[place], b = cells_.index[at], i = a < b ? a : b, j = a < b ? b : a;
-    if (!chain_.neighbours(i, j)) sink_.pair(i, j);
+  /// Whether the spheres at these places collide, the second in a cell of that level.
+  CATENA_HD bool collides(std::uint32_t place, std::uint32_t at, std::uint32_t level) const {
+    const Sphere s = placed_.sphere(place), other = placed_.sphere(at);
+    return Tests::overlap(s, other) && (cells_.one_level() || cells_.octaves.of(other.radius) == level) &&
+           !chain_.neighbours(placed_.index(place), placed_.index(at));
   }
+  CATENA_HD std::uint32_t sphere_at(std::uint32_t place) const { return placed_.index(place); }
 
  private:
   static constexpr std::uint32_t own_row = 4, rows = 9;
@@ -50,83 +57,89 @@ class CellSearch {
     bool live;
     CATENA_HD bool own() const { return octave == level; }
   };
+  /// Cells next to one another along x.
+  struct Row {
+    std::uint32_t from, cells;
+  };
 
+  template <std::uint32_t first_row>
   CATENA_HD void look(const Look& of) const {
     const PointCell at = cells_.cell(of.sphere, of.level);
     const std::uint32_t bucket = table_.bucket(at, of.level);
     const float reach = cells_.reach(of.sphere, of.level), limit = reach * reach + 0x1p-20f;
-    for (std::uint32_t r = cells_.octaves.one ? own_row : 0; r < rows; ++r) row(r, of, at, bucket, limit);
+    PlaceSet found[rows - first_row];
+    std::uint32_t longer = 0;
+    sink_.converge();
+    for (std::uint32_t r = first_row; r < rows; ++r) {
+      Row row = this->row(r, of, at, bucket, limit);
+      Buckets::Run run{0, 0};
+      if (row.cells > 0) run = take(r, of, row);
+      found[r - first_row] = {run.first, near(of.sphere, run)};
+      longer |= static_cast<std::uint32_t>(row.cells > 0 || run.end - run.first > batch) << r;
+    }
+    sink_.near(*this, of.place, of.level, found);
+    if (!sink_.any(longer != 0)) return;
+    for (; longer != 0; longer &= longer - 1) look_further(lowest_bit(longer), of, at, bucket, limit);
+    sink_.converge();
+  }
+
+  /// What a row has beyond the first places side by side, and beyond the first batch of these.
+  CATENA_HD void look_further(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket,
+                              float limit) const {
+    Row row = this->row(r, of, at, bucket, limit);
+    Buckets::Run run = take(r, of, row);
+    run.first += batch;
+    for (;; run = cells_.buckets.take(table_, row.from, row.cells)) {
+      for (; run.first < run.end; run.first += batch)
+        sink_.near_too(*this, of.place, of.level, {run.first, near(of.sphere, run)});
+      if (row.cells == 0) return;
+    }
   }
 
   /// The cells of a row that the sphere can reach, of the three next to its own: those whose square of the
   /// distance, in cells, is at most `limit`, above which there is nothing it overlaps
   /// (properties/proofs/cell_rows.g).
-  CATENA_HD void row(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket,
-                     float limit) const {
+  CATENA_HD Row row(std::uint32_t r, const Look& of, const PointCell& at, std::uint32_t bucket,
+                    float limit) const {
     const float y = gap(at.y, r % 3), z = gap(at.z, r / 3), off = y * y + z * z;
-    std::uint32_t from = bucket, cells = 0;
-    bool own = of.own() && r == own_row;
-    if (of.live && off <= limit && !(of.own() && r < own_row)) {
-      const bool left = !own && reaches(at.x.below, off, limit);
-      const std::uint32_t middle = table_.on(bucket, table_.step[r]);
-      from = left ? table_.before(middle) : middle;
-      cells = 1 + (left ? 1 : 0) + (reaches(at.x.above, off, limit) ? 1 : 0);
-    }
-    if (!sink_.any(cells > 0)) return;
-    do {  // mostly once: a run of buckets may go on in another chunk, or at the table's begin
-      std::uint32_t first = 0, end = 0;
-      if (cells > 0) {
-        const std::uint32_t of_chunk = SphereCells::chunk - from % SphereCells::chunk,
-                            of_table = table_.buckets - from,
-                            room = of_chunk < of_table ? of_chunk : of_table,
-                            take = cells < room ? cells : room;
-        const std::uint32_t* const start = cells_.start + SphereCells::start_of(from);
-        first = own ? of.place + 1 : start[0];
-        end = start[take];
-        cells -= take;
-        from = table_.on(from, take);
-        own = false;
-      }
-      sink_.converge();
-      meet(of, first, end);
-    } while (sink_.any(cells > 0));
+    if (!of.live || off > limit || (of.own() && r < own_row)) return {0, 0};
+    const bool left = !starts_at_itself(r, of) && reaches(at.x.below, off, limit);
+    const std::uint32_t middle = table_.on(bucket, table_.step[r]);
+    return {left ? table_.before(middle) : middle,
+            1u + (left ? 1 : 0) + (reaches(at.x.above, off, limit) ? 1 : 0)};
   }
+  CATENA_HD static bool starts_at_itself(std::uint32_t r, const Look& of) { return r == own_row && of.own(); }
   CATENA_HD static float gap(const AxisCell& at, std::uint32_t way) {
     return way == 0 ? at.below : way == 2 ? at.above : 0;
   }
   CATENA_HD static bool reaches(float along, float off, float limit) { return along * along + off <= limit; }
 
-  /// First all comparisons, without calls or rare branches, so that the threads of a warp stay together.
-  CATENA_HD void meet(const Look& of, std::uint32_t first, std::uint32_t end) const {
-    std::uint32_t bits = near(of.sphere, first, end);
-    sink_.converge();
-    while (first < end) {
-      for (; bits != 0; bits &= bits - 1) sink_.near(*this, of.place, first + lowest_bit(bits), of.level);
-      first += batch;
-      if (first < end) bits = near(of.sphere, first, end);
-    }
-    sink_.converge();
+  /// The first part of a row that lies side by side; of its own bucket what comes after the sphere.
+  CATENA_HD Buckets::Run take(std::uint32_t r, const Look& of, Row& row) const {
+    Buckets::Run run = cells_.buckets.take(table_, row.from, row.cells);
+    if (starts_at_itself(r, of)) run.first = of.place + 1;
+    return run;
   }
 
-  static constexpr std::uint32_t batch = 32, at_once = 4;
+  static constexpr std::uint32_t batch = 32;
 
-  /// Bit k: the sphere is not separate for certain from that at place first + k; of `batch` at most.
-  CATENA_HD std::uint32_t near(const Sphere& s, std::uint32_t first, std::uint32_t end) const {
-    std::uint32_t bits = 0;
-    if (end > first + batch) end = first + batch;
-    for (std::uint32_t at = first; at < end; at += at_once) {
+  /// Of the first `batch` of these places those whose spheres are not separate for certain from s.
+  CATENA_HD std::uint32_t near(const Sphere& s, const Buckets::Run& run) const {
+    std::uint32_t bits = 0, end = run.end;
+    if (end > run.first + batch) end = run.first + batch;
+    for (std::uint32_t at = run.first; at < end; at += SphereCells::at_once) {
+      const Sphere* const these = cells_.sphere + at;
       std::uint32_t of_these = 0;
-      for (std::uint32_t k = 0; k < at_once; ++k) {
-        const std::uint32_t place = at + k < end ? at + k : end - 1;
-        of_these |= static_cast<std::uint32_t>(!Tests::separate(s, cells_.sphere[place])) << k;
-      }
-      bits |= of_these << (at - first);
+      for (std::uint32_t k = 0; k < SphereCells::at_once; ++k)
+        of_these |= static_cast<std::uint32_t>(!Tests::separate(s, placed_.sphere(these[k]))) << k;
+      bits |= of_these << (at - run.first);
     }
-    return end - first < batch ? bits & ((1u << (end - first)) - 1) : bits;
+    return end - run.first < batch ? bits & ((1u << (end - run.first)) - 1) : bits;
   }
 
   const ChainView& chain_;
   const SphereCells& cells_;
+  const PlacedSpheres<equal_radii> placed_;
   const CellTable& table_;
   Sink& sink_;
 };

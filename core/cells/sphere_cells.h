@@ -1,36 +1,39 @@
 #pragma once
 #include <cstdint>
+#include <cstring>
 
-#include "catena/core/cells/cell_table.h"
-#include "catena/core/cells/counter.h"
+#include "catena/core/cells/buckets.h"
 #include "catena/core/cells/octave.h"
 #include "catena/core/chain/chain_view.h"
 
 namespace catena {
 
 /// Spheres of a chain sorted into hashed cells, in a handful of steps without a look at the host between
-/// them: plain pointers, valid in one memory space. An octave of radii is a *level*, with cells as wide as
-/// two of its greatest spheres, so that what overlaps a sphere of this or a finer octave lies in the 27 cells
-/// around it (BucketMap). All levels share one table of buckets. Spheres of a bucket lie side by side at
-/// *places*; buckets follow one another within a chunk, and chunks lie in any order.
+/// them: plain pointers, valid in one memory space. Cells of a *level* are as wide as two of its greatest
+/// spheres, so that what overlaps a sphere of this or a finer level lies in the 27 cells around it
+/// (BucketMap). All levels share one table of buckets.
+///
+/// At first all spheres are of level 0, whatever their radii: each then looks into one level. Where small
+/// ones crowd its cells, `many_together`, they are sorted anew, an octave of radii a level.
 struct SphereCells {
-  static constexpr std::uint32_t chunk = 1024;  ///< buckets
   static constexpr std::uint32_t least_log2 = 12, tables = 15;
+  static constexpr std::uint32_t at_once = 4;  ///< so many places are read together, also behind the last one
 
-  /// What is known once the steps before are done.
+  /// What is known once the steps before are done; at first 0.
   struct State {
-    std::uint32_t places;  ///< spheres that were sorted
-    std::uint32_t
-        levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k; not kept for one octave
+    std::uint32_t places[2];   ///< spheres that were sorted: in one level, and by octaves
+    std::uint32_t by_octaves;  ///< not 0: they were
+    float together;            ///< sum of the squares of all buckets' numbers of spheres, in one level
+    std::uint32_t levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k
   };
+  static constexpr float most_together = 12;  ///< others in a sphere's cell, on average; yarns have 3
 
   CellTable table[tables];  ///< for 2^12, 2^13, ... 2^26 spheres
   double cells_per_unit;    ///< of octave 0
   Octaves octaves;
-  std::uint32_t *count, *start;  ///< spheres of each bucket, all 0 between builds; see starts()
-  std::uint32_t* rank;           ///< by sphere: how many came into its bucket before
-  std::uint32_t* index;          ///< by place: which sphere
-  Sphere* sphere;                ///< by place
+  Buckets buckets;
+  std::uint32_t* index;  ///< by place: which sphere; not kept for equal radii
+  Sphere* sphere;  ///< by place, and at_once - 1 more; of equal radii with its index in place of the radius
   State* state;
 
   /// The arithmetic of the cells, for a chain of that extent; memory is the caller's to give.
@@ -45,8 +48,10 @@ struct SphereCells {
     // As map_buckets: points overlap where they are equal, and 2^149 makes all different numbers different
     // cells.
     cells.cells_per_unit = greatest > 0 ? (1 - BucketMap::cell_slack) / (2 * greatest) : 0x1p149;
-    cells.octaves = {greatest, 2.0 * extent.least_radius > greatest || greatest == 0};
-    for (CellTable& table : cells.table) table = table.compact(extent.sides * cells.cells_per_unit / 3);
+    cells.octaves = {greatest, 2.0 * extent.least_radius > greatest || greatest == 0,
+                     extent.least_radius == extent.greatest_radius};
+    for (CellTable& table : cells.table)
+      table = table.compact(extent.sides * cells.cells_per_unit / 3, cells.octaves.one);
     return cells;
   }
 
@@ -56,14 +61,6 @@ struct SphereCells {
     while (k + 1 < tables && (1u << (least_log2 + k)) < spheres) ++k;
     return table[k];
   }
-  /// Rounded up to whole chunks: how many buckets `count` must have room for.
-  CATENA_HD static std::uint32_t chunks(const CellTable& table) {
-    return (table.buckets + chunk - 1) / chunk;
-  }
-  /// Where a chunk's part of `start` begins: one more entry than it has buckets, the end of the last.
-  CATENA_HD static std::uint32_t starts(std::uint32_t chunk_number) { return chunk_number * (chunk + 1); }
-  CATENA_HD static std::uint32_t start_of(std::uint32_t bucket) { return bucket + bucket / chunk; }
-
   /// How far, in cells of an octave, the sphere lies at most from one of that octave that it overlaps.
   CATENA_HD float reach(const Sphere& s, std::uint32_t octave) const {
     return static_cast<float>(s.radius * (cells_per_unit * Octaves::cells_of(octave)) + 0.5);
@@ -72,25 +69,57 @@ struct SphereCells {
     return PointCell::of(s, cells_per_unit * Octaves::cells_of(octave));
   }
 
-  /// Step 1, for each sphere. Returns its octave, which belongs to state->levels.
-  CATENA_HD std::uint32_t enter(const CellTable& in, const Sphere& s, std::uint32_t i) const {
-    const std::uint32_t octave = octaves.of(s.radius);
-    rank[i] = fetch_add(count + in.bucket(cell(s, octave), octave), 1);
-    return octave;
+  CATENA_HD bool one_level() const { return octaves.one || state->by_octaves == 0; }
+  CATENA_HD std::uint32_t places() const { return state->places[one_level() ? 0 : 1]; }
+  CATENA_HD bool many_together() const {
+    return state->together > most_together * static_cast<float>(state->places[0]);
   }
-  // Step 2, for each chunk: counts become starts, and 0 again.
+
+  /// Step 1, for each sphere: into level 0, or its octave, which then belongs to state->levels.
+  CATENA_HD void enter(const CellTable& in, const Sphere& s, std::uint32_t i, std::uint32_t level) const {
+    buckets.enter(in.bucket(cell(s, level), level), i);
+  }
+  // Step 2 is that of the buckets.
   /// Step 3, for each sphere.
   CATENA_HD void place(const CellTable& in, const Sphere& s, std::uint32_t i) const {
-    index[place_of(in, s, i)] = i;
+    const std::uint32_t at = place_of(in, s, i);
+    if (octaves.equal) {
+      Sphere with_index = s;
+      std::memcpy(&with_index.radius, &i, sizeof i);
+      sphere[at] = with_index;
+    } else {
+      index[at] = i;
+      sphere[at] = s;
+    }
   }
   CATENA_HD std::uint32_t place_of(const CellTable& in, const Sphere& s, std::uint32_t i) const {
-    const std::uint32_t octave = octaves.of(s.radius);
-    return start[start_of(in.bucket(cell(s, octave), octave))] + rank[i];
+    const std::uint32_t level = one_level() ? 0 : octaves.of(s.radius);
+    return buckets.place(in.bucket(cell(s, level), level), i);
   }
-  /// Step 4, for each place: writes side by side what lies apart, which is faster than to write it apart.
-  CATENA_HD void fill(const ChainView& chain, std::uint32_t place) const {
-    sphere[place] = chain.spheres[index[place]];
+};
+
+/// What lies at the places of a SphereCells, of a chain whose radii are equal or not.
+template <bool equal>
+class PlacedSpheres {
+ public:
+  CATENA_HD explicit PlacedSpheres(const SphereCells& cells) : cells_(cells) {}
+  CATENA_HD Sphere sphere(std::uint32_t place) const { return sphere(cells_.sphere[place]); }
+  /// Of what is stored at a place.
+  CATENA_HD Sphere sphere(const Sphere& stored) const {
+    Sphere s = stored;
+    if (equal) s.radius = static_cast<float>(cells_.octaves.greatest);
+    return s;
   }
+  CATENA_HD std::uint32_t index(std::uint32_t place) const {
+    if (!equal) return cells_.index[place];
+    const float stored = cells_.sphere[place].radius;
+    std::uint32_t i;
+    std::memcpy(&i, &stored, sizeof i);
+    return i;
+  }
+
+ private:
+  const SphereCells& cells_;
 };
 
 }  // namespace catena

@@ -61,13 +61,13 @@ TEST(Proofs, AreAboutTheConstantsOfTheCells) {
   for (const Covered& c :
        {Covered{"search_cells.h", "limit = reach * reach + 0x1p-20f;", "cell_rows.g",
                 "limit = reach * reach + 2^-20"},
-        Covered{"block_capsule.h", "length * far * BlockTree::slack", "block_capsule_binary32.g",
-                "slack = 32u"},
+        Covered{"fit_block.h", "length * far * BlockTree::slack", "block_capsule_binary32.g", "slack = 32u"},
         Covered{"block_capsule.h", "mul_add(reach, BlockTree::slack, radius)", "block_capsule_binary32.g",
                 "slack = 32u"},
         Covered{"block_capsule.h", "return dot(t, t) > reach * reach;", "block_capsule_binary32.g",
                 "the bare radius's 16u"},
-        Covered{"capsule_blocks.h", "2 * reach * (1 + 0x1p-16f)", "block_capsule_binary32.g", "1 + 2^-16"}}) {
+        Covered{"capsule_blocks.h", "2 * reach * (1 + 0x1p-16f)", "block_capsule_binary32.g", "1 + 2^-16"},
+        Covered{"capsule_blocks.h", "(0.5f + 0x1p-12f)", "capsule_rows.g", "0.5f + 0x1p-12f"}}) {
     EXPECT_NE(text_of("core/cells/" + c.file).find(c.declared), std::string::npos)
         << c.file << " no longer says " << c.declared;
     EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)

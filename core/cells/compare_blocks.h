@@ -1,0 +1,162 @@
+#pragma once
+#include <cstdint>
+
+#include "catena/core/cells/bits.h"
+#include "catena/core/cells/capsule_blocks.h"
+
+namespace catena {
+
+/// Compares the spheres of blocks that met, once all have: what there is to do for a block, and the doing, by
+/// a warp.
+template <class Warp>
+class BlockComparison {
+ public:
+  template <class T>
+  using Lanes = typename Warp::template Lanes<T>;
+
+  /// What there is to compare a block with: those below `within` are its partners.
+  enum class Work : std::uint8_t {
+    within = CapsuleBlocks::most_partners,
+    adjacent,  ///< spheres next to one another, in a block in which no others can collide
+    coarser,   ///< blocks of coarser levels, for a crowded block
+    kinds
+  };
+
+  CATENA_HD BlockComparison(const Warp& warp, const ChainView& chain, const CapsuleBlocks& blocks)
+      : warp_(warp), chain_(chain), blocks_(blocks) {}
+
+  /// What block b is to be compared with, as far as it is this block's to do: add(item) for each item of
+  /// work. By one thread.
+  template <class Add>
+  CATENA_HD void plan(std::uint32_t b, const Add& add) const {
+    const bool ordered = blocks_.ordered(b);
+    if (blocks_.crowded(b)) {
+      if (blocks_.state->levels >> blocks_.level(b) >> 1 != 0) add(Work::coarser);
+    } else {
+      if (!ordered) add(Work::within);
+      for (std::uint32_t k = 0; k < blocks_.partners[b]; ++k) {
+        const std::uint32_t id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
+        // Of one level both met the other.
+        if (id > b || blocks_.crowded(id) || blocks_.level(id) != blocks_.level(b)) add(static_cast<Work>(k));
+      }
+    }
+    const bool neighbours =
+        chain_.strand_count == 1 && chain_.exclusion.rule == Exclusion::Rule::index_window;
+    if (ordered && !neighbours) add(Work::adjacent);
+  }
+
+  /// For each item of block b; tells what collides to sink.pair(i, j), i < j.
+  template <class Tests, class Sink>
+  CATENA_HD void compare(std::uint32_t b, Work work, Sink& sink) const {
+    if (work == Work::within) return compare_within<Tests>(b, sink);
+    if (work == Work::adjacent) return compare_adjacent<Tests>(b, sink);
+    if (work == Work::coarser) return compare_with_coarser<Tests>(b, sink);
+    const std::uint32_t k = static_cast<std::uint32_t>(work),
+                        id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
+    compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
+  }
+
+ private:
+  /// A crowded block found no partners, and blocks of its own level find it; but those of coarser levels do
+  /// not. They are in no bucket that holds too many.
+  template <class Tests, class Sink>
+  CATENA_HD void compare_with_coarser(std::uint32_t b, Sink& sink) const {
+    const std::uint32_t level = blocks_.level(b), levels = blocks_.state->levels;
+    const BlockCapsule own = blocks_.capsule[b];
+    for (std::uint32_t other = level + 1; levels >> other != 0; ++other)
+      if ((levels >> other & 1) != 0) compare_around<Tests>(b, own, other, sink);
+  }
+
+  template <class Tests, class Sink>
+  CATENA_HD void compare_around(std::uint32_t b, const BlockCapsule& own, std::uint32_t level,
+                                Sink& sink) const {
+    constexpr std::uint32_t cells = 27;
+    const std::uint32_t centre = blocks_.bucket_of(own, level);
+    const auto run = warp_.each([&](std::uint32_t lane) {
+      const Buckets::Run all = blocks_.buckets.in(blocks_.around(centre, lane < cells ? lane : 0));
+      return lane < cells && all.end - all.first <= CapsuleBlocks::dense ? all : Buckets::Run{0, 0};
+    });
+    for (std::uint32_t k = 0;; ++k) {
+      if (warp_.ballot([&](std::uint32_t lane) { return k < run[lane].end - run[lane].first; }) == 0) return;
+      const auto id = warp_.each([&](std::uint32_t lane) {
+        return k < run[lane].end - run[lane].first ? blocks_.id[run[lane].first + k] : 0u;
+      });
+      std::uint32_t near = warp_.ballot([&](std::uint32_t lane) {
+        return k < run[lane].end - run[lane].first && (id[lane] & 31) == level &&
+               !blocks_.crowded(id[lane] >> 5) && !blocks_.settled(b, id[lane] >> 5) &&
+               !separate(own, blocks_.capsule[id[lane] >> 5]);
+      });
+      for (; near != 0; near &= near - 1) {
+        const std::uint32_t other = warp_.from(id, lowest_bit(near)) >> 5;
+        compare_two<Tests>(b < other ? b : other, b < other ? other : b, sink);
+      }
+    }
+  }
+
+  /// Blocks a < b.
+  template <class Tests, class Sink>
+  CATENA_HD void compare_two(std::uint32_t a, std::uint32_t b, Sink& sink) const {
+    const auto first = spheres(a), second = spheres(b);
+    const std::uint32_t near_a = near(a, first, blocks_.capsule[b]);
+    if (near_a == 0) return;
+    compare_spheres<Tests>(a, first, near_a, b, second, near(b, second, blocks_.capsule[a]), sink);
+  }
+  template <class Tests, class Sink>
+  CATENA_HD void compare_within(std::uint32_t b, Sink& sink) const {
+    const auto all = spheres(b);
+    const std::uint32_t in = warp_.ballot([&](std::uint32_t lane) { return in_chain(b, lane); });
+    compare_spheres<Tests>(b, all, in, b, all, in, sink);
+  }
+
+  CATENA_HD bool in_chain(std::uint32_t b, std::uint32_t k) const {
+    return b * CapsuleBlocks::block + k < chain_.size;
+  }
+  CATENA_HD Lanes<Sphere> spheres(std::uint32_t b) const {
+    return warp_.each([&](std::uint32_t lane) {
+      const std::uint32_t i = b * CapsuleBlocks::block + lane;
+      return chain_.spheres[i < chain_.size ? i : chain_.size - 1];
+    });
+  }
+
+  /// Which spheres of block b a capsule may collide with.
+  CATENA_HD std::uint32_t near(std::uint32_t b, const Lanes<Sphere>& of_b,
+                               const BlockCapsule& capsule) const {
+    return warp_.ballot([&](std::uint32_t lane) {
+      return in_chain(b, lane) && !separate(BlockCapsule::around(blocks_.scaled(of_b[lane])), capsule);
+    });
+  }
+
+  template <class Tests, class Sink>
+  CATENA_HD void compare_spheres(std::uint32_t a, const Lanes<Sphere>& first, std::uint32_t of_a,
+                                 std::uint32_t b, const Lanes<Sphere>& second, std::uint32_t of_b,
+                                 Sink& sink) const {
+    for (; of_b != 0; of_b &= of_b - 1) {
+      const std::uint32_t k = lowest_bit(of_b), j = b * CapsuleBlocks::block + k;
+      const Sphere other = warp_.from(second, k);
+      warp_.run([&](std::uint32_t lane) {
+        const std::uint32_t i = a * CapsuleBlocks::block + lane;
+        if ((of_a >> lane & 1) != 0 && i < j && Tests::overlap(first[lane], other) &&
+            !chain_.neighbours(i, j))
+          sink.pair(i, j);
+      });
+    }
+  }
+
+  /// Spheres next to one another, of an ordered block and the first of the next.
+  template <class Tests, class Sink>
+  CATENA_HD void compare_adjacent(std::uint32_t b, Sink& sink) const {
+    const bool left_out = blocks_.crowded(b), last_too = !left_out || !blocks_.crowded(b + 1);
+    warp_.run([&](std::uint32_t lane) {
+      if (lane == CapsuleBlocks::block - 1 ? !last_too : left_out) return;
+      const std::uint32_t i = b * CapsuleBlocks::block + lane;
+      if (Tests::overlap(chain_.spheres[i], chain_.spheres[i + 1]) && !chain_.neighbours(i, i + 1))
+        sink.pair(i, i + 1);
+    });
+  }
+
+  const Warp& warp_;
+  const ChainView& chain_;
+  const CapsuleBlocks& blocks_;
+};
+
+}  // namespace catena

@@ -1,0 +1,73 @@
+#pragma once
+#include <cub/block/block_reduce.cuh>
+#include <cub/block/block_scan.cuh>
+
+#include "catena/core/cells/buckets.h"
+#include "catena/cuda/device_buffer.h"
+#include "catena/cuda/launch.cuh"
+
+namespace catena::cuda {
+
+/// The second step of a Buckets: counts become starts, and 0 again. A chunk a block, four buckets a thread;
+/// chunks take their places one after the other as they come. chunks() is asked on the device how many, and
+/// chunks.square_sum(), where it is not nullptr, gets the sum of the squares of all counts, about.
+template <class Chunks>
+__global__ void __launch_bounds__(256)
+    allocate_buckets(const __grid_constant__ Buckets buckets, const __grid_constant__ Chunks chunks) {
+  static_assert(Buckets::chunk == 4 * 256);
+  using Scan = cub::BlockScan<std::uint32_t, 256>;
+  using Sum = cub::BlockReduce<float, 256>;
+  __shared__ typename Scan::TempStorage room;
+  __shared__ typename Sum::TempStorage room_of_sum;
+  __shared__ std::uint32_t base;
+  await_previous();
+  float* const square_sum = chunks.square_sum();
+  for (std::uint32_t chunk = blockIdx.x; chunk < chunks(); chunk += gridDim.x) {
+    uint4* const count =
+        reinterpret_cast<uint4*>(buckets.count + std::size_t{chunk} * Buckets::chunk) + threadIdx.x;
+    std::uint32_t* const start = buckets.start + Buckets::starts(chunk);
+    const uint4 own = *count;
+    const std::uint32_t sum = own.x + own.y + own.z + own.w;
+    std::uint32_t before, total;
+    Scan(room).ExclusiveSum(sum, before, total);
+    if (threadIdx.x == 0) {
+      base = total > 0 ? atomicAdd(buckets.places, total) : 0;
+      start[Buckets::chunk] = base + total;
+    }
+    __syncthreads();
+    const std::uint32_t first = base + before;
+    std::uint32_t* const to = start + 4 * threadIdx.x;
+    to[0] = first;
+    to[1] = first + own.x;
+    to[2] = first + own.x + own.y;
+    to[3] = first + own.x + own.y + own.z;
+    if (sum != 0) *count = {0, 0, 0, 0};
+    if (square_sum != nullptr) {
+      const auto square = [](std::uint32_t k) { return static_cast<float>(k) * static_cast<float>(k); };
+      const float squares =
+          Sum(room_of_sum).Sum(square(own.x) + square(own.y) + square(own.z) + square(own.w));
+      if (threadIdx.x == 0 && squares > 0) atomicAdd(square_sum, squares);
+    }
+    __syncthreads();
+  }
+}
+
+/// Memory of a Buckets on a device.
+class DeviceBuckets {
+ public:
+  /// For that many things and a number of places that is 0 when they enter.
+  Buckets reserve(const CellTable& table, std::size_t things, std::uint32_t* places, cudaStream_t stream) {
+    const std::uint32_t chunks = Buckets::chunks(table);
+    const std::size_t buckets = std::size_t{chunks} * Buckets::chunk;
+    if (buckets > count_.capacity())  // between sorts all counts are 0
+      CATENA_CUDA(
+          cudaMemsetAsync(count_.reserve(buckets, stream), 0, buckets * sizeof(std::uint32_t), stream));
+    return {count_.data(), start_.reserve(Buckets::starts(chunks), stream), rank_.reserve(things, stream),
+            places};
+  }
+
+ private:
+  DeviceBuffer<std::uint32_t> count_, start_, rank_;
+};
+
+}  // namespace catena::cuda
