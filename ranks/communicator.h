@@ -52,7 +52,7 @@ class Communicator {
     return gather(std::move(own));
   }
 
-  /// Delivers messages, at most one to a rank; to itself, too. Returns those that came, by rising rank.
+  /// Delivers messages, at most one to a rank; to itself, too. Returns those that came and are not empty, by rising rank.
   std::vector<Message> exchange(std::vector<Message> out) {
     vote();
     ++traffic_.steps;

@@ -21,7 +21,7 @@ Part part_of(const Chain& chain, std::uint32_t first, std::uint32_t end) {
     const bool closed = chain.strands().closed[strand] != 0;
     part.pieces.push_back({at, at - first, stop - at,
                            {starts[strand], starts[s] - starts[strand],
-                            arcs && closed ? view.exclusion.loop_length[strand] : 0, closed}});
+                            arcs && closed ? view.exclusion.loop_length[strand] : 0, closed, strand}});
     at = stop;
   }
 

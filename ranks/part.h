@@ -23,6 +23,7 @@ struct Strand {
   std::uint64_t size = 0;
   double loop_length = 0;    ///< of a closed one, under an arc window
   std::uint64_t closed = 0;  ///< 0 or 1; as wide as the others, so that no byte of it is undefined
+  std::uint64_t number = 0;  ///< of all strands, from 0
 };
 
 /// Consecutive spheres of one strand that a rank holds.

@@ -88,7 +88,7 @@ class RankSearch {
     RankAnswer answer;
     for (const std::uint64_t found : all_gather_value(ranks_, kept_.found())) answer.pair_count += found;
     answer.found = answer.pair_count > 0;
-    answer.spheres = starts_.back();
+    answer.starts = starts_;
     answer.first = starts_[ranks_.rank()];
     if (options_.request.want == Request::Want::any) {
       answer.pair_count = 0;

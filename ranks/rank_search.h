@@ -34,12 +34,12 @@ struct RankOptions {
 
 /// The part of the answer that is about the spheres which a rank began with.
 struct RankAnswer {
-  SphereId first = 0;                ///< of them
+  std::vector<SphereId> starts;      ///< of the ranks, and the number of all spheres
+  SphereId first = 0;                ///< of this one
   std::vector<std::uint64_t> count;  ///< collisions of each; none for Want::any
   std::vector<IdPair> pairs;         ///< i < j, i of this rank, sorted; none past the limit
   bool found = false;                ///< on any rank
   std::uint64_t pair_count = 0;      ///< of all ranks
-  SphereId spheres = 0;              ///< of all ranks
 };
 
 /// What a rank did for it.

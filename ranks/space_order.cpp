@@ -57,7 +57,8 @@ std::vector<Key> splitters(Communicator& ranks, const std::vector<Keyed>& sorted
   std::vector<Key> samples;
   for (std::uint64_t at = step / 2; at < sorted.size(); at += step) samples.push_back(sorted[at].key);
   std::vector<Key> all;
-  for (const Bytes& bytes : *ranks.all_gather(ByteWriter().put_list(samples).take())) {
+  const Gathered gathered = ranks.all_gather(ByteWriter().put_list(samples).take());
+  for (const Bytes& bytes : *gathered) {
     const auto theirs = ByteReader(bytes).get_list<Key>();
     all.insert(all.end(), theirs.begin(), theirs.end());
   }

@@ -90,7 +90,8 @@ class ThreadRank final : public Communicator {
     world_.meet(
         turn_,
         [&](World::Box& box) {
-          for (Message& message : out) box.inbox[message.rank].push_back({rank_, std::move(message.bytes)});
+          for (Message& message : out)
+            if (!message.bytes.empty()) box.inbox[message.rank].push_back({rank_, std::move(message.bytes)});
         },
         [](World::Box&) {});
     std::vector<Message> in = std::exchange(world_.box_of_last(turn_).inbox[rank_], {});
