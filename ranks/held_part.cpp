@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "catena/core/hierarchy/morton_grid.h"
+
 namespace catena::ranks {
 namespace {
 
@@ -70,9 +72,19 @@ HeldPart::HeldPart(Part part)
 }
 
 void HeldPart::cut_blocks() {
+  struct Keyed {
+    std::uint64_t code;
+    Block block;
+  };
+  std::vector<Keyed> keyed;
+  const MortonGrid grid(chain_.spheres());
   for (std::uint32_t p = 0; p < pieces_.size(); ++p)
-    for (std::uint32_t done = 0; done < pieces_[p].size; done += Block::most)
-      blocks_.push_back({p, pieces_[p].begin + done, std::min(Block::most, pieces_[p].size - done)});
+    for (std::uint32_t done = 0; done < pieces_[p].size; done += Block::most) {
+      const Block block{p, pieces_[p].begin + done, std::min(Block::most, pieces_[p].size - done)};
+      keyed.push_back({grid.code(spheres(block)[block.size / 2]), block});
+    }
+  std::ranges::stable_sort(keyed, {}, &Keyed::code);
+  for (const Keyed& k : keyed) blocks_.push_back(k.block);
   const auto blocks = static_cast<std::uint32_t>(blocks_.size());
   boxes_.clear(blocks);
   for (std::uint32_t b = 0; b < blocks; ++b) boxes_.set(b, box_around(spheres(blocks_[b])));

@@ -26,7 +26,8 @@ struct Block {
   std::uint32_t piece, begin, size;
 };
 
-/// A part made ready for search: as a chain of its own, cut into blocks, each in a box, with a tree over the boxes.
+/// A part made ready for search: as a chain of its own, cut into blocks, each in a box, with a tree over the boxes. Blocks
+/// come in order of Morton codes, so that the tree is one of space however the chain runs.
 class HeldPart {
  public:
   explicit HeldPart(Part part);

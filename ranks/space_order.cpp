@@ -1,8 +1,6 @@
 #include "catena/ranks/space_order.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
 #include "catena/core/hierarchy/morton_grid.h"
 #include "catena/ranks/block_message.h"
@@ -17,30 +15,21 @@ struct Key {
   friend auto operator<=>(const Key&, const Key&) = default;
 };
 
-/// Of the centres of a rank's spheres.
-struct Corners {
-  Sphere low, high;
+/// Of a rank's spheres.
+struct Where {
+  CentreCorners corners;
   std::uint64_t blocks;
 };
 
-Corners corners_of(const HeldPart& part) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  Corners c{{infinity, infinity, infinity, 0}, {-infinity, -infinity, -infinity, 0}, part.blocks().size()};
-  for (const Sphere& s : part.chain().spheres()) {
-    c.low = {std::min(c.low.x, s.x), std::min(c.low.y, s.y), std::min(c.low.z, s.z), 0};
-    c.high = {std::max(c.high.x, s.x), std::max(c.high.y, s.y), std::max(c.high.z, s.z), 0};
+Where where_all_are(Communicator& ranks, const HeldPart& part) {
+  Where own{{}, part.blocks().size()};
+  for (const Sphere& s : part.chain().spheres()) own.corners.take(s);
+  Where all{{}, 0};
+  for (const Where& where : all_gather_value(ranks, own)) {
+    all.corners.join(where.corners);
+    all.blocks += where.blocks;
   }
-  return c;
-}
-
-Corners joined(const std::vector<Corners>& all) {
-  Corners c = all[0];
-  for (const Corners& other : std::span(all).subspan(1)) {
-    c.low = {std::min(c.low.x, other.low.x), std::min(c.low.y, other.low.y), std::min(c.low.z, other.low.z), 0};
-    c.high = {std::max(c.high.x, other.high.x), std::max(c.high.y, other.high.y), std::max(c.high.z, other.high.z), 0};
-    c.blocks += other.blocks;
-  }
-  return c;
+  return all;
 }
 
 /// A block and where it comes.
@@ -162,13 +151,12 @@ double touching_share(Communicator& ranks, const HeldPart& part, const Tops& top
 }
 
 Part part_in_space(Communicator& ranks, const HeldPart& part) {
-  const Corners corners = joined(all_gather_value(ranks, corners_of(part)));
-  if (corners.blocks == 0) return part_of({}, part.rule(), MortonGrid({}, {}));
-  const MortonGrid grid(corners.low, corners.high);
+  const Where all = where_all_are(ranks, part);
+  const MortonGrid grid(all.corners);
   std::vector<Message> shares;
   {
     const std::vector<Keyed> sorted = keyed_blocks(part, grid);
-    shares = shares_of(part, sorted, splitters(ranks, sorted, corners.blocks), ranks.size());
+    shares = shares_of(part, sorted, splitters(ranks, sorted, all.blocks), ranks.size());
   }
   return part_of(blocks_in(ranks.exchange(std::move(shares)), part.rule()), part.rule(), grid);
 }

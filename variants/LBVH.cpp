@@ -51,7 +51,7 @@ class LBVH final : public Construction<BoxTree> {
     keys_.resize(chain.size);
     sorted_.resize(chain.size);
     std::array<std::array<std::uint32_t, 1 << digit_bits>, digits> count{};
-    const MortonGrid grid = grid_of(chain);
+    const MortonGrid grid(std::span(chain.spheres, chain.size));
     for (std::uint32_t i = 0; i < chain.size; ++i) {
       keys_[i] = {grid.code(chain.spheres[i]), i};
       for (int d = 0; d < digits; ++d) ++count[d][digit(keys_[i], d)];
@@ -66,16 +66,6 @@ class LBVH final : public Construction<BoxTree> {
   }
   static std::size_t digit(const Key& key, int d) {
     return key.code >> d * digit_bits & ((1 << digit_bits) - 1);
-  }
-
-  static MortonGrid grid_of(const ChainView& chain) {
-    if (chain.size == 0) return {{}, {}};
-    Sphere low = chain.spheres[0], high = low;
-    for (const Sphere& s : std::span(chain.spheres, chain.size)) {
-      low = {std::min(low.x, s.x), std::min(low.y, s.y), std::min(low.z, s.z), 0};
-      high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z), 0};
-    }
-    return {low, high};
   }
 
   BoxTreeBuilder builder_;
