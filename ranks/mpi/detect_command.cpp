@@ -14,6 +14,7 @@
 #include "catena/ranks/mpi/mpi_launcher.h"
 #include "catena/ranks/mpi/rank_fault.h"
 #include "catena/ranks/mpi/rank_options.h"
+#include "catena/ranks/mpi/shared_input.h"
 #include "catena/ranks/mpi/shared_output.h"
 #include "catena/ranks/phase_clock.h"
 #include "catena/ranks/rank_input.h"
@@ -56,7 +57,7 @@ class DetectCommand final : public Command {
  private:
   void search_frames(const RankOptions& options, std::optional<PairLimitExceeded>& too_many) {
     meet_fault("read", ranks_.rank());
-    const RankInput input(ranks_, input_, search_.input());
+    const RankInput input(ranks_, input_, search_.input(), open_shared);
     const auto [first, last] = input.frames(frame_);
     std::optional<SharedOutput> pairs, counts;
     if (!tables_.pairs.empty()) open(pairs, tables_.pairs, tables_.pair_columns());

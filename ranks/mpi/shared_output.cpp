@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "catena/ranks/bytes.h"
@@ -13,8 +14,6 @@ namespace catena::ranks {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
 
 /// What rank 0 says.
 std::string said_by_first(Communicator& ranks, const std::string& text) {
@@ -43,7 +42,7 @@ SharedOutput::SharedOutput(Communicator& ranks, std::string name) : ranks_(ranks
   if (ranks_.rank() == 0) unfinished_ = unfinished_name(name_);
   try {
     unfinished_ = said_by_first(ranks_, unfinished_);
-    check(MPI_File_open(MPI_COMM_SELF, unfinished_.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file_));
+    file_ = MpiFile(unfinished_, MpiFile::Use::write, name_);
   } catch (...) {
     if (ranks_.rank() == 0) unlink(unfinished_.c_str());
     throw;
@@ -51,7 +50,6 @@ SharedOutput::SharedOutput(Communicator& ranks, std::string name) : ranks_(ranks
 }
 
 SharedOutput::~SharedOutput() {
-  if (file_ != MPI_FILE_NULL) MPI_File_close(&file_);
   if (ranks_.rank() == 0 && !unfinished_.empty()) unlink(unfinished_.c_str());
 }
 
@@ -62,21 +60,11 @@ void SharedOutput::append(std::string_view own) {
     if (rank < ranks_.rank()) at += sizes[rank];
     written_ += sizes[rank];
   }
-  while (!own.empty()) {
-    const auto piece = static_cast<int>(std::min(own.size(), most_bytes));
-    MPI_Status status;
-    int count = 0;
-    check(MPI_File_write_at(file_, static_cast<MPI_Offset>(at), own.data(), piece, MPI_CHAR, &status));
-    MPI_Get_count(&status, MPI_CHAR, &count);
-    if (count != piece) throw InputError(fmt::format("cannot write {}: the file does not take it all", name_));
-    own.remove_prefix(static_cast<std::size_t>(piece));
-    at += static_cast<std::uint64_t>(piece);
-  }
+  file_.write(at, own.data(), own.size());
 }
 
 void SharedOutput::close() {
-  check(MPI_File_sync(file_));
-  check(MPI_File_close(&file_));
+  file_.close();
   ranks_.vote();  // all have written
   if (ranks_.rank() == 0) {
     const fs::path target = fs::exists(name_) ? fs::canonical(name_) : fs::path(name_);
@@ -84,15 +72,6 @@ void SharedOutput::close() {
       throw InputError(fmt::format("cannot write {}: {}", name_, std::strerror(errno)));
   }
   unfinished_.clear();
-}
-
-void SharedOutput::check(int code) const {
-  if (code == MPI_SUCCESS) return;
-  std::string words(MPI_MAX_ERROR_STRING, '\0');
-  int length = 0;
-  MPI_Error_string(code, words.data(), &length);
-  words.resize(static_cast<std::size_t>(length));
-  throw InputError(fmt::format("cannot write {}: {}", name_, words));
 }
 
 }  // namespace catena::ranks

@@ -1,11 +1,10 @@
 #pragma once
-#include <mpi.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "catena/ranks/communicator.h"
+#include "catena/ranks/mpi/mpi_file.h"
 
 namespace catena::ranks {
 
@@ -24,11 +23,9 @@ class SharedOutput {
   void close();
 
  private:
-  void check(int code) const;
-
   Communicator& ranks_;
   std::string name_, unfinished_;
-  MPI_File file_ = MPI_FILE_NULL;
+  MpiFile file_;
   std::uint64_t written_ = 0;  ///< by all
 };
 
