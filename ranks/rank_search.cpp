@@ -45,7 +45,7 @@ class RankSearch {
     work_.spheres = part_->chain().size();
     work_.blocks = part_->blocks().size();
     count_.resize(part_->chain().size());
-    search_within_part();
+    if (!options_.across_only) search_within_part();
     search_across_ranks(tops);
     return answer();
   }

@@ -29,6 +29,7 @@ struct RankOptions {
   Order order = Order::measured;
   Request request{};                           ///< what is wanted, and the limit of pairs over all ranks
   std::uint32_t blocks_at_once = 0;            ///< see AcrossOptions
+  bool across_only = false;  ///< only pairs of two ranks are searched for: to count what those take
   std::function<void(Phase)> entering = [](Phase) {};  ///< called as this rank comes to each phase
 };
 
