@@ -84,7 +84,7 @@ void HeldPart::cut_blocks() {
       keyed.push_back({grid.code(spheres(block)[block.size / 2]), block});
     }
   std::ranges::stable_sort(keyed, {}, &Keyed::code);
-  for (const Keyed& k : keyed) blocks_.push_back(k.block);
+  for (const Keyed& k : keyed) blocks_.push_back(k.block), codes_.push_back(k.code);
   const auto blocks = static_cast<std::uint32_t>(blocks_.size());
   boxes_.clear(blocks);
   for (std::uint32_t b = 0; b < blocks; ++b) boxes_.set(b, box_around(spheres(blocks_[b])));

@@ -43,6 +43,7 @@ class HeldPart {
   std::span<const IdPair> extra() const { return extra_; }
   std::span<const Block> blocks() const { return blocks_; }
   const WideBoxTree& boxes() const { return boxes_; }
+  std::span<const std::uint64_t> codes() const { return codes_; }  ///< of the blocks
 
   std::span<const Sphere> spheres(const Block& block) const { return chain_.spheres().subspan(block.begin, block.size); }
   /// Empty but under an arc window.
@@ -65,6 +66,7 @@ class HeldPart {
   Chain chain_;
   std::vector<IdPair> extra_;
   std::vector<Block> blocks_;
+  std::vector<std::uint64_t> codes_;
   WideBoxTree boxes_;
   bool misses_neighbours_;
 };

@@ -1,6 +1,7 @@
 #include "catena/ranks/tops.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "catena/ranks/bytes.h"
@@ -8,19 +9,54 @@
 namespace catena::ranks {
 namespace {
 
+/// Consecutive blocks.
+struct Range {
+  std::uint32_t begin, end;
+  Box box;
+  double size;
+};
+
+Range range_of(const HeldPart& part, std::uint32_t begin, std::uint32_t end) {
+  Box box = part.boxes().box(begin);
+  for (std::uint32_t b = begin + 1; b < end; ++b) box.join(part.boxes().box(b));
+  double size = 0;
+  for (int axis = 0; axis < 3; ++axis) size += double{box.high[axis]} - box.low[axis];
+  return {begin, end, box, size};
+}
+
+/// Where the second half of a range of several blocks begins.
+std::uint32_t middle_of(std::span<const std::uint64_t> codes, const Range& range) {
+  const std::uint64_t differ = codes[range.begin] ^ codes[range.end - 1];
+  if (differ == 0) return range.begin + (range.end - range.begin) / 2;
+  const std::uint64_t highest = std::bit_floor(differ);
+  const auto second = std::partition_point(codes.begin() + range.begin, codes.begin() + range.end,
+                                           [&](std::uint64_t code) { return (code & highest) == 0; });
+  return static_cast<std::uint32_t>(second - codes.begin());
+}
+
+/// One box around all, then the tops; nothing for no blocks.
 std::vector<Box> tops_of(const HeldPart& part) {
   const auto blocks = static_cast<std::uint32_t>(part.blocks().size());
-  const std::uint32_t each = (blocks + Tops::most - 1) / Tops::most;
-  std::vector<Box> tops;
-  for (std::uint32_t first = 0; first < blocks; first += each) {
-    Box box = part.boxes().box(first);
-    for (std::uint32_t b = first + 1; b < std::min(blocks, first + each); ++b) box.join(part.boxes().box(b));
-    tops.push_back(box);
+  if (blocks == 0) return {};
+  const auto smaller = [](const Range& a, const Range& b) { return a.size < b.size; };
+  std::vector<Range> ranges{range_of(part, 0, blocks)}, single;
+  std::vector<Box> tops{ranges[0].box};
+  while (!ranges.empty() && ranges.size() + single.size() < Tops::most) {
+    std::ranges::pop_heap(ranges, smaller);
+    const Range largest = ranges.back();
+    ranges.pop_back();
+    if (largest.end - largest.begin == 1) {
+      single.push_back(largest);
+      continue;
+    }
+    const std::uint32_t middle = middle_of(part.codes(), largest);
+    for (const Range& half : {range_of(part, largest.begin, middle), range_of(part, middle, largest.end)}) {
+      ranges.push_back(half);
+      std::ranges::push_heap(ranges, smaller);
+    }
   }
-  if (tops.empty()) return tops;
-  Box around = tops[0];
-  for (const Box& box : tops) around.join(box);
-  tops.insert(tops.begin(), around);
+  for (const auto* some : {&ranges, &single})
+    for (const Range& range : *some) tops.push_back(range.box);
   return tops;
 }
 

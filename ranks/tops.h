@@ -6,7 +6,8 @@
 
 namespace catena::ranks {
 
-/// The tops of the trees of all ranks: up to 64 boxes a rank, each around consecutive blocks, all blocks in one.
+/// The tops of the trees of all ranks: up to 64 boxes a rank, each around consecutive blocks, all blocks in one. The
+/// largest is parted, where the highest bit of its blocks' codes changes, until there are as many.
 class Tops {
  public:
   static constexpr std::uint32_t most = 64;
