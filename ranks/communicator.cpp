@@ -11,8 +11,7 @@ namespace catena::ranks {
 void together(Communicator& ranks, const std::function<void()>& work) {
   const auto fail = [&](const std::string& what) {
     const std::string line = fmt::format("rank {} of {}: {}", ranks.rank(), ranks.size(), what);
-    ranks.fail(line);
-    throw RankFailed(line);
+    throw RankFailed(ranks.fail(line));
   };
   try {
     work();

@@ -64,8 +64,9 @@ class Communicator {
   /// Throws RankFailed when a rank has failed.
   virtual void vote() = 0;
 
-  /// Instead of the next call: this rank has failed, and says why. Returns when all ranks know.
-  virtual void fail(const std::string& what) noexcept = 0;
+  /// Instead of the next call: this rank has failed, and says why. Returns, when all ranks know, the words of the first
+  /// that failed.
+  virtual std::string fail(const std::string& what) = 0;
 
   const Traffic& traffic() const { return traffic_; }
 

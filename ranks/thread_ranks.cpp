@@ -68,11 +68,12 @@ class ThreadRank final : public Communicator {
     if (const World::Box& box = world_.box_of_last(turn_); box.failed) throw RankFailed(box.failure);
   }
 
-  void fail(const std::string& what) noexcept override {
+  std::string fail(const std::string& what) override {
     const auto take_down = [&](World::Box& box) {
       if (!box.failed || rank_ < *box.failed) box.failed = rank_, box.failure = what;
     };
     world_.meet(turn_, take_down, [](World::Box&) {});
+    return world_.box_of_last(turn_).failure;
   }
 
  private:

@@ -35,7 +35,7 @@ void MpiCommunicator::vote() {
   if (failed < static_cast<int>(size_)) throw RankFailed(words_of(failed, ""));
 }
 
-void MpiCommunicator::fail(const std::string& what) noexcept {
+std::string MpiCommunicator::fail(const std::string& what) {
   const int own = static_cast<int>(rank_);
   int failed = 0, done = 0;
   MPI_Request request;
@@ -49,7 +49,7 @@ void MpiCommunicator::fail(const std::string& what) noexcept {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  words_of(failed, what);
+  return words_of(failed, what);
 }
 
 std::string MpiCommunicator::words_of(int failed, std::string own) {

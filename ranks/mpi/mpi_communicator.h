@@ -18,7 +18,7 @@ class MpiCommunicator final : public Communicator {
   void vote() override;
   /// Where the others do not come to a vote within seconds, as they are deep in a search of their own, this rank says
   /// why it failed itself, and ends them all.
-  void fail(const std::string& what) noexcept override;
+  std::string fail(const std::string& what) override;
 
  private:
   Gathered gather(Bytes own) override;
