@@ -66,10 +66,8 @@ bool neighbours(const Rule& rule, const Place& a, const Place& b) {
 }
 
 HeldPart::HeldPart(Part part)
-    : rule_(part.rule), pieces_(part.pieces), chain_(chain_of(part)), extra_(std::move(part.extra)) {
-  cut_blocks();
-  misses_neighbours_ = look_for_missed();
-}
+    : rule_(part.rule), pieces_(part.pieces), chain_(chain_of(part)), extra_(std::move(part.extra)),
+      misses_neighbours_(look_for_missed()) {}
 
 void HeldPart::cut_blocks() {
   struct Keyed {

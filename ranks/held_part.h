@@ -31,6 +31,8 @@ struct Block {
 class HeldPart {
  public:
   explicit HeldPart(Part part);
+  /// Makes blocks and boxes; none are there before, as a rank that is alone needs none.
+  void cut_blocks();
 
   /// The part's spheres as a chain whose strands are the pieces. It makes neighbours of none that are not; those that it
   /// misses are of different pieces of a strand, or around the end of a closed one that is not here whole.
@@ -58,7 +60,6 @@ class HeldPart {
   bool neighbours(const Place& a, const Place& b) const;
 
  private:
-  void cut_blocks();
   bool look_for_missed() const;
 
   Rule rule_;

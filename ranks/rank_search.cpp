@@ -33,12 +33,12 @@ class RankSearch {
   RankAnswer run(Part part) {
     enter(Phase::take_part);
     starts_ = starts_of(ranks_, part);
-    part_.emplace(std::move(part));
+    hold(std::move(part));
     Tops tops = Tops::of_all(ranks_, *part_);
     enter(Phase::order);
     if (wants_space_order(tops)) {
       enter(Phase::repartition);
-      part_.emplace(part_in_space(ranks_, *part_));
+      hold(part_in_space(ranks_, *part_));
       work_.in_space = true;
       tops = Tops::of_all(ranks_, *part_);
     }
@@ -52,6 +52,11 @@ class RankSearch {
 
  private:
   void enter(Phase phase) const { options_.entering(phase); }
+
+  void hold(Part part) {
+    part_.emplace(std::move(part));
+    if (ranks_.size() > 1) part_->cut_blocks();
+  }
 
   bool wants_space_order(const Tops& tops) {
     if (ranks_.size() == 1 || options_.order == Order::chain) return false;

@@ -95,7 +95,7 @@ TEST(HeldPart, NumbersSpheresIn64Bits) {
 }
 
 /// What is found is told by those numbers to the ranks that they belong to.
-TEST(Answers, GoHomeByNumbersOf64Bits) {
+TEST(ReturnedAnswers, GoHomeByNumbersOf64Bits) {
   const SphereId start = SphereId{1} << 33;
   const std::vector<SphereId> starts{0, start, start, start + 10};
   run_in_threads(3, [&](Communicator& c) {
