@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 
 #include "catena/core/input/curve_input.h"
@@ -74,6 +76,31 @@ TEST(RankSearch, FindsWhatOneRankFindsOnOneToSixtyFour) {
     for (const unsigned ranks : {1u, 2u, 3u, 5u, 8u, 16u, 33u, 64u})
       for (const Order order : {Order::chain, Order::space, Order::measured})
         expect_exact(searched(ranks, {.order = order}, evenly(chain)), chain, fmt::format("{} on {}", input, ranks));
+  }
+}
+
+/// A tube wound five times, perhaps closed: by space each rank gets pieces of every winding, and one gets both ends. Some of what
+/// touches are extra pairs.
+Chain coil(bool closed, Exclusion rule) {
+  constexpr std::uint32_t n = 400, turns = 5;
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * turns * i / n, along = 2 * std::numbers::pi * i / n;
+    spheres.push_back({static_cast<float>(9 * std::cos(angle)), static_cast<float>(9 * std::sin(angle)),
+                       static_cast<float>(std::sin(along)), 0.5f});
+  }
+  for (std::uint32_t i = 0; i + n / turns < n; i += 3) rule.extra_pairs.push_back({i, i + n / turns});
+  return Chain(std::move(spheres), closed ? Strands::one_closed(n) : Strands{}, std::move(rule));
+}
+
+TEST(RankSearch, KnowsNeighboursAcrossPiecesAndAroundTheEnd) {
+  for (const Exclusion& rule : {Exclusion::index(1), Exclusion::index(12), Exclusion::index(60), Exclusion::arc(1.5), Exclusion::arc(9)}) {
+    for (const bool closed : {false, true}) {
+      const Chain chain = coil(closed, rule);
+      for (const unsigned ranks : {1u, 2u, 3u, 4u, 7u, 12u})
+        for (const Order order : {Order::chain, Order::space})
+          expect_exact(searched(ranks, {.order = order}, evenly(chain)), chain, fmt::format("on {} ranks", ranks));
+    }
   }
 }
 
