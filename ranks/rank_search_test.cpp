@@ -87,7 +87,7 @@ Chain coil(bool closed, Exclusion rule) {
   for (std::uint32_t i = 0; i < n; ++i) {
     const double angle = 2 * std::numbers::pi * turns * i / n, along = 2 * std::numbers::pi * i / n;
     spheres.push_back({static_cast<float>(9 * std::cos(angle)), static_cast<float>(9 * std::sin(angle)),
-                       static_cast<float>(std::sin(along)), 0.5f});
+                       static_cast<float>(std::sin(along)), 4});
   }
   for (std::uint32_t i = 0; i + n / turns < n; i += 3) rule.extra_pairs.push_back({i, i + n / turns});
   return Chain(std::move(spheres), closed ? Strands::one_closed(n) : Strands{}, std::move(rule));
