@@ -44,6 +44,7 @@ const RegisterWriter registered{{.name = "catena binary",
                                  .rule = true,
                                  .frames = false,
                                  .contacts = false,
+                                 .box = false,
                                  .summary = "catena's own arrays, of which ranks read a part each"},
                                 [](const std::filesystem::path& file, const ExportedFrames& frames) {
                                   write_binary(file, frames.at(frames.first).chain);
