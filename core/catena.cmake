@@ -46,7 +46,7 @@ set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <opti
 
 # The file of a command is mostly the option parser, which takes the sanitizers longer to compile than all algorithms.
 if(CATENA_SANITIZE)
-  foreach(folder core reference properties bench reports)
+  foreach(folder core reference properties bench ranks reports)
     file(GLOB_RECURSE commands CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_command.cpp ${PROJECT_SOURCE_DIR}/${folder}/*_option*.cpp)
     list(APPEND parsing ${commands})
   endforeach()
@@ -54,11 +54,11 @@ if(CATENA_SANITIZE)
 endif()
 
 # catena_sources(OUT FOLDER...): the .cpp files below these folders, but for tests, other projects, main.cpp and what needs
-# Google Benchmark.
+# Google Benchmark or MPI.
 function(catena_sources out)
   list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.cpp" OUTPUT_VARIABLE patterns)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
-  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$|/google/|/consumer/")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main|_fuzz_target)\\.cpp$|/google/|/mpi/|/consumer/")
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
@@ -133,6 +133,7 @@ endif()
 add_dependencies(catena_part_core catena_commit)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
 catena_part(properties)
+include(${PROJECT_SOURCE_DIR}/ranks/ranks.cmake)
 catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
 
 add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)

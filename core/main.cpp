@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -14,7 +15,7 @@
 
 namespace {
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, bool by_ranks) {
   CLI::App app{
       "catena finds where a tube, approximated by a chain of spheres, touches itself: by every algorithm of "
       "one paper and by better ones, all proved to give the same pairs.",
@@ -25,7 +26,7 @@ int run(int argc, char** argv) {
   std::vector<std::unique_ptr<catena::Command>> commands;
   std::vector<std::string> names;
   std::function<int()> chosen;
-  for (const auto& info : catena::CommandRegistry::instance().commands()) {
+  for (const auto& info : catena::CommandRegistry::instance().commands(by_ranks)) {
     names.push_back(info.name);
     auto* command = commands.emplace_back(info.make()).get();
     auto* sub = app.add_subcommand(info.name, info.summary);
@@ -42,6 +43,9 @@ int run(int argc, char** argv) {
     return code;
   } catch (const CLI::ParseError& wrong) {
     const auto unknown = app.remaining();
+    if (app.get_subcommands().empty() && !unknown.empty() && by_ranks)
+      throw catena::InputError(fmt::format("ranks do not share the command '{}', only {}; leave out mpirun",
+                                           unknown.front(), fmt::join(names, ", ")));
     if (app.get_subcommands().empty() && !unknown.empty())
       throw catena::InputError(fmt::format("no command is named '{}'{}; see catena --help", unknown.front(),
                                            catena::did_you_mean(unknown.front(), names)));
@@ -53,5 +57,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return catena::guarded_main("catena", [&] { return run(argc, argv); });
+  catena::Launcher* const launcher = catena::CommandRegistry::instance().launcher();
+  const auto body = [&] { return catena::guarded_main("catena", [&] { return run(argc, argv, launcher != nullptr); }); };
+  return launcher != nullptr ? launcher->run(body) : body();
 }

@@ -8,13 +8,14 @@ include(GoogleTest)
 
 file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp ${PROJECT_SOURCE_DIR}/variants/*_test.cpp
      ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/*_test.cpp
-     ${PROJECT_SOURCE_DIR}/bench/*_test.cpp ${PROJECT_SOURCE_DIR}/reports/*_test.cpp)
+     ${PROJECT_SOURCE_DIR}/bench/*_test.cpp ${PROJECT_SOURCE_DIR}/ranks/*_test.cpp
+     ${PROJECT_SOURCE_DIR}/reports/*_test.cpp)
 add_executable(catena_tests ${tests})
 target_link_libraries(catena_tests PRIVATE catena_reports catena_timing GTest::gtest_main rapidcheck hwy::hwy
                       nlohmann_json::nlohmann_json Eigen3::Eigen ZLIB::ZLIB)
 string(JOIN " " library_folders ${CATENA_LIBRARY_FOLDERS})
 target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CATENA_LIBRARY_FOLDERS="${library_folders}"
-                           CATENA_PROGRAM="$<TARGET_FILE:catena_cli>")
+                           CATENA_PROGRAM="$<TARGET_FILE:catena_cli>" CATENA_MPIRUN="$<$<TARGET_EXISTS:catena_part_mpi>:${MPIEXEC_EXECUTABLE}>")
 target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
 if(TARGET catena_cuda)  # what a user's own resident search looks like, and a caller of one
   target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catena/core/hierarchy/box_tree_builder.h"
+#include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -38,7 +39,7 @@ class LBVH final : public Construction<BoxTree> {
   BoxTree hierarchy() const override { return builder_.tree(); }
 
  private:
-  static constexpr int bits = 21, digit_bits = 8, digits = 3 * bits / digit_bits + 1;
+  static constexpr int digit_bits = 8, digits = 3 * MortonGrid::bits / digit_bits + 1;
   struct Key {
     std::uint64_t code;
     std::uint32_t id;
@@ -50,7 +51,7 @@ class LBVH final : public Construction<BoxTree> {
     keys_.resize(chain.size);
     sorted_.resize(chain.size);
     std::array<std::array<std::uint32_t, 1 << digit_bits>, digits> count{};
-    const Grid grid(chain);
+    const MortonGrid grid(std::span(chain.spheres, chain.size));
     for (std::uint32_t i = 0; i < chain.size; ++i) {
       keys_[i] = {grid.code(chain.spheres[i]), i};
       for (int d = 0; d < digits; ++d) ++count[d][digit(keys_[i], d)];
@@ -66,39 +67,6 @@ class LBVH final : public Construction<BoxTree> {
   static std::size_t digit(const Key& key, int d) {
     return key.code >> d * digit_bits & ((1 << digit_bits) - 1);
   }
-
-  /// 2^21 cells along the longest side of the box of all centres; cubes. In binary64, where no difference
-  /// overflows.
-  class Grid {
-   public:
-    explicit Grid(const ChainView& chain) {
-      if (chain.size == 0) return;
-      Sphere high = low_ = chain.spheres[0];
-      for (const Sphere& s : std::span(chain.spheres, chain.size)) {
-        low_ = {std::min(low_.x, s.x), std::min(low_.y, s.y), std::min(low_.z, s.z), 0};
-        high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z), 0};
-      }
-      const double side =
-          std::max({double{high.x} - low_.x, double{high.y} - low_.y, double{high.z} - low_.z});
-      if (side > 0) cells_ = ((1 << bits) - 1) / side;
-    }
-    std::uint64_t code(const Sphere& s) const {
-      return spread(s.x, low_.x) << 2 | spread(s.y, low_.y) << 1 | spread(s.z, low_.z);
-    }
-
-   private:
-    /// The cell along one axis, two zeros after each bit.
-    std::uint64_t spread(float at, float low) const {
-      auto v = static_cast<std::uint64_t>((double{at} - low) * cells_);
-      v = (v | v << 32) & 0x001F00000000FFFF;
-      v = (v | v << 16) & 0x001F0000FF0000FF;
-      v = (v | v << 8) & 0x100F00F00F00F00F;
-      v = (v | v << 4) & 0x10C30C30C30C30C3;
-      return (v | v << 2) & 0x1249249249249249;
-    }
-    Sphere low_{};
-    double cells_ = 0;  ///< a unit of length
-  };
 
   BoxTreeBuilder builder_;
   std::vector<Key> keys_, sorted_;

@@ -71,17 +71,17 @@ std::uint64_t LatticeBox::most_collisions() const {
   return square_of_one_step(*this) <= std::int64_t{reach} * reach ? steps - 2 : steps;
 }
 
-LatticeBox::Cell LatticeBox::cell(std::uint32_t sphere) const {
+LatticeBox::Cell LatticeBox::cell(std::uint64_t sphere) const {
   const auto [a, b, c] = serpentine_cell(sphere, side);
-  return {a, b, c};
+  return {static_cast<std::int64_t>(a), static_cast<std::int64_t>(b), static_cast<std::int64_t>(c)};
 }
 
-bool LatticeBox::neighbours(std::uint32_t i, std::uint32_t j) const {
+bool LatticeBox::neighbours(std::uint64_t i, std::uint64_t j) const {
   if (i > j) std::swap(i, j);
   return j - i == 1 && !(rods && j % side == 0);
 }
 
-bool LatticeBox::collide(std::uint32_t i, std::uint32_t j) const {
+bool LatticeBox::collide(std::uint64_t i, std::uint64_t j) const {
   const Cell p = cell(i), q = cell(j);
   return !neighbours(i, j) &&
          square_of({p[0] - q[0], p[1] - q[1], p[2] - q[2]}) <= std::int64_t{reach} * reach;

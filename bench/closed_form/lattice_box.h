@@ -14,7 +14,7 @@ namespace catena::bench {
 struct LatticeBox {
   using Cell = std::array<std::int64_t, 3>;  ///< numbers of a point along the axes of the box, from 0
 
-  std::uint32_t side = 20;    ///< points along each axis, 1 to 1290
+  std::uint32_t side = 20;    ///< points along each axis; at most 1290 as a chain of one process
   std::uint32_t reach = 3;    ///< in steps of the coordinates
   bool face_centred = false;  ///< else cubic
   bool rods = false;          ///< each row a strand; else one strand, to and fro
@@ -30,10 +30,10 @@ struct LatticeBox {
   /// Collisions of the sphere in the middle of a box that is larger than twice its reach: the most of any.
   std::uint64_t most_collisions() const;
 
-  Cell cell(std::uint32_t sphere) const;                    ///< where the path has this sphere
+  Cell cell(std::uint64_t sphere) const;                    ///< where the path has this sphere
   std::int64_t square_of(const Cell& step) const;           ///< squared length of a step between points
-  bool neighbours(std::uint32_t i, std::uint32_t j) const;  ///< consecutive on one strand
-  bool collide(std::uint32_t i, std::uint32_t j) const;     ///< by whole numbers alone
+  bool neighbours(std::uint64_t i, std::uint64_t j) const;  ///< consecutive on one strand
+  bool collide(std::uint64_t i, std::uint64_t j) const;     ///< by whole numbers alone
 };
 
 /// What is wrong with an answer about the box, in one line; empty: nothing. With pairs it is right only when

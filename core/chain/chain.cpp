@@ -34,6 +34,13 @@ Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion)
   topology_ = make_topology(spheres_, std::move(strands), std::move(exclusion));
 }
 
+Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion, ArcLengths arcs)
+    : spheres_(std::move(spheres)) {
+  const DefaultFloats floats;
+  check_spheres();
+  topology_ = make_topology(spheres_, std::move(strands), std::move(exclusion), &arcs);
+}
+
 Chain::Chain(std::vector<Sphere> spheres, std::shared_ptr<const Topology> topology)
     : spheres_(std::move(spheres)), topology_(std::move(topology)) {
   const DefaultFloats floats;

@@ -22,6 +22,10 @@ class CATENA_API Chain {
   /// different spheres of the chain. Cost O(n + p log p) for p extra pairs.
   explicit Chain(std::vector<Sphere> spheres, Strands strands = {}, Exclusion exclusion = {});
 
+  /// A part of a longer chain, under an arc window whose arc lengths are those of the whole: one a sphere and one a
+  /// strand, which are taken as they are. Throws InputError also when there are not as many, or one is not finite.
+  Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion, ArcLengths arcs);
+
   /// The same chain with its spheres moved: strands and neighbours stay, the arc lengths of an arc window
   /// too; they are shared, not copied. O(n). Throws InputError when the number of spheres differs or a sphere
   /// is not valid.

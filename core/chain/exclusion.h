@@ -25,6 +25,21 @@ struct CATENA_API Exclusion {
   static Exclusion arc(double f) { return {Rule::arc_window, 0, f, {}}; }
 };
 
+/// The index window: spheres so many steps apart on a strand of `size` spheres, around its end when that is closed.
+template <class Number>
+CATENA_HD bool within_index_window(Number steps, Number size, bool closed, Number window) {
+  return steps <= window || (closed && size - steps <= window);
+}
+
+/// The arc window: spheres at these arc lengths of a strand, around its end when that is closed.
+CATENA_HD inline bool within_arc_window(double arc_i, double arc_j, bool closed, double loop_length, double factor,
+                                        float radius_i, float radius_j) {
+  const double ahead = arc_i < arc_j ? arc_j - arc_i : arc_i - arc_j;
+  double nearest = ahead;
+  if (closed && loop_length - ahead < ahead) nearest = loop_length - ahead;
+  return nearest < factor * (static_cast<double>(radius_i) + static_cast<double>(radius_j));
+}
+
 /// The exclusion rule as plain pointers, valid in one memory space. A pure function of the chain: the same
 /// comparison of the same stored numbers on host and device.
 struct CATENA_API ExclusionView {
@@ -57,7 +72,7 @@ struct CATENA_API ExclusionView {
     }
     if (rule == Exclusion::Rule::index_window) {
       const std::uint32_t steps = i < j ? j - i : i - j;
-      if (steps <= window || (closed && size - steps <= window)) return true;
+      if (within_index_window(steps, size, closed, window)) return true;
     }
     return extra_row != nullptr && listed(i, j);
   }
@@ -65,10 +80,9 @@ struct CATENA_API ExclusionView {
  private:
   CATENA_HD bool arc_neighbours(std::uint32_t i, std::uint32_t j, float ri, float rj, bool closed,
                                 std::uint32_t strand) const {
-    const double ahead = arc[i] < arc[j] ? arc[j] - arc[i] : arc[i] - arc[j];
-    double nearest = ahead;
-    if (closed && loop_length[strand] - ahead < ahead) nearest = loop_length[strand] - ahead;
-    return nearest < factor * (static_cast<double>(ri) + static_cast<double>(rj));
+    // Read only where there is a loop.
+    const double loop = closed ? loop_length[strand] : 0;
+    return within_arc_window(arc[i], arc[j], closed, loop, factor, ri, rj);
   }
   CATENA_HD bool listed(std::uint32_t i, std::uint32_t j) const {
     for (std::uint32_t k = extra_row[i]; k < extra_row[i + 1]; ++k)

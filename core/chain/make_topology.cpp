@@ -81,6 +81,18 @@ void measure_arcs(Topology& t, const std::vector<Sphere>& spheres) {
   }
 }
 
+void take_arcs(Topology& t, std::size_t n, ArcLengths& known) {
+  const auto finite = [](const std::vector<double>& lengths) {
+    return std::ranges::all_of(lengths, [](double length) { return std::isfinite(length); });
+  };
+  if (known.arc.size() != n || known.loop_length.size() != t.strands.closed.size())
+    throw InputError(fmt::format("{} spheres on {} strands need as many arc lengths, got {} and {}", n,
+                                 t.strands.closed.size(), known.arc.size(), known.loop_length.size()));
+  if (!finite(known.arc) || !finite(known.loop_length)) throw InputError("an arc length is not finite");
+  t.arc = std::move(known.arc);
+  t.loop_length = std::move(known.loop_length);
+}
+
 std::uint64_t next_number() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -89,7 +101,7 @@ std::uint64_t next_number() {
 }  // namespace
 
 std::shared_ptr<const Topology> make_topology(const std::vector<Sphere>& spheres, Strands strands,
-                                              Exclusion exclusion) {
+                                              Exclusion exclusion, ArcLengths* known) {
   const auto n = static_cast<std::uint32_t>(spheres.size());
   auto topology = std::make_shared<Topology>();
   topology->strands = std::move(strands);
@@ -98,7 +110,8 @@ std::shared_ptr<const Topology> make_topology(const std::vector<Sphere>& spheres
   check_exclusion(topology->exclusion, n);
   index_strands(*topology, n);
   index_extra_pairs(*topology, n);
-  if (topology->exclusion.rule == Exclusion::Rule::arc_window) measure_arcs(*topology, spheres);
+  if (topology->exclusion.rule == Exclusion::Rule::arc_window)
+    known != nullptr ? take_arcs(*topology, n, *known) : measure_arcs(*topology, spheres);
   topology->number = next_number();
   return topology;
 }

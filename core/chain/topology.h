@@ -17,6 +17,12 @@ struct CATENA_API Strands {
   static Strands one_closed(std::uint32_t n) { return {{0, n}, {1}}; }
 };
 
+/// Lengths along strands, from centre to centre.
+struct CATENA_API ArcLengths {
+  std::vector<double> arc;          ///< one a sphere: from its strand's first sphere
+  std::vector<double> loop_length;  ///< one a strand: from its first sphere around to it
+};
+
 /// What all frames of a chain have in common: its strands and who are neighbours, indexed for look-up. Made
 /// once, shared by every chain that was moved from it, and moved to a device once.
 struct CATENA_API Topology {

@@ -2,7 +2,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "catena/core/commands/launcher.h"
 
 namespace CLI {
 class App;
@@ -23,24 +26,31 @@ class Command {
 struct CommandInfo {
   std::string name, summary;
   std::function<std::unique_ptr<Command>()> make;
+  bool by_ranks = false;  ///< for processes that a Launcher brings together, in place of the command of this name
 };
 
 class CommandRegistry {
  public:
   static CommandRegistry& instance();
   void add(CommandInfo info) { commands_.push_back(std::move(info)); }
-  std::vector<CommandInfo> commands() const;  ///< sorted by name
+  std::vector<CommandInfo> commands(bool by_ranks = false) const;  ///< sorted by name
+
+  /// Set once, by the folder that owns it.
+  void set_launcher(std::unique_ptr<Launcher> launcher) { launcher_ = std::move(launcher); }
+  /// The one by which this process was started; null: it is alone.
+  Launcher* launcher() const { return launcher_ && launcher_->launched() ? launcher_.get() : nullptr; }
 
  private:
   std::vector<CommandInfo> commands_;
+  std::unique_ptr<Launcher> launcher_;
 };
 
 /// One object of this at namespace scope registers a command class.
 template <class C>
 struct RegisterCommand {
-  RegisterCommand(std::string name, std::string summary) {
+  RegisterCommand(std::string name, std::string summary, bool by_ranks = false) {
     CommandRegistry::instance().add(
-        {std::move(name), std::move(summary), [] { return std::make_unique<C>(); }});
+        {std::move(name), std::move(summary), [] { return std::make_unique<C>(); }, by_ranks});
   }
 };
 

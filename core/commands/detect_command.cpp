@@ -82,12 +82,7 @@ class DetectCommand final : public Command {
  private:
   void check_options() {
     request_.want = want_.want();
-    if ((files_.depth || files_.margin) && files_.pairs.empty())
-      throw InputError("--depth and --margin are columns of --pairs; name its file, too");
-    if (request_.want == Request::Want::any && (!files_.pairs.empty() || !files_.counts.empty()))
-      throw InputError("--any finds neither counts nor pairs; leave out --counts-only, --counts and --pairs");
-    if (request_.want == Request::Want::counts && !files_.pairs.empty())
-      throw InputError("--counts-only keeps no pairs; leave out --pairs or --counts-only");
+    check_answer_options(request_, files_);
     if (no_omit_.given() && variant_ != usual_variant)
       throw InputError("--no-omit is about the variant auto; leave it out, or --variant");
     if (no_omit_.given()) variant_ = no_omit_.variant();
@@ -131,7 +126,7 @@ class DetectCommand final : public Command {
   static constexpr const char* usual_variant = "auto";
 
   std::string input_, variant_ = usual_variant;
-  AnswerFiles::Names files_;
+  AnswerTables files_;
   FrameOption frame_;
   WantOptions want_;
   NoOmitOption no_omit_;

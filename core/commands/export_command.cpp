@@ -25,7 +25,7 @@ class ExportCommand final : public Command {
  public:
   void configure(CLI::App& app) override {
     app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
-    app.add_option("OUT", out_, "The file to write: .chain, .csv, .vtp, .obj or .xyz")->required();
+    app.add_option("OUT", out_, "The file to write: .chain, .catena, .csv, .vtp, .obj or .xyz")->required();
     frame_.add_to(app);
     app.add_flag("--contacts", contacts_,
                  "Find the collisions, and write for each sphere what it collides with (.vtp)");
@@ -102,7 +102,7 @@ class ExportCommand final : public Command {
 };
 
 const RegisterCommand<ExportCommand> registered("export",
-                                                "Write a scene or file as .chain, .csv, .vtp, .obj or .xyz");
+                                                "Write a scene or file as .chain, .catena, .csv, .vtp, .obj or .xyz");
 
 }  // namespace
 }  // namespace catena

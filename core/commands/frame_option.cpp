@@ -14,7 +14,10 @@ void FrameOption::add_to(CLI::App& app) {
 }
 
 std::pair<std::uint32_t, std::uint32_t> FrameOption::of(const Input& input) const {
-  const std::uint32_t frames = input.animation->frames();
+  return of(input.name, input.animation->frames());
+}
+
+std::pair<std::uint32_t, std::uint32_t> FrameOption::of(const std::string& name, std::uint32_t frames) const {
   if (text_ == "all") return {0, frames};
   std::uint32_t frame = 0;
   const char* end = text_.data() + text_.size();
@@ -22,7 +25,7 @@ std::pair<std::uint32_t, std::uint32_t> FrameOption::of(const Input& input) cons
   if (parsed.ec != std::errc{} || parsed.ptr != end)
     throw InputError(fmt::format("--frame {}: must be a frame number from 0, or all", text_));
   if (frame >= frames)
-    throw InputError(fmt::format("{} has {} frame{}, from 0; there is no frame {}", input.name, frames,
+    throw InputError(fmt::format("{} has {} frame{}, from 0; there is no frame {}", name, frames,
                                  frames == 1 ? "" : "s", frame));
   return {frame, frame + 1};
 }

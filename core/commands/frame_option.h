@@ -18,6 +18,8 @@ class FrameOption {
   void add_to(CLI::App& app);
   /// The frames [first, last) of this input. Throws InputError when the value is no frame of it.
   std::pair<std::uint32_t, std::uint32_t> of(const Input& input) const;
+  /// The same of an input of this name that has so many.
+  std::pair<std::uint32_t, std::uint32_t> of(const std::string& name, std::uint32_t frames) const;
 
  private:
   std::string text_ = "0";

@@ -8,52 +8,54 @@
 
 namespace catena {
 
-RowFile::RowFile(const std::string& name, std::vector<std::string> columns)
-    : out_(name), columns_(std::move(columns)), json_(name.ends_with(".jsonl")) {
-  if (json_) return;
-  for (const std::string& column : columns_) text(column);
-  end_row();
+RowText::RowText(const std::string& file_name, std::vector<std::string> columns)
+    : columns_(std::move(columns)), json_(file_name.ends_with(".jsonl")) {}
+
+std::string RowText::heading() const {
+  if (json_) return "";
+  RowText names("", columns_);
+  for (const std::string& column : columns_) names.text(column);
+  names.end_row();
+  return names.take();
 }
 
-void RowFile::begin_cell() {
+void RowText::begin_cell() {
   if (cells_ >= columns_.size()) throw std::logic_error("a row has more cells than columns");
   if (json_) {
-    line_ += cells_ == 0 ? "{\"" : ",\"";
-    line_ += columns_[cells_];
-    line_ += "\":";
+    text_ += cells_ == 0 ? "{\"" : ",\"";
+    text_ += columns_[cells_];
+    text_ += "\":";
   } else if (cells_ > 0) {
-    line_ += ',';
+    text_ += ',';
   }
   ++cells_;
 }
 
-RowFile& RowFile::number(std::uint64_t value) {
+RowText& RowText::number(std::uint64_t value) {
   begin_cell();
-  append_shortest(line_, value);
+  append_shortest(text_, value);
   return *this;
 }
 
-RowFile& RowFile::real(double value) {
+RowText& RowText::real(double value) {
   begin_cell();
-  append_shortest(line_, value);
+  append_shortest(text_, value);
   return *this;
 }
 
-RowFile& RowFile::text(std::string_view value) {
+RowText& RowText::text(std::string_view value) {
   begin_cell();
   if (json_) {
-    line_ += nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    text_ += nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   } else {
-    append_csv_cell(line_, value);
+    append_csv_cell(text_, value);
   }
   return *this;
 }
 
-void RowFile::end_row() {
+void RowText::end_row() {
   if (cells_ != columns_.size()) throw std::logic_error("a row has fewer cells than columns");
-  line_ += json_ ? "}\n" : "\n";
-  out_.write(line_);
-  line_.clear();
+  text_ += json_ ? "}\n" : "\n";
   cells_ = 0;
 }
 

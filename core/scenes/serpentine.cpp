@@ -8,13 +8,6 @@
 namespace catena {
 namespace {
 
-/// The point of a cell, the lattice's shortest step along each axis of the box: (1, 0, 0) on the cubic
-/// lattice, (0, 1, 1) on the face-centred one.
-Vec3 point(const std::array<std::uint32_t, 3>& cell, std::uint32_t side, bool face_centred) {
-  const double middle = side / 2, a = cell[0] - middle, b = cell[1] - middle, c = cell[2] - middle;
-  return face_centred ? Vec3{b + c, a + c, a + b} : Vec3{a, b, c};
-}
-
 Chain serpentine(const SceneSetup& setup, std::uint32_t side, std::uint32_t reach, bool face_centred,
                  bool rods) {
   const std::uint32_t n = side == 0 ? setup.n() : side * side * side;
@@ -22,7 +15,7 @@ Chain serpentine(const SceneSetup& setup, std::uint32_t side, std::uint32_t reac
   std::vector<Sphere> spheres;
   spheres.reserve(n);
   for (std::uint32_t i = 0; i < n; ++i)
-    spheres.push_back(setup.place(point(serpentine_cell(i, side), side, face_centred), reach / 2.0));
+    spheres.push_back(setup.place(serpentine_point(serpentine_cell(i, side), side, face_centred), reach / 2.0));
   Strands strands;
   if (rods) {
     for (std::uint32_t first = 0; first < n; first += side) strands.first.push_back(first);

@@ -1,0 +1,42 @@
+#include "catena/core/commands/answer_rows.h"
+
+#include "catena/core/error.h"
+#include "catena/core/overlap.h"
+
+namespace catena {
+
+std::vector<std::string> AnswerTables::pair_columns() const {
+  std::vector<std::string> columns{"frame",    "i",        "j",       "label_i", "label_j",
+                                   "strand_i", "strand_j", "index_i", "index_j"};
+  if (depth) columns.push_back("depth");
+  if (margin) columns.push_back("margin");
+  return columns;
+}
+
+std::vector<std::string> AnswerTables::count_columns() {
+  return {"frame", "sphere", "count", "label", "strand", "index"};
+}
+
+void check_answer_options(const Request& request, const AnswerTables& tables) {
+  if ((tables.depth || tables.margin) && tables.pairs.empty())
+    throw InputError("--depth and --margin are columns of --pairs; name its file, too");
+  if (request.want == Request::Want::any && (!tables.pairs.empty() || !tables.counts.empty()))
+    throw InputError("--any finds neither counts nor pairs; leave out --counts-only, --counts and --pairs");
+  if (request.want == Request::Want::counts && !tables.pairs.empty())
+    throw InputError("--counts-only keeps no pairs; leave out --pairs or --counts-only");
+}
+
+void put_pair_cells(RowText& row, const AnswerTables& tables, std::uint32_t frame, const NamedSphere& i,
+                    const NamedSphere& j, const Sphere& at_i, const Sphere& at_j) {
+  row.number(frame).number(i.number).number(j.number);
+  row.text(i.label).text(j.label).text(i.strand).text(j.strand);
+  row.number(i.index).number(j.index);
+  if (tables.depth) row.real(overlap_of(at_i, at_j).depth);
+  if (tables.margin) row.real(overlap_of(at_i, at_j).margin);
+}
+
+void put_count_cells(RowText& row, std::uint32_t frame, const NamedSphere& sphere, std::uint64_t count) {
+  row.number(frame).number(sphere.number).number(count).text(sphere.label).text(sphere.strand).number(sphere.index);
+}
+
+}  // namespace catena

@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/export.h"
+#include "catena/core/hierarchy/box.h"
+
+namespace catena {
+
+/// Boxes in a row, over sixteen of them a box, and so on to one: a tree without pointers, for what changes often or comes
+/// in an order of its own.
+class CATENA_API WideBoxTree {
+ public:
+  static constexpr std::uint32_t fan = 16;
+
+  /// Makes room for so many boxes, all of them empty. Allocates nothing when they are no more than before.
+  void clear(std::uint32_t boxes);
+  /// Box k, and no box above it: see refresh.
+  void set(std::uint32_t k, const Box& box) { set(0, k, box); }
+  /// What is above the boxes first, ..., end - 1. O(end - first), and a path to the root.
+  void refresh(std::uint32_t first, std::uint32_t end);
+
+  Box box(std::uint32_t k) const;
+
+  /// visit(k) for every box k that meets this one, in their order; an empty box meets none.
+  template <class Visit>
+  void for_each_meeting(const Box& box, const Visit& visit) const {
+    if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
+  }
+
+ private:
+  /// Sixteen boxes, a coordinate after the other.
+  struct Group {
+    std::array<std::array<float, fan>, 3> low, high;
+  };
+
+  void set(std::size_t level, std::uint32_t k, const Box& box);
+  static Box around(const Group& group);
+
+  /// Bit k: box k meets this one. An axis at a time, as vectors take it.
+  static std::uint32_t meeting(const Group& g, const Box& box) {
+    std::array<std::uint32_t, fan> apart;  // an empty one, even from a box without end
+    for (std::uint32_t k = 0; k < fan; ++k) apart[k] = std::uint32_t{g.low[0][k] > g.high[0][k]};
+    for (int d = 0; d < 3; ++d)
+      for (std::uint32_t k = 0; k < fan; ++k)
+        apart[k] |= std::uint32_t{g.low[d][k] > box.high[d]} | std::uint32_t{box.low[d] > g.high[d][k]};
+    std::uint32_t bits = 0;
+    for (std::uint32_t k = 0; k < fan; ++k) bits |= (apart[k] ^ 1u) << k;
+    return bits;
+  }
+
+  template <class Visit>
+  void descend(std::size_t level, std::uint32_t group, const Box& box, const Visit& visit) const {
+    const std::uint32_t bits = meeting(levels_[level][group], box);
+    for (std::uint32_t k = 0; k < fan; ++k) {
+      if ((bits >> k & 1) == 0) continue;
+      const std::uint32_t child = group * fan + k;
+      level == 0 ? visit(child) : descend(level - 1, child, box, visit);
+    }
+  }
+
+  std::vector<std::vector<Group>> levels_;  ///< groups of boxes, of groups, and so on; the last is one group
+};
+
+}  // namespace catena
