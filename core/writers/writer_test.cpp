@@ -257,7 +257,7 @@ TEST(Writers, NameWhatThereIs) {
     WriterRegistry::instance().of("a.doc");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "a.doc: nothing writes '.doc' files; there are: .chain .csv .obj .vtp .xyz");
+    EXPECT_STREQ(error.what(), "a.doc: nothing writes '.doc' files; there are: .catena .chain .csv .obj .vtp .xyz");
   }
 }
 

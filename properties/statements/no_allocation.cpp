@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "catena/properties/allocations.h"
@@ -17,7 +18,8 @@ class NoAllocation final : public Property {
  public:
   std::string name() const override { return "no allocation once warm"; }
   bool applies_to(const Subject& subject) const override {
-    return Allocations::counter() != nullptr && !subject.info.on_device() && !subject.info.peer;
+    return Allocations::counter() != nullptr && !subject.info.on_device() && !subject.info.peer &&
+           !has_ranks(subject);
   }
 
   std::optional<std::string> check(const Subject& subject, Variant&, const Case& test) override {
@@ -35,6 +37,14 @@ class NoAllocation final : public Property {
   }
 
  private:
+  /// Ranks are threads however many there are, and what they tell one another is allocated.
+  static bool has_ranks(const Subject& subject) {
+    return std::ranges::any_of(VariantName::parse(subject.info.name).stages, [](const StageName& stage) {
+      const StrategyInfo* const strategy = StrategyRegistry::instance().find_strategy(stage.strategy);
+      return strategy != nullptr &&
+             std::ranges::find(strategy->parameters, "ranks", &ParameterInfo::name) != strategy->parameters.end();
+    });
+  }
   /// A result of its own, so that no larger one of another chain has made the room.
   static std::optional<std::string> in_find(Variant& variant, const Chain& chain) {
     using enum Request::Want;
