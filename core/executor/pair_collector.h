@@ -25,7 +25,8 @@ class PairCollector {
         : owner_(owner),
           counts_(owner.keep_counts_ ? owner.result_.count.data() : nullptr),
           alone_(owner.lanes_ == 1),
-          room_(owner.any_only_ ? 1 : buffer_.size()) {}
+          room_(owner.any_only_ ? 1 : buffer_.size()),
+          shared_(owner.result_.count.size()) {}
 
     /// One colliding pair, i < j, reported once over all lanes.
     void pair(std::uint32_t i, std::uint32_t j) {
