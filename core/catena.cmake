@@ -46,7 +46,7 @@ set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <opti
 
 # The file of a command is mostly the option parser, which takes the sanitizers longer to compile than all algorithms.
 if(CATENA_SANITIZE)
-  foreach(folder core reference properties bench ranks reports)
+  foreach(folder core reference properties bench reports)
     file(GLOB_RECURSE commands CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_command.cpp ${PROJECT_SOURCE_DIR}/${folder}/*_option*.cpp)
     list(APPEND parsing ${commands})
   endforeach()
@@ -133,8 +133,8 @@ endif()
 add_dependencies(catena_part_core catena_commit)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
 catena_part(properties)
-include(${PROJECT_SOURCE_DIR}/ranks/ranks.cmake)
 catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
+include(${PROJECT_SOURCE_DIR}/core/ranks/ranks.cmake)
 
 add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)
 add_executable(catena::program ALIAS catena_cli)

@@ -12,9 +12,10 @@ struct OwnLane {
   __device__ const T& operator[](std::uint32_t) const { return own; }
 };
 
-/// The calling warp, whole and together; the host's twin is HostWarp.
-struct DeviceWarp {
-  static constexpr std::uint32_t lanes = 32, all = 0xFFFFFFFFu;
+/// So many threads side by side of a warp that comes whole and together; the host's twin is HostTeam.
+template <std::uint32_t count>
+struct DeviceTeam {
+  static constexpr std::uint32_t lanes = count, all = 0xFFFFFFFFu;
   template <class T>
   using Lanes = OwnLane<T>;
 
@@ -24,6 +25,9 @@ struct DeviceWarp {
   __device__ auto each(const F& value) const {
     return Lanes<decltype(value(0u))>{value(lane())};
   }
+};
+
+struct DeviceWarp : DeviceTeam<32> {
   template <class F>
   __device__ void run(const F& body) const {
     body(lane());
@@ -54,18 +58,7 @@ struct DeviceWarp {
   }
 };
 
-/// Four threads side by side of a warp that comes whole and together; the host's twin is HostQuad.
-struct DeviceQuad {
-  static constexpr std::uint32_t lanes = 4;
-  template <class T>
-  using Lanes = OwnLane<T>;
-
-  __device__ static std::uint32_t lane() { return threadIdx.x % lanes; }
-
-  template <class F>
-  __device__ auto each(const F& value) const {
-    return Lanes<decltype(value(0u))>{value(lane())};
-  }
+struct DeviceQuad : DeviceTeam<4> {
   template <class F>
   __device__ void once(const F& body) const {
     if (lane() == 0) body();
@@ -74,14 +67,14 @@ struct DeviceQuad {
   template <class F>
   __device__ bool none(const F& flag) const {
     const bool own = flag(lane());
-    return (__ballot_sync(DeviceWarp::all, own) >> (DeviceWarp::lane() & ~(lanes - 1)) & (1u << lanes) - 1) ==
+    return (__ballot_sync(all, own) >> (DeviceWarp::lane() & ~(lanes - 1)) & (1u << lanes) - 1) ==
            0;
   }
   template <class F>
   __device__ float greatest(const F& number) const {
     float result = number(lane());
     for (std::uint32_t step = 1; step < lanes; step *= 2)
-      result = fmaxf(result, __shfl_xor_sync(DeviceWarp::all, result, static_cast<int>(step)));
+      result = fmaxf(result, __shfl_xor_sync(all, result, static_cast<int>(step)));
     return result;
   }
 };

@@ -8,8 +8,7 @@ include(GoogleTest)
 
 file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/*_test.cpp ${PROJECT_SOURCE_DIR}/variants/*_test.cpp
      ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/*_test.cpp
-     ${PROJECT_SOURCE_DIR}/bench/*_test.cpp ${PROJECT_SOURCE_DIR}/ranks/*_test.cpp
-     ${PROJECT_SOURCE_DIR}/reports/*_test.cpp)
+     ${PROJECT_SOURCE_DIR}/bench/*_test.cpp ${PROJECT_SOURCE_DIR}/reports/*_test.cpp)
 add_executable(catena_tests ${tests})
 target_link_libraries(catena_tests PRIVATE catena_reports catena_timing GTest::gtest_main rapidcheck hwy::hwy
                       nlohmann_json::nlohmann_json Eigen3::Eigen ZLIB::ZLIB)

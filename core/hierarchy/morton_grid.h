@@ -32,6 +32,9 @@ class MortonGrid {
   }
   explicit MortonGrid(std::span<const Sphere> spheres) : MortonGrid(corners_of(spheres)) {}
 
+  /// All centres are one: every code is 0.
+  bool is_point() const { return cells_ == 0; }
+
   std::uint64_t code(const Sphere& s) const {
     return spread(s.x, low_.x) << 2 | spread(s.y, low_.y) << 1 | spread(s.z, low_.z);
   }

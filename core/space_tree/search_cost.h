@@ -6,8 +6,8 @@
 
 namespace catena {
 
-/// What a search of a SpaceTree costs, about, on one core with AVX-512. Measured on chains of many kinds;
-/// that a figure is wrong by a half costs time, and no more than a tenth of it.
+/// What a search of a SpaceTree costs, about, on one core with AVX-512. Measured on chains of many kinds; a
+/// wrong figure costs time and changes no answer.
 struct SpaceCost {
   static constexpr double node_ns = 40, entry_ns = 8, near_ns = 42;
   static constexpr double build_ns = 80;     ///< a block

@@ -3,29 +3,22 @@
 #include <hwy/contrib/sort/vqsort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
+
+#include "catena/core/hierarchy/morton_grid.h"
 
 namespace catena {
 namespace {
 
-constexpr int bits = 9,
-              classes = 8;  // cubes a side, as a power of two; a key takes 32 bits, a number as many
-
-/// Bits of a number below 2^10, two zeros between each and the next.
-std::uint32_t spread(std::uint32_t v) {
-  v = (v | v << 16) & 0x030000FF;
-  v = (v | v << 8) & 0x0300F00F;
-  v = (v | v << 4) & 0x030C30C3;
-  return (v | v << 2) & 0x09249249;
-}
+// An entry is a class, a Morton code of so many bits an axis and the number of a box, which takes half of it.
+constexpr int bits = 9, classes = 8;
 
 const float* box(const BoxRows& boxes, std::uint64_t entry) {
   return boxes.first + static_cast<std::uint32_t>(entry) * boxes.stride;
 }
 /// Twice the middle.
-float middle(const float* of, int d) { return of[d] + of[3 + d]; }
+Sphere middle(const float* of) { return {of[0] + of[3], of[1] + of[4], of[2] + of[5], 0}; }
 /// The greatest side.
 float size_of(const float* of) { return std::max({of[3] - of[0], of[4] - of[1], of[5] - of[2]}); }
 
@@ -37,22 +30,19 @@ struct SpaceOrder::Keys {
 
   /// Entries whose low halves are numbers of boxes.
   void sort(const BoxRows& boxes, std::span<std::uint64_t> some, bool by_class, int depth) {
-    float low[3], high[3], greatest = 0;
-    for (int d = 0; d < 3; ++d) low[d] = high[d] = middle(box(boxes, some[0]), d);
+    CentreCorners corners;
+    float greatest = 0;
     for (const std::uint64_t entry : some) {
       const float* const of = box(boxes, entry);
-      for (int d = 0; d < 3; ++d)
-        low[d] = std::min(low[d], middle(of, d)), high[d] = std::max(high[d], middle(of, d));
+      corners.take(middle(of));
       greatest = std::max(greatest, size_of(of));
     }
-    const float side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    if (side == 0 && !by_class) return;
-    const double cubes = side > 0 ? std::ldexp(0.999, bits) / side : 0;
+    const MortonGrid cubes(corners);
+    if (cubes.is_point() && !by_class) return;
     for (std::uint64_t& entry : some) {
       const float* const of = box(boxes, entry);
-      std::uint64_t key = 0, smaller = 0;
-      for (int d = 0; d < 3; ++d)
-        key |= std::uint64_t{spread(static_cast<std::uint32_t>((middle(of, d) - low[d]) * cubes))} << d;
+      const std::uint64_t key = cubes.code(middle(of)) >> 3 * (MortonGrid::bits - bits);
+      std::uint64_t smaller = 0;
       if (by_class)
         for (float size = 4 * size_of(of); size < greatest && smaller + 1 < classes; size *= 4) ++smaller;
       entry = (smaller << 3 * bits | key) << 32 | static_cast<std::uint32_t>(entry);

@@ -5,9 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "catena/bench/timing/workload.h"
-#include "catena/reports/faults.h"
-#include "catena/reports/section.h"
+#include "catena/reports/host_variants.h"
 
 namespace catena::reports {
 namespace {
@@ -34,29 +32,22 @@ void forget_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
 /// out.
 nlohmann::ordered_json memory(const Profile& profile) {
   auto rows = nlohmann::ordered_json::array();
-  for (const auto& spec : profile.inputs) {
-    if (spec.all_frames) continue;
-    const auto work = bench::workload(spec);
-    const Chain& chain = work->chains.front();
-    for (const auto& info : exact_variants(profile)) {
-      if (info.on_device() || (info.all_pairs && chain.size() > profile.most_all_pairs)) continue;
-      attempt(info.name, [&] {
-        Collisions found;
-        malloc_trim(0);
-        forget_peak();
-        const std::int64_t before = allocated(), resident = status("VmRSS");
-        auto variant = StrategyRegistry::instance().make(info.name);
-        variant->build(chain);
-        variant->find(chain, {}, found);
-        const std::int64_t peak = status("VmHWM") - resident;
-        found = {};
-        rows.push_back({{"input", work->label},
-                        {"variant", info.name},
-                        {"held_bytes", allocated() - before},
-                        {"peak_bytes", std::max<std::int64_t>(0, peak)}});
-      });
-    }
-  }
+  for_each_host_variant(profile,
+                        [&](const bench::Workload& work, const Chain& chain, const VariantInfo& info) {
+                          Collisions found;
+                          malloc_trim(0);
+                          forget_peak();
+                          const std::int64_t before = allocated(), resident = status("VmRSS");
+                          auto variant = StrategyRegistry::instance().make(info.name);
+                          variant->build(chain);
+                          variant->find(chain, {}, found);
+                          const std::int64_t peak = status("VmHWM") - resident;
+                          found = {};
+                          rows.push_back({{"input", work.label},
+                                          {"variant", info.name},
+                                          {"held_bytes", allocated() - before},
+                                          {"peak_bytes", std::max<std::int64_t>(0, peak)}});
+                        });
   return rows;
 }
 

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/ranks/bytes.h"
+#include "catena/core/ranks/mpi/mpi_launcher.h"
+#include "catena/core/ranks/mpi/rank_options.h"
+#include "catena/core/ranks/mpi/shared_input.h"
+#include "catena/core/ranks/phase_clock.h"
+#include "catena/core/ranks/rank_input.h"
+
+namespace catena::ranks {
+namespace {
+
+/// `mpirun -n K catena bench INPUT`: how long the ranks take, phase by phase, and what they tell one another.
+class BenchCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", input_, "A scene or a file")->required();
+    app.add_option("--repetitions", repetitions_, "Searches, of which the median is told")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    search_.add_to(app);
+  }
+
+  int run() override {
+    RankOptions options = search_.of({.want = Request::Want::counts});
+    options.entering = [this](Phase phase) { clock_.enter(phase); };
+    together(ranks_, [&] {
+      const RankInput input(ranks_, input_, search_.input(), open_shared);
+      const NamedPart part = input.part(0);
+      for (unsigned k = 0; k < repetitions_; ++k) search_once(part.part, options, k + 1 == repetitions_);
+    });
+    return 0;
+  }
+
+ private:
+  /// Of the slowest rank in each phase, and of the whole search.
+  struct Times {
+    PhaseClock::Milliseconds ms;
+    double whole;
+  };
+
+  void search_once(const Part& part, const RankOptions& options, bool last) {
+    clock_ = {};
+    RankWork work;
+    Part own = part;
+    const Traffic before = ranks_.traffic();
+    ranks_.vote();  // all begin at once
+    const auto began = std::chrono::steady_clock::now();
+    const RankAnswer answer = search(ranks_, std::move(own), options, work);
+    const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - began;
+    Times slowest{};
+    for (const Times& times : all_gather_value(ranks_, Times{clock_.ms(), whole.count()})) {
+      for (std::size_t k = 0; k < PhaseClock::phases; ++k)
+        slowest.ms[k] = std::max(slowest.ms[k], times.ms[k]);
+      slowest.whole = std::max(slowest.whole, times.whole);
+    }
+    times_.push_back(slowest);
+    if (last)
+      say(answer, work, ranks_.traffic().bytes - before.bytes, ranks_.traffic().messages - before.messages);
+  }
+
+  void say(const RankAnswer& answer, const RankWork& work, std::uint64_t bytes, std::uint64_t messages) {
+    struct Share {
+      std::uint64_t spheres, asked, touching, rounds, bytes, messages, peak_kib;
+    };
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto shares = all_gather_value(
+        ranks_, Share{work.spheres, work.across.blocks_asked, work.across.blocks_touching, work.across.rounds,
+                      bytes, messages, static_cast<std::uint64_t>(usage.ru_maxrss)});
+    if (ranks_.rank() != 0) return;
+    nlohmann::ordered_json line{{"input", input_},
+                                {"n", answer.starts.back()},
+                                {"variant", search_.variant()},
+                                {"ranks", ranks_.size()},
+                                {"order", work.in_space ? "space" : "chain"},
+                                {"pairs", answer.pair_count},
+                                {"repetitions", repetitions_}};
+    line["whole_ms"] = median([](const Times& t) { return t.whole; });
+    for (std::size_t k = 0; k + 1 < PhaseClock::phases; ++k)
+      line["phases_ms"][name_of(static_cast<Phase>(k))] = median([k](const Times& t) { return t.ms[k]; });
+    for (const Share& s : shares)
+      line["of_ranks"].push_back({{"spheres", s.spheres},
+                                  {"blocks_asked", s.asked},
+                                  {"blocks_touching", s.touching},
+                                  {"rounds", s.rounds},
+                                  {"bytes", s.bytes},
+                                  {"messages", s.messages},
+                                  {"peak_kib", s.peak_kib}});
+    fmt::print("{}\n", line.dump());
+  }
+
+  template <class Field>
+  double median(const Field& field) const {
+    std::vector<double> values;
+    for (const Times& times : times_) values.push_back(field(times));
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+  }
+
+  Communicator& ranks_ = world();
+  std::string input_;
+  unsigned repetitions_ = 5;
+  SearchOptions search_;
+  PhaseClock clock_;
+  std::vector<Times> times_;
+};
+
+const RegisterCommand<BenchCommand> registered("bench",
+                                               "Time a search by ranks, phase by phase, as one JSON object",
+                                               true);
+
+}  // namespace
+}  // namespace catena::ranks

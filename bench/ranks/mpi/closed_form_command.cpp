@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "catena/bench/closed_form/lattice_options.h"
+#include "catena/bench/ranks/lattice_part.h"
+#include "catena/core/commands/command.h"
+#include "catena/core/ranks/bytes.h"
+#include "catena/core/ranks/mpi/mpi_launcher.h"
+#include "catena/core/ranks/mpi/rank_options.h"
+
+namespace catena::ranks {
+namespace {
+
+/// `mpirun -n K catena closed-form`: a chain that each rank makes its part of, and whose pairs a formula
+/// knows, of any size that all ranks hold together.
+class ClosedFormCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    lattice_.add_to(app, 100000);
+    search_.add_to(app);
+  }
+
+  int run() override {
+    const Request request = lattice_.request();
+    const bench::LatticeBox& box = lattice_.box;
+    const RankOptions options = search_.of(request);
+    std::string wrong;
+    together(ranks_, [&] {
+      const auto start = [&](unsigned rank) { return even_start(box.spheres(), ranks_.size(), rank); };
+      const SphereId begin = start(ranks_.rank()), end = start(ranks_.rank() + 1);
+      if (end - begin >= SphereId{1} << 31)
+        throw InputError(fmt::format("{} spheres are too many for {} ranks; take more ranks", box.spheres(),
+                                     ranks_.size()));
+      RankWork work;
+      const RankAnswer answer = search(ranks_, lattice_part(box, begin, end), options, work);
+      if (answer.pair_count > request.pair_limit && !lattice_.counts_only)
+        throw PairLimitExceeded(answer.pair_count, request.pair_limit);
+      wrong = lattice_fault(ranks_, box, answer, !lattice_.counts_only);
+      const Gathered faults = ranks_.all_gather(ByteWriter().put_all(std::span<const char>(wrong)).take());
+      for (const Bytes& fault : *faults)
+        if (wrong.empty()) wrong.assign(reinterpret_cast<const char*>(fault.data()), fault.size());
+      if (ranks_.rank() == 0) say(answer, work, wrong);
+    });
+    return wrong.empty() ? 0 : 1;
+  }
+
+ private:
+  void say(const RankAnswer& answer, const RankWork& work, const std::string& wrong) const {
+    const bench::LatticeBox& box = lattice_.box;
+    const char* const order = work.in_space ? "space" : "chain";
+    if (lattice_.json) {
+      const nlohmann::ordered_json line{{"input", box.scene()},       {"n", answer.starts.back()},
+                                        {"ranks", ranks_.size()},     {"order", order},
+                                        {"pairs", answer.pair_count}, {"closed_form", box.pairs()},
+                                        {"ties", box.ties()},         {"fault", wrong}};
+      fmt::print("{}\n", line.dump());
+      return;
+    }
+    fmt::print(
+        "{}: {} spheres; closed form {} pairs, {} of them exact ties\n{} ranks, shared out by {}: {} pairs, "
+        "{}\n",
+        box.scene(), answer.starts.back(), box.pairs(), box.ties(), ranks_.size(), order, answer.pair_count,
+        wrong.empty() ? "right" : "WRONG: " + wrong);
+  }
+
+  Communicator& ranks_ = world();
+  bench::LatticeOptions lattice_;
+  SearchOptions search_;
+};
+
+const RegisterCommand<ClosedFormCommand> registered(
+    "closed-form", "A chain made by parts, whose pairs a formula knows, at any size", true);
+
+}  // namespace
+}  // namespace catena::ranks

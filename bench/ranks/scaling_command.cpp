@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "catena/bench/ranks/scaling.h"
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/show_warnings.h"
+
+namespace catena::ranks {
+namespace {
+
+/// `catena scaling INPUT`: what ranks would have to tell one another, before there are any.
+class ScalingCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", input_, "A scene or a file")->required();
+    app.add_option("--ranks", most_, "Up to so many, by doubling from 2")
+        ->check(CLI::Range(2, 4096))
+        ->capture_default_str();
+    app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
+        ->check(CLI::IsMember({"measured", "chain", "space"}))
+        ->capture_default_str();
+    add_input_options(app, options_);
+    app.add_flag("--json", json_, "One JSON object");
+  }
+
+  int run() override {
+    const Input input = open_input(input_, options_);
+    show_warnings(input);
+    const Chain chain = input.animation->frame(0);
+    const Scaling scaling = measure_scaling(chain, most_,
+                                            order_ == "chain"   ? Order::chain
+                                            : order_ == "space" ? Order::space
+                                                                : Order::measured);
+    if (json_) {
+      nlohmann::ordered_json line{{"input", input_}, {"n", chain.size()}};
+      line.update(to_json(scaling));
+      fmt::print("{}\n", line.dump());
+      return 0;
+    }
+    fmt::print(
+        "{}: {} spheres; of a rank that has the most, and blocks asked for over blocks that truly touch\n",
+        input_, chain.size());
+    fmt::print("{:>6} {:>6} {:>10} {:>9} {:>7} {:>8} {:>7} {:>12} {:>9}\n", "ranks", "order", "spheres",
+               "partners", "rounds", "blocks", "excess", "bytes", "messages");
+    for (const ScalingPoint& p : scaling.points)
+      fmt::print("{:>6} {:>6} {:>10} {:>9} {:>7} {:>8} {:>7} {:>12} {:>9}\n", p.ranks,
+                 p.in_space ? "space" : "chain", p.most_spheres, p.most_partners, p.most_rounds,
+                 p.most_blocks_asked,
+                 p.blocks_touching == 0 ? "-"
+                                        : fmt::format("{:.2f}", static_cast<double>(p.blocks_asked) /
+                                                                    static_cast<double>(p.blocks_touching)),
+                 p.most_bytes, p.most_messages);
+    if (const auto law = scaling.surface())
+      fmt::print("blocks asked for grow as (blocks held)^{:.2f}, between {:.2f} and {:.2f}\n", law->exponent,
+                 law->low, law->high);
+    if (scaling.stops_at() > 0)
+      fmt::print("from {} ranks on, one asks for more blocks than it holds\n", scaling.stops_at());
+    return 0;
+  }
+
+ private:
+  std::string input_, order_ = "measured";
+  unsigned most_ = 64;
+  InputOptions options_;
+  bool json_ = false;
+};
+
+const RegisterCommand<ScalingCommand> registered(
+    "scaling", "What ranks would have to tell one another, counted up to 4096 of them");
+
+}  // namespace
+}  // namespace catena::ranks

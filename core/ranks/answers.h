@@ -1,0 +1,18 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "catena/core/ranks/across.h"
+#include "catena/core/ranks/communicator.h"
+
+namespace catena::ranks {
+
+/// Sends what was counted to the ranks that the spheres began on; returns the sums for those of this rank. Rank r began
+/// with the spheres starts[r], ..., starts[r + 1] - 1.
+std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const SphereId> starts,
+                                         std::vector<Counted> counted);
+
+/// Sends each pair to the rank that its first sphere began on; returns those of this rank, sorted.
+std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts, std::vector<IdPair> pairs);
+
+}  // namespace catena::ranks

@@ -1,0 +1,124 @@
+#include "catena/core/ranks/held_part.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "catena/core/hierarchy/morton_grid.h"
+
+namespace catena::ranks {
+namespace {
+
+const Piece& piece_of(std::span<const Piece> pieces, std::uint32_t sphere) {
+  return *(std::ranges::upper_bound(pieces, sphere, {}, &Piece::begin) - 1);
+}
+
+bool whole(const Piece& piece) { return piece.size == piece.strand.size; }
+
+/// Both ends of an extra pair, where this part has both.
+std::vector<Pair> pairs_inside(const Part& part) {
+  std::vector<const Piece*> by_id;
+  for (const Piece& piece : part.pieces) by_id.push_back(&piece);
+  std::ranges::sort(by_id, {}, &Piece::first);
+  const auto find = [&](SphereId id) -> std::optional<std::uint32_t> {
+    const auto after = std::ranges::upper_bound(by_id, id, {}, &Piece::first);
+    if (after == by_id.begin()) return {};
+    const Piece& piece = **(after - 1);
+    if (id - piece.first >= piece.size) return {};
+    return piece.begin + static_cast<std::uint32_t>(id - piece.first);
+  };
+  std::vector<Pair> pairs;
+  for (const auto& [i, j] : part.extra)
+    if (const auto a = find(i), b = i < j ? find(j) : std::nullopt; a && b) pairs.push_back({*a, *b});
+  return pairs;
+}
+
+Chain chain_of(Part& part) {
+  Strands strands{{0}, {}};
+  ArcLengths lengths{std::move(part.arcs), {}};
+  for (const Piece& piece : part.pieces) {
+    strands.first.push_back(piece.begin + piece.size);
+    strands.closed.push_back(piece.strand.closed != 0 && whole(piece));
+    lengths.loop_length.push_back(piece.strand.loop_length);
+  }
+  if (part.pieces.empty()) strands = {}, lengths.loop_length.push_back(0);
+  const Exclusion exclusion{part.rule.kind, part.rule.window, part.rule.factor, pairs_inside(part)};
+  if (part.rule.kind == Exclusion::Rule::arc_window)
+    return Chain(std::move(part.spheres), std::move(strands), exclusion, std::move(lengths));
+  return Chain(std::move(part.spheres), std::move(strands), exclusion);
+}
+
+}  // namespace
+
+Box box_around(std::span<const Sphere> spheres) {
+  Box box = Box::around(spheres[0]);
+  for (const Sphere& s : spheres.subspan(1)) box.join(Box::around(s));
+  return box;
+}
+
+bool neighbours(const Rule& rule, const Place& a, const Place& b) {
+  if (a.strand.first != b.strand.first) return false;
+  const bool closed = a.strand.closed != 0;
+  if (rule.kind == Exclusion::Rule::arc_window)
+    return within_arc_window(a.arc, b.arc, closed, a.strand.loop_length, rule.factor, a.radius, b.radius);
+  const std::uint64_t steps = a.id < b.id ? b.id - a.id : a.id - b.id;
+  return within_index_window(steps, a.strand.size, closed, std::uint64_t{rule.window});
+}
+
+HeldPart::HeldPart(Part part)
+    : rule_(part.rule),
+      pieces_(part.pieces),
+      chain_(chain_of(part)),
+      extra_(std::move(part.extra)),
+      misses_neighbours_(look_for_missed()) {}
+
+void HeldPart::cut_blocks() {
+  struct Keyed {
+    std::uint64_t code;
+    Block block;
+  };
+  std::vector<Keyed> keyed;
+  const MortonGrid grid(chain_.spheres());
+  for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+    for (std::uint32_t done = 0; done < pieces_[p].size; done += Block::most) {
+      const Block block{p, pieces_[p].begin + done, std::min(Block::most, pieces_[p].size - done)};
+      keyed.push_back({grid.code(spheres(block)[block.size / 2]), block});
+    }
+  std::ranges::stable_sort(keyed, {}, &Keyed::code);
+  for (const Keyed& k : keyed) blocks_.push_back(k.block), codes_.push_back(k.code);
+  const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+  boxes_.clear(blocks);
+  for (std::uint32_t b = 0; b < blocks; ++b) boxes_.set(b, box_around(spheres(blocks_[b])));
+  boxes_.refresh(0, blocks);
+}
+
+bool HeldPart::look_for_missed() const {
+  if (std::ranges::any_of(pieces_,
+                          [](const Piece& piece) { return piece.strand.closed != 0 && !whole(piece); }))
+    return true;
+  std::vector<const Piece*> by_id;
+  for (const Piece& piece : pieces_) by_id.push_back(&piece);
+  std::ranges::sort(by_id, {}, &Piece::first);
+  const auto near = [&](const Piece* a, const Piece* b) {
+    if (a->strand.first != b->strand.first) return false;
+    return rule_.kind == Exclusion::Rule::arc_window || b->first - (a->first + a->size - 1) <= rule_.window;
+  };
+  return std::ranges::adjacent_find(by_id, near) != by_id.end();
+}
+
+std::span<const double> HeldPart::arcs(const Block& block) const {
+  if (rule_.kind != Exclusion::Rule::arc_window) return {};
+  return {chain_.view().exclusion.arc + block.begin, block.size};
+}
+
+Place HeldPart::place(std::uint32_t sphere) const {
+  const Piece& piece = piece_of(pieces_, sphere);
+  const double arc = rule_.kind == Exclusion::Rule::arc_window ? chain_.view().exclusion.arc[sphere] : 0;
+  return {piece.first + (sphere - piece.begin), piece.strand, arc, chain_[sphere].radius};
+}
+
+bool HeldPart::neighbours(const Place& a, const Place& b) const {
+  return ranks::neighbours(rule_, a, b) || std::ranges::binary_search(extra_, IdPair{a.id, b.id});
+}
+
+}  // namespace catena::ranks

@@ -1,0 +1,67 @@
+#include "catena/core/ranks/local_search.h"
+
+#include <algorithm>
+
+#include "catena/core/error.h"
+
+namespace catena::ranks {
+namespace {
+
+/// Most pairs that are held at once only to look at them.
+constexpr std::uint64_t most_at_once = 1u << 22;
+
+/// visit(pair) for every pair of the part's chain whose first sphere is one of these. Where there are too
+/// many to be held at once, half the spheres are searched for at a time: rare, and as slow as it is often.
+template <class Visit>
+void for_each_pair(Variant& variant, const Chain& chain, SphereRange range, const Visit& visit) {
+  Collisions found;
+  const std::uint64_t limit =
+      range.size() > 1 ? std::max<std::uint64_t>(most_at_once, chain.size()) : std::uint64_t{chain.size()};
+  try {
+    variant.find(chain, {.want = Request::Want::pairs, .pair_limit = limit, .queries = range}, found);
+  } catch (const PairLimitExceeded&) {
+    const std::uint32_t middle = range.begin + range.size() / 2;
+    for_each_pair(variant, chain, {range.begin, middle}, visit);
+    for_each_pair(variant, chain, {middle, range.end}, visit);
+    return;
+  }
+  for (const Pair& pair : found.pairs) visit(pair);
+}
+
+/// Where the chain takes some neighbours for colliding.
+void search_and_sift(const HeldPart& part, Variant& variant, std::vector<std::uint64_t>& count,
+                     KeptPairs& kept) {
+  for_each_pair(variant, part.chain(), {0, part.chain().size()}, [&](const Pair& pair) {
+    const Place a = part.place(pair.i), b = part.place(pair.j);
+    if (part.neighbours(a, b)) return;
+    ++count[pair.i], ++count[pair.j];
+    kept.add(a.id, b.id);
+  });
+}
+
+void add(const HeldPart& part, const Collisions& found, std::vector<std::uint64_t>& count, KeptPairs& kept) {
+  for (std::size_t i = 0; i < found.count.size(); ++i) count[i] += found.count[i];
+  for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
+  kept.add_uncounted(found.pair_count - found.pairs.size());
+}
+
+}  // namespace
+
+void search_within(const HeldPart& part, Variant& variant, Request::Want want, std::uint64_t limit,
+                   std::vector<std::uint64_t>& count, KeptPairs& kept) {
+  if (part.misses_neighbours()) return search_and_sift(part, variant, count, kept);
+  Collisions found;
+  Request request{.want = want, .pair_limit = limit};
+  try {
+    variant.find(part.chain(), request, found);
+  } catch (const PairLimitExceeded&) {  // counted all the same
+    request.want = Request::Want::counts;
+    variant.find(part.chain(), request, found);
+  }
+  if (want == Request::Want::any)
+    kept.add_uncounted(found.found ? 1 : 0);
+  else
+    add(part, found, count, kept);
+}
+
+}  // namespace catena::ranks

@@ -1,0 +1,41 @@
+#pragma once
+#include <functional>
+
+#include "catena/core/strategy/variant.h"
+#include "catena/core/ranks/held_part.h"
+
+namespace catena::ranks {
+
+/// Pairs that a rank found, of which it keeps no more than a limit; all are counted.
+class KeptPairs {
+ public:
+  /// `limit` 0 keeps none.
+  explicit KeptPairs(std::uint64_t limit) : limit_(limit) {}
+  void add(SphereId a, SphereId b) {
+    ++found_;
+    if (found_ <= limit_)
+      pairs_.push_back({std::min(a, b), std::max(a, b)});
+    else if (!pairs_.empty())
+      std::vector<IdPair>().swap(pairs_);
+  }
+  void add_uncounted(std::uint64_t pairs) { found_ += pairs; }
+  std::uint64_t found() const { return found_; }
+  std::vector<IdPair> take() { return std::move(pairs_); }
+
+ private:
+  const std::uint64_t limit_;
+  std::uint64_t found_ = 0;
+  std::vector<IdPair> pairs_;
+};
+
+/// What search_within asks of the variant for this.
+inline Request::Want asked_within(const HeldPart& part, Request::Want want) {
+  return part.misses_neighbours() ? Request::Want::pairs : want;
+}
+
+/// What collides within a part, by a variant that was built for its chain: adds to `count`, one a sphere, and to `kept`.
+/// For Want::any only whether something does: then kept.found() is not 0.
+void search_within(const HeldPart& part, Variant& variant, Request::Want want, std::uint64_t limit,
+                   std::vector<std::uint64_t>& count, KeptPairs& kept);
+
+}  // namespace catena::ranks

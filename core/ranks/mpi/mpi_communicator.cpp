@@ -1,0 +1,116 @@
+#include "catena/core/ranks/mpi/mpi_communicator.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <climits>
+#include <thread>
+
+#include "catena/core/one_line.h"
+
+namespace catena::ranks {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a message; MPI counts them in an int
+constexpr auto patience = std::chrono::seconds(5);
+constexpr int tag = 0;
+
+}  // namespace
+
+MpiCommunicator::MpiCommunicator(MPI_Comm world, int standard_error)
+    : world_(world), standard_error_(standard_error) {
+  int rank = 0, size = 1;
+  MPI_Comm_rank(world_, &rank);
+  MPI_Comm_size(world_, &size);
+  rank_ = static_cast<unsigned>(rank), size_ = static_cast<unsigned>(size);
+}
+
+void MpiCommunicator::vote() {
+  int well = static_cast<int>(size_), failed = 0;
+  MPI_Request request;
+  // Not MPI_Allreduce, which would not meet what a failed rank calls.
+  MPI_Iallreduce(&well, &failed, 1, MPI_INT, MPI_MIN, world_, &request);
+  MPI_Wait(&request, MPI_STATUS_IGNORE);
+  if (failed < static_cast<int>(size_)) throw RankFailed(words_of(failed, ""));
+}
+
+std::string MpiCommunicator::fail(const std::string& what) {
+  const int own = static_cast<int>(rank_);
+  int failed = 0, done = 0;
+  MPI_Request request;
+  MPI_Iallreduce(&own, &failed, 1, MPI_INT, MPI_MIN, world_, &request);
+  const auto last = std::chrono::steady_clock::now() + patience;
+  for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
+    if (std::chrono::steady_clock::now() > last) {
+      const std::string line = fmt::format("catena: {}\n", one_line(what));
+      static_cast<void>(::write(standard_error_, line.data(), line.size()) < 0);  // there is nobody to tell
+      MPI_Abort(world_, 2);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return words_of(failed, what);
+}
+
+std::string MpiCommunicator::words_of(int failed, std::string own) {
+  int length = static_cast<int>(own.size());
+  MPI_Bcast(&length, 1, MPI_INT, failed, world_);
+  own.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(own.data(), length, MPI_CHAR, failed, world_);
+  return own;
+}
+
+Gathered MpiCommunicator::gather(Bytes own) {
+  const auto own_size = static_cast<std::uint64_t>(own.size());
+  std::vector<std::uint64_t> sizes(size_);
+  MPI_Allgather(&own_size, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, world_);
+  std::uint64_t sum = 0;
+  std::vector<int> counts, offsets;
+  for (const std::uint64_t size : sizes) {
+    offsets.push_back(static_cast<int>(sum)), counts.push_back(static_cast<int>(size));
+    sum += size;
+    if (sum > INT_MAX)
+      throw Error(fmt::format("{} ranks are more than can tell one another where they are", size_));
+  }
+  Bytes all(sum);
+  auto parts = std::make_shared<std::vector<Bytes>>();
+  vote();  // all have the memory
+  MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_BYTE, all.data(), counts.data(),
+                 offsets.data(), MPI_BYTE, world_);
+  for (unsigned r = 0; r < size_; ++r)
+    parts->emplace_back(all.begin() + offsets[r], all.begin() + offsets[r] + counts[r]);
+  return parts;
+}
+
+std::vector<Message> MpiCommunicator::deliver(std::vector<Message> out) {
+  std::vector<std::uint64_t> sent(size_), coming(size_);
+  for (const Message& message : out) sent[message.rank] = message.bytes.size();
+  MPI_Alltoall(sent.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, world_);
+  std::vector<Message> in;
+  for (unsigned rank = 0; rank < size_; ++rank)
+    if (coming[rank] > 0) in.push_back({rank, rank == rank_ ? Bytes() : Bytes(coming[rank])});
+  vote();  // all have the memory, and none waits for another's
+
+  std::vector<MPI_Request> requests;
+  const auto in_pieces = [&](Message& message, auto transfer, auto* at) {
+    for (std::size_t done = 0; done < message.bytes.size(); done += most_bytes) {
+      const auto piece = static_cast<int>(std::min(most_bytes, message.bytes.size() - done));
+      requests.emplace_back();
+      transfer(at + done, piece, MPI_BYTE, static_cast<int>(message.rank), tag, world_, &requests.back());
+    }
+  };
+  for (Message& message : in)
+    if (message.rank != rank_) in_pieces(message, MPI_Irecv, message.bytes.data());
+  for (Message& message : out) {
+    if (message.rank != rank_) {
+      in_pieces(message, MPI_Isend, message.bytes.data());
+    } else if (!message.bytes.empty()) {
+      std::ranges::find(in, rank_, &Message::rank)->bytes = std::move(message.bytes);
+    }
+  }
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  return in;
+}
+
+}  // namespace catena::ranks

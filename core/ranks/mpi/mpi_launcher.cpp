@@ -1,0 +1,66 @@
+#include "catena/core/ranks/mpi/mpi_launcher.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+#include "catena/core/commands/command.h"
+#include "catena/core/ranks/mpi/mpi_communicator.h"
+
+namespace catena::ranks {
+namespace {
+
+std::unique_ptr<MpiCommunicator> communicator;
+
+/// What this process prints goes nowhere from here on: one voice is enough. Returns what was standard error.
+int fall_silent() {
+  const int standard_error = dup(STDERR_FILENO), nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) {
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+  }
+  return standard_error;
+}
+
+class MpiLauncher final : public Launcher {
+ public:
+  /// By what Open MPI's mpirun, and srun with PMIx or PMI-2, tell their processes; MPI_Init takes too long to
+  /// be tried.
+  bool launched() const override {
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+      if (std::getenv(name) != nullptr) return true;
+    return false;
+  }
+
+  int run(const std::function<int()>& body) override {
+    MPI_Init(nullptr, nullptr);
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    communicator =
+        std::make_unique<MpiCommunicator>(MPI_COMM_WORLD, rank == 0 ? STDERR_FILENO : fall_silent());
+    const int code = body();
+    std::fflush(nullptr);
+    communicator.reset();
+    MPI_Finalize();
+    return code;
+  }
+};
+
+const bool registered = [] {
+  CommandRegistry::instance().set_launcher(std::make_unique<MpiLauncher>());
+  return true;
+}();
+
+}  // namespace
+
+Communicator& world() {
+  if (!communicator) throw std::logic_error("no launcher runs this command");
+  return *communicator;
+}
+
+}  // namespace catena::ranks

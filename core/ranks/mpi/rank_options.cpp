@@ -1,0 +1,29 @@
+#include "catena/core/ranks/mpi/rank_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "catena/core/strategy/registry.h"
+
+namespace catena::ranks {
+
+void SearchOptions::add_to(CLI::App& app) {
+  app.add_option("--variant", variant_, "How each rank finds the pairs of its part; exact; see catena list")
+      ->capture_default_str();
+  app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
+      ->check(CLI::IsMember({"measured", "chain", "space"}))
+      ->capture_default_str();
+  add_input_options(app, input_);
+  add_box_option(app, input_);
+}
+
+RankOptions SearchOptions::of(Request request) const {
+  if (!StrategyRegistry::instance().describe(variant_).exact)
+    throw InputError("ranks decide exactly; name a variant that is exact, not " + variant_);
+  return {.variant = variant_,
+          .order = order_ == "chain"   ? Order::chain
+                   : order_ == "space" ? Order::space
+                                       : Order::measured,
+          .request = request};
+}
+
+}  // namespace catena::ranks

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/plan_options.h"
+#include "catena/core/ranks/rank_search.h"
+
+namespace catena::ranks {
+
+/// What a user may say of a search by ranks, whatever the command.
+class SearchOptions {
+ public:
+  void add_to(CLI::App& app);  ///< this object must outlive the parsing
+
+  /// Throws InputError for an unknown variant or order.
+  RankOptions of(Request request) const;
+  const std::string& variant() const { return variant_; }
+  const InputOptions& input() const { return input_; }
+
+ private:
+  std::string variant_ = "auto", order_ = "measured";
+  InputOptions input_;
+};
+
+}  // namespace catena::ranks

@@ -1,0 +1,77 @@
+#include "catena/core/ranks/mpi/shared_output.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "catena/core/ranks/bytes.h"
+
+namespace catena::ranks {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What rank 0 says.
+std::string said_by_first(Communicator& ranks, const std::string& text) {
+  const Gathered all = ranks.all_gather(
+      ranks.rank() == 0 ? ByteWriter().put_all(std::span(text.data(), text.size())).take() : Bytes());
+  const Bytes& first = all->front();
+  return {reinterpret_cast<const char*>(first.data()), first.size()};
+}
+
+std::string unfinished_name(const std::string& name) {
+  std::error_code unknown;
+  const auto status = fs::status(name, unknown);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw InputError(fmt::format("cannot write {}: ranks write a file together, and this is none", name));
+  const fs::path target = fs::exists(status) ? fs::canonical(name) : fs::path(name);
+  const std::string unfinished = fmt::format("{}.{}.unfinished", target.string(), getpid());
+  std::FILE* const made = std::fopen(unfinished.c_str(), "wx");
+  if (made == nullptr) throw InputError(fmt::format("cannot write {}: {}", name, std::strerror(errno)));
+  std::fclose(made);
+  return unfinished;
+}
+
+}  // namespace
+
+SharedOutput::SharedOutput(Communicator& ranks, std::string name) : ranks_(ranks), name_(std::move(name)) {
+  if (ranks_.rank() == 0) unfinished_ = unfinished_name(name_);
+  try {
+    unfinished_ = said_by_first(ranks_, unfinished_);
+    file_ = MpiFile(unfinished_, MpiFile::Use::write, name_);
+  } catch (...) {
+    if (ranks_.rank() == 0) unlink(unfinished_.c_str());
+    throw;
+  }
+}
+
+SharedOutput::~SharedOutput() {
+  if (ranks_.rank() == 0 && !unfinished_.empty()) unlink(unfinished_.c_str());
+}
+
+void SharedOutput::append(std::string_view own) {
+  std::uint64_t at = written_;
+  const auto sizes = all_gather_value(ranks_, std::uint64_t{own.size()});
+  for (unsigned rank = 0; rank < ranks_.size(); ++rank) {
+    if (rank < ranks_.rank()) at += sizes[rank];
+    written_ += sizes[rank];
+  }
+  file_.write(at, own.data(), own.size());
+}
+
+void SharedOutput::close() {
+  file_.close();
+  ranks_.vote();  // all have written
+  if (ranks_.rank() == 0) {
+    const fs::path target = fs::exists(name_) ? fs::canonical(name_) : fs::path(name_);
+    if (std::rename(unfinished_.c_str(), target.c_str()) != 0)
+      throw InputError(fmt::format("cannot write {}: {}", name_, std::strerror(errno)));
+  }
+  unfinished_.clear();
+}
+
+}  // namespace catena::ranks

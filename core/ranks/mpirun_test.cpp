@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catena/core/commands/test_program.h"
+
+/// The program under mpirun, three processes on whatever cores there are.
+namespace catena {
+namespace {
+
+class Mpirun : public Program {
+ protected:
+  void SetUp() override {
+    if (std::string_view(CATENA_MPIRUN).empty()) GTEST_SKIP() << "built without MPI";
+    if (!std::filesystem::exists(CATENA_MPIRUN)) GTEST_SKIP() << "there is no " << CATENA_MPIRUN;
+  }
+
+  /// `before` are settings of the environment. --quiet, as mpirun tells of every exit code by many lines of
+  /// its own.
+  ProgramOutcome run_ranks(const std::string& arguments, unsigned ranks = 3,
+                           const std::string& before = "") const {
+    const char* const as_root = geteuid() == 0 ? "--allow-run-as-root" : "";
+    return shell(fmt::format(
+        "{} ASAN_OPTIONS=detect_leaks=0 timeout 120 '{}' --quiet --oversubscribe {} -n {} '{}' {} > '{}'",
+        before, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
+  }
+  void expect_one_line(const ProgramOutcome& r, const std::string& because) const {
+    EXPECT_EQ(r.code, 2) << r.output;
+    EXPECT_EQ(std::ranges::count(r.output, '\n'), 1) << r.output;
+    EXPECT_TRUE(r.output.starts_with("catena: ")) << r.output;
+    EXPECT_NE(r.output.find(because), std::string::npos) << r.output;
+  }
+};
+
+TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
+  for (const std::string input :
+       {"coincident:n=60", "yarn:n=3000,seed=5 --arc-window pi/2", "hair:n=900 --window 3",
+        CATENA_SOURCE_DIR "/core/readers/examples/1A8O.pdb --radius 3"}) {
+    for (const char* order : {"chain", "space"})
+      for (const char* kind : {"csv", "jsonl"}) {
+        const auto tables = [&](const char* of) {
+          return fmt::format(" --pairs '{0}.{1}' --counts '{0}.counts.{1}' --depth --margin", file(of), kind);
+        };
+        const ProgramOutcome alone = run("detect " + input + tables("alone"));
+        ASSERT_EQ(alone.code, 0) << alone.output;
+        const ProgramOutcome ranks = run_ranks("detect " + input + tables("ranks") + " --order " + order);
+        ASSERT_EQ(ranks.code, 0) << ranks.output;
+        for (const std::string& end : {std::string(kind), std::string("counts.") + kind}) {
+          EXPECT_GT(text_of(file("alone." + end)).size(), 100u);
+          EXPECT_EQ(text_of(file("alone." + end)), text_of(file("ranks." + end))) << input << " " << order;
+        }
+      }
+  }
+}
+
+TEST_F(Mpirun, SaysWhatAllFoundOnce) {
+  const ProgramOutcome r = run_ranks("detect coincident:n=60 --json", 4);
+  ASSERT_EQ(r.code, 0) << r.output;
+  const auto line = nlohmann::json::parse(r.output);
+  EXPECT_EQ(line["pairs"], 812);
+  EXPECT_EQ(line["ranks"], 4);
+  EXPECT_EQ(line["max_count"], 28);
+  EXPECT_EQ(run_ranks("detect path1:n=100 --frame all").code, 0);
+  EXPECT_NE(run_ranks("detect rod:n=60 --any").output.find("does not collide"), std::string::npos);
+  EXPECT_NE(run_ranks("detect coincident:n=60 --any").output.find("60 spheres, collides"), std::string::npos);
+}
+
+TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
+  expect_one_line(run_ranks("detect /nowhere.chain"), "there is no such file");
+  expect_one_line(run_ranks("detect coincident:n=60 --pair-limit 5"), "found 812 colliding pairs");
+  expect_one_line(run_ranks("detect coincident:n=60 --pairs /nowhere/p.csv"), "cannot write /nowhere/p.csv");
+  expect_one_line(run_ranks("detect coincident:n=60 --pairs /dev/full"), "cannot write /dev/full");
+  expect_one_line(run_ranks("detect coincident:n=60 --variant Fastest"), "'Fastest'");
+  expect_one_line(run_ranks("detect coincident:n=60 --variant CPU1/literal"), "ranks decide exactly");
+  expect_one_line(run_ranks("detect coincident:n=60 --box 9,9,9"), "--box none");
+  expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
+}
+
+/// Whatever goes wrong on one rank, wherever: all end within seconds, with its words, and leave no file.
+TEST_F(Mpirun, EndsAllRanksWhenOneFails) {
+  std::filesystem::create_directories(file("tables"));
+  for (const std::string phase :
+       {"read", "take_part", "order", "repartition", "build", "within", "across", "answers", "write"})
+    for (const unsigned rank : {0u, 2u})
+      for (const std::string kind : {"error", "memory"}) {
+        const auto began = std::chrono::steady_clock::now();
+        const ProgramOutcome r =
+            run_ranks("detect yarn:n=2000 --order space --pairs '" + file("tables/p.csv") + "'", 3,
+                      fmt::format("CATENA_RANK_FAULT={}:{}:{}", phase, rank, kind));
+        EXPECT_EQ(r.code, 2) << phase << ' ' << rank << ' ' << kind << ": " << r.output;
+        const std::string words =
+            fmt::format("catena: rank {} of 3: {}", rank, kind == "error" ? "a fault" : "out of memory");
+        EXPECT_NE(r.output.find(words), std::string::npos) << phase << ": " << r.output;
+        EXPECT_EQ(r.output.find("catena:"), r.output.rfind("catena:")) << r.output;
+        EXPECT_TRUE(std::filesystem::is_empty(file("tables"))) << phase;
+        EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
+      }
+  const ProgramOutcome killed = run_ranks("detect yarn:n=2000", 3, "CATENA_RANK_FAULT=within:1:end");
+  EXPECT_NE(killed.code, 0);
+}
+
+}  // namespace
+}  // namespace catena

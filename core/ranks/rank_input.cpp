@@ -1,0 +1,70 @@
+#include "catena/core/ranks/rank_input.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <tuple>
+
+#include "catena/core/commands/show_warnings.h"
+#include "catena/core/ranks/bytes.h"
+#include "catena/core/ranks/part_file.h"
+
+namespace catena::ranks {
+
+namespace {
+
+/// Whether each rank reads its own part: what the options would change of the file, rank 0 does for all.
+bool in_parts(const std::string& spec, const InputOptions& options) {
+  const bool as_it_is = !options.window && !options.arc_window && !options.closed && !options.radius &&
+                        !options.radius_half_spacing && options.reading.format.empty() &&
+                        !options.reading.recentre && options.box_from != BoxFrom::file &&
+                        options.box_from != BoxFrom::options;
+  return as_it_is && spec.ends_with(".catena") && std::filesystem::is_regular_file(spec);
+}
+
+}  // namespace
+
+RankInput::RankInput(Communicator& ranks, const std::string& spec, const InputOptions& options,
+                     const Open& open)
+    : ranks_(ranks) {
+  // Rank 0 decides, as the others may not see the file.
+  const auto parts = all_gather_value(ranks, std::uint8_t{in_parts(spec, options)}).front();
+  if (parts != 0) {
+    file_.emplace(open(spec));
+    return;
+  }
+  if (ranks.rank() != 0) return;
+  input_ = open_input(spec, options);
+  show_warnings(*input_);
+  if (!input_->boxes.empty())
+    throw InputError(fmt::format("{}: ranks do not repeat space; say --box none, or leave out mpirun", spec));
+}
+
+std::pair<std::uint32_t, std::uint32_t> RankInput::frames(const FrameOption& option) const {
+  struct Frames {
+    std::uint32_t first, last;
+  } frames{0, 0};
+  if (ranks_.rank() == 0)
+    std::tie(frames.first, frames.last) = input_ ? option.of(*input_) : option.of("a .catena file", 1);
+  const Frames told = all_gather_value(ranks_, frames).front();
+  return {told.first, told.last};
+}
+
+NamedPart RankInput::part(std::uint32_t frame) const {
+  if (file_) return {read_part(ranks_, *file_), {}};
+  Chain chain;
+  if (input_) chain = input_->animation->frame(frame);
+  return scatter(ranks_, [&](unsigned rank) {
+    const auto start = [&](unsigned r) {
+      return static_cast<std::uint32_t>(even_start(chain.size(), ranks_.size(), r));
+    };
+    return named_part_of(chain, input_->labels, start(rank), start(rank + 1));
+  });
+}
+
+std::optional<Chain> RankInput::whole(std::uint32_t frame) const {
+  if (!input_) return {};
+  return input_->animation->frame(frame);
+}
+
+}  // namespace catena::ranks
