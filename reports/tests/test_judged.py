@@ -5,6 +5,7 @@ import unittest
 import made
 from catena_report import report, runfile
 from catena_report.sections import judged
+from pages import recomputes
 
 
 def section_of(value):
@@ -18,6 +19,7 @@ class Judged(unittest.TestCase):
     def table(self):
         return next(block for block in section_of(self.value).blocks if hasattr(block, "columns"))
 
+    @recomputes("table:judged")
     def test_every_row_is_shown_with_what_is_published(self):
         rows = self.value["catena"]["judged"]
         self.assertEqual(len(self.table().rows), len(rows))

@@ -6,6 +6,7 @@ import unittest
 import made
 from catena_report import report, runfile
 from catena_report.sections import steps
+from pages import recomputes
 
 
 class Made(unittest.TestCase):
@@ -17,6 +18,7 @@ class Made(unittest.TestCase):
         (table,) = steps.build(report.Report([run])).blocks
         return run, table
 
+    @recomputes("table:steps")
     def test_a_sphere_takes_its_share(self):
         run, table = self.table()
         self.assertEqual(table.columns[5:], ["rows", "tests"])
