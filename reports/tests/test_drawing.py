@@ -1,7 +1,8 @@
 """How figures are drawn: labels, points under one marker, their words."""
 import unittest
 
-import made  # noqa: F401  (finds the package)
+import made
+from catena_report import runfile, statistics, style, variant, words
 from catena_report.drawn import interactive, static
 from catena_report.figure import Axis, Figure, Heat, Panel, Series
 from catena_report.style import Look
@@ -26,6 +27,26 @@ class Drawing(unittest.TestCase):
         for label in ("0.0001", "0.001", "0.01", "1.23456"):
             self.assertIn(f">{label}<", text)
         self.assertNotRegex(text, r'd="[^"]*\d\.\d{3}')
+
+
+class Told(unittest.TestCase):
+    def test_an_interval_keeps_its_digits_where_it_is_small_and_is_none_of_one_sample(self):
+        for (value, low, high), text in (
+            ((1.02, 0.98, 1.06), "1.02 [0.98, 1.06]"),
+            ((0.0013, 0.0005, 0.0021), "0.00130 [0.000500, 0.00210]"),
+            ((250, 99, 300), "250 [99.0, 300]"),
+            ((64.31, 64.31, 64.31), "64.3"),
+        ):
+            self.assertEqual(words.interval(statistics.Interval(value, low, high)), text)
+
+    def test_no_two_variants_of_one_arithmetic_look_alike(self):
+        run = runfile.load(made.REPORTS / "results" / "h200_quick.json.gz")
+        names = [f"v{at}" for at in range(14)]  # more than colours
+        variants = [variant.Variant.of(name, made.described(name)) for name in names]
+        variants += [run.info(name) for name in run.variants()]
+        looks = style.Looks(variants)
+        drawn = [looks.variant(one) for one in variants if not one.peer and not one.composed]
+        self.assertEqual(len(drawn), len(set(drawn)))
 
 
 class Covered(unittest.TestCase):

@@ -70,6 +70,21 @@ class Environment(unittest.TestCase):
         value["benchmarks"].reverse()  # the last repetition of a case speaks for it
         self.assertIn("Wrong answers while timed", pages.shown(value).prose)
 
+    def test_a_variant_that_threw_was_not_refused(self):
+        value = made.run()
+        value["benchmarks"].append(
+            {
+                "name": "path1/n:1000/GPU1/whole",
+                "run_type": "iteration",
+                "error_occurred": True,
+                "error_message": "GPU1 threw: <out of memory>",
+                "at_fault": True,
+            }
+        )
+        prose = pages.shown(value).prose
+        self.assertIn("a fault of its own</strong>: 1 measurement of GPU1 (“GPU1 threw: &lt;out of memory&gt;”)", prose)
+        self.assertIn("<strong>Refused</strong>: 1 measurement of bGPU2+GPU2", prose)
+
     def test_the_right_pairs_on_stiff_scenes_are_counted(self):
         for arithmetic in ("robust", "literal"):
             lines = [line for line in self.value["catena"]["stability"] if line["arithmetic"] == arithmetic]
@@ -89,7 +104,7 @@ class Environment(unittest.TestCase):
         best = min(means, key=means.get)
         self.assertRegex(
             self.shown.prose,
-            rf"Over all chains</strong></a> {re.escape(best)} takes {means[best]:.2f} \[",
+            rf"Over all chains</strong></a> {re.escape(best)} takes {means[best]:.2f}( \[| times)",
         )
 
 

@@ -31,7 +31,7 @@ class Judged(unittest.TestCase):
             self.assertEqual(shown[-1].kind, "good" if row["agrees"] else "bad")
 
     def test_the_title_counts_what_differs(self):
-        self.assertIn("1 number of 2 differ", self.table().title)
+        self.assertIn("1 number of 2 differs from", self.table().title)
         for row in self.value["catena"]["judged"]:
             row["agrees"] = True
         self.assertIn("All 2 numbers agree", self.table().title)

@@ -36,6 +36,7 @@ class Made(unittest.TestCase):
         construction, traversal = self.roofline.panels
         for panel, stage in ((construction, "build"), (traversal, "find")):
             line = panel.series[0]
+            self.assertIn(f" of {sum(len(series.x) for series in panel.series[1:])} {panel.title}", self.roofline.title)
             self.assertEqual([x / y for x, y in zip(line.x, line.y)], [10.0, 10.0])  # the median of the copies
             for series in panel.series[1:]:
                 self.assertNotIn("GPU", series.name)

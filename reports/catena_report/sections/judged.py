@@ -14,7 +14,8 @@ def build(report):
 def _table(report, run, rows):
     differ = [row for row in rows if not row["agrees"]]
     title = (
-        f"{words.plural(len(differ), 'number')} of {len(rows)} differ from what is published"
+        f"{words.plural(len(differ), 'number')} of {len(rows)} {'differs' if len(differ) == 1 else 'differ'} from what is"
+        " published"
         if differ
         else f"All {words.plural(len(rows), 'number')} agree with what is published"
     )
@@ -37,5 +38,5 @@ def _table(report, run, rows):
             ]
             for row in rows
         ],
-        words=3,
+        words=5,
     )
