@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -20,6 +21,18 @@ class Crashes final : public FaultyTree {
   }
 };
 
+class CrashesAfterALongerChain final : public FaultyTree {
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (longest_ > 12 && chain.size() < 8) {
+      std::signal(SIGSEGV, SIG_DFL);
+      std::raise(SIGSEGV);
+    }
+    longest_ = std::max(longest_, chain.size());
+    FaultyTree::find(chain, request, result);
+  }
+  std::uint32_t longest_ = 0;
+};
+
 class Hangs final : public FaultyTree {
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     while (chain.size() > 8) std::this_thread::sleep_for(std::chrono::seconds(1));
@@ -35,6 +48,8 @@ struct RegisterFaulty {
   }
 };
 const RegisterFaulty<Crashes> crashes{"fault:crashes-past-8-spheres", "a stack that overflows"};
+const RegisterFaulty<CrashesAfterALongerChain> crashes_later{"fault:crashes-after-a-longer-chain",
+                                                             "a buffer that a longer chain left"};
 const RegisterFaulty<Hangs> hangs{"fault:hangs-past-8-spheres", "a search that comes to no end"};
 
 }  // namespace

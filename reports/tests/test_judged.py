@@ -36,6 +36,15 @@ class Judged(unittest.TestCase):
             row["agrees"] = True
         self.assertIn("All 2 numbers agree", self.table().title)
 
+    def test_an_interval_that_holds_everything_agrees_with_nothing(self):
+        row = self.value["catena"]["judged"][0]
+        self.value["catena"]["judged"] = [row, {**row, "open": True}]
+        self.assertEqual(
+            self.table().title,
+            "All 1 number agree with what is published; the interval of 1 other is too wide to tell",
+        )
+        self.assertEqual([row[-1].kind for row in self.table().rows], ["good", "open"])
+
     def test_nothing_judged_is_no_section(self):
         del self.value["catena"]["judged"]
         self.assertIsNone(section_of(self.value))
