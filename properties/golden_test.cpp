@@ -17,8 +17,9 @@
 #include "catena/properties/property.h"
 #include "catena/properties/variant_name.h"
 
-/// properties/golden/pair_sets.tsv: for every scene, first and last frame, for every family of generated chains,
-/// and for the chains stored beside it (frames of the rope, whose motion differs from machine to machine), a hash of the floats and the hash of the pair set. Every exact variant must give it, on every
+/// properties/golden/pair_sets.tsv: for every scene, first and last frame, for every family of generated
+/// chains, and for the chains stored beside it (frames of the rope, whose motion differs from machine to
+/// machine), a hash of the floats and the hash of the pair set. Every exact variant must give it, on every
 /// machine. Written anew, by the reference alone, with
 ///     CATENA_WRITE_GOLDEN=1 build/release/catena_tests --gtest_filter=Golden.PairSetsOfTheReference
 namespace catena::properties {
@@ -85,7 +86,8 @@ std::vector<Row> read_golden() {
   return rows;
 }
 
-/// A rope is simulated by Eigen, whose sums depend on the machine's vectors: only its stored frames are golden.
+/// A rope is simulated by Eigen, whose sums depend on the machine's vectors: only its stored frames are
+/// golden.
 bool is_simulated(const std::string& input) { return input.starts_with("rope:"); }
 
 void write_golden() {

@@ -11,12 +11,13 @@
 #include "catena/core/chain/chain.h"
 #include "catena/core/strategy/registry.h"
 
-/// The variants of libcatena that take threads, on chains long enough for many ranges of work. By the library alone, so
-/// that CI can afford it under ThreadSanitizer.
+/// The variants of libcatena that take threads, on chains long enough for many ranges of work. By the library
+/// alone, so that CI can afford it under ThreadSanitizer.
 namespace catena {
 namespace {
 
-/// A walk that stays in a ball, so that much of it is crowded, or goes off with `drift`; radii of `octaves` sizes.
+/// A walk that stays in a ball, so that much of it is crowded, or goes off with `drift`; radii of `octaves`
+/// sizes.
 Chain walk(std::uint32_t n, float drift, int octaves, std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
@@ -24,8 +25,9 @@ Chain walk(std::uint32_t n, float drift, int octaves, std::uint32_t seed) {
   float at[3] = {0, 0, 0};
   for (std::uint32_t i = 0; i < n; ++i) {
     for (float& x : at) x = 0.99f * x + 2 * unit() - 1;
-    spheres.push_back({at[0] + drift * static_cast<float>(i), at[1], at[2],
-                       0.1f * std::ldexp(1.0f, -static_cast<int>(random() % static_cast<std::uint32_t>(octaves)))});
+    spheres.push_back(
+        {at[0] + drift * static_cast<float>(i), at[1], at[2],
+         0.1f * std::ldexp(1.0f, -static_cast<int>(random() % static_cast<std::uint32_t>(octaves)))});
   }
   return Chain(std::move(spheres));
 }

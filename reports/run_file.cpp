@@ -93,8 +93,9 @@ Json measure_run(const Profile& profile, const std::string& command, Journal& jo
   const double sections_before = journal.section_seconds(), rows_before = journal.row_seconds();
   bench::Stopping stopping = profile.stopping;
   if (profile.whole_seconds > 0)
-    stopping.seconds = std::min(
-        stopping.seconds, std::max(least_seconds, profile.whole_seconds - sections_before - watch.ms() / 1000));
+    stopping.seconds =
+        std::min(stopping.seconds,
+                 std::max(least_seconds, profile.whole_seconds - sections_before - watch.ms() / 1000));
   const auto limit =
       stopping.seconds < unlimited_seconds ? fmt::format(" for at most {:.0f} s", stopping.seconds) : "";
   fmt::print(stderr, "catena report: timing {} cases{}\n", cases.size(), limit);

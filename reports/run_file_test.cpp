@@ -29,7 +29,8 @@ using Json = nlohmann::ordered_json;
 Profile small_profile() {
   Profile p = profile_named("quick");
   std::erase_if(p.variants, [](const VariantInfo& v) {
-    return !std::set<std::string>{"CPU1", "CPU1/literal", "aCPU2+CPU2", "aCPU2+CPU2/literal", "aCPU2+Dual", "Hybrid"}
+    return !std::set<std::string>{"CPU1",       "CPU1/literal", "aCPU2+CPU2", "aCPU2+CPU2/literal",
+                                  "aCPU2+Dual", "Hybrid"}
                 .contains(v.name);
   });
   p.inputs = {{"path1:n=300"}, {"path1:n=100", true}};
@@ -108,9 +109,8 @@ TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
   EXPECT_EQ(own["profile"], "quick");
   EXPECT_EQ(own["command"], "catena report --quick");
   EXPECT_GT(own["seconds"], 0);
-  for (const char* section :
-       {"scenes", "counts", "wants", "savings", "animation", "coherence", "viewer", "keyframes", "memory",
-        "steps"}) {
+  for (const char* section : {"scenes", "counts", "wants", "savings", "animation", "coherence", "viewer",
+                              "keyframes", "memory", "steps"}) {
     ASSERT_TRUE(own.contains(section)) << section;
     const auto keys = described(section);
     EXPECT_GE(keys.size(), section == std::string("keyframes") ? 2u : 3u) << section;

@@ -45,11 +45,11 @@ std::vector<std::filesystem::path> store(const std::filesystem::path& folder, co
   std::vector<std::filesystem::path> paths;
   for (const Chain& chain : shrunk) {
     const bool alone = shrunk.size() == 1;
-    paths.push_back(
-        store(folder, finding,
-              alone ? origin
-                    : fmt::format("{}; chain {} of {}, by one object", origin, paths.size() + 1, shrunk.size()),
-              chain_file_of(chain), alone ? "" : fmt::format("-{}", paths.size() + 1)));
+    paths.push_back(store(
+        folder, finding,
+        alone ? origin
+              : fmt::format("{}; chain {} of {}, by one object", origin, paths.size() + 1, shrunk.size()),
+        chain_file_of(chain), alone ? "" : fmt::format("-{}", paths.size() + 1)));
   }
   return paths;
 }

@@ -17,7 +17,8 @@ ShrunkFault shrink_fault(const Finding& finding, Chain chain, std::vector<Chain>
     if (watch.ms() > 1000 * seconds) return false;
     Notebook notebook;
     const Ending ending = tried(notebook, timeout > 0 ? std::max(timeout, least_timeout) : 0, [&] {
-      work(Subject::named(finding.variant), Suite::Watch([&](const Subject& subject, const Property& property) {
+      work(Subject::named(finding.variant),
+           Suite::Watch([&](const Subject& subject, const Property& property) {
              notebook.check(subject.info.name, property.name());
            }));
       return 0;

@@ -15,8 +15,8 @@ struct ShrunkFault {
 };
 
 /// The simplest chain found, within about `seconds`, on which a new object of the variant crashes or hangs
-/// while it is held against the property; where none does, the shortest sequence of `before` and it. The calling process must not have made or described a variant of a
-/// device.
+/// while it is held against the property; where none does, the shortest sequence of `before` and it. The
+/// calling process must not have made or described a variant of a device.
 ShrunkFault shrink_fault(const Finding& finding, Chain chain, std::vector<Chain> before, double timeout,
                          double seconds);
 

@@ -168,7 +168,8 @@ class FuzzCommand final : public Command {
     if (std::ranges::find(shrunk, found) == shrunk.end()) std::filesystem::remove(found);
     if (!fault.repeats)
       fmt::print(
-          "no new object does so, not after the chains before this one either: chance, or a longer history\n\n");
+          "no new object does so, not after the chains before this one either: chance, or a longer "
+          "history\n\n");
     else if (fault.chains.size() == 1)
       fmt::print("shrunk to {} spheres:\n\n", fault.chains.front().size());
     else

@@ -47,13 +47,12 @@ TEST_F(FuzzProgram, ACrashThatDependsOnHistoryIsASequence) {
   const std::string variant = "--variant fault:crashes-after-a-longer-chain";
   expect_says(at("--cases 500 " + variant), 1,
               {"crashed: Segmentation fault",
-               "it depends on history: a new object does so after these 2 chains, in this order", "-1.chain --replay "});
+               "it depends on history: a new object does so after these 2 chains, in this order",
+               "-1.chain --replay "});
   auto files = stored();
   ASSERT_EQ(files.size(), 2u);
   std::ranges::sort(files, {},
                     [](const auto& path) { return path.string().substr(path.string().size() - 7); });
-  EXPECT_EQ(load_chain(files[0]).size(), 13u);
-  EXPECT_LT(load_chain(files[1]).size(), 8u);
   expect_says(at(variant + " --replay '" + files[0].string() + "' --replay '" + files[1].string() + "'"), 1,
               {"crashed: Segmentation fault"});
 }

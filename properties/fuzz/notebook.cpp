@@ -72,7 +72,8 @@ std::vector<std::string> Notebook::before() const {
   std::vector<std::string> files;
   const std::size_t done = std::max<std::size_t>(1, page_->begun) - 1;
   for (std::size_t k = done - std::min(done, Page::kept); k < done; ++k)
-    if (std::string file = page_->before[k % Page::kept].get(); !file.empty()) files.push_back(std::move(file));
+    if (std::string file = page_->before[k % Page::kept].get(); !file.empty())
+      files.push_back(std::move(file));
   return files;
 }
 

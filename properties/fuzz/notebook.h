@@ -16,8 +16,8 @@ class Notebook {
   Notebook& operator=(const Notebook&) = delete;
 
   // The one that works.
-  /// A chain, as the text of its file, is about to be checked. More than 16 MiB are cut. The last 32 before it are
-  /// kept, but for those of more than 64 KiB.
+  /// A chain, as the text of its file, is about to be checked. More than 16 MiB are cut. The last 32 before
+  /// it are kept, but for those of more than 64 KiB.
   void begin(std::string_view chain_file);
   /// This variant is about to be held against this property. Also tells that everything goes on.
   void check(std::string_view variant, std::string_view property);

@@ -13,8 +13,8 @@ namespace catena::properties {
 bool fails_in_sequence(const Subject& subject, const std::string& property, const std::vector<Chain>& chains,
                        const Suite::Watch& watch = {});
 
-/// The fewest and simplest chains found of which `fails` still holds; nullopt when it does not of `chains`. Some
-/// hundred tries.
+/// The fewest and simplest chains found of which `fails` still holds; nullopt when it does not of `chains`.
+/// Some hundred tries.
 std::optional<std::vector<Chain>> shortest_sequence(
     std::vector<Chain> chains, const std::function<bool(const std::vector<Chain>&)>& fails);
 

@@ -37,6 +37,18 @@ class Made(unittest.TestCase):
             taken = {step["step"]: step["times"] for step in given["steps"]}
             self.assertEqual([cell.raw for cell in row[5:]], [taken[s] / n if s in taken else "" for s in ("rows", "tests")])
 
+    def test_the_title_says_how_many_memory_bounds(self):
+        for gb_s, says in (
+            (10.0, "Memory bounds none of 16 searches: in the time of each the chain could be copied"),
+            (4.0, "Memory bounds"),
+            (0.001, "Memory bounds all 16 searches"),
+        ):
+            self.value["catena"]["bandwidth"]["gb_s"] = [gb_s] * 6
+            _, table = self.table()
+            self.assertIn(says, table.title)
+            bound = sum(row[3].raw < 2 for row in table.rows)
+            self.assertIn(f"bounds {'all' if bound == 16 else bound or 'none'} ", table.title)
+
     def test_without_a_copy_only_steps_are_told(self):
         del self.value["catena"]["bandwidth"]
         _, table = self.table()
