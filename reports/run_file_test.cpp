@@ -351,6 +351,7 @@ TEST_F(RunFile, HoldsAsManyRepetitionsAsAreAskedFor) {
     EXPECT_LE(row["least_ms"], row["real_time"].get<double>() * (1 + 1e-9));
   }
   EXPECT_EQ(repetitions.size(), 2u);
+  EXPECT_FALSE(run["catena"].contains("judged")) << "what is not about the scene asked for";
   for (const auto& [name, times] : repetitions) EXPECT_EQ(times, 14) << name;
   std::filesystem::remove_all(folder);
 }
