@@ -112,6 +112,8 @@ FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
         static_cast<double>(moved_) / RunTree::run + 2.0 * static_cast<double>(ranges_.size());
     // Frames of which some parts move seldom come alone.
     const double tree = row_.tree_stands() ? 0 : tree_sphere_ms / 8 * static_cast<double>(now.size());
+    if (run_ms_ == 0)  // not measured yet: some times what a full search takes for a run
+      run_ms_ = 30 * policy_.full_ms() * RunTree::run / static_cast<double>(now.size());
     if (always_ || runs * run_ms_ + tree < 0.7 * policy_.full_ms()) return blinds_ = 0, Way::parts;
   }
   if (const auto way = choose_shift(chain)) return blinds_ = 0, *way;
@@ -132,8 +134,11 @@ std::optional<FrameSearch::Way> FrameSearch::choose_shift(const Chain& chain) {
 std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   if (!omissions_.may(Omission::far_pairs) || !KeptList::can_keep(chain)) return std::nullopt;
   if (list_->made()) {
-    if (list_->holds(chain)) return Way::kept_list;
+    const bool pays = always_ || policy_.use_pays();
+    if (pays) waits_ = 0;
+    if (pays && list_->holds(chain)) return Way::kept_list;
     list_->drop();
+    if (!pays) wait_ = wait_after(waits_++);
   }
   if (wait_ > 0 && !always_) return --wait_, std::nullopt;
   move_ = greatest_move(row_.spheres(), chain.spheres());
@@ -183,11 +188,11 @@ void FrameSearch::search_all(const Chain& chain, const Request& request, Collisi
 }
 
 void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
-  if (!list_->made()) {
+  const bool fresh = !list_->made();
+  if (fresh) {
     const Stopwatch watch;
     list_->make(chain, static_cast<float>(skin_), most_own_pairs, search);
     policy_.rebuilt(watch.ms(), move_);
-    if (list_->made()) waits_ = 0;
   }
   if (!list_->made()) {
     wait_ = wait_after(waits_++);
@@ -198,10 +203,14 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
     return remember(chain);
   }
   const Stopwatch watch;
-  list_->find(chain.spheres(), pairs_);
+  list_->find(chain.spheres(), pairs_, counts_);
   remember(chain);
+  counts_stand_ = true;
   compared_ = list_->size();
-  policy_.used(watch.ms(), list_->skin(), static_cast<double>(compared_), static_cast<double>(pairs_.size()));
+  // The first use of a list brings it into the cache, and is no measure of the next ones.
+  if (!fresh)
+    policy_.used(watch.ms(), list_->skin(), static_cast<double>(compared_),
+                 static_cast<double>(pairs_.size()));
 }
 
 /// Collisions of each sphere. Where there are many they are kept, for frames that change few.

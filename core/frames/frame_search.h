@@ -90,7 +90,7 @@ class CATENA_API FrameSearch {
   double move_ = 0, skin_ = 0;            ///< for the next list: of a frame, at most; wanted
   std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay
   std::uint32_t blind_ = 0, blinds_ = 0;  ///< the same of looking for what frames have in common
-  double run_ms_ = 1e-3;                  ///< of a run that changed, measured
+  double run_ms_ = 0;                     ///< of a run that changed, measured or guessed
   double full_ms_ = 0, find_ms_ = 0;      ///< of the last full search; of this frame's
   std::size_t compared_ = 0;              ///< of this frame: runs that changed, or near pairs
   Collisions own_;

@@ -1,6 +1,7 @@
 #include "catena/core/frames/moving_row.h"
 
 #include <algorithm>
+#include <array>
 
 #include "catena/core/arithmetic/robust.h"
 
@@ -63,22 +64,42 @@ SphereRange MovingRow::spheres_of(std::uint32_t of) const {
   return first < end ? SphereRange{first - begin_, end - begin_} : SphereRange{0, 0};
 }
 
-void MovingRow::search_run(const ChainView& chain, std::uint32_t of, std::vector<Pair>& pairs) const {
-  const SphereRange own = spheres_of(of);
-  tree_.for_each_near(of, [&](std::uint32_t other) {
-    // Two runs that changed are met from both: once is enough.
-    if (is_changed_[other] && other < of) return;
-    const SphereRange theirs = spheres_of(other);
-    for (std::uint32_t i = own.begin; i < own.end; ++i) {
-      const Sphere a = chain.spheres[i];
-      for (std::uint32_t j = other == of ? i + 1 : theirs.begin; j < theirs.end; ++j) {
-        if (Robust::separate(a, chain.spheres[j])) [[likely]]
-          continue;
-        if (Robust::overlap(a, chain.spheres[j]) && !chain.neighbours(i, j))
-          pairs.push_back({std::min(i, j), std::max(i, j)});
-      }
+void MovingRow::compare_runs(const ChainView& chain, std::uint32_t of, std::uint32_t other,
+                             std::vector<Pair>& pairs) const {
+  const SphereRange own = spheres_of(of), theirs = spheres_of(other);
+  if (own.size() == 0 || theirs.size() == 0) return;
+  // Eight at a time, a coordinate after the other, as vectors take them; the last one stands for what is not
+  // there, and is not heeded.
+  std::array<float, run> x, y, z, r;
+  for (std::uint32_t k = 0; k < run; ++k) {
+    const Sphere& s = chain.spheres[std::min(theirs.begin + k, theirs.end - 1)];
+    x[k] = s.x, y[k] = s.y, z[k] = s.z, r[k] = s.radius;
+  }
+  for (std::uint32_t i = own.begin; i < own.end; ++i) {
+    const Sphere a = chain.spheres[i];
+    std::array<std::uint32_t, run> near;
+    std::uint32_t any = 0;
+    for (std::uint32_t k = 0; k < run; ++k) {
+      near[k] = std::uint32_t{!Robust::separate(a, {x[k], y[k], z[k], r[k]})};
+      any |= near[k];
     }
-  });
+    if (any == 0) continue;
+    for (std::uint32_t j = other == of ? i + 1 : theirs.begin; j < theirs.end; ++j)
+      if (near[j - theirs.begin] != 0 && !chain.neighbours(i, j) && Robust::overlap(a, chain.spheres[j]))
+        pairs.push_back({std::min(i, j), std::max(i, j)});
+  }
+}
+
+void MovingRow::search_runs(const ChainView& chain, std::vector<Pair>& pairs) {
+  std::ranges::sort(changed_);
+  for (std::size_t k = 0, end = 0; k < changed_.size(); k = end) {
+    while (end < changed_.size() && changed_[end] / RunTree::together == changed_[k] / RunTree::together)
+      ++end;
+    tree_.for_each_near(std::span(changed_).subspan(k, end - k), [&](std::uint32_t of, std::uint32_t other) {
+      // Two runs that changed are met from both: once is enough.
+      if (!(is_changed_[other] && other < of)) compare_runs(chain, of, other, pairs);
+    });
+  }
 }
 
 /// Those of two spheres that are still there, by their new indices.
@@ -117,7 +138,7 @@ void MovingRow::search(const ChainView& chain, std::vector<Pair>& pairs, std::sp
     pairs.pop_back();
   }
   const std::size_t kept_pairs = pairs.size();
-  for (const std::uint32_t r : changed_) search_run(chain, r, pairs);
+  search_runs(chain, pairs);
   if (!counts.empty())
     for (std::size_t k = kept_pairs; k < pairs.size(); ++k) ++counts[pairs[k].i], ++counts[pairs[k].j];
   for (const std::uint32_t r : changed_) is_changed_[r] = 0;

@@ -43,7 +43,9 @@ class CATENA_API MovingRow {
   }
   void renumber(std::vector<Pair>& pairs) const;
   void refresh(std::uint32_t first_run, std::uint32_t end_run);
-  void search_run(const ChainView& chain, std::uint32_t of, std::vector<Pair>& pairs) const;
+  void search_runs(const ChainView& chain, std::vector<Pair>& pairs);
+  void compare_runs(const ChainView& chain, std::uint32_t of, std::uint32_t other,
+                    std::vector<Pair>& pairs) const;
   SphereRange spheres_of(std::uint32_t of) const;
 
   std::vector<Sphere> row_;
