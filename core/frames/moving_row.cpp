@@ -113,20 +113,35 @@ void MovingRow::renumber(std::vector<Pair>& pairs) const {
   pairs.resize(left);
 }
 
-void MovingRow::search(const ChainView& chain, std::vector<Pair>& pairs, std::span<std::uint32_t> counts) {
+bool MovingRow::search_cells(const ChainView& chain, std::vector<Pair>& pairs) {
+  std::ranges::sort(changed_);
+  moved_.clear();
+  for (const std::uint32_t r : changed_)
+    for (std::uint32_t i = spheres_of(r).begin; i < spheres_of(r).end; ++i) moved_.push_back(i);
+  if (!cells_.lay_out(chain, moved_)) return false;
+  cells_.search(chain, [this](std::uint32_t i) { return is_changed_[(begin_ + i) / run] != 0; }, pairs);
+  return true;
+}
+
+/// The tree over the row as it is now.
+void MovingRow::stand_tree() {
   if (!tree_stands_) {
     tree_.clear(static_cast<std::uint32_t>(row_.size()));
     refresh(begin_ / run, (begin_ + size_ + run - 1) / run);
     tree_stands_ = true;
-  } else {
-    // Neighbours together, so that what is above them is made once.
-    for (std::size_t k = 0; k < changed_.size();) {
-      std::size_t end = k + 1;
-      while (end < changed_.size() && changed_[end] == changed_[end - 1] + 1) ++end;
-      refresh(changed_[k], changed_[end - 1] + 1);
-      k = end;
-    }
+    return;
   }
+  // Neighbours together, so that what is above them is made once.
+  for (std::size_t k = 0; k < changed_.size();) {
+    std::size_t end = k + 1;
+    while (end < changed_.size() && changed_[end] == changed_[end - 1] + 1) ++end;
+    refresh(changed_[k], changed_[end - 1] + 1);
+    k = end;
+  }
+}
+
+bool MovingRow::search(const ChainView& chain, std::vector<Pair>& pairs, std::span<std::uint32_t> counts,
+                       bool by_cells) {
   if (shifted_by_ != 0) renumber(pairs);
   for (std::size_t k = 0; k < pairs.size();) {
     if (kept(pairs[k])) {
@@ -138,11 +153,18 @@ void MovingRow::search(const ChainView& chain, std::vector<Pair>& pairs, std::sp
     pairs.pop_back();
   }
   const std::size_t kept_pairs = pairs.size();
-  search_runs(chain, pairs);
+  by_cells = by_cells && search_cells(chain, pairs);
+  if (by_cells) {
+    tree_stands_ = false;  // it is of what was there before
+  } else {
+    stand_tree();
+    search_runs(chain, pairs);
+  }
   if (!counts.empty())
     for (std::size_t k = kept_pairs; k < pairs.size(); ++k) ++counts[pairs[k].i], ++counts[pairs[k].j];
   for (const std::uint32_t r : changed_) is_changed_[r] = 0;
   changed_.clear();
+  return by_cells;
 }
 
 }  // namespace catena

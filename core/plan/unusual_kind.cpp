@@ -6,15 +6,15 @@
 namespace catena {
 namespace {
 
-enum Kind { tiny, out_of_range, wide, short_crowded, short_sparse };
+enum Kind { tiny, vast, wide, short_crowded, short_sparse };
 
 const UnusualKind& info(Kind kind) {
   static const std::array<UnusualKind, 5> all{{
       {"aCPU2+Dual", "radii below 2^-46, whose squares binary32 does not hold"},
-      {"Grid", "radii whose squares binary32 does not hold: above 2^59, or below 2^-46 and crowded"},
+      {"Grid", "radii above 2^59, whose squares binary32 does not hold"},
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another"},
       {"Grid", "at most 2,048 spheres, which fill a quarter of their box"},
-      {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty"},
+      {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty, or of unlike radii"},
   }};
   return all[kind];
 }
@@ -35,11 +35,10 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent) {
   constexpr std::uint32_t few = 2048;  // no node of 128 spheres can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
     if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius) return &info(wide);
-    const bool full = fill(n, extent) > crowded;
-    if (extent.greatest_radius < least) return full ? &info(out_of_range) : &info(tiny);
-    if (extent.greatest_radius > greatest) return &info(out_of_range);
-    if (n <= few && extent.greatest_radius <= 2 * extent.least_radius)
-      return full ? &info(short_crowded) : &info(short_sparse);
+    const bool full = fill(n, extent) > crowded, like = extent.greatest_radius <= 2 * extent.least_radius;
+    if (extent.greatest_radius < least) return full ? nullptr : &info(tiny);
+    if (extent.greatest_radius > greatest) return full ? nullptr : &info(vast);
+    if (n <= few) return full && like ? &info(short_crowded) : &info(short_sparse);
   }
   return nullptr;
 }
