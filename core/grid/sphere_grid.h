@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/executor/large_vector.h"
+#include "catena/core/executor/team.h"
 #include "catena/core/grid/bucket_map.h"
 
 namespace catena {
@@ -11,7 +14,7 @@ namespace catena {
 /// The spheres of a chain sorted into the buckets of cells. Spheres of similar radius make a *level*, coarse
 /// ones first: the cells of a level are as wide as two of its greatest radius, so what overlaps a sphere of
 /// this or a finer level lies in the 27 cells around it. The fields of the spheres stand in the order of
-/// levels and buckets; a place in that order is a *place*. 36 bytes a sphere, 4 more where radii differ by
+/// levels and buckets; a place in that order is a *place*. 28 bytes a sphere, 8 more where radii differ by
 /// more than a factor of 2.
 struct SphereGrid {
   struct Level {
@@ -24,9 +27,9 @@ struct SphereGrid {
   };
 
   std::vector<Level> levels;
-  std::vector<std::uint32_t> start;
-  std::vector<float> x, y, z, radius;  ///< by place
-  std::vector<std::uint32_t> index;    ///< of the sphere in the chain, by place
+  LargeVector<std::uint32_t> start;
+  LargeVector<float> x, y, z, radius;  ///< by place
+  LargeVector<std::uint32_t> index;    ///< of the sphere in the chain, by place
 
   /// Spheres whose radii are within a factor of 2.
   struct Octave {
@@ -34,12 +37,23 @@ struct SphereGrid {
     float greatest;            ///< radius
   };
 
-  /// Of the build: the octaves, coarse ones first; the spheres by octave, empty where there is one level; and
-  /// by their number there, bucket and how many came into it before.
+  /// Spheres that follow one another, by octave: how many, later where the next one goes.
+  struct OctavePart {
+    static constexpr std::size_t octaves =
+        280;  ///< from the greatest binary32 number to the least; points last
+    std::array<std::uint32_t, octaves> spheres{};
+    std::array<float, octaves> greatest{};
+  };
+
+  /// Of the build: the octaves, coarse ones first.
   std::vector<Octave> octaves;
-  std::vector<std::uint32_t> members, bucket, rank;
+  /// The spheres by octave, in the order of the chain in each; empty where that is one level of all spheres.
+  /// And by their number there their places, where there are several levels.
+  LargeVector<std::uint32_t> members, place;
+  std::vector<OctavePart> octave_parts;
   std::vector<std::uint32_t> part_place;  ///< first places of parts of the buckets that threads share out
 
+  std::uint32_t spheres() const { return static_cast<std::uint32_t>(index.size() - margin); }
   std::uint32_t member(std::uint32_t at) const { return members.empty() ? at : members[at]; }
 
   /// How many numbers past the last may be read from the fields.
@@ -48,6 +62,7 @@ struct SphereGrid {
 
 /// Sorts the spheres, or `only` those of these indices, by octave of their radius and makes room for all but
 /// the levels. O(n); does not allocate when neither n nor the number of octaves has grown.
-void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid);
+void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid,
+                    const Team& team);
 
 }  // namespace catena
