@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "catena/core/plan/omissions.h"
@@ -90,20 +92,28 @@ std::vector<Task> tasks_of(const bench::Workload& work) {
   return tasks;
 }
 
-/// What auto left out of this task, each with what it costs to do it.
+bool left_out(const Plan& plan, const std::string& step) {
+  const auto found = std::ranges::find(plan, step, &Decision::step);
+  return found != plan.end() && found->left_out;
+}
+
+/// What auto left out of this task and of none before it, each with what it costs to do it. What is left out
+/// all the same (no device is there) saves nothing.
 void add_task(nlohmann::ordered_json& rows, const bench::Workload& work, const Task& task,
-              const Profile& profile) {
+              std::set<std::string>& seen, const Profile& profile) {
   Planned all("auto", task);
   for (std::size_t k = 0; k < 4 * task.frames.size(); ++k) all.run();  // until it knows what pays
   for (const Decision& step : all.plan()) {
     const auto omission = std::ranges::find(all_omissions(), step.step, &OmissionInfo::step);
-    if (!step.left_out || omission == all_omissions().end()) continue;
+    if (!step.left_out || omission == all_omissions().end() || seen.contains(step.step)) continue;
     Planned kept(fmt::format("auto(keep={})", omission->name), task);
     for (std::size_t k = 0; k < task.frames.size(); ++k) kept.run(), all.run();
+    if (left_out(kept.plan(), step.step)) continue;
+    seen.insert(step.step);
     Planned fresh("auto", task);
     Planned fresh_kept(fmt::format("auto(keep={})", omission->name), task);
     fresh.run(), fresh_kept.run();
-    rows.push_back(saving(work.label + task.what, step.step,
+    rows.push_back(saving(work.label, step.step + task.what,
                           fmt::format("{} (--no-omit {})", step.reason, omission->name),
                           same(fresh.found(), fresh_kept.found()), [&] { return kept.run(); },
                           [&] { return all.run(); }, profile));
@@ -117,8 +127,9 @@ void add_planned_savings(nlohmann::ordered_json& rows, const Profile& profile) {
   if (std::ranges::find(variants, "auto", &VariantInfo::name) == variants.end()) return;
   for (const auto& spec : profile.planned_inputs) {
     const auto work = bench::workload({spec});
+    std::set<std::string> seen;
     for (const Task& task : tasks_of(*work))
-      attempt("auto", [&] { add_task(rows, *work, task, profile); });
+      attempt("auto", [&] { add_task(rows, *work, task, seen, profile); });
   }
 }
 
