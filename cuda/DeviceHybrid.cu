@@ -12,6 +12,7 @@
 #include "catena/cuda/device_buckets.cuh"
 #include "catena/cuda/device_sphere_cells.cuh"
 #include "catena/cuda/device_warp.cuh"
+#include "catena/cuda/node_meetings.cuh"
 
 namespace catena::cuda {
 namespace {
@@ -44,13 +45,16 @@ __global__ void __launch_bounds__(threads)
 }
 
 struct BlockChunks {
-  std::uint32_t chunks;
-  __device__ std::uint32_t operator()() const { return chunks; }
+  CapsuleBlocks blocks;
+  __device__ std::uint32_t operator()() const {
+    return blocks.state->listed != 0 ? Buckets::chunks(blocks.table) : 0;
+  }
   __device__ float* square_sum() const { return nullptr; }
 };
 
 __global__ void __launch_bounds__(256) place_blocks(const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
+  if (blocks.state->listed == 0) return;
   const std::uint32_t b = blockIdx.x * blockDim.x + threadIdx.x;
   if (b < blocks.blocks) BlockMeeting(blocks).place(b);
 }
@@ -59,6 +63,7 @@ __global__ void __launch_bounds__(BlockMeetings::threads)
     meet_blocks(const __grid_constant__ CapsuleBlocks blocks) {
   __shared__ BlockMeetings::Shared shared;
   await_previous();
+  if (blocks.state->levels == 0) return;
   BlockMeetings(blocks, shared).meet();
 }
 
@@ -72,6 +77,7 @@ __global__ void __launch_bounds__(threads)
   __shared__ struct { std::uint8_t block, work; } item[together * kinds];
   __shared__ std::uint32_t items;
   __shared__ PairStage::Shared shared;
+  await_previous();
   const DeviceWarp warp;
   const BlockComparison comparison(warp, chain, blocks);
   const std::uint32_t first = blockIdx.x * together, b = first + threadIdx.x;
@@ -95,7 +101,7 @@ struct CrowdedSpheres {
   CapsuleBlocks blocks;
   std::uint32_t size;
   __device__ bool any() const { return blocks.state->any != 0; }
-  __device__ std::uint32_t asked() const { return blocks.blocks * CapsuleBlocks::block; }
+  __device__ std::uint32_t asked() const { return blocks.state->places * CapsuleBlocks::block; }
   __device__ std::uint32_t block(std::uint32_t k) const { return blocks.id[k / CapsuleBlocks::block] >> 5; }
   __device__ std::uint32_t sphere(std::uint32_t k) const {
     return block(k) * CapsuleBlocks::block + k % CapsuleBlocks::block;
@@ -104,8 +110,9 @@ struct CrowdedSpheres {
   __device__ std::uint32_t expected() const { return blocks.crowded_spheres(); }
 };
 
-/// DeviceHybrid: capsules of 32 consecutive spheres in hashed cells; blocks that meet too many others,
-/// decided on the device for each, are searched among one another as in DeviceGrid.
+/// DeviceHybrid: capsules of 32 consecutive spheres in a tree of boxes in the order of the chain; in hashed cells
+/// where that says little of what is near; and blocks that meet too many others are searched among one another as in
+/// DeviceGrid. Decided on the device, for each.
 template <class Arithmetic>
 class DeviceHybrid final : public ResidentVariant {
  public:
@@ -120,10 +127,12 @@ class DeviceHybrid final : public ResidentVariant {
   void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     lay_out(chain, stream);
-    const std::uint32_t n = blocks_.blocks, chunks = Buckets::chunks(blocks_.table);
+    const std::uint32_t n = blocks_.blocks;
     launch_blocks(enclose_blocks, up(n, warps * WarpSpheres::blocks), threads, stream, chain, blocks_);
     if (n == 0) return;
-    launch_next<allocate_buckets<BlockChunks>>(chunks, 256, stream, blocks_.buckets, BlockChunks{chunks});
+    nodes_.enqueue(blocks_, &state_.data()->nodes, stream);
+    launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256, stream,
+                                               blocks_.buckets, BlockChunks{blocks_});
     launch_next<place_blocks>(up(n, 256), 256, stream, blocks_);
     launch_next<meet_blocks>(up(n, BlockMeetings::together), BlockMeetings::threads, stream, blocks_);
     cells_.enqueue_build(chain, {blocks_, chain.size}, &state_.data()->cells, stream);
@@ -133,8 +142,8 @@ class DeviceHybrid final : public ResidentVariant {
                       StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      launch_blocks(compare_blocks<decltype(tests)>, up(blocks_.blocks, 32), threads, stream, chain, blocks_,
-                    answer, request.queries.within(chain.size));
+      launch_next<compare_blocks<decltype(tests)>>(up(blocks_.blocks, 32), threads, stream, chain, blocks_, answer,
+                                                   request.queries.within(chain.size));
       cells_.template enqueue_search<decltype(tests)>(chain, request, answer, stream);
     });
     in_range_ = in_range<Arithmetic>(chain);
@@ -160,13 +169,17 @@ class DeviceHybrid final : public ResidentVariant {
     blocks_.buckets = buckets_.reserve(blocks_.table, n, &state->blocks.places, stream);
   }
 
+  static constexpr std::uint32_t most_blocks = 2112;  ///< of a kernel that loops over its share
+
   struct State {
     CapsuleBlocks::State blocks;
+    BlockNodes::State nodes;
     SphereCells::State cells;
   };
 
   const std::uint32_t crowd_;
   CapsuleBlocks blocks_{};
+  DeviceBlockNodes nodes_;
   DeviceBuffer<State> state_;
   DeviceBuffer<BlockCapsule> capsule_;
   DeviceBuffer<CapsuleBall> ball_;
@@ -179,7 +192,7 @@ class DeviceHybrid final : public ResidentVariant {
 
 const RegisterVariant<DeviceHybrid, Robust> registered{
     {.name = "DeviceHybrid",
-     .summary = "capsules of 32 spheres in hashed cells, and DeviceGrid where they are crowded",
+     .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, DeviceGrid where crowded",
      .place = Place::device(),
      .parameters = with_device({{"crowd", "8", "a block that meets more others is left to the grid"}}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7},

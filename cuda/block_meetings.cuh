@@ -29,7 +29,7 @@ class BlockMeetings {
 
   __device__ void meet() const {
     const std::uint32_t b = first_ + threadIdx.x % together;
-    const std::uint32_t own_level = b < blocks_.blocks ? blocks_.level(b) : ~0u;
+    const std::uint32_t own_level = b < blocks_.blocks && blocks_.tangled(b) ? blocks_.level(b) : ~0u;
     if (threadIdx.x == 0) shared_.crowded = 0;
     for (std::uint32_t levels = blocks_.state->levels; levels != 0; levels &= levels - 1) {
       const std::uint32_t level = lowest_bit(levels);

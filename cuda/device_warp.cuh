@@ -25,6 +25,20 @@ struct DeviceTeam {
   __device__ auto each(const F& value) const {
     return Lanes<decltype(value(0u))>{value(lane())};
   }
+  template <class F>
+  __device__ float greatest(const F& number) const {
+    float result = number(lane());
+    for (std::uint32_t step = 1; step < lanes; step *= 2)
+      result = fmaxf(result, __shfl_xor_sync(all, result, static_cast<int>(step)));
+    return result;
+  }
+  template <class F>
+  __device__ float sum(const F& number) const {
+    float result = number(lane());
+    for (std::uint32_t step = 1; step < lanes; step *= 2)
+      result += __shfl_xor_sync(all, result, static_cast<int>(step));
+    return result;
+  }
 };
 
 struct DeviceWarp : DeviceTeam<32> {
@@ -70,14 +84,9 @@ struct DeviceQuad : DeviceTeam<4> {
     return (__ballot_sync(all, own) >> (DeviceWarp::lane() & ~(lanes - 1)) & (1u << lanes) - 1) ==
            0;
   }
-  template <class F>
-  __device__ float greatest(const F& number) const {
-    float result = number(lane());
-    for (std::uint32_t step = 1; step < lanes; step *= 2)
-      result = fmaxf(result, __shfl_xor_sync(all, result, static_cast<int>(step)));
-    return result;
-  }
 };
+
+using DeviceOctet = DeviceTeam<8>;
 
 /// How much the lanes before the calling one have together, of a warp that comes whole; `all` is what all
 /// have.

@@ -10,8 +10,9 @@
 
 namespace catena {
 
-/// The capsules of *blocks* of 32 consecutive spheres in hashed cells: plain pointers, valid in one memory
-/// space. A level's cells are as wide as two capsules of it at most reach, in powers of two, so that what a
+/// The capsules of *blocks* of 32 consecutive spheres: plain pointers, valid in one memory space. Whom a block
+/// meets is first asked of a tree in the order of the chain (BlockNodes). Tangled blocks, of which that says little,
+/// are put into hashed cells, and looked for there by one another. A level's cells are as wide as two capsules of it at most reach, in powers of two, so that what a
 /// capsule meets of its own level or a coarser one lies in the 27 cells around its centre, and no rounding is
 /// in the cells.
 ///
@@ -19,20 +20,24 @@ namespace catena {
 /// than `dense` capsules, or it meets more than `crowd` others of its level or coarser ones, or more than
 /// `most_met` finer ones. Pairs of two crowded blocks are left to another search; all others are found here,
 /// by work that is bounded for each block. A cell with more than `dense` capsules holds crowded blocks only,
-/// so that no others need to be looked for there.
+/// so that no others need to be looked for there. Crowded blocks that are not tangled have a place in the cells too, for
+/// the sake of their order in space, but no level, and nobody looks for them.
 struct CapsuleBlocks {
   static constexpr std::uint32_t block = 32;  ///< spheres
   static constexpr std::uint32_t dense = 96;
   static constexpr std::uint32_t most_partners = 8, most_met = 32;
   static constexpr std::uint32_t most_window = block - 1;
-  static constexpr std::uint8_t is_ordered = 0x80;
+  static constexpr std::uint8_t is_ordered = 0x80, is_tangled = 0x40, has_place = 0x20, level_bits = 0x1F;
+  static constexpr std::uint32_t no_level = level_bits;
+  static constexpr std::uint32_t mutual = 0x80000000u;  ///< of a partner: it has this one too
   static constexpr int least_width = -4;  ///< log2 of the width of level 0's cells
 
   struct State {
     std::uint32_t places;   ///< blocks that were sorted
-    std::uint32_t levels;   ///< bit k: there are capsules of level k
+    std::uint32_t levels;   ///< bit k: there are tangled blocks of level k
     std::uint32_t crowded;  ///< crowded blocks of every `sample`-th, about
     std::uint32_t any;      ///< not 0: there is a crowded block
+    std::uint32_t listed;   ///< not 0: there is one that has a place
   };
 
   CellTable table;
@@ -41,10 +46,10 @@ struct CapsuleBlocks {
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
-  std::uint8_t* shape;      ///< by block: its level, and is_ordered (BlockShape)
+  std::uint8_t* shape;      ///< by block: its level, and is_ordered (BlockShape), is_tangled, has_place
   Buckets buckets;          ///< of blocks
   CapsuleBall* ball;        ///< by place
-  std::uint32_t* id;        ///< by place: 32 times the block, and its level
+  std::uint32_t* id;        ///< by place: 32 times the block, and its level or no_level
   std::uint32_t* partners;  ///< by block: how many it met; anything above `crowd` where it is crowded
   std::uint32_t* partner;   ///< by block, most_partners each
   std::uint32_t* met;       ///< by block: finer ones that met it
@@ -74,7 +79,9 @@ struct CapsuleBlocks {
   CATENA_HD bool settled(std::uint32_t a, std::uint32_t b) const {
     return a == b || (b == a + 1 && ordered(a)) || (a == b + 1 && ordered(b));
   }
-  CATENA_HD std::uint32_t level(std::uint32_t b) const { return shape[b] & ~std::uint32_t{is_ordered}; }
+  CATENA_HD std::uint32_t level(std::uint32_t b) const { return shape[b] & level_bits; }
+  CATENA_HD bool tangled(std::uint32_t b) const { return (shape[b] & is_tangled) != 0; }
+  CATENA_HD bool placed(std::uint32_t b) const { return (shape[b] & has_place) != 0; }
   /// About how many spheres are in crowded blocks, once all have met; no more than there are blocks for.
   CATENA_HD std::uint32_t crowded_spheres() const {
     const std::uint32_t about = state->crowded * sample;

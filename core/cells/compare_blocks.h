@@ -31,13 +31,15 @@ class BlockComparison {
   CATENA_HD void plan(std::uint32_t b, const Add& add) const {
     const bool ordered = blocks_.ordered(b);
     if (blocks_.crowded(b)) {
-      if (blocks_.state->levels >> blocks_.level(b) >> 1 != 0) add(Work::coarser);
+      if (blocks_.tangled(b) && blocks_.state->levels >> blocks_.level(b) >> 1 != 0) add(Work::coarser);
     } else {
       if (!ordered) add(Work::within);
       for (std::uint32_t k = 0; k < blocks_.partners[b]; ++k) {
-        const std::uint32_t id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
-        // Of one level both met the other.
-        if (id > b || blocks_.crowded(id) || blocks_.level(id) != blocks_.level(b)) add(static_cast<Work>(k));
+        const std::uint32_t stored = blocks_.partner[b * CapsuleBlocks::most_partners + k],
+                            id = stored & ~CapsuleBlocks::mutual;
+        // In the tree, and in cells of one level, both met the other.
+        const bool both = stored != id || blocks_.level(id) == blocks_.level(b);
+        if (id > b || blocks_.crowded(id) || !both) add(static_cast<Work>(k));
       }
     }
     const bool neighbours =
@@ -52,7 +54,7 @@ class BlockComparison {
     if (work == Work::adjacent) return compare_adjacent<Tests>(b, sink);
     if (work == Work::coarser) return compare_with_coarser<Tests>(b, sink);
     const std::uint32_t k = static_cast<std::uint32_t>(work),
-                        id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
+                        id = blocks_.partner[b * CapsuleBlocks::most_partners + k] & ~CapsuleBlocks::mutual;
     compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
   }
 

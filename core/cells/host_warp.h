@@ -52,6 +52,12 @@ struct HostTeam {
     for (std::uint32_t lane = 1; lane < lanes; ++lane) result = std::max(result, number(lane));
     return result;
   }
+  template <class F>
+  float sum(const F& number) const {
+    float result = number(0u);
+    for (std::uint32_t lane = 1; lane < lanes; ++lane) result += number(lane);
+    return result;
+  }
   /// What one lane has, for all.
   template <class T>
   T from(const Lanes<T>& value, std::uint32_t lane) const {
@@ -61,5 +67,6 @@ struct HostTeam {
 
 using HostWarp = HostTeam<32>;
 using HostQuad = HostTeam<4>;
+using HostOctet = HostTeam<8>;
 
 }  // namespace catena
