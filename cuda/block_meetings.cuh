@@ -24,8 +24,9 @@ class BlockMeetings {
     std::uint32_t used, crowded;
   };
 
-  __device__ BlockMeetings(const CapsuleBlocks& blocks, Shared& shared)
-      : blocks_(blocks), meeting_(blocks), shared_(shared), first_(blockIdx.x * together) {}
+  /// For the blocks from `first` on. Threads of one block may go on to others after a barrier.
+  __device__ BlockMeetings(const CapsuleBlocks& blocks, Shared& shared, std::uint32_t first)
+      : blocks_(blocks), meeting_(blocks), shared_(shared), first_(first) {}
 
   __device__ void meet() const {
     const std::uint32_t b = first_ + threadIdx.x % together;

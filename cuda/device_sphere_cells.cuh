@@ -29,6 +29,31 @@ __device__ void for_each_of_mine(std::uint32_t count, const Body& body) {
        k += std::uint64_t{gridDim.x} * blockDim.x)
     body(static_cast<std::uint32_t>(k));
 }
+/// The same for members, some at a time: of each first get(sphere), then use(sphere, what it got), so that what the
+/// first ones read is on its way together.
+template <class Members, class Get, class Use>
+__device__ void for_members_together(const Members& members, const Get& get, const Use& use) {
+  constexpr std::uint32_t together = 4;
+  const std::uint64_t asked = members.asked(), step = std::uint64_t{gridDim.x} * blockDim.x;
+  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; first < asked;
+       first += together * step) {
+    std::uint32_t sphere[together];
+    decltype(get(0u)) got[together];
+    bool in[together];
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k) {
+      const std::uint64_t at = first + k * step;
+      in[k] = at < asked && members.takes(static_cast<std::uint32_t>(at));
+      sphere[k] = in[k] ? members.sphere(static_cast<std::uint32_t>(at)) : 0;
+    }
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k)
+      if (in[k]) got[k] = get(sphere[k]);
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k)
+      if (in[k]) use(sphere[k], got[k]);
+  }
+}
 template <class Members, class Body>
 __device__ void for_each_member(const Members& members, const Body& body) {
   for_each_of_mine(members.asked(), [&](std::uint32_t k) {
@@ -43,7 +68,10 @@ __global__ void __launch_bounds__(256)
   await_previous();
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
-  for_each_member(members, [&](std::uint32_t i) { cells.enter(table, chain.spheres[i], i, 0); });
+  for_members_together(
+      members,
+      [&](std::uint32_t i) { return fetch_add(cells.buckets.count + cells.bucket_of(table, chain.spheres[i], 0), 1); },
+      [&](std::uint32_t i, std::uint32_t rank) { cells.buckets.rank[i] = rank; });
 }
 
 /// Anew, by octaves, where there are too many in the cells of one level.
@@ -91,12 +119,22 @@ __global__ void __launch_bounds__(256)
   await_previous();
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
-  for_each_member(members, [&](std::uint32_t i) { cells.place(table, chain.spheres[i], i); });
+  struct Placed {
+    Sphere sphere;
+    std::uint32_t at;
+  };
+  for_members_together(
+      members,
+      [&](std::uint32_t i) {
+        const Sphere s = chain.spheres[i];
+        return Placed{s, cells.place_of(table, s, i)};
+      },
+      [&](std::uint32_t i, const Placed& placed) { cells.put(placed.sphere, i, placed.at); });
 }
 
 /// Of spheres in one level; in the order of places, in which the threads of a warp look into the same cells.
 template <class Tests, bool equal_radii, class Members>
-__global__ void __launch_bounds__(128, 8)
+__global__ void __launch_bounds__(128, SEARCH_MIN)
     search_one_level(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                      const __grid_constant__ Members members, const __grid_constant__ ResidentAnswer answer,
                      SphereRange queries) {

@@ -123,8 +123,10 @@ __global__ void __launch_bounds__(128)
 __global__ void __launch_bounds__(256)
     enter_tangled(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
-  const std::uint32_t b = blockIdx.x * blockDim.x + threadIdx.x;
-  if (b < blocks.blocks) BlockMeeting(blocks).enter(b, nodes.tangled(0, b));
+  if (nodes.state->tangled == 0 && blocks.state->any == 0) return;
+  const BlockMeeting meeting(blocks);
+  for (std::uint32_t b = blockIdx.x * blockDim.x + threadIdx.x; b < blocks.blocks; b += gridDim.x * blockDim.x)
+    meeting.enter(b, nodes.tangled(0, b));
 }
 
 /// A BlockNodes on a device: its memory, and its steps as kernels, none of which the host waits for.
@@ -144,7 +146,7 @@ class DeviceBlockNodes {
     launch_next<meet_at_top>(std::min((of_top * ((of_top + 31) / 32) + 7) / 8, most_blocks), 256, stream, nodes, blocks);
     for (std::uint32_t level = nodes.top; level > 0; --level)
       launch_next<meet_below>(std::min((nodes.count[level] * 4 + 7) / 8, most_blocks), 128, stream, nodes, blocks, level);
-    launch_next<enter_tangled>((blocks.blocks + 255) / 256, 256, stream, nodes, blocks);
+    launch_next<enter_tangled>(std::min((blocks.blocks + 255) / 256, most_blocks), 256, stream, nodes, blocks);
   }
 
  private:

@@ -37,7 +37,9 @@ void expect_exact(const Chain& chain, const std::string& what, bool with_pairs =
     if (info.unavailable || !info.name.starts_with("Device")) continue;
     std::vector<std::string> names{info.name};
     if (info.name.starts_with("DeviceHybrid"))
-      names.insert(names.end(), {info.name + "(crowd=0)", info.name + "(crowd=2)"});
+      for (const char* p : {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
+                            "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)"})
+        names.push_back(info.name + p);
     for (const std::string& name : names) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
@@ -97,7 +99,7 @@ TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
     ChainView chain{};
     chain.size = n;
     CapsuleBlocks::State state{};
-    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1);
+    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1, 0, 0);
     blocks.state = &state;
     for (std::uint32_t b = 0; b < blocks.blocks; b += blocks.sample) ++state.crowded;
     EXPECT_EQ(&cells.table_for(blocks.crowded_spheres()), &cells.table_for(n)) << n;

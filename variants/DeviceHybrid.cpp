@@ -23,12 +23,14 @@ class DeviceHybridOnHost final : public HostSearch {
  public:
   explicit DeviceHybridOnHost(const Parameters& parameters)
       : crowd_(static_cast<std::uint32_t>(
-            parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))) {}
+            parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
+        least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
+        least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)) {}
 
   Plan plan() const override {
     Plan plan = range_checks_plan<Arithmetic>(in_range_);
-    std::uint32_t crowded = 0, tangled = 0;
-    for (std::uint32_t b = 0; built() && b < blocks_.blocks; ++b)
+    std::uint32_t crowded = blocks_.all_crowded ? blocks_.blocks : 0, tangled = 0;
+    for (std::uint32_t b = 0; built() && !blocks_.all_crowded && b < blocks_.blocks; ++b)
       crowded += blocks_.crowded(b), tangled += blocks_.tangled(b);
     plan.push_back({"capsules in cells", tangled == 0,
                     fmt::format("{} of {} blocks of 32 spheres are tangled", tangled, blocks_.blocks)});
@@ -40,6 +42,7 @@ class DeviceHybridOnHost final : public HostSearch {
  private:
   void construct(const ChainView& chain) override {
     lay_out(chain);
+    if (blocks_.all_crowded) return cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
     const BlockMeeting meeting(blocks_);
     for (std::uint32_t b = 0; b < blocks_.blocks; ++b)
       meeting.enclose(
@@ -56,7 +59,7 @@ class DeviceHybridOnHost final : public HostSearch {
     LaneSink sink{collector.lane(0)};
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
       const BlockComparison<HostWarp> comparison(warp_, chain, blocks_);
-      for (std::uint32_t b = 0; b < blocks_.blocks && !sink.satisfied(); ++b)
+      for (std::uint32_t b = 0; !blocks_.all_crowded && b < blocks_.blocks && !sink.satisfied(); ++b)
         comparison.plan(b, [&](auto work) { comparison.template compare<decltype(tests)>(b, work, sink); });
       cells_.search<decltype(tests)>(chain, sink);
     });
@@ -130,7 +133,8 @@ class DeviceHybridOnHost final : public HostSearch {
   }
 
   void lay_out(const ChainView& chain) {
-    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent));
+    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent), least_, least_in_cells_);
+    if (blocks_.all_crowded) return;
     const std::size_t n = blocks_.blocks;
     capsule_.resize(n), shape_.resize(n), ball_.resize(n), id_.resize(n);
     partners_.resize(n), met_.resize(n), partner_.resize(CapsuleBlocks::most_partners * n);
@@ -154,6 +158,7 @@ class DeviceHybridOnHost final : public HostSearch {
   }
 
   const std::uint32_t crowd_;
+  const std::uint64_t least_, least_in_cells_;
   HostWarp warp_;
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
@@ -174,7 +179,9 @@ class DeviceHybridOnHost final : public HostSearch {
 const RegisterVariant<DeviceHybridOnHost, Robust> registered{
     {.name = "DeviceHybrid@host",
      .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, DeviceGrid where crowded",
-     .parameters = {{"crowd", "8", "a block that meets more others is left to the grid"}}}};
+     .parameters = {{"crowd", "8", "a block that meets more others is left to the grid"},
+                    {"least", "262144", "chains of fewer spheres are left to the grid"},
+                    {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"}}}};
 
 }  // namespace
 }  // namespace catena

@@ -24,6 +24,7 @@ struct BlockNodes {
 
   struct State {
     std::uint32_t meetings[most_levels];  ///< by level: how many came, those without room too
+    std::uint32_t tangled;                ///< not 0: there is a crowded node
   };
 
   std::uint32_t top;                 ///< level, at least 1
@@ -121,15 +122,20 @@ class NodeMeeting {
   }
 
   /// Two nodes of a level >= 1 met: whether the meeting is to be put into the level's list. If not, both are tangled.
+  /// Numbers only grow, so that what is seen to be crowded stays so, and needs not be counted further.
   CATENA_HD bool note(std::uint32_t level, std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t crowd = nodes_.crowd(level), of_a = fetch_add(nodes_.met + nodes_.at(level, a), 1),
-                        of_b = fetch_add(nodes_.met + nodes_.at(level, b), 1);
+    const std::uint32_t crowd = nodes_.crowd(level);
+    std::uint32_t *const met_a = nodes_.met + nodes_.at(level, a), *const met_b = nodes_.met + nodes_.at(level, b);
+    if (seen(met_a) > crowd && seen(met_b) > crowd) return false;
+    const std::uint32_t of_a = fetch_add(met_a, 1), of_b = fetch_add(met_b, 1);
+    if (of_a == crowd || of_b == crowd) set_bits(&nodes_.state->tangled, 1);
     return of_a < crowd || of_b < crowd;
   }
   /// There is no room: both are tangled from now on.
   CATENA_HD void give_up(std::uint32_t level, std::uint32_t a, std::uint32_t b) const {
     fetch_add(nodes_.met + nodes_.at(level, a), nodes_.crowd(level) + 1);
     fetch_add(nodes_.met + nodes_.at(level, b), nodes_.crowd(level) + 1);
+    set_bits(&nodes_.state->tangled, 1);
   }
 
  private:

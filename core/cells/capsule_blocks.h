@@ -43,6 +43,8 @@ struct CapsuleBlocks {
   CellTable table;
   float scale;  ///< block_scale: all capsules are of the chain times this
   std::uint32_t blocks, crowd, sample;
+  bool all_crowded;  ///< nothing is asked of blocks: the chain is too short for it to pay
+  bool in_cells;  ///< tangled blocks are put into cells; else, where there are few blocks, they count as crowded
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
@@ -57,13 +59,15 @@ struct CapsuleBlocks {
 
   CATENA_HD static std::uint32_t blocks_of(std::uint32_t n) { return n / block + (n % block != 0); }
   /// What sizes and numbers a chain has; memory is the caller's to give.
-  static CapsuleBlocks of(const ChainView& chain, std::uint32_t crowd, float scale) {
+  static CapsuleBlocks of(const ChainView& chain, std::uint32_t crowd, float scale, std::uint64_t least, std::uint64_t least_in_cells) {
     CapsuleBlocks result{};
     result.blocks = blocks_of(chain.size);
     result.table = CellTable::of(4 * result.blocks);
     result.scale = scale;
     result.crowd = crowd;
     result.sample = 1 + result.blocks / 8192;
+    result.all_crowded = chain.size < least;
+    result.in_cells = chain.size >= least_in_cells && !result.all_crowded;
     // Elsewhere two spheres next to one another may belong to different strands, or be no neighbours.
     const bool one_window = chain.strand_count == 1 && chain.exclusion.rule == Exclusion::Rule::index_window;
     result.window = one_window ? std::min(chain.exclusion.window, most_window) : 1;

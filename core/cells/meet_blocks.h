@@ -37,7 +37,8 @@ class BlockMeeting {
 
   /// Step 3, for each block.
   CATENA_HD void enter(std::uint32_t b, bool tangled) const {
-    if (!tangled && !blocks_.crowded(b)) return;
+    if (tangled && !blocks_.in_cells) return crowd(b);
+    if (!blocks_.in_cells || (!tangled && !blocks_.crowded(b))) return;
     const std::uint32_t level = blocks_.level(b);
     blocks_.shape[b] |= CapsuleBlocks::has_place | (tangled ? CapsuleBlocks::is_tangled : 0);
     blocks_.buckets.enter(blocks_.bucket_of(blocks_.capsule[b], level), b);
