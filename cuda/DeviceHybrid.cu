@@ -28,7 +28,7 @@ struct WarpSpheres {
 };
 
 /// Four threads a block of spheres.
-__global__ void __launch_bounds__(threads, ENCLOSE_MIN)
+__global__ void __launch_bounds__(threads)
     enclose_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks) {
   __shared__ WarpSpheres shared[warps];
   WarpSpheres& own = shared[threadIdx.x / 32];
@@ -194,7 +194,7 @@ class DeviceHybrid final : public ResidentVariant {
     blocks_.buckets = buckets_.reserve(blocks_.table, n, &state->blocks.places, stream);
   }
 
-  static constexpr std::uint32_t most_blocks = 2112;  ///< of a kernel that loops over its share
+  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel that loops over its share
 
   struct State {
     CapsuleBlocks::State blocks;

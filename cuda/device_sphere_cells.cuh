@@ -115,10 +115,14 @@ struct CellChunks {
 template <class Members>
 __global__ void __launch_bounds__(256)
     place_in_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
-                   const __grid_constant__ Members members) {
+                   const __grid_constant__ Members members, bool gathered) {
   await_previous();
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
+  if (gathered) {  // scattered quarters of sectors cost as much as whole ones
+    for_each_member(members, [&](std::uint32_t i) { cells.index[cells.place_of(table, chain.spheres[i], i)] = i; });
+    return;
+  }
   struct Placed {
     Sphere sphere;
     std::uint32_t at;
@@ -132,9 +136,19 @@ __global__ void __launch_bounds__(256)
       [&](std::uint32_t i, const Placed& placed) { cells.put(placed.sphere, i, placed.at); });
 }
 
+/// What place_in_cells leaves to be gathered: the spheres, whose numbers lie at the places.
+__global__ static void __launch_bounds__(256)
+    gather_in_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells) {
+  await_previous();
+  for_each_of_mine(cells.places(), [&](std::uint32_t at) {
+    const std::uint32_t i = cells.index[at];
+    cells.put(chain.spheres[i], i, at);
+  });
+}
+
 /// Of spheres in one level; in the order of places, in which the threads of a warp look into the same cells.
 template <class Tests, bool equal_radii, class Members>
-__global__ void __launch_bounds__(128, SEARCH_MIN)
+__global__ void __launch_bounds__(128, 8)
     search_one_level(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                      const __grid_constant__ Members members, const __grid_constant__ ResidentAnswer answer,
                      SphereRange queries) {
@@ -196,7 +210,8 @@ class DeviceSphereCells {
     const std::uint32_t n = size_ = chain.size;
     const CellTable& largest = cells_.table_for(n);
     cells_.buckets = buckets_.reserve(largest, n, &state->places[0], stream);
-    if (!cells_.octaves.equal) cells_.index = index_.reserve(n, stream);
+    const bool gathered = n >= least_gathered;
+    if (!cells_.octaves.equal || gathered) cells_.index = index_.reserve(n, stream);
     const std::size_t room = n + std::size_t{SphereCells::at_once};
     if (room > sphere_.capacity())  // so that what is read behind the last place was written
       CATENA_CUDA(cudaMemsetAsync(sphere_.reserve(room, stream), 0, room * sizeof(Sphere), stream));
@@ -211,7 +226,8 @@ class DeviceSphereCells {
       launch_next<enter_octaves<Members>>(blocks, 256, stream, chain, cells_, members_);
       allocate<true>(stream);
     }
-    launch_next<place_in_cells<Members>>(blocks, 256, stream, chain, cells_, members_);
+    launch_next<place_in_cells<Members>>(blocks, 256, stream, chain, cells_, members_, gathered);
+    if (gathered) launch_next<gather_in_cells>(blocks, 256, stream, chain, cells_);
   }
 
   /// Comes after another kernel, or after anything that a stream waits for.
@@ -226,7 +242,9 @@ class DeviceSphereCells {
   }
 
  private:
-  static constexpr std::uint32_t most_blocks = 2112;  ///< of a kernel: each loops over its share
+  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
+  static constexpr std::uint32_t most_search_blocks = 4224;
+  static constexpr std::uint32_t least_gathered = 1u << 20;  ///< spheres that do not stay in a cache
 
   template <bool octaves>
   void allocate(cudaStream_t stream) const {
@@ -237,7 +255,7 @@ class DeviceSphereCells {
   template <auto kernel>
   void search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
               cudaStream_t stream) const {
-    launch_next<kernel>(std::min((chain.size + 127) / 128, 2 * most_blocks), 128, stream, chain, cells_,
+    launch_next<kernel>(std::min((chain.size + 127) / 128, most_search_blocks), 128, stream, chain, cells_,
                         members_, answer, request.queries.within(chain.size));
   }
 

@@ -26,6 +26,12 @@ struct DeviceTeam {
     return Lanes<decltype(value(0u))>{value(lane())};
   }
   template <class F>
+  __device__ bool none(const F& flag) const {
+    const bool own = flag(lane());
+    constexpr std::uint32_t of_team = lanes < 32 ? (1u << lanes % 32) - 1 : all;
+    return (__ballot_sync(all, own) >> (threadIdx.x % 32 & ~(lanes - 1)) & of_team) == 0;
+  }
+  template <class F>
   __device__ float greatest(const F& number) const {
     float result = number(lane());
     for (std::uint32_t step = 1; step < lanes; step *= 2)
@@ -77,12 +83,6 @@ struct DeviceQuad : DeviceTeam<4> {
   __device__ void once(const F& body) const {
     if (lane() == 0) body();
     __syncwarp();
-  }
-  template <class F>
-  __device__ bool none(const F& flag) const {
-    const bool own = flag(lane());
-    return (__ballot_sync(all, own) >> (DeviceWarp::lane() & ~(lanes - 1)) & (1u << lanes) - 1) ==
-           0;
   }
 };
 

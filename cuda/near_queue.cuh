@@ -8,7 +8,7 @@ namespace catena::cuda {
 /// threads find very different numbers of them. Each thread asks for one sphere at a time.
 class NearQueue {
  public:
-  static constexpr std::uint32_t room = NEAR_ROOM, most_threads = 128;
+  static constexpr std::uint32_t room = 1280, most_threads = 128;
   struct Shared {
     struct Near {
       std::uint32_t at;

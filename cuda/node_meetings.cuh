@@ -92,7 +92,7 @@ __global__ void __launch_bounds__(128)
     BlockNodes::Meeting of{item, item};
     bool live = item < all;
     if (live && !self) of = nodes.meeting[level % 2][item - own];
-    if (live) live = self ? !nodes.tangled(level, item) : !meeting.leaves_out(level, of);
+    if (live) live = self ? !meeting.settled(level, item) : !meeting.leaves_out(level, of);
     const std::uint32_t a = of.a & ~mark, b = of.b & ~mark, marks_a = of.a & mark, marks_b = of.b & mark;
     // Children that the other node may hold: eight threads for a's, eight for b's.
     std::uint32_t of_a = 0;
@@ -145,12 +145,13 @@ class DeviceBlockNodes {
     const std::uint32_t of_top = nodes.count[nodes.top];
     launch_next<meet_at_top>(std::min((of_top * ((of_top + 31) / 32) + 7) / 8, most_blocks), 256, stream, nodes, blocks);
     for (std::uint32_t level = nodes.top; level > 0; --level)
-      launch_next<meet_below>(std::min((nodes.count[level] * 4 + 7) / 8, most_blocks), 128, stream, nodes, blocks, level);
+      launch_next<meet_below>(std::min((nodes.count[level] * 4 + 7) / 8, most_blocks_below), 128, stream, nodes, blocks, level);
     launch_next<enter_tangled>(std::min((blocks.blocks + 255) / 256, most_blocks), 256, stream, nodes, blocks);
   }
 
  private:
-  static constexpr std::uint32_t most_blocks = 2112;  ///< of a kernel: each loops over its share
+  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
+  static constexpr std::uint32_t most_blocks_below = 2112;  ///< more, as some shares are much larger
   DeviceBuffer<NodeBox> box_;
   DeviceBuffer<std::uint32_t> met_;
   DeviceBuffer<BlockNodes::Meeting> meeting_[2];

@@ -11,7 +11,7 @@ namespace catena::cuda {
 /// operation on the answer's number for all of them. What finds no room here goes there at once.
 class PairStage {
  public:
-  static constexpr std::uint32_t room = STAGE_ROOM;
+  static constexpr std::uint32_t room = 1024;
   struct Shared {
     Pair pairs[room];
     std::uint32_t used;        ///< pairs that came, those without room too, and those only to be counted

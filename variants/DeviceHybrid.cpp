@@ -76,7 +76,7 @@ class DeviceHybridOnHost final : public HostSearch {
         if (meeting.may_meet_at_top(a, b)) note(meeting, nodes_.top, a, b, {0, 0});
     for (std::uint32_t level = nodes_.top; level > 0; --level) {
       for (std::uint32_t k = 0; k < nodes_.count[level]; ++k)
-        if (!nodes_.tangled(level, k)) meet_below(meeting, of_blocks, level, {k, k});
+        if (!meeting.settled(level, k)) meet_below(meeting, of_blocks, level, {k, k});
       for (std::uint32_t k = 0; k < nodes_.meetings(level); ++k)
         if (BlockNodes::Meeting of = nodes_.meeting[level % 2][k]; !meeting.leaves_out(level, of))
           meet_below(meeting, of_blocks, level, of);

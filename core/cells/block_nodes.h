@@ -90,7 +90,14 @@ class NodeMeeting {
     const auto child = [&](std::uint32_t k) { return begin + k < last ? begin + k : last; };
     if (level == 1) {
       const auto at = [&](std::uint32_t k) { return blocks_.capsule[child(k)]; };
-      return NodeFit(team, at).box();
+      const NodeFit fit(team, at);
+      NodeBox box = fit.box();
+      const bool in_a_row = fit.in_a_row(box), ordered = team.none([&](std::uint32_t k) {
+        return k + 1 < Team::lanes && !blocks_.ordered(child(k));
+      });
+      // Only where there are all eight: a copy of the last would not follow it.
+      box.in_a_row = in_a_row && ordered && begin + BlockNodes::children <= last + 1 ? 1 : 0;
+      return box;
     }
     const auto at = [&](std::uint32_t k) { return nodes_.box[nodes_.at(level - 1, child(k))]; };
     return NodeFit(team, at).box();
@@ -101,7 +108,12 @@ class NodeMeeting {
     return may_meet(nodes_.box[nodes_.at(nodes_.top, a)], nodes_.box[nodes_.at(nodes_.top, b)]);
   }
 
-  // Step 3, from the top down to level 1: of each node with itself, and each meeting that is not left out, the children.
+  // Step 3, from the top down to level 1: of each node with itself, unless it has nothing to search, and each meeting
+  // that is not left out, the children.
+  /// Nothing is left to be found among the children: they are tangled, or blocks in a row, each settled with the next.
+  CATENA_HD bool settled(std::uint32_t level, std::uint32_t node) const {
+    return (level == 1 && nodes_.box[nodes_.at(1, node)].in_a_row != 0) || nodes_.tangled(level, node);
+  }
   /// Both nodes are tangled; marks it where one is.
   CATENA_HD bool leaves_out(std::uint32_t level, Meeting& of) const {
     constexpr std::uint32_t mark = BlockNodes::below_tangled;

@@ -18,7 +18,8 @@ struct alignas(16) NodeBox {
   Vector32 centre;
   Vector32 axis[3];
   float half[3];
-  float unused;  ///< whole quarters of 16 bytes
+  /// Not 0: certain that no child meets the next but one, or a later one; known of children that are blocks.
+  std::uint32_t in_a_row;
 
   /// Slack of intervals for the way from a centre to another, relative to the sum of its sides.
   static constexpr float centre_slack = 0x1p-20f;  // 16 u
@@ -142,7 +143,6 @@ class NodeFit {
 
   CATENA_HD NodeBox box() const {
     NodeBox result;
-    result.unused = 0;
     guess(result);
     const auto first = team_.each([&](std::uint32_t lane) { return result.intervals(at_(lane)); });
     for (int k = 0; k < 3; ++k) {
@@ -155,10 +155,33 @@ class NodeFit {
     for (int k = 0; k < 3; ++k)
       result.half[k] = team_.greatest(
           [&](std::uint32_t lane) { return std::fmax(std::fmax(all[lane].high[k], -all[lane].low[k]), 0.0f); });
+    result.in_a_row = 0;
     return result;
   }
 
+  /// Whether the children follow one another along the longest axis, one way or the other.
+  CATENA_HD bool in_a_row(const NodeBox& box) const {
+    const auto along = [&](std::uint32_t k) {
+      const AxisIntervals all = box.intervals(at_(k));
+      return Interval{all.low[0], all.high[0]};
+    };
+    const auto rises = [&](std::uint32_t k, bool falling) {
+      if (k + 1 >= Team::lanes) return true;
+      const Interval own = along(k), next = along(k + 1);
+      if (falling ? next.high > own.high : next.low < own.low) return false;
+      if (k + 2 >= Team::lanes) return true;
+      const Interval later = along(k + 2);
+      return falling ? later.high < own.low : own.high < later.low;
+    };
+    const bool up = team_.none([&](std::uint32_t k) { return !rises(k, false); }),
+               down = team_.none([&](std::uint32_t k) { return !rises(k, true); });  // by all teams, whatever `up`
+    return up || down;
+  }
+
  private:
+  struct Interval {
+    float low, high;
+  };
   /// Axes and about the centre, from the children's centres.
   CATENA_HD void guess(NodeBox& box) const {
     const Vector32 origin = at_(0).centre;
