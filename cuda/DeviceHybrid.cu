@@ -135,7 +135,8 @@ class DeviceHybrid final : public ResidentVariant {
         crowd_(static_cast<std::uint32_t>(
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
-        least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)) {}
+        least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
+        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))) {}
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
@@ -147,7 +148,7 @@ class DeviceHybrid final : public ResidentVariant {
     if (n == 0) return;
     if (!blocks_.all_crowded) {
       launch_blocks(enclose_blocks, up(n, warps * WarpSpheres::blocks), threads, stream, chain, blocks_);
-      nodes_.enqueue(blocks_, &state_.data()->nodes, stream);
+      nodes_.enqueue(blocks_, meetings_, &state_.data()->nodes, stream);
     }
     if (blocks_.in_cells) {
       launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256, stream,
@@ -204,6 +205,7 @@ class DeviceHybrid final : public ResidentVariant {
 
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
+  const std::uint32_t meetings_;
   CapsuleBlocks blocks_{};
   DeviceBlockNodes nodes_;
   DeviceBuffer<State> state_;
@@ -221,8 +223,9 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
      .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, DeviceGrid where crowded",
      .place = Place::device(),
      .parameters = with_device({{"crowd", "8", "a block that meets more others is left to the grid"},
-                                {"least", "262144", "chains of fewer spheres are left to the grid"},
-                                {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"}}),
+                                {"least", "524288", "chains of fewer spheres are left to the grid"},
+                                {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
+                                {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7},
      .unavailable = unavailable}};
 

@@ -115,14 +115,10 @@ struct CellChunks {
 template <class Members>
 __global__ void __launch_bounds__(256)
     place_in_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
-                   const __grid_constant__ Members members, bool gathered) {
+                   const __grid_constant__ Members members) {
   await_previous();
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
-  if (gathered) {  // scattered quarters of sectors cost as much as whole ones
-    for_each_member(members, [&](std::uint32_t i) { cells.index[cells.place_of(table, chain.spheres[i], i)] = i; });
-    return;
-  }
   struct Placed {
     Sphere sphere;
     std::uint32_t at;
@@ -134,16 +130,6 @@ __global__ void __launch_bounds__(256)
         return Placed{s, cells.place_of(table, s, i)};
       },
       [&](std::uint32_t i, const Placed& placed) { cells.put(placed.sphere, i, placed.at); });
-}
-
-/// What place_in_cells leaves to be gathered: the spheres, whose numbers lie at the places.
-__global__ static void __launch_bounds__(256)
-    gather_in_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells) {
-  await_previous();
-  for_each_of_mine(cells.places(), [&](std::uint32_t at) {
-    const std::uint32_t i = cells.index[at];
-    cells.put(chain.spheres[i], i, at);
-  });
 }
 
 /// Of spheres in one level; in the order of places, in which the threads of a warp look into the same cells.
@@ -210,8 +196,7 @@ class DeviceSphereCells {
     const std::uint32_t n = size_ = chain.size;
     const CellTable& largest = cells_.table_for(n);
     cells_.buckets = buckets_.reserve(largest, n, &state->places[0], stream);
-    const bool gathered = n >= least_gathered;
-    if (!cells_.octaves.equal || gathered) cells_.index = index_.reserve(n, stream);
+    if (!cells_.octaves.equal) cells_.index = index_.reserve(n, stream);
     const std::size_t room = n + std::size_t{SphereCells::at_once};
     if (room > sphere_.capacity())  // so that what is read behind the last place was written
       CATENA_CUDA(cudaMemsetAsync(sphere_.reserve(room, stream), 0, room * sizeof(Sphere), stream));
@@ -226,8 +211,7 @@ class DeviceSphereCells {
       launch_next<enter_octaves<Members>>(blocks, 256, stream, chain, cells_, members_);
       allocate<true>(stream);
     }
-    launch_next<place_in_cells<Members>>(blocks, 256, stream, chain, cells_, members_, gathered);
-    if (gathered) launch_next<gather_in_cells>(blocks, 256, stream, chain, cells_);
+    launch_next<place_in_cells<Members>>(blocks, 256, stream, chain, cells_, members_);
   }
 
   /// Comes after another kernel, or after anything that a stream waits for.
@@ -244,7 +228,6 @@ class DeviceSphereCells {
  private:
   static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
   static constexpr std::uint32_t most_search_blocks = 4224;
-  static constexpr std::uint32_t least_gathered = 1u << 20;  ///< spheres that do not stay in a cache
 
   template <bool octaves>
   void allocate(cudaStream_t stream) const {

@@ -76,6 +76,10 @@ struct DeviceWarp : DeviceTeam<32> {
     return {__shfl_sync(all, value.own.x, of), __shfl_sync(all, value.own.y, of),
             __shfl_sync(all, value.own.z, of), __shfl_sync(all, value.own.radius, of)};
   }
+  template <class T>
+  __device__ Lanes<T> shifted(const Lanes<T>& value, std::uint32_t by) const {
+    return {from(value, (lane() + by) % lanes)};
+  }
 };
 
 struct DeviceQuad : DeviceTeam<4> {

@@ -59,19 +59,36 @@ class MeetingList {
   const std::uint32_t level_;
 };
 
-/// Every two nodes of the top; a warp for one and 32 others.
-__global__ void __launch_bounds__(256)
+/// Every node of the top against all others, by a thread block. One that is not crowded lists its meetings: of two that
+/// are crowded nobody does.
+__global__ void __launch_bounds__(512)
     meet_at_top(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
+  constexpr std::uint32_t most = BlockNodes::most_crowd_at_top;
+  __shared__ std::uint32_t met, first, partner[most];
+  if (threadIdx.x == 0) met = 0;
+  __syncthreads();
   const NodeMeeting meeting(nodes, blocks);
-  const MeetingList list(nodes, meeting, nodes.top);
-  const std::uint32_t count = nodes.count[nodes.top], tiles = (count + 31) / 32,
-                      warps = gridDim.x * blockDim.x / 32;
-  for (std::uint32_t k = (blockIdx.x * blockDim.x + threadIdx.x) / 32; k < count * tiles; k += warps) {
-    const std::uint32_t a = k / tiles, tile = k % tiles, b = tile * 32 + DeviceWarp::lane();
-    if (tile * 32 + 31 <= a) continue;
-    list.add(a < b && b < count && meeting.may_meet_at_top(a, b), a, b, 0, 0);
+  const std::uint32_t count = nodes.count[nodes.top], a = blockIdx.x;
+  for (std::uint32_t b = threadIdx.x; b < count; b += blockDim.x)
+    if (b != a && meeting.may_meet_at_top(a, b)) {
+      const std::uint32_t k = atomicAdd(&met, 1u);
+      if (k < most) partner[k] = b;
+    }
+  __syncthreads();
+  if (threadIdx.x == 0) {
+    fetch_add(nodes.met + nodes.at(nodes.top, a), met);  // to which others may add, that give it up
+    if (met > nodes.crowd(nodes.top))
+      set_bits(&nodes.state->tangled, 1);
+    else
+      first = atomicAdd(&nodes.state->meetings[nodes.top], met);
   }
+  __syncthreads();
+  if (met > nodes.crowd(nodes.top) || threadIdx.x >= met) return;
+  if (first + threadIdx.x < nodes.capacity)
+    nodes.meeting[nodes.top % 2][first + threadIdx.x] = {a, partner[threadIdx.x]};
+  else
+    meeting.give_up(nodes.top, a, partner[threadIdx.x]);
 }
 
 /// The children of nodes of a level that met one another, and of each of its nodes among themselves; sixteen threads for
@@ -134,18 +151,17 @@ class DeviceBlockNodes {
  public:
   /// Finds who meets whom among blocks whose capsules are known, and enters those that are tangled. `state` is 0
   /// when the work begins.
-  void enqueue(const CapsuleBlocks& blocks, BlockNodes::State* state, cudaStream_t stream) {
-    BlockNodes nodes = BlockNodes::over(blocks.blocks);
+  void enqueue(const CapsuleBlocks& blocks, std::uint32_t meetings, BlockNodes::State* state, cudaStream_t stream) {
+    BlockNodes nodes = BlockNodes::over(blocks.blocks, meetings);
     nodes.box = box_.reserve(nodes.nodes(), stream);
     nodes.met = met_.reserve(nodes.nodes(), stream);
     for (int k = 0; k < 2; ++k) nodes.meeting[k] = meeting_[k].reserve(nodes.capacity, stream);
     nodes.state = state;
     for (std::uint32_t level = 1; level <= nodes.top; level += 2)
       launch_next<fit_nodes>((nodes.count[level] + 31) / 32, 256, stream, nodes, blocks, level);
-    const std::uint32_t of_top = nodes.count[nodes.top];
-    launch_next<meet_at_top>(std::min((of_top * ((of_top + 31) / 32) + 7) / 8, most_blocks), 256, stream, nodes, blocks);
+    launch_next<meet_at_top>(nodes.count[nodes.top], 512, stream, nodes, blocks);
     for (std::uint32_t level = nodes.top; level > 0; --level)
-      launch_next<meet_below>(std::min((nodes.count[level] * 4 + 7) / 8, most_blocks_below), 128, stream, nodes, blocks, level);
+      launch_next<meet_below>(std::min(nodes.count[level] * 2, most_blocks_below), 128, stream, nodes, blocks, level);
     launch_next<enter_tangled>(std::min((blocks.blocks + 255) / 256, most_blocks), 256, stream, nodes, blocks);
   }
 

@@ -25,7 +25,8 @@ class DeviceHybridOnHost final : public HostSearch {
       : crowd_(static_cast<std::uint32_t>(
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
-        least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)) {}
+        least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
+        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))) {}
 
   Plan plan() const override {
     Plan plan = range_checks_plan<Arithmetic>(in_range_);
@@ -145,7 +146,7 @@ class DeviceHybridOnHost final : public HostSearch {
     blocks_.state = &state_;
     blocks_.buckets = buckets_.reserve(blocks_.table, n);
     if (n == 0) return;
-    nodes_ = BlockNodes::over(blocks_.blocks);
+    nodes_ = BlockNodes::over(blocks_.blocks, meetings_);
     box_.resize(nodes_.nodes());
     node_met_.assign(nodes_.nodes(), 0);
     node_state_ = {};
@@ -159,6 +160,7 @@ class DeviceHybridOnHost final : public HostSearch {
 
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
+  const std::uint32_t meetings_;
   HostWarp warp_;
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
@@ -180,8 +182,9 @@ const RegisterVariant<DeviceHybridOnHost, Robust> registered{
     {.name = "DeviceHybrid@host",
      .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, DeviceGrid where crowded",
      .parameters = {{"crowd", "8", "a block that meets more others is left to the grid"},
-                    {"least", "262144", "chains of fewer spheres are left to the grid"},
-                    {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"}}}};
+                    {"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 524288"},
+                    {"cells", "0", "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
+                    {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}}};
 
 }  // namespace
 }  // namespace catena

@@ -15,6 +15,7 @@ namespace catena {
 /// that is bounded for each node. Plain pointers, valid in one memory space.
 struct BlockNodes {
   static constexpr std::uint32_t children = 8, log2_children = 3, most_levels = 8, most_at_top = 1024;
+  static constexpr std::uint32_t most_crowd_at_top = 64;
 
   /// Two nodes of a level; the top bit of each says that its parent is tangled.
   struct Meeting {
@@ -36,8 +37,9 @@ struct BlockNodes {
   Meeting* meeting[2];               ///< lists of the levels of even and of odd numbers
   State* state;                      ///< at first 0
 
-  /// What sizes a tree over so many blocks has; memory is the caller's to give.
-  static BlockNodes over(std::uint32_t blocks) {
+  /// What sizes a tree over so many blocks has, with room for so many meetings in a list, or by the number of blocks
+  /// for 0; memory is the caller's to give.
+  static BlockNodes over(std::uint32_t blocks, std::uint32_t meetings) {
     BlockNodes result{};
     result.count[0] = blocks;
     do {
@@ -45,7 +47,7 @@ struct BlockNodes {
       result.count[l] = below / children + (below % children != 0);
       result.first[l] = l == 1 ? 0 : result.first[l - 1] + result.count[l - 1];
     } while (result.count[result.top] > most_at_top);
-    result.capacity = 2 * blocks + (1u << 19);
+    result.capacity = meetings != 0 ? meetings : 2 * blocks + (1u << 19);
     return result;
   }
   CATENA_HD std::uint32_t nodes() const { return first[top] + count[top]; }
@@ -53,7 +55,9 @@ struct BlockNodes {
 
   /// How many others a node of a level >= 1 may meet. Twice as many spheres in a row may have as many more beside them;
   /// at the top, all nodes of a chain in a ball meet one another.
-  CATENA_HD std::uint32_t crowd(std::uint32_t level) const { return level == 1 ? 32 : level == top ? 64 : 256; }
+  CATENA_HD std::uint32_t crowd(std::uint32_t level) const {
+    return level == 1 ? 32 : level == top ? most_crowd_at_top : 256;
+  }
   CATENA_HD bool crowded(std::uint32_t level, std::uint32_t node) const {
     return met[at(level, node)] > crowd(level);
   }
@@ -115,8 +119,10 @@ class NodeMeeting {
     return (level == 1 && nodes_.box[nodes_.at(1, node)].in_a_row != 0) || nodes_.tangled(level, node);
   }
   /// Both nodes are tangled; marks it where one is.
+  /// A meeting at the top may be listed by both, the one that lists it first; then that of the lower number counts.
   CATENA_HD bool leaves_out(std::uint32_t level, Meeting& of) const {
     constexpr std::uint32_t mark = BlockNodes::below_tangled;
+    if (level == nodes_.top && of.a > of.b && !nodes_.crowded(level, of.b)) return true;
     if ((of.a & mark) == 0 && nodes_.crowded(level, of.a)) of.a |= mark;
     if ((of.b & mark) == 0 && nodes_.crowded(level, of.b)) of.b |= mark;
     return (of.a & of.b & mark) != 0;

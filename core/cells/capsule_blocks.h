@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "catena/core/cells/bits.h"
 #include "catena/core/cells/block_capsule.h"
 #include "catena/core/cells/buckets.h"
 #include "catena/core/chain/chain_view.h"
@@ -26,7 +27,7 @@ struct CapsuleBlocks {
   static constexpr std::uint32_t block = 32;  ///< spheres
   static constexpr std::uint32_t dense = 96;
   static constexpr std::uint32_t most_partners = 8, most_met = 32;
-  static constexpr std::uint32_t most_window = block - 1;
+  static constexpr std::uint32_t most_window = block - 1, most_levels = 3;
   static constexpr std::uint8_t is_ordered = 0x80, is_tangled = 0x40, has_place = 0x20, level_bits = 0x1F;
   static constexpr std::uint32_t no_level = level_bits;
   static constexpr std::uint32_t mutual = 0x80000000u;  ///< of a partner: it has this one too
@@ -34,7 +35,8 @@ struct CapsuleBlocks {
 
   struct State {
     std::uint32_t places;   ///< blocks that were sorted
-    std::uint32_t levels;   ///< bit k: there are tangled blocks of level k
+    std::uint32_t present;  ///< bit k: there are tangled blocks of level k
+    std::uint32_t levels;   ///< the same, where they are searched for
     std::uint32_t crowded;  ///< crowded blocks of every `sample`-th, about
     std::uint32_t any;      ///< not 0: there is a crowded block
     std::uint32_t listed;   ///< not 0: there is one that has a place
@@ -59,14 +61,17 @@ struct CapsuleBlocks {
 
   CATENA_HD static std::uint32_t blocks_of(std::uint32_t n) { return n / block + (n % block != 0); }
   /// What sizes and numbers a chain has; memory is the caller's to give.
-  static CapsuleBlocks of(const ChainView& chain, std::uint32_t crowd, float scale, std::uint64_t least, std::uint64_t least_in_cells) {
+  static CapsuleBlocks of(const ChainView& chain, std::uint32_t crowd, float scale, std::uint64_t least,
+                          std::uint64_t least_in_cells) {
     CapsuleBlocks result{};
     result.blocks = blocks_of(chain.size);
     result.table = CellTable::of(4 * result.blocks);
     result.scale = scale;
     result.crowd = crowd;
     result.sample = 1 + result.blocks / 8192;
-    result.all_crowded = chain.size < least;
+    // Among spheres of very different sizes a grid of spheres is slower by far than what the order of the chain says.
+    constexpr float most_ratio = 64;
+    result.all_crowded = chain.size < least && chain.extent.greatest_radius <= most_ratio * chain.extent.least_radius;
     result.in_cells = chain.size >= least_in_cells && !result.all_crowded;
     // Elsewhere two spheres next to one another may belong to different strands, or be no neighbours.
     const bool one_window = chain.strand_count == 1 && chain.exclusion.rule == Exclusion::Rule::index_window;
@@ -84,6 +89,9 @@ struct CapsuleBlocks {
     return a == b || (b == a + 1 && ordered(a)) || (a == b + 1 && ordered(b));
   }
   CATENA_HD std::uint32_t level(std::uint32_t b) const { return shape[b] & level_bits; }
+  /// Each tangled block looks into all coarser levels. Where there are many, as long jumps in a chain make them, it is
+  /// not worth it, and all tangled blocks count as crowded. Known once all were entered.
+  CATENA_HD bool searched() const { return count_bits(state->present) <= most_levels; }
   CATENA_HD bool tangled(std::uint32_t b) const { return (shape[b] & is_tangled) != 0; }
   CATENA_HD bool placed(std::uint32_t b) const { return (shape[b] & has_place) != 0; }
   /// About how many spheres are in crowded blocks, once all have met; no more than there are blocks for.

@@ -106,8 +106,18 @@ class BlockComparison {
   template <class Tests, class Sink>
   CATENA_HD void compare_within(std::uint32_t b, Sink& sink) const {
     const auto all = spheres(b);
-    const std::uint32_t in = warp_.ballot([&](std::uint32_t lane) { return in_chain(b, lane); });
-    compare_spheres<Tests>(b, all, in, b, all, in, sink);
+    constexpr std::uint32_t half = CapsuleBlocks::block / 2;
+    for (std::uint32_t ahead = 1; ahead <= half; ++ahead) {  // around the block, so that all threads have a pair
+      const auto others = warp_.shifted(all, ahead);
+      warp_.run([&](std::uint32_t lane) {
+        const std::uint32_t k = (lane + ahead) % CapsuleBlocks::block, first = lane < k ? lane : k,
+                            second = lane < k ? k : lane, i = b * CapsuleBlocks::block + first,
+                            j = b * CapsuleBlocks::block + second;
+        if ((ahead < half || lane < half) && in_chain(b, second) && Tests::overlap(all[lane], others[lane]) &&
+            !chain_.neighbours(i, j))
+          sink.pair(i, j);
+      });
+    }
   }
 
   CATENA_HD bool in_chain(std::uint32_t b, std::uint32_t k) const {

@@ -63,6 +63,13 @@ struct HostTeam {
   T from(const Lanes<T>& value, std::uint32_t lane) const {
     return value[lane];
   }
+  /// For each lane what another has that comes so many later, around.
+  template <class T>
+  Lanes<T> shifted(const Lanes<T>& value, std::uint32_t by) const {
+    Lanes<T> result;
+    for (std::uint32_t lane = 0; lane < lanes; ++lane) result.of[lane] = value[(lane + by) % lanes];
+    return result;
+  }
 };
 
 using HostWarp = HostTeam<32>;

@@ -43,7 +43,7 @@ class BlockMeeting {
     blocks_.shape[b] |= CapsuleBlocks::has_place | (tangled ? CapsuleBlocks::is_tangled : 0);
     blocks_.buckets.enter(blocks_.bucket_of(blocks_.capsule[b], level), b);
     set_bits(&blocks_.state->listed, 1);
-    if (tangled) set_bits(&blocks_.state->levels, 1u << level);
+    if (tangled) set_bits(&blocks_.state->present, 1u << level);
   }
 
   // Step 4 is that of the buckets.
@@ -53,8 +53,13 @@ class BlockMeeting {
     const BlockCapsule capsule = blocks_.capsule[b];
     const std::uint32_t level = blocks_.level(b),
                         at = blocks_.buckets.place(blocks_.bucket_of(capsule, level), b);
+    const bool searched = blocks_.tangled(b) && blocks_.searched();
     blocks_.ball[at] = ball_of(capsule);
-    blocks_.id[at] = b << 5 | (blocks_.tangled(b) ? level : CapsuleBlocks::no_level);
+    blocks_.id[at] = b << 5 | (searched ? level : CapsuleBlocks::no_level);
+    if (searched)
+      set_bits(&blocks_.state->levels, 1u << level);
+    else
+      crowd(b);
   }
 
   /// Step 6, for each level, each tangled block of it or a finer one, and each row of cells: the places to look at,
