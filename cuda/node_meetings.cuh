@@ -59,13 +59,14 @@ class MeetingList {
   const std::uint32_t level_;
 };
 
-/// Every node of the top against all others, by a thread block. One that is not crowded lists its meetings: of two that
-/// are crowded nobody does.
+/// Every node of the top against all others, by a thread block. One that is not crowded lists all its meetings, and one
+/// that is lists none: of two that are crowded nobody does. One without room for all of its own becomes crowded.
 __global__ void __launch_bounds__(512)
     meet_at_top(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
   constexpr std::uint32_t most = BlockNodes::most_crowd_at_top;
   __shared__ std::uint32_t met, first, partner[most];
+  __shared__ bool lists;
   if (threadIdx.x == 0) met = 0;
   __syncthreads();
   const NodeMeeting meeting(nodes, blocks);
@@ -77,18 +78,19 @@ __global__ void __launch_bounds__(512)
     }
   __syncthreads();
   if (threadIdx.x == 0) {
-    fetch_add(nodes.met + nodes.at(nodes.top, a), met);  // to which others may add, that give it up
-    if (met > nodes.crowd(nodes.top))
-      set_bits(&nodes.state->tangled, 1);
-    else
-      first = atomicAdd(&nodes.state->meetings[nodes.top], met);
+    const std::uint32_t crowd = nodes.crowd(nodes.top);
+    first = nodes.capacity;
+    if (met <= crowd) first = atomicAdd(&nodes.state->meetings[nodes.top], met);
+    lists = met <= crowd && met <= nodes.capacity && first <= nodes.capacity - met;
+    nodes.met[nodes.at(nodes.top, a)] = lists ? met : crowd + 1;
+    if (!lists) set_bits(&nodes.state->tangled, 1);
   }
   __syncthreads();
-  if (met > nodes.crowd(nodes.top) || threadIdx.x >= met) return;
-  if (first + threadIdx.x < nodes.capacity)
-    nodes.meeting[nodes.top % 2][first + threadIdx.x] = {a, partner[threadIdx.x]};
-  else
-    meeting.give_up(nodes.top, a, partner[threadIdx.x]);
+  // What a node without room for all has room for is left out by whoever reads it.
+  constexpr std::uint32_t mark = BlockNodes::below_tangled;
+  if (threadIdx.x < met && first + threadIdx.x < nodes.capacity)
+    nodes.meeting[nodes.top % 2][first + threadIdx.x] =
+        lists ? BlockNodes::Meeting{a, partner[threadIdx.x]} : BlockNodes::Meeting{a | mark, a | mark};
 }
 
 /// The children of nodes of a level that met one another, and of each of its nodes among themselves; sixteen threads for
