@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace catena {
 namespace {
@@ -13,7 +14,7 @@ constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 constexpr double bare = 0x1p-20;  // 16 u
 
 /// Capsule k of fields laid out sixteen at a time, its radius bare.
-Capsule64 capsule(const std::vector<float>& fields, std::uint32_t k, double unit) {
+Capsule64 capsule(std::span<const float> fields, std::uint32_t k, double unit) {
   const float* const f =
       fields.data() + std::size_t{k / group} * group * BlockTree::capsule_fields + k % group;
   const auto at = [&](int field) { return double{f[group * field]}; };

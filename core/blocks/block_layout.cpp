@@ -24,11 +24,19 @@ void make_room(BlockTree& tree) {
 
 }  // namespace
 
-void append_copied_block(const ChainView& chain, std::uint32_t begin, std::uint32_t size, BlockTree& tree) {
-  tree.first.push_back(BlockTree::copied | static_cast<std::uint32_t>(tree.copies.size()));
-  for (std::uint32_t k = 0; k < block; ++k) {
-    tree.copies.push_back(chain.spheres[begin + std::min(k, size - 1)]);
-    tree.copied_from.push_back(k < size ? begin + k : BlockTree::no_sphere);
+CopiedBlocks::CopiedBlocks(const ChainView& chain, BlockTree& tree, std::uint32_t count)
+    : chain_(chain), tree_(tree), first_(tree.first.size()), copy_(tree.copies.size()) {
+  tree.first.resize(first_ + count);
+  tree.copies.resize(copy_ + std::size_t{count} * block);
+  tree.copied_from.resize(tree.copies.size());
+}
+
+void CopiedBlocks::fill(std::uint32_t k, std::uint32_t begin, std::uint32_t size) {
+  const std::size_t to = copy_ + std::size_t{k} * block;
+  tree_.first[first_ + k] = BlockTree::copied | static_cast<std::uint32_t>(to);
+  for (std::uint32_t s = 0; s < block; ++s) {
+    tree_.copies[to + s] = chain_.spheres[begin + std::min(s, size - 1)];
+    tree_.copied_from[to + s] = s < size ? begin + s : BlockTree::no_sphere;
   }
 }
 
@@ -49,7 +57,7 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     const std::size_t begin = tree.first.size();
     tree.first.resize(begin + full);
     for (std::uint32_t k = 0; k < full; ++k, at += block) tree.first[begin + k] = at;
-    if (at < end) append_copied_block(chain, at, end - at, tree);
+    if (at < end) CopiedBlocks(chain, tree, 1).fill(0, at, end - at);
   }
   tree.blocks = static_cast<std::uint32_t>(tree.first.size());
   make_room(tree);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 
 namespace catena {
@@ -37,7 +38,7 @@ struct BlockTree {
 
   struct Level {
     std::uint32_t count = 0;      ///< nodes
-    std::vector<float> oriented;  ///< their boxes, groups of sixteen
+    LargeVector<float> oriented;  ///< their boxes, groups of sixteen
     const float* at(std::uint32_t k) const {
       return oriented.data() + std::size_t{k / group} * group * oriented_fields;
     }
@@ -48,13 +49,13 @@ struct BlockTree {
   std::uint32_t blocks = 0;  ///< in the order of the chain
   /// Where a block's spheres are: the index of the first, or `copied` + eight times its number among the
   /// copies.
-  std::vector<std::uint32_t> first;
-  std::vector<Sphere> copies;              ///< eight a copied block; the last sphere repeated to fill up
-  std::vector<std::uint32_t> copied_from;  ///< index of each copy; no_sphere for what fills up
-  std::vector<float> capsules;             ///< groups of sixteen
+  LargeVector<std::uint32_t> first;
+  LargeVector<Sphere> copies;              ///< eight a copied block; the last sphere repeated to fill up
+  LargeVector<std::uint32_t> copied_from;  ///< index of each copy; no_sphere for what fills up
+  LargeVector<float> capsules;             ///< groups of sixteen
   /// Bit k of group g: in block 16 g + k and the next no two spheres collide that are not next to one
   /// another.
-  std::vector<std::uint16_t> ordered;
+  LargeVector<std::uint16_t> ordered;
 
   std::vector<Level> level;  ///< nodes of sixteen blocks, in order; of sixteen nodes each; and so on to one
 

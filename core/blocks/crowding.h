@@ -43,6 +43,14 @@ class Crowding {
   /// does not know of blocks. All are until something else is said.
   std::uint16_t& dense(std::uint32_t node) { return dense_[node]; }
   std::uint16_t dense(std::uint32_t node) const { return dense_[node]; }
+  /// Block k of a node is dense; several threads may say so.
+  void make_dense(std::uint32_t node, std::uint32_t k) {
+    const auto bit = static_cast<std::uint16_t>(1u << k);
+    if (pairs_.size() > 1)
+      std::atomic_ref(dense_[node]).fetch_or(bit, std::memory_order_relaxed);
+    else
+      dense_[node] |= bit;
+  }
   /// To be called after the walk.
   void all_dense() {
     dense_.assign(nodes(), 0);

@@ -23,7 +23,7 @@ class HostSearch : public Variant {
   void find(const Chain& chain, const Request& request, Collisions& result) final {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
     const Stopwatch watch;
-    PairCollector collector(spheres_, request, result, team());
+    PairCollector collector(spheres_, request, result, team(), lane_counts_);
     search(chain.view(), collector);
     collector.finish();
     timings_.find_ms = watch.ms();
@@ -46,6 +46,7 @@ class HostSearch : public Variant {
   std::uint32_t spheres_ = 0;
   bool built_ = false;
   Timings timings_;
+  std::vector<LaneCounts> lane_counts_;  ///< [member of the team]
 };
 
 }  // namespace catena

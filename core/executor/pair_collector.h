@@ -8,6 +8,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/executor/lane_counts.h"
+#include "catena/core/executor/shared_pairs.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/strategy/request.h"
 
@@ -21,12 +22,13 @@ class PairCollector {
  public:
   class alignas(64) Lane {
    public:
-    explicit Lane(PairCollector& owner)
+    Lane(PairCollector& owner, LaneCounts* shared)
         : owner_(owner),
           counts_(owner.keep_counts_ ? owner.result_.count.data() : nullptr),
           alone_(owner.lanes_ == 1),
           room_(owner.any_only_ ? 1 : buffer_.size()),
-          shared_(owner.result_.count.size()) {}
+          shared_(shared),
+          writer_(owner.pairs_) {}
 
     /// One colliding pair, i < j, reported once over all lanes.
     void pair(std::uint32_t i, std::uint32_t j) {
@@ -56,7 +58,7 @@ class PairCollector {
       if (counts_ != nullptr && alone_)
         for (const Pair& p : pairs) ++counts_[p.i], ++counts_[p.j];
       else if (counts_ != nullptr)
-        for (const Pair& p : pairs) one_more(p.i), one_more(p.j);
+        shared_->add(pairs);
       if (!pairs.empty()) hand_over(pairs);
     }
     /// True when the request is answered already and the search may stop.
@@ -69,10 +71,12 @@ class PairCollector {
       if (alone_)
         ++counts_[i];
       else
-        shared_.add(i);
+        shared_->add(i);
     }
-    std::vector<Pair>& store() {
-      return this == &owner_.first_ && owner_.team_ == nullptr ? owner_.result_.pairs : own_;
+    void keep(std::span<const Pair> pairs) {
+      if (owner_.team_ != nullptr) return writer_.write(pairs);
+      std::vector<Pair>& all = this == &owner_.first_ ? owner_.result_.pairs : own_;
+      append_large(all, pairs);
     }
 
     /// Stores what is buffered, or `pairs`, while pairs are kept, and tells the other lanes how many were
@@ -82,8 +86,7 @@ class PairCollector {
       buffered_ = 0;
     }
     void hand_over(std::span<const Pair> pairs) {
-      if (owner_.keep_pairs_.load(std::memory_order_relaxed))
-        store().insert(store().end(), pairs.begin(), pairs.end());
+      if (owner_.keep_pairs_.load(std::memory_order_relaxed)) keep(pairs);
       const std::uint64_t before = owner_.found_.fetch_add(pairs.size(), std::memory_order_relaxed);
       if (before + pairs.size() > owner_.limit_) owner_.keep_pairs_.store(false, std::memory_order_relaxed);
     }
@@ -94,17 +97,19 @@ class PairCollector {
     const std::size_t room_;       // one pair is all, when any will do
     std::size_t buffered_ = 0;
     std::array<Pair, 512> buffer_;  // pairs found and not handed over yet
-    std::vector<Pair> own_;  // of every lane but the first, which writes the result; with a team, of all
-    LaneCounts shared_;      // where there are others
+    LaneCounts* const shared_;      // where there are others, else null
+    std::vector<Pair> own_;         // of every lane but the first, which writes the result
+    SharedPairs::Writer writer_;    // with a team, instead
   };
 
   /// Empties `result` (keeping its memory) for n spheres and opens `lanes` lanes.
   PairCollector(std::uint32_t n, const Request& request, Collisions& result, unsigned lanes = 1)
-      : PairCollector(n, request, result, lanes, nullptr) {}
+      : PairCollector(n, request, result, lanes, nullptr, own_counts_) {}
   /// A lane for each member of the team, which shares out what there is to do before and after the search
-  /// too. Its searches report by collide() alone.
-  PairCollector(std::uint32_t n, const Request& request, Collisions& result, const Team& team)
-      : PairCollector(n, request, result, team.size(), team.size() > 1 ? &team : nullptr) {}
+  /// too. Its searches report by collide() alone. `counts` is memory, kept from search to search.
+  PairCollector(std::uint32_t n, const Request& request, Collisions& result, const Team& team,
+                std::vector<LaneCounts>& counts)
+      : PairCollector(n, request, result, team.size(), team.size() > 1 ? &team : nullptr, counts) {}
   PairCollector(const PairCollector&) = delete;
   PairCollector& operator=(const PairCollector&) = delete;
 
@@ -119,6 +124,7 @@ class PairCollector {
     for (Lane& lane : others_) lane.hand_over();
     const std::uint64_t found = found_.load();
     result_.found = found > 0;
+    if (team_ != nullptr) gather_pairs();
     if (any_only_) return;
     if (lanes_ > 1) add_up_counts();
     result_.pair_count = found;
@@ -126,16 +132,13 @@ class PairCollector {
       std::vector<Pair>().swap(result_.pairs);  // gives the memory back
       throw PairLimitExceeded(found, limit_);
     }
-    if (team_ == nullptr) {
-      for (const Lane& lane : others_)
-        result_.pairs.insert(result_.pairs.end(), lane.own_.begin(), lane.own_.end());
-    } else if (pairs_wanted_) {
-      gather_pairs(found);
-    }
+    for (const Lane& lane : others_)
+      result_.pairs.insert(result_.pairs.end(), lane.own_.begin(), lane.own_.end());
   }
 
  private:
-  PairCollector(std::uint32_t n, const Request& request, Collisions& result, unsigned lanes, const Team* team)
+  PairCollector(std::uint32_t n, const Request& request, Collisions& result, unsigned lanes, const Team* team,
+                std::vector<LaneCounts>& counts)
       : result_(emptied(result, n, request, team)),
         team_(team),
         limit_(request.pair_limit),
@@ -145,15 +148,22 @@ class PairCollector {
         keep_counts_(!any_only_),
         pairs_wanted_(request.want == Request::Want::pairs),
         lanes_(lanes),
-        keep_pairs_(pairs_wanted_) {
+        keep_pairs_(pairs_wanted_),
+        counts_(counts_of(lanes, keep_counts_ ? n : 0, counts)),
+        first_(*this, lanes > 1 ? &counts_[0] : nullptr) {
     if (lanes > 1) {
       others_.reserve(lanes - 1);
-      for (unsigned k = 1; k < lanes; ++k) others_.emplace_back(*this);
+      for (unsigned k = 1; k < lanes; ++k) others_.emplace_back(*this, &counts_[k]);
     }
-    if (team_ != nullptr) result_.pairs.swap(last_pairs_);
   }
 
-  const Lane& lane(unsigned k) const { return k == 0 ? first_ : others_[k - 1]; }
+  static std::vector<LaneCounts>& counts_of(unsigned lanes, std::size_t size,
+                                            std::vector<LaneCounts>& counts) {
+    if (lanes == 1) return counts;
+    counts.resize(lanes);
+    for (LaneCounts& lane : counts) lane.reset(size);
+    return counts;
+  }
 
   /// What the lanes counted; with a team nothing else was, and what is in the result is of an earlier one.
   void add_up_counts() {
@@ -163,25 +173,21 @@ class PairCollector {
       if (team_ != nullptr)
         std::fill(counts.begin() + std::size_t{begin} * LaneCounts::page,
                   counts.begin() + std::min(counts.size(), std::size_t{end} * LaneCounts::page), 0);
-      for (unsigned k = 0; k < lanes_; ++k) lane(k).shared_.add_pages_to(counts, begin, end);
+      for (LaneCounts& lane : counts_) lane.move_pages_to(counts, begin, end);
     };
     if (team_ != nullptr)
       team_->for_each_range(pages, 4, add);
     else
       add(0, pages);
-    for (unsigned k = 0; k < lanes_; ++k) lane(k).shared_.add_full_to(counts);
+    for (LaneCounts& lane : counts_) lane.move_full_to(counts);
   }
 
-  /// All lanes' pairs, in the memory of an earlier result: what it has need not be made again.
-  void gather_pairs(std::uint64_t found) {
-    last_pairs_.resize(found);
-    std::vector<std::size_t> begin(lanes_);
-    for (unsigned k = 1; k < lanes_; ++k) begin[k] = begin[k - 1] + lane(k - 1).own_.size();
-    team_->for_each_range(lanes_, 1, [&](std::uint32_t first, std::uint32_t end) {
-      for (std::uint32_t k = first; k < end; ++k)
-        std::copy(lane(k).own_.begin(), lane(k).own_.end(), last_pairs_.begin() + begin[k]);
-    });
-    result_.pairs.swap(last_pairs_);
+  void gather_pairs() {
+    const auto writers = [&](const auto& body) {
+      body(first_.writer_);
+      for (Lane& lane : others_) body(lane.writer_);
+    };
+    pairs_.gather(writers, *team_, result_.pairs);
   }
 
   static Collisions& emptied(Collisions& result, std::uint32_t n, const Request& request, const Team* team) {
@@ -198,8 +204,7 @@ class PairCollector {
   }
 
   Collisions& result_;
-  const Team* const team_;        // null where one thread does it
-  std::vector<Pair> last_pairs_;  // with a team: the memory of the result
+  const Team* const team_;  // null where one thread does it
   const std::uint64_t limit_;
   const SphereRange queries_;
   const bool everything_;  // the queries are all spheres
@@ -207,7 +212,11 @@ class PairCollector {
   const unsigned lanes_;
   std::atomic<bool> keep_pairs_;  // false once the limit is passed
   alignas(64) std::atomic<std::uint64_t> found_{0};
-  Lane first_{*this};
+  std::vector<LaneCounts> own_counts_;
+  std::vector<LaneCounts>& counts_;  // [lane]
+  std::vector<Pair> none_;
+  SharedPairs pairs_{team_ != nullptr ? result_.pairs : none_};
+  Lane first_;
   std::vector<Lane> others_;
 };
 

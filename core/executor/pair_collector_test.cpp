@@ -91,6 +91,23 @@ TEST(PairCollector, LanesCountTheSameSpheresTogether) {
             2 * result.pair_count);
 }
 
+TEST(PairCollector, WhatAnUnfinishedSearchCountedIsForgotten) {
+  constexpr std::uint32_t n = 5'000;
+  const Team team(Parameters("test", {Team::threads_parameter()}, "threads=2"));
+  if (team.size() == 1) GTEST_SKIP() << "one core: there is no team";
+  std::vector<LaneCounts> counts;
+  Collisions result;
+  for (const bool finished : {true, false, true, false, false, true}) {
+    PairCollector collector(n, {}, result, team, counts);
+    for (std::uint32_t k = 0; k < 300; ++k) collector.lane(k % 2).collide(7, n - 1);
+    if (!finished) continue;
+    collector.finish();
+    EXPECT_EQ(result.count[7], 300u);
+    EXPECT_EQ(std::accumulate(result.count.begin(), result.count.end(), std::uint64_t{0}), 600u);
+    EXPECT_EQ(result.pairs, std::vector<Pair>(300, Pair{7, n - 1}));
+  }
+}
+
 TEST(PairCollector, ManyPairsAtOnceAreFilteredByTheQueries) {
   Collisions result;
   Request request;

@@ -7,7 +7,7 @@
 #endif
 
 #include <algorithm>
-#include <vector>
+#include <mutex>
 
 #include "catena/core/blocks/simd_targets.h"
 #include "catena/core/chain/chain_view.h"
@@ -62,19 +62,28 @@ HWY_INLINE CentreBox box_of_centres(const Sphere* spheres_of, std::uint32_t size
   return box;
 }
 
+/// The box around `one` and the boxes of all ranges below n, which a team shares out; box(begin, end).
+template <class Box>
+inline CentreBox joined_by(const Team& team, std::uint32_t n, std::uint32_t grain, const CentreBox& one,
+                           const Box& box) {
+  std::mutex joining;
+  CentreBox all = one;
+  team.for_each_range(n, grain, [&](std::uint32_t begin, std::uint32_t end) {
+    const CentreBox some = box(begin, end);
+    const std::lock_guard lock(joining);
+    take_in(all, some);
+  });
+  return all;
+}
+
 /// Of all of a chain's; zeros for no spheres.
 HWY_INLINE CentreBox box_of_centres(const ChainView& chain, const Team& team) {
-  CentreBox all{};
-  if (chain.size == 0) return all;
-  if (team.size() == 1) return box_of_centres(chain.spheres, chain.size);
-  all = box_of_centres(chain.spheres, 1);
-  std::vector<CentreBox> box(team.size(), all);  // [member]
+  if (chain.size == 0) return {};
   constexpr std::uint32_t spheres_of_a_task = 1 << 14;
-  team.for_each_range(chain.size, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
-    take_in(box[team.member()], box_of_centres(chain.spheres + begin, end - begin));
-  });
-  for (const CentreBox& some : box) take_in(all, some);
-  return all;
+  return joined_by(team, chain.size, spheres_of_a_task, box_of_centres(chain.spheres, 1),
+                   [&](std::uint32_t begin, std::uint32_t end) {
+                     return box_of_centres(chain.spheres + begin, end - begin);
+                   });
 }
 
 }  // namespace catena::HWY_NAMESPACE

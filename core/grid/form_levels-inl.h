@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <span>
 
 #include "catena/core/grid/member_buckets-inl.h"
@@ -21,8 +22,8 @@ namespace catena::HWY_NAMESPACE {
 class LevelForming {
  public:
   LevelForming(const ChainView& chain, std::span<const std::uint32_t> only, const CentreBox& box,
-               SphereGrid& grid)
-      : chain_(chain), only_(only), box_(box), grid_(grid) {}
+               SphereGrid& grid, const Team& team)
+      : chain_(chain), only_(only), box_(box), grid_(grid), team_(team) {}
 
   void form() {
     grid_.levels.clear();
@@ -39,7 +40,7 @@ class LevelForming {
     }
     // The order of the chain is the better one.
     if (grid_.levels.size() == 1) grid_.members.assign(only_.begin(), only_.end());
-    grid_.start.assign(starts, 0);
+    set_to_zero(starts);
   }
 
  private:
@@ -61,27 +62,51 @@ class LevelForming {
         map_buckets(grid_.octaves[o].greatest, box_,
                     static_cast<std::uint32_t>(grid_.bucket.size()) - grid_.octaves[o].first);
     const BucketFinder find(map);
-    grid_.start.assign(map.buckets, 0);
+    set_to_zero(map.buckets);
     std::uint64_t met = 0;  // for each one taken in, those in its cell
     for (std::size_t next = o + 1; next < grid_.octaves.size(); ++next) {
       const auto [first, end, greatest] = grid_.octaves[next];
-      for (std::uint32_t at = first; at < end; at += MemberBuckets::most) {
-        const std::uint32_t size = std::min(MemberBuckets::most, end - at);
-        members_.take(chain_, grid_, at, size);
-        const std::uint32_t* const buckets = members_.find(find);
-        for (std::uint32_t k = 0; k < size; ++k) met += 2 * std::uint64_t{grid_.start[buckets[k]]++} + 1;
-      }
+      met += taken_into(find, first, end);
       const std::uint64_t taken_in = end - grid_.octaves[o].end;
       if (taken_in > few && met > most_in_a_cell * taken_in) return next;
     }
     return grid_.octaves.size();
   }
 
+  /// Counts members first to end - 1 in their cells: for each, those that were there, twice, and one.
+  std::uint64_t taken_into(const BucketFinder& find, std::uint32_t first, std::uint32_t end) {
+    constexpr std::uint32_t members_of_a_task = 8192;
+    const bool alone = team_.size() == 1;
+    std::atomic<std::uint64_t> met{0};
+    team_.for_each_range(end - first, members_of_a_task, [&](std::uint32_t from, std::uint32_t to) {
+      MemberBuckets members;
+      std::uint64_t own = 0;
+      for (std::uint32_t at = first + from; at < first + to; at += MemberBuckets::most) {
+        const std::uint32_t size = std::min(MemberBuckets::most, first + to - at);
+        members.take(chain_, grid_, at, size);
+        const std::uint32_t* const buckets = members.find(find);
+        for (std::uint32_t k = 0; k < size; ++k)
+          own += 2 * std::uint64_t{count_one(grid_.start[buckets[k]], alone)} + 1;
+      }
+      met.fetch_add(own, std::memory_order_relaxed);
+    });
+    return met;
+  }
+
+  void set_to_zero(std::size_t starts) {
+    constexpr std::uint32_t numbers_of_a_task = 1 << 16;
+    grid_.start.resize(starts);
+    team_.for_each_range(static_cast<std::uint32_t>(starts), numbers_of_a_task,
+                         [&](std::uint32_t begin, std::uint32_t end) {
+                           std::fill(grid_.start.begin() + begin, grid_.start.begin() + end, 0);
+                         });
+  }
+
   const ChainView& chain_;
   const std::span<const std::uint32_t> only_;
   const CentreBox& box_;
   SphereGrid& grid_;
-  MemberBuckets members_;
+  const Team& team_;
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -17,8 +17,8 @@ namespace catena::HWY_NAMESPACE {
 void build_grid_here(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only,
                      const Team& team) {
   const CentreBox box = box_of_centres(chain, team);
-  sort_by_octave(chain, only, grid);
-  LevelForming(chain, only, box, grid).form();
+  sort_by_octave(chain, only, grid, team);
+  LevelForming(chain, only, box, grid, team).form();
   for (SphereGrid::Level& level : grid.levels) SphereSort(chain, grid, team).sort(level);
 }
 

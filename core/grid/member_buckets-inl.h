@@ -7,12 +7,18 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 
 #include "catena/core/grid/buckets-inl.h"
 #include "catena/core/grid/sphere_grid.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
+
+/// One more in a cell, which others may count in too if it is not done `alone`; gives what was there.
+HWY_INLINE std::uint32_t count_one(std::uint32_t& spheres, bool alone) {
+  return alone ? spheres++ : std::atomic_ref(spheres).fetch_add(1, std::memory_order_relaxed);
+}
 
 /// What holds the centres of some spheres, and their greatest radius.
 struct MemberBox {

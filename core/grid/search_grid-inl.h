@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "catena/core/grid/candidates-inl.h"
@@ -75,7 +76,8 @@ class GridSearch {
   /// Runs of buckets; one that passes the last bucket goes on at bucket 0.
   class Runs {
    public:
-    explicit Runs(const std::uint32_t* start, std::uint32_t buckets) : start_(start), buckets_(buckets) {}
+    Runs() = default;
+    Runs(const std::uint32_t* start, std::uint32_t buckets) : start_(start), buckets_(buckets) {}
     HWY_INLINE void add(std::uint32_t bucket, std::uint32_t count) {
       if (HWY_UNLIKELY(bucket + count > buckets_)) {
         push(start_[0], start_[bucket + count - buckets_]);
@@ -93,8 +95,8 @@ class GridSearch {
     const Run* end() const { return run_.data() + size_; }
 
    private:
-    const std::uint32_t* const start_;
-    const std::uint32_t buckets_;
+    const std::uint32_t* start_ = nullptr;
+    std::uint32_t buckets_ = 0;
     std::array<Run, 18> run_;
     std::size_t size_ = 0;
     std::uint32_t candidates_ = 0;
@@ -131,7 +133,7 @@ class GridSearch {
   /// False only when no sphere of a box overlaps one of a level. In binary64 a difference or sum of two
   /// binary32 numbers is wrong by 2^-53 of itself at most.
   static bool within_reach(const MemberBox& box, const Level& level) {
-    const double reach = (double{box.radius} + level.greatest) * (1 + 0x1p-40);
+    const double reach = reach_of(box, level);
     for (std::size_t d = 0; d < 3; ++d) {
       if (double{box.centres.low[d]} - level.centres.high[d] > reach) return false;
       if (double{level.centres.low[d]} - box.centres.high[d] > reach) return false;
@@ -143,37 +145,88 @@ class GridSearch {
   void across(const Level& fine, std::uint32_t at, std::uint32_t size, MemberBuckets& members,
               const Level& coarse) {
     const std::uint32_t* const start = grid_.start.data() + coarse.starts;
+    const std::uint32_t* const own = grid_.start.data() + fine.starts;
     const std::uint32_t* const bucket = members.find(BucketFinder(coarse.map));
-    constexpr std::uint32_t worth_a_box = 4;
-    for (std::uint32_t k = 0, next; k < size; k = next) {
-      next = k + 1;
-      while (next < size && bucket[next] == bucket[k]) ++next;
-      Runs runs(start, coarse.map.buckets);
-      for (const std::uint32_t row : coarse.rows) runs.add(before(bucket[k], row, coarse.map.buckets), 3);
-      if (runs.candidates() == 0) continue;
-      if (next - k < worth_a_box) {
-        meet_members(fine, at + k, at + next, runs, nullptr);
-      } else {
-        const MemberBox box = members.box(k, next);
-        meet_members(fine, at + k, at + next, runs, &box);
+    for (std::uint32_t k = 0; k < size; ++k) {
+      hwy::Prefetch(own + grid_.bucket[at + k]);
+      if (k > 0 && bucket[k] == bucket[k - 1]) continue;
+      for (const std::uint32_t row : coarse.rows)
+        hwy::Prefetch(start + before(bucket[k], row, coarse.map.buckets));
+    }
+    // Some at a time: while their first candidates are met, those of the others are on their way from memory.
+    std::array<Together, 8> some;
+    for (std::uint32_t k = 0, next; k < size;) {
+      std::size_t count = 0;
+      for (; k < size && count < some.size(); k = next) {
+        next = k + 1;
+        while (next < size && bucket[next] == bucket[k]) ++next;
+        Together& these = some[count];
+        these = {at + k, at + next, members.box(k, next), Runs(start, coarse.map.buckets)};
+        add_near(these.box, coarse, bucket[k], these.runs);
+        if (these.runs.candidates() == 0) continue;
+        candidates_.prefetch_runs(these.runs);
+        for (std::uint32_t m = these.first; m < these.end; ++m)
+          candidates_.prefetch(own[grid_.bucket[m]] + grid_.rank[m]);
+        ++count;
       }
+      for (std::size_t s = 0; s < count; ++s) meet_members(own, some[s]);
     }
   }
 
-  /// Consecutive members of a level against all candidates of the runs; none, when these lie apart from the
-  /// members' box.
-  void meet_members(const Level& level, std::uint32_t first, std::uint32_t end, const Runs& runs,
-                    const MemberBox* box) {
-    const std::uint32_t* const start = grid_.start.data() + level.starts;
+  /// Members of a level that follow one another in one cell of a coarser one, and what is near them there.
+  struct Together {
+    std::uint32_t first, end;
+    MemberBox box;
+    Runs runs;
+  };
+
+  /// Of the 27 cells around members of a bucket those that a coarser sphere which overlaps one may be in.
+  static HWY_INLINE void add_near(const MemberBox& box, const Level& coarse, std::uint32_t bucket,
+                                  Runs& runs) {
+    const CellsAround x(box, coarse, 0), y(box, coarse, 1), z(box, coarse, 2);
+    const std::uint32_t skipped = !x.before, count = 1 + x.before + x.behind;
+    for (int dz = -static_cast<int>(z.before); dz <= static_cast<int>(z.behind); ++dz)
+      for (int dy = -static_cast<int>(y.before); dy <= static_cast<int>(y.behind); ++dy)
+        runs.add(before(before(bucket, coarse.rows[3 * (dz + 1) + dy + 1], coarse.map.buckets), skipped,
+                        coarse.map.buckets),
+                 count);
+  }
+
+  /// Whether what is near a box may be in the cells before and behind its own, along axis d. A centre is no
+  /// farther than `reach`, so its number is none below that of low - reach, rounded, as numbers and cells are
+  /// in one order: see BucketMap. A box of several cells, which share a bucket by chance, or of far ones has
+  /// both.
+  struct CellsAround {
+    bool before = true, behind = true;
+    HWY_INLINE CellsAround(const MemberBox& box, const Level& level, std::size_t d) {
+      const double unit = level.map.cells_per_unit, low = box.centres.low[d], high = box.centres.high[d];
+      const double own = std::floor(low * unit), reach = reach_of(box, level);
+      if (own != std::floor(high * unit) || !(std::abs(low * unit) < BucketMap::far_cell)) return;
+      before = std::floor((low - reach) * unit) < own;
+      behind = std::floor((high + reach) * unit) > own;
+    }
+  };
+
+  /// At least the distance of centres at which a sphere of a box may overlap one of a level.
+  static HWY_INLINE double reach_of(const MemberBox& box, const Level& level) {
+    return (double{box.radius} + level.greatest) * (1 + 0x1p-40);
+  }
+
+  /// Members, whose level's buckets start at `start`, against all that is near them; none, when these lie
+  /// apart from the members' box.
+  void meet_members(const std::uint32_t* start, const Together& these) {
+    constexpr std::uint32_t worth_a_box = 4;
     const auto each = [&](const auto& meet) {
-      for (std::uint32_t at = first; at < end; ++at) meet(start[grid_.bucket[at]] + grid_.rank[at]);
+      for (std::uint32_t at = these.first; at < these.end; ++at)
+        meet(start[grid_.bucket[at]] + grid_.rank[at]);
     };
-    if (HWY_LIKELY(candidates_.make_room(runs.candidates(), end - first))) {
-      const std::uint32_t from = candidates_.gather(runs);
-      if (box != nullptr && candidates_.apart(from, *box)) return candidates_.forget(from);
+    const std::uint32_t size = these.end - these.first;
+    if (HWY_LIKELY(candidates_.make_room(these.runs.candidates(), size))) {
+      const std::uint32_t from = candidates_.gather(these.runs);
+      if (size >= worth_a_box && candidates_.apart(from, these.box)) return candidates_.forget(from);
       each([&](std::uint32_t place) { candidates_.test({place, place + 1}, from, 0); });
     } else {
-      each([&](std::uint32_t place) { meet_crowd({place, place + 1}, runs, false); });
+      each([&](std::uint32_t place) { meet_crowd({place, place + 1}, these.runs, false); });
     }
   }
 

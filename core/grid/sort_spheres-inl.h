@@ -7,7 +7,6 @@
 #endif
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 
 #include "catena/core/executor/team.h"
@@ -50,23 +49,26 @@ class SphereSort {
       members.take(chain_, grid_, at, size);
       const std::uint32_t* const buckets = members.find(find);
       for (std::uint32_t k = 0; k < size; ++k) {
-        std::uint32_t& spheres = counts[buckets[k]];
         grid_.bucket[at + k] = buckets[k];
-        grid_.rank[at + k] =
-            alone ? spheres++ : std::atomic_ref(spheres).fetch_add(1, std::memory_order_relaxed);
+        grid_.rank[at + k] = count_one(counts[buckets[k]], alone);
       }
     }
   }
 
   void enclose(SphereGrid::Level& level) {
-    MemberBuckets members;
-    for (std::uint32_t at = level.first; at < level.end; at += MemberBuckets::most) {
-      const std::uint32_t size = std::min(MemberBuckets::most, level.end - at);
-      members.take(chain_, grid_, at, size);
-      const CentreBox some = members.box(0, size).centres;
-      if (at == level.first) level.centres = some;
-      take_in(level.centres, some);
-    }
+    const Sphere& first = chain_.spheres[grid_.member(level.first)];
+    const CentreBox one{{first.x, first.y, first.z}, {first.x, first.y, first.z}};
+    level.centres = joined_by(
+        team_, level.end - level.first, members_of_a_task, one, [&](std::uint32_t begin, std::uint32_t end) {
+          MemberBuckets members;
+          CentreBox box = one;
+          for (std::uint32_t at = level.first + begin; at < level.first + end; at += MemberBuckets::most) {
+            const std::uint32_t size = std::min(MemberBuckets::most, level.first + end - at);
+            members.take(chain_, grid_, at, size);
+            take_in(box, members.box(0, size).centres);
+          }
+          return box;
+        });
   }
 
   /// Counts become places, part by part of the buckets.

@@ -2,25 +2,92 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 
 namespace catena {
 namespace {
 
-/// Every octave from the greatest binary32 number to the least; points are the last.
-constexpr std::size_t most_octaves = 280;
+using Part = SphereGrid::OctavePart;
+constexpr std::size_t most_octaves = Part::octaves;
 
 /// 0 for radii down to half of the greatest, and so on; does not fall as the radius does.
-std::size_t octave(float radius, float greatest) {
+std::uint32_t octave(float radius, float greatest) {
   if (radius == 0) return greatest == 0 ? 0 : most_octaves - 1;
-  return static_cast<std::size_t>(std::max(0, -1 - std::ilogb(double{radius} / greatest)));
+  constexpr int mantissa = 52, bias = 1023;  // the quotient of two binary32 numbers is a normal binary64 one
+  const auto exponent =
+      static_cast<int>(std::bit_cast<std::uint64_t>(double{radius} / greatest) >> mantissa) - bias;
+  return static_cast<std::uint32_t>(std::max(0, -1 - exponent));
 }
+
+/// A counting sort that keeps the order within an octave.
+class OctaveSort {
+ public:
+  OctaveSort(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid, const Team& team)
+      : chain_(chain),
+        only_(only),
+        grid_(grid),
+        team_(team),
+        n_(static_cast<std::uint32_t>(grid.bucket.size())),
+        parts_(grid.octave_parts) {}
+
+  void run() {
+    parts_.assign((n_ + members_of_a_part - 1) / members_of_a_part, {});
+    each_part([&](Part& part, std::uint32_t k) {
+      const float r = chain_.spheres[sphere(k)].radius;
+      const std::uint32_t o = grid_.bucket[k] = octave(r, chain_.extent.greatest_radius);
+      ++part.spheres[o];
+      part.greatest[o] = std::max(part.greatest[o], r);
+    });
+    add_up();
+    grid_.members.resize(n_);
+    each_part(
+        [&](Part& part, std::uint32_t k) { grid_.members[part.spheres[grid_.bucket[k]]++] = sphere(k); });
+  }
+
+ private:
+  static constexpr std::uint32_t members_of_a_part = 1 << 16;
+
+  std::uint32_t sphere(std::uint32_t k) const { return only_.empty() ? k : only_[k]; }
+
+  template <class Body>
+  void each_part(const Body& body) {
+    team_.for_each_range(
+        static_cast<std::uint32_t>(parts_.size()), 1, [&](std::uint32_t begin, std::uint32_t end) {
+          for (std::uint32_t p = begin; p < end; ++p)
+            for (std::uint32_t k = p * members_of_a_part; k < std::min(n_, (p + 1) * members_of_a_part); ++k)
+              body(parts_[p], k);
+        });
+  }
+
+  /// Numbers of spheres become places, and octaves that have some are told.
+  void add_up() {
+    std::uint32_t place = 0;
+    for (std::size_t o = 0; o < most_octaves; ++o) {
+      SphereGrid::Octave all{place, place, 0};
+      for (Part& part : parts_) {
+        const std::uint32_t spheres = part.spheres[o];
+        part.spheres[o] = all.end;
+        all.end += spheres;
+        all.greatest = std::max(all.greatest, part.greatest[o]);
+      }
+      if (all.first < all.end) grid_.octaves.push_back(all);
+      place = all.end;
+    }
+  }
+
+  const ChainView& chain_;
+  const std::span<const std::uint32_t> only_;
+  SphereGrid& grid_;
+  const Team& team_;
+  const std::uint32_t n_;
+  std::vector<Part>& parts_;
+};
 
 }  // namespace
 
-void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid) {
+void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid,
+                    const Team& team) {
   const std::uint32_t n = only.empty() ? chain.size : static_cast<std::uint32_t>(only.size());
-  const auto sphere = [&](std::uint32_t k) { return only.empty() ? k : only[k]; };
   const float greatest = chain.extent.greatest_radius;
   for (auto* field : {&grid.x, &grid.y, &grid.z, &grid.radius}) field->resize(n + SphereGrid::margin);
   grid.index.resize(n + SphereGrid::margin);
@@ -34,25 +101,7 @@ void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only,
     grid.octaves.push_back({0, n, greatest});
     return;
   }
-
-  std::array<SphereGrid::Octave, most_octaves> all{};
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const float r = chain.spheres[sphere(k)].radius;
-    SphereGrid::Octave& o = all[octave(r, greatest)];
-    ++o.end;
-    o.greatest = std::max(o.greatest, r);
-  }
-  std::uint32_t place = 0;
-  for (SphereGrid::Octave& o : all) {
-    const std::uint32_t spheres = o.end;
-    o.first = o.end = place;
-    place += spheres;
-  }
-  grid.members.resize(n);
-  for (std::uint32_t k = 0; k < n; ++k)
-    grid.members[all[octave(chain.spheres[sphere(k)].radius, greatest)].end++] = sphere(k);
-  for (const SphereGrid::Octave& o : all)
-    if (o.first < o.end) grid.octaves.push_back(o);
+  OctaveSort(chain, only, grid, team).run();
 }
 
 }  // namespace catena

@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/executor/large_vector.h"
+#include "catena/core/executor/team.h"
 #include "catena/core/grid/bucket_map.h"
 
 namespace catena {
@@ -24,9 +27,9 @@ struct SphereGrid {
   };
 
   std::vector<Level> levels;
-  std::vector<std::uint32_t> start;
-  std::vector<float> x, y, z, radius;  ///< by place
-  std::vector<std::uint32_t> index;    ///< of the sphere in the chain, by place
+  LargeVector<std::uint32_t> start;
+  LargeVector<float> x, y, z, radius;  ///< by place
+  LargeVector<std::uint32_t> index;    ///< of the sphere in the chain, by place
 
   /// Spheres whose radii are within a factor of 2.
   struct Octave {
@@ -34,10 +37,18 @@ struct SphereGrid {
     float greatest;            ///< radius
   };
 
+  /// Spheres that follow one another, by octave: how many, later where the next one goes.
+  struct OctavePart {
+    static constexpr std::size_t octaves = 280;  ///< from the greatest binary32 number to the least; points last
+    std::array<std::uint32_t, octaves> spheres{};
+    std::array<float, octaves> greatest{};
+  };
+
   /// Of the build: the octaves, coarse ones first; the spheres by octave, empty where there is one level; and
   /// by their number there, bucket and how many came into it before.
   std::vector<Octave> octaves;
-  std::vector<std::uint32_t> members, bucket, rank;
+  LargeVector<std::uint32_t> members, bucket, rank;
+  std::vector<OctavePart> octave_parts;
   std::vector<std::uint32_t> part_place;  ///< first places of parts of the buckets that threads share out
 
   std::uint32_t member(std::uint32_t at) const { return members.empty() ? at : members[at]; }
@@ -48,6 +59,7 @@ struct SphereGrid {
 
 /// Sorts the spheres, or `only` those of these indices, by octave of their radius and makes room for all but
 /// the levels. O(n); does not allocate when neither n nor the number of octaves has grown.
-void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid);
+void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid,
+                    const Team& team);
 
 }  // namespace catena

@@ -1,5 +1,7 @@
 #include "catena/core/hybrid/hybrid_search.h"
 
+#include <numeric>
+
 namespace catena {
 
 HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
@@ -12,11 +14,11 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   dense_.clear();
   dense_count_ = 0;
   if (crowding_.crowded_nodes() == 0) return;
-  build_space_tree(chain, tree_, crowding_, space_, settings_.dense, entry_queues_[0]);
+  build_space_tree(chain, tree_, crowding_, space_, settings_.dense, entry_queues_, team);
   if (space_.entries == 0 && crowding_.crowded_nodes() == crowding_.nodes()) {
     dense_count_ = chain.size;  // their list need not be made
   } else {
-    gather_dense();
+    gather_dense(team);
     dense_count_ = static_cast<std::uint32_t>(dense_.size());
   }
   if (dense_count_ > 0) build_grid(chain, grid_, dense_, team);
@@ -30,15 +32,31 @@ void HybridSearch::search(const ChainView& chain, PairCollector& collector, cons
   if (dense_count_ > 0) search_grid(chain, grid_, grid_queues_, collector, team);
 }
 
-void HybridSearch::gather_dense() {
-  for (std::uint32_t node = 0; node < crowding_.nodes(); ++node) {
+void HybridSearch::gather_dense(const Team& team) {
+  // Counted first, so that each thread knows where its own come.
+  const auto for_each = [&](std::uint32_t node, const auto& body) {
     const std::uint32_t begin = node * BlockTree::group, dense = crowding_.dense(node);
-    for (std::uint32_t b = begin; b < begin + tree_.blocks_of(node); ++b) {
+    for (std::uint32_t b = begin; dense != 0 && b < begin + tree_.blocks_of(node); ++b) {
       if ((dense >> (b - begin) & 1) == 0) continue;
       for (std::uint32_t k = 0; k < BlockTree::block; ++k)
-        if (const std::uint32_t i = tree_.index(b, k); i != BlockTree::no_sphere) dense_.push_back(i);
+        if (const std::uint32_t i = tree_.index(b, k); i != BlockTree::no_sphere) body(i);
     }
-  }
+  };
+  constexpr std::uint32_t nodes_of_a_task = 64;
+  const auto for_each_node = [&](const auto& body) {
+    team.for_each_range(crowding_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t node = begin; node < end; ++node) body(node);
+    });
+  };
+  dense_before_.assign(crowding_.nodes() + 1, 0);
+  for_each_node(
+      [&](std::uint32_t node) { for_each(node, [&](std::uint32_t) { ++dense_before_[node + 1]; }); });
+  std::partial_sum(dense_before_.begin(), dense_before_.end(), dense_before_.begin());
+  dense_.resize(dense_before_.back());
+  for_each_node([&](std::uint32_t node) {
+    std::uint32_t* to = dense_.data() + dense_before_[node];
+    for_each(node, [&](std::uint32_t i) { *to++ = i; });
+  });
 }
 
 HybridSearch::Work HybridSearch::met() const {

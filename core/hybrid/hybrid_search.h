@@ -50,7 +50,7 @@ class CATENA_API HybridSearch {
 
  private:
   Work met() const;  ///< since this was made
-  void gather_dense();
+  void gather_dense(const Team& team);
 
   const Settings settings_;
   Work before_;  ///< met before the last search
@@ -58,8 +58,9 @@ class CATENA_API HybridSearch {
   Crowding crowding_;
   SpaceTree space_;
   SphereGrid grid_;
+  std::vector<std::uint32_t> dense_before_;  ///< [node]: dense spheres of earlier ones
   std::uint32_t dense_count_ = 0;     ///< spheres of dense blocks
-  std::vector<std::uint32_t> dense_;  ///< they, ascending; empty where all are
+  LargeVector<std::uint32_t> dense_;  ///< they, ascending; empty where all are
   // [member of the team]
   std::vector<BlockQueues> block_queues_;
   std::vector<SpaceQueue> entry_queues_;

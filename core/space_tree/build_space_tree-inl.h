@@ -11,6 +11,7 @@
 
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/blocks/crowding.h"
+#include "catena/core/executor/team.h"
 #include "catena/core/space_tree/axis_boxes-inl.h"
 #include "catena/core/space_tree/cut_blocks-inl.h"
 
@@ -19,129 +20,188 @@ namespace catena::HWY_NAMESPACE {
 
 class SpaceBuild {
  public:
-  SpaceBuild(const ChainView& chain, BlockTree& tree, const Crowding& crowding, SpaceTree& space)
-      : chain_(chain), tree_(tree), crowding_(crowding), space_(space) {}
+  SpaceBuild(const ChainView& chain, BlockTree& tree, const Crowding& crowding, SpaceTree& space,
+             const Team& team)
+      : chain_(chain), tree_(tree), crowding_(crowding), space_(space), team_(team) {}
 
   /// Collects entries; false when the chain jumps in most crowded blocks.
   bool collect() {
-    space_.unsorted.clear();
-    space_.part_of.clear();
-    std::uint32_t blocks = 0, broken_blocks = 0;
-    for (std::uint32_t g = 0; g < crowding_.nodes(); ++g) {
-      if (!crowding_.crowded(g)) continue;
-      Sphere copy[(group + 1) * block];
-      BlockSpheres spheres;
-      load(consecutive_blocks(chain_, tree_, g, copy), Lanes16::all(tree_.scale), spheres);
-      const std::uint32_t all = lane_bits(tree_.blocks_of(g));
-      if (space_.unsorted.empty()) set_origin(spheres);
-      const std::uint32_t broken = cut(tree_, g, spheres,
-                                       [&](std::uint32_t b, std::uint32_t first, std::uint32_t size) {
-                                         append_copied_block(chain_, tree_.index(b, 0) + first, size, tree_);
-                                         space_.part_of.push_back(b);
-                                       }) &
-                                   all;
-      add(spheres, Capsules::load(tree_.capsules_of(g)), all & ~broken, g * group, nullptr);
-      blocks += static_cast<std::uint32_t>(std::popcount(all));
-      broken_blocks += static_cast<std::uint32_t>(std::popcount(broken));
-      if (blocks > group * group && broken_blocks > blocks / 2) return false;
-    }
-    return true;
+    space_.gathered.resize(team_.size());
+    for (SpaceTree::Gathered& own : space_.gathered) own.clear();
+    set_origin();
+    constexpr std::uint32_t nodes_of_a_task = 32;
+    team_.for_each_range(crowding_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+      SpaceTree::Gathered& own = space_.gathered[team_.member()];
+      for (std::uint32_t g = begin; g < end && !own.broken_up(); ++g)
+        if (crowding_.crowded(g)) gather(g, own);
+    });
+    return std::none_of(space_.gathered.begin(), space_.gathered.end(),
+                        [](const SpaceTree::Gathered& own) { return own.broken_up(); });
   }
 
   void build() {
-    add_parts();
+    join();
     const auto n = static_cast<std::uint32_t>(space_.unsorted.size());
-    space_.order.sort({space_.unsorted[0].low, sizeof(SpaceTree::Unsorted) / sizeof(float), n});
-    lay_out();
-    for (std::size_t l = 1; l < space_.boxes.size(); ++l) enclose(l);
+    space_.order.sort({space_.unsorted[0].low, sizeof(SpaceTree::Unsorted) / sizeof(float), n}, team_);
+    make_room(n);
+    constexpr std::uint32_t nodes_of_a_task = 32;
+    team_.for_each_range(space_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t k = begin * group; k < end * group; ++k) lay_out(k);
+    });
+    for (std::size_t l = 1; l < space_.boxes.size(); ++l) {
+      const auto groups = static_cast<std::uint32_t>(space_.boxes[l].size() / (group * box_fields));
+      team_.for_each_range(groups, nodes_of_a_task / group, [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t k = begin * group; k < end * group; ++k) enclose(l, k);
+      });
+    }
   }
 
  private:
   static constexpr std::uint32_t group = SpaceTree::group, block = BlockTree::block,
                                  fields = BlockTree::capsule_fields, box_fields = SpaceTree::box_fields;
 
-  void set_origin(const BlockSpheres& spheres) {
-    float x[group], y[group], z[group];
-    spheres.at[0].x.store(x), spheres.at[0].y.store(y), spheres.at[0].z.store(z);
-    space_.origin[0] = x[0], space_.origin[1] = y[0], space_.origin[2] = z[0];
-    origin_ = {Lanes16::all(x[0]), Lanes16::all(y[0]), Lanes16::all(z[0])};
+  /// The first sphere of all that are crowded; near enough to all where these are near one another.
+  void set_origin() {
+    std::uint32_t g = 0;
+    while (!crowding_.crowded(g)) ++g;
+    const Sphere& first = tree_.spheres(chain_, g * group)[0];
+    const float at[3] = {first.x * tree_.scale, first.y * tree_.scale, first.z * tree_.scale};
+    std::copy(at, at + 3, space_.origin);
+    origin_ = {Lanes16::all(at[0]), Lanes16::all(at[1]), Lanes16::all(at[2])};
   }
 
-  /// Those of sixteen blocks that are wanted, of the tree from `first` on, become entries; parts are of
-  /// `wholes`.
-  void add(const BlockSpheres& spheres, const Capsules& capsules, std::uint32_t wanted, std::uint32_t first,
-           const std::uint32_t* wholes) {
+  /// The blocks of node g, and the parts of those that are cut.
+  void gather(std::uint32_t g, SpaceTree::Gathered& own) const {
+    Sphere copy[(group + 1) * block];
+    BlockSpheres spheres;
+    load(consecutive_blocks(chain_, tree_, g, copy), Lanes16::all(tree_.scale), spheres);
+    const std::uint32_t all = lane_bits(tree_.blocks_of(g));
+    const std::uint32_t broken =
+        all & cut(tree_, g, spheres, [&](std::uint32_t b, std::uint32_t first, std::uint32_t size) {
+          own.parts.push_back({b, tree_.index(b, 0) + first, size});
+        });
+    const std::size_t before = own.entries.size();
+    own.entries.resize(before + static_cast<std::size_t>(std::popcount(all & ~broken)));
+    SpaceTree::Unsorted* to = own.entries.data() + before;
+    tell(spheres, Capsules::load(tree_.capsules_of(g)), all & ~broken,
+         [&](std::uint32_t k) -> SpaceTree::Unsorted& {
+           to->block = to->whole = g * group + k;
+           return *to++;
+         });
+    own.blocks += static_cast<std::uint32_t>(std::popcount(all));
+    own.broken += static_cast<std::uint32_t>(std::popcount(broken));
+  }
+
+  /// Writes capsules and boxes of those of sixteen blocks that are wanted, into entry(k).
+  template <class Entry>
+  void tell(const BlockSpheres& spheres, const Capsules& capsules, std::uint32_t wanted,
+            const Entry& entry) const {
     float capsule[fields * group], box[box_fields * group];
     capsules.store(capsule);
     boxes_around(spheres, origin_).store(box);
     for_each_lane(wanted, [&](std::uint32_t k) {
-      SpaceTree::Unsorted entry;
-      for (std::uint32_t f = 0; f < fields; ++f) entry.capsule[f] = capsule[f * group + k];
+      SpaceTree::Unsorted& to = entry(k);
+      for (std::uint32_t f = 0; f < fields; ++f) to.capsule[f] = capsule[f * group + k];
       for (std::uint32_t d = 0; d < 3; ++d) {
-        entry.low[d] = box[d * group + k];
-        entry.high[d] = box[(3 + d) * group + k];
+        to.low[d] = box[d * group + k];
+        to.high[d] = box[(3 + d) * group + k];
       }
-      entry.block = first + k;
-      entry.whole = wholes == nullptr ? first + k : wholes[k];
-      space_.unsorted.push_back(entry);
     });
   }
 
-  void add_parts() {
-    const auto parts = static_cast<std::uint32_t>(space_.part_of.size());
-    for (std::uint32_t first = 0; first < parts; first += group) {
-      Sphere some[group * block];
-      for (std::uint32_t k = 0; k < group; ++k)
-        std::memcpy(some + k * block, tree_.spheres(chain_, tree_.blocks + std::min(first + k, parts - 1)),
-                    sizeof(Sphere) * block);
-      BlockSpheres spheres;
-      load(some, Lanes16::all(tree_.scale), spheres);
-      Lanes16 reach;
-      add(spheres, capsules_around(spheres, reach), lane_bits(parts - first), tree_.blocks + first,
-          space_.part_of.data() + first);
+  /// What each member gathered, one behind the other, and then the parts, which are blocks from now on.
+  void join() {
+    space_.parts.clear();
+    if (team_.size() == 1) {
+      space_.unsorted.swap(space_.gathered[0].entries);
+      space_.parts.swap(space_.gathered[0].parts);
+    } else {
+      std::vector<std::size_t> begin{0};
+      for (const SpaceTree::Gathered& own : space_.gathered) {
+        begin.push_back(begin.back() + own.entries.size());
+        space_.parts.insert(space_.parts.end(), own.parts.begin(), own.parts.end());
+      }
+      space_.unsorted.resize(begin.back());
+      team_.for_each_range(team_.size(), 1, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t m = first; m < end; ++m)
+          std::copy(space_.gathered[m].entries.begin(), space_.gathered[m].entries.end(),
+                    space_.unsorted.begin() + begin[m]);
+      });
     }
+    add_parts();
   }
 
-  /// Entries in their order, and boxes around them.
-  void lay_out() {
-    const auto n = static_cast<std::uint32_t>(space_.unsorted.size());
+  void add_parts() {
+    const auto parts = static_cast<std::uint32_t>(space_.parts.size());
+    if (parts == 0) return;
+    const std::size_t whole_blocks = space_.unsorted.size();
+    space_.unsorted.resize(whole_blocks + parts);
+    CopiedBlocks copies(chain_, tree_, parts);
+    constexpr std::uint32_t groups_of_a_task = 32;
+    team_.for_each_range(
+        (parts + group - 1) / group, groups_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+          for (std::uint32_t first = begin * group; first < std::min(parts, end * group); first += group) {
+            const std::uint32_t count = std::min(group, parts - first);
+            for (std::uint32_t k = first; k < first + count; ++k)
+              copies.fill(k, space_.parts[k].first, space_.parts[k].size);
+            add_parts(first, count, space_.unsorted.data() + whole_blocks + first);
+          }
+        });
+  }
+  void add_parts(std::uint32_t first, std::uint32_t count, SpaceTree::Unsorted* to) const {
+    Sphere some[group * block];
+    for (std::uint32_t k = 0; k < group; ++k)
+      std::memcpy(some + k * block, tree_.spheres(chain_, tree_.blocks + first + std::min(k, count - 1)),
+                  sizeof(Sphere) * block);
+    BlockSpheres spheres;
+    load(some, Lanes16::all(tree_.scale), spheres);
+    Lanes16 reach;
+    tell(spheres, capsules_around(spheres, reach), lane_bits(count),
+         [&](std::uint32_t k) -> SpaceTree::Unsorted& {
+           to[k].block = tree_.blocks + first + k;
+           to[k].whole = space_.parts[first + k].block;
+           return to[k];
+         });
+  }
+
+  void make_room(std::uint32_t n) {
     space_.entries = n;
     space_.block.resize(n), space_.whole.resize(n);
-    const std::uint32_t nodes = space_.nodes();
-    space_.capsules.resize(std::size_t{nodes} * group * fields);
+    space_.capsules.resize(std::size_t{space_.nodes()} * group * fields);
     std::size_t levels = 0;
     for (std::uint32_t count = n; count > 0; count = count > group ? (count + group - 1) / group : 0) {
       if (levels == space_.boxes.size()) space_.boxes.emplace_back();
       space_.boxes[levels++].resize(std::size_t{(count + group - 1) / group} * group * box_fields);
     }
     space_.boxes.resize(levels);
+  }
+
+  /// Entry k in its place, or nothing past the last.
+  void lay_out(std::uint32_t k) {
     constexpr float nowhere = std::numeric_limits<float>::infinity();
-    for (std::uint32_t k = 0; k < nodes * group; ++k) {
-      const SpaceTree::Unsorted& entry = space_.unsorted[space_.order[std::min(k, n - 1)]];
-      if (k < n) space_.block[k] = entry.block, space_.whole[k] = entry.whole;
-      std::memcpy(space_.capsules.data() + std::size_t{k} * fields, entry.capsule, sizeof entry.capsule);
-      float* const box = space_.boxes_of(0, k / group) + k % group;
-      for (std::uint32_t d = 0; d < 3; ++d) {
-        box[d * group] = k < n ? entry.low[d] : nowhere;
-        box[(3 + d) * group] = k < n ? entry.high[d] : -nowhere;
-      }
+    const std::uint32_t n = space_.entries;
+    const SpaceTree::Unsorted& entry = space_.unsorted[space_.order[std::min(k, n - 1)]];
+    if (k < n) space_.block[k] = entry.block, space_.whole[k] = entry.whole;
+    std::memcpy(space_.capsules.data() + std::size_t{k} * fields, entry.capsule, sizeof entry.capsule);
+    float* const box = space_.boxes_of(0, k / group) + k % group;
+    for (std::uint32_t d = 0; d < 3; ++d) {
+      box[d * group] = k < n ? entry.low[d] : nowhere;
+      box[(3 + d) * group] = k < n ? entry.high[d] : -nowhere;
     }
   }
 
-  /// Boxes of level l around sixteen each of the level below.
-  void enclose(std::size_t l) {
+  /// Box k of level l, around sixteen of the level below.
+  void enclose(std::size_t l, std::uint32_t k) {
     const auto count = static_cast<std::uint32_t>(space_.boxes[l - 1].size() / (group * box_fields));
-    for (std::uint32_t k = 0; k < (count + group - 1) / group * group; ++k) {
-      float* const to = space_.boxes_of(l, k / group) + k % group;
-      for (std::uint32_t f = 0; f < box_fields; ++f) {
-        const bool low = f < 3;
-        float v = low ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
-        if (k < count) {
-          const float* const of = space_.boxes_of(l - 1, k) + f * group;
-          v = low ? *std::min_element(of, of + group) : *std::max_element(of, of + group);
-        }
-        to[f * group] = v;
+    float* const to = space_.boxes_of(l, k / group) + k % group;
+    for (std::uint32_t f = 0; f < box_fields; ++f) {
+      const bool low = f < 3;
+      float v = low ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
+      if (k < count) {
+        const float* const of = space_.boxes_of(l - 1, k) + f * group;
+        v = low ? *std::min_element(of, of + group) : *std::max_element(of, of + group);
       }
+      to[f * group] = v;
     }
   }
 
@@ -149,6 +209,7 @@ class SpaceBuild {
   BlockTree& tree_;
   const Crowding& crowding_;
   SpaceTree& space_;
+  const Team& team_;
   Vectors origin_;
 };
 

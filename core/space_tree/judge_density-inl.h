@@ -7,6 +7,8 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
+#include <span>
 
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/blocks/sample_crowds-inl.h"
@@ -53,32 +55,42 @@ class SpaceSample {
 
 /// Looks at one node of sixteen, and judges all by it; where most are dense, a second search for the rest is
 /// not worth its while. `sphere_ns` is what the other search costs a sphere.
-inline void judge_density(SpaceTree& space, Crowding& crowding, SpaceQueue& queue, double sphere_ns) {
-  constexpr std::uint32_t group = SpaceTree::group, judged_at_once = 16;
+inline void judge_density(SpaceTree& space, Crowding& crowding, std::span<SpaceQueue> queues,
+                          double sphere_ns, const Team& team) {
+  constexpr std::uint32_t group = SpaceTree::group, judged_at_once = 16, judged_by_a_task = 8,
+                          nodes_of_a_task = 64;
   for (std::uint32_t node = 0; node < crowding.nodes(); ++node) crowding.dense(node) = 0;
-  std::uint32_t dense = 0;
-  for (std::uint32_t first = 0; first < space.nodes(); first += judged_at_once) {
+  std::atomic<std::uint32_t> dense = 0;
+  const auto judge = [&](std::uint32_t first) {
     const std::uint32_t end = std::min(space.nodes(), first + judged_at_once);
     SpaceSample sample(space, sphere_ns * BlockTree::block * group);
-    SpaceWalk walk(space, queue, sample);
+    SpaceWalk walk(space, queues[team.member()], sample);
     walk.node((first + end) / 2, true);
     walk.finish();
-    if (!sample.enough()) continue;
+    if (!sample.enough()) return;
     dense += end - first;
     for (std::uint32_t k = first * group; k < std::min(space.entries, end * group); ++k)
-      crowding.dense(space.whole[k] / group) |= static_cast<std::uint16_t>(1u << space.whole[k] % group);
-  }
+      crowding.make_dense(space.whole[k] / group, space.whole[k] % group);
+  };
+  team.for_each_range((space.nodes() + judged_at_once - 1) / judged_at_once, judged_by_a_task,
+                      [&](std::uint32_t begin, std::uint32_t end) {
+                        for (std::uint32_t k = begin; k < end; ++k) judge(k * judged_at_once);
+                      });
   if (dense > space.nodes() / 2) {
     crowding.all_dense();
     space.entries = 0;
     return;
   }
-  space.dense_entry.assign(space.entries, 0);
-  space.dense_node.assign(space.nodes(), 1);
-  for (std::uint32_t k = 0; k < space.entries; ++k) {
-    space.dense_entry[k] = crowding.dense(space.whole[k] / group) >> space.whole[k] % group & 1;
-    space.dense_node[k / group] &= space.dense_entry[k];
-  }
+  space.dense_entry.resize(space.entries);
+  space.dense_node.resize(space.nodes());
+  team.for_each_range(space.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t node = begin; node < end; ++node) {
+      std::uint8_t all = 1;
+      for (std::uint32_t k = node * group; k < std::min(space.entries, (node + 1) * group); ++k)
+        all &= space.dense_entry[k] = crowding.dense(space.whole[k] / group) >> space.whole[k] % group & 1;
+      space.dense_node[node] = all;
+    }
+  });
 }
 
 }  // namespace catena::HWY_NAMESPACE

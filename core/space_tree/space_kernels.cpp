@@ -13,14 +13,14 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                           double dense, SpaceQueue& queue) {
+                           double dense, std::span<SpaceQueue> queues, const Team& team) {
   space.entries = 0;
   const double sphere_ns = dense * grid_ns(chain, tree, crowding);
   if (dense_everywhere(tree, crowding, sphere_ns)) return;
-  SpaceBuild build(chain, tree, crowding, space);
+  SpaceBuild build(chain, tree, crowding, space, team);
   if (!build.collect()) return;
   build.build();
-  judge_density(space, crowding, queue, sphere_ns);
+  judge_density(space, crowding, queues, sphere_ns, team);
 }
 
 void search_space_tree_here(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
@@ -43,8 +43,8 @@ HWY_EXPORT(build_space_tree_here);
 HWY_EXPORT(search_space_tree_here);
 
 void build_space_tree(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                      double dense, SpaceQueue& queue) {
-  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, dense, queue);
+                      double dense, std::span<SpaceQueue> queues, const Team& team) {
+  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, dense, queues, team);
 }
 
 void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "catena/core/executor/team.h"
 #include "catena/core/export.h"
 
 namespace catena {
@@ -15,7 +16,7 @@ struct BoxRows {
 
 /// Sorts boxes in space: by class of size, a factor of 4 each and the greatest first, and in a class along
 /// a curve (Morton's) through the cubes of the box of their middles, 512 a side, and of cubes with many of
-/// them. Equal ones keep their order.
+/// them. Equal ones keep their order. The same for any team.
 class CATENA_API SpaceOrder {
  public:
   SpaceOrder();
@@ -23,14 +24,14 @@ class CATENA_API SpaceOrder {
   SpaceOrder(SpaceOrder&&) noexcept;
   SpaceOrder& operator=(SpaceOrder&&) noexcept;
 
-  /// O(n log n); does not allocate when n has not grown.
-  void sort(const BoxRows& boxes);
+  /// O(n log n); does not allocate when n has not grown, in a team of one.
+  void sort(const BoxRows& boxes, const Team& team);
   /// The number of the box that comes to this place.
   std::uint32_t operator[](std::size_t place) const;
 
  private:
-  struct Keys;
-  std::unique_ptr<Keys> keys_;
+  struct Sort;
+  std::unique_ptr<Sort> sort_;
 };
 
 }  // namespace catena

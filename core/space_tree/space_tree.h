@@ -18,14 +18,14 @@ struct SpaceTree {
 
   float origin[3] = {};
   std::uint32_t entries = 0;
-  std::vector<std::uint32_t> block;  ///< [entry]: of the tree, or a part
-  std::vector<std::uint32_t> whole;  ///< [entry]: the block that it is of
-  std::vector<float> capsules;       ///< BlockTree::capsule_fields of each entry
+  LargeVector<std::uint32_t> block;  ///< [entry]: of the tree, or a part
+  LargeVector<std::uint32_t> whole;  ///< [entry]: the block that it is of
+  LargeVector<float> capsules;       ///< BlockTree::capsule_fields of each entry
   /// [level]: of entries, of nodes of sixteen, and so on to a single group; groups of sixteen.
-  std::vector<std::vector<float>> boxes;
+  std::vector<LargeVector<float>> boxes;
 
   /// [entry], [node]: whether it is dense, all of it; see Crowding.
-  std::vector<std::uint8_t> dense_entry, dense_node;
+  LargeVector<std::uint8_t> dense_entry, dense_node;
 
   /// Of the build: entries before they are sorted.
   struct Unsorted {
@@ -33,8 +33,22 @@ struct SpaceTree {
     float low[3], high[3];
     std::uint32_t block, whole;
   };
-  std::vector<Unsorted> unsorted;
-  std::vector<std::uint32_t> part_of;  ///< the block of each part
+  /// Spheres first to first + size - 1 of a block.
+  struct Part {
+    std::uint32_t block, first, size;
+  };
+  /// What one thread found.
+  struct Gathered {
+    LargeVector<Unsorted> entries;
+    std::vector<Part> parts;
+    std::uint32_t blocks = 0, broken = 0;  ///< it looked at; the chain jumps in
+    /// The chain jumps in most: no block is worth its capsule.
+    bool broken_up() const { return blocks > group * group && broken > blocks / 2; }
+    void clear() { entries.clear(), parts.clear(), blocks = broken = 0; }
+  };
+  std::vector<Gathered> gathered;
+  LargeVector<Unsorted> unsorted;
+  std::vector<Part> parts;
   SpaceOrder order;
 
   std::uint32_t nodes() const { return (entries + group - 1) / group; }

@@ -24,7 +24,8 @@ struct Built {
     SpaceQueue queue;
     build_block_tree(chain, tree, alone);
     find_crowds(tree, 0, crowding, alone);
-    if (crowding.crowded_nodes() > 0) build_space_tree(chain, tree, crowding, space, 1e6, queue);
+    if (crowding.crowded_nodes() > 0)
+      build_space_tree(chain, tree, crowding, space, 1e6, {&queue, 1}, Team());
   }
 };
 
@@ -107,7 +108,7 @@ TEST(SpaceOrder, SortsEveryBoxOnceGreatOnesFirst) {
     for (const float x : low) boxes.push_back(x + size);
   }
   SpaceOrder order;
-  order.sort({boxes.data(), 6, n});
+  order.sort({boxes.data(), 6, n}, Team());
   std::vector<std::uint32_t> all;
   double steps = 0;
   bool small = false;
@@ -124,6 +125,22 @@ TEST(SpaceOrder, SortsEveryBoxOnceGreatOnesFirst) {
   for (std::uint32_t k = 0; k < n; ++k) ASSERT_EQ(all[k], k);
   // At random two are 200 apart, on average.
   EXPECT_LT(steps / n, 60) << "what follows one another is not near";
+}
+
+TEST(SpaceOrder, IsTheSameForAnyTeam) {
+  properties::Dice dice(6);
+  std::vector<float> boxes;
+  constexpr std::uint32_t n = 70'000;  // a third of them in one cube, and some at one place
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const float wide = dice.one_in(3) ? 0.01f : dice.one_in(5) ? 0.0f : 100.0f;
+    float low[3];
+    for (float& x : low) boxes.push_back(x = wide * dice.symmetric());
+    for (const float x : low) boxes.push_back(x + 1);
+  }
+  SpaceOrder one, several;
+  one.sort({boxes.data(), 6, n}, Team());
+  several.sort({boxes.data(), 6, n}, Team(Parameters("test", {Team::threads_parameter()}, "threads=3")));
+  for (std::uint32_t k = 0; k < n; ++k) ASSERT_EQ(one[k], several[k]) << k;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ class FaultySpace : public HostSearch {
     find_crowds(tree_, 0, crowding_, team());
     space_.entries = 0;
     if (crowding_.crowded_nodes() == 0) return;
-    build_space_tree(chain, tree_, crowding_, space_, 1e6, entry_queue_);
+    build_space_tree(chain, tree_, crowding_, space_, 1e6, {&entry_queue_, 1}, team());
     if (space_.entries == 0) throw std::runtime_error("the chain jumps everywhere");
     tamper(tree_, space_);
   }

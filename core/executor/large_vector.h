@@ -1,0 +1,77 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace catena {
+
+/// From so many bytes on an array is worth pages of that size.
+inline constexpr std::size_t large_page = std::size_t{1} << 21;
+
+/// Asks the system for large pages between two addresses: the first touch of many small ones takes longer
+/// than a search. Only a wish.
+inline void wish_large_pages(void* begin, std::size_t bytes) {
+#if defined(__linux__)
+  const auto first = (reinterpret_cast<std::size_t>(begin) + large_page - 1) / large_page * large_page,
+             end = (reinterpret_cast<std::size_t>(begin) + bytes) / large_page * large_page;
+  if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+#else
+  static_cast<void>(begin), static_cast<void>(bytes);
+#endif
+}
+
+/// For arrays that are written before they are read, by several threads perhaps: what resize() adds is not
+/// set to zero, and large arrays lie on large pages.
+template <class T>
+struct LargeAllocator {
+  static_assert(std::is_trivially_copyable_v<T>);
+  using value_type = T;
+
+  LargeAllocator() = default;
+  template <class U>
+  LargeAllocator(const LargeAllocator<U>&) noexcept {}
+
+  T* allocate(std::size_t n) {
+    if (n * sizeof(T) < large_page) return std::allocator<T>().allocate(n);
+    void* const memory = ::operator new (n * sizeof(T), std::align_val_t{large_page});
+    wish_large_pages(memory, n * sizeof(T));
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* memory, std::size_t n) {
+    if (n * sizeof(T) < large_page) return std::allocator<T>().deallocate(memory, n);
+    ::operator delete (memory, std::align_val_t{large_page});
+  }
+  template <class U>
+  void construct(U* at) noexcept {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+  }
+  friend bool operator==(const LargeAllocator&, const LargeAllocator&) { return true; }
+};
+
+template <class T>
+using LargeVector = std::vector<T, LargeAllocator<T>>;
+
+/// Appends to an array of the standard kind that may become large.
+template <class T>
+void append_large(std::vector<T>& all, std::span<const T> more) {
+  if (all.capacity() - all.size() < more.size()) {
+    all.reserve(std::max(2 * all.capacity(), all.size() + more.size()));
+    wish_large_pages(all.data(), all.capacity() * sizeof(T));
+  }
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace catena
