@@ -78,7 +78,8 @@ __global__ void __launch_bounds__(BlockMeetings::threads)
 template <class Tests>
 __global__ void __launch_bounds__(threads)
     compare_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks,
-                   const __grid_constant__ ResidentAnswer answer, SphereRange queries, std::uint32_t together) {
+                   const __grid_constant__ ResidentAnswer answer, SphereRange queries,
+                   std::uint32_t together) {
   using Work = BlockComparison<DeviceWarp>::Work;
   constexpr std::uint32_t kinds = static_cast<std::uint32_t>(Work::kinds);
   __shared__ struct { std::uint8_t block, work; } item[threads * kinds];
@@ -124,9 +125,9 @@ struct CrowdedSpheres {
   __device__ std::uint32_t expected() const { return blocks.all_crowded ? size : blocks.crowded_spheres(); }
 };
 
-/// DeviceHybrid: capsules of 32 consecutive spheres in a tree of boxes in the order of the chain; in hashed cells
-/// where that says little of what is near; and blocks that meet too many others are searched among one another as in
-/// DeviceGrid. Decided on the device, for each.
+/// DeviceHybrid: capsules of 32 consecutive spheres in a tree of boxes in the order of the chain; in hashed
+/// cells where that says little of what is near; and blocks that meet too many others are searched among one
+/// another as in DeviceGrid. Decided on the device, for each.
 template <class Arithmetic>
 class DeviceHybrid final : public ResidentVariant {
  public:
@@ -151,11 +152,11 @@ class DeviceHybrid final : public ResidentVariant {
       nodes_.enqueue(blocks_, meetings_, &state_.data()->nodes, stream);
     }
     if (blocks_.in_cells) {
-      launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256, stream,
-                                                 blocks_.buckets, BlockChunks{blocks_});
+      launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256,
+                                                 stream, blocks_.buckets, BlockChunks{blocks_});
       launch_next<place_blocks>(std::min(up(n, 256), most_blocks), 256, stream, blocks_);
-      launch_next<meet_blocks>(std::min(up(n, BlockMeetings::together), most_blocks), BlockMeetings::threads, stream,
-                               blocks_);
+      launch_next<meet_blocks>(std::min(up(n, BlockMeetings::together), most_blocks), BlockMeetings::threads,
+                               stream, blocks_);
     }
     cells_.enqueue_build(chain, {blocks_, chain.size}, &state_.data()->cells, stream);
   }
@@ -167,8 +168,9 @@ class DeviceHybrid final : public ResidentVariant {
       if (!blocks_.all_crowded) {
         std::uint32_t together = threads;  // as far as there are thread blocks for the whole device
         while (together > 8 && blocks_.blocks / together < most_blocks) together /= 2;
-        launch_next<compare_blocks<decltype(tests)>>(up(blocks_.blocks, together), threads, stream, chain, blocks_,
-                                                     answer, request.queries.within(chain.size), together);
+        launch_next<compare_blocks<decltype(tests)>>(up(blocks_.blocks, together), threads, stream, chain,
+                                                     blocks_, answer, request.queries.within(chain.size),
+                                                     together);
       }
       cells_.template enqueue_search<decltype(tests)>(chain, request, answer, stream);
     });
@@ -220,12 +222,14 @@ class DeviceHybrid final : public ResidentVariant {
 
 const RegisterVariant<DeviceHybrid, Robust> registered{
     {.name = "DeviceHybrid",
-     .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, DeviceGrid where crowded",
+     .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, "
+                "DeviceGrid where crowded",
      .place = Place::device(),
-     .parameters = with_device({{"crowd", "8", "a block that meets more others is left to the grid"},
-                                {"least", "524288", "chains of fewer spheres are left to the grid"},
-                                {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
-                                {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}),
+     .parameters =
+         with_device({{"crowd", "8", "a block that meets more others is left to the grid"},
+                      {"least", "524288", "chains of fewer spheres are left to the grid"},
+                      {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
+                      {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7},
      .unavailable = unavailable}};
 

@@ -29,8 +29,8 @@ __device__ void for_each_of_mine(std::uint32_t count, const Body& body) {
        k += std::uint64_t{gridDim.x} * blockDim.x)
     body(static_cast<std::uint32_t>(k));
 }
-/// The same for members, some at a time: of each first get(sphere), then use(sphere, what it got), so that what the
-/// first ones read is on its way together.
+/// The same for members, some at a time: of each first get(sphere), then use(sphere, what it got), so that
+/// what the first ones read is on its way together.
 template <class Members, class Get, class Use>
 __device__ void for_members_together(const Members& members, const Get& get, const Use& use) {
   constexpr std::uint32_t together = 4;
@@ -70,7 +70,9 @@ __global__ void __launch_bounds__(256)
   const CellTable& table = cells.table_for(members.expected());
   for_members_together(
       members,
-      [&](std::uint32_t i) { return fetch_add(cells.buckets.count + cells.bucket_of(table, chain.spheres[i], 0), 1); },
+      [&](std::uint32_t i) {
+        return fetch_add(cells.buckets.count + cells.bucket_of(table, chain.spheres[i], 0), 1);
+      },
       [&](std::uint32_t i, std::uint32_t rank) { cells.buckets.rank[i] = rank; });
 }
 

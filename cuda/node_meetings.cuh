@@ -38,7 +38,8 @@ class MeetingList {
       : nodes_(nodes), meeting_(meeting), level_(level) {}
 
   /// By all threads of a warp together: of those that met somebody.
-  __device__ void add(bool met, std::uint32_t a, std::uint32_t b, std::uint32_t marks_a, std::uint32_t marks_b) const {
+  __device__ void add(bool met, std::uint32_t a, std::uint32_t b, std::uint32_t marks_a,
+                      std::uint32_t marks_b) const {
     met = met && meeting_.note(level_, a, b);
     const std::uint32_t all = __ballot_sync(DeviceWarp::all, met);
     if (all == 0) return;
@@ -59,8 +60,9 @@ class MeetingList {
   const std::uint32_t level_;
 };
 
-/// Every node of the top against all others, by a thread block. One that is not crowded lists all its meetings, and one
-/// that is lists none: of two that are crowded nobody does. One without room for all of its own becomes crowded.
+/// Every node of the top against all others, by a thread block. One that is not crowded lists all its
+/// meetings, and one that is lists none: of two that are crowded nobody does. One without room for all of its
+/// own becomes crowded.
 __global__ void __launch_bounds__(512)
     meet_at_top(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
@@ -93,8 +95,8 @@ __global__ void __launch_bounds__(512)
         lists ? BlockNodes::Meeting{a, partner[threadIdx.x]} : BlockNodes::Meeting{a | mark, a | mark};
 }
 
-/// The children of nodes of a level that met one another, and of each of its nodes among themselves; sixteen threads for
-/// two nodes.
+/// The children of nodes of a level that met one another, and of each of its nodes among themselves; sixteen
+/// threads for two nodes.
 __global__ void __launch_bounds__(128)
     meet_below(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks,
                std::uint32_t level) {
@@ -144,16 +146,18 @@ __global__ void __launch_bounds__(256)
   await_previous();
   if (nodes.state->tangled == 0 && blocks.state->any == 0) return;
   const BlockMeeting meeting(blocks);
-  for (std::uint32_t b = blockIdx.x * blockDim.x + threadIdx.x; b < blocks.blocks; b += gridDim.x * blockDim.x)
+  for (std::uint32_t b = blockIdx.x * blockDim.x + threadIdx.x; b < blocks.blocks;
+       b += gridDim.x * blockDim.x)
     meeting.enter(b, nodes.tangled(0, b));
 }
 
 /// A BlockNodes on a device: its memory, and its steps as kernels, none of which the host waits for.
 class DeviceBlockNodes {
  public:
-  /// Finds who meets whom among blocks whose capsules are known, and enters those that are tangled. `state` is 0
-  /// when the work begins.
-  void enqueue(const CapsuleBlocks& blocks, std::uint32_t meetings, BlockNodes::State* state, cudaStream_t stream) {
+  /// Finds who meets whom among blocks whose capsules are known, and enters those that are tangled. `state`
+  /// is 0 when the work begins.
+  void enqueue(const CapsuleBlocks& blocks, std::uint32_t meetings, BlockNodes::State* state,
+               cudaStream_t stream) {
     BlockNodes nodes = BlockNodes::over(blocks.blocks, meetings);
     nodes.box = box_.reserve(nodes.nodes(), stream);
     nodes.met = met_.reserve(nodes.nodes(), stream);
@@ -163,12 +167,14 @@ class DeviceBlockNodes {
       launch_next<fit_nodes>((nodes.count[level] + 31) / 32, 256, stream, nodes, blocks, level);
     launch_next<meet_at_top>(nodes.count[nodes.top], 512, stream, nodes, blocks);
     for (std::uint32_t level = nodes.top; level > 0; --level)
-      launch_next<meet_below>(std::min(nodes.count[level] * 2, most_blocks_below), 128, stream, nodes, blocks, level);
-    launch_next<enter_tangled>(std::min((blocks.blocks + 255) / 256, most_blocks), 256, stream, nodes, blocks);
+      launch_next<meet_below>(std::min(nodes.count[level] * 2, most_blocks_below), 128, stream, nodes, blocks,
+                              level);
+    launch_next<enter_tangled>(std::min((blocks.blocks + 255) / 256, most_blocks), 256, stream, nodes,
+                               blocks);
   }
 
  private:
-  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
+  static constexpr std::uint32_t most_blocks = 1056;        ///< of a kernel: each loops over its share
   static constexpr std::uint32_t most_blocks_below = 2112;  ///< more, as some shares are much larger
   DeviceBuffer<NodeBox> box_;
   DeviceBuffer<std::uint32_t> met_;

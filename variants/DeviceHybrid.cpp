@@ -180,10 +180,12 @@ class DeviceHybridOnHost final : public HostSearch {
 
 const RegisterVariant<DeviceHybridOnHost, Robust> registered{
     {.name = "DeviceHybrid@host",
-     .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, DeviceGrid where crowded",
+     .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, "
+                "DeviceGrid where crowded",
      .parameters = {{"crowd", "8", "a block that meets more others is left to the grid"},
                     {"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 524288"},
-                    {"cells", "0", "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
+                    {"cells", "0",
+                     "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
                     {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}}};
 
 }  // namespace

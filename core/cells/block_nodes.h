@@ -6,13 +6,13 @@
 
 namespace catena {
 
-/// A tree of boxes over the blocks of a CapsuleBlocks, in the order of the chain: eight children a node, up to the
-/// first level of at most `most_at_top` nodes; level 0 are the blocks. It is compared with itself from the top down, a
-/// level at a time: of each pair of nodes that may meet, the children.
+/// A tree of boxes over the blocks of a CapsuleBlocks, in the order of the chain: eight children a node, up
+/// to the first level of at most `most_at_top` nodes; level 0 are the blocks. It is compared with itself from
+/// the top down, a level at a time: of each pair of nodes that may meet, the children.
 ///
-/// A node that meets more than `crowd(level)` others is *tangled*, and so is all below it: the chain's order says
-/// little of what is near. Pairs of two tangled blocks are left to another search; all others are found here, by work
-/// that is bounded for each node. Plain pointers, valid in one memory space.
+/// A node that meets more than `crowd(level)` others is *tangled*, and so is all below it: the chain's order
+/// says little of what is near. Pairs of two tangled blocks are left to another search; all others are found
+/// here, by work that is bounded for each node. Plain pointers, valid in one memory space.
 struct BlockNodes {
   static constexpr std::uint32_t children = 8, log2_children = 3, most_levels = 8, most_at_top = 1024;
   static constexpr std::uint32_t most_crowd_at_top = 64;
@@ -37,8 +37,8 @@ struct BlockNodes {
   Meeting* meeting[2];               ///< lists of the levels of even and of odd numbers
   State* state;                      ///< at first 0
 
-  /// What sizes a tree over so many blocks has, with room for so many meetings in a list, or by the number of blocks
-  /// for 0; memory is the caller's to give.
+  /// What sizes a tree over so many blocks has, with room for so many meetings in a list, or by the number of
+  /// blocks for 0; memory is the caller's to give.
   static BlockNodes over(std::uint32_t blocks, std::uint32_t meetings) {
     BlockNodes result{};
     result.count[0] = blocks;
@@ -53,8 +53,8 @@ struct BlockNodes {
   CATENA_HD std::uint32_t nodes() const { return first[top] + count[top]; }
   CATENA_HD std::uint32_t at(std::uint32_t level, std::uint32_t node) const { return first[level] + node; }
 
-  /// How many others a node of a level >= 1 may meet. Twice as many spheres in a row may have as many more beside them;
-  /// at the top, all nodes of a chain in a ball meet one another.
+  /// How many others a node of a level >= 1 may meet. Twice as many spheres in a row may have as many more
+  /// beside them; at the top, all nodes of a chain in a ball meet one another.
   CATENA_HD std::uint32_t crowd(std::uint32_t level) const {
     return level == 1 ? 32 : level == top ? most_crowd_at_top : 256;
   }
@@ -81,11 +81,13 @@ struct BlockNodes {
   }
 };
 
-/// Steps of a BlockNodes, after the blocks' capsules are known; who runs them lets each end before the next begins.
+/// Steps of a BlockNodes, after the blocks' capsules are known; who runs them lets each end before the next
+/// begins.
 class NodeMeeting {
  public:
   using Meeting = BlockNodes::Meeting;
-  CATENA_HD NodeMeeting(const BlockNodes& nodes, const CapsuleBlocks& blocks) : nodes_(nodes), blocks_(blocks) {}
+  CATENA_HD NodeMeeting(const BlockNodes& nodes, const CapsuleBlocks& blocks)
+      : nodes_(nodes), blocks_(blocks) {}
 
   /// Step 1, from level 1 to the top, by a team of eight: the box of a node.
   template <class Team>
@@ -112,14 +114,16 @@ class NodeMeeting {
     return may_meet(nodes_.box[nodes_.at(nodes_.top, a)], nodes_.box[nodes_.at(nodes_.top, b)]);
   }
 
-  // Step 3, from the top down to level 1: of each node with itself, unless it has nothing to search, and each meeting
-  // that is not left out, the children.
-  /// Nothing is left to be found among the children: they are tangled, or blocks in a row, each settled with the next.
+  // Step 3, from the top down to level 1: of each node with itself, unless it has nothing to search, and each
+  // meeting that is not left out, the children.
+  /// Nothing is left to be found among the children: they are tangled, or blocks in a row, each settled with
+  /// the next.
   CATENA_HD bool settled(std::uint32_t level, std::uint32_t node) const {
     return (level == 1 && nodes_.box[nodes_.at(1, node)].in_a_row != 0) || nodes_.tangled(level, node);
   }
   /// Both nodes are tangled; marks it where one is.
-  /// A meeting at the top may be listed by both, the one that lists it first; then that of the lower number counts.
+  /// A meeting at the top may be listed by both, the one that lists it first; then that of the lower number
+  /// counts.
   CATENA_HD bool leaves_out(std::uint32_t level, Meeting& of) const {
     constexpr std::uint32_t mark = BlockNodes::below_tangled;
     if (level == nodes_.top && of.a > of.b && !nodes_.crowded(level, of.b)) return true;
@@ -139,11 +143,13 @@ class NodeMeeting {
     return !blocks_.settled(a, b) && !far_apart(ball_of(first), ball_of(second)) && !separate(first, second);
   }
 
-  /// Two nodes of a level >= 1 met: whether the meeting is to be put into the level's list. If not, both are tangled.
-  /// Numbers only grow, so that what is seen to be crowded stays so, and needs not be counted further.
+  /// Two nodes of a level >= 1 met: whether the meeting is to be put into the level's list. If not, both are
+  /// tangled. Numbers only grow, so that what is seen to be crowded stays so, and needs not be counted
+  /// further.
   CATENA_HD bool note(std::uint32_t level, std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t crowd = nodes_.crowd(level);
-    std::uint32_t *const met_a = nodes_.met + nodes_.at(level, a), *const met_b = nodes_.met + nodes_.at(level, b);
+    std::uint32_t *const met_a = nodes_.met + nodes_.at(level, a), *const met_b =
+                                                                       nodes_.met + nodes_.at(level, b);
     if (seen(met_a) > crowd && seen(met_b) > crowd) return false;
     const std::uint32_t of_a = fetch_add(met_a, 1), of_b = fetch_add(met_b, 1);
     if (of_a == crowd || of_b == crowd) set_bits(&nodes_.state->tangled, 1);
@@ -157,7 +163,9 @@ class NodeMeeting {
   }
 
  private:
-  CATENA_HD static bool may_meet(const NodeBox& a, const NodeBox& b) { return a.may_hold(b) && b.may_hold(a); }
+  CATENA_HD static bool may_meet(const NodeBox& a, const NodeBox& b) {
+    return a.may_hold(b) && b.may_hold(a);
+  }
 
   const BlockNodes& nodes_;
   const CapsuleBlocks& blocks_;

@@ -107,7 +107,8 @@ class BlockComparison {
   CATENA_HD void compare_within(std::uint32_t b, Sink& sink) const {
     const auto all = spheres(b);
     constexpr std::uint32_t half = CapsuleBlocks::block / 2;
-    for (std::uint32_t ahead = 1; ahead <= half; ++ahead) {  // around the block, so that all threads have a pair
+    for (std::uint32_t ahead = 1; ahead <= half;
+         ++ahead) {  // around the block, so that all threads have a pair
       const auto others = warp_.shifted(all, ahead);
       warp_.run([&](std::uint32_t lane) {
         const std::uint32_t k = (lane + ahead) % CapsuleBlocks::block, first = lane < k ? lane : k,

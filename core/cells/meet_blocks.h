@@ -62,8 +62,8 @@ class BlockMeeting {
       crowd(b);
   }
 
-  /// Step 6, for each level, each tangled block of it or a finer one, and each row of cells: the places to look at,
-  /// side by side; mostly all.
+  /// Step 6, for each level, each tangled block of it or a finer one, and each row of cells: the places to
+  /// look at, side by side; mostly all.
   CATENA_HD Buckets::Run look(std::uint32_t b, std::uint32_t level, std::uint32_t row,
                               CapsuleBlocks::Row& rest) const {
     rest = blocks_.row(blocks_.capsule[b], level, row);

@@ -26,8 +26,8 @@ struct alignas(16) NodeBox {
 
   CATENA_HD float sides() const { return half[0] + half[1] + half[2]; }
 
-  /// How far a capsule reaches along these axes, outward: what its radius has on top covers the rounding of the
-  /// half axis's part, the rest that of the centre's, of the sums, and of axes a little longer than 1.
+  /// How far a capsule reaches along these axes, outward: what its radius has on top covers the rounding of
+  /// the half axis's part, the rest that of the centre's, of the sums, and of axes a little longer than 1.
   CATENA_HD AxisIntervals intervals(const BlockCapsule& c) const {
     const Vector32 t = c.centre - centre;
     const float radius = mul_add(sum_of_sides(t), centre_slack, c.radius * (1 + BlockTree::axes_slack));
@@ -38,12 +38,12 @@ struct alignas(16) NodeBox {
     }
     return result;
   }
-  /// The same of another box: it reaches sum |v_j . u| half_j along u, and for axes that are orthonormal but for
-  /// axes_error, axes_slack times sum half_j more.
+  /// The same of another box: it reaches sum |v_j . u| half_j along u, and for axes that are orthonormal but
+  /// for axes_error, axes_slack times sum half_j more.
   CATENA_HD AxisIntervals intervals(const NodeBox& b) const {
     const Vector32 t = b.centre - centre;
-    const float slack = mul_add(b.sides(), BlockTree::axes_slack,
-                                mul_add(sum_of_sides(t), centre_slack, BlockTree::tiny));
+    const float slack =
+        mul_add(b.sides(), BlockTree::axes_slack, mul_add(sum_of_sides(t), centre_slack, BlockTree::tiny));
     AxisIntervals result;
     for (int k = 0; k < 3; ++k) {
       const float middle = dot(t, axis[k]);
@@ -71,9 +71,9 @@ class PrincipalAxes {
     float xx, xy, xz, yy, yz, zz;
   };
 
-  /// Sets axes that are orthonormal to within BlockTree::axes_error, which is checked: where the guess is not,
-  /// the axes of space are taken. The guess is made by eight powers of the covariance, longest first, and of its
-  /// adjugate, flattest last.
+  /// Sets axes that are orthonormal to within BlockTree::axes_error, which is checked: where the guess is
+  /// not, the axes of space are taken. The guess is made by eight powers of the covariance, longest first,
+  /// and of its adjugate, flattest last.
   CATENA_HD static void of(const Symmetric& covariance, Vector32 (&axis)[3]) {
     Symmetric longest = normalized(covariance), flattest = adjugate(longest);
     const bool line = trace(flattest) < 1e-5f;  // then only the longest is sharp
@@ -134,8 +134,8 @@ class PrincipalAxes {
   }
 };
 
-/// Fits the box of a node by a team of as many threads as it has children; at(k) is a child's bound, that of the
-/// last where there are fewer.
+/// Fits the box of a node by a team of as many threads as it has children; at(k) is a child's bound, that of
+/// the last where there are fewer.
 template <class Team, class At>
 class NodeFit {
  public:
@@ -153,8 +153,9 @@ class NodeFit {
     // Measured again from the centre as it is stored.
     const auto all = team_.each([&](std::uint32_t lane) { return result.intervals(at_(lane)); });
     for (int k = 0; k < 3; ++k)
-      result.half[k] = team_.greatest(
-          [&](std::uint32_t lane) { return std::fmax(std::fmax(all[lane].high[k], -all[lane].low[k]), 0.0f); });
+      result.half[k] = team_.greatest([&](std::uint32_t lane) {
+        return std::fmax(std::fmax(all[lane].high[k], -all[lane].low[k]), 0.0f);
+      });
     result.in_a_row = 0;
     return result;
   }
@@ -174,7 +175,8 @@ class NodeFit {
       return falling ? later.high < own.low : own.high < later.low;
     };
     const bool up = team_.none([&](std::uint32_t k) { return !rises(k, false); }),
-               down = team_.none([&](std::uint32_t k) { return !rises(k, true); });  // by all teams, whatever `up`
+               down = team_.none(
+                   [&](std::uint32_t k) { return !rises(k, true); });  // by all teams, whatever `up`
     return up || down;
   }
 
