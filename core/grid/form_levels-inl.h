@@ -29,7 +29,7 @@ class LevelForming {
     grid_.levels.clear();
     grid_.levels.reserve(grid_.octaves.size());
     // Whatever the layouts turn out to be: two buckets a sphere, and what a level has at least.
-    grid_.start.reserve(2 * grid_.bucket.size() + 1024 * grid_.octaves.size());
+    grid_.start.reserve(2 * std::size_t{grid_.spheres()} + 1024 * grid_.octaves.size());
     std::size_t starts = 0;
     for (std::size_t o = 0, next; o < grid_.octaves.size(); o = next) {
       next = first_left_out(o);
@@ -39,7 +39,10 @@ class LevelForming {
       starts += grid_.levels.back().map.buckets + 1;
     }
     // The order of the chain is the better one.
-    if (grid_.levels.size() == 1) grid_.members.assign(only_.begin(), only_.end());
+    if (grid_.levels.size() == 1)
+      grid_.members.assign(only_.begin(), only_.end());
+    else
+      grid_.place.resize(grid_.spheres());
     set_to_zero(starts);
   }
 
@@ -59,8 +62,7 @@ class LevelForming {
   std::size_t first_left_out(std::size_t o) {
     if (o + 1 == grid_.octaves.size()) return o + 1;
     const BucketMap map =
-        map_buckets(grid_.octaves[o].greatest, box_,
-                    static_cast<std::uint32_t>(grid_.bucket.size()) - grid_.octaves[o].first);
+        map_buckets(grid_.octaves[o].greatest, box_, grid_.spheres() - grid_.octaves[o].first);
     const BucketFinder find(map);
     set_to_zero(map.buckets);
     std::uint64_t met = 0;  // for each one taken in, those in its cell

@@ -63,8 +63,7 @@ class GridSearch {
       members.take(chain_, grid_, at, size);
       const MemberBox all = members.box(0, size);
       for (std::size_t coarser = 0; coarser < l; ++coarser)
-        if (within_reach(all, grid_.levels[coarser]))
-          across(grid_.levels[l], at, size, members, grid_.levels[coarser]);
+        if (within_reach(all, grid_.levels[coarser])) across(at, size, members, grid_.levels[coarser]);
     }
     candidates_.finish();
   }
@@ -142,13 +141,10 @@ class GridSearch {
   }
 
   /// Members at to at + size - 1 of a level against a coarser level.
-  void across(const Level& fine, std::uint32_t at, std::uint32_t size, MemberBuckets& members,
-              const Level& coarse) {
+  void across(std::uint32_t at, std::uint32_t size, MemberBuckets& members, const Level& coarse) {
     const std::uint32_t* const start = grid_.start.data() + coarse.starts;
-    const std::uint32_t* const own = grid_.start.data() + fine.starts;
     const std::uint32_t* const bucket = members.find(BucketFinder(coarse.map));
     for (std::uint32_t k = 0; k < size; ++k) {
-      hwy::Prefetch(own + grid_.bucket[at + k]);
       if (k > 0 && bucket[k] == bucket[k - 1]) continue;
       for (const std::uint32_t row : coarse.rows)
         hwy::Prefetch(start + before(bucket[k], row, coarse.map.buckets));
@@ -165,11 +161,10 @@ class GridSearch {
         add_near(these.box, coarse, bucket[k], these.runs);
         if (these.runs.candidates() == 0) continue;
         candidates_.prefetch_runs(these.runs);
-        for (std::uint32_t m = these.first; m < these.end; ++m)
-          candidates_.prefetch(own[grid_.bucket[m]] + grid_.rank[m]);
+        for (std::uint32_t m = these.first; m < these.end; ++m) candidates_.prefetch(grid_.place[m]);
         ++count;
       }
-      for (std::size_t s = 0; s < count; ++s) meet_members(own, some[s]);
+      for (std::size_t s = 0; s < count; ++s) meet_members(some[s]);
     }
   }
 
@@ -212,21 +207,17 @@ class GridSearch {
     return (double{box.radius} + level.greatest) * (1 + 0x1p-40);
   }
 
-  /// Members, whose level's buckets start at `start`, against all that is near them; none, when these lie
-  /// apart from the members' box.
-  void meet_members(const std::uint32_t* start, const Together& these) {
+  /// Members against all that is near them; none, when these lie apart from the members' box.
+  void meet_members(const Together& these) {
     constexpr std::uint32_t worth_a_box = 4;
-    const auto each = [&](const auto& meet) {
-      for (std::uint32_t at = these.first; at < these.end; ++at)
-        meet(start[grid_.bucket[at]] + grid_.rank[at]);
-    };
-    const std::uint32_t size = these.end - these.first;
-    if (HWY_LIKELY(candidates_.make_room(these.runs.candidates(), size))) {
+    const std::uint32_t members = these.end - these.first;
+    const std::span places(grid_.place.data() + these.first, members);
+    if (HWY_LIKELY(candidates_.make_room(these.runs.candidates(), members))) {
       const std::uint32_t from = candidates_.gather(these.runs);
-      if (size >= worth_a_box && candidates_.apart(from, these.box)) return candidates_.forget(from);
-      each([&](std::uint32_t place) { candidates_.test({place, place + 1}, from, 0); });
+      if (members >= worth_a_box && candidates_.apart(from, these.box)) return candidates_.forget(from);
+      for (const std::uint32_t place : places) candidates_.test({place, place + 1}, from, 0);
     } else {
-      each([&](std::uint32_t place) { meet_crowd({place, place + 1}, these.runs, false); });
+      for (const std::uint32_t place : places) meet_crowd({place, place + 1}, these.runs, false);
     }
   }
 

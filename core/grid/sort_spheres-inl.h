@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "catena/core/executor/team.h"
@@ -49,10 +50,22 @@ class SphereSort {
       members.take(chain_, grid_, at, size);
       const std::uint32_t* const buckets = members.find(find);
       for (std::uint32_t k = 0; k < size; ++k) {
-        grid_.bucket[at + k] = buckets[k];
-        grid_.rank[at + k] = count_one(counts[buckets[k]], alone);
+        remember(at + k, {buckets[k], count_one(counts[buckets[k]], alone)});
       }
     }
+  }
+
+  /// A member's bucket, and how many came into it before; kept where coordinates will be, which costs no
+  /// memory.
+  struct Counted {
+    std::uint32_t bucket, before;
+  };
+  void remember(std::uint32_t at, const Counted& of) {
+    grid_.x[at] = std::bit_cast<float>(of.bucket);
+    grid_.y[at] = std::bit_cast<float>(of.before);
+  }
+  Counted remembered(std::uint32_t at) const {
+    return {std::bit_cast<std::uint32_t>(grid_.x[at]), std::bit_cast<std::uint32_t>(grid_.y[at])};
   }
 
   void enclose(SphereGrid::Level& level) {
@@ -102,8 +115,13 @@ class SphereSort {
 
   void place(const SphereGrid::Level& level, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t* const start = grid_.start.data() + level.starts;
-    for (std::uint32_t at = begin; at < end; ++at)
-      grid_.index[start[grid_.bucket[at]] + grid_.rank[at]] = grid_.member(at);
+    const bool several = grid_.levels.size() > 1;
+    for (std::uint32_t at = begin; at < end; ++at) {
+      const Counted of = remembered(at);
+      const std::uint32_t place = start[of.bucket] + of.before;
+      grid_.index[place] = grid_.member(at);
+      if (several) grid_.place[at] = place;
+    }
   }
 
   void copy(std::uint32_t begin, std::uint32_t end) {

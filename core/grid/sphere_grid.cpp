@@ -19,29 +19,24 @@ std::uint32_t octave(float radius, float greatest) {
   return static_cast<std::uint32_t>(std::max(0, -1 - exponent));
 }
 
-/// A counting sort that keeps the order within an octave.
+/// A counting sort that keeps the order within an octave. Until there are places, `index` keeps the octaves.
 class OctaveSort {
  public:
   OctaveSort(const ChainView& chain, std::span<const std::uint32_t> only, SphereGrid& grid, const Team& team)
-      : chain_(chain),
-        only_(only),
-        grid_(grid),
-        team_(team),
-        n_(static_cast<std::uint32_t>(grid.bucket.size())),
-        parts_(grid.octave_parts) {}
+      : chain_(chain), only_(only), grid_(grid), team_(team), n_(grid.spheres()), parts_(grid.octave_parts) {}
 
   void run() {
     parts_.assign((n_ + members_of_a_part - 1) / members_of_a_part, {});
     each_part([&](Part& part, std::uint32_t k) {
       const float r = chain_.spheres[sphere(k)].radius;
-      const std::uint32_t o = grid_.bucket[k] = octave(r, chain_.extent.greatest_radius);
+      const std::uint32_t o = grid_.index[k] = octave(r, chain_.extent.greatest_radius);
       ++part.spheres[o];
       part.greatest[o] = std::max(part.greatest[o], r);
     });
     add_up();
     grid_.members.resize(n_);
     each_part(
-        [&](Part& part, std::uint32_t k) { grid_.members[part.spheres[grid_.bucket[k]]++] = sphere(k); });
+        [&](Part& part, std::uint32_t k) { grid_.members[part.spheres[grid_.index[k]]++] = sphere(k); });
   }
 
  private:
@@ -91,8 +86,6 @@ void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only,
   const float greatest = chain.extent.greatest_radius;
   for (auto* field : {&grid.x, &grid.y, &grid.z, &grid.radius}) field->resize(n + SphereGrid::margin);
   grid.index.resize(n + SphereGrid::margin);
-  grid.bucket.resize(n);
-  grid.rank.resize(n);
   grid.members.clear();
   grid.octaves.clear();
   if (n == 0) return;

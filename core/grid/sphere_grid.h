@@ -14,7 +14,7 @@ namespace catena {
 /// The spheres of a chain sorted into the buckets of cells. Spheres of similar radius make a *level*, coarse
 /// ones first: the cells of a level are as wide as two of its greatest radius, so what overlaps a sphere of
 /// this or a finer level lies in the 27 cells around it. The fields of the spheres stand in the order of
-/// levels and buckets; a place in that order is a *place*. 36 bytes a sphere, 4 more where radii differ by
+/// levels and buckets; a place in that order is a *place*. 28 bytes a sphere, 8 more where radii differ by
 /// more than a factor of 2.
 struct SphereGrid {
   struct Level {
@@ -39,18 +39,21 @@ struct SphereGrid {
 
   /// Spheres that follow one another, by octave: how many, later where the next one goes.
   struct OctavePart {
-    static constexpr std::size_t octaves = 280;  ///< from the greatest binary32 number to the least; points last
+    static constexpr std::size_t octaves =
+        280;  ///< from the greatest binary32 number to the least; points last
     std::array<std::uint32_t, octaves> spheres{};
     std::array<float, octaves> greatest{};
   };
 
-  /// Of the build: the octaves, coarse ones first; the spheres by octave, empty where there is one level; and
-  /// by their number there, bucket and how many came into it before.
+  /// Of the build: the octaves, coarse ones first.
   std::vector<Octave> octaves;
-  LargeVector<std::uint32_t> members, bucket, rank;
+  /// The spheres by octave, in the order of the chain in each; empty where that is one level of all spheres.
+  /// And by their number there their places, where there are several levels.
+  LargeVector<std::uint32_t> members, place;
   std::vector<OctavePart> octave_parts;
   std::vector<std::uint32_t> part_place;  ///< first places of parts of the buckets that threads share out
 
+  std::uint32_t spheres() const { return static_cast<std::uint32_t>(index.size() - margin); }
   std::uint32_t member(std::uint32_t at) const { return members.empty() ? at : members[at]; }
 
   /// How many numbers past the last may be read from the fields.

@@ -9,10 +9,6 @@
 namespace catena::ranks {
 namespace {
 
-const Piece& piece_of(std::span<const Piece> pieces, std::uint32_t sphere) {
-  return *(std::ranges::upper_bound(pieces, sphere, {}, &Piece::begin) - 1);
-}
-
 bool whole(const Piece& piece) { return piece.size == piece.strand.size; }
 
 /// Both ends of an extra pair, where this part has both.
@@ -31,6 +27,18 @@ std::vector<Pair> pairs_inside(const Part& part) {
   for (const auto& [i, j] : part.extra)
     if (const auto a = find(i), b = i < j ? find(j) : std::nullopt; a && b) pairs.push_back({*a, *b});
   return pairs;
+}
+
+/// The piece of every sphere whose number `stride` divides.
+std::vector<std::uint32_t> piece_at_every(std::uint32_t stride, std::span<const Piece> pieces,
+                                          std::uint32_t spheres) {
+  std::vector<std::uint32_t> at;
+  std::uint32_t p = 0;
+  for (std::uint32_t s = 0; s < spheres; s += stride) {
+    while (s - pieces[p].begin >= pieces[p].size) ++p;
+    at.push_back(p);
+  }
+  return at;
 }
 
 Chain chain_of(Part& part) {
@@ -70,6 +78,7 @@ HeldPart::HeldPart(Part part)
       pieces_(part.pieces),
       chain_(chain_of(part)),
       extra_(std::move(part.extra)),
+      piece_at_(piece_at_every(stride, pieces_, chain_.size())),
       misses_neighbours_(look_for_missed()) {}
 
 void HeldPart::cut_blocks() {
@@ -112,7 +121,9 @@ std::span<const double> HeldPart::arcs(const Block& block) const {
 }
 
 Place HeldPart::place(std::uint32_t sphere) const {
-  const Piece& piece = piece_of(pieces_, sphere);
+  std::uint32_t p = piece_at_[sphere / stride];
+  while (sphere - pieces_[p].begin >= pieces_[p].size) ++p;
+  const Piece& piece = pieces_[p];
   const double arc = rule_.kind == Exclusion::Rule::arc_window ? chain_.view().exclusion.arc[sphere] : 0;
   return {piece.first + (sphere - piece.begin), piece.strand, arc, chain_[sphere].radius};
 }
