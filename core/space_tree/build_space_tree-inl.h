@@ -41,8 +41,8 @@ class SpaceBuild {
 
   void build() {
     join();
-    const auto n = static_cast<std::uint32_t>(space_.unsorted.size());
-    space_.order.sort({space_.unsorted[0].low, sizeof(SpaceTree::Unsorted) / sizeof(float), n}, team_);
+    const auto n = static_cast<std::uint32_t>(space_.unsorted().size());
+    space_.order.sort({space_.unsorted()[0].low, sizeof(SpaceTree::Unsorted) / sizeof(float), n}, team_);
     make_room(n);
     constexpr std::uint32_t nodes_of_a_task = 32;
     team_.for_each_range(space_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
@@ -109,33 +109,32 @@ class SpaceBuild {
     });
   }
 
-  /// What each member gathered, one behind the other, and then the parts, which are blocks from now on.
+  /// What the other members gathered comes behind what the first did, and then the parts, which are blocks
+  /// from now on.
   void join() {
-    space_.parts.clear();
-    if (team_.size() == 1) {
-      space_.unsorted.swap(space_.gathered[0].entries);
-      space_.parts.swap(space_.gathered[0].parts);
-    } else {
-      std::vector<std::size_t> begin{0};
-      for (const SpaceTree::Gathered& own : space_.gathered) {
-        begin.push_back(begin.back() + own.entries.size());
-        space_.parts.insert(space_.parts.end(), own.parts.begin(), own.parts.end());
-      }
-      space_.unsorted.resize(begin.back());
-      team_.for_each_range(team_.size(), 1, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t m = first; m < end; ++m)
-          std::copy(space_.gathered[m].entries.begin(), space_.gathered[m].entries.end(),
-                    space_.unsorted.begin() + begin[m]);
-      });
+    SpaceTree::Gathered& all = space_.gathered[0];
+    std::vector<std::size_t> begin;  // of each member's entries
+    std::size_t entries = 0;
+    for (const SpaceTree::Gathered& own : space_.gathered) {
+      if (&own != &all)
+        begin.push_back(entries), all.parts.insert(all.parts.end(), own.parts.begin(), own.parts.end());
+      entries += own.entries.size();
     }
+    all.entries.resize(entries);
+    team_.for_each_range(team_.size() - 1, 1, [&](std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t m = first; m < end; ++m) {
+        const SpaceTree::Gathered& own = space_.gathered[m + 1];
+        std::copy(own.entries.begin(), own.entries.end(), all.entries.begin() + begin[m]);
+      }
+    });
     add_parts();
   }
 
   void add_parts() {
-    const auto parts = static_cast<std::uint32_t>(space_.parts.size());
+    const auto parts = static_cast<std::uint32_t>(space_.parts().size());
     if (parts == 0) return;
-    const std::size_t whole_blocks = space_.unsorted.size();
-    space_.unsorted.resize(whole_blocks + parts);
+    const std::size_t whole_blocks = space_.unsorted().size();
+    space_.unsorted().resize(whole_blocks + parts);
     CopiedBlocks copies(chain_, tree_, parts);
     constexpr std::uint32_t groups_of_a_task = 32;
     team_.for_each_range(
@@ -143,8 +142,8 @@ class SpaceBuild {
           for (std::uint32_t first = begin * group; first < std::min(parts, end * group); first += group) {
             const std::uint32_t count = std::min(group, parts - first);
             for (std::uint32_t k = first; k < first + count; ++k)
-              copies.fill(k, space_.parts[k].first, space_.parts[k].size);
-            add_parts(first, count, space_.unsorted.data() + whole_blocks + first);
+              copies.fill(k, space_.parts()[k].first, space_.parts()[k].size);
+            add_parts(first, count, space_.unsorted().data() + whole_blocks + first);
           }
         });
   }
@@ -159,7 +158,7 @@ class SpaceBuild {
     tell(spheres, capsules_around(spheres, reach), lane_bits(count),
          [&](std::uint32_t k) -> SpaceTree::Unsorted& {
            to[k].block = tree_.blocks + first + k;
-           to[k].whole = space_.parts[first + k].block;
+           to[k].whole = space_.parts()[first + k].block;
            return to[k];
          });
   }
@@ -180,7 +179,7 @@ class SpaceBuild {
   void lay_out(std::uint32_t k) {
     constexpr float nowhere = std::numeric_limits<float>::infinity();
     const std::uint32_t n = space_.entries;
-    const SpaceTree::Unsorted& entry = space_.unsorted[space_.order[std::min(k, n - 1)]];
+    const SpaceTree::Unsorted& entry = space_.unsorted()[space_.order[std::min(k, n - 1)]];
     if (k < n) space_.block[k] = entry.block, space_.whole[k] = entry.whole;
     std::memcpy(space_.capsules.data() + std::size_t{k} * fields, entry.capsule, sizeof entry.capsule);
     float* const box = space_.boxes_of(0, k / group) + k % group;

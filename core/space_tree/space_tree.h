@@ -46,9 +46,9 @@ struct SpaceTree {
     bool broken_up() const { return blocks > group * group && broken > blocks / 2; }
     void clear() { entries.clear(), parts.clear(), blocks = broken = 0; }
   };
-  std::vector<Gathered> gathered;
-  LargeVector<Unsorted> unsorted;
-  std::vector<Part> parts;
+  std::vector<Gathered> gathered;  ///< in the end the first has all
+  LargeVector<Unsorted>& unsorted() { return gathered[0].entries; }
+  std::vector<Part>& parts() { return gathered[0].parts; }
   SpaceOrder order;
 
   std::uint32_t nodes() const { return (entries + group - 1) / group; }
