@@ -12,6 +12,7 @@
 #include "catena/cuda/device_buckets.cuh"
 #include "catena/cuda/device_sphere_cells.cuh"
 #include "catena/cuda/device_warp.cuh"
+#include "catena/cuda/node_meetings.cuh"
 
 namespace catena::cuda {
 namespace {
@@ -32,10 +33,15 @@ __global__ void __launch_bounds__(threads)
   __shared__ WarpSpheres shared[warps];
   WarpSpheres& own = shared[threadIdx.x / 32];
   const std::uint32_t first = (blockIdx.x * warps + threadIdx.x / 32) * WarpSpheres::blocks;
-  for (std::uint32_t k = DeviceWarp::lane(); k < WarpSpheres::count; k += DeviceWarp::lanes) {
-    const std::uint32_t i = min(first * CapsuleBlocks::block + k, chain.size - 1);
-    own.sphere[WarpSpheres::slot(k)] = blocks.scaled(chain.spheres[i]);
-  }
+  constexpr std::uint32_t share = WarpSpheres::count / DeviceWarp::lanes;
+  Sphere mine[share];  // all on their way before the first is waited for
+#pragma unroll
+  for (std::uint32_t k = 0; k < share; ++k)
+    mine[k] = chain.spheres[min(first * CapsuleBlocks::block + k * DeviceWarp::lanes + DeviceWarp::lane(),
+                                chain.size - 1)];
+#pragma unroll
+  for (std::uint32_t k = 0; k < share; ++k)
+    own.sphere[WarpSpheres::slot(k * DeviceWarp::lanes + DeviceWarp::lane())] = blocks.scaled(mine[k]);
   __syncwarp();
   const std::uint32_t of_warp = DeviceWarp::lane() / DeviceQuad::lanes;
   const Sphere* const begin = own.sphere + WarpSpheres::slot(of_warp * CapsuleBlocks::block);
@@ -44,34 +50,42 @@ __global__ void __launch_bounds__(threads)
 }
 
 struct BlockChunks {
-  std::uint32_t chunks;
-  __device__ std::uint32_t operator()() const { return chunks; }
+  CapsuleBlocks blocks;
+  __device__ std::uint32_t operator()() const {
+    return blocks.state->listed != 0 ? Buckets::chunks(blocks.table) : 0;
+  }
   __device__ float* square_sum() const { return nullptr; }
 };
 
 __global__ void __launch_bounds__(256) place_blocks(const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
-  const std::uint32_t b = blockIdx.x * blockDim.x + threadIdx.x;
-  if (b < blocks.blocks) BlockMeeting(blocks).place(b);
+  if (blocks.state->listed == 0) return;
+  const BlockMeeting meeting(blocks);
+  for_each_of_mine(blocks.blocks, [&](std::uint32_t b) { meeting.place(b); });
 }
 
 __global__ void __launch_bounds__(BlockMeetings::threads)
     meet_blocks(const __grid_constant__ CapsuleBlocks blocks) {
   __shared__ BlockMeetings::Shared shared;
   await_previous();
-  BlockMeetings(blocks, shared).meet();
+  if (blocks.state->levels == 0) return;
+  for (std::uint32_t first = blockIdx.x * BlockMeetings::together; first < blocks.blocks;
+       first += gridDim.x * BlockMeetings::together)
+    BlockMeetings(blocks, shared, first).meet();  // ends with a barrier, as there is a level
 }
 
-/// The warps of a thread block share the work of 32 blocks: most have none, and some have much.
+/// The warps of a thread block share the work of `together` blocks: most have none, and some have much.
 template <class Tests>
 __global__ void __launch_bounds__(threads)
     compare_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks,
-                   const __grid_constant__ ResidentAnswer answer, SphereRange queries) {
+                   const __grid_constant__ ResidentAnswer answer, SphereRange queries,
+                   std::uint32_t together) {
   using Work = BlockComparison<DeviceWarp>::Work;
-  constexpr std::uint32_t together = 32, kinds = static_cast<std::uint32_t>(Work::kinds);
-  __shared__ struct { std::uint8_t block, work; } item[together * kinds];
+  constexpr std::uint32_t kinds = static_cast<std::uint32_t>(Work::kinds);
+  __shared__ struct { std::uint8_t block, work; } item[threads * kinds];
   __shared__ std::uint32_t items;
   __shared__ PairStage::Shared shared;
+  await_previous();
   const DeviceWarp warp;
   const BlockComparison comparison(warp, chain, blocks);
   const std::uint32_t first = blockIdx.x * together, b = first + threadIdx.x;
@@ -94,25 +108,36 @@ __global__ void __launch_bounds__(threads)
 struct CrowdedSpheres {
   CapsuleBlocks blocks;
   std::uint32_t size;
-  __device__ bool any() const { return blocks.state->any != 0; }
-  __device__ std::uint32_t asked() const { return blocks.blocks * CapsuleBlocks::block; }
-  __device__ std::uint32_t block(std::uint32_t k) const { return blocks.id[k / CapsuleBlocks::block] >> 5; }
+  __device__ bool any() const { return blocks.all_crowded || blocks.state->any != 0; }
+  __device__ std::uint32_t asked() const {
+    return (blocks.in_cells ? blocks.state->places : blocks.blocks) * CapsuleBlocks::block;
+  }
+  __device__ std::uint32_t block(std::uint32_t k) const {
+    const std::uint32_t at = k / CapsuleBlocks::block;
+    return blocks.in_cells ? blocks.id[at] >> 5 : at;
+  }
   __device__ std::uint32_t sphere(std::uint32_t k) const {
     return block(k) * CapsuleBlocks::block + k % CapsuleBlocks::block;
   }
-  __device__ bool takes(std::uint32_t k) const { return sphere(k) < size && blocks.crowded(block(k)); }
-  __device__ std::uint32_t expected() const { return blocks.crowded_spheres(); }
+  __device__ bool takes(std::uint32_t k) const {
+    return sphere(k) < size && (blocks.all_crowded || blocks.crowded(block(k)));
+  }
+  __device__ std::uint32_t expected() const { return blocks.all_crowded ? size : blocks.crowded_spheres(); }
 };
 
-/// DeviceHybrid: capsules of 32 consecutive spheres in hashed cells; blocks that meet too many others,
-/// decided on the device for each, are searched among one another as in DeviceGrid.
+/// DeviceHybrid: capsules of 32 consecutive spheres in a tree of boxes in the order of the chain; in hashed
+/// cells where that says little of what is near; and blocks that meet too many others are searched among one
+/// another as in DeviceGrid. Decided on the device, for each.
 template <class Arithmetic>
 class DeviceHybrid final : public ResidentVariant {
  public:
   explicit DeviceHybrid(const Parameters& parameters)
       : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))),
         crowd_(static_cast<std::uint32_t>(
-            parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))) {}
+            parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
+        least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
+        least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
+        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))) {}
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
@@ -120,12 +145,19 @@ class DeviceHybrid final : public ResidentVariant {
   void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     lay_out(chain, stream);
-    const std::uint32_t n = blocks_.blocks, chunks = Buckets::chunks(blocks_.table);
-    launch_blocks(enclose_blocks, up(n, warps * WarpSpheres::blocks), threads, stream, chain, blocks_);
+    const std::uint32_t n = blocks_.blocks;
     if (n == 0) return;
-    launch_next<allocate_buckets<BlockChunks>>(chunks, 256, stream, blocks_.buckets, BlockChunks{chunks});
-    launch_next<place_blocks>(up(n, 256), 256, stream, blocks_);
-    launch_next<meet_blocks>(up(n, BlockMeetings::together), BlockMeetings::threads, stream, blocks_);
+    if (!blocks_.all_crowded) {
+      launch_blocks(enclose_blocks, up(n, warps * WarpSpheres::blocks), threads, stream, chain, blocks_);
+      nodes_.enqueue(blocks_, meetings_, &state_.data()->nodes, stream);
+    }
+    if (blocks_.in_cells) {
+      launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256,
+                                                 stream, blocks_.buckets, BlockChunks{blocks_});
+      launch_next<place_blocks>(std::min(up(n, 256), most_blocks), 256, stream, blocks_);
+      launch_next<meet_blocks>(std::min(up(n, BlockMeetings::together), most_blocks), BlockMeetings::threads,
+                               stream, blocks_);
+    }
     cells_.enqueue_build(chain, {blocks_, chain.size}, &state_.data()->cells, stream);
   }
 
@@ -133,8 +165,13 @@ class DeviceHybrid final : public ResidentVariant {
                       StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      launch_blocks(compare_blocks<decltype(tests)>, up(blocks_.blocks, 32), threads, stream, chain, blocks_,
-                    answer, request.queries.within(chain.size));
+      if (!blocks_.all_crowded) {
+        std::uint32_t together = threads;  // as far as there are thread blocks for the whole device
+        while (together > 8 && blocks_.blocks / together < most_blocks) together /= 2;
+        launch_next<compare_blocks<decltype(tests)>>(up(blocks_.blocks, together), threads, stream, chain,
+                                                     blocks_, answer, request.queries.within(chain.size),
+                                                     together);
+      }
       cells_.template enqueue_search<decltype(tests)>(chain, request, answer, stream);
     });
     in_range_ = in_range<Arithmetic>(chain);
@@ -145,7 +182,7 @@ class DeviceHybrid final : public ResidentVariant {
   }
 
   void lay_out(const ChainView& chain, cudaStream_t stream) {
-    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent));
+    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent), least_, least_in_cells_);
     const std::size_t n = blocks_.blocks;
     blocks_.capsule = capsule_.reserve(n, stream);
     blocks_.ball = ball_.reserve(n, stream);
@@ -160,13 +197,19 @@ class DeviceHybrid final : public ResidentVariant {
     blocks_.buckets = buckets_.reserve(blocks_.table, n, &state->blocks.places, stream);
   }
 
+  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel that loops over its share
+
   struct State {
     CapsuleBlocks::State blocks;
+    BlockNodes::State nodes;
     SphereCells::State cells;
   };
 
   const std::uint32_t crowd_;
+  const std::uint64_t least_, least_in_cells_;
+  const std::uint32_t meetings_;
   CapsuleBlocks blocks_{};
+  DeviceBlockNodes nodes_;
   DeviceBuffer<State> state_;
   DeviceBuffer<BlockCapsule> capsule_;
   DeviceBuffer<CapsuleBall> ball_;
@@ -179,9 +222,14 @@ class DeviceHybrid final : public ResidentVariant {
 
 const RegisterVariant<DeviceHybrid, Robust> registered{
     {.name = "DeviceHybrid",
-     .summary = "capsules of 32 spheres in hashed cells, and DeviceGrid where they are crowded",
+     .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, "
+                "DeviceGrid where crowded",
      .place = Place::device(),
-     .parameters = with_device({{"crowd", "8", "a block that meets more others is left to the grid"}}),
+     .parameters =
+         with_device({{"crowd", "8", "a block that meets more others is left to the grid"},
+                      {"least", "524288", "chains of fewer spheres are left to the grid"},
+                      {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
+                      {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7},
      .unavailable = unavailable}};
 

@@ -24,12 +24,13 @@ class BlockMeetings {
     std::uint32_t used, crowded;
   };
 
-  __device__ BlockMeetings(const CapsuleBlocks& blocks, Shared& shared)
-      : blocks_(blocks), meeting_(blocks), shared_(shared), first_(blockIdx.x * together) {}
+  /// For the blocks from `first` on. Threads of one block may go on to others after a barrier.
+  __device__ BlockMeetings(const CapsuleBlocks& blocks, Shared& shared, std::uint32_t first)
+      : blocks_(blocks), meeting_(blocks), shared_(shared), first_(first) {}
 
   __device__ void meet() const {
     const std::uint32_t b = first_ + threadIdx.x % together;
-    const std::uint32_t own_level = b < blocks_.blocks ? blocks_.level(b) : ~0u;
+    const std::uint32_t own_level = b < blocks_.blocks && blocks_.tangled(b) ? blocks_.level(b) : ~0u;
     if (threadIdx.x == 0) shared_.crowded = 0;
     for (std::uint32_t levels = blocks_.state->levels; levels != 0; levels &= levels - 1) {
       const std::uint32_t level = lowest_bit(levels);

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "catena/core/strategy/registry.h"
-#include "catena/cuda/clear_answer.h"
+#include "catena/cuda/clear_answer.cuh"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_answer.h"
 #include "catena/cuda/device_buffer.h"

@@ -2,7 +2,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/strategy/timings.h"
-#include "catena/cuda/clear_answer.h"
+#include "catena/cuda/clear_answer.cuh"
 #include "catena/cuda/device_answer.h"
 
 namespace catena::cuda {

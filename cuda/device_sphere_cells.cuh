@@ -29,6 +29,31 @@ __device__ void for_each_of_mine(std::uint32_t count, const Body& body) {
        k += std::uint64_t{gridDim.x} * blockDim.x)
     body(static_cast<std::uint32_t>(k));
 }
+/// The same for members, some at a time: of each first get(sphere), then use(sphere, what it got), so that
+/// what the first ones read is on its way together.
+template <class Members, class Get, class Use>
+__device__ void for_members_together(const Members& members, const Get& get, const Use& use) {
+  constexpr std::uint32_t together = 4;
+  const std::uint64_t asked = members.asked(), step = std::uint64_t{gridDim.x} * blockDim.x;
+  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; first < asked;
+       first += together * step) {
+    std::uint32_t sphere[together];
+    decltype(get(0u)) got[together];
+    bool in[together];
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k) {
+      const std::uint64_t at = first + k * step;
+      in[k] = at < asked && members.takes(static_cast<std::uint32_t>(at));
+      sphere[k] = in[k] ? members.sphere(static_cast<std::uint32_t>(at)) : 0;
+    }
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k)
+      if (in[k]) got[k] = get(sphere[k]);
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k)
+      if (in[k]) use(sphere[k], got[k]);
+  }
+}
 template <class Members, class Body>
 __device__ void for_each_member(const Members& members, const Body& body) {
   for_each_of_mine(members.asked(), [&](std::uint32_t k) {
@@ -43,7 +68,12 @@ __global__ void __launch_bounds__(256)
   await_previous();
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
-  for_each_member(members, [&](std::uint32_t i) { cells.enter(table, chain.spheres[i], i, 0); });
+  for_members_together(
+      members,
+      [&](std::uint32_t i) {
+        return fetch_add(cells.buckets.count + cells.bucket_of(table, chain.spheres[i], 0), 1);
+      },
+      [&](std::uint32_t i, std::uint32_t rank) { cells.buckets.rank[i] = rank; });
 }
 
 /// Anew, by octaves, where there are too many in the cells of one level.
@@ -91,7 +121,17 @@ __global__ void __launch_bounds__(256)
   await_previous();
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
-  for_each_member(members, [&](std::uint32_t i) { cells.place(table, chain.spheres[i], i); });
+  struct Placed {
+    Sphere sphere;
+    std::uint32_t at;
+  };
+  for_members_together(
+      members,
+      [&](std::uint32_t i) {
+        const Sphere s = chain.spheres[i];
+        return Placed{s, cells.place_of(table, s, i)};
+      },
+      [&](std::uint32_t i, const Placed& placed) { cells.put(placed.sphere, i, placed.at); });
 }
 
 /// Of spheres in one level; in the order of places, in which the threads of a warp look into the same cells.
@@ -188,7 +228,8 @@ class DeviceSphereCells {
   }
 
  private:
-  static constexpr std::uint32_t most_blocks = 2112;  ///< of a kernel: each loops over its share
+  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
+  static constexpr std::uint32_t most_search_blocks = 4224;
 
   template <bool octaves>
   void allocate(cudaStream_t stream) const {
@@ -199,7 +240,7 @@ class DeviceSphereCells {
   template <auto kernel>
   void search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
               cudaStream_t stream) const {
-    launch_next<kernel>(std::min((chain.size + 127) / 128, 2 * most_blocks), 128, stream, chain, cells_,
+    launch_next<kernel>(std::min((chain.size + 127) / 128, most_search_blocks), 128, stream, chain, cells_,
                         members_, answer, request.queries.within(chain.size));
   }
 

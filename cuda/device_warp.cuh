@@ -25,6 +25,26 @@ struct DeviceTeam {
   __device__ auto each(const F& value) const {
     return Lanes<decltype(value(0u))>{value(lane())};
   }
+  template <class F>
+  __device__ bool none(const F& flag) const {
+    const bool own = flag(lane());
+    constexpr std::uint32_t of_team = lanes < 32 ? (1u << lanes % 32) - 1 : all;
+    return (__ballot_sync(all, own) >> (threadIdx.x % 32 & ~(lanes - 1)) & of_team) == 0;
+  }
+  template <class F>
+  __device__ float greatest(const F& number) const {
+    float result = number(lane());
+    for (std::uint32_t step = 1; step < lanes; step *= 2)
+      result = fmaxf(result, __shfl_xor_sync(all, result, static_cast<int>(step)));
+    return result;
+  }
+  template <class F>
+  __device__ float sum(const F& number) const {
+    float result = number(lane());
+    for (std::uint32_t step = 1; step < lanes; step *= 2)
+      result += __shfl_xor_sync(all, result, static_cast<int>(step));
+    return result;
+  }
 };
 
 struct DeviceWarp : DeviceTeam<32> {
@@ -56,6 +76,10 @@ struct DeviceWarp : DeviceTeam<32> {
     return {__shfl_sync(all, value.own.x, of), __shfl_sync(all, value.own.y, of),
             __shfl_sync(all, value.own.z, of), __shfl_sync(all, value.own.radius, of)};
   }
+  template <class T>
+  __device__ Lanes<T> shifted(const Lanes<T>& value, std::uint32_t by) const {
+    return {from(value, (lane() + by) % lanes)};
+  }
 };
 
 struct DeviceQuad : DeviceTeam<4> {
@@ -64,20 +88,9 @@ struct DeviceQuad : DeviceTeam<4> {
     if (lane() == 0) body();
     __syncwarp();
   }
-  template <class F>
-  __device__ bool none(const F& flag) const {
-    const bool own = flag(lane());
-    return (__ballot_sync(all, own) >> (DeviceWarp::lane() & ~(lanes - 1)) & (1u << lanes) - 1) ==
-           0;
-  }
-  template <class F>
-  __device__ float greatest(const F& number) const {
-    float result = number(lane());
-    for (std::uint32_t step = 1; step < lanes; step *= 2)
-      result = fmaxf(result, __shfl_xor_sync(all, result, static_cast<int>(step)));
-    return result;
-  }
 };
+
+using DeviceOctet = DeviceTeam<8>;
 
 /// How much the lanes before the calling one have together, of a warp that comes whole; `all` is what all
 /// have.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/cells/block_nodes.h"
 #include "catena/core/cells/capsule_blocks.h"
 #include "catena/core/cells/sphere_cells.h"
 #include "catena/core/strategy/registry.h"
@@ -29,6 +30,18 @@ Chain each_block_a_strand(const std::vector<Sphere>& spheres) {
   return Chain(spheres, strands);
 }
 
+/// As many rods, scattered in a cube: what is next in the chain is not near, and all nodes meet one another.
+std::vector<Sphere> scattered_rods(std::uint32_t rods, float side) {
+  std::vector<Sphere> spheres;
+  std::uint32_t state = 12345;
+  const auto at = [&] { return side * static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f; };
+  for (std::uint32_t k = 0; k < rods; ++k) {
+    const float x = at(), y = at(), z = at();
+    add_rod(spheres, x, y, z, k % 2 == 0);
+  }
+  return spheres;
+}
+
 /// By all searches of this kind that can run here.
 void expect_exact(const Chain& chain, const std::string& what, bool with_pairs = true) {
   const auto exact = reference::find(chain);
@@ -37,7 +50,10 @@ void expect_exact(const Chain& chain, const std::string& what, bool with_pairs =
     if (info.unavailable || !info.name.starts_with("Device")) continue;
     std::vector<std::string> names{info.name};
     if (info.name.starts_with("DeviceHybrid"))
-      names.insert(names.end(), {info.name + "(crowd=0)", info.name + "(crowd=2)"});
+      for (const char* p : {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
+                            "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,meetings=1)",
+                            "(least=0,cells=0,meetings=40)"})
+        names.push_back(info.name + p);
     for (const std::string& name : names) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
@@ -57,6 +73,37 @@ TEST(Cells, LookAtNoMoreCapsulesThanAreDense) {
       expect_exact(each_block_a_strand(spheres), std::to_string(rods) + " rods side by side",
                    rods > 1 && apart < 2);
     }
+}
+
+/// Of 32 nodes none is crowded, of 34 all are: each meets one more than it may.
+TEST(Cells, FindWhatNodesAtTheirLimitMeet) {
+  const BlockNodes nodes = BlockNodes::over(8 * 34, 0);
+  ASSERT_EQ(nodes.top, 1u);
+  for (const std::uint32_t others : {nodes.crowd(1) - 1, nodes.crowd(1), nodes.crowd(1) + 1, 2 * nodes.crowd(1)})
+    expect_exact(each_block_a_strand(scattered_rods(BlockNodes::children * (others + 1), 120)),
+                 "nodes that meet " + std::to_string(others) + " others");
+}
+
+/// A straight strand through scattered rods: it is not tangled, and they are.
+TEST(Cells, FindWhatTangledBlocksAndOthersShare) {
+  std::vector<Sphere> spheres = scattered_rods(600, 200);
+  for (std::uint32_t k = 0; k < 200 * block; ++k)
+    spheres.push_back({1.6f * static_cast<float>(k) - 2500, 100, 100, 1});
+  for (std::uint32_t k = 0; k < 77; ++k) spheres.push_back({60, 1.6f * static_cast<float>(k), 130, 1});
+  expect_exact(Chain(spheres), "a rod that goes on through scattered rods");
+}
+
+/// Bits of a node's place among others, up to the most spheres there can be.
+TEST(Cells, HaveATreeOfAnySize) {
+  for (const std::uint32_t blocks : {1u, 8u, 9u, 8192u, 8193u, 65537u, (1u << 26) - 1, 1u << 26}) {
+    const BlockNodes nodes = BlockNodes::over(blocks, 0);
+    ASSERT_LT(nodes.top, BlockNodes::most_levels);
+    EXPECT_LE(nodes.count[nodes.top], BlockNodes::most_at_top);
+    for (std::uint32_t level = 1; level <= nodes.top; ++level) {
+      EXPECT_EQ(nodes.count[level], (nodes.count[level - 1] + 7) / 8) << blocks;
+      EXPECT_LT(nodes.count[level - 1] - 1, BlockNodes::below_tangled) << blocks;
+    }
+  }
 }
 
 TEST(Cells, FindAllPartnersOfABlock) {
@@ -97,7 +144,7 @@ TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
     ChainView chain{};
     chain.size = n;
     CapsuleBlocks::State state{};
-    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1);
+    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1, 0, 0);
     blocks.state = &state;
     for (std::uint32_t b = 0; b < blocks.blocks; b += blocks.sample) ++state.crowded;
     EXPECT_EQ(&cells.table_for(blocks.crowded_spheres()), &cells.table_for(n)) << n;

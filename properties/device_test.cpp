@@ -76,7 +76,7 @@ TEST_F(Device, PairBufferGrowsAndLosesNothing) {
   const Chain chain(
       std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));  // 4.5 million pairs, far past the first guess
   const auto exact = reference::find(chain);
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     Collisions found;
     for (int round = 0; round < 2; ++round) {
@@ -94,7 +94,8 @@ TEST_F(Device, FindsTheSamePairsEveryTime) {
     for (const std::uint32_t n : {31u, 32u, 33u, 127u, 129u, 1023u, 1025u, 4097u, 20001u}) {
       const Chain chain = scene(std::string(kind) + ":n=" + std::to_string(n));
       const auto exact = reference::find(chain);
-      for (const char* name : {"DeviceGrid", "DeviceHybrid", "DeviceHybrid(crowd=0)", "DeviceLBVH"}) {
+      for (const char* name : {"DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0)", "DeviceHybrid(least=0,cells=0)",
+                               "DeviceHybrid(least=0,crowd=0)", "DeviceLBVH"}) {
         const auto variant = StrategyRegistry::instance().make(name);
         Collisions found;
         for (int round = 0; round < rounds; ++round) {
@@ -109,7 +110,7 @@ TEST_F(Device, FindsTheSamePairsEveryTime) {
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
   const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
   const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     variant->build(chain);
     Collisions found;
@@ -176,7 +177,7 @@ TEST_F(Device, EveryExclusionRuleTravels) {
        {Chain(spheres, strands, rule), Chain(spheres, strands, arcs), Chain(spheres, {}, arcs)}) {
     const auto exact = reference::find(chain);
     ASSERT_GT(exact.pair_count, 100u);
-    for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
+    for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);
@@ -191,7 +192,7 @@ TEST_F(Device, AMillionSpheres) {
     const Chain chain = scene(input);
     const auto exact = reference::find(chain);
     ASSERT_EQ(exact.pair_count, 45u);
-    for (const char* name : {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2", "DeviceGrid", "DeviceHybrid", "DeviceLBVH"}) {
+    for (const char* name : {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);

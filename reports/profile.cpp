@@ -68,6 +68,7 @@ Profile quick() {
   p.judged_moves = 20'000;
   p.wants_inputs = {"path1:n=10000", "yarn:n=5000"};
   p.coherent_inputs = {"path1:n=10000"};
+  p.planned_inputs = {"path1:n=20", "path1:n=10000", "yarn:n=10000"};
   p.short_chains = {10, 30, 100, 300, 1000, 3000};
   p.animation_input = "path1:n=5000";
   p.animation_step = 2;

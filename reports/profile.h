@@ -37,6 +37,7 @@ struct Profile {
   std::vector<std::string> examine_settings;  ///< of rod, path1 and yarn
   std::vector<bench::WorkloadSpec> shown;     ///< in the viewer; all frames: ten of them
   std::vector<std::string> wants_inputs, coherent_inputs;
+  std::vector<std::string> planned_inputs;  ///< on which what auto leaves out is done all the same
   int judged_steps = 0;            ///< of the lattice walks that others counted; 0: nothing is judged from outside
   std::uint32_t judged_side = 0;   ///< points along an axis of the chain whose pairs a formula knows
   std::uint32_t judged_n = 0;      ///< spheres of the longest chain whose node pairs are counted

@@ -109,8 +109,8 @@ TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
   EXPECT_EQ(own["profile"], "quick");
   EXPECT_EQ(own["command"], "catena report --quick");
   EXPECT_GT(own["seconds"], 0);
-  for (const char* section : {"scenes", "counts", "wants", "savings", "animation", "coherence", "viewer",
-                              "keyframes", "memory", "steps"}) {
+  for (const char* section : {"scenes", "counts", "wants", "savings", "regret", "animation", "coherence",
+                              "viewer", "keyframes", "memory", "steps"}) {
     ASSERT_TRUE(own.contains(section)) << section;
     const auto keys = described(section);
     EXPECT_GE(keys.size(), section == std::string("keyframes") ? 2u : 3u) << section;

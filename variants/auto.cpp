@@ -67,7 +67,8 @@ class Auto final : public Variant {
   std::string answered_by() const override {
     if (!plan_) return {};
     if (contact_) return "a look at likely places";
-    return frames_count() && way_ != FrameSearch::Way::full ? "the frame before" : plan_->variant();
+    return frames_count() && way_ != FrameSearch::Way::full ? "the frame before"
+                                                            : plan_->variant_with_threads();
   }
 
   Plan plan() const override {
@@ -96,7 +97,7 @@ class Auto final : public Variant {
     spheres_.reset();
     built_ = false;
     way_ = FrameSearch::Way::full;
-    plan_.emplace(chain.size(), request_, Machine::here(), omissions_);
+    plan_.emplace(chain.size(), request_, Machine::here(), omissions_, chain.view().extent);
     if (plan_->look_first()) {
       if (contact_) contact_ = CoarseLook::look_near(chain.view(), request_.queries, *contact_);
       if (!contact_) contact_ = look_.look(chain.view(), request_.queries);
@@ -115,7 +116,7 @@ class Auto final : public Variant {
   }
 
   void build_searcher(const Chain& chain) {
-    searcher_ = &held(plan_->variant());
+    searcher_ = &held();
     searcher_->prepare(request_);
     searcher_->build(chain);
     built_ = true;
@@ -133,18 +134,19 @@ class Auto final : public Variant {
   /// Of another chain; that of the last build is none any more.
   void search_other(const Chain& chain, const Request& request, Collisions& result) {
     built_ = false;
-    searcher_ = &held(plan_->variant());
+    searcher_ = &held();
     searcher_->prepare(request);
     searcher_->build(chain);
     searcher_->find(chain, request, result);
   }
 
-  /// Variants that were chosen before, with their memory.
-  Variant& held(const std::string& name) {
-    for (const auto& [known, variant] : held_)
-      if (known == name) return *variant;
-    held_.emplace_back(name, StrategyRegistry::instance().make(name));
-    return *held_.back().second;
+  /// What the plan chose, with its memory where it was chosen before.
+  Variant& held() {
+    for (const Held& h : held_)
+      if (h.threads == plan_->threads() && h.name == plan_->variant()) return *h.variant;
+    held_.push_back({plan_->variant(), plan_->threads(),
+                     StrategyRegistry::instance().make(plan_->variant_with_threads())});
+    return *held_.back().variant;
   }
 
   /// A search whose omissions are switched off finds more than was asked for.
@@ -161,7 +163,12 @@ class Auto final : public Variant {
   std::optional<Pair> contact_;  ///< of the last frame, found by a look
   FrameSearch frames_;
   FrameSearch::Way way_ = FrameSearch::Way::full;
-  std::vector<std::pair<std::string, std::unique_ptr<Variant>>> held_;
+  struct Held {
+    std::string name;
+    unsigned threads;
+    std::unique_ptr<Variant> variant;
+  };
+  std::vector<Held> held_;
   Variant* searcher_ = nullptr;           ///< of held_
   bool built_ = false;                    ///< the searcher, on the chain of the last build or update
   std::optional<std::uint32_t> spheres_;  ///< of the last build or update

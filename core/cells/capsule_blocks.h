@@ -4,47 +4,57 @@
 #include <cstdint>
 #include <cstring>
 
+#include "catena/core/cells/bits.h"
 #include "catena/core/cells/block_capsule.h"
 #include "catena/core/cells/buckets.h"
 #include "catena/core/chain/chain_view.h"
 
 namespace catena {
 
-/// The capsules of *blocks* of 32 consecutive spheres in hashed cells: plain pointers, valid in one memory
-/// space. A level's cells are as wide as two capsules of it at most reach, in powers of two, so that what a
-/// capsule meets of its own level or a coarser one lies in the 27 cells around its centre, and no rounding is
-/// in the cells.
+/// The capsules of *blocks* of 32 consecutive spheres: plain pointers, valid in one memory space. Whom a
+/// block meets is first asked of a tree in the order of the chain (BlockNodes). Tangled blocks, of which that
+/// says little, are put into hashed cells, and looked for there by one another. A level's cells are as wide
+/// as two capsules of it at most reach, in powers of two, so that what a capsule meets of its own level or a
+/// coarser one lies in the 27 cells around its centre, and no rounding is in the cells.
 ///
 /// A block is *crowded* where this says little of what is near: a row of cells that it looks into holds more
-/// than `dense` capsules, or it meets more than `crowd` others of its level or coarser ones, or more than
-/// `most_met` finer ones. Pairs of two crowded blocks are left to another search; all others are found here,
-/// by work that is bounded for each block. A cell with more than `dense` capsules holds crowded blocks only,
-/// so that no others need to be looked for there.
+/// than `dense` capsules, or it meets more than `crowd` others, or more than `most_met` finer ones do so in
+/// the cells. Pairs of two crowded blocks are left to another search; all others are found here, by work that
+/// is bounded for each block. A cell with more than `dense` capsules holds crowded blocks only, so that no
+/// others need to be looked for there. Crowded blocks that are not tangled have a place in the cells too, for
+/// the sake of their order in space, but no level, and nobody looks for them.
 struct CapsuleBlocks {
   static constexpr std::uint32_t block = 32;  ///< spheres
   static constexpr std::uint32_t dense = 96;
   static constexpr std::uint32_t most_partners = 8, most_met = 32;
-  static constexpr std::uint32_t most_window = block - 1;
-  static constexpr std::uint8_t is_ordered = 0x80;
-  static constexpr int least_width = -4;  ///< log2 of the width of level 0's cells
+  static constexpr std::uint32_t most_window = block - 1, most_levels = 3;
+  static constexpr std::uint8_t is_ordered = 0x80, is_tangled = 0x40, has_place = 0x20, level_bits = 0x1F;
+  static constexpr std::uint32_t no_level = level_bits;
+  static constexpr std::uint32_t mutual = 0x80000000u;  ///< of a partner: it has this one too
+  static constexpr int least_width = -4;                ///< log2 of the width of level 0's cells
 
   struct State {
     std::uint32_t places;   ///< blocks that were sorted
-    std::uint32_t levels;   ///< bit k: there are capsules of level k
+    std::uint32_t present;  ///< bit k: there are tangled blocks of level k
+    std::uint32_t levels;   ///< the same, where they are searched for
     std::uint32_t crowded;  ///< crowded blocks of every `sample`-th, about
     std::uint32_t any;      ///< not 0: there is a crowded block
+    std::uint32_t listed;   ///< not 0: there is one that has a place
   };
 
   CellTable table;
   float scale;  ///< block_scale: all capsules are of the chain times this
   std::uint32_t blocks, crowd, sample;
+  bool all_crowded;  ///< nothing is asked of blocks: the chain is too short for it to pay
+  bool in_cells;     ///< tangled blocks are put into cells; else, where there are few blocks, they count as
+                     ///< crowded
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
-  std::uint8_t* shape;      ///< by block: its level, and is_ordered (BlockShape)
+  std::uint8_t* shape;      ///< by block: its level, and is_ordered (BlockShape), is_tangled, has_place
   Buckets buckets;          ///< of blocks
   CapsuleBall* ball;        ///< by place
-  std::uint32_t* id;        ///< by place: 32 times the block, and its level
+  std::uint32_t* id;        ///< by place: 32 times the block, and its level or no_level
   std::uint32_t* partners;  ///< by block: how many it met; anything above `crowd` where it is crowded
   std::uint32_t* partner;   ///< by block, most_partners each
   std::uint32_t* met;       ///< by block: finer ones that met it
@@ -52,13 +62,20 @@ struct CapsuleBlocks {
 
   CATENA_HD static std::uint32_t blocks_of(std::uint32_t n) { return n / block + (n % block != 0); }
   /// What sizes and numbers a chain has; memory is the caller's to give.
-  static CapsuleBlocks of(const ChainView& chain, std::uint32_t crowd, float scale) {
+  static CapsuleBlocks of(const ChainView& chain, std::uint32_t crowd, float scale, std::uint64_t least,
+                          std::uint64_t least_in_cells) {
     CapsuleBlocks result{};
     result.blocks = blocks_of(chain.size);
     result.table = CellTable::of(4 * result.blocks);
     result.scale = scale;
     result.crowd = crowd;
     result.sample = 1 + result.blocks / 8192;
+    // Among spheres of very different sizes a grid of spheres is slower by far than what the order of the
+    // chain says.
+    constexpr float most_ratio = 64;
+    result.all_crowded =
+        chain.size < least && chain.extent.greatest_radius <= most_ratio * chain.extent.least_radius;
+    result.in_cells = chain.size >= least_in_cells && !result.all_crowded;
     // Elsewhere two spheres next to one another may belong to different strands, or be no neighbours.
     const bool one_window = chain.strand_count == 1 && chain.exclusion.rule == Exclusion::Rule::index_window;
     result.window = one_window ? std::min(chain.exclusion.window, most_window) : 1;
@@ -74,7 +91,12 @@ struct CapsuleBlocks {
   CATENA_HD bool settled(std::uint32_t a, std::uint32_t b) const {
     return a == b || (b == a + 1 && ordered(a)) || (a == b + 1 && ordered(b));
   }
-  CATENA_HD std::uint32_t level(std::uint32_t b) const { return shape[b] & ~std::uint32_t{is_ordered}; }
+  CATENA_HD std::uint32_t level(std::uint32_t b) const { return shape[b] & level_bits; }
+  /// Each tangled block looks into all coarser levels. Where there are many, as long jumps in a chain make
+  /// them, it is not worth it, and all tangled blocks count as crowded. Known once all were entered.
+  CATENA_HD bool searched() const { return count_bits(state->present) <= most_levels; }
+  CATENA_HD bool tangled(std::uint32_t b) const { return (shape[b] & is_tangled) != 0; }
+  CATENA_HD bool placed(std::uint32_t b) const { return (shape[b] & has_place) != 0; }
   /// About how many spheres are in crowded blocks, once all have met; no more than there are blocks for.
   CATENA_HD std::uint32_t crowded_spheres() const {
     const std::uint32_t about = state->crowded * sample;

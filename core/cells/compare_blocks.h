@@ -31,13 +31,15 @@ class BlockComparison {
   CATENA_HD void plan(std::uint32_t b, const Add& add) const {
     const bool ordered = blocks_.ordered(b);
     if (blocks_.crowded(b)) {
-      if (blocks_.state->levels >> blocks_.level(b) >> 1 != 0) add(Work::coarser);
+      if (blocks_.tangled(b) && blocks_.state->levels >> blocks_.level(b) >> 1 != 0) add(Work::coarser);
     } else {
       if (!ordered) add(Work::within);
       for (std::uint32_t k = 0; k < blocks_.partners[b]; ++k) {
-        const std::uint32_t id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
-        // Of one level both met the other.
-        if (id > b || blocks_.crowded(id) || blocks_.level(id) != blocks_.level(b)) add(static_cast<Work>(k));
+        const std::uint32_t stored = blocks_.partner[b * CapsuleBlocks::most_partners + k],
+                            id = stored & ~CapsuleBlocks::mutual;
+        // In the tree, and in cells of one level, both met the other.
+        const bool both = stored != id || blocks_.level(id) == blocks_.level(b);
+        if (id > b || blocks_.crowded(id) || !both) add(static_cast<Work>(k));
       }
     }
     const bool neighbours =
@@ -52,7 +54,7 @@ class BlockComparison {
     if (work == Work::adjacent) return compare_adjacent<Tests>(b, sink);
     if (work == Work::coarser) return compare_with_coarser<Tests>(b, sink);
     const std::uint32_t k = static_cast<std::uint32_t>(work),
-                        id = blocks_.partner[b * CapsuleBlocks::most_partners + k];
+                        id = blocks_.partner[b * CapsuleBlocks::most_partners + k] & ~CapsuleBlocks::mutual;
     compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
   }
 
@@ -104,8 +106,19 @@ class BlockComparison {
   template <class Tests, class Sink>
   CATENA_HD void compare_within(std::uint32_t b, Sink& sink) const {
     const auto all = spheres(b);
-    const std::uint32_t in = warp_.ballot([&](std::uint32_t lane) { return in_chain(b, lane); });
-    compare_spheres<Tests>(b, all, in, b, all, in, sink);
+    constexpr std::uint32_t half = CapsuleBlocks::block / 2;
+    for (std::uint32_t ahead = 1; ahead <= half;
+         ++ahead) {  // around the block, so that all threads have a pair
+      const auto others = warp_.shifted(all, ahead);
+      warp_.run([&](std::uint32_t lane) {
+        const std::uint32_t k = (lane + ahead) % CapsuleBlocks::block, first = lane < k ? lane : k,
+                            second = lane < k ? k : lane, i = b * CapsuleBlocks::block + first,
+                            j = b * CapsuleBlocks::block + second;
+        if ((ahead < half || lane < half) && in_chain(b, second) && Tests::overlap(all[lane], others[lane]) &&
+            !chain_.neighbours(i, j))
+          sink.pair(i, j);
+      });
+    }
   }
 
   CATENA_HD bool in_chain(std::uint32_t b, std::uint32_t k) const {

@@ -17,10 +17,15 @@ CATENA_HD inline std::uint32_t fetch_add(std::uint32_t* number, std::uint32_t mo
 #endif
 }
 
+/// What such a number is now; it may be more by the time it is used.
+CATENA_HD inline std::uint32_t seen(const std::uint32_t* number) {
+  return *static_cast<const volatile std::uint32_t*>(number);
+}
+
 /// Sets bits of such a number. Most callers find theirs set, and a look costs less than an atomic operation.
 CATENA_HD inline void set_bits(std::uint32_t* number, std::uint32_t bits) {
 #ifdef __CUDA_ARCH__
-  if ((*static_cast<volatile std::uint32_t*>(number) & bits) != bits) atomicOr(number, bits);
+  if ((seen(number) & bits) != bits) atomicOr(number, bits);
 #else
   *number |= bits;
 #endif

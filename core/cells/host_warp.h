@@ -52,14 +52,28 @@ struct HostTeam {
     for (std::uint32_t lane = 1; lane < lanes; ++lane) result = std::max(result, number(lane));
     return result;
   }
+  template <class F>
+  float sum(const F& number) const {
+    float result = number(0u);
+    for (std::uint32_t lane = 1; lane < lanes; ++lane) result += number(lane);
+    return result;
+  }
   /// What one lane has, for all.
   template <class T>
   T from(const Lanes<T>& value, std::uint32_t lane) const {
     return value[lane];
   }
+  /// For each lane what another has that comes so many later, around.
+  template <class T>
+  Lanes<T> shifted(const Lanes<T>& value, std::uint32_t by) const {
+    Lanes<T> result;
+    for (std::uint32_t lane = 0; lane < lanes; ++lane) result.of[lane] = value[(lane + by) % lanes];
+    return result;
+  }
 };
 
 using HostWarp = HostTeam<32>;
 using HostQuad = HostTeam<4>;
+using HostOctet = HostTeam<8>;
 
 }  // namespace catena

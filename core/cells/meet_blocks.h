@@ -25,23 +25,45 @@ class BlockMeeting {
       blocks_.capsule[b] = shape.capsule;
       blocks_.shape[b] = static_cast<std::uint8_t>(level | (shape.ordered ? CapsuleBlocks::is_ordered : 0));
       blocks_.partners[b] = blocks_.met[b] = 0;
-      blocks_.buckets.enter(blocks_.bucket_of(shape.capsule, level), b);
-      set_bits(&blocks_.state->levels, 1u << level);
     });
   }
 
-  // Step 2 is that of the buckets.
+  // Step 2 is that of the nodes.
+  /// And at its end, of two blocks that met there: each is the other's partner.
+  CATENA_HD void note_mutual(std::uint32_t a, std::uint32_t b) const {
+    add_partner(a, b | CapsuleBlocks::mutual);
+    add_partner(b, a | CapsuleBlocks::mutual);
+  }
+
   /// Step 3, for each block.
+  CATENA_HD void enter(std::uint32_t b, bool tangled) const {
+    if (tangled && !blocks_.in_cells) return crowd(b);
+    if (!blocks_.in_cells || (!tangled && !blocks_.crowded(b))) return;
+    const std::uint32_t level = blocks_.level(b);
+    blocks_.shape[b] |= CapsuleBlocks::has_place | (tangled ? CapsuleBlocks::is_tangled : 0);
+    blocks_.buckets.enter(blocks_.bucket_of(blocks_.capsule[b], level), b);
+    set_bits(&blocks_.state->listed, 1);
+    if (tangled) set_bits(&blocks_.state->present, 1u << level);
+  }
+
+  // Step 4 is that of the buckets.
+  /// Step 5, for each block.
   CATENA_HD void place(std::uint32_t b) const {
+    if (!blocks_.placed(b)) return;
     const BlockCapsule capsule = blocks_.capsule[b];
     const std::uint32_t level = blocks_.level(b),
                         at = blocks_.buckets.place(blocks_.bucket_of(capsule, level), b);
+    const bool searched = blocks_.tangled(b) && blocks_.searched();
     blocks_.ball[at] = ball_of(capsule);
-    blocks_.id[at] = b << 5 | level;
+    blocks_.id[at] = b << 5 | (searched ? level : CapsuleBlocks::no_level);
+    if (searched)
+      set_bits(&blocks_.state->levels, 1u << level);
+    else
+      crowd(b);
   }
 
-  /// Step 4, for each level, each block of it or a finer one, and each row of cells: the places to look at,
-  /// side by side; mostly all.
+  /// Step 6, for each level, each tangled block of it or a finer one, and each row of cells: the places to
+  /// look at, side by side; mostly all.
   CATENA_HD Buckets::Run look(std::uint32_t b, std::uint32_t level, std::uint32_t row,
                               CapsuleBlocks::Row& rest) const {
     rest = blocks_.row(blocks_.capsule[b], level, row);
@@ -69,17 +91,20 @@ class BlockMeeting {
   CATENA_HD std::uint32_t block_at(std::uint32_t place) const { return blocks_.id[place] >> 5; }
   CATENA_HD void note(std::uint32_t b, std::uint32_t other) const {
     if (separate(blocks_.capsule[b], blocks_.capsule[other])) return;
-    const std::uint32_t before = fetch_add(blocks_.partners + b, 1);
-    if (before < blocks_.crowd)
-      blocks_.partner[b * CapsuleBlocks::most_partners + before] = other;
-    else if (before == blocks_.crowd)
-      note_crowded(b);
+    add_partner(b, other);
     if (blocks_.level(other) != blocks_.level(b) &&
         fetch_add(blocks_.met + other, 1) == CapsuleBlocks::most_met)
       note_crowded(other);
   }
 
  private:
+  CATENA_HD void add_partner(std::uint32_t b, std::uint32_t other) const {
+    const std::uint32_t before = fetch_add(blocks_.partners + b, 1);
+    if (before < blocks_.crowd)
+      blocks_.partner[b * CapsuleBlocks::most_partners + before] = other;
+    else if (before == blocks_.crowd)
+      note_crowded(b);
+  }
   CATENA_HD void note_crowded(std::uint32_t b) const {
     set_bits(&blocks_.state->any, 1);
     if (b % blocks_.sample == 0) fetch_add(&blocks_.state->crowded, 1);

@@ -75,14 +75,19 @@ struct SphereCells {
     return state->together > most_together * static_cast<float>(state->places[0]);
   }
 
+  CATENA_HD std::uint32_t bucket_of(const CellTable& in, const Sphere& s, std::uint32_t level) const {
+    return in.bucket(cell(s, level), level);
+  }
   /// Step 1, for each sphere: into level 0, or its octave, which then belongs to state->levels.
   CATENA_HD void enter(const CellTable& in, const Sphere& s, std::uint32_t i, std::uint32_t level) const {
-    buckets.enter(in.bucket(cell(s, level), level), i);
+    buckets.enter(bucket_of(in, s, level), i);
   }
   // Step 2 is that of the buckets.
   /// Step 3, for each sphere.
   CATENA_HD void place(const CellTable& in, const Sphere& s, std::uint32_t i) const {
-    const std::uint32_t at = place_of(in, s, i);
+    put(s, i, place_of(in, s, i));
+  }
+  CATENA_HD void put(const Sphere& s, std::uint32_t i, std::uint32_t at) const {
     if (octaves.equal) {
       Sphere with_index = s;
       std::memcpy(&with_index.radius, &i, sizeof i);
@@ -94,7 +99,7 @@ struct SphereCells {
   }
   CATENA_HD std::uint32_t place_of(const CellTable& in, const Sphere& s, std::uint32_t i) const {
     const std::uint32_t level = one_level() ? 0 : octaves.of(s.radius);
-    return buckets.place(in.bucket(cell(s, level), level), i);
+    return buckets.place(bucket_of(in, s, level), i);
   }
 };
 

@@ -33,10 +33,11 @@ class CalibrateCommand final : public Command {
 
  private:
   static void print_text(const Machine& machine, const std::filesystem::path& file) {
-    fmt::print("{:<24} {:>12} {:>14} {:>12}\n", "variant", "fixed, us", "a sphere, ns", "a pair, ns");
+    fmt::print("{:<24} {:>12} {:>14} {:>12} {:>12} {:>12}\n", "variant", "fixed, us", "a sphere, ns",
+               "a pair, ns", "threads, us", "serial");
     for (const Machine::VariantCost& v : machine.costs)
-      fmt::print("{:<24} {:>12.3g} {:>14.3g} {:>12.3g}\n", v.variant, v.cost.fixed_us, v.cost.sphere_ns,
-                 v.cost.sphere_pair_ns);
+      fmt::print("{:<24} {:>12.3g} {:>14.3g} {:>12.3g} {:>12.3g} {:>12.3g}\n", v.variant, v.cost.fixed_us,
+                 v.cost.sphere_ns, v.cost.sphere_pair_ns, v.cost.team_us, v.cost.serial);
     if (const std::uint32_t n = crossover(machine); n > 0)
       fmt::print("a hierarchy pays from {} spheres on\n", n);
     fmt::print("kept in {}\n", file.string());
@@ -50,7 +51,9 @@ class CalibrateCommand final : public Command {
       line["costs"].push_back({{"variant", v.variant},
                                {"fixed_us", v.cost.fixed_us},
                                {"sphere_ns", v.cost.sphere_ns},
-                               {"sphere_pair_ns", v.cost.sphere_pair_ns}});
+                               {"sphere_pair_ns", v.cost.sphere_pair_ns},
+                               {"team_us", v.cost.team_us},
+                               {"serial", v.cost.serial}});
     fmt::print("{}\n", line.dump());
   }
 

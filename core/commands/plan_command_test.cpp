@@ -40,7 +40,7 @@ TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
 
 TEST_F(PlanProgram, OmitsNothingThatIsSwitchedOff) {
   EXPECT_FALSE(step(json("plan path1:n=20 --no-omit hierarchy --json"), "hierarchy")["left_out"]);
-  expect_says("detect path1:n=20 --no-omit hierarchy", 0, {"auto(keep=hierarchy), Hybrid"});
+  expect_says("detect path1:n=20 --no-omit hierarchy", 0, {"auto(keep=hierarchy), ChainTree"});
   expect_refused("plan path1:n=20 --no-omit nonsense", "hierarchy");
   expect_refused("detect path1:n=20 --variant CPU1 --no-omit hierarchy", "--variant");
   expect_refused("plan path1:n=20 --any --counts-only", "--any");

@@ -37,8 +37,8 @@ std::vector<Shown> shown_in(const std::string& text) {
 
 /// Without what differs from run to run: times.
 std::string steady(const std::string& text) {
-  static const std::regex milliseconds("[0-9.]+ ms");
-  return std::regex_replace(text, milliseconds, "# ms");
+  static const std::regex milliseconds("[0-9.]+ ms"), threads("\\(threads=[0-9]+\\)");  // as many as the machine has
+  return std::regex_replace(std::regex_replace(text, milliseconds, "# ms"), threads, "");
 }
 
 class Readme : public Program {

@@ -30,6 +30,12 @@ double greatest_move(std::span<const Sphere> before, std::span<const Sphere> now
   return std::sqrt(double{square}) + growth;
 }
 
+/// From the latest measurement; the first one replaces what was guessed.
+void learn(FrameSearch::Learned& figure, double latest) {
+  figure.ms = figure.measured ? 0.7 * figure.ms + 0.3 * latest : latest;
+  figure.measured = true;
+}
+
 /// Frames to wait after the nth time in a row that something did not pay.
 std::uint32_t wait_after(std::uint32_t times) { return std::min(longest_wait, 2u << std::min(times, 8u)); }
 
@@ -96,6 +102,18 @@ bool FrameSearch::take(const Moved& moved, std::uint32_t n) {
   return true;
 }
 
+/// What searching so many runs that changed takes, by the tree or by cells; about. Frames of which some parts
+/// move seldom come alone, so that a tree which does not stand yet is paid for by several.
+double FrameSearch::least_ms(double runs) {
+  const auto n = static_cast<double>(row_.spheres().size());
+  // Not measured yet: some times what a full search takes for a run.
+  const double run_ms = run_.measured ? run_.ms : 30 * policy_.full_ms() * RunTree::run / n;
+  const double tree = runs * run_ms + (row_.tree_stands() ? 0 : tree_sphere_ms / 8 * n);
+  const double cells = n * cell_sphere_.ms;
+  by_cells_ = always_ ? !by_cells_ : cells < tree;
+  return std::min(tree, cells);
+}
+
 FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
   const std::span<const Sphere> before = row_.spheres(), now = chain.spheres();
   const auto most = static_cast<std::uint32_t>(always_ ? now.size() : now.size() / 4);
@@ -111,8 +129,7 @@ FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
     const double runs =
         static_cast<double>(moved_) / RunTree::run + 2.0 * static_cast<double>(ranges_.size());
     // Frames of which some parts move seldom come alone.
-    const double tree = row_.tree_stands() ? 0 : tree_sphere_ms / 8 * static_cast<double>(now.size());
-    if (always_ || runs * run_ms_ + tree < 0.7 * policy_.full_ms()) return blinds_ = 0, Way::parts;
+    if (always_ || least_ms(runs) < 0.7 * policy_.full_ms()) return blinds_ = 0, Way::parts;
   }
   if (const auto way = choose_shift(chain)) return blinds_ = 0, *way;
   if (const auto way = choose_list(chain)) return blinds_ = 0, *way;
@@ -126,14 +143,18 @@ std::optional<FrameSearch::Way> FrameSearch::choose_shift(const Chain& chain) {
   const auto s = find_shift(row_.spheres(), chain.spheres(), most, shift_);
   if (!s) return std::nullopt;
   shift_ = *s;
+  least_ms(static_cast<double>(std::max(shift_, -shift_)) / RunTree::run + 2);
   return Way::shifted;
 }
 
 std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   if (!omissions_.may(Omission::far_pairs) || !KeptList::can_keep(chain)) return std::nullopt;
   if (list_->made()) {
-    if (list_->holds(chain)) return Way::kept_list;
+    const bool pays = always_ || policy_.use_pays();
+    if (pays) waits_ = 0;
+    if (pays && list_->holds(chain)) return Way::kept_list;
     list_->drop();
+    if (!pays) wait_ = wait_after(waits_++);
   }
   if (wait_ > 0 && !always_) return --wait_, std::nullopt;
   move_ = greatest_move(row_.spheres(), chain.spheres());
@@ -183,11 +204,11 @@ void FrameSearch::search_all(const Chain& chain, const Request& request, Collisi
 }
 
 void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
-  if (!list_->made()) {
+  const bool fresh = !list_->made();
+  if (fresh) {
     const Stopwatch watch;
     list_->make(chain, static_cast<float>(skin_), most_own_pairs, search);
     policy_.rebuilt(watch.ms(), move_);
-    if (list_->made()) waits_ = 0;
   }
   if (!list_->made()) {
     wait_ = wait_after(waits_++);
@@ -198,10 +219,14 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
     return remember(chain);
   }
   const Stopwatch watch;
-  list_->find(chain.spheres(), pairs_);
+  list_->find(chain.spheres(), pairs_, counts_);
   remember(chain);
+  counts_stand_ = true;
   compared_ = list_->size();
-  policy_.used(watch.ms(), list_->skin(), static_cast<double>(compared_), static_cast<double>(pairs_.size()));
+  // The first use of a list brings it into the cache, and is no measure of the next ones.
+  if (!fresh)
+    policy_.used(watch.ms(), list_->skin(), static_cast<double>(compared_),
+                 static_cast<double>(pairs_.size()));
 }
 
 /// Collisions of each sphere. Where there are many they are kept, for frames that change few.
@@ -253,9 +278,12 @@ void FrameSearch::find(const Chain& chain, const Request& request, Collisions& r
         compared_ = row_.changed_runs();
         counts_stand_ &= way_ == Way::parts;
         tree_stood = row_.tree_stands();
-        row_.search(chain.view(), pairs_, counts_stand_ ? std::span(counts_) : std::span<std::uint32_t>());
-        if (compared_ > 0 && tree_stood)
-          run_ms_ = 0.7 * run_ms_ + 0.3 * watch.ms() / static_cast<double>(compared_);
+        by_cells_ = row_.search(chain.view(), pairs_,
+                                counts_stand_ ? std::span(counts_) : std::span<std::uint32_t>(), by_cells_);
+        if (by_cells_)
+          learn(cell_sphere_, watch.ms() / static_cast<double>(chain.size()));
+        else if (compared_ > 0 && tree_stood)
+          learn(run_, watch.ms() / static_cast<double>(compared_));
         break;
       case Way::kept_list:
         search_by_list(chain, search);

@@ -29,6 +29,11 @@ class CATENA_API FrameSearch {
     kept_list  ///< near pairs are compared
   };
 
+  struct Learned {
+    double ms = 0;
+    bool measured = false;
+  };
+
   /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too.
   FrameSearch(const Omissions& omissions, bool always,
               std::unique_ptr<KeptList> list = std::make_unique<KeptList>());
@@ -57,6 +62,7 @@ class CATENA_API FrameSearch {
 
  private:
   Way choose(const Chain& chain, const Moved& moved);
+  double least_ms(double runs);
   std::optional<Way> choose_shift(const Chain& chain);
   std::optional<Way> choose_list(const Chain& chain);
   bool comparable(const Chain& chain) const;
@@ -90,7 +96,8 @@ class CATENA_API FrameSearch {
   double move_ = 0, skin_ = 0;            ///< for the next list: of a frame, at most; wanted
   std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay
   std::uint32_t blind_ = 0, blinds_ = 0;  ///< the same of looking for what frames have in common
-  double run_ms_ = 1e-3;                  ///< of a run that changed, measured
+  Learned run_, cell_sphere_{4e-6};       ///< of a run that changed, by the tree; of any sphere, by cells
+  bool by_cells_ = false;                 ///< the next such search; then, the last one
   double full_ms_ = 0, find_ms_ = 0;      ///< of the last full search; of this frame's
   std::size_t compared_ = 0;              ///< of this frame: runs that changed, or near pairs
   Collisions own_;

@@ -6,6 +6,7 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
+#include "catena/core/frames/surely_overlap.h"
 #include "catena/core/frames/within.h"
 
 namespace catena {
@@ -52,40 +53,47 @@ bool KeptList::holds(const Chain& chain) const {
   return true;
 }
 
+/// By tiles of the chain against tiles, so that the spheres of many pairs in a row stay in the cache.
 void KeptList::sort() {
   const std::uint32_t n = thick_.size();
-  first_.assign(n + std::size_t{2}, 0);
-  for (const Pair& p : near_.pairs) ++first_[p.i + std::size_t{2}];
-  for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
-  partner_.resize(near_.pairs.size());
-  for (const Pair& p : near_.pairs) partner_[first_[p.i + std::size_t{1}]++] = p.j;
+  constexpr std::uint32_t least_tile = 16384, most_tiles = 64;
+  const std::uint32_t tile = std::max(least_tile, n / most_tiles + 1);
+  const std::size_t tiles = n / tile + 1;
+  const auto key = [&](const Pair& p) { return p.i / tile * tiles + p.j / tile; };
+  begin_.assign(tiles * tiles + 1, 0);
+  for (const Pair& p : near_.pairs) ++begin_[key(p) + 1];
+  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
+  sorted_.resize(near_.pairs.size());
+  for (const Pair& p : near_.pairs) sorted_[begin_[key(p)]++] = p;
 }
 
-void KeptList::find(std::span<const Sphere> now, std::vector<Pair>& pairs) const {
+void KeptList::find(std::span<const Sphere> now, std::vector<Pair>& pairs,
+                    std::vector<std::uint32_t>& counts) const {
   pairs.clear();
-  // Which of them are near enough is hard to foretell, and so found without a branch.
-  std::array<Pair, 1024> close;
-  std::size_t count = 0;
-  const auto hand_over = [&] {
-    std::size_t hits = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Pair p = close[k];
-      close[hits] = p;
-      hits += Robust::overlap(now[p.i], now[p.j]);
+  counts.assign(now.size(), 0);
+  // Which of them collide is hard to foretell, and so found without a branch; who is undecided is rare.
+  constexpr std::size_t room = 1024, ahead = 24;
+  std::array<Pair, room> sure, open;
+  for (std::size_t begin = 0; begin < sorted_.size(); begin += room) {
+    const std::size_t end = std::min(sorted_.size(), begin + room);
+    std::size_t sures = 0, opens = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Pair p = sorted_[k], later = sorted_[std::min(k + ahead, sorted_.size() - 1)];
+      __builtin_prefetch(&now[later.j]);
+      __builtin_prefetch(&counts[later.j], 1);
+      const Sphere a = now[p.i], b = now[p.j];
+      const bool collide = surely_overlap(a, b);
+      counts[p.i] += collide;
+      counts[p.j] += collide;
+      sure[sures] = open[opens] = p;
+      sures += collide;
+      opens += !collide & !Robust::separate(a, b);
     }
-    pairs.insert(pairs.end(), close.begin(), close.begin() + static_cast<std::ptrdiff_t>(hits));
-    count = 0;
-  };
-  for (std::uint32_t i = 0; i < now.size(); ++i) {
-    const Sphere a = now[i];
-    for (std::uint64_t k = first_[i]; k < first_[i + std::size_t{1}]; ++k) {
-      const std::uint32_t j = partner_[k];
-      close[count] = {i, j};
-      count += !Robust::separate(a, now[j]);
-      if (count == close.size()) hand_over();
-    }
+    for (std::size_t k = 0; k < opens; ++k)
+      if (const Pair p = open[k]; Robust::overlap(now[p.i], now[p.j]))
+        pairs.push_back(p), ++counts[p.i], ++counts[p.j];
+    pairs.insert(pairs.end(), sure.begin(), sure.begin() + static_cast<std::ptrdiff_t>(sures));
   }
-  hand_over();
 }
 
 }  // namespace catena

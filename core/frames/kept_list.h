@@ -32,13 +32,13 @@ class CATENA_API KeptList {
   void drop() { made_ = false; }
   bool made() const { return made_; }
   float skin() const { return skin_; }
-  std::size_t size() const { return partner_.size(); }
+  std::size_t size() const { return sorted_.size(); }
 
   /// True only when each sphere lies within its thick one, for certain. O(n). Ask before every `find`.
   virtual bool holds(const Chain& chain) const;
 
-  /// The colliding pairs of the spheres of a chain that it holds for, in order of the first.
-  void find(std::span<const Sphere> now, std::vector<Pair>& pairs) const;
+  /// The colliding pairs of the spheres of a chain that it holds for, and of each sphere how many it has.
+  void find(std::span<const Sphere> now, std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts) const;
 
  protected:
   const Chain& thick() const { return thick_; }
@@ -48,8 +48,8 @@ class CATENA_API KeptList {
 
   Chain thick_;
   Collisions near_;                   ///< as they were found
-  std::vector<std::uint64_t> first_;  ///< of each sphere i: where its partners j > i begin
-  std::vector<std::uint32_t> partner_;
+  std::vector<Pair> sorted_;
+  std::vector<std::size_t> begin_;  ///< of tiles, while they are sorted
   float skin_ = 0;
   bool made_ = false;
 };

@@ -16,8 +16,12 @@ class CATENA_API ListPolicy {
  public:
   static constexpr double shortest = 2, longest = 64;  ///< lives, frames
 
-  /// A full search of a frame took so long.
-  void searched(double ms) { full_ms_ = blend(full_ms_, ms); }
+  /// A full search of a frame took so long. The first ones touch memory for the first time, and are no measure
+  /// of the next.
+  void searched(double ms) {
+    full_ms_ = searches_ < cold_searches ? ms : blend(full_ms_, std::min(ms, 2 * full_ms_));
+    ++searches_;
+  }
   /// A list of thick spheres was made, of a chain whose spheres were to move by `move` a frame.
   void rebuilt(double ms, double move) { rebuild_ms_ = blend(rebuild_ms_, ms), move_ = move, ++made_; }
   /// A frame was answered by a list with this skin; `near` of its pairs, `found` of which collide.
@@ -38,17 +42,20 @@ class CATENA_API ListPolicy {
     const double k = life();
     return (rebuild_ms() + (k - 1) * use_ms()) / k + growth_ms_ * k;
   }
-  /// Guessed before the first list was made and used.
-  bool pays() const { return mean_ms() < 0.9 * full_ms_; }
+  /// Guessed before the first list was made and used; not before a full search was measured.
+  bool pays() const { return searches_ >= cold_searches && mean_ms() < 0.9 * full_ms_; }
+  /// A list that stands, whatever making it took.
+  bool use_pays() const { return use_ms() + growth_ms_ * life() < 0.9 * full_ms_; }
   double full_ms() const { return full_ms_; }
 
  private:
+  static constexpr unsigned cold_searches = 2;
   static double blend(double old, double latest) { return old > 0 ? 0.7 * old + 0.3 * latest : latest; }
-  double rebuild_ms() const { return made_ > 0 ? rebuild_ms_ : 1.5 * full_ms_; }
+  double rebuild_ms() const { return made_ > 0 ? rebuild_ms_ : 2 * full_ms_; }
   double use_ms() const { return use_ms_ > 0 ? use_ms_ : full_ms_ / 4; }
 
   double full_ms_ = 0, rebuild_ms_ = 0, use_ms_ = 0, growth_ms_ = 0, move_ = 0;
-  unsigned made_ = 0;
+  unsigned made_ = 0, searches_ = 0;
 };
 
 }  // namespace catena

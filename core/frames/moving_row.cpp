@@ -1,6 +1,7 @@
 #include "catena/core/frames/moving_row.h"
 
 #include <algorithm>
+#include <array>
 
 #include "catena/core/arithmetic/robust.h"
 
@@ -63,22 +64,42 @@ SphereRange MovingRow::spheres_of(std::uint32_t of) const {
   return first < end ? SphereRange{first - begin_, end - begin_} : SphereRange{0, 0};
 }
 
-void MovingRow::search_run(const ChainView& chain, std::uint32_t of, std::vector<Pair>& pairs) const {
-  const SphereRange own = spheres_of(of);
-  tree_.for_each_near(of, [&](std::uint32_t other) {
-    // Two runs that changed are met from both: once is enough.
-    if (is_changed_[other] && other < of) return;
-    const SphereRange theirs = spheres_of(other);
-    for (std::uint32_t i = own.begin; i < own.end; ++i) {
-      const Sphere a = chain.spheres[i];
-      for (std::uint32_t j = other == of ? i + 1 : theirs.begin; j < theirs.end; ++j) {
-        if (Robust::separate(a, chain.spheres[j])) [[likely]]
-          continue;
-        if (Robust::overlap(a, chain.spheres[j]) && !chain.neighbours(i, j))
-          pairs.push_back({std::min(i, j), std::max(i, j)});
-      }
+void MovingRow::compare_runs(const ChainView& chain, std::uint32_t of, std::uint32_t other,
+                             std::vector<Pair>& pairs) const {
+  const SphereRange own = spheres_of(of), theirs = spheres_of(other);
+  if (own.size() == 0 || theirs.size() == 0) return;
+  // Eight at a time, a coordinate after the other, as vectors take them; the last one stands for what is not
+  // there, and is not heeded.
+  std::array<float, run> x, y, z, r;
+  for (std::uint32_t k = 0; k < run; ++k) {
+    const Sphere& s = chain.spheres[std::min(theirs.begin + k, theirs.end - 1)];
+    x[k] = s.x, y[k] = s.y, z[k] = s.z, r[k] = s.radius;
+  }
+  for (std::uint32_t i = own.begin; i < own.end; ++i) {
+    const Sphere a = chain.spheres[i];
+    std::array<std::uint32_t, run> near;
+    std::uint32_t any = 0;
+    for (std::uint32_t k = 0; k < run; ++k) {
+      near[k] = std::uint32_t{!Robust::separate(a, {x[k], y[k], z[k], r[k]})};
+      any |= near[k];
     }
-  });
+    if (any == 0) continue;
+    for (std::uint32_t j = other == of ? i + 1 : theirs.begin; j < theirs.end; ++j)
+      if (near[j - theirs.begin] != 0 && !chain.neighbours(i, j) && Robust::overlap(a, chain.spheres[j]))
+        pairs.push_back({std::min(i, j), std::max(i, j)});
+  }
+}
+
+void MovingRow::search_runs(const ChainView& chain, std::vector<Pair>& pairs) {
+  std::ranges::sort(changed_);
+  for (std::size_t k = 0, end = 0; k < changed_.size(); k = end) {
+    while (end < changed_.size() && changed_[end] / RunTree::together == changed_[k] / RunTree::together)
+      ++end;
+    tree_.for_each_near(std::span(changed_).subspan(k, end - k), [&](std::uint32_t of, std::uint32_t other) {
+      // Two runs that changed are met from both: once is enough.
+      if (!(is_changed_[other] && other < of)) compare_runs(chain, of, other, pairs);
+    });
+  }
 }
 
 /// Those of two spheres that are still there, by their new indices.
@@ -92,20 +113,35 @@ void MovingRow::renumber(std::vector<Pair>& pairs) const {
   pairs.resize(left);
 }
 
-void MovingRow::search(const ChainView& chain, std::vector<Pair>& pairs, std::span<std::uint32_t> counts) {
+bool MovingRow::search_cells(const ChainView& chain, std::vector<Pair>& pairs) {
+  std::ranges::sort(changed_);
+  moved_.clear();
+  for (const std::uint32_t r : changed_)
+    for (std::uint32_t i = spheres_of(r).begin; i < spheres_of(r).end; ++i) moved_.push_back(i);
+  if (!cells_.lay_out(chain, moved_)) return false;
+  cells_.search(chain, [this](std::uint32_t i) { return is_changed_[(begin_ + i) / run] != 0; }, pairs);
+  return true;
+}
+
+/// The tree over the row as it is now.
+void MovingRow::stand_tree() {
   if (!tree_stands_) {
     tree_.clear(static_cast<std::uint32_t>(row_.size()));
     refresh(begin_ / run, (begin_ + size_ + run - 1) / run);
     tree_stands_ = true;
-  } else {
-    // Neighbours together, so that what is above them is made once.
-    for (std::size_t k = 0; k < changed_.size();) {
-      std::size_t end = k + 1;
-      while (end < changed_.size() && changed_[end] == changed_[end - 1] + 1) ++end;
-      refresh(changed_[k], changed_[end - 1] + 1);
-      k = end;
-    }
+    return;
   }
+  // Neighbours together, so that what is above them is made once.
+  for (std::size_t k = 0; k < changed_.size();) {
+    std::size_t end = k + 1;
+    while (end < changed_.size() && changed_[end] == changed_[end - 1] + 1) ++end;
+    refresh(changed_[k], changed_[end - 1] + 1);
+    k = end;
+  }
+}
+
+bool MovingRow::search(const ChainView& chain, std::vector<Pair>& pairs, std::span<std::uint32_t> counts,
+                       bool by_cells) {
   if (shifted_by_ != 0) renumber(pairs);
   for (std::size_t k = 0; k < pairs.size();) {
     if (kept(pairs[k])) {
@@ -117,11 +153,18 @@ void MovingRow::search(const ChainView& chain, std::vector<Pair>& pairs, std::sp
     pairs.pop_back();
   }
   const std::size_t kept_pairs = pairs.size();
-  for (const std::uint32_t r : changed_) search_run(chain, r, pairs);
+  by_cells = by_cells && search_cells(chain, pairs);
+  if (by_cells) {
+    tree_stands_ = false;  // it is of what was there before
+  } else {
+    stand_tree();
+    search_runs(chain, pairs);
+  }
   if (!counts.empty())
     for (std::size_t k = kept_pairs; k < pairs.size(); ++k) ++counts[pairs[k].i], ++counts[pairs[k].j];
   for (const std::uint32_t r : changed_) is_changed_[r] = 0;
   changed_.clear();
+  return by_cells;
 }
 
 }  // namespace catena

@@ -5,6 +5,7 @@
 
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/export.h"
+#include "catena/core/frames/moved_cells.h"
 #include "catena/core/frames/run_tree.h"
 #include "catena/core/pair.h"
 #include "catena/core/strategy/request.h"
@@ -27,8 +28,10 @@ class CATENA_API MovingRow {
 
   /// From the pairs of the frame before the last move or shift, by that frame's indices, to those of this
   /// one. `chain` is the frame that it was told of. `counts` of these pairs, if there are any, follow; only
-  /// after a move. O(pairs) and a search for each run that changed.
-  void search(const ChainView& chain, std::vector<Pair>& pairs, std::span<std::uint32_t> counts);
+  /// after a move. O(pairs) and a search for each run that changed, in the tree; `by_cells`: O(n) instead,
+  /// where that can be. True when it was by cells.
+  bool search(const ChainView& chain, std::vector<Pair>& pairs, std::span<std::uint32_t> counts,
+              bool by_cells);
 
   /// Runs that changed last; each costs about the same.
   std::uint32_t changed_runs() const { return static_cast<std::uint32_t>(changed_.size()); }
@@ -43,7 +46,11 @@ class CATENA_API MovingRow {
   }
   void renumber(std::vector<Pair>& pairs) const;
   void refresh(std::uint32_t first_run, std::uint32_t end_run);
-  void search_run(const ChainView& chain, std::uint32_t of, std::vector<Pair>& pairs) const;
+  bool search_cells(const ChainView& chain, std::vector<Pair>& pairs);
+  void stand_tree();
+  void search_runs(const ChainView& chain, std::vector<Pair>& pairs);
+  void compare_runs(const ChainView& chain, std::uint32_t of, std::uint32_t other,
+                    std::vector<Pair>& pairs) const;
   SphereRange spheres_of(std::uint32_t of) const;
 
   std::vector<Sphere> row_;
@@ -52,6 +59,8 @@ class CATENA_API MovingRow {
   RunTree tree_;
   bool tree_stands_ = false;
   std::vector<std::uint32_t> changed_;    ///< runs
+  std::vector<std::uint32_t> moved_;      ///< their spheres, where cells are used
+  MovedCells cells_;
   std::vector<std::uint8_t> is_changed_;  ///< of each run
 };
 

@@ -1,5 +1,7 @@
 #pragma once
+#include <bit>
 #include <cstdint>
+#include <span>
 
 #include "catena/core/export.h"
 #include "catena/core/hierarchy/wide_box_tree.h"
@@ -21,10 +23,19 @@ class CATENA_API RunTree {
   void refresh(const Sphere* row, std::uint32_t window_begin, std::uint32_t window_end, std::uint32_t first,
                std::uint32_t end);
 
-  /// visit(run) for every run whose box meets that of this one, itself among them; empty runs meet none.
+  static constexpr std::uint32_t together = WideBoxTree::fan;  ///< runs that share a box above
+
+  /// visit(r, other) for each r of `runs`, all of one `together`, and every run whose box meets that of r,
+  /// itself among them; empty runs meet none. What is far from all of them is left out once.
   template <class Visit>
-  void for_each_near(std::uint32_t of, const Visit& visit) const {
-    tree_.for_each_meeting(tree_.box(of), visit);
+  void for_each_near(std::span<const std::uint32_t> runs, const Visit& visit) const {
+    Box around = tree_.box(runs.front());
+    for (const std::uint32_t r : runs) around.join(tree_.box(r));
+    tree_.for_each_group_near(around, [&](std::uint32_t group) {
+      for (const std::uint32_t r : runs)
+        for (std::uint32_t bits = tree_.meeting_in_group(group, tree_.box(r)); bits != 0; bits &= bits - 1)
+          visit(r, group * together + static_cast<std::uint32_t>(std::countr_zero(bits)));
+    });
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/variant_name.h"
 
 namespace catena {
 namespace {
@@ -46,16 +47,30 @@ double least_ms(Variant& variant, std::uint32_t n) {
 double pairs(double n) { return n * (n - 1) / 2; }
 
 /// A line through two measurements.
-Cost measured(const Machine::VariantCost& v) {
+MachineCost measured(const Machine::VariantCost& v) {
   const auto variant = StrategyRegistry::instance().make(v.variant);
   const std::uint32_t few = v.on_device ? 1024 : 16, many = v.on_device ? 1u << 18 : v.all_pairs ? 256 : 8192;
   const double short_us = least_ms(*variant, few) * 1e3, long_us = least_ms(*variant, many) * 1e3;
   const double items = v.all_pairs ? pairs(many) - pairs(few) : static_cast<double>(many) - few;
   const double item_us = std::max(0.0, long_us - short_us) / items;
-  Cost cost;
+  MachineCost cost = v.cost;
   cost.fixed_us = std::max(0.0, short_us - item_us * (v.all_pairs ? pairs(few) : few));
   (v.all_pairs ? cost.sphere_pair_ns : cost.sphere_ns) = item_us * 1e3;
   return cost;
+}
+
+/// What threads take off, by a run of all of them against one alone on the same chain, and what a team costs
+/// by a chain too short for it.
+void measure_threads(const Machine::VariantCost& v, unsigned cores, MachineCost& cost) {
+  constexpr std::uint32_t few = 16, many = 1u << 17;
+  VariantName name = VariantName::parse(v.variant);
+  name.stages.front().settings.push_back({"threads", std::to_string(cores)});
+  const auto alone = StrategyRegistry::instance().make(v.variant);
+  const auto team = StrategyRegistry::instance().make(name.text());
+  cost.team_us = std::max(0.0, least_ms(*team, few) - least_ms(*alone, few)) * 1e3;
+  const double one = least_ms(*alone, many), all = least_ms(*team, many) - cost.team_us * 1e-3;
+  cost.serial = std::clamp((all / one - 1.0 / cores) / (1 - 1.0 / cores), 0.0, 0.999);
+  cost.sphere_ns = one * 1e6 / many;  // where threads pay, so that a share of it is right there
 }
 
 }  // namespace
@@ -64,6 +79,7 @@ Machine calibrate() {
   Machine machine = Machine::built_in();
   for (Machine::VariantCost& v : machine.costs) try {
       v.cost = measured(v);
+      if (v.cost.serial < 1 && machine.cores > 1) measure_threads(v, machine.cores, v.cost);
     } catch (const CapacityError&) {
     }
   machine.source = "measured now";

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catena/core/export.h"
-#include "catena/core/strategy/cost.h"
+#include "catena/core/plan/machine_cost.h"
 
 namespace catena {
 
@@ -13,12 +13,13 @@ namespace catena {
 struct CATENA_API Machine {
   struct VariantCost {
     std::string variant;  ///< by the name that StrategyRegistry::make takes
-    Cost cost;
+    MachineCost cost;
     bool on_device = false, all_pairs = false;
   };
   std::vector<VariantCost> costs;
   std::string source;                  ///< where the figures are from, for the user
   std::optional<std::string> warning;  ///< one line, when a file could not be used
+  unsigned cores = 1;                  ///< threads that a search may have
 
   /// What the strategies say of themselves; those that are available here.
   static Machine built_in();

@@ -22,7 +22,7 @@ class MachineFile : public testing::Test {
     std::ofstream(file_) << text;
     return Machine::from(file_);
   }
-  static const Cost& cost_of(const Machine& machine, const std::string& variant) {
+  static const MachineCost& cost_of(const Machine& machine, const std::string& variant) {
     return std::ranges::find(machine.costs, variant, &Machine::VariantCost::variant)->cost;
   }
   const std::filesystem::path file_;
@@ -31,7 +31,7 @@ class MachineFile : public testing::Test {
 TEST_F(MachineFile, ComesBackAsItWasWritten) {
   Machine machine = Machine::built_in();
   ASSERT_GE(machine.costs.size(), 2u);
-  for (Machine::VariantCost& v : machine.costs) v.cost.fixed_us += 1, v.cost.sphere_ns += 0.1;
+  for (Machine::VariantCost& v : machine.costs) v.cost.fixed_us += 1, v.cost.sphere_ns += 0.1, v.cost.serial *= 0.5, v.cost.team_us += 3;
   const Machine back = read(calibration_text(machine));
   EXPECT_FALSE(back.warning);
   EXPECT_NE(back.source.find(file_.string()), std::string::npos) << back.source;
@@ -53,7 +53,7 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
   for (std::size_t length = 1; length + 1 < good.size(); length += 3)
     damaged.push_back(good.substr(0, length));
   for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
-    damaged.push_back(std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 ") + figure + "\n"));
+    damaged.push_back(std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 3 1 ") + figure + "\n"));
   damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
   for (const std::string& text : damaged) {
     const Machine machine = read(text);
@@ -70,10 +70,10 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
 TEST_F(MachineFile, OfVariantsThatAreGoneIsUsedForTheOthers) {
   Machine machine = Machine::built_in();
   const std::string variant = machine.costs[0].variant;
-  machine.costs = {{"Gone", {1, 2, 3}}, {variant, {4, 5, 6}}};
+  machine.costs = {{"Gone", {{1, 2, 3}}}, {variant, {{4, 5, 6}}}};
   const Machine back = read(calibration_text(machine));
   EXPECT_FALSE(back.warning);
-  EXPECT_EQ(cost_of(back, variant), (Cost{4, 5, 6}));
+  EXPECT_EQ(cost_of(back, variant), (MachineCost{{4, 5, 6}}));
   EXPECT_EQ(std::ranges::count(back.costs, std::string("Gone"), &Machine::VariantCost::variant), 0);
 }
 

@@ -7,11 +7,13 @@
 namespace catena {
 namespace {
 
-const std::array<OmissionInfo, 9>& table() {
-  static const std::array<OmissionInfo, 9> all{{
+const std::array<OmissionInfo, 10>& table() {
+  static const std::array<OmissionInfo, 10> all{{
       {Omission::hierarchy, "hierarchy", "hierarchy",
        "all pairs are compared instead, by the same exact test"},
       {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
+      {Omission::threads, "threads", "further threads",
+       "who searches a part of the chain changes no pair; a property compares any number of threads"},
       {Omission::pair_list, "pair-list", "pair list", "pairs are counted as they are found and not kept"},
       {Omission::after_hit, "after-hit", "search after the first pair",
        "one colliding pair is the answer yes, whatever the others are"},

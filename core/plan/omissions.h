@@ -13,6 +13,7 @@ namespace catena {
 enum class Omission {
   hierarchy,
   device,
+  threads,
   pair_list,
   after_hit,
   other_places,

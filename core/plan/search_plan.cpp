@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "catena/core/error.h"
 #include "catena/core/plan/coarse_look.h"
+#include "catena/core/strategy/variant_name.h"
 
 namespace catena {
 namespace {
 
-std::string priced(const Machine::VariantCost& v, std::uint32_t n) {
-  return fmt::format("{} about {:.3g} ms", v.variant, v.cost.ms(n));
+std::string priced(const Machine::VariantCost& v, std::uint32_t n, unsigned threads = 1) {
+  return fmt::format("{}{} about {:.3g} ms", v.variant,
+                     threads > 1 ? fmt::format(" with {} threads", threads) : "", v.cost.ms(n, threads));
 }
 
 /// "; it may not be left out"
@@ -20,23 +24,52 @@ std::string switched_off(const Omissions& omissions, Omission omission) {
 }  // namespace
 
 SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& machine,
-                       const Omissions& omissions)
+                       const Omissions& omissions, const Extent& extent)
     : n_(n), asked_(request.want), want_(request.want), machine_(machine), omissions_(omissions) {
-  const auto offer = [n](Candidate& best, const Machine::VariantCost& v) {
-    if (best == nullptr || v.cost.ms(n) < best->cost.ms(n)) best = &v;
+  const auto ms = [&](Candidate v) { return best_ms(*v, n, machine, omissions); };
+  const auto offer = [&](Candidate& best, const Machine::VariantCost& v) {
+    if (best == nullptr || ms(&v) < ms(best)) best = &v;
   };
   for (const Machine::VariantCost& v : machine.costs)
     offer(v.on_device ? device_ : v.all_pairs ? all_pairs_ : tree_, v);
   chosen_ = tree_;
   if (chosen_ == nullptr || (all_pairs_ != nullptr && omissions.may(Omission::hierarchy) &&
-                             all_pairs_->cost.ms(n) < chosen_->cost.ms(n)))
+                             ms(all_pairs_) < ms(chosen_)))
     chosen_ = all_pairs_;
   if (device_ != nullptr &&
-      (chosen_ == nullptr || !omissions.may(Omission::device) || device_->cost.ms(n) < chosen_->cost.ms(n)))
+      (chosen_ == nullptr || !omissions.may(Omission::device) || ms(device_) < ms(chosen_)))
     chosen_ = device_;
   if (chosen_ == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
+  threads_ = best_threads(*chosen_, n, machine, omissions);
+  constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
+  if (chosen_ == tree_ && threads_ <= few_threads && omissions.may(Omission::threads))
+    if (kind_ = UnusualKind::of(n, extent); kind_ != nullptr) threads_ = 1;
   want_ = searched_for(asked_);
   look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
+}
+
+/// The least number that no greater one beats by a tenth: what is guessed of threads is guessed roughly.
+unsigned SearchPlan::best_threads(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
+                                  const Omissions& omissions) {
+  if (v.cost.serial >= 1) return 1;
+  if (!omissions.may(Omission::threads)) return machine.cores;
+  unsigned best = 1;
+  for (unsigned k = 2; k / 2 < machine.cores; k *= 2)
+    if (const unsigned threads = std::min(k, machine.cores); v.cost.ms(n, threads) < 0.9 * v.cost.ms(n, best))
+      best = threads;
+  return best;
+}
+
+double SearchPlan::best_ms(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
+                           const Omissions& omissions) {
+  return v.cost.ms(n, best_threads(v, n, machine, omissions));
+}
+
+std::string SearchPlan::variant_with_threads() const {
+  if (threads_ == 1) return variant();
+  VariantName name = VariantName::parse(variant());
+  name.stages.front().settings.push_back({"threads", std::to_string(threads_)});
+  return name.text();
 }
 
 Request::Want SearchPlan::searched_for(Request::Want asked) const {
@@ -61,17 +94,33 @@ Decision SearchPlan::device() const {
   if (device_ == nullptr) return {"device", true, "none that is available says what it costs"};
   const Candidate host = tree_ != nullptr ? tree_ : all_pairs_;
   return {"device", chosen_ != device_,
-          (host != nullptr ? fmt::format("{}, {}", priced(*device_, n_), priced(*host, n_))
+          (host != nullptr ? fmt::format("{}, {}", priced(*device_, n_),
+                                         priced(*host, n_, best_threads(*host, n_, machine_, omissions_)))
                            : priced(*device_, n_)) +
               switched_off(omissions_, Omission::device),
           device_->cost.ms(n_)};
 }
 
+Decision SearchPlan::further_threads() const {
+  const std::string step = info_of(Omission::threads).step;
+  if (chosen_->cost.serial >= 1 || kind_ != nullptr) return {step, true, variant() + " is taken with one"};
+  if (machine_.cores == 1) return {step, true, "there is one core"};
+  const unsigned other = threads_ > 1 ? 1 : 2;
+  return {step, threads_ == 1,
+          fmt::format("{}, {}; {} cores", priced(*chosen_, n_, threads_), priced(*chosen_, n_, other),
+                      machine_.cores) +
+              switched_off(omissions_, Omission::threads),
+          chosen_->cost.ms(n_, std::max(threads_, 2u))};
+}
+
 Plan SearchPlan::steps() const {
   using enum Request::Want;
-  Plan plan{{"choice of variant", false, variant() + " by " + machine_.source, estimate_ms()}};
+  Plan plan{{"choice of variant", false,
+             variant_with_threads() + " by " + (kind_ != nullptr ? kind_->reason : machine_.source),
+             estimate_ms()}};
   plan.push_back(hierarchy());
   plan.push_back(device());
+  plan.push_back(further_threads());
   const bool list = want_ == pairs;
   plan.push_back({"pair list", !list,
                   (asked_ == pairs    ? "pairs are asked for"
@@ -91,7 +140,7 @@ Plan SearchPlan::steps() const {
 
 Plan plan(const ChainView& chain, const Request& request, const Machine& machine,
           const Omissions& omissions) {
-  return SearchPlan(chain.size, request, machine, omissions).steps();
+  return SearchPlan(chain.size, request, machine, omissions, chain.extent).steps();
 }
 
 }  // namespace catena

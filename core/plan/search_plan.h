@@ -5,6 +5,7 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/export.h"
 #include "catena/core/plan/machine.h"
+#include "catena/core/plan/unusual_kind.h"
 #include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/plan.h"
 #include "catena/core/strategy/request.h"
@@ -15,14 +16,20 @@ namespace catena {
 /// few numbers and takes no memory; the words are made when they are asked for.
 class CATENA_API SearchPlan {
  public:
-  /// `machine` must outlive this. Throws CapacityError when it has the cost of no variant.
-  SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions);
+  /// `machine` must outlive this. `extent` of a chain that is not known: {}. Throws CapacityError when the
+  /// machine has the cost of no variant.
+  SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions,
+             const Extent& extent = Extent());
 
-  const std::string& variant() const { return chosen_->variant; }
+  const std::string& variant() const { return kind_ != nullptr ? kind_->variant : chosen_->variant; }
+  /// Host threads that it is to have; 1 where it knows none.
+  unsigned threads() const { return threads_; }
+  /// As StrategyRegistry::make takes it.
+  std::string variant_with_threads() const;
   bool on_device() const { return chosen_->on_device; }
   bool all_pairs() const { return chosen_->all_pairs; }
   /// About what build and find take.
-  double estimate_ms() const { return chosen_->cost.ms(n_); }
+  double estimate_ms() const { return chosen_->cost.ms(n_, threads_); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
   bool look_first() const { return look_first_; }
   /// What is searched for where this is asked: more where an omission is switched off.
@@ -33,7 +40,12 @@ class CATENA_API SearchPlan {
 
  private:
   using Candidate = const Machine::VariantCost*;
+  static unsigned best_threads(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
+                               const Omissions& omissions);
+  static double best_ms(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
+                        const Omissions& omissions);
   Decision hierarchy() const;
+  Decision further_threads() const;
   Decision device() const;
 
   std::uint32_t n_;
@@ -43,6 +55,8 @@ class CATENA_API SearchPlan {
   Candidate tree_ = nullptr, all_pairs_ = nullptr,
             device_ = nullptr;  ///< cheapest of a kind; null: there is none
   Candidate chosen_ = nullptr;
+  const UnusualKind* kind_ = nullptr;  ///< of chain, for which another tree is quicker
+  unsigned threads_ = 1;
   bool look_first_ = false;
 };
 

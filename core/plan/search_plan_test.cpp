@@ -18,10 +18,10 @@ using Want = Request::Want;
 
 /// All pairs are cheaper up to 40 spheres, the device from 10,000 on.
 Machine machine() {
-  return {{{"pairs", {.sphere_pair_ns = 2}, false, true},
-           {"tree", {.fixed_us = 1.2, .sphere_ns = 9}},
-           {"slow tree", {.fixed_us = 5, .sphere_ns = 9}},
-           {"device", {.fixed_us = 82, .sphere_ns = 0.92}, true}},
+  return {{{"pairs", {{.sphere_pair_ns = 2}}, false, true},
+           {"tree", {{.fixed_us = 1.2, .sphere_ns = 9}}},
+           {"slow tree", {{.fixed_us = 5, .sphere_ns = 9}}},
+           {"device", {{.fixed_us = 82, .sphere_ns = 0.92}}, true}},
           "a test",
           {}};
 }
@@ -49,6 +49,89 @@ TEST(SearchPlan, DoesWhatMayNotBeLeftOut) {
   without.costs.pop_back();
   EXPECT_EQ(chosen(1u << 20, {"device"}, without), "tree");
   EXPECT_THROW(chosen(5, {}, Machine{}), CapacityError);
+}
+
+/// One search that knows threads, of which half the work can be shared out.
+Machine sixteen_cores() {
+  Machine of = machine();
+  of.costs = {{"Hybrid", {{.fixed_us = 1, .sphere_ns = 10}, 0.5, 40}}};
+  of.cores = 16;
+  return of;
+}
+
+TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
+  const Machine of = sixteen_cores();
+  const auto threads = [&](std::uint32_t n, const std::vector<std::string>& keep = {}) {
+    return SearchPlan(n, {}, of, Omissions::without(keep)).threads();
+  };
+  EXPECT_EQ(threads(100), 1u);
+  EXPECT_EQ(threads(1000), 1u) << "10 us of search, and 40 us for a team";
+  EXPECT_EQ(threads(100, {"threads"}), 16u);
+  unsigned before = 1;
+  for (std::uint32_t n = 1000; n < 1u << 30; n *= 2) {
+    const unsigned now = threads(n);
+    EXPECT_GE(now, before) << n;
+    EXPECT_LE(now, 16u);
+    if (now > 1) {
+      EXPECT_LT(SearchPlan(n, {}, of, {}).estimate_ms(), of.costs[0].cost.ms(n)) << n;
+    }
+    before = now;
+  }
+  EXPECT_EQ(before, 16u);
+  EXPECT_EQ(SearchPlan(1u << 24, {}, of, {}).variant_with_threads(), "Hybrid(threads=16)");
+  const Plan plan = SearchPlan(1u << 24, {}, of, {}).steps();
+  EXPECT_FALSE(step(plan, "further threads").left_out);
+  EXPECT_NE(step(plan, "choice of variant").reason.find("Hybrid(threads=16)"), std::string::npos);
+  EXPECT_TRUE(step(SearchPlan(100, {}, of, {}).steps(), "further threads").left_out);
+  Machine one = of;
+  one.cores = 1;
+  EXPECT_EQ(SearchPlan(1u << 24, {}, one, {}).threads(), 1u);
+}
+
+/// The device of this machine takes 0.92 ns a sphere and one core 10: sixteen cores take less.
+TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {
+  Machine of = sixteen_cores();
+  of.costs[0].cost.serial = 0.02;
+  of.costs.push_back({"device", {{.fixed_us = 82, .sphere_ns = 4}}, true});
+  EXPECT_EQ(SearchPlan(1u << 20, {}, of, {}).variant(), "Hybrid");
+  of.cores = 1;
+  EXPECT_EQ(SearchPlan(1u << 20, {}, of, {}).variant(), "device");
+}
+
+TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
+  std::vector<std::string> taken;
+  for (const char* input :
+       {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30", "far:n=3000,exponent=20,radius=1e24",
+        "smallest:n=3000", "cluster:n=700,shells=140", "cluster:n=700,shells=30", "subnormal:n=700"}) {
+    const Chain chain = open_input(input).animation->frame(0);
+    const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent);
+    ASSERT_NE(kind, nullptr) << input;
+    taken.push_back(kind->variant);
+    const auto all = StrategyRegistry::instance().make("CPU1");
+    const auto variant = StrategyRegistry::instance().make(kind->variant);
+    Collisions exact, found;
+    for (const auto& [of, result] : {std::pair(all.get(), &exact), {variant.get(), &found}}) {
+      of->build(chain);
+      of->find(chain, {}, *result);
+      std::ranges::sort(result->pairs);
+    }
+    EXPECT_EQ(found.pairs, exact.pairs) << input;
+    EXPECT_EQ(find(chain).count, exact.count) << input;
+    const auto planned = StrategyRegistry::instance().make("auto");
+    planned->build(chain);
+    EXPECT_EQ(planned->answered_by(), kind->variant) << input;
+    const std::string reason = planned->plan().front().reason;
+    EXPECT_NE(reason.find(kind->reason), std::string::npos) << reason;
+  }
+  EXPECT_EQ(taken[0], "Grid");
+  EXPECT_EQ(taken[1], "ChainTree");
+  EXPECT_EQ(taken[2], "aCPU2+Dual");
+  for (const char* usual : {"yarn:n=3000", "mixed_radii:n=3000,decades=6", "points:n=3000,share=0.7",
+                            "lattice:n=3000,scale=1e-30"}) {
+    const Chain chain = open_input(usual).animation->frame(0);
+    EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent), nullptr) << usual;
+  }
+  EXPECT_EQ(UnusualKind::of(100, Extent()), nullptr) << "nothing is known";
 }
 
 TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {

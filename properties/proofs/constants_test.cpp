@@ -67,7 +67,13 @@ TEST(Proofs, AreAboutTheConstantsOfTheCells) {
         Covered{"block_capsule.h", "return dot(t, t) > reach * reach;", "block_capsule_binary32.g",
                 "the bare radius's 16u"},
         Covered{"capsule_blocks.h", "2 * reach * (1 + 0x1p-16f)", "block_capsule_binary32.g", "1 + 2^-16"},
-        Covered{"capsule_blocks.h", "(0.5f + 0x1p-12f)", "capsule_rows.g", "0.5f + 0x1p-12f"}}) {
+        Covered{"capsule_blocks.h", "(0.5f + 0x1p-12f)", "capsule_rows.g", "0.5f + 0x1p-12f"},
+        Covered{"node_box.h", "centre_slack = 0x1p-20f;  // 16 u", "capsule_binary32.g", "centre_slack = 16u"},
+        Covered{"node_box.h", "c.radius * (1 + BlockTree::axes_slack)", "capsule_binary32.g", "axes_slack = 128u"},
+        Covered{"node_box.h", "mul_add(b.sides(), BlockTree::axes_slack,", "oriented_box_binary32.g",
+                "axes_slack = 128u"},
+        Covered{"node_box.h", "(std::fabs(dot(axis[i], axis[(i + 1) % 3])) < BlockTree::axes_error)",
+                "oriented_box_binary32.g", "axes_error = 16u"}}) {
     EXPECT_NE(text_of("core/cells/" + c.file).find(c.declared), std::string::npos)
         << c.file << " no longer says " << c.declared;
     EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)

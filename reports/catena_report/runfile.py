@@ -16,6 +16,7 @@ ARRAYS = (
     "counts",
     "wants",
     "savings",
+    "regret",
     "animation",
     "coherence",
     "stability",

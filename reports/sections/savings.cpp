@@ -7,6 +7,7 @@
 #include "catena/bench/timing/median_interval.h"
 #include "catena/core/input/input.h"
 #include "catena/reports/faults.h"
+#include "catena/reports/saving.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -67,17 +68,6 @@ std::optional<std::size_t> quickest_of(const std::vector<Standing>& list, const 
   for (const auto& s : list)
     runs.emplace_back([&] { return blaming(s.info.name, [&] { return whole_ms(*s.variant, chain, found); }); });
   return quickest(bench::interleave(runs, 5, profile.section_seconds / 4, profile.stopping.seed));
-}
-
-/// The measured side of one saving: the same answer with the work and without it, in random turns.
-Json saving(const std::string& input, const std::string& what, const std::string& reason, bool identical,
-            const std::function<double()>& with, const std::function<double()>& without,
-            const Profile& profile) {
-  with(), without();
-  const auto ms = bench::interleave({with, without}, 2 * profile.section_rounds, profile.section_seconds / 4,
-                                    profile.stopping.seed);
-  return {{"input", input},   {"what", what},        {"reason", reason},
-          {"with_ms", ms[0]}, {"without_ms", ms[1]}, {"identical", identical}};
 }
 
 /// No hierarchy for short chains: the quickest tree against the quickest comparison of all pairs, over n.
@@ -177,6 +167,7 @@ Json savings(const Profile& profile) {
   hierarchy(rows, profile);
   pair_list(rows, profile);
   rebuild(rows, profile);
+  add_planned_savings(rows, profile);
   return rows;
 }
 

@@ -319,6 +319,10 @@ def run(**options):
                     "identical": True,
                 },
             ],
+            "regret": [
+                {"input": i, "chosen": "Hybrid", "best": exact[0], "auto_ms": times(2 + k), "best_ms": times(2)}
+                for k, i in enumerate(inputs)
+            ],
             "animation": [
                 {"input": "path1/n:10000", "variant": v, "frames": frames(0.1 * (k + 1))}
                 for k, v in enumerate(exact)

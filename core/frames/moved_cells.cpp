@@ -1,0 +1,52 @@
+#include "catena/core/frames/moved_cells.h"
+
+#include <cmath>
+#include <limits>
+
+namespace catena {
+
+template <class Visit>
+void MovedCells::for_each_cell(const Box& box, const Visit& visit) const {
+  std::array<std::uint32_t, 3> first, last;
+  for (int axis = 0; axis < 3; ++axis)
+    first[axis] = along(axis, box.low[axis]), last[axis] = along(axis, box.high[axis]);
+  for (std::uint32_t z = first[2]; z <= last[2]; ++z)
+    for (std::uint32_t y = first[1]; y <= last[1]; ++y)
+      for (std::uint32_t x = first[0]; x <= last[0]; ++x) visit(cell_of(x, y, z));
+}
+
+bool MovedCells::lay_out(const ChainView& chain, std::span<const std::uint32_t> moved) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  around_ = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  boxes_.clear();
+  for (const std::uint32_t i : moved) {
+    const Sphere& s = chain.spheres[i];
+    // A centre that touches is no farther than the two radii, of which the other is the greatest at most.
+    const float reach = std::nextafter(s.radius + chain.extent.greatest_radius, infinity);
+    boxes_.push_back(Box::around({s.x, s.y, s.z, reach}));
+    around_.join(boxes_.back());
+  }
+  // As wide as two of the widest spheres at least: a box then lies in a few cells.
+  for (int axis = 0; axis < 3; ++axis) {
+    const float side = around_.high[axis] - around_.low[axis];
+    if (!std::isfinite(side)) return false;
+    const float cells = std::min<float>(most_along, side / (2 * chain.extent.greatest_radius));
+    scale_[axis] = side > 0 && cells >= 1 ? cells / side : 0;
+    if (!std::isfinite(scale_[axis])) return false;
+    last_[axis] = scale_[axis] > 0 ? std::floor(std::min<float>(cells, most_along - 1)) : 0;
+  }
+  begin_.assign(std::size_t{most_along} * most_along * most_along + 2, 0);
+  std::size_t entries = 0;
+  const std::size_t most = 64 * boxes_.size() + 4096;
+  for (const Box& box : boxes_) {
+    for_each_cell(box, [&](std::uint32_t cell) { ++begin_[cell + 2], ++entries; });
+    if (entries > most) return false;
+  }
+  for (std::size_t k = 2; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
+  entries_.resize(entries);
+  for (std::size_t k = 0; k < boxes_.size(); ++k)
+    for_each_cell(boxes_[k], [&](std::uint32_t cell) { entries_[begin_[cell + 1]++] = moved[k]; });
+  return true;
+}
+
+}  // namespace catena

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "catena/core/chain/chain_view.h"
+#include "catena/core/export.h"
+#include "catena/core/hierarchy/box.h"
+#include "catena/core/pair.h"
+
+namespace catena {
+
+/// Finds the pairs of a few spheres of a chain with all others by going through the chain once: the places
+/// where a centre can be of a sphere that touches one of the few are laid into cells, and each sphere looks
+/// into the cell of its own. For crowded chains, whose order says little; elsewhere a tree takes less.
+class CATENA_API MovedCells {
+ public:
+  /// Lays out the spheres `moved`, ascending. False, and of no use, where a box has no end or there would be
+  /// too many entries.
+  bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved);
+  /// Appends each colliding pair with one of them, once. `is_moved(j)`: whether sphere j is one.
+  template <class IsMoved>
+  void search(const ChainView& chain, const IsMoved& is_moved, std::vector<Pair>& pairs) const;
+
+ private:
+  static constexpr std::uint32_t most_along = 64;  ///< cells of an axis
+
+  /// Of a coordinate. Each step rounds monotonically, so that what lies between two coordinates has a cell
+  /// between theirs: no constant is needed.
+  std::uint32_t along(int axis, float at) const {
+    const float cell = (at - around_.low[axis]) * scale_[axis];
+    return static_cast<std::uint32_t>(cell < 0 ? 0 : cell > last_[axis] ? last_[axis] : cell);
+  }
+  std::uint32_t cell_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    return (z * most_along + y) * most_along + x;
+  }
+  template <class Visit>
+  void for_each_cell(const Box& box, const Visit& visit) const;
+
+  Box around_{};  ///< all boxes
+  std::array<float, 3> scale_{}, last_{};
+  std::vector<Box> boxes_;             ///< where a centre may be, of each moved one
+  std::vector<std::uint32_t> begin_;   ///< of each cell, in entries_
+  std::vector<std::uint32_t> entries_; ///< spheres
+};
+
+}  // namespace catena
+
+#include "catena/core/frames/moved_cells-inl.h"

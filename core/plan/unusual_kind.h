@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "catena/core/chain/chain_view.h"
+#include "catena/core/export.h"
+
+namespace catena {
+
+/// A kind of chain for which another variant is quicker than the one that is quickest for most, told by what
+/// is known since its numbers were checked: nothing is read again. Every variant gives the same answer.
+struct CATENA_API UnusualKind {
+  std::string variant;  ///< the quicker one
+  std::string reason;   ///< with which figure decides
+
+  /// Null for a usual chain, and where the extent is not known, {}.
+  static const UnusualKind* of(std::uint32_t n, const Extent& extent);
+};
+
+}  // namespace catena

@@ -1,0 +1,58 @@
+"""The committed run of cuda/roofline.py, computed a second time."""
+import json
+import unittest
+
+import made
+from catena_report.sections import roofline
+from pages import recomputes
+
+STORED = made.REPORTS / "results" / "h200_roofline.json"
+
+
+class Committed(unittest.TestCase):
+    def setUp(self):
+        self.stored = json.loads(STORED.read_text(encoding="utf-8"))
+        self.prose, self.table = roofline.build(None).blocks
+
+    def test_every_kernel_that_takes_long_has_a_row(self):
+        expected = []
+        for run in self.stored["runs"]:
+            whole = sum(kernel["us"] for kernel in run["kernels"].values())
+            expected += [
+                (run["input"], run["variant"], name)
+                for name, kernel in run["kernels"].items()
+                if kernel["us"] / whole >= 0.05
+            ]
+        self.assertEqual(sorted(expected), sorted(tuple(cell.text for cell in row[:3]) for row in self.table.rows))
+
+    @recomputes("table:roofline")
+    def test_shares_are_of_the_card(self):
+        kernels = {(run["input"], run["variant"]): run["kernels"] for run in self.stored["runs"]}
+        for row in self.table.rows:
+            kernel = kernels[row[0].text, row[1].text][row[2].text]
+            nearest, share = row[3].text.rsplit(", ", 1)
+            carried = kernel["device_memory_bytes"] / kernel["us"] * 1e6 / self.stored["ceilings"]["copy_bytes_per_second"]
+            shares = {
+                "memory": 100 * carried,
+                "L2": kernel["l2_percent_of_peak"],
+                "instructions": kernel["issue_slots_percent"],
+            }
+            greatest = max(shares.values())
+            self.assertLessEqual(greatest, 105, row[2].text)
+            self.assertAlmostEqual(float(share.rstrip(" %")), greatest, delta=0.5)
+            self.assertEqual(nearest, "latency" if greatest < 40 else max(shares, key=shares.get))
+
+    def test_it_says_whose_card(self):
+        for word in (self.stored["gpu"], self.stored["driver"], self.stored["date"]):
+            self.assertIn(word, self.prose.text)
+
+    def test_a_page_without_the_file_has_no_section(self):
+        path, roofline.PATH = roofline.PATH, made.REPORTS / "results" / "none.json"
+        try:
+            self.assertIsNone(roofline.build(None))
+        finally:
+            roofline.PATH = path
+
+
+if __name__ == "__main__":
+    unittest.main()
