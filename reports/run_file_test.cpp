@@ -30,7 +30,7 @@ Profile small_profile() {
   Profile p = profile_named("quick");
   std::erase_if(p.variants, [](const VariantInfo& v) {
     return !std::set<std::string>{"CPU1",       "CPU1/literal", "aCPU2+CPU2", "aCPU2+CPU2/literal",
-                                  "aCPU2+Dual", "Hybrid"}
+                                  "aCPU2+Dual", "Hybrid",       "auto"}
                 .contains(v.name);
   });
   p.inputs = {{"path1:n=300"}, {"path1:n=100", true}};
