@@ -36,6 +36,9 @@ if(CATENA_SANITIZE MATCHES thread)
   add_executable(catena_threads_tests ${threads_tests})
   target_link_libraries(catena_threads_tests PRIVATE catena_program GTest::gtest_main rapidcheck)
   gtest_discover_tests(catena_threads_tests TEST_PREFIX threads. PROPERTIES LABELS threads TIMEOUT 600 DISCOVERY_TIMEOUT 120)
+  # And what CI can afford: libcatena alone.
+  add_executable(catena_library_threads_tests ${PROJECT_SOURCE_DIR}/properties/library_threads_test.cpp)
+  target_link_libraries(catena_library_threads_tests PRIVATE catena catena_options GTest::gtest_main)
 endif()
 
 # Each header of the library compiles alone, and twice: a header that does not fails the build of the tests.

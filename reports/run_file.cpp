@@ -19,6 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of timing, whatever the sections took: on a busy machine the page is late, but its advice rests on rounds.
+constexpr double least_seconds = 60;
+
 std::vector<bench::Case> timed_cases(const Profile& profile) {
   return bench::filtered(bench::cases(profile.inputs, profile.variants, profile.most_all_pairs),
                          profile.filter);
@@ -90,8 +93,9 @@ Json measure_run(const Profile& profile, const std::string& command, Journal& jo
   const double sections_before = journal.section_seconds(), rows_before = journal.row_seconds();
   bench::Stopping stopping = profile.stopping;
   if (profile.whole_seconds > 0)
-    stopping.seconds = std::min(stopping.seconds,
-                                std::max(20.0, profile.whole_seconds - sections_before - watch.ms() / 1000));
+    stopping.seconds =
+        std::min(stopping.seconds,
+                 std::max(least_seconds, profile.whole_seconds - sections_before - watch.ms() / 1000));
   const auto limit =
       stopping.seconds < unlimited_seconds ? fmt::format(" for at most {:.0f} s", stopping.seconds) : "";
   fmt::print(stderr, "catena report: timing {} cases{}\n", cases.size(), limit);

@@ -29,7 +29,8 @@ using Json = nlohmann::ordered_json;
 Profile small_profile() {
   Profile p = profile_named("quick");
   std::erase_if(p.variants, [](const VariantInfo& v) {
-    return !std::set<std::string>{"CPU1", "CPU1/literal", "aCPU2+CPU2", "aCPU2+CPU2/literal", "aCPU2+Dual"}
+    return !std::set<std::string>{"CPU1",       "CPU1/literal", "aCPU2+CPU2", "aCPU2+CPU2/literal",
+                                  "aCPU2+Dual", "Hybrid"}
                 .contains(v.name);
   });
   p.inputs = {{"path1:n=300"}, {"path1:n=100", true}};
@@ -108,8 +109,8 @@ TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
   EXPECT_EQ(own["profile"], "quick");
   EXPECT_EQ(own["command"], "catena report --quick");
   EXPECT_GT(own["seconds"], 0);
-  for (const char* section :
-       {"scenes", "counts", "wants", "savings", "regret", "animation", "coherence", "viewer", "keyframes", "memory"}) {
+  for (const char* section : {"scenes", "counts", "wants", "savings", "regret", "animation", "coherence", "viewer",
+                              "keyframes", "memory", "steps"}) {
     ASSERT_TRUE(own.contains(section)) << section;
     const auto keys = described(section);
     EXPECT_GE(keys.size(), section == std::string("keyframes") ? 2u : 3u) << section;
@@ -350,6 +351,7 @@ TEST_F(RunFile, HoldsAsManyRepetitionsAsAreAskedFor) {
     EXPECT_LE(row["least_ms"], row["real_time"].get<double>() * (1 + 1e-9));
   }
   EXPECT_EQ(repetitions.size(), 2u);
+  EXPECT_FALSE(run["catena"].contains("judged")) << "what is not about the scene asked for";
   for (const auto& [name, times] : repetitions) EXPECT_EQ(times, 14) << name;
   std::filesystem::remove_all(folder);
 }

@@ -3,8 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/whole_number_option.h"
 #include "catena/core/error.h"
+#include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
 #include "catena/reference/reference.h"
 
@@ -44,6 +46,9 @@ class PivotCommand final : public Command {
     if (points_ > 1u << 30) throw InputError("--n must be at most 2^30");
     if (exponent_ && points_ < 64)
       throw InputError("--n must be at least 64 with --exponent: walks down to n/32 points");
+    std::optional<OutputFile>
+        out;  // from the start: hours of walking are not lost to a name that cannot be written
+    if (!out_.empty()) out.emplace(out_);
     std::vector<EndToEnd> lengths;
     Random random(seed_);
     for (std::uint64_t points = exponent_ ? points_ / 32 : points_; points <= points_; points *= 2) {
@@ -54,7 +59,12 @@ class PivotCommand final : public Command {
               .pair_count == 0;
       print(lengths.back(), avoids_itself);
       if (!avoids_itself) return 1;
-      if (points * 2 > points_ && !out_.empty()) write_chain(std::filesystem::path(out_), walk.chain(0.5f));
+      if (points * 2 > points_ && out) {
+        std::ostringstream text;
+        write_chain(text, walk.chain(0.5f));
+        out->write(text.str());
+        out->close();
+      }
     }
     if (exponent_) print(fit_exponent(lengths));
     return 0;

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "catena/core/default_floats.h"
 #include "catena/core/strategy/variant.h"
@@ -33,6 +34,7 @@ class InDefaultFloats final : public Variant {
   }
   Timings timings() const override { return variant_->timings(); }
   Plan plan() const override { return variant_->plan(); }
+  std::vector<WorkDone> work() const override { return variant_->work(); }
   std::string answered_by() const override { return variant_->answered_by(); }
   void visit_bounds(BoundsVisitor& visitor) const override { variant_->visit_bounds(visitor); }
   Accounting evidence() const override { return variant_->evidence(); }

@@ -40,20 +40,25 @@ std::filesystem::path store(const std::filesystem::path& folder, const Finding& 
   return path;
 }
 
-std::vector<std::filesystem::path> store(const std::filesystem::path& folder, const Fuzzer::Counterexample& c,
-                                         std::uint64_t seed) {
+std::vector<std::filesystem::path> store(const std::filesystem::path& folder, const Finding& finding,
+                                         const std::string& origin, const std::vector<Chain>& shrunk) {
   std::vector<std::filesystem::path> paths;
-  const std::string origin =
-      fmt::format("{}, shrunk from {} spheres", origin_of(c.family, seed, c.number), c.found.size());
-  for (const Chain& chain : c.shrunk) {
-    const bool alone = c.shrunk.size() == 1;
+  for (const Chain& chain : shrunk) {
+    const bool alone = shrunk.size() == 1;
     paths.push_back(store(
-        folder, c.finding,
+        folder, finding,
         alone ? origin
-              : fmt::format("{}; chain {} of {}, by one object", origin, paths.size() + 1, c.shrunk.size()),
+              : fmt::format("{}; chain {} of {}, by one object", origin, paths.size() + 1, shrunk.size()),
         chain_file_of(chain), alone ? "" : fmt::format("-{}", paths.size() + 1)));
   }
   return paths;
+}
+
+std::vector<std::filesystem::path> store(const std::filesystem::path& folder, const Fuzzer::Counterexample& c,
+                                         std::uint64_t seed) {
+  return store(folder, c.finding,
+               fmt::format("{}, shrunk from {} spheres", origin_of(c.family, seed, c.number), c.found.size()),
+               c.shrunk);
 }
 
 std::string origin_of(const std::string& family, std::uint64_t seed, std::uint64_t number) {

@@ -15,6 +15,8 @@ std::filesystem::path store(const std::filesystem::path& folder, const Finding& 
                             const std::string& suffix = "");
 
 /// The shrunk chain, or of a sequence each in its order.
+std::vector<std::filesystem::path> store(const std::filesystem::path& folder, const Finding& finding,
+                                         const std::string& origin, const std::vector<Chain>& shrunk);
 std::vector<std::filesystem::path> store(const std::filesystem::path& folder,
                                          const Fuzzer::Counterexample& counterexample, std::uint64_t seed);
 

@@ -20,6 +20,19 @@ class Crashes final : public FaultyTree {
   }
 };
 
+class CrashesAfterALongerChain final : public FaultyTree {
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    // Not on three spheres, which the property "same answer again" shows of itself.
+    if (met_a_long_one_ && chain.size() > 3 && chain.size() < 8) {
+      std::signal(SIGSEGV, SIG_DFL);
+      std::raise(SIGSEGV);
+    }
+    met_a_long_one_ |= chain.size() > 20;
+    FaultyTree::find(chain, request, result);
+  }
+  bool met_a_long_one_ = false;
+};
+
 class Hangs final : public FaultyTree {
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     while (chain.size() > 8) std::this_thread::sleep_for(std::chrono::seconds(1));
@@ -35,6 +48,8 @@ struct RegisterFaulty {
   }
 };
 const RegisterFaulty<Crashes> crashes{"fault:crashes-past-8-spheres", "a stack that overflows"};
+const RegisterFaulty<CrashesAfterALongerChain> crashes_later{"fault:crashes-after-a-longer-chain",
+                                                             "a buffer that a longer chain left"};
 const RegisterFaulty<Hangs> hangs{"fault:hangs-past-8-spheres", "a search that comes to no end"};
 
 }  // namespace

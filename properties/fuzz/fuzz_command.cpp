@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -33,7 +34,7 @@ class FuzzCommand final : public Command {
         ->allow_extra_args(false);
     auto* seconds = app.add_option("--seconds", seconds_, "Stop after so long (default 10)")
                         ->type_name("S")
-                        ->check(CLI::NonNegativeNumber);
+                        ->check(CLI::Range(1e-3, 1e9));
     app.add_option("--cases", cases_, "Stop after so many chains")
         ->type_name("N")
         ->transform(whole_number_option(1))
@@ -58,7 +59,7 @@ class FuzzCommand final : public Command {
            "--timeout", timeout_,
            "A variant that works on one chain for longer hangs, which is a finding; 0: it may take for ever")
         ->type_name("S")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();
     app.add_option("--failures", failures_, "Folder that counterexamples are stored in")
         ->type_name("DIR")
@@ -161,15 +162,32 @@ class FuzzCommand final : public Command {
     fmt::print("FOUND ({}): {}\n  {}: {}\nstored in {}\n", origin, finding.variant, finding.property,
                finding.what, found.string());
     std::fflush(stdout);
-    const auto fault = shrink_fault(finding, load_chain(found), timeout_, ending.hung ? 5 * timeout_ : 20);
+    const auto fault = shrink_fault(finding, load_chain(found), before(notebook, finding), timeout_,
+                                    ending.hung ? 5 * timeout_ : 20);
+    const auto shrunk = store(failures_, finding, origin + ", shrunk", fault.chains);
+    if (std::ranges::find(shrunk, found) == shrunk.end()) std::filesystem::remove(found);
     if (!fault.repeats)
-      fmt::print("no new object does so on this chain alone: it depends on what was met before\n");
-    const auto shrunk = store(failures_, finding, origin + ", shrunk", chain_file_of(fault.chain));
-    if (shrunk != found) std::filesystem::remove(found);
-    fmt::print(
-        "shrunk to {} spheres:\n\n{}\nstored in {}\nrun it again: catena fuzz --replay {} --variant '{}'\n",
-        fault.chain.size(), printed(fault.chain), shrunk.string(), shrunk.string(), finding.variant);
+      fmt::print(
+          "no new object does so, not after the chains before this one either: chance, or a longer "
+          "history\n\n");
+    else if (fault.chains.size() == 1)
+      fmt::print("shrunk to {} spheres:\n\n", fault.chains.front().size());
+    else
+      fmt::print("it depends on history: a new object does so after these {} chains, in this order:\n\n",
+                 fault.chains.size());
+    tell_chains(fault.chains, shrunk, finding.variant);
     return 1;
+  }
+
+  /// The chains that were begun before the last one.
+  std::vector<Chain> before(const Notebook& notebook, const Finding& finding) const {
+    std::vector<Chain> chains;
+    for (const std::string& text : notebook.before()) {
+      const auto file = store(failures_, finding, "before", text.substr(text.find('\n') + 1), "-before");
+      chains.push_back(load_chain(file));  // chains are read from files alone
+      std::filesystem::remove(file);
+    }
+    return chains;
   }
 
   std::vector<std::string> variants_, families_, replay_;

@@ -43,6 +43,20 @@ TEST_F(FuzzProgram, AHangLeavesItsChain) {
   EXPECT_GT(load_chain(stored().front()).size(), 8u);
 }
 
+TEST_F(FuzzProgram, ACrashThatDependsOnHistoryIsASequence) {
+  const std::string variant = "--variant fault:crashes-after-a-longer-chain";
+  expect_says(at("--cases 500 " + variant), 1,
+              {"crashed: Segmentation fault",
+               "it depends on history: a new object does so after these 2 chains, in this order",
+               "-1.chain --replay "});
+  auto files = stored();
+  ASSERT_EQ(files.size(), 2u);
+  std::ranges::sort(files, {},
+                    [](const auto& path) { return path.string().substr(path.string().size() - 7); });
+  expect_says(at(variant + " --replay '" + files[0].string() + "' --replay '" + files[1].string() + "'"), 1,
+              {"crashed: Segmentation fault"});
+}
+
 TEST_F(FuzzProgram, AnInterruptPrintsWhatWasDone) {
   for (const std::string signal : {"INT", "TERM"}) {
     const ProgramOutcome r =

@@ -24,25 +24,30 @@ std::string how_it_shrank(const Fuzzer::Counterexample& c) {
                      c.shrunk.size());
 }
 
-}  // namespace
-
 std::string printed(const Chain& chain) {
   return chain.size() > longest_printed ? fmt::format("({} spheres: see its file)\n", chain.size())
                                         : chain_file_of(chain);
+}
+
+}  // namespace
+
+void tell_chains(const std::vector<Chain>& chains, const std::vector<std::filesystem::path>& stored,
+                 const std::string& variant) {
+  std::string files, replay;
+  for (std::size_t k = 0; k < chains.size(); ++k) {
+    fmt::print("{}\n", printed(chains[k]));
+    files += fmt::format("{}{}", k == 0 ? "" : ", ", stored[k].string());
+    replay += fmt::format(" --replay {}", stored[k].string());
+  }
+  fmt::print("stored in {}\nrun it again: catena fuzz{}{}\n", files, replay,
+             variant.empty() ? "" : fmt::format(" --variant '{}'", variant));
 }
 
 void tell(const Fuzzer::Counterexample& c, std::uint64_t seed,
           const std::vector<std::filesystem::path>& stored, const std::vector<std::string>& variants) {
   fmt::print("FOUND by case {} ({}, seed {}): {}\n  {}: {}\n{}:\n\n", c.number, c.family, seed,
              c.finding.variant, c.finding.property, c.finding.what, how_it_shrank(c));
-  std::string files, replay;
-  for (std::size_t k = 0; k < c.shrunk.size(); ++k) {
-    fmt::print("{}\n", printed(c.shrunk[k]));
-    files += fmt::format("{}{}", k == 0 ? "" : ", ", stored[k].string());
-    replay += fmt::format(" --replay {}", stored[k].string());
-  }
-  fmt::print("stored in {}\nrun it again: catena fuzz{}{}\n", files, replay,
-             variants.empty() ? "" : fmt::format(" --variant '{}'", c.finding.variant));
+  tell_chains(c.shrunk, stored, variants.empty() ? "" : c.finding.variant);
 }
 
 void summarise(const Fuzzer& fuzzer, double seconds, bool interrupted) {

@@ -16,7 +16,9 @@ void tell(const Fuzzer::Counterexample& c, std::uint64_t seed,
 /// What was drawn and reached without a finding.
 void summarise(const Fuzzer& fuzzer, double seconds, bool interrupted);
 
-/// A chain as it is printed: long ones are left to their file.
-std::string printed(const Chain& chain);
+/// Its end: the chains (long ones are left to their files), where they are stored, and the command that runs
+/// them again.
+void tell_chains(const std::vector<Chain>& chains, const std::vector<std::filesystem::path>& stored,
+                 const std::string& variant);
 
 }  // namespace catena::properties

@@ -33,6 +33,9 @@ struct Notebook::Page {
   std::atomic<bool> ended;
   SharedText<256> variant, property;
   SharedText<(16u << 20)> chain_file;
+  static constexpr std::size_t kept = 32, longest_kept = 64u << 10;
+  std::atomic<std::size_t> begun;
+  SharedText<longest_kept> before[kept];  ///< a ring
 };
 
 Notebook::Notebook() {
@@ -46,6 +49,10 @@ Notebook::Notebook() {
 Notebook::~Notebook() { munmap(page_, sizeof(Page)); }
 
 void Notebook::begin(std::string_view chain_file) {
+  if (const std::size_t begun = page_->begun++; begun > 0) {
+    const std::string last = page_->chain_file.get();
+    page_->before[(begun - 1) % Page::kept].set(last.size() <= Page::longest_kept ? last : "");
+  }
   page_->chain_file.set(chain_file);
   ++page_->beats;
 }
@@ -61,6 +68,15 @@ void Notebook::end() { page_->ended = true; }
 std::uint64_t Notebook::beats() const { return page_->beats; }
 bool Notebook::ended() const { return page_->ended; }
 std::string Notebook::chain_file() const { return page_->chain_file.get(); }
+std::vector<std::string> Notebook::before() const {
+  std::vector<std::string> files;
+  const std::size_t done = std::max<std::size_t>(1, page_->begun) - 1;
+  for (std::size_t k = done - std::min(done, Page::kept); k < done; ++k)
+    if (std::string file = page_->before[k % Page::kept].get(); !file.empty())
+      files.push_back(std::move(file));
+  return files;
+}
+
 std::string Notebook::variant() const { return page_->variant.get(); }
 std::string Notebook::property() const { return page_->property.get(); }
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace catena::properties {
 
@@ -15,7 +16,8 @@ class Notebook {
   Notebook& operator=(const Notebook&) = delete;
 
   // The one that works.
-  /// A chain, as the text of its file, is about to be checked. More than 16 MiB are cut.
+  /// A chain, as the text of its file, is about to be checked. More than 16 MiB are cut. The last 32 before
+  /// it are kept, but for those of more than 64 KiB.
   void begin(std::string_view chain_file);
   /// This variant is about to be held against this property. Also tells that everything goes on.
   void check(std::string_view variant, std::string_view property);
@@ -25,6 +27,7 @@ class Notebook {
   std::uint64_t beats() const;
   bool ended() const;
   std::string chain_file() const;
+  std::vector<std::string> before() const;  ///< what was begun before it, in order
   std::string variant() const;
   std::string property() const;
 

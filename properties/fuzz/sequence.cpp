@@ -1,6 +1,7 @@
 #include "catena/properties/fuzz/sequence.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "catena/properties/generators/simplifications.h"
 
@@ -38,9 +39,13 @@ bool fails_in_sequence(const Subject& subject, const std::string& property, cons
 
 std::optional<std::vector<Chain>> shortest_sequence(const Subject& subject, const std::string& property,
                                                     std::vector<Chain> chains, const Suite::Watch& watch) {
-  const auto fails = [&](const std::vector<Chain>& some) {
+  return shortest_sequence(std::move(chains), [&](const std::vector<Chain>& some) {
     return fails_in_sequence(subject, property, some, watch);
-  };
+  });
+}
+
+std::optional<std::vector<Chain>> shortest_sequence(
+    std::vector<Chain> chains, const std::function<bool(const std::vector<Chain>&)>& fails) {
   if (!fails(chains)) return std::nullopt;
   leave_out(chains, fails);
   for (std::size_t k = 0; k < chains.size(); ++k) {

@@ -111,7 +111,7 @@ def _signed_ranks(size, positive):
 
 def in_words(test):
     """What the rank test says, or why it is not made."""
-    against = f"{test.chains} chains, {test.others} others"
+    against = f"{test.chains} chains against {test.others} others"
     if not test.p:
         return (
             f"no rank test: on {against}, it would tell a variant that is slower on {SHARE:.0%} of the chains"

@@ -39,6 +39,7 @@ class Run:
 
     samples  (input, variant, stage) -> milliseconds of every repetition, in the order in which they ran
     refused  (input, variant, stage) -> why a variant was refused or found wrong
+    faults   those of them that are the variant's fault: it threw, or an exact one was wrong
     counters (input, variant, stage) -> {pairs, missing, invented, transfer_ms, ...} of its last repetition
     moved    (input, variant, stage) -> milliseconds between memories of every repetition, 0 where none is told
     """
@@ -48,7 +49,7 @@ class Run:
         self.context = raw["context"]
         self.catena = raw.get("catena", {})
         self._described = self._read_variants()
-        self.samples, self.refused, self.counters, self.moved = {}, {}, {}, {}
+        self.samples, self.refused, self.faults, self.counters, self.moved = {}, {}, {}, {}, {}
         for at, row in enumerate(raw["benchmarks"]):
             if row.get("run_type", "iteration") == "iteration":
                 self._read(at, row)
@@ -62,6 +63,8 @@ class Run:
         case = name["input"], name["variant"], name["stage"]
         if row.get("error_occurred"):
             self.refused[case] = row.get("error_message", "refused, no reason given")
+            if row.get("at_fault"):
+                self.faults[case] = self.refused[case]
             return
         try:
             time = float(row["real_time"]) * TO_MS[row.get("time_unit", "ns")]

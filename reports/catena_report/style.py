@@ -58,6 +58,7 @@ DARK = {
 }
 COLOURS = [f"c{i}" for i in range(10)]
 MARKERS = ["circle", "square", "diamond", "triangle-up", "cross", "triangle-down", "star", "hexagon"]
+SPARE = ["triangle-left", "triangle-right", "pentagon"]  # for those of one colour
 DASHES = {"robust": "solid", "literal": "dot", "double": "dash"}
 PAPER = [
     "CPU2",
@@ -79,6 +80,12 @@ class Look:
     hollow: bool = False
 
 
+def of_arithmetic(name):
+    """The look of an arithmetic, whatever the variant."""
+    at = list(DASHES).index(name) if name in DASHES else len(DASHES)
+    return Look(COLOURS[at], MARKERS[at], DASHES.get(name, "solid"))
+
+
 PEERS = ["cross", "star", "hexagon", "triangle-down", "diamond", "square"]  # markers of others' libraries
 
 
@@ -94,6 +101,17 @@ class Looks:
 
         peers = sorted({variant.name for variant in variants if variant.peer})
         self.peers = {name: Look("muted", PEERS[at % len(PEERS)], "dashdot") for at, name in enumerate(peers)}
+        self.own = self._of_those_complete_in_themselves([v for v in variants if not v.peer and not v.composed])
+
+    def _of_those_complete_in_themselves(self, variants):
+        """algorithm -> marker: the first of a colour has a circle, the next one that nobody else of it has."""
+        found, taken = {}, {}
+        for algorithm in sorted({variant.traversal.algorithm for variant in variants}, key=self.order.index):
+            used = taken.setdefault(self._colour(algorithm), set(self.markers.values()) - {self.markers.get("")})
+            free = [marker for marker in ["circle", *MARKERS, *SPARE] if marker not in used]
+            found[algorithm] = free[0] if free else "circle"
+            used.add(found[algorithm])
+        return found
 
     def _colour(self, algorithm):
         return COLOURS[self.order.index(algorithm) % len(COLOURS)] if algorithm in self.order else "ink"
@@ -103,7 +121,7 @@ class Looks:
             return self.peers[variant.name]
         return Look(
             self._colour(variant.traversal.algorithm),
-            self.markers.get(variant.construction.algorithm if variant.composed else "", "circle"),
+            self.markers[variant.construction.algorithm] if variant.composed else self.own[variant.traversal.algorithm],
             DASHES.get(variant.arithmetic, "solid"),
             any(stage.on_host for stage in variant.stages),
         )

@@ -17,6 +17,7 @@ class Variant:
     arithmetic: str
     exact: bool
     peer: bool  # somebody else's library
+    all_pairs: bool  # it looks at every pair: nothing is built
 
     @staticmethod
     def of(name, described):
@@ -25,7 +26,7 @@ class Variant:
         stages = tuple(Stage(*(stage[key] for key in keys)) for stage in described["stages"])
         if not stages:
             raise TypeError("no stages")
-        return Variant(name, stages, *(described[key] for key in ("arithmetic", "exact", "peer")))
+        return Variant(name, stages, *(described[key] for key in ("arithmetic", "exact", "peer", "all_pairs")))
 
     @property
     def host_only(self):

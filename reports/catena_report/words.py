@@ -45,8 +45,13 @@ def listed(items, most=None):
 
 
 def interval(estimate, digits=2):
-    """1.02 [0.98, 1.06]; past 100 in three significant digits."""
-    if max(map(abs, (estimate.low, estimate.high))) < 100:
+    """1.02 [0.98, 1.06]; past 100, and a ratio below 0.1, in three significant digits. One sample has no interval:
+    1.02.
+    """
+    if estimate.low == estimate.high:
+        return significant(estimate.value, 3)
+    small = estimate.low > 0 and estimate.value < 0.1
+    if not small and max(map(abs, (estimate.low, estimate.high))) < 100:
         return f"{estimate.value:.{digits}f} [{estimate.low:.{digits}f}, {estimate.high:.{digits}f}]"
     return (
         f"{significant(estimate.value, 3)} [{significant(estimate.low, 3)}, {significant(estimate.high, 3)}]"

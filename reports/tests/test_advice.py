@@ -4,16 +4,16 @@ second time from the raw samples.
 import collections
 import json
 import math
-import pathlib
 import statistics as plain
-import tempfile
 import unittest
 
 import numpy
 
 import made
+import pages
 from catena_report import certainty, choice, profiles, report, runfile, statistics, waits
 from catena_report.sections import advice, slowdown, summary
+from pages import recomputes
 
 QUICK = made.REPORTS / "results" / "h200_quick.json.gz"
 
@@ -74,6 +74,7 @@ class OfTheH200(unittest.TestCase):
         self.assertEqual(choice.choose(self.run_, waits.end_to_end(self.run_))["path1/n:1000"].leader, "aCPU2+Dual")
         self.assertAlmostEqual(self.medians["path1/n:1000"]["aCPU2+Dual"], 0.0397, places=4)
 
+    @recomputes("table:choice")
     def test_every_row_of_the_choice_is_the_least_median_and_its_ratio(self):
         table = next(b for b in advice.build(self.report).blocks if getattr(b, "key", "") == "choice")
         rows = [[cell.raw for cell in row] for row in table.rows if row[1].text == "end to end"]
@@ -85,6 +86,7 @@ class OfTheH200(unittest.TestCase):
             self.assertAlmostEqual(ratio, own[next_] / own[fastest])
             self.assertAlmostEqual(papers, own["aCPU2+CPU2"] / own[fastest])
 
+    @recomputes("table:advice-short")
     def test_every_row_of_the_first_screen(self):
         table = advice.summary_table(self.report)
         seen = []
@@ -99,6 +101,7 @@ class OfTheH200(unittest.TestCase):
                 self.assertLess(time, 1.2 * min(exact(self.run_, self.medians[chain]).values()))
         self.assertEqual(sorted(seen), sorted(self.medians))
 
+    @recomputes("table:slowdown")
     def test_the_mean_slowdowns(self):
         table = next(b for b in slowdown.build(self.report).blocks if getattr(b, "key", "") == "slowdown" and hasattr(b, "rows"))
         for name, timed, mean, least, greatest, tenth, twice in [[c.raw for c in row] for row in table.rows]:
@@ -112,6 +115,7 @@ class OfTheH200(unittest.TestCase):
             self.assertAlmostEqual(tenth, sum(f <= 1.1 for f in factors) / len(self.medians))
             self.assertAlmostEqual(twice, sum(f <= 2 for f in factors) / len(self.medians))
 
+    @recomputes("figure:slowdown")
     def test_the_curves_are_the_share_of_chains(self):
         figure = next(b for b in slowdown.build(self.report).blocks if hasattr(b, "panels"))
         for series in figure.panels[0].series:
@@ -124,6 +128,13 @@ class OfTheH200(unittest.TestCase):
                 share = sum(factor <= series.x[at] * (1 + 1e-12) for factor in factors) / len(self.medians)
                 self.assertGreaterEqual(share + 1e-12, series.y[at])
             self.assertAlmostEqual(series.y[-1], sum(f <= series.x[-1] for f in factors) / len(self.medians))
+        for series in figure.panels[1].series:
+            factors = [
+                row[series.name] / min(exact(self.run_, row).values())
+                for row in self.medians.values()
+                if series.name in row
+            ]
+            self.assertAlmostEqual(series.x[0], plain.geometric_mean(factors))
 
     def test_no_rank_test_where_it_could_not_tell(self):
         test = profiles.rank_test(self.run_, profiles.slowdowns(self.run_))
@@ -184,6 +195,24 @@ class Certain(unittest.TestCase):
         found = certainty.certainty(of(value))
         self.assertEqual(found.false_alarms, found.cases)
         self.assertIn("(100.0 %) were called different", " ".join(summary._certain(of(value), "")))
+
+
+class Drawn(unittest.TestCase):
+    @recomputes("figure:advice")
+    def test_each_chain_is_drawn_once_in_the_colour_of_its_fastest(self):
+        run = of(made.run())
+        medians = raw_medians(run, "whole")
+        panel = pages.Shown(run).figures["advice"].panels[0]
+        for series in panel.series:
+            if series.hover:
+                for text, x, y in zip(series.hover, series.x, series.y):
+                    chain = text.split("<br>")[1].partition(",")[0]
+                    own = exact(run, medians.pop(chain))
+                    self.assertEqual(series.name, min(own, key=own.get))
+                    n = int(chain.rpartition(":")[2])
+                    self.assertTrue(n <= x < 1.2 * n)  # set side by side
+                    self.assertAlmostEqual(y, 45 / n)
+        self.assertEqual(medians, {})
 
 
 if __name__ == "__main__":

@@ -1,12 +1,16 @@
 """The paper's claims: verdicts that rest on all that they need, and the committed ones beside them."""
 import json
+import math
 import os
+import statistics as plain
 import tempfile
 import unittest
 
 import made
+import pages
 from catena_report import claims, committed, report, runfile
 from catena_report.sections import claims as section
+from pages import recomputes
 
 RESULTS = made.REPORTS / "results"
 
@@ -106,6 +110,77 @@ class Committed(unittest.TestCase):
         value = made.run()
         value["context"]["gpu"] = json.loads(committed.PATH.read_text())["device"]
         self.assertNotIn("committed", "".join(block.text for block in self.built(value).blocks if hasattr(block, "text")))
+
+
+class OnThePage(unittest.TestCase):
+    def verdicts(self, shown):
+        return {row[0]: row[3] for row in shown.rows("claims") if row[2] == "a GPU"}
+
+    def test_claims_follow_the_data(self):
+        shown = pages.shown(made.run())
+        verdicts = self.verdicts(shown)
+        self.assertEqual(
+            verdicts["Two threads per sphere (GPUv2) reduce the time of GPU2 by half."], "holds"
+        )  # 5e-5 of 1e-4
+        self.assertEqual(verdicts["Despite the GPU, GPU1 is the slowest traversal."], "holds")
+        self.assertEqual(
+            verdicts["GPU2 takes O(log n) time, since its n threads run in parallel."], "does not hold"
+        )  # made linear
+        self.assertEqual(verdicts["aCPU2 takes O(n log n) time."], "holds")
+        self.assertEqual(verdicts["A parent encloses its two children."], "does not hold")
+        self.assertNotIn("bGPU2 takes O(log n) time.", verdicts)
+        self.assertIn("<strong>bGPU2 takes O(log n) time.</strong> bGPU2 was not timed at four sizes", shown.prose)
+
+    def test_verdicts_turn_with_the_data(self):
+        """Half the claim broken: with GPUv2 as slow as GPU2 the verdict must turn."""
+        verdicts = self.verdicts(pages.shown(made.run(slower={("aGPU2+GPUv2", "find"): 2, ("GPU1", "find"): 0.01})))
+        self.assertEqual(
+            verdicts["Two threads per sphere (GPUv2) reduce the time of GPU2 by half."], "does not hold"
+        )
+        self.assertEqual(verdicts["Despite the GPU, GPU1 is the slowest traversal."], "does not hold")
+
+
+class Evidence(unittest.TestCase):
+    """The numbers beside a verdict, from the samples."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.value = made.run()
+        shown = pages.shown(cls.value)
+        cls.evidence = {row[0]: row[4] for row in shown.rows("claims") if row[2] == "a GPU"}
+
+    def median(self, path, n, variant, stage):
+        name = f"{path}/n:{n}/{variant}/{stage}/manual_time"
+        return plain.median(row["real_time"] for row in self.value["benchmarks"] if row["name"] == name)
+
+    @recomputes("table:claims")
+    def test_ratios_exponents_and_counts(self):
+        ratios = [
+            self.median(path, n, "aGPU2+GPUv2", "find") / self.median(path, n, "aGPU2+GPU2", "find")
+            for path in made.SCENES
+            for n in made.SIZES
+        ]
+        said = self.evidence["Two threads per sphere (GPUv2) reduce the time of GPU2 by half."]
+        self.assertRegex(
+            said,
+            rf"takes {plain.geometric_mean(ratios):.2f} \[.* over {len(ratios)} cases\), between {min(ratios):.2f} and"
+            rf" {max(ratios):.2f}",
+        )
+        said = self.evidence["CPU2 takes O(n log n) time."]
+        for path in made.SCENES:
+            x = [math.log(n) for n in made.SIZES]
+            y = [math.log(self.median(path, n, "aCPU2+CPU2", "find")) for n in made.SIZES]
+            law = [value - math.log(n * math.log2(n)) for n, value in zip(made.SIZES, y)]
+            slope, over_law = (plain.linear_regression(x, values).slope for values in (y, law))
+            self.assertIn(f"{path}, 1,000 to 100,000 spheres: time grows as n to the {slope:.2f} [", said)
+            self.assertIn(f"time / (n log n) as n to the {over_law:.2f} [", said)
+        row = self.value["catena"]["examine"][0]
+        said = self.evidence["A parent encloses its two children."]
+        self.assertIn(f"{100 * row['failing'] / row['parents']:.0f} % of the parents of {row['input']}", said)
+        most = max(max(row["pairs"]) for row in self.value["catena"]["keyframes"])
+        said = self.evidence["Both paths generate a maximum of 45 pairs of collisions."]
+        self.assertIn(f"path1: at most {most} pairs in all 56 keyframes", said)
+        self.assertIn("at 2 of 2 sizes from 20,000 on", self.evidence["aGPU2 is faster than aCPU2 from 20,000 spheres on."])
 
 
 if __name__ == "__main__":

@@ -7,6 +7,8 @@ import unittest
 import made
 from catena_report import report, runfile
 from catena_report.sections import work_precision
+import pages
+from pages import recomputes
 
 QUICK = made.REPORTS / "results" / "h200_quick.json.gz"
 
@@ -79,6 +81,7 @@ class OfTheH200(unittest.TestCase):
         figure = next(b for b in self.blocks if getattr(b, "key", "") == "work-precision")
         self.assertIn(f"take {mean:.2f} [", figure.title.partition("double ones")[2])
 
+    @recomputes("figure:arithmetic")
     def test_the_curves_of_the_arithmetic_are_the_lines_of_the_matrix(self):
         figure = next(b for b in self.blocks if getattr(b, "key", "") == "arithmetic")
         lines = self.run_.raw["catena"]["stability"]
@@ -100,6 +103,42 @@ class OfTheH200(unittest.TestCase):
         literal = next(s for s in figure.panels[0].series if s.name == "literal")
         self.assertGreater(literal.y[-1], 0)  # at 2^24 radii
         self.assertIn("contacts nearer to touching than 1e-07", figure.title)
+
+
+class EveryPoint(unittest.TestCase):
+    def setUp(self):
+        self.value = with_rounded(0.07).raw
+        self.points = self.value["catena"]["work_precision"]["points"]
+        self.shown = pages.shown(self.value)
+
+    @recomputes("figure:work-precision")
+    def test_every_point_lies_at_its_median_and_its_error(self):
+        tube, answer, depth = self.shown.figures["work-precision"].panels
+        drawn = lambda panel: sorted(  # noqa: E731
+            (x, y, low, high)
+            for series in panel.series
+            if series.markers
+            for x, y, low, high in zip(series.x, series.y, series.low, series.high)
+        )
+        raw = lambda error, points: sorted(  # noqa: E731
+            (p["median_ms"], error(p), p["lower_quartile_ms"], p["upper_quartile_ms"]) for p in points
+        )
+        wrong = [p for p in self.points if p["answer_error"] > 0]
+        self.assertEqual(drawn(tube), raw(lambda p: p["tube_error"] + p.get("stored_error", 0), self.points))
+        self.assertEqual(drawn(answer), raw(lambda p: p["answer_error"], wrong))
+        self.assertEqual(drawn(depth), raw(lambda p: p["depth_error"], wrong))
+
+    @recomputes("table:errors-apart")
+    def test_of_each_arithmetic_the_worst_answer_and_the_least_time(self):
+        head = self.shown.tables["errors-apart"].columns
+        rows = [dict(zip(head, row)) for row in self.shown.raw("errors-apart")]
+        self.assertEqual(len(rows), 2 * len(made.SIZES))
+        for row in rows:
+            mine = [p for p in self.points if (p["arithmetic"], p["n"]) == (row["arithmetic"], row["n"])]
+            self.assertEqual(row["pairs wrong"], max(p["answer_error"] for p in mine))
+            self.assertEqual(row["fastest, ms"], min(p["median_ms"] for p in mine))
+            self.assertEqual(row["of the tube"], mine[0]["tube_error"])
+            self.assertEqual(row["missing"], mine[0].get("missing", ""))
 
 
 if __name__ == "__main__":

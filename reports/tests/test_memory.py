@@ -6,6 +6,7 @@ import unittest
 import made
 from catena_report import report, runfile
 from catena_report.sections import memory
+from pages import recomputes
 
 
 class Made(unittest.TestCase):
@@ -22,6 +23,7 @@ class Made(unittest.TestCase):
             if row["name"] == f"{input_}/{variant}/{stage}/manual_time"
         )
 
+    @recomputes("figure:memory", "table:memory")
     def test_bytes_a_sphere(self):
         for panel in self.held.panels:
             for series in panel.series:
@@ -29,10 +31,12 @@ class Made(unittest.TestCase):
         for row in self.table.rows:
             self.assertEqual([cell.raw for cell in row[2:4]], [48.0, 64.0])
 
+    @recomputes("figure:roofline")
     def test_a_stage_beside_the_copy(self):
         construction, traversal = self.roofline.panels
         for panel, stage in ((construction, "build"), (traversal, "find")):
             line = panel.series[0]
+            self.assertIn(f" of {sum(len(series.x) for series in panel.series[1:])} {panel.title}", self.roofline.title)
             self.assertEqual([x / y for x, y in zip(line.x, line.y)], [10.0, 10.0])  # the median of the copies
             for series in panel.series[1:]:
                 self.assertNotIn("GPU", series.name)

@@ -5,6 +5,8 @@ import unittest
 import made
 from catena_report import report, runfile, statistics
 from catena_report.sections import motion
+import pages
+from pages import recomputes
 
 
 def of(value):
@@ -49,6 +51,7 @@ class Verdicts(unittest.TestCase):
         keys = [block.key for block in motion.build(report.Report([run])).blocks if hasattr(block, "panels")]
         self.assertNotIn("motion-shares", keys)
 
+    @recomputes("figure:motion-shares")
     def test_every_share_is_counted_from_the_starts(self):
         run = of(self.value)
         figure = motion._shares(report.Report([run]), run, run.list("motion"))
@@ -63,6 +66,48 @@ class Verdicts(unittest.TestCase):
             name = f"stiffness 100, step {line['step']:g}: {line['variant']}"
             expected = statistics.share(fails, 32)
             self.assertEqual(drawn[name], (fails / 32, expected.low, expected.high))
+
+
+class EveryMotion(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.lines = made.run()["catena"]["motion"]
+        cls.shown = pages.shown(made.run())
+
+    @recomputes("figure:motion-outcome")
+    def test_a_cell_is_the_outcome_of_its_line(self):
+        figure = self.shown.figures["motion-outcome"]
+        (panel,) = figure.panels
+        cells = {
+            (row, float(step)): value
+            for row, values in zip(panel.y.categories, panel.heat.value)
+            for step, value in zip(panel.x.categories, values)
+            if value is not None
+        }
+        codes = {"holds": 0, "slipped": 1, "diverged": 2}
+        self.assertEqual(
+            cells, {(f"stiffness 100: {line['variant']}", line["step"]): codes[line["outcome"]] for line in self.lines}
+        )
+        held = sum(line["outcome"] == "holds" for line in self.lines)
+        self.assertIn(f"holds in {held} of {len(self.lines)} first starts", figure.title)
+
+    @recomputes("figure:motion-drift")
+    def test_the_drift_of_every_line(self):
+        (panel,) = self.shown.figures["motion-drift"].panels
+        for series in panel.series:
+            mine = sorted((x["step"], x["energy_drift"]) for x in self.lines if x["variant"] == series.name)
+            self.assertEqual(list(zip(series.x, series.y)), mine)
+        self.assertEqual({series.name for series in panel.series}, {line["variant"] for line in self.lines})
+
+    @recomputes("table:motion")
+    def test_every_number_of_the_table(self):
+        keys = (
+            "step", "energy_drift", "deepest_penetration", "contacts", "missed_by_variant", "invented_by_variant",
+            "missed_against_fine_step", "ms_median",
+        )
+        self.assertEqual(
+            [row[3:] for row in self.shown.raw("motion")], [[line[key] for key in keys] for line in self.lines]
+        )
 
 
 if __name__ == "__main__":

@@ -3,8 +3,10 @@ import json
 import unittest
 
 import made
+import pages
 from catena_report import report, runfile
 from catena_report.sections import stability, summary
+from pages import recomputes
 
 QUICK = made.REPORTS / "results" / "h200_quick.json.gz"
 LINE = {
@@ -30,6 +32,13 @@ class Cells(unittest.TestCase):
         ):
             self.assertEqual(stability.category({**LINE, **changed}), expected, changed)
 
+    def test_cells_are_the_outcomes(self):
+        value = made.run()
+        (panel,) = pages.shown(value).figures["stability"].panels
+        cells = sorted(cell for row in panel.heat.value for cell in row if cell is not None)
+        codes = {"exact": 0, "unenclosed": 2, "wrong": 5, "not finite": 3, "refused": 6}
+        self.assertEqual(cells, sorted(codes[line["outcome"]] for line in value["catena"]["stability"]))
+
     def test_a_bound_short_by_a_last_bit_is_no_failure(self):
         value = made.run()
         value["catena"]["stability"] = [
@@ -40,6 +49,7 @@ class Cells(unittest.TestCase):
 
 
 class OfTheH200(unittest.TestCase):
+    @recomputes("table:stability-shares")
     def test_every_share_is_counted_from_the_lines(self):
         run = runfile.load(QUICK)
         table = next(b for b in stability.build(report.Report([run])).blocks if hasattr(b, "rows"))
@@ -59,6 +69,7 @@ class OfTheH200(unittest.TestCase):
             for share, number in zip(sizes, expected):
                 self.assertAlmostEqual(share, number / trees)
 
+    @recomputes("figure:stability")
     def test_the_figure_has_every_line(self):
         run = runfile.load(QUICK)
         figure = next(b for b in stability.build(report.Report([run])).blocks if hasattr(b, "panels"))

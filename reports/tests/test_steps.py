@@ -6,6 +6,7 @@ import unittest
 import made
 from catena_report import report, runfile
 from catena_report.sections import steps
+from pages import recomputes
 
 
 class Made(unittest.TestCase):
@@ -17,6 +18,7 @@ class Made(unittest.TestCase):
         (table,) = steps.build(report.Report([run])).blocks
         return run, table
 
+    @recomputes("table:steps")
     def test_a_sphere_takes_its_share(self):
         run, table = self.table()
         self.assertEqual(table.columns[5:], ["rows", "tests"])
@@ -34,6 +36,18 @@ class Made(unittest.TestCase):
             self.assertAlmostEqual(row[4].raw, given["pairs"] / n)
             taken = {step["step"]: step["times"] for step in given["steps"]}
             self.assertEqual([cell.raw for cell in row[5:]], [taken[s] / n if s in taken else "" for s in ("rows", "tests")])
+
+    def test_the_title_says_how_many_memory_bounds(self):
+        for gb_s, says in (
+            (10.0, "Memory bounds none of 16 searches: in the time of each the chain could be copied"),
+            (4.0, "Memory bounds"),
+            (0.001, "Memory bounds all 16 searches"),
+        ):
+            self.value["catena"]["bandwidth"]["gb_s"] = [gb_s] * 6
+            _, table = self.table()
+            self.assertIn(says, table.title)
+            bound = sum(row[3].raw < 2 for row in table.rows)
+            self.assertIn(f"bounds {'all' if bound == 16 else bound or 'none'} ", table.title)
 
     def test_without_a_copy_only_steps_are_told(self):
         del self.value["catena"]["bandwidth"]

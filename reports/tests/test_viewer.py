@@ -5,13 +5,15 @@ import json
 import pathlib
 import re
 import sys
+import tempfile
 import unittest
 import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
+import made  # noqa: E402
 import shown_chains  # noqa: E402
-from catena_report import viewer  # noqa: E402
+from catena_report import report, runfile, viewer  # noqa: E402
 
 NOWHERE = (pathlib.Path("/nowhere/three.min.js"),)
 
@@ -69,6 +71,24 @@ class Fragment(unittest.TestCase):
 
     def test_no_script_element_ends_early(self):
         self.assertEqual(3, viewer.render(shown_chains.views()).count("</script>"))
+
+
+class Views(unittest.TestCase):
+    def test_a_chain_without_a_view_shows_the_nearest_of_its_scene(self):
+        value = made.run()
+        value["catena"]["viewer"] = [
+            {"input": name} for name in ("path1/n:20", "path1/n:9000", "far:exponent=22/n:50")
+        ]
+        with tempfile.TemporaryDirectory() as folder:
+            pages = report.Report([runfile.load(made.write(folder, value))])
+        for asked, shown in (
+            ("path1/n:20", "path1/n:20"),
+            ("path1/n:10000", "path1/n:9000"),
+            ("far:n=200,exponent=22", "far:exponent=22/n:50"),
+            ("far:n=200,exponent=23", None),
+            ("path2/n:20", None),
+        ):
+            self.assertEqual(pages.view(asked), shown, asked)
 
 
 if __name__ == "__main__":

@@ -93,13 +93,13 @@ class Measurement final : public benchmark::BenchmarkReporter {
     out.context = context();
     out.benchmarks = nlohmann::ordered_json::array();
     for (auto& [run, row] : rows_) {
+      if (row.value("at_fault", false)) note_fault(*timed_[run].what, row["error_message"], out.faults);
       row["repetitions"] = std::max<std::int64_t>(1, timed_[run].samples);
       out.benchmarks.push_back(std::move(row));
     }
     out.rounds = samples.rounds;
     for (std::size_t k = 0; k < timed_.size(); ++k) {
       if (samples.ms[k].empty() && !timed_[k].refused) out.not_reached.push_back(timed_[k].what->name());
-      note_fault(*timed_[k].trial, timed_[k].what->facts.label, out.faults);
       out.cases += !samples.ms[k].empty();
       out.narrow += narrow(samples.ms[k], share);
     }
@@ -116,9 +116,8 @@ class Measurement final : public benchmark::BenchmarkReporter {
   };
 
   /// Once for all stages.
-  static void note_fault(const Trial& trial, const std::string& input, std::vector<std::string>& faults) {
-    if (!trial.at_fault()) return;
-    std::string fault = trial.info().name + " on " + input + ": " + trial.reason();
+  static void note_fault(const Case& what, const std::string& reason, std::vector<std::string>& faults) {
+    std::string fault = what.variant.name + " on " + what.facts.label + ": " + reason;
     if (std::ranges::find(faults, fault) == faults.end()) faults.push_back(std::move(fault));
   }
 
@@ -171,6 +170,7 @@ class Measurement final : public benchmark::BenchmarkReporter {
         ms_ = run.GetAdjustedRealTime();
       }
       rows_.emplace_back(static_cast<std::size_t>(run.family_index), row_of(run));
+      if (failed(run) && current_->trial->at_fault()) rows_.back().second["at_fault"] = true;
       if (taker_) taker_(rows_.back().second);
     }
   }

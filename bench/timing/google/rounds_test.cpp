@@ -116,6 +116,20 @@ TEST_F(RoundsTest, ARefusedVariantIsAnErrorWithItsReason) {
   }
 }
 
+TEST_F(RoundsTest, AVariantThatThrowsIsAtFaultAlsoAfterAnInterruption) {
+  const auto all =
+      cases({{"path1:n=50"}}, {StrategyRegistry::instance().describe("mutant:throws-past-32-spheres")});
+  const Stopping stopping{.seconds = 60, .most_samples = 3, .least_ms = 0.01};
+  const auto result = measured(all, stopping);
+  if (result.benchmarks.is_null()) GTEST_SKIP() << "without Google Benchmark";
+  ASSERT_EQ(result.benchmarks.size(), all.size());
+  for (const auto& row : result.benchmarks) EXPECT_TRUE(row.value("at_fault", false)) << row;
+  ASSERT_EQ(result.faults.size(), 1u);
+  EXPECT_TRUE(result.faults[0].starts_with("mutant:throws-past-32-spheres on path1/n:50: "))
+      << result.faults[0];
+  EXPECT_EQ(measure_in_rounds(all, stopping, {}, result.benchmarks).faults, result.faults);
+}
+
 TEST_F(RoundsTest, ASampleOfAnAnimationGoesThroughEveryFrame) {
   const auto all = cases({{"path1:n=200", true}}, named({"aCPU2+CPU2"}));
   const auto result = measured(all, {.seconds = 60, .most_samples = 2, .least_ms = 0.01});

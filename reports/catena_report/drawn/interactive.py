@@ -233,23 +233,27 @@ def _layout(panel):
                 }
             )
     return {
-        "xaxis": _axis(panel.x, False, _span(panel, "x")),
-        "yaxis": _axis(panel.y, True, _span(panel, "y")),
+        "xaxis": _axis(panel.x, False, *_ends(panel, "x")),
+        "yaxis": _axis(panel.y, True, *_ends(panel, "y")),
         "shapes": shapes,
         "annotations": notes,
         **({"margin": {"l": 58, "r": 14, "t": 28, "b": 46}} if panel.heat else {}),
     }
 
 
-def _span(panel, letter):
-    """The greatest over the least of what an axis shows at first."""
+def _ends(panel, letter):
+    """The least and the greatest of what an axis shows at first."""
     values = [
         value for series in panel.series if series.shown for value in getattr(series, letter) if value > 0
     ]
-    return max(values) / min(values) if values else 1
+    return (min(values), max(values)) if values else (1, 1)
 
 
-def _axis(axis, is_y, span):
+PLAIN = (1e-4, 1e7)  # between these a logarithmic axis has numbers, beyond powers of ten
+
+
+def _axis(axis, is_y, least, greatest):
+    span = greatest / least
     layout = {
         "title": {"text": axis.title, "standoff": 8},
         "type": "log" if axis.log else "linear",
@@ -262,7 +266,10 @@ def _axis(axis, is_y, span):
         "tickformat": "~s" if axis.title.startswith("spheres") else ",~g",
     }
     if axis.log:
-        layout["dtick"] = "D2" if 0 < span < 50 else max(1, math.ceil(math.log10(span) / 8))
+        layout["dtick"] = "D2" if span < 50 else max(1, math.ceil(math.log10(span) / 8))
+        if span >= 50 and not PLAIN[0] <= least <= greatest <= PLAIN[1]:
+            del layout["tickformat"]
+            layout["exponentformat"] = "power"
     if axis.categories is not None:
         size = len(axis.categories)
         layout |= {

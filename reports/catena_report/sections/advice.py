@@ -162,7 +162,7 @@ def summary_table(report):
             " (below six repetitions the range). A call is end to end: from a chain in the host's memory to its"
             " collisions there, with every move between memories. A + B is a construction of a tree and a"
             " traversal that searches it; @host marks a device algorithm that the host ran; Dual searches the"
-            " tree against itself."
+            " tree against itself; auto looks at the chain and takes one of the others for it."
         ),
         columns,
         rows,

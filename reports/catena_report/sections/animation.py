@@ -70,8 +70,9 @@ def _figure(report, run, rows):
             f"fastest of {words.plural(len(medians), 'variant')}"
         ),
         (
-            "Each point is one frame: update of the moved chain and find. Peaks are frames with many pairs or"
-            " with more of the chain moved. Right: the pairs of the same frames."
+            "Each point is one frame: update of the moved chain and find. Each was timed once: a peak of"
+            " one variant alone is what else the machine did; one of all is a frame with many pairs, or with more of the"
+            " chain moved. Right: the pairs of the same frames."
         ),
         panels,
     )

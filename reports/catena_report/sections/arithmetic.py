@@ -3,7 +3,7 @@ section on error against run time.
 """
 from .. import runfile, words
 from ..figure import Axis, Figure, Panel, Series
-from ..style import COLOURS, DASHES, MARKERS, Look
+from ..style import DASHES, of_arithmetic
 from .stability import NOT_ANSWERED
 
 # scene of the stability matrix -> its one parameter, the axis that it makes, and the axis' value
@@ -45,8 +45,8 @@ def figure(report, run):
             continue
         panel = Panel(f"{scene}: pairs wrong", Axis(axis, log=True), Axis("pairs wrong, % of the exact ones"), height=300)
         short = Panel(f"{scene}: bounds short", Axis(axis, log=True), Axis("shortfall, share of the bound", log=True), height=300)
-        for at, (arithmetic, lines) in enumerate(found.items()):
-            look = Look(COLOURS[at], MARKERS[at], DASHES.get(arithmetic, "solid"))
+        for arithmetic, lines in found.items():
+            look = of_arithmetic(arithmetic)
             worst = {value: max(mine, key=wrong_share) for value, mine in lines.items()}
             panel.series.append(
                 Series(

@@ -9,6 +9,7 @@ from ..table import Cell, Table
 
 SPHERE = 16  # bytes, as stored
 SHOWN = 8  # series drawn at first
+WELL_ABOVE = 2  # times the time of a copy, from which on something else than memory decides
 
 
 def build(report):
@@ -79,9 +80,11 @@ def _held(report, run):
                 )
         if panel.series and max(len(series.x) for series in panel.series) > 1:
             panels.append(panel)
-    if not panels:
+    if not panels or all(run.info(name).all_pairs for name in order):
         return None
-    least = {name: float(numpy.median(sizes)) for name, sizes in order.items()}
+    least = {
+        name: float(numpy.median(sizes)) for name, sizes in order.items() if not run.info(name).all_pairs
+    }
     low, high = min(least, key=least.get), max(least, key=least.get)
     return Figure(
         f"memory{report.key(run)}",
@@ -128,11 +131,14 @@ def _roofline(report, run):
                 )
             )
         panels.append(panel)
-        share[title] = max(_rate(size, ms) for _, _, _, size, ms in mine) / carries.value
-    text = words.listed(f"a {title} moves at most {part:.0%}" for title, part in share.items())
+        slow = sum(_rate(size, ms) * WELL_ABOVE < carries.value for _, _, _, size, ms in mine)
+        share[title] = slow, len(mine)
+    text = words.listed(
+        f"{slow} of {words.plural(of, title)}" for title, (slow, of) in share.items()
+    )
     return Figure(
         f"roofline{report.key(run)}",
-        f"{text[0].upper()}{text[1:]} of what a copy does",
+        f"Memory does not bound {text}: they take more than {WELL_ABOVE} times as long as a copy of as many bytes",
         (
             f"The dashed line is a copy of arrays that no cache holds, on one core of this machine:"
             f" {words.interval(carries)} GB/s, read and written. Above it a stage waits for something else than"

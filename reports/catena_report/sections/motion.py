@@ -6,7 +6,7 @@ import html
 from .. import statistics, words
 from ..figure import Axis, Figure, Heat, Panel, Series
 from ..section import Prose, Section
-from ..style import Look
+from ..style import of_arithmetic
 from ..table import Cell, Table
 
 CATEGORIES = [("holds", "good"), ("slips through itself", "bad"), ("diverges", "lost")]
@@ -21,7 +21,7 @@ def build(report):
             _verdicts(run, lines),
             *([_shares(report, run, lines)] if any(line.get("starts") for line in lines) else []),
             _outcomes(report, run, lines),
-            _drift(report, run, lines),
+            *([_drift(report, run, lines)] if len({line["step"] for line in lines}) > 1 else []),
             _table(report, run, lines),
         ]
     return section if section.blocks else None
@@ -100,7 +100,7 @@ def _shares(report, run, lines):
                 f"{arithmetic} arithmetic",
                 [share.value for share in shares],
                 rows,
-                Look({"robust": "c2", "literal": "c1", "double": "c0"}.get(arithmetic, "c3")),
+                of_arithmetic(arithmetic),
                 line=False,
                 size=1.3,
                 across=True,

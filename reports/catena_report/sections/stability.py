@@ -24,6 +24,7 @@ ENCLOSURE = (
     "short by more",
     "not a number",
 )
+LABEL = 24  # characters of a scene's name beside its row
 NOT_ANSWERED = ("refused", "unavailable")
 
 
@@ -149,9 +150,9 @@ def _figure(report, run, lines):
     rows = [[cell.get((scene, variant)) for variant in columns] for scene in scenes]
     common, labels = _short(lines, scenes)
     panel = Panel(
-        "",
+        common,
         Axis("", categories=[run.info(variant).algorithms if variant else "" for variant in columns]),
-        Axis(common, categories=labels),
+        Axis("", categories=_narrow(labels)),
         lines=starts,
         height=15 * len(scenes) + 190,
         least=10 * len(columns) + 240,
@@ -191,14 +192,20 @@ def _order(info):
 
 
 def _short(lines, scenes):
-    """The axis' title and the scenes' labels, the n that all have in common in the title."""
+    """The title and the scenes' labels, the n that all have in common in the title."""
     ns = {line["n"] for line in lines}
     if len(ns) != 1:
         return "", scenes
     n = next(iter(ns))
-    return f"scene, n = {words.count(n)}", [
+    return f"scenes of {words.count(n)} spheres", [
         scene.replace(f":n={n},", ":").replace(f":n={n}", "").replace(f",n={n}", "") for scene in scenes
     ]
+
+
+def _narrow(labels):
+    """Cut where they stay apart, so that on a phone cells are in sight; hovering tells the whole."""
+    cut = [label if len(label) <= LABEL else label[: LABEL - 1] + "…" for label in labels]
+    return [short if cut.count(short) == 1 else label for short, label in zip(cut, labels)]
 
 
 def _hover(line):

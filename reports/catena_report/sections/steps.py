@@ -53,9 +53,12 @@ def _table(report, run, rows):
         f"steps{report.key(run)}",
         _verdict(reading),
         (
-            "A sphere's share of the search, pairs and steps. A step may look at sixteen things at once; its number is"
-            " the same in every repetition. The search moves the chain through memory once at least: how often a copy"
-            " of the chain would fit into its time says whether memory bounds it (about once) or its steps do."
+            "A sphere's share of the time, the pairs and the steps. A step is named by what it tests at once, one thing"
+            " and what it is held against: the capsule of a block of eight spheres against those of sixteen blocks, two"
+            " blocks by their boxes in space, eight spheres against eight, one sphere against as many as a vector of"
+            " the processor holds. Their numbers are the same in every repetition. The search moves the chain through"
+            " memory once at least: how often a copy of the chain would fit into its time says whether memory bounds it"
+            " (about once) or its steps do."
         ),
         ["chain", "variant", "ns", "copies of the chain", "pairs", *steps],
         body,
@@ -71,11 +74,11 @@ def _verdict(reading):
     known = [times for times in reading if times is not None]
     if not known:
         return "Steps of the fast searches, a sphere"
-    bound = sum(times < 2 for times in known)
+    slower = [times for times in known if times >= 2]
+    if not slower:
+        return f"Memory bounds all {len(known)} searches"
+    bound = len(known) - len(slower)
     return (
-        f"Memory bounds {bound} of {len(known)} searches: in the time of the others the chain could be copied"
-        f" {words.significant(max(2, min((t for t in known if t >= 2), default=2)), 2)} to"
-        f" {words.significant(max(known), 2)} times"
-        if bound < len(known)
-        else f"Memory bounds all {len(known)} searches"
+        f"Memory bounds {bound or 'none'} of {len(known)} searches: in the time of {'the others' if bound else 'each'} the"
+        f" chain could be copied {words.significant(min(slower), 2)} to {words.significant(max(slower), 2)} times"
     )

@@ -118,12 +118,14 @@ def _wrong(run, on):
             f"<strong>No wrong answer</strong>{on} among what was timed: each was compared with the exact"
             " reference first."
         )
-    if run.refused:
-        reason = next(iter(run.refused.values()))
-        points.append(
-            f"<strong>Refused</strong>{on}: {words.plural(len(run.refused), 'measurement')} of "
-            f"{html.escape(words.listed(sorted({run.info(case[1]).label for case in run.refused}), 4))} (“{html.escape(reason)}”)."
-        )
+    refused = {case: reason for case, reason in run.refused.items() if case not in run.faults}
+    for title, cases in (("Failed, by a fault of its own", run.faults), ("Refused", refused)):
+        if cases:
+            names = sorted({run.info(case[1]).label for case in cases})
+            points.append(
+                f"<strong>{title}</strong>{on}: {words.plural(len(cases), 'measurement')} of"
+                f" {html.escape(words.listed(names, 4))} (“{html.escape(next(iter(cases.values())))}”)."
+            )
     return points
 
 

@@ -130,16 +130,17 @@ def _series(report, run, name, points, stage, shown, each):
 
 
 def _message(run, drawn, stage):
-    """Who is fastest at the largest n of each scene, where the samples can tell."""
+    """Who is fastest at the largest n of each scene, where the samples can tell, and there was someone to beat."""
     wins, open_ = {}, []
     for scene, found in drawn.items():
-        top = max(runfile.n_of(points[-1][0]) for points in found.values())
-        last = {
-            name: points[-1][2]
-            for name, points in found.items()
-            if runfile.n_of(points[-1][0]) == top and run.info(points[-1][1]).recommended
-        }
-        if last:
+        timed = {}
+        for name, points in found.items():
+            for input_, variant, samples in points:
+                if run.info(variant).recommended:
+                    timed.setdefault(runfile.n_of(input_), {})[name] = samples
+        rivals = [n for n, those in timed.items() if len(those) > 1]
+        if rivals:
+            last = timed[max(rivals)]
             leader, alike = statistics.best(last)
             (open_ if alike else wins.setdefault(leader, [])).append(scene)
     parts = [

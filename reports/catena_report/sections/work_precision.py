@@ -4,7 +4,7 @@ import html
 from .. import statistics, words
 from ..figure import Axis, Figure, Panel, Series
 from ..section import Prose, Section
-from ..style import Look
+from ..style import Look, of_arithmetic
 from ..table import Cell, Table
 from . import arithmetic
 
@@ -147,12 +147,8 @@ def _panel(report, run, points, on_front, error, what, title):
         panel.series.append(
             _points(run, "beaten, or rounded", plain, error, Look("faint"), size=0.8)
         )
-    for variant in sorted({p["variant"] for p in points}, key=lambda name: (not run.info(name).exact, name)):
-        rows = [p for p in points if p["variant"] == variant and p not in plain and error(p) > 0]
-        if rows:
-            panel.series.append(
-                _points(run, run.info(variant).label, rows, error, report.look(run, variant), size=1.25)
-            )
+    for name, (look, rows) in _coloured(report, run, [p for p in points if p not in plain and error(p) > 0], answer).items():
+        panel.series.append(_points(run, name, rows, error, look, size=1.25))
     if on_front:
         panel.series.insert(
             0,
@@ -165,6 +161,18 @@ def _panel(report, run, points, on_front, error, what, title):
             ),
         )
     return panel
+
+
+def _coloured(report, run, points, answer):
+    """name -> (look, points): of the answer by arithmetic, which decides it, else by variant; peers by name."""
+    found = {}
+    for p in sorted(points, key=lambda p: (not run.info(p["variant"]).exact, p["variant"])):
+        info = run.info(p["variant"])
+        by_arithmetic = answer and not info.peer
+        name = f"{info.arithmetic} arithmetic" if by_arithmetic else info.label
+        look = of_arithmetic(info.arithmetic) if by_arithmetic else report.looks.variant(info)
+        found.setdefault(name, (look, []))[1].append(p)
+    return found
 
 
 def _points(run, name, rows, error, look, size):

@@ -1,0 +1,143 @@
+"""What is counted, asked for, left out, updated and paid for exactness: each number a second time from the raw rows."""
+import math
+import statistics as plain
+import unittest
+
+import scipy.stats
+
+import made
+import pages
+from pages import recomputes
+
+
+def spread(samples):
+    """(median, low, high) of eight samples: no order statistics but the first and the last hold it in 95 %."""
+    return plain.median(samples), min(samples), max(samples)
+
+
+def ratio(new, old):
+    """The ratio of medians and its interval by MOVER on logarithms, written out for two sets of eight."""
+    (a, a_low, a_high), (b, b_low, b_high) = spread(new), spread(old)
+    down = math.hypot(math.log(a / a_low), math.log(b_high / b))
+    up = math.hypot(math.log(a_high / a), math.log(b / b_low))
+    return a / b, a / b * math.exp(-down), a / b * math.exp(up)
+
+
+class Costs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.value = made.run()
+        cls.catena = cls.value["catena"]
+        cls.shown = pages.shown(cls.value)
+
+    def close(self, found, expected):
+        self.assertEqual(len(found), len(expected))
+        for one, other in zip(found, expected):
+            self.assertAlmostEqual(one, other)
+
+    @recomputes("figure:counts", "table:counts")
+    def test_counts(self):
+        names = {"pair tests": "pair_tests", "node visits": "node_visits", "bytes moved": "bytes"}
+        seen = 0
+        for panel in self.shown.figures["counts"].panels:
+            scene, _, kind = panel.title.partition(": ")
+            for series in panel.series:
+                for n, y in zip(series.x, series.y):
+                    (row,) = [
+                        row for row in self.catena["counts"]
+                        if (row["input"], row["variant"]) == (f"{scene}/n:{n}", series.name)
+                    ]
+                    self.assertAlmostEqual(y, row[names[kind]] / n)
+                    seen += 1
+        self.assertEqual(seen, 3 * len(self.catena["counts"]))
+        rows = {(row["input"], row["variant"]): [row[key] for key in names.values()] for row in self.catena["counts"]}
+        self.assertEqual({(i, v): numbers for i, v, *numbers in self.shown.raw("counts")}, rows)
+
+    @recomputes("table:exactness")
+    def test_what_exactness_costs(self):
+        """Geometric mean over the chains of the ratios of medians, and its t interval."""
+        times = {}
+        for row in self.value["benchmarks"]:
+            if "real_time" in row:
+                times.setdefault(row["name"].removesuffix("/manual_time"), []).append(row["real_time"])
+        ((name, construction, traversal),) = self.shown.tables["exactness"].rows
+        self.assertEqual(name.text, "aCPU2+CPU2/literal")
+        every = []
+        for cell, stage in ((construction, "build"), (traversal, "find")):
+            logs = [
+                math.log(
+                    plain.median(times[f"{scene}/n:{n}/aCPU2+CPU2/{stage}"])
+                    / plain.median(times[f"{scene}/n:{n}/aCPU2+CPU2/literal/{stage}"])
+                )
+                for scene in made.SCENES
+                for n in made.SIZES
+            ]
+            every += logs
+            mean, reach = plain.mean(logs), scipy.stats.t.ppf(0.975, len(logs) - 1) * plain.stdev(logs) / len(logs) ** 0.5
+            self.assertAlmostEqual(cell.raw, math.exp(mean))
+            self.assertEqual(
+                cell.text, f"{math.exp(mean):.2f} [{math.exp(mean - reach):.2f}, {math.exp(mean + reach):.2f}]"
+            )
+        self.assertIn(f"take {math.exp(plain.mean(every)):.2f} times as long", self.shown.tables["exactness"].title)
+        self.assertIn(f"of {len(every)} cases", self.shown.tables["exactness"].title)
+
+    @recomputes("table:wants")
+    def test_what_is_asked_for(self):
+        rows = self.shown.raw("wants")
+        self.assertEqual(3 * len(rows), len(self.catena["wants"]))
+        for input_, variant, *found in rows:
+            mine = {
+                row["want"]: plain.median(row["ms"])
+                for row in self.catena["wants"]
+                if (row["input"], row["variant"]) == (input_, variant)
+            }
+            self.close(found, [mine[want] for want in ("any", "counts", "pairs")])
+
+    @recomputes("figure:savings", "table:savings")
+    def test_savings(self):
+        series = self.shown.figures["savings"].panels[0].series[0]
+        ratios = sorted((ratio(row["with_ms"], row["without_ms"]) for row in self.catena["savings"]), reverse=True)
+        self.close(series.x, [value for value, _, _ in ratios])
+        self.close(series.low, [low for _, low, _ in ratios])
+        self.close(series.high, [high for _, _, high in ratios])
+        faster = sum(low > 1 for _, low, _ in ratios)
+        self.assertIn(f"was faster in {faster} of {len(ratios)} cases", self.shown.figures["savings"].title)
+        for row, raw in zip(self.shown.raw("savings"), self.catena["savings"]):
+            self.assertEqual(row[:4], [raw["input"], raw["what"], raw["reason"], "identical"])
+            self.close(
+                row[4:],
+                [plain.median(raw["with_ms"]), plain.median(raw["without_ms"]), ratio(raw["with_ms"], raw["without_ms"])[0]],
+            )
+
+    def test_a_saving_that_changes_the_answer_is_said(self):
+        value = made.run()
+        value["catena"]["savings"][0]["identical"] = False
+        shown = pages.shown(value)
+        self.assertIn("gave another result in 1", shown.figures["savings"].title)
+        self.assertEqual(shown.rows("savings")[0][3], "DIFFERENT")
+
+    @recomputes("table:coherence")
+    def test_update_against_a_new_chain(self):
+        for row, raw in zip(self.shown.raw("coherence"), self.catena["coherence"], strict=True):
+            self.assertEqual(row[:3], [raw["input"], raw["variant"], "update is faster"])
+            expected = [plain.median(raw["rebuild_ms"]), plain.median(raw["update_ms"])]
+            self.close(row[3:], [*expected, expected[0] / expected[1]])
+
+    @recomputes("figure:animation")
+    def test_frames(self):
+        figure = self.shown.figures["animation"]
+        times, pairs = figure.panels
+        for series, row in zip(times.series, self.catena["animation"], strict=True):
+            self.assertEqual((series.name, series.x), (row["variant"], [frame["frame"] for frame in row["frames"]]))
+            self.close(series.y, [frame["update_ms"] + frame["find_ms"] for frame in row["frames"]])
+        self.assertEqual(pairs.series[0].y, [frame["pairs"] for frame in self.catena["animation"][0]["frames"]])
+        medians = {
+            row["variant"]: plain.median(frame["update_ms"] + frame["find_ms"] for frame in row["frames"])
+            for row in self.catena["animation"]
+        }
+        fastest = min(medians, key=medians.get)
+        self.assertIn(f"A frame takes {medians[fastest]:.3f} ms with {fastest}", figure.title)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,112 @@
+"""The environment's tables and the sentences of the first screen, each number counted from the raw run."""
+import re
+import statistics as plain
+import unittest
+
+import scipy.stats
+
+import made
+import pages
+from pages import recomputes
+
+
+class Environment(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.value = made.run()
+        cls.shown = pages.shown(cls.value)
+        cls.times = {}
+        for row in cls.value["benchmarks"]:
+            if "real_time" in row:
+                cls.times.setdefault(row["name"], []).append(row["real_time"])
+
+    @recomputes("table:environment")
+    def test_what_the_run_recorded_of_itself(self):
+        rows = dict(self.shown.rows("environment"))
+        context = self.value["context"]
+        for key in ("commit", "cpu", "gpu", "compiler", "flags", "date"):
+            self.assertEqual(rows[key], context[key])
+        self.assertEqual((rows["num_cpus"], rows["mhz_per_cpu"]), ("2", "2600"))
+        self.assertEqual((rows["profile"], rows["measuring took, s"]), ("custom", "12.50"))
+        dirty = next(row[1] for row in self.shown.tables["environment"].rows if row[0].text == "commit")
+        self.assertEqual(dirty.kind, "bad")
+
+    @recomputes("table:scenes")
+    def test_chains_that_were_run(self):
+        keys = "input", "summary", "hash", "n", "frame", "frames", "pairs", "max_count", "density", "smallest_margin"
+        self.assertEqual(
+            self.shown.raw("scenes"), [[scene[key] for key in keys] for scene in self.value["catena"]["scenes"]]
+        )
+
+    def test_when_measuring_stopped(self):
+        stopping = self.value["catena"]["stopping"]
+        self.assertIn(f"{stopping['narrow']} of {stopping['cases']} cases became that narrow", self.shown.prose)
+
+    def test_what_was_compared_is_counted(self):
+        names = {tuple(name.split("/")[:2]): 0 for name in self.times}
+        variants = {re.sub(r"/(build|update|find|whole)/manual_time$", "", name.split("/", 2)[2]) for name in self.times}
+        samples = sum(map(len, self.times.values()))
+        ns = sorted(int(n.removeprefix("n:")) for _, n in names)
+        self.assertIn(
+            f"{len(variants)} variants on {len({scene for scene, _ in names})} scenes (path1 and path2) of"
+            f" {ns[0]:,} to {ns[-1]:,} spheres; {samples:,} timed samples, in 12.5 s.",
+            self.shown.prose,
+        )
+
+    def test_false_alarms_are_counted_over_even_and_odd_rounds(self):
+        alarms = sum(
+            scipy.stats.mannwhitneyu(times[::2], times[1::2]).pvalue < 0.05 for times in self.times.values()
+        )
+        cases = len(self.times)
+        said = f"of {cases:,} cases set against themselves {alarms:,} ({100 * alarms / cases:.1f} %)"
+        self.assertIn(said, self.shown.prose)
+
+    def test_refusals_and_wrong_answers_are_counted(self):
+        refused = [row for row in self.value["benchmarks"] if row.get("error_occurred")]
+        self.assertIn(f"{len(refused)} measurement of bGPU2+GPU2", self.shown.prose)
+        self.assertIn("<strong>No wrong answer</strong>", self.shown.prose)
+        value = made.run()
+        next(row for row in value["benchmarks"] if "/GPU1/find" in row["name"])["missing"] = 2.0
+        value["benchmarks"].reverse()  # the last repetition of a case speaks for it
+        self.assertIn("Wrong answers while timed", pages.shown(value).prose)
+
+    def test_a_variant_that_threw_was_not_refused(self):
+        value = made.run()
+        value["benchmarks"].append(
+            {
+                "name": "path1/n:1000/GPU1/whole",
+                "run_type": "iteration",
+                "error_occurred": True,
+                "error_message": "GPU1 threw: <out of memory>",
+                "at_fault": True,
+            }
+        )
+        prose = pages.shown(value).prose
+        self.assertIn("a fault of its own</strong>: 1 measurement of GPU1 (“GPU1 threw: &lt;out of memory&gt;”)", prose)
+        self.assertIn("<strong>Refused</strong>: 1 measurement of bGPU2+GPU2", prose)
+
+    def test_the_right_pairs_on_stiff_scenes_are_counted(self):
+        for arithmetic in ("robust", "literal"):
+            lines = [line for line in self.value["catena"]["stability"] if line["arithmetic"] == arithmetic]
+            right = sum(line["missing"] + line["invented"] == 0 for line in lines)
+            self.assertIn(f"{arithmetic} arithmetic in {100 * right / len(lines):.1f} % of {len(lines)}", self.shown.prose)
+
+    def test_the_least_mean_slowdown_is_the_headline(self):
+        medians = {}
+        for name, times in self.times.items():
+            scene, n, variant = name.removesuffix("/manual_time").split("/", 2)
+            if variant.endswith("/whole") and "literal" not in variant:
+                medians.setdefault((scene, n), {})[variant.removesuffix("/whole")] = plain.median(times)
+        means = {
+            variant: plain.geometric_mean(row[variant] / min(row.values()) for row in medians.values())
+            for variant in next(iter(medians.values()))
+        }
+        best = min(means, key=means.get)
+        self.assertRegex(
+            self.shown.prose,
+            rf"Over all chains</strong></a> {re.escape(best)} takes {means[best]:.2f}( \[| times)",
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,56 @@
+"""Nothing takes a variant's name apart: a page needs the run's own table."""
+import json
+import pathlib
+import tempfile
+import unittest
+
+import made
+from catena_report import gate, paired, report, runfile
+
+
+class WithoutVariants(unittest.TestCase):
+    def refused(self, variants):
+        value = made.run()
+        value["catena"]["variants"] = variants
+        with tempfile.TemporaryDirectory() as folder:
+            path = made.write(folder, value)
+            with self.assertRaises(runfile.BadRunFile) as raised:
+                report.Report([runfile.load(path)])
+        return str(raised.exception)
+
+    def test_one_line_says_what_to_do(self):
+        full = made.run()["catena"]["variants"]
+        less = {name: value for name, value in full.items() if name != "GPU1"}
+        for variants, says in (
+            (None, "no catena.variants"),
+            (less, "does not have GPU1"),
+            ({**full, "GPU1": {}}, "not as in reports/run_file.md"),
+            ({**full, "GPU1": {**full["GPU1"], "stages": []}}, "not as in reports/run_file.md"),
+            ([1], "not as in reports/run_file.md"),
+        ):
+            line = self.refused(variants)
+            self.assertIn(says, line)
+            self.assertIn("measure again", line)
+            self.assertNotIn("\n", line)
+
+    def test_two_runs_are_compared_all_the_same(self):
+        value = made.run()
+        del value["catena"]["variants"]
+        run = runfile.Run("run.json", value)
+        self.assertTrue(gate.decide(paired.cases(run, run))[0])
+
+    def test_what_a_variant_is_comes_from_the_table_alone(self):
+        value = made.run()
+        text = json.dumps(value)
+        for at, name in enumerate(sorted(value["catena"]["variants"], key=len, reverse=True)):
+            text = text.replace(name, f"v{at}")
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "run.json").write_text(text)
+            run = runfile.load(pathlib.Path(folder) / "run.json")
+            pages = report.Report([run])
+        self.assertEqual(len(run.recommended()), 5)
+        self.assertEqual(sum(run.info(name).rounded for name in run.variants()), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,50 @@
+"""Files are written whole or not at all, and what cannot be written is said."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import unittest.mock
+
+import made
+from catena_report import page, whole_file
+
+
+class Written(unittest.TestCase):
+    def test_what_was_there_stays_until_all_is_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            (folder / "link").symlink_to("a")
+            whole_file.write(folder / "link", "old\r\n")
+            with unittest.mock.patch("pathlib.Path.replace", side_effect=OSError(28, "No space left on device")):
+                with self.assertRaises(OSError) as raised:
+                    whole_file.write(folder / "a", b"new")
+            self.assertEqual(raised.exception.filename, str(folder / "a"))
+            self.assertEqual((folder / "a").read_bytes(), b"old\r\n")
+            self.assertTrue((folder / "link").is_symlink())
+            self.assertEqual({file.name for file in folder.iterdir()}, {"a", "link"})
+
+    def test_what_is_no_regular_file_is_written_through(self):
+        with tempfile.TemporaryDirectory() as folder:
+            full = pathlib.Path(folder) / "full"
+            full.symlink_to("/dev/full")
+            with self.assertRaises(OSError):
+                whole_file.write(full, "text")
+            self.assertTrue(full.is_symlink())
+
+    def test_a_full_disk_under_the_output_is_said(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run(
+                [sys.executable, "-m", "catena_report", "--compare", made.H200, made.H200],
+                env={**os.environ, "PYTHONPATH": str(pathlib.Path(page.__file__).parents[1])},
+                stdout=full,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
+        said = "catena report: cannot write the output: No space left on device\n"
+        self.assertEqual((done.returncode, done.stderr), (2, said))
+
+
+if __name__ == "__main__":
+    unittest.main()
