@@ -6,7 +6,6 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
-#include "catena/core/frames/surely_overlap.h"
 #include "catena/core/frames/within.h"
 
 namespace catena {
@@ -82,7 +81,7 @@ void KeptList::find(std::span<const Sphere> now, std::vector<Pair>& pairs,
       __builtin_prefetch(&now[later.j]);
       __builtin_prefetch(&counts[later.j], 1);
       const Sphere a = now[p.i], b = now[p.j];
-      const bool collide = surely_overlap(a, b);
+      const bool collide = Robust::surely_overlap(a, b);
       counts[p.i] += collide;
       counts[p.j] += collide;
       sure[sures] = open[opens] = p;

@@ -1,5 +1,3 @@
-#include "catena/core/frames/surely_overlap.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,12 +5,13 @@
 #include <random>
 
 #include "catena/core/arithmetic/exact_sign.h"
+#include "catena/core/arithmetic/robust.h"
 
 namespace catena {
 namespace {
 
-/// Spheres that nearly touch, a few steps between floats to either side, at every magnitude: how many are said
-/// to overlap and do not, and how many are said to at all.
+/// Spheres that nearly touch, a few steps between floats to either side, at every magnitude: how many are
+/// said to overlap and do not, and how many are said to at all.
 template <class Test>
 std::pair<std::size_t, std::size_t> said(const Test& test) {
   std::mt19937 random(7);
@@ -38,10 +37,11 @@ std::pair<std::size_t, std::size_t> said(const Test& test) {
 }
 
 TEST(SurelyOverlap, IsNeverSaidOfSpheresThatDoNot) {
-  const auto [wrong, all] = said([](const Sphere& a, const Sphere& b) { return surely_overlap(a, b); });
+  const auto [wrong, all] =
+      said([](const Sphere& a, const Sphere& b) { return Robust::surely_overlap(a, b); });
   EXPECT_EQ(wrong, 0u);
   EXPECT_GT(all, 1000u);
-  EXPECT_FALSE(surely_overlap({3e38f, 0, 0, 3e38f}, {-3e38f, 0, 0, 3e38f})) << "out of range";
+  EXPECT_FALSE(Robust::surely_overlap({3e38f, 0, 0, 3e38f}, {-3e38f, 0, 0, 3e38f})) << "out of range";
 }
 
 TEST(SurelyOverlap, WithoutItsSlackTheTestSeesIt) {

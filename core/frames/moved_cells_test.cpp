@@ -1,0 +1,47 @@
+#include "catena/core/frames/moved_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "catena/core/frames/moved_cells-inl.h"
+#include "catena/properties/generators/dice.h"
+#include "catena/properties/generators/family.h"
+#include "catena/properties/sorted_pairs.h"
+#include "catena/reference/reference.h"
+
+namespace catena {
+namespace {
+
+/// The pairs of any few spheres are those of the whole chain that have one of them.
+TEST(MovedCells, FindThePairsOfAFew) {
+  std::size_t laid_out = 0, pairs = 0;
+  std::uint64_t seed = 900;
+  for (const properties::Family& family : properties::FamilyRegistry::instance().families())
+    for (const std::uint32_t size : {40u, 700u}) {
+      properties::Dice dice(++seed);
+      const Chain chain = properties::generate(family, dice, size);
+      const std::uint32_t one_in = dice.pick({1u, 3u, 30u});
+      std::vector<bool> is_moved(chain.size());
+      std::vector<std::uint32_t> moved;
+      for (std::uint32_t i = 0; i < chain.size(); ++i)
+        if (dice.one_in(one_in)) is_moved[i] = true, moved.push_back(i);
+      MovedCells cells;
+      if (moved.empty() || !cells.lay_out(chain.view(), moved)) continue;
+      ++laid_out;
+      std::vector<Pair> found, right;
+      cells.search(
+          chain.view(), [&](std::uint32_t i) { return is_moved[i]; }, found);
+      properties::sort(found);
+      for (const Pair& p : reference::find(chain).pairs)
+        if (is_moved[p.i] || is_moved[p.j]) right.push_back(p);
+      EXPECT_EQ(found, right) << family.name << ", seed " << seed;
+      pairs += right.size();
+    }
+  EXPECT_GT(laid_out, 20u);
+  EXPECT_GT(pairs, 1000u);
+}
+
+}  // namespace
+}  // namespace catena
