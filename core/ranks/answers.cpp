@@ -50,18 +50,24 @@ std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const Sp
 std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts,
                                  std::vector<IdPair> pairs) {
   const auto lists = returned(ranks, starts, std::move(pairs), &IdPair::i);
-  // A counting sort by the first sphere, which is one of this rank's; a sphere has few pairs.
-  const SphereId first = starts[ranks.rank()];
-  std::vector<std::size_t> begin(starts[ranks.rank() + 1] - first + 1, 0);  // of each sphere's pairs
+  // Parted by the first sphere, which is one of this rank's, in no more parts than there are pairs: each has a few.
+  const SphereId first = starts[ranks.rank()], spheres = starts[ranks.rank() + 1] - first;
+  std::size_t found = 0;
+  for (const auto& list : lists) found += list.size();
+  int shift = 0;
+  while (spheres >> shift > found) ++shift;
+  std::vector<std::size_t> end((spheres >> shift) + 2, 0);  // of each part, in the end
   for (const auto& list : lists)
-    for (const IdPair& pair : list) ++begin[pair.i - first + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<IdPair> own(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for (const IdPair& pair : list) ++end[((pair.i - first) >> shift) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<IdPair> own(found);
   for (const auto& list : lists)
-    for (const IdPair& pair : list) own[next[pair.i - first]++] = pair;
-  for (std::size_t i = 0; i + 1 < begin.size(); ++i)
-    std::sort(own.begin() + begin[i], own.begin() + begin[i + 1]);
+    for (const IdPair& pair : list) own[end[(pair.i - first) >> shift]++] = pair;
+  std::size_t begin = 0;
+  for (const std::size_t to : end) {
+    std::sort(own.begin() + static_cast<std::ptrdiff_t>(begin), own.begin() + static_cast<std::ptrdiff_t>(to));
+    begin = to;
+  }
   return own;
 }
 
