@@ -77,6 +77,8 @@ void measure_threads(const Machine::VariantCost& v, unsigned cores, MachineCost&
 
 Machine calibrate() {
   Machine machine = Machine::built_in();
+  std::erase_if(machine.costs,
+                [](const Machine::VariantCost& v) { return v.unavailable && v.unavailable(); });
   for (Machine::VariantCost& v : machine.costs) try {
       v.cost = measured(v);
       if (v.cost.serial < 1 && machine.cores > 1) measure_threads(v, machine.cores, v.cost);

@@ -33,13 +33,10 @@ struct Read {
 };
 
 /// On a usual machine; sixteen threads of a Xeon took a fifth to a quarter of one's time.
-MachineCost with_threads(const VariantInfo& info) {
+MachineCost with_threads(const StrategyInfo& info) {
   constexpr double serial = 0.18, team_us = 30;
-  const StrategyInfo* const strategy =
-      StrategyRegistry::instance().find_strategy(info.parts.stages.front().strategy);
-  const bool knows = info.parts.stages.size() == 1 && strategy != nullptr &&
-                     std::ranges::find(strategy->parameters, "threads", &ParameterInfo::name) !=
-                         strategy->parameters.end();
+  const bool knows =
+      std::ranges::find(info.parameters, "threads", &ParameterInfo::name) != info.parameters.end();
   return knows ? MachineCost{*info.cost, serial, team_us} : MachineCost{*info.cost};
 }
 
@@ -72,9 +69,13 @@ Read read(std::istream& text) {
 
 Machine Machine::built_in() {
   Machine machine;
-  for (const VariantInfo& info : StrategyRegistry::instance().variants())
-    if (info.cost && info.exact && !info.peer && !info.unavailable)
-      machine.costs.push_back({info.name, with_threads(info), info.on_device(), info.all_pairs});
+  const StrategyRegistry& registry = StrategyRegistry::instance();
+  for (const std::string& name : registry.strategy_names()) {
+    const StrategyInfo& info = registry.strategy(name);
+    const bool on_device = info.place.on_device();
+    if (!info.cost || info.peer || (!on_device && info.unavailable && info.unavailable())) continue;
+    machine.costs.push_back({name, with_threads(info), on_device, info.all_pairs, info.unavailable});
+  }
   machine.cores = std::max(1u, std::thread::hardware_concurrency());
   machine.source = "built-in figures; catena calibrate measures this machine's";
   return machine;

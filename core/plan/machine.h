@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,13 +16,16 @@ struct CATENA_API Machine {
     std::string variant;  ///< by the name that StrategyRegistry::make takes
     MachineCost cost;
     bool on_device = false, all_pairs = false;
+    /// Why it cannot run here; empty: it can. A device is looked for only by who would take it, as the look
+    /// takes longer than many a search.
+    std::function<std::optional<std::string>()> unavailable = {};
   };
   std::vector<VariantCost> costs;
   std::string source;                  ///< where the figures are from, for the user
   std::optional<std::string> warning;  ///< one line, when a file could not be used
   unsigned cores = 1;                  ///< threads that a search may have
 
-  /// What the strategies say of themselves; those that are available here.
+  /// What the strategies say of themselves; of the host, those that are available here.
   static Machine built_in();
   /// The built-in figures, and in their place those of the file where it has them. A file that is not there
   /// is no fault; one that is damaged, or of another machine, is a warning, and nothing of it is used.

@@ -33,12 +33,16 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
   for (const Machine::VariantCost& v : machine.costs)
     offer(v.on_device ? device_ : v.all_pairs ? all_pairs_ : tree_, v);
   chosen_ = tree_;
-  if (chosen_ == nullptr || (all_pairs_ != nullptr && omissions.may(Omission::hierarchy) &&
-                             ms(all_pairs_) < ms(chosen_)))
+  if (chosen_ == nullptr ||
+      (all_pairs_ != nullptr && omissions.may(Omission::hierarchy) && ms(all_pairs_) < ms(chosen_)))
     chosen_ = all_pairs_;
   if (device_ != nullptr &&
-      (chosen_ == nullptr || !omissions.may(Omission::device) || ms(device_) < ms(chosen_)))
-    chosen_ = device_;
+      (chosen_ == nullptr || !omissions.may(Omission::device) || ms(device_) < ms(chosen_))) {
+    if (device_->unavailable && device_->unavailable())
+      device_ = nullptr;
+    else
+      chosen_ = device_;
+  }
   if (chosen_ == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
   threads_ = best_threads(*chosen_, n, machine, omissions);
   constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
@@ -97,7 +101,7 @@ Decision SearchPlan::device() const {
           (host != nullptr ? fmt::format("{}, {}", priced(*device_, n_),
                                          priced(*host, n_, best_threads(*host, n_, machine_, omissions_)))
                            : priced(*device_, n_)) +
-              switched_off(omissions_, Omission::device),
+              (chosen_ != device_ ? "; not looked for" : "") + switched_off(omissions_, Omission::device),
           device_->cost.ms(n_)};
 }
 

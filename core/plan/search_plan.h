@@ -5,8 +5,8 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/export.h"
 #include "catena/core/plan/machine.h"
-#include "catena/core/plan/unusual_kind.h"
 #include "catena/core/plan/omissions.h"
+#include "catena/core/plan/unusual_kind.h"
 #include "catena/core/strategy/plan.h"
 #include "catena/core/strategy/request.h"
 

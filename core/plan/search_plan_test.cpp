@@ -41,6 +41,19 @@ TEST(SearchPlan, TakesWhatIsCheapestForTheNumberOfSpheres) {
   for (const std::uint32_t n : {11000u, 1u << 30}) EXPECT_EQ(chosen(n), "device") << n;
 }
 
+TEST(SearchPlan, LooksForADeviceOnlyWhereItWouldTakeIt) {
+  int looks = 0;
+  Machine of = machine();
+  of.costs.back().unavailable = [&]() -> std::optional<std::string> { return ++looks, "no device"; };
+  EXPECT_EQ(chosen(9000, {}, of), "tree");
+  EXPECT_EQ(looks, 0);
+  EXPECT_NE(step(SearchPlan(9000, {}, of, {}).steps(), "device").reason.find("not looked for"),
+            std::string::npos);
+  EXPECT_EQ(chosen(11000, {}, of), "tree");
+  EXPECT_EQ(chosen(5, {"device"}, of), "pairs");
+  EXPECT_EQ(looks, 2);
+}
+
 TEST(SearchPlan, DoesWhatMayNotBeLeftOut) {
   EXPECT_EQ(chosen(5, {"hierarchy"}), "tree");
   EXPECT_EQ(chosen(5, {"device"}), "device");
