@@ -16,10 +16,11 @@ namespace catena {
 /// into the cell of its own. For crowded chains, whose order says little; elsewhere a tree takes less.
 class CATENA_API MovedCells {
  public:
-  /// Lays out the spheres `moved`, ascending. False, and of no use, where a box has no end or there would be
-  /// too many entries.
+  /// Lays out the spheres `moved`, indices of the chain, ascending. O(moved) and 2^18 cells to set to zero.
+  /// False, and of no use, where a box has no end or more than 64 entries a sphere would be made.
   bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved);
-  /// Appends each colliding pair with one of them, once. `is_moved(j)`: whether sphere j is one.
+  /// Appends each colliding pair with one of them, once, lower index first. `is_moved(j)`: whether sphere j is
+  /// one. O(n) and the entries of the cells that are looked into; after a lay_out of this chain that was true.
   template <class IsMoved>
   void search(const ChainView& chain, const IsMoved& is_moved, std::vector<Pair>& pairs) const;
 

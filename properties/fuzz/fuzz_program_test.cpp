@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +19,18 @@ class FuzzProgram : public Program {
     for (const auto& entry : std::filesystem::directory_iterator(file("failures")))
       files.push_back(entry.path());
     return files;
+  }
+  /// Of a sequence: its chains' numbers end their names.
+  std::vector<std::filesystem::path> stored_in_order() const {
+    auto files = stored();
+    std::ranges::sort(files, {},
+                      [](const auto& path) { return path.string().substr(path.string().size() - 7); });
+    return files;
+  }
+  static std::string replaying(const std::vector<std::filesystem::path>& files) {
+    std::string arguments;
+    for (const auto& path : files) arguments += " --replay '" + path.string() + "'";
+    return arguments;
   }
   std::string at(const std::string& arguments) const {
     return "fuzz --failures '" + file("failures") + "' " + arguments;
@@ -49,12 +62,9 @@ TEST_F(FuzzProgram, ACrashThatDependsOnHistoryIsASequence) {
               {"crashed: Segmentation fault",
                "it depends on history: a new object does so after these 2 chains, in this order",
                "-1.chain --replay "});
-  auto files = stored();
+  const auto files = stored_in_order();
   ASSERT_EQ(files.size(), 2u);
-  std::ranges::sort(files, {},
-                    [](const auto& path) { return path.string().substr(path.string().size() - 7); });
-  expect_says(at(variant + " --replay '" + files[0].string() + "' --replay '" + files[1].string() + "'"), 1,
-              {"crashed: Segmentation fault"});
+  expect_says(at(variant + replaying(files)), 1, {"crashed: Segmentation fault"});
 }
 
 TEST_F(FuzzProgram, AnInterruptPrintsWhatWasDone) {
@@ -73,11 +83,9 @@ TEST_F(FuzzProgram, AFailureThatDependsOnHistoryIsASequence) {
   expect_says(at("--cases 1000 " + variant), 1,
               {"it depends on history: a new object fails after these 2 chains, in this order",
                "-1.chain --replay "});
-  auto files = stored();
+  const auto files = stored_in_order();
   ASSERT_EQ(files.size(), 2u);
-  std::ranges::sort(files, {},
-                    [](const auto& path) { return path.string().substr(path.string().size() - 7); });
-  expect_says(at(variant + " --replay '" + files[0].string() + "' --replay '" + files[1].string() + "'"), 1,
+  expect_says(at(variant + replaying(files)), 1,
               {files[1].string() + ": mutant:stale-after-a-longer-chain: "});
 }
 
