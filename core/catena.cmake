@@ -78,13 +78,22 @@ if(NOT CATENA_SANITIZE)
 endif()
 target_precompile_headers(catena PRIVATE ${CATENA_PRECOMPILED})
 target_compile_features(catena PUBLIC cxx_std_20)
-# GCC refuses to inline Highway's NEON functions, which are compiled for +crypto, into the constructors that it makes
-# itself of structs that hold vectors, unless these are for +crypto too. No such instruction is ever used.
+# Compiled once for each instruction set, all of it inlined. With sanitizers GCC takes twice as long over checks that are
+# spelt out as over calls of the checks; the sizes of objects are AddressSanitizer's own matter. (Not -O0: what is inlined
+# nowhere is called with vectors that caller and callee pass differently.) On ARM it refuses to inline Highway's NEON
+# functions, which are compiled for +crypto, into the constructors that it makes itself of structs that hold vectors,
+# unless these are for +crypto too. No such instruction is ever used.
+set(of_many_targets blocks/build_blocks blocks/search_blocks grid/grid_kernels space_tree/space_kernels)
+list(TRANSFORM of_many_targets REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/\\1.cpp")
+set(for_many_targets)
+if(CATENA_SANITIZE MATCHES "address")
+  list(APPEND for_many_targets --param=asan-instrumentation-with-call-threshold=0 -fno-sanitize=object-size)
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
-  set(of_many_targets blocks/build_blocks blocks/search_blocks grid/grid_kernels space_tree/space_kernels)
-  list(TRANSFORM of_many_targets REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/\\1.cpp")
-  set_source_files_properties(${of_many_targets}
-    PROPERTIES COMPILE_OPTIONS -march=armv8-a+crypto SKIP_PRECOMPILE_HEADERS ON)
+  list(APPEND for_many_targets -march=armv8-a+crypto)
+endif()
+if(for_many_targets)
+  set_source_files_properties(${of_many_targets} PROPERTIES COMPILE_OPTIONS "${for_many_targets}" SKIP_PRECOMPILE_HEADERS ON)
 endif()
 # Whoever builds trees by the library's headers must get the bits of the library's own.
 target_compile_options(catena INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>

@@ -15,6 +15,7 @@ target_link_libraries(catena_tests PRIVATE catena_reports catena_timing GTest::g
 string(JOIN " " library_folders ${CATENA_LIBRARY_FOLDERS})
 target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CATENA_LIBRARY_FOLDERS="${library_folders}"
                            CATENA_PROGRAM="$<TARGET_FILE:catena_cli>" CATENA_MPIRUN="$<$<TARGET_EXISTS:catena_part_mpi>:${MPIEXEC_EXECUTABLE}>")
+target_compile_options(catena_tests PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)  # a quarter sooner built, no slower
 target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
 if(TARGET catena_cuda)  # what a user's own resident search looks like, and a caller of one
   target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu

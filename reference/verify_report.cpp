@@ -141,8 +141,9 @@ void VerifyReport::finish() const {
   if (json_) return;
   print_headline();
   for (const auto& [arithmetic, lines] : lines_) print_arithmetic(arithmetic, lines);
+  if (!absent_.empty()) fmt::print("\n");
   for (const auto& [reason, variants] : absent_)
-    fmt::print("\nnot available here, {}: {}\n", reason, fmt::join(variants, ", "));
+    fmt::print("not available here, {}: {}\n", reason, fmt::join(variants, ", "));
   std::vector<std::string> parts;
   for (const auto& [verdict, number] : verdicts_)
     parts.push_back(fmt::format("{} {}", number, name_of(verdict)));
