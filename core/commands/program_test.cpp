@@ -251,8 +251,8 @@ TEST_F(Program, VerifiesByReferenceAndByCertificate) {
   expect_says("verify coincident:n=60 path1:n=200", 0, {"aCPU2+CPU2", "CPU1", "exact"});
   const Outcome right = run("verify coincident:n=60 path1:n=200");
   EXPECT_TRUE(right.output.starts_with("Every exact variant is exact, on 2 inputs: ")) << right.output;
-  // How many arithmetics and reasons there are depends on what was built in; each has one table or line of its own, and a
-  // table has few answers to an input, whatever the number of variants.
+  // How many arithmetics and reasons there are depends on what was built in; each has one table or line of
+  // its own, and a table has few answers to an input, whatever the number of variants.
   const auto lines_that_begin = [&](const std::string& words) {
     std::istringstream lines(right.output);
     std::set<std::string> distinct;
