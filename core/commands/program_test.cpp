@@ -51,6 +51,16 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("enumerate --walks 0", "--walks: Value 0 not in range");
   expect_refused("enumerate --walks 3 --lattice hexagon", "hexagon not in");
   expect_refused("closed-form --side 0", "--side: Value 0 not in range");
+  expect_refused("knots --n 3", "--n: 3 is not a whole number from 16");
+  expect_refused("knots --knot 3_1", "needs the polygon that it is of");
+  expect_refused("knots tight_knot:n=100", "say what was published of it");
+  expect_refused("knots tight_knot:n=100 --knot 9_47", "nothing published is carried of a knot '9_47'; there are 3_1_328");
+  expect_refused("knots tight_knot:n=100 --knot 3_1 --ropelength 33", "excludes");
+  expect_refused("knots tight_knot:n=100 --ropelength -1", "--ropelength");
+  expect_refused("knots path1:n=100 --ropelength 33", "strand 0 is open");
+  expect_refused("knots " + examples + "9_47-cubiclattice.txt --knot knotted", "say --closed");
+  expect_refused("knots tight_knot:n=100 --thickness 1e-3", "say nothing about a tube of radius 0.001");
+  expect_refused("knots nowhere.vect --knot 3_1", "nowhere.vect");
   expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from");
   expect_refused("pivot --n 1", "--n: 1 is not a whole number from");
   expect_refused("pivot --n 50 --moves 64 --out /nowhere/x.chain", "cannot write /nowhere/x.chain");
@@ -66,6 +76,15 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("verify path1:n=10 --variant None", "'None'");
   expect_refused("fuzz --scene-family none", "no family 'none'");
   expect_refused("fuzz --replay /nowhere.chain", "/nowhere.chain");
+}
+
+TEST_F(Program, JudgesKnotsByWhatWasPublishedOfThem) {
+  expect_says("knots --n 32", 0, {"hopf: the tight Hopf link", "published  ropelength 25.13", "within"});
+  const std::string trefoil = "knots tight_knot:p=2,margin=0,n=600 ";
+  expect_says(trefoil + "--knot 3_1", 0, {"within"});
+  expect_says(trefoil + "--ropelength 60", 1, {"NOT WITHIN: ", "touch at a radius of"});
+  expect_says(trefoil + "--ropelength 20 --variant CPU1", 1, {"NOT WITHIN: "});
+  expect_says("knots " + examples + "9_47-cubiclattice.txt --closed --knot knotted", 0, {"208 vertices", "within"});
 }
 
 TEST_F(Program, RepeatsSpaceInABox) {
@@ -210,7 +229,7 @@ TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
            "list", "list --json", "--help", "--version", "detect path1:n=10",
            "detect path1:n=10 --frame all --json", "verify path1:n=10 --variant CPU1", "fuzz --cases 3",
            "margins path1:n=10", "enumerate --walks 3", "closed-form --side 3 --reach 1",
-           "scaling path1:n=300", "pivot --n 50 --moves 64", "plan path1:n=10 --json",
+           "scaling path1:n=300", "pivot --n 50 --moves 64", "knots --n 16", "plan path1:n=10 --json",
            "export path1:n=10 '" + file("x.csv") + "'", "examine --help", "growth --help"}) {
     const Outcome full = shell("XDG_CACHE_HOME='" + file("cache") + "' catena " + command + " > /dev/full");
     EXPECT_EQ(full.code, 2) << command;

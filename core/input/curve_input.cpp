@@ -19,7 +19,7 @@ void give_radii(CurveFile& curves, const InputOptions& options, const std::strin
   const bool asked = options.radius.has_value() || options.radius_half_spacing;
   if (curves.has_radii && asked)
     throw InputError(fmt::format("{}: the file has radii of its own; leave out the radius", name));
-  if (curves.has_radii) return;
+  if (curves.has_radii || (options.centres_only && !asked)) return;
   if (!asked)
     throw InputError(
         fmt::format("{}: the file has no radii; give one with --radius R, or take half the median step "

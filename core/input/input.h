@@ -25,6 +25,7 @@ struct InputOptions {
   BoxFrom box_from = BoxFrom::told;
   PeriodicBox box{};                      ///< BoxFrom::options
   bool takes_box = false;                 ///< of the caller: Input::boxes will be heeded
+  bool centres_only = false;              ///< of the caller: radii do not matter; those that a file lacks are 0
   ReadOptions reading{};                  ///< for files: how they are read
 };
 

@@ -6,6 +6,8 @@
 #include "catena/bench/closed_form/lattice_box.h"
 #include "catena/bench/enumerate/judge.h"
 #include "catena/bench/growth/growth.h"
+#include "catena/bench/knots/judge_knot.h"
+#include "catena/bench/knots/known_knots.h"
 #include "catena/bench/pivot/end_to_end.h"
 #include "catena/core/input/input.h"
 #include "catena/reports/faults.h"
@@ -94,6 +96,22 @@ void add_exponent(nlohmann::ordered_json& rows, std::uint64_t moves) {
           fmt::format("catena pivot --exponent --n {} --moves {}", most, moves)));
 }
 
+void add_knots(nlohmann::ordered_json& rows, std::uint32_t points) {
+  const auto variant = StrategyRegistry::instance().make(judged_variant);
+  for (const bench::KnownKnot& knot : bench::carried_knots(points)) {
+    const auto v = bench::judge_knot(*variant, knot.published, knot.centres, knot.blur);
+    const bool of_type = knot.published.of == bench::PublishedKnot::Of::type;
+    rows.push_back(row(knot.published.source,
+                       fmt::format("ropelength of {}: {}, {} vertices", knot.published.what, knot.input, v.vertices),
+                       fmt::format("{}{:.9g}", of_type ? "at least " : "", v.bounds.ropelength),
+                       fmt::format("{:.9g}; its edges explain {}", v.ropelength(),
+                                   of_type ? fmt::format("{:.9g} and more", v.shape.length / v.bounds.most)
+                                           : fmt::format("{:.9g} to {:.9g}", v.shape.length / v.bounds.most,
+                                                         v.shape.length / v.bounds.least)),
+                       v.within(), fmt::format("catena knots --n {}", points)));
+  }
+}
+
 /// What others published, or a formula knows, against what catena finds.
 nlohmann::ordered_json judged(const Profile& profile) {
   auto rows = nlohmann::ordered_json::array();
@@ -103,6 +121,7 @@ nlohmann::ordered_json judged(const Profile& profile) {
     add_closed_form(rows, {.side = profile.judged_side, .reach = 3}, "");
     add_closed_form(rows, {.side = profile.judged_side, .reach = 4, .face_centred = true}, " --face-centred");
     add_closed_form(rows, {.side = profile.judged_side, .reach = 3, .rods = true}, " --rods");
+    add_knots(rows, 8 * profile.judged_side);
   });
   add_growth(rows, profile.judged_n);
   add_exponent(rows, profile.judged_moves);

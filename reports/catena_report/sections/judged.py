@@ -30,6 +30,8 @@ def _table(report, run, rows):
             " where its interval of 95 % does not lie above the law's exponent, an exponent where its interval holds"
             " the published one. Beside the power of a growth a share that falls as n^(-1/3), that of a ball's surface,"
             " is fitted; what the plain power would be, and how many a sphere there were at last, is told after it."
+            " A ropelength is a length over the radius at which spheres about the vertices first touch; it agrees where"
+            " the edges between these explain the difference."
             " The command asks again."
         ),
         ["source", "what", "command", "published", "found"],
