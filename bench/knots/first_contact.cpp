@@ -61,7 +61,8 @@ std::optional<FirstContact> first_contact(Variant& variant, const Chain& centres
     if (first && estimate > std::nextafter(first->radius, infinity)) continue;
     const float radius = least_radius(a, b, estimate);
     // Neighbours when they touch stay neighbours when they grow.
-    if ((!first || std::tie(radius, pair.i, pair.j) < std::tie(first->radius, first->pair.i, first->pair.j)) &&
+    if ((!first ||
+         std::tie(radius, pair.i, pair.j) < std::tie(first->radius, first->pair.i, first->pair.j)) &&
         !rule.neighbours(pair.i, pair.j, radius, radius))
       first = {radius, pair};
   }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The greatest x <= 1 with x = sin(pi c x / 2) - dip; 0 where there is none: edges too long to tell. The right side is
-/// concave and below x at 1, so that the steps from 1 on fall to that x and never past it.
+/// The greatest x <= 1 with x = sin(pi c x / 2) - dip; 0 where there is none: edges too long to tell. The
+/// right side is concave and below x at 1, so that the steps from 1 on fall to that x and never past it.
 double least_share(double c, double dip) {
   double x = 1;
   for (;;) {
@@ -33,7 +33,8 @@ struct Range {
 /// The thickness that is told, in units of the polygon, as far as the number is known.
 Range told(const PublishedKnot& published, double length) {
   if (published.ropelength > 0)
-    return {length / (published.ropelength + published.error), length / (published.ropelength - published.error)};
+    return {length / (published.ropelength + published.error),
+            length / (published.ropelength - published.error)};
   return {published.thickness - published.error, published.thickness + published.error};
 }
 
@@ -80,19 +81,20 @@ KnotBounds bounds_of(const PublishedKnot& published, const PolygonShape& shape, 
   return bounds;
 }
 
-double KnotVerdict::thickness() const {
-  return std::min(contact ? double{contact->radius} : searched_to, shape.tightest_bend);
-}
+double KnotVerdict::first() const { return contact ? double{contact->radius} : searched_to; }
+
+double KnotVerdict::thickness() const { return std::min(first(), shape.tightest_bend); }
 
 std::string KnotVerdict::fault() const {
-  if (!contact && searched_to < shape.tightest_bend)
+  if (!contact && searched_to < shape.least_bend)
     return fmt::format("spheres up to a radius of {:.9g} do not touch", searched_to);
   if (contact && contact->radius < bounds.least)
     return fmt::format("spheres {} and {} touch at a radius of {:.9g}, below {:.9g}", contact->pair.i,
                        contact->pair.j, contact->radius, bounds.least);
-  if (shape.tightest_bend < bounds.least_bend)
-    return fmt::format("it bends to a radius of {:.9g}, below {:.9g}", shape.tightest_bend, bounds.least_bend);
-  if (thickness() > bounds.most)
+  if (shape.greatest_bend < bounds.least_bend)
+    return fmt::format("it bends to a radius of {:.9g}, below {:.9g}", shape.greatest_bend,
+                       bounds.least_bend);
+  if (std::min(first(), shape.least_bend) > bounds.most)
     return fmt::format("spheres up to a radius of {:.9g} fit in, above {:.9g}", thickness(), bounds.most);
   if (!struts_show())
     return fmt::format("{} contacts cannot be those of {} struts", contacts_at_most, published.struts);
@@ -107,13 +109,18 @@ KnotVerdict judge_knot(Variant& variant, const PublishedKnot& published, const C
   if (!(v.bounds.thickness > 0 && std::isfinite(v.bounds.most)))
     throw InputError(fmt::format("edges as long as {:.6g} say nothing about a tube of radius {:.6g}",
                                  v.shape.longest_edge, v.bounds.thickness));
-  // Somewhat beyond what is allowed, so that what is found beyond it can be told.
-  const float greatest = rounded_up(2 * v.bounds.most);
-  if (!std::isfinite(greatest)) throw InputError("the thickness told does not fit into binary32");
-  v.searched_to = greatest;
-  v.contact = first_contact(variant, centres, greatest);
+  if (!std::isfinite(static_cast<float>(2 * v.bounds.most)))
+    throw InputError("the thickness told does not fit into binary32");
+  // Neighbours are among the pairs found, so that spheres larger than need be cost much. Twice what is
+  // allowed, so that what is found beyond it can be told.
+  for (double share = 0x1p-6; share <= 2 && !v.contact; share *= 2) {
+    const float radius = rounded_up(share * v.bounds.most);
+    v.searched_to = radius;
+    v.contact = first_contact(variant, centres, radius);
+  }
   v.contacts = contacts_at(variant, centres, static_cast<float>(v.bounds.thickness));
-  const double half_edge = v.shape.longest_edge / 2, strut = v.bounds.thickness * (1 + published.strut_tolerance);
+  const double half_edge = v.shape.longest_edge / 2,
+               strut = v.bounds.thickness * (1 + published.strut_tolerance);
   v.contacts_at_most =
       contacts_at(variant, centres, rounded_up(std::max(v.bounds.most, std::hypot(strut, half_edge))));
   return v;
@@ -124,12 +131,9 @@ std::string words_of(PublishedKnot::Of of) {
 }
 
 nlohmann::ordered_json to_json(const KnotVerdict& v) {
-  nlohmann::ordered_json line{{"knot", v.published.name},
-                              {"of", words_of(v.published.of)},
-                              {"source", v.published.source},
-                              {"n", v.vertices},
-                              {"length", v.shape.length},
-                              {"longest_edge", v.shape.longest_edge}};
+  nlohmann::ordered_json line{{"knot", v.published.name},     {"of", words_of(v.published.of)},
+                              {"source", v.published.source}, {"n", v.vertices},
+                              {"length", v.shape.length},     {"longest_edge", v.shape.longest_edge}};
   if (std::isfinite(v.shape.tightest_bend)) line["tightest_bend"] = v.shape.tightest_bend;
   line["published"] = {{"ropelength", v.bounds.ropelength}, {"thickness", v.bounds.thickness}};
   if (v.published.struts > 0) line["published"]["struts"] = v.published.struts;

@@ -24,12 +24,16 @@ namespace {
 class KnotsCommand final : public Command {
  public:
   void configure(CLI::App& app) override {
-    app.add_option("INPUT", inputs_, "Closed polygons: files (3_1_328.vect) or scenes; none: the links that are carried");
-    auto* knot = app.add_option("--knot", knot_, "What was published of them: a name; see below")->type_name("NAME");
-    auto* rope = app.add_option("--ropelength", ropelength_,
-                                "Or a ropelength that was published of these polygons: length over thickness, a radius")
-                     ->type_name("R")
-                     ->check(CLI::PositiveNumber);
+    app.add_option("INPUT", inputs_,
+                   "Closed polygons: files (3_1_328.vect) or scenes; none: the links that are carried");
+    auto* knot =
+        app.add_option("--knot", knot_, "What was published of them: a name; see below")->type_name("NAME");
+    auto* rope =
+        app.add_option(
+               "--ropelength", ropelength_,
+               "Or a ropelength that was published of these polygons: length over thickness, a radius")
+            ->type_name("R")
+            ->check(CLI::PositiveNumber);
     auto* thick = app.add_option("--thickness", thickness_, "Or a thickness, in units of the file")
                       ->type_name("T")
                       ->check(CLI::PositiveNumber);
@@ -84,8 +88,11 @@ class KnotsCommand final : public Command {
     if (!knot_.empty()) return published_knot(knot_);
     if (!ropelength_ && !thickness_)
       throw InputError("say what was published of it: --knot NAME, --ropelength R or --thickness T");
-    return {.name = "told", .what = "as told", .ropelength = ropelength_.value_or(0),
-            .thickness = thickness_.value_or(0), .source = "the caller"};
+    return {.name = "told",
+            .what = "as told",
+            .ropelength = ropelength_.value_or(0),
+            .thickness = thickness_.value_or(0),
+            .source = "the caller"};
   }
 
   void print_json(const std::string& input, const KnotVerdict& v) const {
@@ -96,17 +103,19 @@ class KnotsCommand final : public Command {
 
   void print(const std::string& input, const KnotVerdict& v) const {
     fmt::print("{}: {}, {}\n", input, v.published.what, fmt::format("{} vertices", v.vertices));
-    fmt::print("  published  ropelength {:.9g}, so thickness {:.9g}{}\n", v.bounds.ropelength, v.bounds.thickness,
+    fmt::print("  published  ropelength {:.9g}, so thickness {:.9g}{}\n", v.bounds.ropelength,
+               v.bounds.thickness,
                v.published.struts > 0 ? fmt::format(", {} struts", v.published.struts) : "");
     fmt::print("  found      ropelength {:.9g}, first contact at {}, tightest bend {:.6g}\n", v.ropelength(),
                v.contact ? fmt::format("radius {:.9g} of {} and {}", v.contact->radius, v.contact->pair.i,
                                        v.contact->pair.j)
                          : fmt::format("no radius up to {:.9g}", v.searched_to),
                v.shape.tightest_bend);
-    fmt::print("  explained  thickness {:.9g} to {:.9g}, by edges up to {:.6g} long; {} at the published one, {} "
-               "where every strut shows\n",
-               v.bounds.least, v.bounds.most, v.shape.longest_edge, counted(v.contacts, "contact"),
-               v.contacts_at_most);
+    fmt::print(
+        "  explained  thickness {:.9g} to {:.9g}, by edges up to {:.6g} long; {} at the published one, {} "
+        "where every strut shows\n",
+        v.bounds.least, v.bounds.most, v.shape.longest_edge, counted(v.contacts, "contact"),
+        v.contacts_at_most);
     fmt::print("  {}\n", v.within() ? "within" : "NOT WITHIN: " + v.fault());
   }
 
@@ -118,8 +127,8 @@ class KnotsCommand final : public Command {
   bool json_ = false;
 };
 
-const RegisterCommand<KnotsCommand> registered{"knots",
-                                               "Tight knots and links, against the ropelengths published of them"};
+const RegisterCommand<KnotsCommand> registered{
+    "knots", "Tight knots and links, against the ropelengths published of them"};
 
 }  // namespace
 }  // namespace catena::bench

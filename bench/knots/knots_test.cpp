@@ -63,13 +63,14 @@ TEST(FirstContact, IsTheLeastRadiusAtWhichAnyPairCollides) {
   for (int k = 0; k < 60; ++k) {
     const Chain centres = closed_walk(dice, 8 + dice.below(40));
     const auto contact = first_contact(*variant(), centres, 3);
-    // Every radius at which something may begin to collide: half of every distance, and the next numbers to it.
+    // Every radius at which something may begin to collide: half of every distance, and the next numbers to
+    // it.
     float least = infinity;
     for (std::uint32_t i = 0; i < centres.size(); ++i)
       for (std::uint32_t j = i + 1; j < centres.size(); ++j) {
         const Sphere &a = centres[i], &b = centres[j];
-        const auto half = static_cast<float>(
-            std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z) / 2);
+        const auto half =
+            static_cast<float>(std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z) / 2);
         for (const float r : {std::nextafter(half, 0.0f), half, std::nextafter(half, infinity)})
           if (r < least && r <= 3 && true_contacts(centres, r) > 0) least = r;
       }
@@ -105,11 +106,13 @@ TEST(FirstContact, IsTheSameByEveryExactVariant) {
 TEST(FirstContact, LeavesOutWhatATubeCanBend) {
   EXPECT_FALSE(first_contact(*variant(), ring(40), 4));
   std::vector<Sphere> two;
-  for (const float way : {0.0f, 2.5f})
-    for (const Sphere& s : ring(40, way).spheres()) two.push_back(s);
+  for (const float way : {0.0f, 2.5f}) {
+    const Chain one = ring(40, way);
+    two.insert(two.end(), one.spheres().begin(), one.spheres().end());
+  }
   const auto contact = first_contact(*variant(), Chain(std::move(two), Strands{{0, 40, 80}, {1, 1}}), 4);
   ASSERT_TRUE(contact);
-  EXPECT_EQ(contact->radius, 0.25f);
+  EXPECT_EQ(contact->radius, std::nextafter(0.25f, 1.0f));  // sin(pi) is 1.2e-16: a quarter just misses
   EXPECT_EQ(contact->pair, (Pair{0, 60}));
 }
 
@@ -119,8 +122,14 @@ TEST(PolygonShape, IsThatOfARegularPolygon) {
     EXPECT_NEAR(shape.length, 2 * n * std::sin(pi / n), 1e-6 * n);
     EXPECT_NEAR(shape.longest_edge, 2 * std::sin(pi / n), 1e-6);
     EXPECT_NEAR(shape.shortest_edge, 2 * std::sin(pi / n), 1e-6);
-    EXPECT_NEAR(shape.tightest_bend, std::cos(pi / n), 1e-4);  // the circle that touches every edge in its middle
-    EXPECT_GT(shape_of(ring(n), 1e-4).tightest_bend, shape.tightest_bend);
+    EXPECT_NEAR(shape.tightest_bend, std::cos(pi / n),
+                1e-4);  // the circle that touches every edge in its middle
+    EXPECT_EQ(shape.least_bend, shape.tightest_bend);
+    EXPECT_EQ(shape.greatest_bend, shape.tightest_bend);
+    const PolygonShape blurred = shape_of(ring(n), 1e-4);
+    EXPECT_EQ(blurred.tightest_bend, shape.tightest_bend);
+    EXPECT_LT(blurred.least_bend, shape.tightest_bend);
+    EXPECT_GT(blurred.greatest_bend, shape.tightest_bend);
   }
 }
 
@@ -135,11 +144,13 @@ TEST(PolygonShape, RefusesWhatIsNoClosedPolygon) {
   };
   refused(Chain(std::vector<Sphere>{{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}}), "is open");
   refused(Chain({{0, 0, 0, 0}, {1, 0, 0, 0}}, Strands::one_closed(2)), "fewer than three");
-  refused(Chain({{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}}, Strands::one_closed(3)), "vertex 1 lies on the next");
+  refused(Chain({{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}}, Strands::one_closed(3)),
+          "vertex 1 lies on the next");
   refused(Chain(), "no vertex");
 }
 
-// Its distances are known: 4 (1 + 2 (1 - cos a)(1 - cos b)) squared, of the angles from the other circle's centre.
+// Its distances are known: 4 (1 + 2 (1 - cos a)(1 - cos b)) squared, of the angles from the other circle's
+// centre.
 TEST(TightLinks, HopfLinkHasAsManyStrutsAsVerticesSeeTheOtherCentre) {
   for (const std::uint32_t n : {16u, 24u, 48u}) {
     const TightLink link = hopf_link(n);
@@ -166,19 +177,25 @@ TEST(KnownKnots, FindMoreNearlyWhatIsProvedTheFinerTheyAre) {
     const KnotVerdict v = judged(published_knot("hopf"), link.centres, link.blur);
     const double off = std::abs(v.ropelength() - 8 * pi);
     EXPECT_LT(off, before / 10);
-    EXPECT_LT(v.bounds.most - v.bounds.least, 40.0 / n / n);
+    EXPECT_LT(v.bounds.most - v.bounds.least, 52.0 / n / n);
     before = off;
   }
 }
 
-/// Whether every judgement of the link is that it is not within, once this was done to its vertices.
+TEST(JudgeKnot, RefusesEdgesThatSayNothing) {
+  const TightLink link = hopf_link(3);
+  EXPECT_THROW(judged(published_knot("hopf"), link.centres, link.blur), InputError);
+}
+
+/// That the link is not within once this was done to its vertices, and why.
 template <class Change>
-void expect_fault(const std::string& because, const Change& change, const std::string& variant_name = "Hybrid") {
+void expect_fault(const std::string& because, const Change& change,
+                  const std::string& variant_name = "Hybrid") {
   const TightLink link = hopf_link(64);
   std::vector<Sphere> spheres(link.centres.spheres().begin(), link.centres.spheres().end());
   change(spheres);
-  const auto v = judge_knot(*variant(variant_name), published_knot("hopf"), link.centres.moved(std::move(spheres)),
-                            link.blur);
+  const auto v = judge_knot(*variant(variant_name), published_knot("hopf"),
+                            link.centres.moved(std::move(spheres)), link.blur);
   EXPECT_FALSE(v.within());
   EXPECT_NE(v.fault().find(because), std::string::npos) << v.fault();
 }
@@ -191,7 +208,7 @@ TEST(SpoiledKnots, AreNotWithin) {
   expect_fault("touch at a radius of", [](auto& s) {
     for (std::size_t i = 0; i < 64; ++i) s[i].x *= 0.99f;
   });
-  expect_fault("bends to a radius of", [](auto& s) { s[40].x += 0.05f; });
+  expect_fault("bends to a radius of", [](auto& s) { s[40].x -= 0.05f; });
 }
 
 /// A search that misses the pairs of some spheres.
@@ -223,7 +240,8 @@ TEST(SpoiledKnots, ASearchThatMissesContactsFindsTooThickATube) {
   EXPECT_FALSE(judge_knot(most, trefoil.published, trefoil.centres, 0).within());
 }
 
-// Of a regular polygon thickness and ropelength are known, and no two vertices are a contact: its bend decides.
+// Of a regular polygon thickness and ropelength are known, and no two vertices are a contact: its bend
+// decides.
 TEST(JudgeKnot, TakesABendForTheThicknessWhereNothingTouches) {
   for (const std::uint32_t n : {8u, 30u, 200u}) {
     const PublishedKnot told{.name = "told", .ropelength = 2 * n * std::tan(pi / n)};
@@ -262,11 +280,12 @@ TEST(PublishedKnots, RidgerunnersTrefoilIsWithinAndNotWhenSpoiled) {
   const PublishedKnot& published = published_knot("3_1_328");
   const KnotVerdict v = judged(published, centres, blur);
   EXPECT_EQ(v.fault(), "");
-  EXPECT_EQ(v.contacts, 0u);           // the edges between the vertices touch, and vertices only later
+  EXPECT_EQ(v.contacts, 0u);            // the edges between the vertices touch, and vertices only later
   EXPECT_GE(v.contacts_at_most, 375u);  // more than there are struts
   EXPECT_EQ(true_contacts(centres, v.contact->apart()), 0u);
   EXPECT_GT(true_contacts(centres, v.contact->radius), 0u);
-  EXPECT_NEAR(v.ropelength(), 32.7428, 1e-4);
+  EXPECT_NEAR(v.shape.length / v.contact->radius, 32.7428, 1e-4);
+  EXPECT_NEAR(v.ropelength(), 32.7514, 1e-3);  // its bends are tighter by a little
   EXPECT_EQ(judged(published_knot("3_1"), centres, blur).fault(), "");
   EXPECT_EQ(judged(published_knot("knotted"), centres, blur).fault(), "");
 
@@ -277,7 +296,8 @@ TEST(PublishedKnots, RidgerunnersTrefoilIsWithinAndNotWhenSpoiled) {
   }
   std::vector<Sphere> spheres(centres.spheres().begin(), centres.spheres().end());
   const Pair pair = v.contact->pair;
-  spheres[pair.i].x += 0.01f * (spheres[pair.j].x - spheres[pair.i].x);  // a hundredth of the way to its contact
+  spheres[pair.i].x +=
+      0.01f * (spheres[pair.j].x - spheres[pair.i].x);  // a hundredth of the way to its contact
   spheres[pair.i].y += 0.01f * (spheres[pair.j].y - spheres[pair.i].y);
   spheres[pair.i].z += 0.01f * (spheres[pair.j].z - spheres[pair.i].z);
   EXPECT_FALSE(judged(published, centres.moved(std::move(spheres)), blur).within());

@@ -16,8 +16,8 @@ struct KnownKnot {
   double blur = 0;  ///< how far a vertex may be from where it belongs
 };
 
-/// Those that need no file: the two links whose least ropelength is proved, n >= 16 vertices a circle, and torus knots
-/// that touch themselves, 8 n vertices, which no known trefoil and no knot may be shorter than.
+/// Those that need no file: the two links whose least ropelength is proved, n >= 16 vertices a circle, and
+/// torus knots that touch themselves, 8 n vertices, which no known trefoil and no knot may be shorter than.
 std::vector<KnownKnot> carried_knots(std::uint32_t n);
 
 }  // namespace catena::bench

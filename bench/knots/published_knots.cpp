@@ -12,13 +12,16 @@ namespace {
 using Of = PublishedKnot::Of;
 
 constexpr auto ridgerunner =
-    "README of Ridgerunner (github.com/designbynumbers/ridgerunner at 4ee3199), whose test/3_1_328.vect it is; "
+    "README of Ridgerunner (github.com/designbynumbers/ridgerunner at 4ee3199), whose test/3_1_328.vect it "
+    "is; "
     "GPL-3.0. The struts are those after its 100 steps, which shorten the rope by less than 1e-5";
 constexpr auto plcurve =
-    "the program ropelength of plCurve, as measured in github.com/Njakasoa/tight-knots-ropelength, report of its "
+    "the program ropelength of plCurve, as measured in github.com/Njakasoa/tight-knots-ropelength, report of "
+    "its "
     "independent validation; ";
 constexpr auto sharp =
-    "Cantarella, Kusner and Sullivan, On the minimum ropelength of knots and links, Inventiones mathematicae 150 "
+    "Cantarella, Kusner and Sullivan, On the minimum ropelength of knots and links, Inventiones mathematicae "
+    "150 "
     "(2002), where it is proved to be the least";
 
 }  // namespace
@@ -47,26 +50,30 @@ std::span<const PublishedKnot> published_knots() {
        .what = "a tight trefoil of 2400 vertices",
        .ropelength = 32.74366549969402,
        .error = 1e-13,
-       .source = std::string(plcurve) +
-                 "knots/prime/3-10/3_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
+       .source =
+           std::string(plcurve) +
+           "knots/prime/3-10/3_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
       {.name = "atlas-4_1",
        .what = "a tight figure of eight of 400 vertices",
        .ropelength = 42.09702880992264,
        .error = 1e-13,
-       .source = std::string(plcurve) +
-                 "knots/prime/3-10/4_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
+       .source =
+           std::string(plcurve) +
+           "knots/prime/3-10/4_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
       {.name = "atlas-5_1",
        .what = "a tight cinquefoil of 392 vertices",
        .ropelength = 47.21488738316189,
        .error = 1e-13,
-       .source = std::string(plcurve) +
-                 "knots/prime/3-10/5_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
+       .source =
+           std::string(plcurve) +
+           "knots/prime/3-10/5_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
       {.name = "atlas-2_2_1",
        .what = "a tight Hopf link of 101 and 101 vertices",
        .ropelength = 25.14141773337161,
        .error = 1e-13,
-       .source = std::string(plcurve) +
-                 "links/prime/2-9/2_2_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
+       .source =
+           std::string(plcurve) +
+           "links/prime/2-9/2_2_1.tsv of github.com/designbynumbers/ropelength-minimizing-knots, CC0-1.0"},
       {.name = "hopf",
        .what = "the tight Hopf link, two circles through each other's centres",
        .of = Of::curve,
@@ -84,13 +91,15 @@ std::span<const PublishedKnot> published_knots() {
        .of = Of::type,
        .ropelength = 32.742934477,
        .error = 1e-9,
-       .source = "Przybyl and Pieranski, High resolution portrait of the ideal trefoil knot (arXiv:1402.5760), from "
+       .source = "Przybyl and Pieranski, High resolution portrait of the ideal trefoil knot "
+                 "(arXiv:1402.5760), from "
                  "200,640 vertices"},
       {.name = "knotted",
        .what = "any knot but the unknot: none is shorter",
        .of = Of::type,
        .ropelength = 31.32,
-       .source = "Denne, Diao and Sullivan, Quadrisecants give new lower bounds for the ropelength of a knot, Geometry "
+       .source = "Denne, Diao and Sullivan, Quadrisecants give new lower bounds for the ropelength of a "
+                 "knot, Geometry "
                  "& Topology 10 (2006): at least 15.66 diameters"}};
   return knots;
 }

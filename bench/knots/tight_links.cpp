@@ -24,7 +24,8 @@ class Components {
     strands_.first.push_back(static_cast<std::uint32_t>(spheres_.size()));
     strands_.closed.push_back(1);
   }
-  /// A circle in the plane of x and z about (x, 0, 0), from its nearest to the origin on (`way` is its sign of x).
+  /// A circle in the plane of x and z about (x, 0, 0), from its nearest to the origin on (`way` is its sign
+  /// of x).
   void add_circle(std::uint32_t n, double x, double way) {
     for (std::uint32_t k = 0; k < n; ++k) {
       const double angle = 2 * pi * k / n;
@@ -63,8 +64,7 @@ TightLink chain_of_three(std::uint32_t n) {
       const double angle = pi * k / half;
       link.add({middle + way * radius * std::sin(angle), -way * radius * std::cos(angle), 0});
     }
-    for (std::uint32_t k = 0; k < along; ++k)
-      link.add({middle - way * 2 * k / along, way * radius, 0});
+    for (std::uint32_t k = 0; k < along; ++k) link.add({middle - way * 2 * k / along, way * radius, 0});
   }
   link.end();
   link.add_circle(n, -2, -1);

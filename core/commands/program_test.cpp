@@ -54,12 +54,12 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("knots --n 3", "--n: 3 is not a whole number from 16");
   expect_refused("knots --knot 3_1", "needs the polygon that it is of");
   expect_refused("knots tight_knot:n=100", "say what was published of it");
-  expect_refused("knots tight_knot:n=100 --knot 9_47", "nothing published is carried of a knot '9_47'; there are 3_1_328");
+  expect_refused("knots tight_knot:n=100 --knot 9_47",
+                 "nothing published is carried of a knot '9_47'; there are 3_1_328");
   expect_refused("knots tight_knot:n=100 --knot 3_1 --ropelength 33", "excludes");
   expect_refused("knots tight_knot:n=100 --ropelength -1", "--ropelength");
   expect_refused("knots path1:n=100 --ropelength 33", "strand 0 is open");
   expect_refused("knots " + examples + "9_47-cubiclattice.txt --knot knotted", "say --closed");
-  expect_refused("knots tight_knot:n=100 --thickness 1e-3", "say nothing about a tube of radius 0.001");
   expect_refused("knots nowhere.vect --knot 3_1", "nowhere.vect");
   expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from");
   expect_refused("pivot --n 1", "--n: 1 is not a whole number from");
@@ -82,9 +82,11 @@ TEST_F(Program, JudgesKnotsByWhatWasPublishedOfThem) {
   expect_says("knots --n 32", 0, {"hopf: the tight Hopf link", "published  ropelength 25.13", "within"});
   const std::string trefoil = "knots tight_knot:p=2,margin=0,n=600 ";
   expect_says(trefoil + "--knot 3_1", 0, {"within"});
-  expect_says(trefoil + "--ropelength 60", 1, {"NOT WITHIN: ", "touch at a radius of"});
-  expect_says(trefoil + "--ropelength 20 --variant CPU1", 1, {"NOT WITHIN: "});
-  expect_says("knots " + examples + "9_47-cubiclattice.txt --closed --knot knotted", 0, {"208 vertices", "within"});
+  expect_says(trefoil + "--ropelength 60", 1, {"NOT WITHIN: ", "fit in, above"});
+  expect_says(trefoil + "--ropelength 20 --variant CPU1", 1, {"NOT WITHIN: ", "touch at a radius of"});
+  expect_says(trefoil + "--thickness 1e-3", 1, {"NOT WITHIN: ", "do not touch"});
+  expect_says("knots " + examples + "9_47-cubiclattice.txt --closed --knot knotted", 0,
+              {"208 vertices", "within"});
 }
 
 TEST_F(Program, RepeatsSpaceInABox) {

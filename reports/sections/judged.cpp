@@ -101,14 +101,15 @@ void add_knots(nlohmann::ordered_json& rows, std::uint32_t points) {
   for (const bench::KnownKnot& knot : bench::carried_knots(points)) {
     const auto v = bench::judge_knot(*variant, knot.published, knot.centres, knot.blur);
     const bool of_type = knot.published.of == bench::PublishedKnot::Of::type;
-    rows.push_back(row(knot.published.source,
-                       fmt::format("ropelength of {}: {}, {} vertices", knot.published.what, knot.input, v.vertices),
-                       fmt::format("{}{:.9g}", of_type ? "at least " : "", v.bounds.ropelength),
-                       fmt::format("{:.9g}; its edges explain {}", v.ropelength(),
-                                   of_type ? fmt::format("{:.9g} and more", v.shape.length / v.bounds.most)
-                                           : fmt::format("{:.9g} to {:.9g}", v.shape.length / v.bounds.most,
-                                                         v.shape.length / v.bounds.least)),
-                       v.within(), fmt::format("catena knots --n {}", points)));
+    rows.push_back(
+        row(knot.published.source,
+            fmt::format("ropelength of {}: {}, {} vertices", knot.published.what, knot.input, v.vertices),
+            fmt::format("{}{:.9g}", of_type ? "at least " : "", v.bounds.ropelength),
+            fmt::format("{:.9g}; its edges explain {}", v.ropelength(),
+                        of_type ? fmt::format("{:.9g} and more", v.shape.length / v.bounds.most)
+                                : fmt::format("{:.9g} to {:.9g}", v.shape.length / v.bounds.most,
+                                              v.shape.length / v.bounds.least)),
+            v.within(), fmt::format("catena knots --n {}", points)));
   }
 }
 
