@@ -41,7 +41,7 @@ Range told(const PublishedKnot& published, double length) {
 KnotBounds of_polygon(const Range& thickness, double edge) {
   const double h = edge / (2 * thickness.low), dip = std::sqrt(1 + h * h) - 1;
   return {.least = thickness.low * least_share(std::atan(h) / h, dip),
-          .most = thickness.high * (1 + dip),
+          .most = thickness.high * std::sqrt(1 + h * h / 2),
           .least_bend = thickness.low};
 }
 
@@ -56,7 +56,7 @@ KnotBounds of_curve(const Range& thickness, const PolygonShape& shape) {
 
 KnotBounds of_type(const Range& thickness, double edge) {
   const double h = edge / (2 * thickness.low);
-  return {.most = thickness.high * (1 + h * h)};
+  return {.most = thickness.high * std::sqrt((1 + h * h) * (1 + h * h / 2))};
 }
 
 float rounded_up(double radius) {
@@ -119,10 +119,9 @@ KnotVerdict judge_knot(Variant& variant, const PublishedKnot& published, const C
     v.contact = first_contact(variant, centres, radius);
   }
   v.contacts = contacts_at(variant, centres, static_cast<float>(v.bounds.thickness));
-  const double half_edge = v.shape.longest_edge / 2,
-               strut = v.bounds.thickness * (1 + published.strut_tolerance);
-  v.contacts_at_most =
-      contacts_at(variant, centres, rounded_up(std::max(v.bounds.most, std::hypot(strut, half_edge))));
+  const double strut = v.bounds.thickness * (1 + published.strut_tolerance);
+  const double shows = std::hypot(strut, v.shape.longest_edge / std::sqrt(8));
+  v.contacts_at_most = contacts_at(variant, centres, rounded_up(std::max(v.bounds.most, shows)));
   return v;
 }
 

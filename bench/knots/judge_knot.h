@@ -12,27 +12,27 @@ namespace catena::bench {
 /// Where the first contact of spheres about the vertices of a polygon may lie, for a published thickness T.
 ///
 /// With h = e / 2T for the longest edge e, d = T (sqrt(1 + h^2) - 1), which is how far an arc of radius T
-/// leaves a corner, and also how much later than the tube two spheres meet across the middle of their edges;
-/// c = atan(h) / h, the least share of its length that a polygon of bends >= T keeps when its corners are
-/// rounded so; k = asin(h), half the angle of an arc of radius T above the edge.
+/// leaves a corner; c = atan(h) / h, the least share of its length that a polygon of bends >= T keeps when
+/// its corners are rounded so; k = asin(h), half the angle of an arc of radius T above the edge.
 ///
-/// Of the polygon. A strut of 2T is perpendicular to the edges that it ends on, whose nearer vertices are at
-/// most e/2 away: they are at most sqrt(4T^2 + e^2) apart, so the first contact is at most T + d.
-/// (Along half a turn of radius T they are still neighbours; then the bend is T.) Vertices pi
-/// r or more apart along the polygon, r < T: their distance is least at a doubly critical pair, at least 2T,
-/// or where they are pi r apart; there the rounded polygon, by Schur's theorem, is 2T sin(pi c r / 2T) wide,
-/// and its vertices 2d nearer at most. So they do not collide while r < T sin(pi c r / 2T) - d; the greatest
-/// r where that ends is the lower bound. (Below about 2d the inequality says nothing either; what touches
-/// there is called a fault.)
+/// Of the polygon, from above: a strut of 2T is perpendicular to the edges that it ends on, at s and t from
+/// their first ends. Take an end of each edge at random, so that the mean of both steps is 0: the square of
+/// their distance is 4T^2 + s (e - s) + t (e - t) in the mean, at most 4T^2 + e^2 / 2, and one of the four
+/// pairs is no farther: the first contact is at most T sqrt(1 + h^2 / 2). (Along half a turn of radius T such
+/// a pair are still neighbours; then the bend is T.) From below: vertices pi r or more apart along the
+/// polygon, r < T, are nearest at a doubly critical pair, at least 2T, or where they are pi r apart; there
+/// the rounded polygon, by Schur's theorem, is 2T sin(pi c r / 2T) wide, and its vertices are 2d nearer at
+/// most. So they do not collide while r < T sin(pi c r / 2T) - d; the greatest r where that ends is the
+/// lower bound. (Below about 2d the inequality says nothing either; what touches there is called a fault.)
 ///
 /// Of a curve through the vertices, curved by at most 1/T. Its vertices meet no sooner than the tube itself:
-/// T at least. From a strut's end a vertex is at most kT along it, and leaves the tangent by k^2 T / 2: T
-/// (sqrt(1 + k^2) + k^2 / 2) at most. Its length is between the polygon's and k / sin k times that; a bend of
-/// the polygon is at least (shortest edge) / (2 tan k).
+/// T at least. From a strut's end the nearer vertex is at most kT along it, and leaves the tangent by
+/// k^2 T / 2: T (sqrt(1 + k^2) + k^2 / 2) at most. Its length is between the polygon's and k / sin k times
+/// that; a bend of the polygon is at least (shortest edge) / (2 tan k).
 ///
 /// Of the type. The rounded polygon is no longer than the polygon and at most d thinner, so that the polygon
-/// is at most d thicker than length / ropelength; spheres see it by another d: T (1 + h^2) at most. No lower
-/// bound.
+/// is at most d thicker than T, which is length / ropelength here; spheres see that as above:
+/// T sqrt((1 + h^2) (1 + h^2 / 2)) at most. No lower bound.
 ///
 /// Vertices that are known to within a blur move each of these by as much; so does the error of the number
 /// printed.

@@ -10,8 +10,8 @@ struct PublishedKnot {
   enum class Of {
     polygon,  ///< this polygon, vertex by vertex: thickness by Rawdon, the lesser of its tightest bend and
               ///< half its least doubly critical distance
-    curve,  ///< a smooth curve on which the vertices lie
-    type    ///< every curve of the knot type: none is shorter, as is proved, or as far as anyone knows
+    curve,    ///< a smooth curve on which the vertices lie
+    type      ///< every curve of the knot type: none is shorter, as is proved, or as far as anyone knows
   };
   std::string name = {};  ///< as `--knot` takes it
   std::string what = {};  ///< in words
