@@ -25,10 +25,10 @@ struct Point {
   /// over the radius of the tube.
   double depth_error = 0;
   std::size_t repetitions = 0;
-  Spread time;
-  std::optional<std::size_t> dominated_by;  ///< empty: on the Pareto front
-  std::optional<double> tolerance;          ///< n is what this share of the radius asks for, see spheres_for
-  double offset = 0;                        ///< of the chain from the origin along every axis, in radii
+  Spread time{};
+  std::optional<std::size_t> dominated_by{};  ///< empty: on the Pareto front
+  std::optional<double> tolerance{};  ///< n is what this share of the radius asks for, see spheres_for
+  double offset = 0;                  ///< of the chain from the origin along every axis, in radii
 };
 
 /// Marks each point for which another has no more of either error and is faster beyond the spread: its upper
