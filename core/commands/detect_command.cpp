@@ -46,7 +46,6 @@ class DetectCommand final : public Command {
     app.add_flag("--plan", plan_, "Say what the variant left out of its work, and why; see catena plan");
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
-    add_box_option(app, options_);
   }
 
   int run() override {
@@ -130,7 +129,7 @@ class DetectCommand final : public Command {
   FrameOption frame_;
   WantOptions want_;
   NoOmitOption no_omit_;
-  InputOptions options_;
+  InputOptions options_{.takes_box = true};
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   Request request_;
   bool json_ = false, plan_ = false;
