@@ -42,9 +42,9 @@ Profile small_profile() {
   p.motion_steps.clear();
   p.examine_settings = {"n=200"};
   p.shown = {{"path1:n=200", true}, {"far:n=500,exponent=22"}, {"hair:n=200"}};
-  p.wants_inputs = p.coherent_inputs = {"path1:n=200"};
+  p.wants_inputs = p.coherent_inputs = {bench::WorkloadSpec{"path1:n=200"}};
   p.short_chains = {10, 100};
-  p.animation_input = "path1:n=200";
+  p.animation_input = {"path1:n=200"};
   p.animation_step = 10;
   p.keyframe_sizes = {200};
   p.copy_bytes = 1 << 20;
