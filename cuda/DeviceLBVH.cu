@@ -37,7 +37,7 @@ class DeviceLBVH final : public ResidentVariant {
   void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     const std::uint32_t n = chain.size;
-    tree_ = {n};
+    tree_ = {};
     if (n == 0) return;
     order_.enqueue(chain, stream);
     tree_ = {n, node_.reserve(2 * std::size_t{n} - 1, stream), range_.reserve(n, stream), order_.code(),

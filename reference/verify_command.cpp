@@ -54,6 +54,7 @@ class VerifyCommand final : public Command {
         "--certify", certify_,
         "Prove each answer by the variant's own evidence, where it has some; no reference is run for it");
     add_input_options(app, options_);
+    add_tolerance_option(app, options_);
   }
 
   int run() override {

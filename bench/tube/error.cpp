@@ -65,19 +65,41 @@ double worst_depth(const Tube& tube, const Approach& approach, double h) {
   return worst;
 }
 
+/// The greatest gap of n spheres, of at most 2,000 between neighbours, and the share of the tube outside of
+/// them.
+Between worst_of(const Tube& tube, std::uint32_t n) {
+  const double h = step_of(tube, n);
+  const std::uint32_t gaps = tube.closed ? n : n - 1, looked_at = std::min(gaps, 2000u);
+  Between worst{0, 0};
+  for (std::uint32_t k = 0; k < looked_at; ++k) {
+    const auto which = static_cast<double>(std::uint64_t{k} * gaps / looked_at);
+    const Between here = between(tube, which * h, h);
+    worst.gap = std::max(worst.gap, here.gap);
+    worst.uncovered += here.uncovered / h / looked_at;
+  }
+  return worst;
+}
+
 }  // namespace
+
+std::uint32_t spheres_for(const Tube& tube, double tolerance) {
+  const auto enough = [&](std::uint32_t n) { return worst_of(tube, n).gap <= tolerance * tube.radius; };
+  std::uint32_t few = 7, many = 8;
+  while (!enough(many)) few = many, many *= 2;
+  while (many - few > 1) {
+    const std::uint32_t middle = few + (many - few) / 2;
+    (enough(middle) ? many : few) = middle;
+  }
+  return many;
+}
 
 TubeError tube_error(const Tube& tube, const std::vector<Approach>& all, std::uint32_t n) {
   TubeError error;
   error.n = n;
   const double h = error.spacing = step_of(tube, n);
-  const std::uint32_t gaps = tube.closed ? n : n - 1, looked_at = std::min(gaps, 2000u);
-  for (std::uint32_t k = 0; k < looked_at; ++k) {
-    const auto which = static_cast<double>(std::uint64_t{k} * gaps / looked_at);
-    const Between here = between(tube, which * h, h);
-    error.gap = std::max(error.gap, here.gap);
-    error.volume_deficit += here.uncovered / h / looked_at;
-  }
+  const Between worst = worst_of(tube, n);
+  error.gap = worst.gap;
+  error.volume_deficit = worst.uncovered;
   error.covering_radius = tube.radius + error.gap;
 
   const Approach* deepest = nullptr;

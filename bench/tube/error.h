@@ -31,6 +31,10 @@ struct TubeError {
 /// between neighbours, spread evenly. `all` is approaches(tube). O(number of approaches).
 TubeError tube_error(const Tube& tube, const std::vector<Approach>& all, std::uint32_t n);
 
+/// The fewest spheres at equal arc lengths, at least 8, whose gap to the tube is at most `tolerance` radii;
+/// above 0 and below 1. O(log spheres) gaps are measured as tube_error measures them.
+std::uint32_t spheres_for(const Tube& tube, double tolerance);
+
 /// The inscribed chain as it is stored, moved by `offset` on every axis: n >= 8 spheres at equal arc lengths,
 /// neighbours by the arc window pi/2.
 Chain inscribed_chain(const Tube& tube, std::uint32_t n, double offset = 0);

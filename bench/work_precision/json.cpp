@@ -35,6 +35,7 @@ void add_to_json(nlohmann::ordered_json& out, const WorkPrecision& result) {
                     {"median_ms", p.time.median},
                     {"upper_quartile_ms", p.time.upper},
                     {"front", !p.dominated_by.has_value()}});
+    if (p.tolerance) list.back()["tolerance"] = *p.tolerance;
     if (p.dominated_by) list.back()["dominated_by"] = before + *p.dominated_by;
   }
 }

@@ -21,13 +21,14 @@ struct Point {
   double answer_error = 0;
   std::uint64_t exact_pairs = 0, missing = 0, invented = 0;
   double worst_margin = 0;  ///< largest |q - t| / t of a wrong decision: the error of the arithmetic
-  /// Of the pairs missing the deepest, of those invented the one farthest apart: | |cA - cB| - (rA + rB) |, over
-  /// the radius of the tube.
+  /// Of the pairs missing the deepest, of those invented the one farthest apart: | |cA - cB| - (rA + rB) |,
+  /// over the radius of the tube.
   double depth_error = 0;
   std::size_t repetitions = 0;
-  Spread time;
-  std::optional<std::size_t> dominated_by;  ///< empty: on the Pareto front
-  double offset = 0;                        ///< of the chain from the origin along every axis, in radii
+  Spread time{};
+  std::optional<std::size_t> dominated_by{};  ///< empty: on the Pareto front
+  std::optional<double> tolerance{};  ///< n is what this share of the radius asks for, see spheres_for
+  double offset = 0;                  ///< of the chain from the origin along every axis, in radii
 };
 
 /// Marks each point for which another has no more of either error and is faster beyond the spread: its upper

@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "catena/bench/stability/cell.h"
 #include "catena/bench/timing/sampling.h"
@@ -81,8 +83,8 @@ void time_interleaved(std::vector<Runner>& runners, const Chain& chain, std::siz
 }  // namespace
 
 WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>& sizes,
-                             const std::vector<std::string>& variants, std::size_t repetitions,
-                             double offset) {
+                             const std::vector<std::string>& variants, std::size_t repetitions, double offset,
+                             const std::vector<double>& tolerances) {
   WorkPrecision result;
   const auto all = approaches(tube);
   const auto leave_out = [&](const std::string& name, const std::string& why) {
@@ -90,7 +92,10 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
     if (std::ranges::none_of(result.left_out, of_it))
       result.left_out.push_back(fmt::format("{}: {}", name, why));
   };
-  for (const std::uint32_t n : sizes) {
+  std::vector<std::pair<std::uint32_t, std::optional<double>>> chains;
+  for (const std::uint32_t n : sizes) chains.emplace_back(n, std::nullopt);
+  for (const double tolerance : tolerances) chains.emplace_back(spheres_for(tube, tolerance), tolerance);
+  for (const auto& [n, tolerance] : chains) {
     const Chain chain = inscribed_chain(tube, n, offset);
     const auto exact = reference::find(chain);
     const double gap = tube_error(tube, all, n).gap / tube.radius;
@@ -119,6 +124,7 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
                     .tube_error = gap,
                     .stored_error = stored,
                     .repetitions = repetitions,
+                    .tolerance = tolerance,
                     .offset = offset};
         add_errors(point, tube, cell, *variant, chain, exact);
         runners.push_back({std::move(variant), std::move(point)});

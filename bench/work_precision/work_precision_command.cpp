@@ -32,6 +32,12 @@ class WorkPrecisionCommand final : public Command {
         ->type_name("D")
         ->allow_extra_args(false)
         ->check(CLI::Range(-1e30, 1e30));
+    app.add_option("--tolerance", tolerances_,
+                   "And as many spheres as lose at most this share of the radius; repeatable (default: 0.01, "
+                   "unless --n)")
+        ->type_name("T")
+        ->allow_extra_args(false)
+        ->check(CLI::Range(1e-6, 0.9));
     app.add_option("--variant", variants_, "Only this variant; repeatable")
         ->type_name("V")
         ->allow_extra_args(false);
@@ -51,7 +57,8 @@ class WorkPrecisionCommand final : public Command {
     nlohmann::ordered_json out{{"environment", environment()}};
     for (const Tube& tube : tubes)
       for (const double offset : offsets_) {
-        const auto result = work_precision(tube, sizes_of(tube), variants_, repetitions_, offset);
+        const auto result =
+            work_precision(tube, sizes_of(tube), variants_, repetitions_, offset, tolerances());
         json_ ? add_to_json(out, result) : print_table(tube, offset, result);
       }
     if (json_) fmt::print("{}\n", out.dump());
@@ -67,6 +74,10 @@ class WorkPrecisionCommand final : public Command {
     return sizes;
   }
 
+  std::vector<double> tolerances() const {
+    return tolerances_.empty() && sizes_.empty() ? std::vector{0.01} : tolerances_;
+  }
+
   static void print_table(const Tube& tube, double offset, const WorkPrecision& result) {
     fmt::print("{}, {:g} radii from the origin on every axis\n", tube.name, offset);
     constexpr auto line = "{:>8}  {:<28} {:>10} {:>10} {:>10} {:>17}  {}\n";
@@ -79,6 +90,7 @@ class WorkPrecisionCommand final : public Command {
         verdict = fmt::format("dominated by {}, n = {}", better.variant, better.n);
         ++dominated;
       }
+      if (p.tolerance) verdict += fmt::format("; tolerance {:g}", *p.tolerance);
       fmt::print(line, p.n, p.variant, fmt::format("{:.2e}", p.tube_error),
                  p.answer_error == 0 ? "0" : fmt::format("{:.1e}", p.answer_error),
                  fmt::format("{:.3f}", p.time.median),
@@ -96,6 +108,7 @@ class WorkPrecisionCommand final : public Command {
   bool json_ = false;
   std::vector<std::string> tubes_{"lissajous"}, variants_;
   std::vector<std::uint32_t> sizes_;
+  std::vector<double> tolerances_;
   std::vector<double> offsets_{0, 1e7};
   std::size_t repetitions_ = 21;
 };

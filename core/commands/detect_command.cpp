@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "catena/core/commands/answer_files.h"
 #include "catena/core/commands/command.h"
@@ -46,6 +47,7 @@ class DetectCommand final : public Command {
     app.add_flag("--plan", plan_, "Say what the variant left out of its work, and why; see catena plan");
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
+    add_tolerance_option(app, options_);
   }
 
   int run() override {
@@ -56,6 +58,7 @@ class DetectCommand final : public Command {
     Periodic* const periodic = take_box(input, variant);
     const auto [first, last] = frame_.of(input);
     request_.frames_follow = last - first > 1;
+    thinning_ = input.thinning;
     first_frame_ = written_frame(input_);
     AnswerFiles files(files_, input.labels);
 
@@ -103,6 +106,11 @@ class DetectCommand final : public Command {
                                   {"n", chain.size()},
                                   {"variant", variant_},
                                   {"collides", found.found}};
+      if (thinning_)
+        line["thinned"] = {{"tolerance", thinning_->tolerance},
+                           {"of", thinning_->spheres},
+                           {"lost", thinning_->lost},
+                           {"own", thinning_->own}};
       if (!by.empty()) line["answered_by"] = by;
       if (request_.want != Request::Want::any) line["pairs"] = found.pair_count, line["max_count"] = most;
       line["build_ms"] = t.build_ms;
@@ -117,8 +125,8 @@ class DetectCommand final : public Command {
             ? (found.found ? "collides" : "does not collide")
             : fmt::format("{}, at most {} a sphere", counted(found.pair_count, "pair"), most);
     fmt::print("{} frame {}: {}, {}; {}{}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
-               counted(chain.size(), "sphere"), what, variant_, by.empty() ? "" : ", " + by, t.build_ms, t.find_ms,
-               t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
+               counted(chain.size(), "sphere"), what, variant_, by.empty() ? "" : ", " + by, t.build_ms,
+               t.find_ms, t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
     if (plan_) fmt::print("{}", plan_table(variant.plan(), "  "));
   }
 
@@ -130,6 +138,7 @@ class DetectCommand final : public Command {
   WantOptions want_;
   NoOmitOption no_omit_;
   InputOptions options_{.takes_box = true};
+  std::optional<Thinning> thinning_;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   Request request_;
   bool json_ = false, plan_ = false;

@@ -31,6 +31,7 @@ class ExportCommand final : public Command {
                  "Find the collisions, and write for each sphere what it collides with (.vtp)");
     app.add_option("--variant", variant_, "How to find them; see catena list")->capture_default_str();
     add_input_options(app, options_);
+    add_tolerance_option(app, options_);
   }
 
   int run() override {

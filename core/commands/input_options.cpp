@@ -81,17 +81,19 @@ void set_box(const std::string& text, InputOptions& options) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
     const auto [value, problem] = parse_double(rest.substr(0, comma));
     if (!problem.empty())
-      throw InputError(fmt::format("--box {}: {} {}; a box is X,Y,Z or X,Y,Z,XY,XZ,YZ, file or none", in_quotes(text),
-                                   in_quotes(rest.substr(0, comma)), problem));
+      throw InputError(fmt::format("--box {}: {} {}; a box is X,Y,Z or X,Y,Z,XY,XZ,YZ, file or none",
+                                   in_quotes(text), in_quotes(rest.substr(0, comma)), problem));
     numbers.push_back(value);
     if (comma == rest.size()) break;
     rest.remove_prefix(comma + 1);
   }
   if (numbers.size() != 3 && numbers.size() != 6)
-    throw InputError(fmt::format("--box {}: a box is X,Y,Z or X,Y,Z,XY,XZ,YZ, file or none", in_quotes(text)));
+    throw InputError(
+        fmt::format("--box {}: a box is X,Y,Z or X,Y,Z,XY,XZ,YZ, file or none", in_quotes(text)));
   options.box_from = BoxFrom::options;
   options.box = {{numbers[0], numbers[1], numbers[2]}};
-  if (numbers.size() == 6) options.box.xy = numbers[3], options.box.xz = numbers[4], options.box.yz = numbers[5];
+  if (numbers.size() == 6)
+    options.box.xy = numbers[3], options.box.xz = numbers[4], options.box.yz = numbers[5];
 }
 
 void add_box_option(CLI::App& app, InputOptions& options) {
@@ -105,6 +107,14 @@ void add_box_option(CLI::App& app, InputOptions& options) {
 }
 
 }  // namespace
+
+void add_tolerance_option(CLI::App& app, InputOptions& options) {
+  app.add_option(
+         "--tolerance", options.tolerance,
+         "Leave out spheres without which the tube lacks no more than this share of its radius; needs an arc "
+         "window")
+      ->type_name("T");
+}
 
 void add_input_options(CLI::App& app, InputOptions& options) {
   app.add_option_function<std::string>(

@@ -26,4 +26,7 @@ void read_input_options(std::vector<std::string> arguments, InputOptions& option
 /// arguments_of as text to be put behind the name of an input in a command: " --radius '0.5' ...".
 std::string in_command(const InputOptions& options);
 
+/// Adds --tolerance, for a command of one process that shows Input::warnings.
+void add_tolerance_option(CLI::App& app, InputOptions& options);
+
 }  // namespace catena

@@ -31,6 +31,7 @@ class PlanCommand final : public Command {
     no_omit_.add_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
+    add_tolerance_option(app, options_);
   }
 
   int run() override {

@@ -117,6 +117,7 @@ double FrameSearch::least_ms(double runs) {
 FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
   const std::span<const Sphere> before = row_.spheres(), now = chain.spheres();
   const auto most = static_cast<std::uint32_t>(always_ ? now.size() : now.size() / 4);
+  if (const auto way = take_shift(moved, chain)) return blinds_ = 0, *way;
   bool few = take(moved, chain.size());
   if (!few && (always_ || share_that_differs(before, now) < 0.5))
     few = find_changes(before, now, most, ranges_);
@@ -137,14 +138,31 @@ FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
   return Way::full;
 }
 
-std::optional<FrameSearch::Way> FrameSearch::choose_shift(const Chain& chain) {
-  if (!omissions_.may(Omission::shifted) || !can_shift(chain)) return std::nullopt;
-  const std::uint32_t most = always_ ? chain.size() : chain.size() / 16;
-  const auto s = find_shift(row_.spheres(), chain.spheres(), most, shift_);
-  if (!s) return std::nullopt;
-  shift_ = *s;
+/// The furthest of which the new end is searched alone.
+std::int64_t FrameSearch::farthest_shift(const Chain& chain) const {
+  if (!omissions_.may(Omission::shifted) || !can_shift(chain) || chain.size() < 2) return 0;
+  return always_ ? chain.size() - 1 : chain.size() / 16;
+}
+
+FrameSearch::Way FrameSearch::go_shifted(std::int64_t s) {
+  shift_ = s;
   least_ms(static_cast<double>(std::max(shift_, -shift_)) / RunTree::run + 2);
   return Way::shifted;
+}
+
+/// The caller's shift, where it is from the last frame that was searched.
+std::optional<FrameSearch::Way> FrameSearch::take_shift(const Moved& moved, const Chain& chain) {
+  const std::int64_t s = moved.shift(), most = farthest_shift(chain);
+  if (behind_ || s == 0 || s > most || s < -most) return std::nullopt;
+  return go_shifted(s);
+}
+
+std::optional<FrameSearch::Way> FrameSearch::choose_shift(const Chain& chain) {
+  const std::int64_t most = farthest_shift(chain);
+  if (most == 0) return std::nullopt;
+  const auto s = find_shift(row_.spheres(), chain.spheres(), static_cast<std::uint32_t>(most), shift_);
+  if (!s) return std::nullopt;
+  return go_shifted(*s);
 }
 
 std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {

@@ -63,7 +63,10 @@ class CATENA_API FrameSearch {
  private:
   Way choose(const Chain& chain, const Moved& moved);
   double least_ms(double runs);
+  std::optional<Way> take_shift(const Moved& moved, const Chain& chain);
   std::optional<Way> choose_shift(const Chain& chain);
+  std::int64_t farthest_shift(const Chain& chain) const;
+  Way go_shifted(std::int64_t s);
   std::optional<Way> choose_list(const Chain& chain);
   bool comparable(const Chain& chain) const;
   bool can_shift(const Chain& chain) const;

@@ -83,6 +83,11 @@ TEST(FrameSearch, GoesTheWayThatAFrameAllows) {
     std::ranges::rotate(spheres, by > 0 ? spheres.begin() + by : spheres.end() + by);
     EXPECT_EQ(frames.next(spheres), Way::shifted) << by;
   }
+  for (const int by : {40, -13}) {  // told, though it can be seen as well
+    spheres = frames.spheres();
+    std::ranges::rotate(spheres, by > 0 ? spheres.begin() + by : spheres.end() + by);
+    EXPECT_EQ(frames.next(spheres, Moved::along(by)), Way::shifted) << by;
+  }
   EXPECT_EQ(frames.searches(), 1u) << "of the first frame alone";
   EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::kept_list);
   EXPECT_EQ(frames.searches(), 2u) << "of thick spheres";

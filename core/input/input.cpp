@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/box_choice.h"
 #include "catena/core/input/curve_input.h"
@@ -43,6 +45,31 @@ bool looks_like_file(const std::string& spec, const ReadOptions& options) {
           std::filesystem::path(spec) == "." || std::filesystem::path(spec) == "..");
 }
 
+std::string said_of(const Thinning& thinning) {
+  const std::string own = fmt::format(
+      "{:.3g} of a radius is lost between spheres that are neighbours in the input", thinning.own);
+  if (thinning.kept.size() == thinning.spheres) return "every sphere is kept for this tolerance; " + own;
+  return fmt::format("{} of {} are kept; without the others the tube lacks {:.3g} of a radius at most{}",
+                     thinning.kept.size(), counted(thinning.spheres, "sphere"), thinning.lost,
+                     thinning.own > thinning.tolerance ? "; " + own : "");
+}
+
+void leave_out(Input& input, double tolerance) {
+  Thinning thinning = thin(*input.animation, input.joints, tolerance);
+  input.animation = thinned(std::move(input.animation), thinning);
+  const auto& kept = thinning.kept;
+  if (input.labels.size() > 0) {
+    input.labels = input.labels.chosen(kept);
+  } else {
+    for (const std::uint32_t sphere : kept) input.labels.add(std::int64_t{sphere});
+  }
+  for (Pair& joint : input.joints)
+    for (std::uint32_t* sphere : {&joint.i, &joint.j})
+      *sphere = static_cast<std::uint32_t>(std::ranges::lower_bound(kept, *sphere) - kept.begin());
+  input.warnings.push_back(said_of(thinning));
+  input.thinning = std::move(thinning);
+}
+
 }  // namespace
 
 Input open_input(const std::string& spec, const InputOptions& options) {
@@ -64,6 +91,7 @@ Input open_input(const std::string& spec, const InputOptions& options) {
     input.boxes = boxes_of_scene(options, spec);
     input.animation = open_scene(spec, options);
   }
+  if (options.tolerance) leave_out(input, *options.tolerance);
   return input;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/input/thinned.h"
 #include "catena/core/periodic/periodic_box.h"
 #include "catena/core/readers/labels.h"
 #include "catena/core/readers/read_options.h"
@@ -23,9 +24,10 @@ struct InputOptions {
   std::optional<std::uint32_t> window{};  ///< index window instead of the input's own rule
   std::optional<double> arc_window{};     ///< arc-length window factor instead; excludes `window`
   BoxFrom box_from = BoxFrom::told;
-  PeriodicBox box{};                      ///< BoxFrom::options
-  bool takes_box = false;                 ///< of the caller: Input::boxes will be heeded
-  ReadOptions reading{};                  ///< for files: how they are read
+  PeriodicBox box{};                  ///< BoxFrom::options
+  std::optional<double> tolerance{};  ///< leave out spheres that the tube does not need; see thin
+  bool takes_box = false;             ///< of the caller: Input::boxes will be heeded
+  ReadOptions reading{};              ///< for files: how they are read
 };
 
 /// A scene or a file, opened.
@@ -36,6 +38,7 @@ struct Input {
   std::vector<Pair> joints;           ///< of the file, see CurveFile; a scene has none
   Labels labels;                      ///< of the spheres in the user's file; a scene's have none
   double rounding = 0;                ///< the most that a coordinate of the file lost in binary32
+  std::optional<Thinning> thinning;   ///< where a tolerance was given; everything else is of what is kept
   std::vector<PeriodicBox> boxes;     ///< that repeat space (see Periodic): one a frame, one for all, or none
 };
 

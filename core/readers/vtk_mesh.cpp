@@ -87,8 +87,8 @@ void VtkMesh::give_radii(const Array& array, const std::string& file) {
     curves_.spheres[point].radius = std::max(curves_.spheres[point].radius, radius);
   };
   std::uint64_t k = 0;
-  for (std::size_t line = 0; line < line_end_.size(); ++line)
-    for (const float radius = radius_of(array, line_cell_[line], file); k < line_end_[line]; ++k)
+  for (std::size_t l = 0; l < line_end_.size(); ++l)
+    for (const float radius = radius_of(array, line_cell_[l], file); k < line_end_[l]; ++k)
       give(line_points_[k], radius);
   std::vector<bool> on_line(points());
   for (const std::uint32_t point : line_points_) on_line[point] = true;
@@ -116,7 +116,7 @@ CurveFile VtkMesh::curves(const std::string& file) {
     for (const std::uint64_t first = k; k < end; ++k)
       if (k > first) edges.push_back({line_points_[k - 1], line_points_[k]});
   }
-  for (const std::uint32_t vertex : vertices_) edges.push_back({vertex, vertex});
+  for (const std::uint32_t point : vertices_) edges.push_back({point, point});
   for (auto* done : {&line_end_, &line_cell_, &vertex_cell_})
     std::exchange(*done, {});  // an assignment would keep the memory
   for (auto* done : {&line_points_, &vertices_}) std::exchange(*done, {});

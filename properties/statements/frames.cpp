@@ -17,6 +17,7 @@ struct Frame {
   Case test;
   bool told;                        ///< update is told what moved
   std::vector<SphereRange> ranges;  ///< then this
+  std::int64_t shift = 0;           ///< or this
 };
 
 /// A film of one chain: each frame from the last one.
@@ -48,11 +49,12 @@ class Film {
 
   /// A window that moves on; what comes in lies where the other end was. `spoilt`: in all but one sphere,
   /// which is put onto another.
-  void shift(std::int64_t s, bool spoilt) {
+  void shift(std::int64_t s, bool spoilt, bool told = false) {
     const auto by = static_cast<std::uint32_t>(s < 0 ? n_ - static_cast<std::uint32_t>(-s) % n_ : s % n_);
     std::ranges::rotate(spheres_, spheres_.begin() + by);
     if (spoilt) spheres_[n_ / 2] = spheres_[n_ / 8];
     add(spoilt ? "shift but for a sphere" : "shift", false, {});
+    if (told) frames_.back().shift = s, frames_.back().name = "told shift";
   }
 
   /// Every other sphere goes one way, the rest the other.
@@ -107,6 +109,8 @@ std::vector<Frame> film_of(const Chain& chain) {
   film.parts(false, chain.size() / 3), film.lone(chain.size() - 1),
       film.lone(std::min(15u, chain.size() - 1));
   film.shift(3, false), film.shift(3, true), film.shift(-2, false);
+  film.shift(5, false, true), film.shift(-(chain.size() / std::int64_t{2}), false, true),
+      film.shift(1, false, true);
   if (chain.size() > 64) return film.take();
   for (int k = 0; k < 12; ++k) film.drift(0.06f * radius);
   for (int k = 0; k < 6; ++k) film.grow(1.06f);
@@ -137,7 +141,9 @@ class Frames final : public Property {
       variant.find(test.chain, {}, found_);
       for (std::size_t k = 0; k < frames.size(); ++k) {
         const Frame& frame = frames[k];
-        frame.told ? variant.update(frame.test.chain, Moved(frame.ranges)) : variant.update(frame.test.chain);
+        variant.update(frame.test.chain, frame.told         ? Moved(frame.ranges)
+                                         : frame.shift != 0 ? Moved::along(frame.shift)
+                                                            : Moved());
         if (!searched && k % 3 != 2) continue;
         variant.find(frame.test.chain, {}, found_);
         if (!reference::compare(frame.test.chain, frame.test.exact, found_).right())

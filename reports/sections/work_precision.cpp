@@ -18,7 +18,8 @@ nlohmann::ordered_json work_precision(const Profile& profile) {
     for (const double spacing : profile.tube_spacings)
       sizes.push_back(static_cast<std::uint32_t>(std::ceil(tube.length / spacing)));
     for (const double offset : {0.0, 1e7})
-      bench::add_to_json(out, bench::work_precision(tube, sizes, names, profile.section_rounds, offset));
+      bench::add_to_json(out, bench::work_precision(tube, sizes, names, profile.section_rounds, offset,
+                                                    {profile.tube_tolerance}));
   }
   return out;
 }

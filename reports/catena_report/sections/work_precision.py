@@ -118,7 +118,8 @@ def _figure(report, run, points):
             " the points of exact variants that no other exact one beats in both. Points that are beaten, and those"
             " of rounded arithmetic, are grey: their answers are right only where no panel of the answer shows"
             " them. Far from the origin the error of the tube includes that of storing coordinates in binary32."
-            " Bars are the quartiles of the time."
+            " Bars are the quartiles of the time. A ring marks the fastest exact variant at the fewest spheres that a"
+            " tolerance of the tube asks for: more of them buy what that tolerance does not need."
         ),
         panels,
         columns=min(2, len(panels)),
@@ -149,6 +150,12 @@ def _panel(report, run, points, on_front, error, what, title):
         )
     for name, (look, rows) in _coloured(report, run, [p for p in points if p not in plain and error(p) > 0], answer).items():
         panel.series.append(_points(run, name, rows, error, look, size=1.25))
+    for tolerance in [] if answer else sorted({p["tolerance"] for p in points if "tolerance" in p}):
+        asked = [p for p in points if p.get("tolerance") == tolerance and run.info(p["variant"]).recommended]
+        if asked:
+            best = min(asked, key=lambda p: p["median_ms"])
+            name = f"a tolerance of {tolerance:g} radii: {words.count(best['n'])} spheres"
+            panel.series.append(_points(run, name, [best], error, Look("ink", "circle", hollow=True), size=2.2))
     if on_front:
         panel.series.insert(
             0,

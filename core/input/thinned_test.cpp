@@ -1,0 +1,234 @@
+#include "catena/core/input/thinned.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/core/input/tube_loss.h"
+#include "catena/core/readers/test_file.h"
+#include "catena/core/scenes/vec3.h"
+#include "catena/properties/generators/shapes.h"
+#include "catena/reference/reference.h"
+
+namespace catena {
+namespace {
+
+constexpr double bend = std::numbers::pi / 2;
+
+/// Frames that are given.
+class Frames final : public Animation {
+ public:
+  explicit Frames(std::vector<Chain> chains) : chains_(std::move(chains)) {}
+  std::uint32_t frames() const override { return static_cast<std::uint32_t>(chains_.size()); }
+  Chain frame(std::uint32_t f) const override { return chains_[f]; }
+
+ private:
+  std::vector<Chain> chains_;
+};
+
+Vec3 centre(const Sphere& s) { return {s.x, s.y, s.z}; }
+float rounded(double number) { return static_cast<float>(number); }
+
+/// A tube that bends, twists and swells by chance, in fine steps.
+std::vector<Sphere> crooked(std::mt19937& random, std::uint32_t n) {
+  std::normal_distribution<double> turn(0, 0.03);
+  std::vector<Sphere> spheres;
+  Vec3 at{3, -2, 1}, step{0.1, 0, 0};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    spheres.push_back({rounded(at.x), rounded(at.y), rounded(at.z), rounded(1 + 0.3 * std::sin(0.05 * i))});
+    step = step + Vec3{turn(random), turn(random), turn(random)};
+    step = 0.1 / length(step) * step;
+    at = at + step;
+  }
+  return spheres;
+}
+
+/// How deep in the tube between two spheres a point lies, at most: 0 and below is outside.
+double depth_between(const Vec3& p, const Sphere& a, const Sphere& b) {
+  double deepest = -1e300;
+  for (int k = 0; k <= 64; ++k) {
+    const double t = k / 64.0;
+    const Vec3 c = centre(a) + t * (centre(b) - centre(a));
+    deepest = std::max(deepest, a.radius + t * (double{b.radius} - a.radius) - length(p - c));
+  }
+  return deepest;
+}
+
+TEST(TubeLoss, IsTheDipOnAStraightTube) {
+  const std::vector<Sphere> rod{{0, 0, 0, 2}, {0.5F, 0, 0, 2}, {0.75F, 0, 0, 2}, {1, 0, 0, 2}};
+  EXPECT_NEAR(tube_loss(rod), 2 - std::sqrt(4 - 0.25), 1e-12);
+}
+
+TEST(TubeLoss, IsTheChordErrorToo) {
+  const std::vector<Sphere> bent{{-0.5F, 0, 0, 2}, {0, 0.25F, 0, 2}, {0.5F, 0, 0, 2}};
+  EXPECT_NEAR(tube_loss(bent), 0.25 + 2 - std::sqrt(4 - 0.25), 1e-12);
+  const std::vector<Sphere> swollen{{-0.5F, 0, 0, 2}, {0, 0, 0, 2.25F}, {0.5F, 0, 0, 2}};
+  EXPECT_NEAR(tube_loss(swollen), tube_loss(bent), 1e-12);
+}
+
+TEST(TubeLoss, IsAllOfAGap) {
+  EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 1}, Sphere{2, 0, 0, 1}}), 1);
+  EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 1}, Sphere{9, 0, 0, 5}, Sphere{50, 0, 0, 1}}), 5);
+  EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 0}, Sphere{0, 0, 0, 0}}), 0);
+  // One that holds the other leaves nothing uncovered.
+  EXPECT_LT(tube_loss(std::array{Sphere{0, 0, 0, 5}, Sphere{1, 0, 0, 1}}), 1e-12);
+}
+
+/// Points of the tube that are deeper than what is said to be lost lie in a kept sphere; and what is said is
+/// no more than three times the depth of the deepest point that does not.
+TEST(TubeLoss, HoldsForEveryPointOfTheTube) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> one(0, 1);
+  std::normal_distribution<double> normal;
+  for (int round = 0; round < 40; ++round) {
+    const auto spheres = crooked(random, 3 + static_cast<std::uint32_t>(6 * one(random)));
+    const double loss = tube_loss(spheres);
+    ASSERT_LT(loss, 1);
+    double uncovered = 0;
+    for (int sample = 0; sample < 20000; ++sample) {
+      const std::size_t k = std::min<std::size_t>(
+          static_cast<std::size_t>(one(random) * (spheres.size() - 1)), spheres.size() - 2);
+      const double t = one(random);
+      const Vec3 c = centre(spheres[k]) + t * (centre(spheres[k + 1]) - centre(spheres[k]));
+      Vec3 aside{normal(random), normal(random), normal(random)};
+      const double radius = spheres[k].radius + t * (double{spheres[k + 1].radius} - spheres[k].radius);
+      const Vec3 p = c + radius * (1 - 0.2 * one(random) * one(random)) / length(aside) * aside;
+      if (length(p - centre(spheres.front())) <= spheres.front().radius ||
+          length(p - centre(spheres.back())) <= spheres.back().radius)
+        continue;
+      for (std::size_t j = 0; j + 1 < spheres.size(); ++j)
+        uncovered = std::max(uncovered, depth_between(p, spheres[j], spheres[j + 1]));
+    }
+    EXPECT_LE(uncovered, loss) << "round " << round;
+    EXPECT_GE(3 * uncovered, loss) << "round " << round;
+  }
+}
+
+TEST(Thin, KeepsWhatTheToleranceNeedsAndNoMore) {
+  std::vector<Sphere> rod;
+  for (int i = 0; i <= 1000; ++i) rod.push_back({rounded(i * 0.015625), 0, 0, 1});
+  const Frames whole({Chain(rod, {}, Exclusion::arc(bend))});
+  const Thinning thinning = thin(whole, {}, 0.01);
+  const double most = 2 * std::sqrt(1 - 0.99 * 0.99);  // between kept centres
+  const auto steps = static_cast<std::uint32_t>(most / 0.015625);
+  EXPECT_EQ(thinning.kept.size(), (1000 + steps - 1) / steps + 1);
+  EXPECT_EQ(thinning.kept.front(), 0u);
+  EXPECT_EQ(thinning.kept.back(), 1000u);
+  EXPECT_LE(thinning.lost, 0.01);
+  EXPECT_GT(thinning.lost, 0.009);
+  EXPECT_LT(thinning.own, 1e-4);
+}
+
+/// What the kept spheres find is what all of them find, between those that are kept: on strands, open and
+/// closed, with further neighbours, in every frame.
+TEST(Thin, LeavesTheAnswerBetweenKeptSpheresAsItIs) {
+  std::mt19937 random(11);
+  std::uint64_t pairs = 0;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Chain> frames;
+    for (int f = 0; f < 3; ++f) {
+      std::vector<Sphere> spheres;
+      for (const std::uint32_t n : {90u, 300u, 1u}) {
+        const auto strand = crooked(random, n);
+        spheres.insert(spheres.end(), strand.begin(), strand.end());
+      }
+      Exclusion exclusion = Exclusion::arc(bend);
+      exclusion.extra_pairs = {{0, 389}, {5, 300}, {0, 390}};
+      frames.push_back(f == 0 ? Chain(spheres, {{0, 90, 390, 391}, {1, 0, 0}}, exclusion)
+                              : frames[0].moved(spheres));
+    }
+    const std::vector<Pair> joints{{45, 200}};
+    const Frames whole(frames);
+    const Thinning thinning = thin(whole, joints, 0.02);
+    ASSERT_LT(thinning.kept.size(), 391u);
+    for (const std::uint32_t stays : {0u, 45u, 89u, 90u, 200u, 389u, 390u})
+      EXPECT_TRUE(std::ranges::binary_search(thinning.kept, stays)) << stays;
+    const auto coarse = thinned(std::make_unique<Frames>(frames), thinning);
+    ASSERT_EQ(coarse->frames(), 3u);
+    for (std::uint32_t f = 0; f < 3; ++f) {
+      std::vector<Pair> expected;
+      for (const Pair& pair : reference::find(frames[f]).pairs) {
+        const auto now = [&](std::uint32_t i) {
+          return std::ranges::lower_bound(thinning.kept, i) - thinning.kept.begin();
+        };
+        if (std::ranges::binary_search(thinning.kept, pair.i) &&
+            std::ranges::binary_search(thinning.kept, pair.j))
+          expected.push_back(
+              {static_cast<std::uint32_t>(now(pair.i)), static_cast<std::uint32_t>(now(pair.j))});
+      }
+      EXPECT_EQ(reference::find(coarse->frame(f)).pairs, expected);
+      pairs += expected.size();
+      for (std::size_t k = 0; k + 1 < thinning.kept.size(); ++k) {
+        const std::uint32_t a = thinning.kept[k], b = thinning.kept[k + 1];
+        if (b == a + 1) continue;
+        const auto stretch = frames[f].spheres().subspan(a, b - a + 1);
+        const float least = std::ranges::min_element(stretch, {}, &Sphere::radius)->radius;
+        EXPECT_LE(tube_loss(stretch), 0.02 * least);
+        EXPECT_LE(tube_loss(stretch), thinning.lost * least * (1 + 1e-15));
+      }
+    }
+  }
+  EXPECT_GT(pairs, 1000u);
+}
+
+/// A tube that is straight in one frame and bent in another keeps what the bent one needs.
+TEST(Thin, AsksEveryFrame) {
+  std::vector<Sphere> straight, bent;
+  for (int i = 0; i <= 400; ++i) {
+    straight.push_back({rounded(0.02 * i), 0, 0, 1});
+    bent.push_back({rounded(2 * std::cos(0.01 * i)), rounded(2 * std::sin(0.01 * i)), 0, 1});
+  }
+  const Chain first(straight, {}, Exclusion::arc(bend));
+  const std::size_t one = thin(Frames({first}), {}, 0.01).kept.size();
+  for (const auto& frames : {std::vector{first, first.moved(bent)}, std::vector{first.moved(bent), first},
+                             std::vector{first, first, first.moved(bent), first}}) {
+    const Thinning both = thin(Frames(frames), {}, 0.01);
+    EXPECT_GT(both.kept.size(), one);
+    EXPECT_LE(both.lost, 0.01);
+    EXPECT_GT(both.lost, 0.002);
+  }
+}
+
+TEST(Thin, RefusesWhatItCannotDo) {
+  const std::vector<Sphere> two{{0, 0, 0, 1}, {1, 0, 0, 1}};
+  const Chain chain(two, {}, Exclusion::arc(bend));
+  for (const double wrong : {0.0, -0.1, 1.0, 7.0, std::nan("")})
+    EXPECT_THROW(thin(Frames({chain}), {}, wrong), InputError) << wrong;
+  EXPECT_THROW(thin(Frames({Chain(two)}), {}, 0.1), InputError);
+  EXPECT_THROW(thin(Frames({chain, Chain({two[0]}, {}, Exclusion::arc(bend))}), {}, 0.1), InputError);
+  EXPECT_EQ(thin(Frames({chain}), {}, 0.1).kept.size(), 2u);
+  EXPECT_EQ(thin(Frames({Chain({}, {}, Exclusion::arc(bend))}), {}, 0.1).kept.size(), 0u);
+}
+
+TEST(OpenInput, LeavesOutWhatATolerancePermits) {
+  InputOptions options;
+  options.arc_window = bend;
+  options.tolerance = 0.05;
+  const Input scene = open_input("path1:n=20000,spacing=0.1,frame=3", options);
+  ASSERT_TRUE(scene.thinning.has_value());
+  const Chain chain = scene.animation->frame(0);
+  EXPECT_EQ(chain.size(), scene.thinning->kept.size());
+  EXPECT_EQ(scene.thinning->spheres, 20000u);
+  EXPECT_LT(chain.size(), 20000u);
+  for (const std::uint32_t i : {0u, 7u, chain.size() - 1})
+    EXPECT_EQ(scene.labels.of(i), std::to_string(scene.thinning->kept[i]));
+  ASSERT_FALSE(scene.warnings.empty());
+  EXPECT_NE(scene.warnings.back().find("of 20000 spheres are kept"), std::string::npos)
+      << scene.warnings.back();
+
+  const Input neuron = open_input(example("Neuron.swc").string(), options);
+  const Input all =
+      open_input(example("Neuron.swc").string(), [&] { return options.tolerance.reset(), options; }());
+  ASSERT_FALSE(all.joints.empty());
+  ASSERT_EQ(neuron.joints.size(), all.joints.size());
+  for (std::size_t k = 0; k < all.joints.size(); ++k)
+    EXPECT_EQ(neuron.labels.of(neuron.joints[k].i), all.labels.of(all.joints[k].i));
+}
+
+}  // namespace
+}  // namespace catena
