@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <map>
 
 #include "catena/core/error.h"
 #include "catena/core/periodic/periodic.h"
@@ -51,6 +53,61 @@ RC_GTEST_PROP(FindInBox, AgreesWithASearchAmongImages, ()) {
   RC_ASSERT(answer.pairs == expected.pairs);
   RC_ASSERT(answer.count == expected.count);
   RC_ASSERT(answer.pair_count == expected.pair_count);
+}
+
+using Rational = boost::multiprecision::cpp_rational;
+
+/// q and t of the nearest of all images up to `far` boxes away.
+std::pair<Rational, Rational> nearest(const Sphere& a, const Sphere& b, const PeriodicBox& box, int far) {
+  Rational least = -1;
+  for (int x = -far; x <= far; ++x)
+    for (int y = -far; y <= far; ++y)
+      for (int z = -far; z <= far; ++z) {
+        if ((x != 0 && box.length[0] == 0) || (y != 0 && box.length[1] == 0) || (z != 0 && box.length[2] == 0)) continue;
+        const Rational dx = Rational(b.x) - Rational(a.x) + x * Rational(box.length[0]) + y * Rational(box.xy) +
+                            z * Rational(box.xz),
+                       dy = Rational(b.y) - Rational(a.y) + y * Rational(box.length[1]) + z * Rational(box.yz),
+                       dz = Rational(b.z) - Rational(a.z) + z * Rational(box.length[2]);
+        const Rational q = dx * dx + dy * dy + dz * dz;
+        if (least < 0 || q < least) least = q;
+      }
+  const Rational reach = Rational(a.radius) + Rational(b.radius);
+  return {least, reach * reach};
+}
+
+// Pairs, sides and margins are those of the definition; narrow boxes, where 0.71 of a width matters, among them.
+RC_GTEST_PROP(FindInBox, NearPairsAreThoseOfTheDefinition, ()) {
+  PeriodicBox box{{4, 4 + *rc::gen::inRange(0, 9) / 4.0, 4.1}};
+  if (*rc::gen::arbitrary<bool>()) box.xy = *rc::gen::inRange(-4, 5) / 4.0, box.length[0] += 1, box.length[1] += 1;
+  if (*rc::gen::arbitrary<bool>()) box.length[2] = 0;
+  std::vector<Sphere> spheres;
+  const auto coordinate = [] { return static_cast<float>(*rc::gen::inRange(-40, 40)) / 8; };
+  for (auto left = *rc::gen::inRange(2, 16); left > 0; --left)
+    spheres.push_back({coordinate(), coordinate(), coordinate() / 2, *rc::gen::element(0.0f, 0.25f, 0.7f, 1.0f)});
+  const auto n = static_cast<std::uint32_t>(spheres.size());
+  const Chain chain(std::move(spheres), {{0, n}, {0}});
+  std::map<Pair, std::pair<bool, double>> found;
+  near_pairs_in_box(chain, box, [&](const Pair& pair, bool collides, double margin) {
+    RC_ASSERT(found.emplace(pair, std::pair(collides, margin)).second);
+  });
+  std::size_t near = 0;
+  std::vector<Pair> colliding;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      if (chain.neighbours(i, j)) continue;
+      const auto [q, t] = nearest(chain[i], chain[j], box, 5);
+      if (q > t && q - t >= t) continue;
+      RC_ASSERT(found.contains({i, j}));
+      ++near;
+      const auto [collides, margin] = found.at({i, j});
+      RC_ASSERT(collides == (q <= t));
+      if (collides) colliding.push_back({i, j});
+      const double right = q == t ? 0 : static_cast<double>(Rational(abs(q - t) / t));
+      RC_ASSERT(std::abs(margin - right) <= (right < 0x1p-8 ? 0x1p-52 : 0x1p-30) * right);
+    }
+  RC_ASSERT(found.size() == near);
+  RC_ASSERT(find_in_box(chain, box, 1000000).pairs == colliding);
+  RC_CLASSIFY(near > colliding.size(), "apart and near");
 }
 
 TEST(FindInBox, CountsPastTheLimitAndRefusesNarrowBoxes) {

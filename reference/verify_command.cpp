@@ -55,7 +55,6 @@ class VerifyCommand final : public Command {
         "Prove each answer by the variant's own evidence, where it has some; no reference is run for it");
     add_input_options(app, options_);
     add_tolerance_option(app, options_);
-    add_box_option(app, options_);
   }
 
   int run() override {
@@ -92,8 +91,7 @@ class VerifyCommand final : public Command {
   void verify_frame(const Input& input, std::uint32_t frame, std::vector<Candidate>& candidates,
                     VerifyReport& report, Progress& progress) const {
     const Chain chain = input.animation->frame(frame);
-    const auto& boxes = input.boxes;
-    const PeriodicBox* const box = boxes.empty() ? nullptr : &boxes[boxes.size() > frame ? frame : 0];
+    const PeriodicBox* const box = box_of(input.boxes, frame);
     std::optional<Answer> found;  // only when somebody needs it: a certificate does without
     const auto exact = [&]() -> const Answer& {
       if (!found) found = box ? find_in_box(chain, *box, pair_limit) : exact_answer(chain, pair_limit);
@@ -134,7 +132,7 @@ class VerifyCommand final : public Command {
   std::vector<std::string> inputs_, variants_;
   FrameOption frame_;
   bool json_ = false, certify_ = false;
-  InputOptions options_;
+  InputOptions options_{.takes_box = true};
 };
 
 const RegisterCommand<VerifyCommand> registered{

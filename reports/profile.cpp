@@ -66,11 +66,12 @@ Profile quick() {
   p.judged_side = 30;
   p.judged_n = 32'000;
   p.judged_moves = 20'000;
-  p.wants_inputs = {"path1:n=10000", "yarn:n=5000"};
-  p.coherent_inputs = {"path1:n=10000"};
+  p.wants_inputs = over_n("path1", {10'000});
+  append(p.wants_inputs, over_n("yarn", {5000}));
+  p.coherent_inputs = over_n("path1", {10'000});
   p.planned_inputs = {"path1:n=20", "path1:n=10000", "yarn:n=10000"};
   p.short_chains = {10, 30, 100, 300, 1000, 3000};
-  p.animation_input = "path1:n=5000";
+  p.animation_input = {"path1:n=5000"};
   p.animation_step = 2;
   return p;
 }
@@ -102,10 +103,13 @@ Profile full() {
   p.judged_side = 100;
   p.judged_n = 1'000'000;
   p.judged_moves = 2'000'000;
-  p.wants_inputs = {"path1:n=10000", "path1:n=100000", "yarn:n=5000", "yarn:n=50000", "winding:n=5000"};
-  p.coherent_inputs = {"path1:n=10000", "path1:n=100000", "path2:n=100000"};
+  p.wants_inputs = over_n("path1", {10'000, 100'000});
+  append(p.wants_inputs, over_n("yarn", {5000, 50'000}));
+  append(p.wants_inputs, over_n("winding", {5000}));
+  p.coherent_inputs = over_n("path1", {10'000, 100'000});
+  append(p.coherent_inputs, over_n("path2", {100'000}));
   p.short_chains = {10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
-  p.animation_input = "path1:n=20000";
+  p.animation_input = {"path1:n=20000"};
   p.animation_step = 1;
   return p;
 }

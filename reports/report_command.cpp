@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/input_options.h"
 #include "catena/core/commands/whole_number_option.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
@@ -47,6 +48,7 @@ class ReportCommand final : public Command {
     app.add_option("--scene", scenes_, "Time this input instead; repeatable")
         ->type_name("INPUT")
         ->allow_extra_args(false);
+    add_input_options(app, input_);
     app.add_option("--variant", variants_, "Only this variant; repeatable")
         ->type_name("V")
         ->allow_extra_args(false);
@@ -123,6 +125,7 @@ class ReportCommand final : public Command {
                         : full_ ? "full"
                                 : "quick"},
             {"scenes", scenes_},
+            {"input", arguments_of(input_)},
             {"variants", variants_},
             {"filter", filter_},
             {"seconds", seconds_},
@@ -146,6 +149,7 @@ class ReportCommand final : public Command {
     const std::string profile = options.at("profile");
     paper_ = profile == "paper", full_ = profile == "full";
     options.at("scenes").get_to(scenes_), options.at("variants").get_to(variants_);
+    read_input_options(options.value("input", std::vector<std::string>()), input_);
     options.at("filter").get_to(filter_), options.at("seconds").get_to(seconds_);
     options.at("repetitions").get_to(repetitions_), options.at("seed").get_to(seed_);
     options.at("no_page").get_to(no_page_);
@@ -171,9 +175,11 @@ class ReportCommand final : public Command {
 
   Profile chosen() const {
     Profile profile = profile_named(paper_ ? "paper" : full_ ? "full" : "quick");
+    if (scenes_.empty() && !arguments_of(input_).empty())
+      throw InputError(fmt::format("{} is said of an input; name it by --scene", arguments_of(input_).front()));
     if (!scenes_.empty()) {
       profile.inputs.clear();
-      for (const auto& scene : scenes_) profile.inputs.push_back({scene, paper_});
+      for (const auto& scene : scenes_) profile.inputs.push_back({scene, paper_, input_});
       about_inputs_only(profile);
     }
     if (!variants_.empty()) profile.variants = named_variants(), profile.filter.clear();
@@ -194,15 +200,17 @@ class ReportCommand final : public Command {
     profile.motion_steps.clear(), profile.keyframe_sizes.clear();
     profile.tubes.clear(), profile.tube_spacings.clear(), profile.examine_settings.clear();
     profile.short_chains.clear(), profile.coherent_inputs.clear(), profile.shown.clear();
-    profile.animation_input.clear();
-    profile.wants_inputs = scenes_;
+    profile.animation_input = {};
+    profile.wants_inputs.clear();
     for (const auto& scene : scenes_) {
-      const auto animation = open_input(scene).animation;
+      const bench::WorkloadSpec one{scene, false, input_};
+      profile.wants_inputs.push_back(one);
+      const auto animation = open_input(scene, input_).animation;
       const bool moves = animation->frames() > 1;
-      if (animation->frame(0).size() <= most_shown) profile.shown.push_back({scene, moves});
+      if (animation->frame(0).size() <= most_shown) profile.shown.push_back({scene, moves, input_});
       if (!moves) continue;
-      profile.coherent_inputs.push_back(scene);
-      if (profile.animation_input.empty()) profile.animation_input = scene;
+      profile.coherent_inputs.push_back(one);
+      if (profile.animation_input.input.empty()) profile.animation_input = one;
     }
   }
 
@@ -220,6 +228,7 @@ class ReportCommand final : public Command {
   std::string command() const {
     std::string text = fmt::format("catena report --{}", paper_ ? "paper" : full_ ? "full" : "quick");
     for (const auto& scene : scenes_) text += fmt::format(" --scene '{}'", scene);
+    text += in_command(input_);
     for (const auto& variant : variants_) text += fmt::format(" --variant '{}'", variant);
     if (!filter_.empty()) text += fmt::format(" --benchmark_filter '{}'", filter_);
     if (seconds_ > 0) text += fmt::format(" --seconds {}", seconds_);
@@ -234,6 +243,7 @@ class ReportCommand final : public Command {
   double seconds_ = 0;
   std::uint64_t seed_ = 1;
   std::size_t repetitions_ = 0;
+  InputOptions input_{.takes_box = true};
 };
 
 const RegisterCommand<ReportCommand> registered{

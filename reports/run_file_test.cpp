@@ -33,7 +33,9 @@ Profile small_profile() {
                                   "aCPU2+Dual", "Hybrid",       "auto"}
                 .contains(v.name);
   });
-  p.inputs = {{"path1:n=300"}, {"path1:n=100", true}};
+  bench::WorkloadSpec in_box{CATENA_SOURCE_DIR "/core/readers/examples/melt.dump"};  // a box, two frames
+  in_box.options.radius = 0.5f;
+  p.inputs = {{"path1:n=300"}, {"path1:n=100", true}, in_box};
   p.stopping = {.seconds = 60, .share = 0, .most_samples = 2, .least_ms = 0.01, .seed = 5};
   p.section_seconds = 0.01;
   p.section_rounds = 3;
@@ -42,9 +44,9 @@ Profile small_profile() {
   p.motion_steps.clear();
   p.examine_settings = {"n=200"};
   p.shown = {{"path1:n=200", true}, {"far:n=500,exponent=22"}, {"hair:n=200"}};
-  p.wants_inputs = p.coherent_inputs = {"path1:n=200"};
+  p.wants_inputs = p.coherent_inputs = {bench::WorkloadSpec{"path1:n=200"}, in_box};
   p.short_chains = {10, 100};
-  p.animation_input = "path1:n=200";
+  p.animation_input = {"path1:n=200"};
   p.animation_step = 10;
   p.keyframe_sizes = {200};
   p.copy_bytes = 1 << 20;
@@ -129,7 +131,8 @@ TEST_F(RunFile, HoldsWhatItsDescriptionSays) {
 TEST_F(RunFile, NamesInputsAlikeEverywhere) {
   std::set<std::string> inputs;
   for (const Json& scene : small_run()["catena"]["scenes"]) inputs.insert(scene["input"]);
-  EXPECT_EQ(inputs, (std::set<std::string>{"path1/n:300", "path1:frames=all/n:100"}));
+  EXPECT_EQ(inputs, (std::set<std::string>{"path1/n:300", "path1:frames=all/n:100",
+                                           "melt.dump:radius=0.5,box=8x8x8/n:4"}));
   for (const Json& row : small_run()["benchmarks"]) {
     const std::string name = row["name"];
     EXPECT_TRUE(inputs.contains(name.substr(0, name.find('/', name.find("/n:") + 1)))) << name;

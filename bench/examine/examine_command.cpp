@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/bench/examine/json.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/reference/reference.h"
@@ -25,6 +28,7 @@ class ExamineCommand final : public Command {
     app.add_option("--arithmetic", arithmetics_, "literal or double; repeatable (default: both)")
         ->allow_extra_args(false)
         ->check(CLI::IsMember({"literal", "double"}));
+    add_input_options(app, options_);
     app.add_flag("--levels", levels_, "A line for each level of the tree too");
     app.add_flag("--json", json_, "One JSON object a line for each input and arithmetic");
   }
@@ -34,12 +38,14 @@ class ExamineCommand final : public Command {
     if (arithmetics_.empty()) arithmetics_ = {"literal", "double"};
     std::size_t width = 5;
     for (const auto& input : inputs_) width = std::max(width, input.size());
-    if (!json_)
-      fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10} {:>8} {:>8} {:>8} {:>8}\n", "input", width,
-                 "arithmetic", "level", "parents", "failing", "shortfall", "pairs", "missing", "by tree",
-                 "invented");
+    bool begun = json_;
     for (const auto& spec : inputs_) {
-      const Input input = open_input(spec);
+      const Input input = open_input(spec, options_);
+      show_warnings(input);
+      if (!std::exchange(begun, true))
+        fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10} {:>8} {:>8} {:>8} {:>8}\n", "input", width,
+                   "arithmetic", "level", "parents", "failing", "shortfall", "pairs", "missing", "by tree",
+                   "invented");
       const Chain chain = input.animation->frame(input.animation->frames() / 2);
       const auto exact = reference::find(chain);
       for (const auto& arithmetic : arithmetics_) {
@@ -89,6 +95,7 @@ class ExamineCommand final : public Command {
   }
 
   std::vector<std::string> inputs_, arithmetics_;
+  InputOptions options_;
   bool levels_ = false, json_ = false;
 };
 

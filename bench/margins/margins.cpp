@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catena/reference/grid.h"
+#include "catena/reference/find_in_box.h"
 
 namespace catena::bench {
 
@@ -21,18 +21,19 @@ void Margins::add(const Pair& pair, bool collides, double margin) {
   tightest_collides = collides;
 }
 
-Margins margins_of(const Chain& chain, double rounding) {
+Margins margins_of(const Chain& chain, double rounding, const PeriodicBox* box) {
   Margins margins;
   margins.rounding = rounding;
   // Two centres, each moved by up to sqrt(3) roundings.
   const double reach = 2 * std::sqrt(3.0) * rounding;
-  reference::near_pairs(chain, [&](const Pair& pair, bool collides, double margin) {
+  const auto add = [&](const Pair& pair, bool collides, double margin) {
     margins.add(pair, collides, margin);
     if (rounding == 0) return;
     const double touch = double{chain[pair.i].radius} + chain[pair.j].radius;
     const double distance = touch * std::sqrt(std::max(0.0, collides ? 1 - margin : 1 + margin));
     margins.open_by_rounding += std::abs(distance - touch) <= reach;
-  });
+  };
+  box ? reference::near_pairs_in_box(chain, *box, add) : reference::near_pairs(chain, add);
   return margins;
 }
 

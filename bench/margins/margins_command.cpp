@@ -15,6 +15,7 @@
 #include "catena/core/counted.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/periodic/periodic.h"
 
 namespace catena::bench {
 namespace {
@@ -38,18 +39,20 @@ class MarginsCommand final : public Command {
       const auto [first, last] = frame_.of(input);
       for (std::uint32_t frame = first; frame < last; ++frame) {
         const Chain chain = input.animation->frame(frame);
-        const Margins m = margins_of(chain, input.rounding);
+        const PeriodicBox* const box = box_of(input.boxes, frame);
+        const Margins m = margins_of(chain, input.rounding, box);
         const std::uint32_t of_scene = written_frame(spec) + frame;
-        json_ ? print_json(spec, of_scene, chain, m) : print(spec, of_scene, chain, m);
+        json_ ? print_json(spec, of_scene, chain, box, m) : print(spec, of_scene, chain, box, m);
       }
     }
     return 0;
   }
 
  private:
-  static void print(const std::string& spec, std::uint32_t frame, const Chain& chain, const Margins& m) {
-    fmt::print("{} frame {}: {}, {}\n", spec, frame, counted(chain.size(), "sphere"),
-               counted(m.colliding.pairs, "pair"));
+  static void print(const std::string& spec, std::uint32_t frame, const Chain& chain, const PeriodicBox* box,
+                    const Margins& m) {
+    fmt::print("{} frame {}: {}, {}{}\n", spec, frame, counted(chain.size(), "sphere"),
+               counted(m.colliding.pairs, "pair"), box ? "; between nearest images in the box " + written(*box) : "");
     if (m.rounding > 0)
       fmt::print("  reading rounded coordinates by up to {:.3g}, which leaves {} open\n", m.rounding,
                  counted(m.open_by_rounding, "pair"));
@@ -76,9 +79,11 @@ class MarginsCommand final : public Command {
     }
   }
 
-  static void print_json(const std::string& spec, std::uint32_t frame, const Chain& chain, const Margins& m) {
+  static void print_json(const std::string& spec, std::uint32_t frame, const Chain& chain, const PeriodicBox* box,
+                         const Margins& m) {
     nlohmann::ordered_json line{
         {"input", spec}, {"frame", frame}, {"n", chain.size()}, {"pairs", m.colliding.pairs}};
+    if (box) line["box"] = written(*box);
     if (std::isfinite(m.least)) {
       line["least_margin"] = m.least;
       line["tightest"] = {m.tightest.i, m.tightest.j};
@@ -97,7 +102,7 @@ class MarginsCommand final : public Command {
 
   std::vector<std::string> inputs_;
   FrameOption frame_;
-  InputOptions options_;
+  InputOptions options_{.takes_box = true};
   bool json_ = false;
 };
 

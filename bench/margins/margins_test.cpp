@@ -73,6 +73,20 @@ TEST(Margins, SeeWhatTheRoundingOfAFileLeavesOpen) {
   EXPECT_EQ(margins_of(pair_at(2), rounding).rounding, rounding);
 }
 
+// A ring of boxes: what lies across a face has the margin that it has where the box is begun elsewhere.
+TEST(Margins, InABoxAreThoseOfNearestImages) {
+  const auto pair_at = [](float x) { return Chain({{0.5f, 0, 0, 1}, {x, 0, 0, 1}}, {{0, 1, 2}, {0, 0}}); };
+  const PeriodicBox box{{16, 0, 0}};
+  for (const auto& [across, within] : {std::pair(15.25f, -0.75f), {14.5f, -1.5f}, {14.25f, -1.75f}, {13.0f, -3.0f}}) {
+    const Margins found = margins_of(pair_at(across), 0, &box), right = margins_of(pair_at(within));
+    EXPECT_EQ(found.least, right.least) << across;
+    EXPECT_EQ(found.colliding.decade, right.colliding.decade) << across;
+    EXPECT_EQ(found.apart.decade, right.apart.decade) << across;
+    EXPECT_EQ(found.touching, right.touching) << across;
+  }
+  EXPECT_EQ(margins_of(pair_at(14.5f), 0, &box).touching, 1u);
+}
+
 TEST(Margins, CountEachPairInOneDecade) {
   const Margins m = margins_of(scene("yarn:n=3000"));
   for (const auto& side : {m.colliding, m.apart})

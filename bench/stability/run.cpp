@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
@@ -71,7 +72,8 @@ double estimated_seconds(const std::string& name, const Chain& chain, double eno
 std::vector<Cell> measure_scene(const std::string& spec, const std::vector<std::string>& variants,
                                 const StabilityLimits& limits,
                                 const std::function<void(const std::string&)>& before) {
-  const Input input = open_input(spec);
+  const Input input = open_input(spec, limits.input);
+  show_warnings(input);
   std::vector<VariantInfo> infos;
   for (const auto& name : variants) infos.push_back(StrategyRegistry::instance().describe(name));
   std::vector<Cell> cells;

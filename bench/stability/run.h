@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catena/bench/stability/cell.h"
+#include "catena/core/input/input.h"
 
 namespace catena::bench {
 
@@ -14,6 +15,7 @@ struct StabilityLimits {
   /// Overlapping spheres of a chain, neighbours included: every search must meet each of them.
   double overlaps = 2e8;
   std::uint32_t all_pairs = 20'000;  ///< spheres above which O(n^2) variants are left out
+  InputOptions input{};              ///< what is said of the inputs
 };
 
 /// How many pairs of spheres overlap, neighbours included: from 256 spheres spread evenly over the chain,

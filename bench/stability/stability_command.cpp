@@ -9,6 +9,7 @@
 #include "catena/bench/stability/report.h"
 #include "catena/bench/stability/run.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
@@ -38,6 +39,7 @@ class StabilityCommand final : public Command {
         ->type_name("P")
         ->capture_default_str()
         ->check(CLI::Range(1e-3, 1e12));
+    add_input_options(app, limits_.input);
     app.add_flag("--cells", cells_, "One line for each scene and variant, with the reason");
     app.add_flag("--json", json_, "One JSON object a line for each scene and variant");
   }

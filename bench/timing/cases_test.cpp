@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "catena/core/commands/input_options.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/scenes/scene.h"
@@ -34,6 +35,26 @@ TEST(Cases, AreNamedByInputVariantAndStage) {
             (std::set<std::string>{"path1/n:100/CPU1/find", "path1/n:100/CPU1/whole",
                                    "path1/n:100/aCPU2+CPU2/build", "path1/n:100/aCPU2+CPU2/find",
                                    "path1/n:100/aCPU2+CPU2/update", "path1/n:100/aCPU2+CPU2/whole"}));
+}
+
+const std::string examples = CATENA_SOURCE_DIR "/core/readers/examples/";
+
+WorkloadSpec in_box(const std::string& input, const std::vector<std::string>& arguments) {
+  WorkloadSpec spec{input};
+  read_input_options(arguments, spec.options);
+  return spec;
+}
+
+TEST(Cases, AreNamedWithTheBoxInWhichSpaceRepeats) {
+  const std::vector<std::string> half{"--radius", "0.5"};
+  EXPECT_EQ(label_of(in_box(examples + "melt.data", half)), "melt.data:radius=0.5/n:8");
+  EXPECT_EQ(label_of(in_box(examples + "melt.data", {"--radius", "0.5", "--box", "file"})),
+            "melt.data:radius=0.5,box=8x8x8/n:8");
+  EXPECT_EQ(label_of(in_box(examples + "melt.dump", half)), "melt.dump:radius=0.5,box=8x8x8/n:4");
+  EXPECT_EQ(label_of(in_box("yarn:n=20", {"--box", "900,0,800.5,1,0,-2", "--window", "3"})),
+            "yarn:window=3,box=900x0x800.5x1x0x-2/n:20");
+  EXPECT_THROW(facts_of(in_box(examples + "melt.dump", {"--radius", "0.5", "--box", "1.5,8,8"})), InputError);
+  EXPECT_THROW(facts_of(in_box("yarn:n=20", {"--box", "0.001,0,0"})), InputError);
 }
 
 TEST(Cases, HaveAnUpdateWhereTheInputMoves) {

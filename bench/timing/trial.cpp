@@ -54,7 +54,7 @@ void Trial::warm_up() {
   moving_.clear();
   if (work_->beside) moving_.push_back(&*work_->beside);
   for (const Chain& chain : work_->chains) moving_.push_back(&chain);
-  variant_ = StrategyRegistry::instance().make(info_.name);
+  variant_ = work_->make(info_.name, periodic_);
   variant_->build(work_->chains.front());
   standing_ = &work_->chains.front();
   if (!compared_)
@@ -118,14 +118,20 @@ bool Trial::is_answer(std::size_t k) {
   return false;
 }
 
+void Trial::go_to_box_of(const Chain& chain) {
+  if (periodic_ != nullptr) periodic_->set_box(*work_->box_of(chain));
+}
+
 void Trial::stand_on(const Chain& chain) {
   if (standing_ == &chain) return;
+  go_to_box_of(chain);
   standing_ == nullptr ? variant_->build(chain) : variant_->update(chain);
   standing_ = &chain;
 }
 
 void Trial::release() {
   variant_.reset();
+  periodic_ = nullptr;
   device_.reset();
   work_.reset();
   standing_ = nullptr;
@@ -155,6 +161,7 @@ double Trial::run_now(Stage stage) {
   if (stage == Stage::resident) return search_resident(chain);
   if (stage == Stage::find) stand_on(chain);
   if (flush_cache_ && device_) device_->flush_cache();
+  go_to_box_of(chain);
   const Stopwatch wall;
   if (stage != Stage::find) variant_->build(chain);
   if (stage != Stage::build) variant_->find(chain, {}, found_);

@@ -11,7 +11,7 @@
 namespace catena::bench {
 
 enum class Stage {
-  build,    ///< build(), as the variant times it (CUDA events on a device)
+  build,    ///< build(), as the variant times it (CUDA events on a device); in a box with the images that it takes
   update,   ///< update(), likewise, from one frame of a moving input to the next
   find,     ///< find(), likewise
   whole,    ///< wall time around build and find, with every transfer
@@ -60,6 +60,7 @@ class Trial {
   double search_resident(const Chain& chain);
   double run_update();
   void stand_on(const Chain& chain);
+  void go_to_box_of(const Chain& chain);
 
   WorkloadSpec spec_;
   VariantInfo info_;
@@ -67,6 +68,7 @@ class Trial {
   std::string reason_;
   std::shared_ptr<const Workload> work_;
   std::unique_ptr<Variant> variant_;
+  Periodic* periodic_ = nullptr;  // the variant, where a box repeats space
   std::unique_ptr<Device> device_;
   Collisions found_;
   std::size_t next_ = 0;              // of the chains

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "catena/bench/timing/cases.h"
 #include "catena/bench/timing/times_told.h"
+#include "catena/core/commands/input_options.h"
 #include "catena/core/input/input.h"
+#include "catena/core/readers/test_file.h"
 
 namespace catena::bench {
 namespace {
@@ -89,6 +92,52 @@ TEST(Trial, AThrowIsTheVariantsFaultAndARefusalIsNot) {
   Trial wrong({"lattice:n=60"}, registry.describe("mutant:less-for-less-equal"));
   EXPECT_TRUE(wrong.prepare().starts_with("wrong answer: "));
   EXPECT_TRUE(wrong.at_fault());
+}
+
+/// Four frames whose pairs are found in their own box only: what touches across a face lies apart in every other.
+std::string boxes_that_change() {
+  std::string text;
+  for (const int length : {10, 12, 11, 13}) {
+    const auto corner = std::to_string(length) + " 0 0 0 " + std::to_string(length) + " 0 0 0 " + std::to_string(length);
+    text += "3\nLattice=\"" + corner + "\" Properties=species:S:1:pos:R:3:radius:R:1 pbc=\"T T T\"\n";
+    text += "C 0.25 0 0 0.5\nC 5 0 0 0.5\nC " + std::to_string(length - 1) + ".25 0 0 0.5\n";
+  }
+  return text;
+}
+
+TEST(Trial, SearchesEachFrameInItsOwnBox) {
+  const TestFile file("boxes.xyz", boxes_that_change());
+  for (const bool all_frames : {false, true}) {
+    const WorkloadSpec spec{file.path().string(), all_frames};
+    const auto work = workload(spec);
+    ASSERT_EQ(work->boxes.size(), work->chains.size());
+    for (const auto& exact : work->exact) EXPECT_EQ(exact.pairs, (std::vector<Pair>{{0, 2}}));
+    EXPECT_EQ(work->label, all_frames ? "boxes.xyz:frames=all,box=file/n:3" : "boxes.xyz:box=file/n:3");
+    for (const char* variant : {"CPU1", "Hybrid", "auto", "aCPU2+CPU2", "aCPU2+CPU2/double"}) {
+      Trial trial(spec, StrategyRegistry::instance().describe(variant));
+      for (const Stage stage : {Stage::build, Stage::update, Stage::whole, Stage::find, Stage::update, Stage::find}) {
+        ASSERT_EQ(trial.prepare(), "") << variant;
+        EXPECT_GE(trial.run(stage), 0) << variant;
+      }
+      EXPECT_EQ(trial.pairs(), 1u);
+      EXPECT_EQ(trial.missing() + trial.invented(), 0u);
+    }
+  }
+}
+
+// The answer is that of `detect --box`, by any variant and the reference.
+TEST(Trial, InABoxTimesWhatDetectAnswers) {
+  WorkloadSpec spec{example("melt.data").string()};
+  read_input_options({"--radius", "0.5", "--box", "file"}, spec.options);
+  const auto work = workload(spec);
+  EXPECT_EQ(work->exact[0].pairs, (std::vector<Pair>{{1, 4}, {2, 4}}));
+  auto variant = work->make("Hybrid");
+  Collisions found;
+  variant->build(work->chains[0]);
+  variant->find(work->chains[0], {}, found);
+  std::ranges::sort(found.pairs);
+  EXPECT_EQ(found.pairs, work->exact[0].pairs);
+  for (const Case& c : cases({spec}, StrategyRegistry::instance().variants())) EXPECT_NE(c.stage, Stage::resident);
 }
 
 TEST(Trial, ALabelSaysNInDigits) { EXPECT_EQ(label_of({"path1:spacing=2,n=1e3"}), "path1:spacing=2/n:1000"); }

@@ -48,7 +48,6 @@ class DetectCommand final : public Command {
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
     add_tolerance_option(app, options_);
-    add_box_option(app, options_);
   }
 
   int run() override {
@@ -138,7 +137,7 @@ class DetectCommand final : public Command {
   FrameOption frame_;
   WantOptions want_;
   NoOmitOption no_omit_;
-  InputOptions options_;
+  InputOptions options_{.takes_box = true};
   std::optional<Thinning> thinning_;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   Request request_;

@@ -32,7 +32,6 @@ class ExportCommand final : public Command {
     app.add_option("--variant", variant_, "How to find them; see catena list")->capture_default_str();
     add_input_options(app, options_);
     add_tolerance_option(app, options_);
-    add_box_option(app, options_);
   }
 
   int run() override {
@@ -95,7 +94,7 @@ class ExportCommand final : public Command {
 
   std::string input_, out_, variant_ = "aCPU2+CPU2";
   FrameOption frame_;
-  InputOptions options_;
+  InputOptions options_{.takes_box = true};
   bool contacts_ = false;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   std::unique_ptr<Variant> search_;

@@ -1,6 +1,7 @@
 #include "catena/core/commands/input_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <string_view>
 
 #include "catena/core/error.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
 
@@ -94,6 +96,16 @@ void set_box(const std::string& text, InputOptions& options) {
     options.box.xy = numbers[3], options.box.xz = numbers[4], options.box.yz = numbers[5];
 }
 
+void add_box_option(CLI::App& app, InputOptions& options) {
+  const bool taken = options.takes_box;
+  app.add_option_function<std::string>(
+         "--box", [&options](const std::string& text) { set_box(text, options); },
+         taken ? "Space repeats in a box of these edges (0: not along this one), and perhaps tilts, or in the file's; "
+                 "without it, in the file's where that says it is periodic"
+               : "none: leaves out the box of a file that says space repeats in it; otherwise such a file is refused")
+      ->type_name(taken ? "X,Y,Z[,XY,XZ,YZ]|file|none" : "none");
+}
+
 }  // namespace
 
 void add_tolerance_option(CLI::App& app, InputOptions& options) {
@@ -102,16 +114,6 @@ void add_tolerance_option(CLI::App& app, InputOptions& options) {
          "Leave out spheres without which the tube lacks no more than this share of its radius; needs an arc "
          "window")
       ->type_name("T");
-}
-
-void add_box_option(CLI::App& app, InputOptions& options) {
-  options.takes_box = true;
-  app.add_option_function<std::string>(
-         "--box", [&options](const std::string& text) { set_box(text, options); },
-         "Space repeats in a box of these edges (0: not along this one), and perhaps tilts, or in the "
-         "file's; without "
-         "it, in the file's where that says it is periodic")
-      ->type_name("X,Y,Z[,XY,XZ,YZ]|file|none");
 }
 
 void add_input_options(CLI::App& app, InputOptions& options) {
@@ -153,6 +155,54 @@ void add_input_options(CLI::App& app, InputOptions& options) {
   app.add_option("--topology", options.reading.topology,
                  "The file with the strands or bonds of a configuration: oxDNA's .top, LAMMPS's .data")
       ->type_name("FILE");
+  add_box_option(app, options);
+}
+
+std::vector<std::string> arguments_of(const InputOptions& options) {
+  std::vector<std::string> arguments;
+  const auto flag = [&](bool given, const char* name) {
+    if (given) arguments.emplace_back(name);
+  };
+  const auto value = [&](const char* name, const std::string& text) {
+    if (!text.empty()) arguments.emplace_back(name), arguments.push_back(text);
+  };
+  const ReadOptions& reading = options.reading;
+  value("--radius", options.radius                ? fmt::format("{}", *options.radius)
+                    : options.radius_half_spacing ? "half-spacing"
+                                                  : "");
+  flag(options.closed, "--closed");
+  value("--window", options.window ? fmt::format("{}", *options.window) : "");
+  value("--arc-window", options.arc_window ? fmt::format("{}", *options.arc_window) : "");
+  value("--columns", fmt::format("{}", fmt::join(reading.columns, ",")));
+  value("--atom", reading.atom);
+  flag(reading.recentre && !reading.origin, "--recentre");
+  value("--origin", reading.origin ? fmt::format("{}", fmt::join(*reading.origin, ",")) : "");
+  value("--format", reading.format);
+  value("--array", reading.array);
+  value("--topology", reading.topology);
+  value("--box", options.box_from == BoxFrom::file      ? "file"
+                 : options.box_from == BoxFrom::none    ? "none"
+                 : options.box_from == BoxFrom::options ? written(options.box)
+                                                        : "");
+  return arguments;
+}
+
+void read_input_options(std::vector<std::string> arguments, InputOptions& options) {
+  CLI::App app;
+  add_input_options(app, options);
+  std::ranges::reverse(arguments);  // as CLI11 takes them
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& wrong) {
+    throw InputError(wrong.what());
+  }
+}
+
+std::string in_command(const InputOptions& options) {
+  std::string text;
+  for (const std::string& argument : arguments_of(options))
+    text += argument.starts_with("--") ? " " + argument : fmt::format(" '{}'", argument);
+  return text;
 }
 
 }  // namespace catena

@@ -32,15 +32,13 @@ class PlanCommand final : public Command {
     app.add_flag("--json", json_, "One JSON object a line for each frame");
     add_input_options(app, options_);
     add_tolerance_option(app, options_);
-    add_box_option(app, options_);
   }
 
   int run() override {
-    options_.takes_box = run_;
     const Input input = open_input(input_, options_);
     if (!input.boxes.empty() && !run_)
       throw InputError(
-          "what is searched in a box is known when it is searched; add --run, or leave --box out");
+          "what is searched in a box is known when it is searched; add --run, or say --box none");
     show_warnings(input);
     const Machine& machine = Machine::here();
     if (machine.warning) fmt::print(stderr, "catena: {}\n", *machine.warning);
@@ -89,7 +87,7 @@ class PlanCommand final : public Command {
 
   std::string input_;
   FrameOption frame_;
-  InputOptions options_;
+  InputOptions options_{.takes_box = true};
   WantOptions want_;
   NoOmitOption no_omit_;
   bool run_ = false, json_ = false;

@@ -30,8 +30,8 @@ TEST(BoxChoice, TakesWhatTheFileSaysIsPeriodicAndAsksForTheRest) {
   EXPECT_EQ(boxes_of("melt.data", BoxFrom::options), std::vector<PeriodicBox>{of_user});
   EXPECT_EQ(boxes_of("melt.dump", BoxFrom::none), std::vector<PeriodicBox>{});
   EXPECT_THROW(boxes_of("loop.obj", BoxFrom::file), InputError);
-  EXPECT_EQ(open_input("path1:n=9", {.box_from = BoxFrom::options, .box = of_user}).boxes,
-            std::vector<PeriodicBox>{of_user});
+  const InputOptions scene{.box_from = BoxFrom::options, .box = of_user, .takes_box = true};
+  EXPECT_EQ(open_input("path1:n=9", scene).boxes, std::vector<PeriodicBox>{of_user});
   EXPECT_THROW(open_input("path1:n=9", {.box_from = BoxFrom::file}), InputError);
 }
 
@@ -43,9 +43,38 @@ TEST(BoxChoice, SaysWhatIsLeftOut) {
   };
   EXPECT_EQ(warning("melt.data", heeding(BoxFrom::told)),
             "the box of the file, 8 x 8 x 8, is left out; --box file says that space repeats it");
-  EXPECT_EQ(warning("melt.dump", {.radius = 0.5f}),
-            "the box of the file, 8 x 8 x 8, is left out; `catena detect` and `catena verify` take it");
+  EXPECT_EQ(warning("melt.data", {.radius = 0.5f}),
+            "the box of the file, 8 x 8 x 8, is left out; --box none says that it is to be");
   EXPECT_EQ(warning("melt.dump", heeding(BoxFrom::none)), "");
+}
+
+std::string refusal(const std::string& spec, const InputOptions& options) {
+  try {
+    open_input(spec, options);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+// Where a box is not heeded, no answer without it is given for one with it.
+TEST(BoxChoice, RefusesABoxThatWouldNotBeHeeded) {
+  const std::string melt = example("melt.dump").string(), data = example("melt.data").string();
+  const auto asks = [](BoxFrom from) {
+    InputOptions options = heeding(from);
+    options.takes_box = false;
+    return options;
+  };
+  for (const auto& [spec, from] : {std::pair(melt, BoxFrom::told), {melt, BoxFrom::file}, {data, BoxFrom::file}})
+    EXPECT_EQ(refusal(spec, asks(from)),
+              spec + ": the box of the file, 8 x 8 x 8, repeats space, which this command does not know; --box none "
+                     "leaves it out, of a file also when it is exported");
+  for (const std::string& spec : {melt, data})
+    EXPECT_TRUE(refusal(spec, asks(BoxFrom::options)).starts_with(spec + ": the box of --box, 5 x 6 x 7, repeats"));
+  InputOptions scene = asks(BoxFrom::options);
+  scene.radius.reset();
+  EXPECT_TRUE(refusal("path1:n=9", scene).starts_with("path1:n=9: the box of --box, 5 x 6 x 7, repeats"));
+  EXPECT_EQ(refusal(melt, asks(BoxFrom::none)), "");
 }
 
 // The first chain lies across two faces; its arc lengths are those of the whole chain.

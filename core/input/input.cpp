@@ -88,9 +88,7 @@ Input open_input(const std::string& spec, const InputOptions& options) {
     auto later = std::move(curves.later_frames);
     input.animation = std::make_unique<FileFrames>(make_chain(std::move(curves), options), std::move(later));
   } else {
-    if (options.box_from == BoxFrom::file)
-      throw InputError(fmt::format("{}: a scene has no box; give one with --box X,Y,Z", spec));
-    if (options.box_from == BoxFrom::options) input.boxes = {options.box};
+    input.boxes = boxes_of_scene(options, spec);
     input.animation = open_scene(spec, options);
   }
   if (options.tolerance) leave_out(input, *options.tolerance);

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
@@ -27,6 +28,9 @@ class Periodic final : public Variant {
  public:
   Periodic(std::unique_ptr<Variant> variant, const PeriodicBox& box)
       : variant_(std::move(variant)), box_(box) {}
+
+  /// Spheres that the last build added for the faces of the box.
+  std::uint32_t images() const { return static_cast<std::uint32_t>(ghosts_.size()); }
 
   /// For the next build.
   void set_box(const PeriodicBox& box) { box_ = box; }
@@ -71,6 +75,12 @@ class Periodic final : public Variant {
 /// Makes this a search in the boxes of an input, and goes to that of its first frame. Null where there is
 /// none: the variant stays what it was.
 Periodic* put_into_boxes(std::unique_ptr<Variant>& variant, std::span<const PeriodicBox> boxes);
+
+/// X,Y,Z, and ,XY,XZ,YZ where it is tilted: as --box takes it. Reads back as it is.
+std::string written(const PeriodicBox& box);
+
+/// The box of that frame among those of an input, one a frame, one for all, or none: then null.
+const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t frame);
 
 /// The box of the next frame to be built, where there is one for each; `periodic` may be null.
 void go_to_frame(Periodic* periodic, std::span<const PeriodicBox> boxes, std::uint32_t frame);

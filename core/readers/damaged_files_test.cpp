@@ -134,7 +134,12 @@ RC_GTEST_PROP(DamagedFiles, Binary, ()) {
   trk += std::string("\xE8\3\0\0\2\0\0\0", 8) + std::string(24, '\x3f');
   tfx.resize(160, '\0');
   tfx += std::string(64, '\x3f');
-  *rc::gen::arbitrary<bool>() ? reads_or_complains("a.trk", damaged(trk)) : reads_or_complains("a.tfx", damaged(tfx));
+  std::string bcc("BCCDC0\3\2\2\0\0\0\0\0\0\0\3\0\0\0\0\0\0\0", 24);
+  bcc.resize(64, '\0');
+  bcc += std::string("\1\0\0\0", 4) + std::string(12, '\x3f') + "\xFE\xFF\xFF\xFF" + std::string(24, '\x3f');
+  const std::vector<std::pair<std::string, std::string>> files{{"a.trk", trk}, {"a.tfx", tfx}, {"a.bcc", bcc}};
+  const auto [name, whole] = *rc::gen::elementOf(files);
+  reads_or_complains(name, damaged(whole));
 }
 
 RC_GTEST_PROP(DamagedFiles, Oxdna, ()) {

@@ -27,6 +27,8 @@ const std::map<std::string, Counts> counts{
     {"knot/4_1-smooth.obj", {272, 1}},
     {"knot/9_47-cubiclattice.txt", {208, 1}},
     {"knot/circle_closure_0.vect", {593, 1}},
+    {"knot/curves_catmullrom.bcc", {933, 3}},
+    {"knot/curves_polyline.bcc", {933, 3}},
     {"knot/repcurves_earbuds.obj", {529, 1}},
     {"knot/repcurves_rings640.obj", {6144, 3}},
     {"neuron/1734350788.swc", {4465, 1}},

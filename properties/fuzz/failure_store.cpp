@@ -5,6 +5,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "catena/core/input/box_choice.h"
 #include "catena/core/input/curve_input.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
@@ -72,7 +73,9 @@ std::string chain_file_of(const Chain& chain) {
 }
 
 Chain load_chain(const std::filesystem::path& file) {
-  return make_chain(ReaderRegistry::instance().read(file), {});
+  CurveFile curves = ReaderRegistry::instance().read(file);
+  choose_boxes(curves, {}, file.string());  // a box that repeats space is refused: a replay is of a chain
+  return make_chain(std::move(curves), {});
 }
 
 }  // namespace catena::properties

@@ -197,7 +197,7 @@ def replay(run, input_, variant=None):
         chain = row.get("spec") or f"{scene}{',' if ':' in scene else ':'}n={n_of(input_)}"
     frame = f" --frame {row['frame']}" if row.get("frames", 1) > 1 and "frame" in row else ""
     quoted = f" --variant '{variant}'" if variant else ""
-    return f"catena detect '{chain}'{frame}{quoted}"
+    return f"catena detect '{chain}'{row.get('options', '')}{frame}{quoted}"
 
 
 def load(path):

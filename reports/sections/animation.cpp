@@ -4,6 +4,7 @@
 
 #include "catena/bench/timing/sampling.h"
 #include "catena/core/input/input.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
@@ -19,20 +20,23 @@ std::uint32_t moved_spheres(const Chain& before, const Chain& after) {
 /// Frame by frame: update and find of every exact variant that takes the chain, variants in random order at
 /// each frame.
 nlohmann::ordered_json animation(const Profile& profile) {
-  if (profile.animation_input.empty()) return {};
-  const bench::WorkloadSpec spec{profile.animation_input};
-  const Input input = open_input(spec.input);
+  if (profile.animation_input.input.empty()) return {};
+  const bench::WorkloadSpec& spec = profile.animation_input;
+  const Input input = open_input(spec.input, spec.options);
   const Chain first = input.animation->frame(0);
   std::vector<std::unique_ptr<Variant>> variants;
+  std::vector<Periodic*> in_boxes;  // the same, where a box repeats space
   auto rows = nlohmann::ordered_json::array();
   Collisions found;
   for (const auto& info : exact_variants(profile)) {
     if (info.all_pairs) continue;
     attempt(info.name, [&] {
       auto variant = StrategyRegistry::instance().make(info.name);
+      Periodic* const periodic = put_into_boxes(variant, input.boxes);
       variant->build(first);
       variant->find(first, {}, found);
       variants.push_back(std::move(variant));
+      in_boxes.push_back(periodic);
       rows.push_back({{"input", bench::label_of(spec)},
                       {"variant", info.name},
                       {"frames", nlohmann::ordered_json::array()}});
@@ -46,6 +50,7 @@ nlohmann::ordered_json animation(const Profile& profile) {
     for (std::size_t k = 0; k < variants.size(); ++k)
       runs.emplace_back([&, k] {
         blaming(rows[k]["variant"], [&] {
+          go_to_frame(in_boxes[k], input.boxes, f);
           variants[k]->update(chain);
           variants[k]->find(chain, {}, found);
         });

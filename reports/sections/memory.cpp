@@ -38,7 +38,7 @@ nlohmann::ordered_json memory(const Profile& profile) {
                           malloc_trim(0);
                           forget_peak();
                           const std::int64_t before = allocated(), resident = status("VmRSS");
-                          auto variant = StrategyRegistry::instance().make(info.name);
+                          auto variant = work.make(info.name);
                           variant->build(chain);
                           variant->find(chain, {}, found);
                           const std::int64_t peak = status("VmHWM") - resident;

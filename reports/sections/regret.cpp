@@ -36,7 +36,7 @@ nlohmann::ordered_json regret(const Profile& profile) {
                         [&](const bench::Workload& work, const Chain& chain, const VariantInfo& info) {
                           if (cases.empty() || cases.back().work->label != work.label)
                             cases.push_back({bench::workload(work.spec), {}});
-                          Run run{info.name, StrategyRegistry::instance().make(info.name)};
+                          Run run{info.name, work.make(info.name)};
                           Collisions found;
                           run.ms(chain, found);
                           cases.back().runs.push_back(std::move(run));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "catena/bench/timing/sampling.h"
@@ -29,12 +30,15 @@ std::vector<Pair> sorted_pairs(Variant& variant, const Chain& chain) {
   return found.pairs;
 }
 
-std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain, bool VariantInfo::*kind) {
+using Make = std::function<std::unique_ptr<Variant>(const std::string&)>;
+
+std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain, bool VariantInfo::*kind,
+                               const Make& make) {
   std::vector<Standing> list;
   for (const auto& info : infos) {
     if (!(info.*kind)) continue;
     attempt(info.name, [&] {
-      auto variant = StrategyRegistry::instance().make(info.name);
+      auto variant = make(info.name);
       variant->build(chain);
       sorted_pairs(*variant, chain);  // one that fails is left out here, not in the middle
       list.push_back({info, std::move(variant)});
@@ -76,8 +80,9 @@ void hierarchy(Json& rows, const Profile& profile) {
     const std::string spec = fmt::format("path1:n={}", n);
     const Input input = open_input(spec);
     const Chain chain = input.animation->frame(input.animation->frames() / 2);
-    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree);
-    const auto all_pairs = standing(exact_variants(profile), chain, &VariantInfo::all_pairs);
+    const auto make = [](const std::string& name) { return StrategyRegistry::instance().make(name); };
+    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree, make);
+    const auto all_pairs = standing(exact_variants(profile), chain, &VariantInfo::all_pairs, make);
     const auto tree = quickest_of(trees, chain, profile), pairs = quickest_of(all_pairs, chain, profile);
     if (!tree || !pairs) continue;
     Variant &with = *trees[*tree].variant, &without = *all_pairs[*pairs].variant;
@@ -94,9 +99,10 @@ void hierarchy(Json& rows, const Profile& profile) {
 /// The pair list when counts suffice, and counts when a yes or no does.
 void pair_list(Json& rows, const Profile& profile) {
   for (const auto& spec : profile.wants_inputs) {
-    const auto work = bench::workload({spec});
+    const auto work = bench::workload(spec);
     const Chain& chain = work->chains.front();
-    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree);
+    const auto make = [&](const std::string& variant) { return work->make(variant); };
+    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree, make);
     const auto best = quickest_of(trees, chain, profile);
     if (!best) continue;
     Variant& variant = *trees[*best].variant;
@@ -122,9 +128,10 @@ void pair_list(Json& rows, const Profile& profile) {
 /// A rebuild for a frame that did not move, and a new variant for one that did.
 void rebuild(Json& rows, const Profile& profile) {
   for (const auto& spec : profile.coherent_inputs) {
-    const auto work = bench::workload({spec});
+    const auto work = bench::workload(spec);
     const Chain& chain = work->chains.front();
-    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree);
+    const auto make = [&](const std::string& variant) { return work->make(variant); };
+    const auto trees = standing(exact_variants(profile), chain, &VariantInfo::has_tree, make);
     const auto best = quickest_of(trees, chain, profile);
     if (!best) continue;
     Variant& variant = *trees[*best].variant;
@@ -141,13 +148,13 @@ void rebuild(Json& rows, const Profile& profile) {
           return watch.ms();
         },
         profile));
-    const auto anew = StrategyRegistry::instance().make(name);
+    const auto anew = make(name);
     anew->build(chain);
     rows.push_back(saving(
         work->label, "new build", fmt::format("update() reuses what stands ({})", name),
         sorted_pairs(*anew, chain) == before,
         [&] {
-          const auto fresh = StrategyRegistry::instance().make(name);
+          const auto fresh = make(name);
           const Stopwatch watch;
           fresh->build(chain);
           return watch.ms();

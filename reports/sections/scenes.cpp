@@ -5,6 +5,7 @@
 
 #include "catena/bench/margins/margins.h"
 #include "catena/bench/timing/chain_hash.h"
+#include "catena/core/commands/input_options.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/reports/section.h"
@@ -18,6 +19,13 @@ std::string summary_of(const std::string& scene) {
   return "";
 }
 
+/// What a search in the box adds to the chain.
+std::uint32_t images_of(const Chain& chain, const PeriodicBox& box) {
+  Periodic periodic(StrategyRegistry::instance().make("CPU1"), box);
+  periodic.build(chain);
+  return periodic.images();
+}
+
 nlohmann::ordered_json scenes(const Profile& profile) {
   auto rows = nlohmann::ordered_json::array();
   for (const auto& spec : profile.inputs) {
@@ -26,6 +34,7 @@ nlohmann::ordered_json scenes(const Profile& profile) {
         std::ranges::max_element(work->exact, {}, &reference::Answer::pair_count) - work->exact.begin();
     const Chain& chain = work->chains[static_cast<std::size_t>(most)];
     const auto& exact = work->exact[static_cast<std::size_t>(most)];
+    const PeriodicBox* const box = work->box_of(chain);
     const double n = std::max(1.0, static_cast<double>(chain.size()));
     nlohmann::ordered_json row{{"input", work->label},
                                {"spec", spec.input},
@@ -39,8 +48,17 @@ nlohmann::ordered_json scenes(const Profile& profile) {
                                {"pairs", exact.pair_count},
                                {"max_count", exact.count.empty() ? 0 : std::ranges::max(exact.count)},
                                {"density", static_cast<double>(exact.pair_count) / n}};
-    if (const double margin = bench::margins_of(chain).least; std::isfinite(margin))
+    if (const double margin = bench::margins_of(chain, 0, box).least; std::isfinite(margin))
       row["smallest_margin"] = margin;
+    if (const std::string options = in_command(spec.options); !options.empty()) row["options"] = options;
+    if (box != nullptr) {
+      row["box"] = written(*box);
+      row["images"] = images_of(chain, *box);
+      row["summary"] = fmt::format(
+          "space repeats in the box {}: build puts the spheres into it and makes {} images at its faces, find decides "
+          "exactly what lies across them; both are timed",
+          written(*box), row["images"].get<std::uint32_t>());
+    }
     rows.push_back(std::move(row));
   }
   return rows;

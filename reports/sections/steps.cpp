@@ -8,7 +8,7 @@ nlohmann::ordered_json steps(const Profile& profile) {
   auto rows = nlohmann::ordered_json::array();
   for_each_host_variant(profile,
                         [&](const bench::Workload& work, const Chain& chain, const VariantInfo& info) {
-                          const auto variant = StrategyRegistry::instance().make(info.name);
+                          const auto variant = work.make(info.name);
                           if (variant->work().empty()) return;
                           Collisions found;
                           variant->build(chain);

@@ -7,8 +7,11 @@
 
 #include "catena/core/error.h"
 #include "catena/core/hierarchy/sphere_bounds_visitor.h"
+#include "catena/core/commands/input_options.h"
 #include "catena/core/input/input.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/reference/compare.h"
+#include "catena/reference/find_in_box.h"
 #include "catena/reports/base64.h"
 #include "catena/reports/faults.h"
 #include "catena/reports/section.h"
@@ -81,7 +84,7 @@ Json levels_of(const Chain& chain, const Profile& profile) {
 }
 
 /// Which pairs each rounded variant misses and invents.
-Json wrong_answers(const Chain& chain, std::uint32_t frame, const reference::Answer& exact,
+Json wrong_answers(const Chain& chain, std::span<const PeriodicBox> boxes, std::uint32_t frame, const reference::Answer& exact,
                    const Profile& profile) {
   constexpr std::uint64_t pair_limit = 200'000;
   Json list = Json::array();
@@ -91,7 +94,8 @@ Json wrong_answers(const Chain& chain, std::uint32_t frame, const reference::Ans
     Collisions found;
     try {
       const bool answered = attempt(info.name, [&] {
-        const auto variant = StrategyRegistry::instance().make(info.name);
+        auto variant = StrategyRegistry::instance().make(info.name);
+        go_to_frame(put_into_boxes(variant, boxes), boxes, frame);
         variant->build(chain);
         variant->find(chain, {.pair_limit = pair_limit}, found);
       });
@@ -118,7 +122,7 @@ Json wrong_answers(const Chain& chain, std::uint32_t frame, const reference::Ans
 }
 
 Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
-  const Input input = open_input(shown.input);
+  const Input input = open_input(shown.input, shown.options);
   const std::uint32_t all = input.animation->frames();
   const std::uint32_t count = shown.all_frames ? std::min(frames_shown, all) : 1;
   Json frames = Json::array(), wrong = Json::array();
@@ -128,27 +132,28 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t frame = count == 1 ? all / 2 : k * (all - 1) / (count - 1);
     const Chain chain = input.animation->frame(frame);
-    const auto exact = reference::find(chain);
+    const auto exact = reference::find_in(chain, box_of(input.boxes, frame));
     frames.push_back({{"frame", frame},
                       {"spheres", spheres_of(chain)},
                       {"pairs", base64(std::span<const Pair>(exact.pairs))}});
-    for (auto& answer : wrong_answers(chain, frame, exact, profile)) wrong.push_back(std::move(answer));
+    for (auto& answer : wrong_answers(chain, input.boxes, frame, exact, profile)) wrong.push_back(std::move(answer));
     if (k == 0 || exact.pair_count > most) busiest = chain, busiest_frame = frame, most = exact.pair_count;
   }
   auto strands = busiest.strands().first;
   strands.pop_back();
   Json closed = Json::array();
   for (std::size_t s = 0; s < strands.size(); ++s) closed.push_back(busiest.strands().closed[s] != 0);
-  Json out{{"input", bench::label_of({shown.input})},
-           {"command", fmt::format("catena detect {} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv",
-                                   shown.input, count == 1 ? std::to_string(all / 2) : "all")},
+  Json out{{"input", bench::label_of({shown.input, false, shown.options})},
+           {"command", fmt::format("catena detect {}{} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv",
+                                   shown.input, in_command(shown.options), count == 1 ? std::to_string(all / 2) : "all")},
            {"frames", std::move(frames)},
            {"strands", strands},
            {"closed", std::move(closed)}};
-  if (Json levels = levels_of(busiest, profile); !levels.empty()) {
-    out["tree_frame"] = busiest_frame;
-    out["levels"] = std::move(levels);
-  }
+  if (input.boxes.empty())  // otherwise the tree is one of images, too
+    if (Json levels = levels_of(busiest, profile); !levels.empty()) {
+      out["tree_frame"] = busiest_frame;
+      out["levels"] = std::move(levels);
+    }
   if (!wrong.empty()) out["wrong"] = std::move(wrong);
   return out;
 }

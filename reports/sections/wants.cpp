@@ -13,7 +13,7 @@ constexpr std::uint32_t most_all_pairs = 3000;  ///< above, an O(n^2) variant ta
 nlohmann::ordered_json wants(const Profile& profile) {
   auto rows = nlohmann::ordered_json::array();
   for (const auto& input : profile.wants_inputs) {
-    const auto work = bench::workload({input});
+    const auto work = bench::workload(input);
     const Chain& chain = work->chains.front();
     std::vector<std::unique_ptr<Variant>> ready;
     std::vector<std::function<double()>> runs;
@@ -22,7 +22,7 @@ nlohmann::ordered_json wants(const Profile& profile) {
     for (const auto& info : exact_variants(profile)) {
       if (info.all_pairs && chain.size() > most_all_pairs) continue;
       attempt(info.name, [&] {
-        auto variant = StrategyRegistry::instance().make(info.name);
+        auto variant = work->make(info.name);
         variant->build(chain);
         for (const auto& [want, name] :
              {std::pair{Want::pairs, "pairs"}, {Want::counts, "counts"}, {Want::any, "any"}}) {

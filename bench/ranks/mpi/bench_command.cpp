@@ -25,6 +25,7 @@ class BenchCommand final : public Command {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     search_.add_to(app);
+    search_.add_input_to(app);
   }
 
   int run() override {

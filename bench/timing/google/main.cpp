@@ -7,6 +7,7 @@
 
 #include "catena/bench/timing/google/benchmarks.h"
 #include "catena/core/commands/guarded_main.h"
+#include "catena/core/commands/input_options.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/scenes/scene.h"
@@ -17,6 +18,7 @@ using namespace catena;
 
 struct Options {
   bool flush_cache = false;
+  InputOptions input{.takes_box = true};
   std::vector<std::string> scenes;
   std::vector<std::uint32_t> sizes{1000,    10'000,  20'000,    30'000,    40'000,    50'000,
                                    100'000, 150'000, 1'000'000, 3'000'000, 10'000'000};
@@ -30,6 +32,7 @@ std::vector<std::string> take_options(int argc, char** argv, Options& options) {
       ->allow_extra_args(false);
   app.add_option("--n", options.sizes, "Spheres; repeatable")->allow_extra_args(false);
   app.add_flag("--flush-cache", options.flush_cache, "Empty the device's cache before every sample");
+  add_input_options(app, options.input);
   app.set_help_flag();  // --help is Google Benchmark's
   try {
     app.parse(argc, argv);
@@ -54,10 +57,11 @@ std::vector<bench::WorkloadSpec> inputs(const Options& options) {
     const bool sized = !known.contains(scene.substr(0, colon)) || scene.find(":n=") != std::string::npos ||
                        scene.find(",n=") != std::string::npos;
     if (sized)
-      specs.push_back({scene});
+      specs.push_back({scene, false, options.input});
     else
       for (const std::uint32_t n : options.sizes)
-        specs.push_back({fmt::format("{}{}n={}", scene, colon == std::string::npos ? ':' : ',', n)});
+        specs.push_back({fmt::format("{}{}n={}", scene, colon == std::string::npos ? ':' : ',', n), false,
+                         options.input});
   }
   return specs;
 }

@@ -29,6 +29,7 @@ class DetectCommand final : public Command {
   void configure(CLI::App& app) override {
     app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
     search_.add_to(app);
+    search_.add_input_to(app);
     frame_.add_to(app);
     app.add_option("--pairs", tables_.pairs,
                    "Write the colliding pairs to this file: CSV, or JSON lines (.jsonl)");

@@ -12,9 +12,9 @@ void SearchOptions::add_to(CLI::App& app) {
   app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
       ->check(CLI::IsMember({"measured", "chain", "space"}))
       ->capture_default_str();
-  add_input_options(app, input_);
-  add_box_option(app, input_);
 }
+
+void SearchOptions::add_input_to(CLI::App& app) { add_input_options(app, input_); }
 
 RankOptions SearchOptions::of(Request request) const {
   if (!StrategyRegistry::instance().describe(variant_).exact)

@@ -10,7 +10,8 @@ namespace catena::ranks {
 /// What a user may say of a search by ranks, whatever the command.
 class SearchOptions {
  public:
-  void add_to(CLI::App& app);  ///< this object must outlive the parsing
+  void add_to(CLI::App& app);        ///< this object must outlive the parsing
+  void add_input_to(CLI::App& app);  ///< also what may be said of an input, for a command that has one
 
   /// Throws InputError for an unknown variant or order.
   RankOptions of(Request request) const;
@@ -19,7 +20,7 @@ class SearchOptions {
 
  private:
   std::string variant_ = "auto", order_ = "measured";
-  InputOptions input_;
+  InputOptions input_{.takes_box = true};
 };
 
 }  // namespace catena::ranks

@@ -21,6 +21,7 @@ class VerifyCommand final : public Command {
   void configure(CLI::App& app) override {
     app.add_option("INPUT", inputs_, "Scenes and files that one process can hold")->required();
     search_.add_to(app);
+    search_.add_input_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each input and order");
   }
 
