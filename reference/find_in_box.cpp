@@ -47,8 +47,8 @@ struct Rough {
 };
 
 // Each difference is a sum of at most five terms, so its error is below 6u of `most`, the sum of all
-// magnitudes (u = 2^-53): e = 2^-50 of that. The square of a difference d is then off by less than 2e|d| + e^2, and
-// rounding q, t and q - t adds less than 8u(q + t). The bound is twice that, for its own rounding.
+// magnitudes (u = 2^-53): e = 2^-50 of that. The square of a difference d is then off by less than 2e|d| +
+// e^2, and rounding q, t and q - t adds less than 8u(q + t). The bound is twice that, for its own rounding.
 Rough rough(const Sphere& a, const Sphere& b, const Steps& n, const PeriodicBox& box) {
   const double dx = (double{b.x} - a.x) + n[0] * box.length[0] + n[1] * box.xy + n[2] * box.xz,
                dy = (double{b.y} - a.y) + n[1] * box.length[1] + n[2] * box.yz,
@@ -184,7 +184,8 @@ Answer find_in_box(const Chain& chain, const PeriodicBox& box, std::uint64_t pai
   return answer;
 }
 
-// A pair of interest is within sqrt(2) reaches, 0.71 of each width: less than one edge from the rounded place.
+// A pair of interest is within sqrt(2) reaches, 0.71 of each width: less than one edge from the rounded
+// place.
 void near_pairs_in_box(const Chain& chain, const PeriodicBox& box, const NearVisitor& visit) {
   const double reach = 2 * double{chain.view().extent.greatest_radius};
   check_box(box, reach);

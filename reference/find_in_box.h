@@ -18,9 +18,10 @@ Answer find_in_box(const Chain& chain, const PeriodicBox& box, std::uint64_t pai
 /// The exact answer in that box, or in open space where it is null; pairs up to the limit of a usual request.
 Answer find_in(const Chain& chain, const PeriodicBox* box);
 
-/// As near_pairs: every pair that collides or has a margin below 1, each once, i < j, in no order; the margin is that of
-/// the image of j that is nearest to i. Margins below 2^-8 are exact but for one rounding, those above are told to a
-/// relative 2^-30, and what is compared with 1 is exact. Throws as find_in_box; its cost, with more spheres in a cell.
+/// As near_pairs: every pair that collides or has a margin below 1, each once, i < j, in no order; the margin
+/// is that of the image of j that is nearest to i. Margins below 2^-8 are exact but for one rounding, those
+/// above are told to a relative 2^-30, and what is compared with 1 is exact. Throws as find_in_box; its cost,
+/// with more spheres in a cell.
 void near_pairs_in_box(const Chain& chain, const PeriodicBox& box, const NearVisitor& visit);
 
 }  // namespace catena::reference

@@ -63,10 +63,13 @@ std::pair<Rational, Rational> nearest(const Sphere& a, const Sphere& b, const Pe
   for (int x = -far; x <= far; ++x)
     for (int y = -far; y <= far; ++y)
       for (int z = -far; z <= far; ++z) {
-        if ((x != 0 && box.length[0] == 0) || (y != 0 && box.length[1] == 0) || (z != 0 && box.length[2] == 0)) continue;
-        const Rational dx = Rational(b.x) - Rational(a.x) + x * Rational(box.length[0]) + y * Rational(box.xy) +
-                            z * Rational(box.xz),
-                       dy = Rational(b.y) - Rational(a.y) + y * Rational(box.length[1]) + z * Rational(box.yz),
+        if ((x != 0 && box.length[0] == 0) || (y != 0 && box.length[1] == 0) ||
+            (z != 0 && box.length[2] == 0))
+          continue;
+        const Rational dx = Rational(b.x) - Rational(a.x) + x * Rational(box.length[0]) +
+                            y * Rational(box.xy) + z * Rational(box.xz),
+                       dy =
+                           Rational(b.y) - Rational(a.y) + y * Rational(box.length[1]) + z * Rational(box.yz),
                        dz = Rational(b.z) - Rational(a.z) + z * Rational(box.length[2]);
         const Rational q = dx * dx + dy * dy + dz * dz;
         if (least < 0 || q < least) least = q;
@@ -75,15 +78,18 @@ std::pair<Rational, Rational> nearest(const Sphere& a, const Sphere& b, const Pe
   return {least, reach * reach};
 }
 
-// Pairs, sides and margins are those of the definition; narrow boxes, where 0.71 of a width matters, among them.
+// Pairs, sides and margins are those of the definition; narrow boxes, where 0.71 of a width matters, among
+// them.
 RC_GTEST_PROP(FindInBox, NearPairsAreThoseOfTheDefinition, ()) {
   PeriodicBox box{{4, 4 + *rc::gen::inRange(0, 9) / 4.0, 4.1}};
-  if (*rc::gen::arbitrary<bool>()) box.xy = *rc::gen::inRange(-4, 5) / 4.0, box.length[0] += 1, box.length[1] += 1;
+  if (*rc::gen::arbitrary<bool>())
+    box.xy = *rc::gen::inRange(-4, 5) / 4.0, box.length[0] += 1, box.length[1] += 1;
   if (*rc::gen::arbitrary<bool>()) box.length[2] = 0;
   std::vector<Sphere> spheres;
   const auto coordinate = [] { return static_cast<float>(*rc::gen::inRange(-40, 40)) / 8; };
   for (auto left = *rc::gen::inRange(2, 16); left > 0; --left)
-    spheres.push_back({coordinate(), coordinate(), coordinate() / 2, *rc::gen::element(0.0f, 0.25f, 0.7f, 1.0f)});
+    spheres.push_back(
+        {coordinate(), coordinate(), coordinate() / 2, *rc::gen::element(0.0f, 0.25f, 0.7f, 1.0f)});
   const auto n = static_cast<std::uint32_t>(spheres.size());
   const Chain chain(std::move(spheres), {{0, n}, {0}});
   std::map<Pair, std::pair<bool, double>> found;

@@ -192,7 +192,8 @@ TEST(VerifyInputs, AreEverySceneAndTheSampleFilesAndAllOpen) {
   for (const auto& scene : scenes)
     EXPECT_EQ(std::ranges::count(inputs, scene.name + ":n=1500"), 1) << scene.name;
   for (const auto& input : inputs)
-    EXPECT_GT(open_for_verification(input, {}, true).animation->frame(0).size(), 0u) << input;
+    EXPECT_GT(open_for_verification(input, {.takes_box = true}, true).animation->frame(0).size(), 0u)
+        << input;
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ struct Profile {
   std::uint32_t judged_n = 0;               ///< spheres of the longest chain whose node pairs are counted
   std::uint64_t judged_moves = 0;           ///< pivots of each walk whose exponent is estimated
   std::vector<std::uint32_t> short_chains;  ///< n of path1 at which a hierarchy is weighed against all pairs
-  bench::WorkloadSpec animation_input;  ///< no name: none
-  std::uint32_t animation_step = 1;  ///< every so manieth frame
+  bench::WorkloadSpec animation_input;      ///< no name: none
+  std::uint32_t animation_step = 1;         ///< every so manieth frame
 };
 
 /// The profile of that name with every variant that is available here. Throws InputError naming what there

@@ -176,7 +176,8 @@ class ReportCommand final : public Command {
   Profile chosen() const {
     Profile profile = profile_named(paper_ ? "paper" : full_ ? "full" : "quick");
     if (scenes_.empty() && !arguments_of(input_).empty())
-      throw InputError(fmt::format("{} is said of an input; name it by --scene", arguments_of(input_).front()));
+      throw InputError(
+          fmt::format("{} is said of an input; name it by --scene", arguments_of(input_).front()));
     if (!scenes_.empty()) {
       profile.inputs.clear();
       for (const auto& scene : scenes_) profile.inputs.push_back({scene, paper_, input_});

@@ -37,9 +37,9 @@ struct Margins {
   double condition_number() const { return 1 / least; }
 };
 
-/// The margins of a chain, by exact arithmetic, whose coordinates were rounded by up to `rounding` before. In a space
-/// that a box repeats they are those of the nearest images. Cost of reference::near_pairs, or near_pairs_in_box, which
-/// also says what is thrown for a box.
+/// The margins of a chain, by exact arithmetic, whose coordinates were rounded by up to `rounding` before. In
+/// a space that a box repeats they are those of the nearest images. Cost of reference::near_pairs, or
+/// near_pairs_in_box, which also says what is thrown for a box.
 Margins margins_of(const Chain& chain, double rounding = 0, const PeriodicBox* box = nullptr);
 
 }  // namespace catena::bench

@@ -52,7 +52,8 @@ class MarginsCommand final : public Command {
   static void print(const std::string& spec, std::uint32_t frame, const Chain& chain, const PeriodicBox* box,
                     const Margins& m) {
     fmt::print("{} frame {}: {}, {}{}\n", spec, frame, counted(chain.size(), "sphere"),
-               counted(m.colliding.pairs, "pair"), box ? "; between nearest images in the box " + written(*box) : "");
+               counted(m.colliding.pairs, "pair"),
+               box ? "; between nearest images in the box " + written(*box) : "");
     if (m.rounding > 0)
       fmt::print("  reading rounded coordinates by up to {:.3g}, which leaves {} open\n", m.rounding,
                  counted(m.open_by_rounding, "pair"));
@@ -79,8 +80,8 @@ class MarginsCommand final : public Command {
     }
   }
 
-  static void print_json(const std::string& spec, std::uint32_t frame, const Chain& chain, const PeriodicBox* box,
-                         const Margins& m) {
+  static void print_json(const std::string& spec, std::uint32_t frame, const Chain& chain,
+                         const PeriodicBox* box, const Margins& m) {
     nlohmann::ordered_json line{
         {"input", spec}, {"frame", frame}, {"n", chain.size()}, {"pairs", m.colliding.pairs}};
     if (box) line["box"] = written(*box);

@@ -77,7 +77,8 @@ TEST(Margins, SeeWhatTheRoundingOfAFileLeavesOpen) {
 TEST(Margins, InABoxAreThoseOfNearestImages) {
   const auto pair_at = [](float x) { return Chain({{0.5f, 0, 0, 1}, {x, 0, 0, 1}}, {{0, 1, 2}, {0, 0}}); };
   const PeriodicBox box{{16, 0, 0}};
-  for (const auto& [across, within] : {std::pair(15.25f, -0.75f), {14.5f, -1.5f}, {14.25f, -1.75f}, {13.0f, -3.0f}}) {
+  for (const auto& [across, within] :
+       {std::pair(15.25f, -0.75f), {14.5f, -1.5f}, {14.25f, -1.75f}, {13.0f, -3.0f}}) {
     const Margins found = margins_of(pair_at(across), 0, &box), right = margins_of(pair_at(within));
     EXPECT_EQ(found.least, right.least) << across;
     EXPECT_EQ(found.colliding.decade, right.colliding.decade) << across;

@@ -11,7 +11,8 @@
 namespace catena::bench {
 
 enum class Stage {
-  build,    ///< build(), as the variant times it (CUDA events on a device); in a box with the images that it takes
+  build,    ///< build(), as the variant times it (CUDA events on a device); in a box with the images that it
+            ///< takes
   update,   ///< update(), likewise, from one frame of a moving input to the next
   find,     ///< find(), likewise
   whole,    ///< wall time around build and find, with every transfer
@@ -28,8 +29,8 @@ class Trial {
 
   /// Makes the variant and runs it once; the first time on every chain, each compared with the reference, and
   /// of a moving input also after an update. Returns why there is nothing to time: it refuses the input, or
-  /// throws, or its answer is wrong and its arithmetic does not excuse that. Empty when it may be timed. Nothing
-  /// is done when it is ready already.
+  /// throws, or its answer is wrong and its arithmetic does not excuse that. Empty when it may be timed.
+  /// Nothing is done when it is ready already.
   const std::string& prepare();
   /// Gives the variant's memory back; what was compared is kept.
   void release();

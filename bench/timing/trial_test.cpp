@@ -94,11 +94,13 @@ TEST(Trial, AThrowIsTheVariantsFaultAndARefusalIsNot) {
   EXPECT_TRUE(wrong.at_fault());
 }
 
-/// Four frames whose pairs are found in their own box only: what touches across a face lies apart in every other.
+/// Four frames whose pairs are found in their own box only: what touches across a face lies apart in every
+/// other.
 std::string boxes_that_change() {
   std::string text;
   for (const int length : {10, 12, 11, 13}) {
-    const auto corner = std::to_string(length) + " 0 0 0 " + std::to_string(length) + " 0 0 0 " + std::to_string(length);
+    const auto corner =
+        std::to_string(length) + " 0 0 0 " + std::to_string(length) + " 0 0 0 " + std::to_string(length);
     text += "3\nLattice=\"" + corner + "\" Properties=species:S:1:pos:R:3:radius:R:1 pbc=\"T T T\"\n";
     text += "C 0.25 0 0 0.5\nC 5 0 0 0.5\nC " + std::to_string(length - 1) + ".25 0 0 0.5\n";
   }
@@ -115,7 +117,8 @@ TEST(Trial, SearchesEachFrameInItsOwnBox) {
     EXPECT_EQ(work->label, all_frames ? "boxes.xyz:frames=all,box=file/n:3" : "boxes.xyz:box=file/n:3");
     for (const char* variant : {"CPU1", "Hybrid", "auto", "aCPU2+CPU2", "aCPU2+CPU2/double"}) {
       Trial trial(spec, StrategyRegistry::instance().describe(variant));
-      for (const Stage stage : {Stage::build, Stage::update, Stage::whole, Stage::find, Stage::update, Stage::find}) {
+      for (const Stage stage :
+           {Stage::build, Stage::update, Stage::whole, Stage::find, Stage::update, Stage::find}) {
         ASSERT_EQ(trial.prepare(), "") << variant;
         EXPECT_GE(trial.run(stage), 0) << variant;
       }
@@ -137,7 +140,8 @@ TEST(Trial, InABoxTimesWhatDetectAnswers) {
   variant->find(work->chains[0], {}, found);
   std::ranges::sort(found.pairs);
   EXPECT_EQ(found.pairs, work->exact[0].pairs);
-  for (const Case& c : cases({spec}, StrategyRegistry::instance().variants())) EXPECT_NE(c.stage, Stage::resident);
+  for (const Case& c : cases({spec}, StrategyRegistry::instance().variants()))
+    EXPECT_NE(c.stage, Stage::resident);
 }
 
 TEST(Trial, ALabelSaysNInDigits) { EXPECT_EQ(label_of({"path1:spacing=2,n=1e3"}), "path1:spacing=2/n:1000"); }

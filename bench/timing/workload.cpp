@@ -26,7 +26,8 @@ namespace {
 constexpr std::uint64_t most_spheres = std::uint64_t{1} << 27;  // kept; about 4 GiB with few pairs
 
 bool same(const WorkloadSpec& a, const WorkloadSpec& b) {
-  return a.input == b.input && a.all_frames == b.all_frames && arguments_of(a.options) == arguments_of(b.options);
+  return a.input == b.input && a.all_frames == b.all_frames &&
+         arguments_of(a.options) == arguments_of(b.options);
 }
 
 std::uint64_t spheres(const Workload& work) {
@@ -48,7 +49,8 @@ std::string in_digits(std::string_view n) {
   return number ? std::to_string(*number) : std::string(n);
 }
 
-/// What is said of an input, but for its box, as in the name of a case, where commas and slashes part other things.
+/// What is said of an input, but for its box, as in the name of a case, where commas and slashes part other
+/// things.
 std::vector<std::string> said_of(InputOptions options) {
   options.box_from = BoxFrom::told;
   std::vector<std::string> said;
@@ -127,8 +129,7 @@ std::vector<PeriodicBox> boxes_of_options(const WorkloadSpec& spec) {
 
 /// Refuses a box before anything is measured.
 void check_boxes(const Input& input) {
-  for (std::uint32_t f = 0; f < input.boxes.size(); ++f)
-    try {
+  for (std::uint32_t f = 0; f < input.boxes.size(); ++f) try {
       check_box(input.boxes[f], 2 * double{input.animation->frame(f).view().extent.greatest_radius});
     } catch (const InputError& why) {
       throw InputError(fmt::format("{}: {}", input.name, why.what()));
@@ -145,7 +146,8 @@ void show_new_warnings(const Input& input) {
 
 const PeriodicBox* Workload::box_of(const Chain& chain) const {
   if (boxes.empty()) return nullptr;
-  return beside && &chain == &*beside ? &*box_beside : &boxes[static_cast<std::size_t>(&chain - chains.data())];
+  return beside && &chain == &*beside ? &*box_beside
+                                      : &boxes[static_cast<std::size_t>(&chain - chains.data())];
 }
 
 std::unique_ptr<Variant> Workload::make(const std::string& variant) const {

@@ -45,23 +45,24 @@ struct Workload {
 
   /// The box of one of the chains, or of the one beside; null without boxes.
   const PeriodicBox* box_of(const Chain& chain) const;
-  /// A variant by its name, in the box of the first chain where there is one. Its build then puts the spheres into the
-  /// box, makes their images at its faces and builds on both; its find decides what lies across a face exactly. So
-  /// both are timed as they would be paid by a user, for whom each frame has other images (see Periodic).
+  /// A variant by its name, in the box of the first chain where there is one. Its build then puts the spheres
+  /// into the box, makes their images at its faces and builds on both; its find decides what lies across a
+  /// face exactly. So both are timed as they would be paid by a user, for whom each frame has other images
+  /// (see Periodic).
   std::unique_ptr<Variant> make(const std::string& variant) const;
   /// The same, to be put into the boxes of other chains.
   std::unique_ptr<Variant> make(const std::string& variant, Periodic*& periodic) const;
 };
 
 /// SCENE/n:N. Parameters that are given besides n stay with the scene, "far:exponent=22/n:3000", as does
-/// "frames=all"; of a file the name without its folder. What else is said of it follows, with the box in which space
-/// repeats: "melt.data:radius=0.5,box=8x8x8/n:8"; "box=file" where the frames of a file have different ones. Opens the
-/// input only when it does not say n.
+/// "frames=all"; of a file the name without its folder. What else is said of it follows, with the box in
+/// which space repeats: "melt.data:radius=0.5,box=8x8x8/n:8"; "box=file" where the frames of a file have
+/// different ones. Opens the input only when it does not say n.
 std::string label_of(const WorkloadSpec& spec);
 
 /// Opens a file once; of a scene, whose frames are as many at every n, only the first of several that differ
-/// in n alone. What had to be assumed of it is said on standard error, once. Throws what open_input throws, and what
-/// check_box throws.
+/// in n alone. What had to be assumed of it is said on standard error, once. Throws what open_input throws,
+/// and what check_box throws.
 WorkloadFacts facts_of(const WorkloadSpec& spec);
 
 /// The chains and exact answers of `spec`. The last few workloads are kept, as making one takes longer than

@@ -70,7 +70,7 @@ class DetectCommand final : public Command {
       go_to_frame(periodic, input.boxes, f);
       blaming(variant_, [&] {
         if (f == first) variant->prepare(request_);
-        f == first ? variant->build(chain) : variant->update(chain);
+        f == first ? variant->build(chain) : variant->update(chain, Moved::along(input.animation->shift(f)));
         variant->find(chain, request_, found);
       });
       progress.clear();

@@ -101,8 +101,8 @@ class ExportCommand final : public Command {
   Collisions found_;
 };
 
-const RegisterCommand<ExportCommand> registered("export",
-                                                "Write a scene or file as .chain, .catena, .csv, .vtp, .obj or .xyz");
+const RegisterCommand<ExportCommand> registered(
+    "export", "Write a scene or file as .chain, .catena, .csv, .vtp, .obj or .xyz");
 
 }  // namespace
 }  // namespace catena

@@ -100,9 +100,11 @@ void add_box_option(CLI::App& app, InputOptions& options) {
   const bool taken = options.takes_box;
   app.add_option_function<std::string>(
          "--box", [&options](const std::string& text) { set_box(text, options); },
-         taken ? "Space repeats in a box of these edges (0: not along this one), and perhaps tilts, or in the file's; "
+         taken ? "Space repeats in a box of these edges (0: not along this one), and perhaps tilts, or in "
+                 "the file's; "
                  "without it, in the file's where that says it is periodic"
-               : "none: leaves out the box of a file that says space repeats in it; otherwise such a file is refused")
+               : "none: leaves out the box of a file that says space repeats in it; otherwise such a file is "
+                 "refused")
       ->type_name(taken ? "X,Y,Z[,XY,XZ,YZ]|file|none" : "none");
 }
 

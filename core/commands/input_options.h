@@ -11,13 +11,13 @@ class App;
 namespace catena {
 
 /// Adds to a subcommand what a user may say of its inputs: --radius R|half-spacing, --closed, --window,
-/// --arc-window, --columns, --atom, --recentre, --origin, --format, --array, --topology, --box. They fill `options`, which must
-/// outlive the parsing; a command that heeds Input::boxes says so in options.takes_box before. A value that does
-/// not parse is an InputError.
+/// --arc-window, --columns, --atom, --recentre, --origin, --format, --array, --topology, --box. They fill
+/// `options`, which must outlive the parsing; a command that heeds Input::boxes says so in options.takes_box
+/// before. A value that does not parse is an InputError.
 void add_input_options(CLI::App& app, InputOptions& options);
 
-/// What was said of an input, as arguments of a command that add_input_options knows: {"--radius", "0.5", ...}.
-/// Numbers are written so that they read back as they are. Empty: nothing was said.
+/// What was said of an input, as arguments of a command that add_input_options knows: {"--radius", "0.5",
+/// ...}. Numbers are written so that they read back as they are. Empty: nothing was said.
 std::vector<std::string> arguments_of(const InputOptions& options);
 
 /// The other way round, into options that say nothing yet. Throws InputError.

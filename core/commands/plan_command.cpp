@@ -59,7 +59,7 @@ class PlanCommand final : public Command {
       }
       go_to_frame(periodic, input.boxes, f);
       blaming("auto", [&] {
-        f == first ? variant->build(chain) : variant->update(chain);
+        f == first ? variant->build(chain) : variant->update(chain, Moved::along(input.animation->shift(f)));
         variant->find(chain, request, found);
       });
       print(f, chain, variant->plan(), &found);

@@ -105,19 +105,23 @@ TEST_F(Program, RepeatsSpaceInABox) {
 TEST_F(Program, LeavesNoBoxOutInSilence) {
   const std::string dump = examples + "melt.dump --radius 0.5", data = examples + "melt.data --radius 0.5";
   for (const std::string command : {"scaling ", "examine ", "stability --json --variant CPU1 "}) {
-    expect_refused(command + dump, "the box of the file, 8 x 8 x 8, repeats space, which this command does not know");
+    expect_refused(command + dump,
+                   "the box of the file, 8 x 8 x 8, repeats space, which this command does not know");
     expect_refused(command + data + " --box 9,9,9", "the box of --box, 9 x 9 x 9, repeats space");
     expect_says(command + dump + " --box none", 0, {});
   }
   expect_refused("plan " + dump, "add --run, or say --box none");
   expect_refused("report --box 9,9,9", "--box is said of an input; name it by --scene");
-  expect_refused("report --output " + file("r") + " --scene " + data + " --box 1.5,8,8", "less than twice the reach");
+  expect_refused("report --output " + file("r") + " --scene " + data + " --box 1.5,8,8",
+                 "less than twice the reach");
 }
 
 TEST_F(Program, MeasuresMarginsBetweenNearestImages) {
   const std::string margins = "margins " + examples;
-  expect_says(margins + "melt.data --radius 0.5 --box file", 0, {"8 spheres, 2 pairs; between nearest images in the box 8,8,8"});
-  expect_says(margins + "melt.data --radius 0.5", 0, {"8 spheres, 1 pair\n", "--box file says that space repeats it"});
+  expect_says(margins + "melt.data --radius 0.5 --box file", 0,
+              {"8 spheres, 2 pairs; between nearest images in the box 8,8,8"});
+  expect_says(margins + "melt.data --radius 0.5", 0,
+              {"8 spheres, 1 pair\n", "--box file says that space repeats it"});
   expect_says(margins + "melt.dump --radius 0.5 --json", 0, {"\"box\":\"8,8,8\"", "\"pairs\":2"});
   expect_says(margins + "melt.dump --radius 0.5 --box none", 0, {"4 spheres, 0 pairs"});
   expect_refused(margins + "melt.data --radius 0.5 --box 8,8,1.9", "less than twice the reach");

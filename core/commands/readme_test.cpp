@@ -37,7 +37,8 @@ std::vector<Shown> shown_in(const std::string& text) {
 
 /// Without what differs from run to run: times.
 std::string steady(const std::string& text) {
-  static const std::regex milliseconds("[0-9.]+ ms"), threads("\\(threads=[0-9]+\\)");  // as many as the machine has
+  static const std::regex milliseconds("[0-9.]+ ms"),
+      threads("\\(threads=[0-9]+\\)");  // as many as the machine has
   return std::regex_replace(std::regex_replace(text, milliseconds, "# ms"), threads, "");
 }
 
@@ -87,12 +88,11 @@ std::string documented(const std::string& command) {
 TEST_F(Readme, EveryKeyOfEveryLineOfJsonIsDocumented) {
   for (const std::string run_line :
        {"detect coincident:n=9 --plan", "detect coincident:n=9 --any", "plan coincident:n=9 --run",
-        "calibrate", "list",
-        "margins coincident:n=9 lattice:n=30",
+        "calibrate", "list", "margins coincident:n=9 lattice:n=30",
         "verify lattice:n=60 --variant CPU1 --variant aCPU2+CPU2/literal --variant aCPU2+Dual --certify",
         "verify lattice:n=2000 --variant bGPU2@host+CPU2", "examine rod:n=50",
-        "stability --n 60 --variant CPU1/literal --variant aCPU2+CPU2", "errors --n 60", "enumerate --walks 3",
-        "closed-form --side 4", "growth path1 --n 32000 --variant Necklace",
+        "stability --n 60 --variant CPU1/literal --variant aCPU2+CPU2", "errors --n 60",
+        "enumerate --walks 3", "closed-form --side 4", "growth path1 --n 32000 --variant Necklace",
         "knots --n 16", "pivot --n 512 --moves 1000 --exponent", "scaling yarn:n=3000 --ranks 16"}) {
     const ProgramOutcome r = run(run_line + " --json");
     ASSERT_LT(r.code, 2) << run_line << ": " << r.output;

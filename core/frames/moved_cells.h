@@ -19,8 +19,9 @@ class CATENA_API MovedCells {
   /// Lays out the spheres `moved`, indices of the chain, ascending. O(moved) and 2^18 cells to set to zero.
   /// False, and of no use, where a box has no end or more than 64 entries a sphere would be made.
   bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved);
-  /// Appends each colliding pair with one of them, once, lower index first. `is_moved(j)`: whether sphere j is
-  /// one. O(n) and the entries of the cells that are looked into; after a lay_out of this chain that was true.
+  /// Appends each colliding pair with one of them, once, lower index first. `is_moved(j)`: whether sphere j
+  /// is one. O(n) and the entries of the cells that are looked into; after a lay_out of this chain that was
+  /// true.
   template <class IsMoved>
   void search(const ChainView& chain, const IsMoved& is_moved, std::vector<Pair>& pairs) const;
 
@@ -41,9 +42,9 @@ class CATENA_API MovedCells {
 
   Box around_{};  ///< all boxes
   std::array<float, 3> scale_{}, last_{};
-  std::vector<Box> boxes_;             ///< where a centre may be, of each moved one
-  std::vector<std::uint32_t> begin_;   ///< of each cell, in entries_
-  std::vector<std::uint32_t> entries_; ///< spheres
+  std::vector<Box> boxes_;              ///< where a centre may be, of each moved one
+  std::vector<std::uint32_t> begin_;    ///< of each cell, in entries_
+  std::vector<std::uint32_t> entries_;  ///< spheres
 };
 
 }  // namespace catena

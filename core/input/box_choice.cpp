@@ -8,9 +8,10 @@ namespace catena {
 namespace {
 
 [[noreturn]] void refuse_box(const std::string& name, const std::string& whose) {
-  throw InputError(fmt::format(
-      "{}: {} repeats space, which this command does not know; --box none leaves it out, of a file also when it is exported",
-      name, whose));
+  throw InputError(
+      fmt::format("{}: {} repeats space, which this command does not know; --box none leaves it out, of a "
+                  "file also when it is exported",
+                  name, whose));
 }
 
 std::string size_of(const PeriodicBox& box) {
@@ -31,9 +32,9 @@ void choose_boxes(CurveFile& curves, const InputOptions& options, const std::str
   const std::string size = size_of(curves.boxes[0]);
   if (repeats && !options.takes_box) refuse_box(name, fmt::format("the box of the file, {},", size));
   if (repeats) return;
-  curves.warnings.push_back(
-      fmt::format("the box of the file, {}, is left out; {}", size,
-                  options.takes_box ? "--box file says that space repeats it" : "--box none says that it is to be"));
+  curves.warnings.push_back(fmt::format(
+      "the box of the file, {}, is left out; {}", size,
+      options.takes_box ? "--box file says that space repeats it" : "--box none says that it is to be"));
   curves.boxes.clear();
 }
 

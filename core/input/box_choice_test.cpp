@@ -65,12 +65,16 @@ TEST(BoxChoice, RefusesABoxThatWouldNotBeHeeded) {
     options.takes_box = false;
     return options;
   };
-  for (const auto& [spec, from] : {std::pair(melt, BoxFrom::told), {melt, BoxFrom::file}, {data, BoxFrom::file}})
-    EXPECT_EQ(refusal(spec, asks(from)),
-              spec + ": the box of the file, 8 x 8 x 8, repeats space, which this command does not know; --box none "
-                     "leaves it out, of a file also when it is exported");
+  for (const auto& [spec, from] :
+       {std::pair(melt, BoxFrom::told), {melt, BoxFrom::file}, {data, BoxFrom::file}})
+    EXPECT_EQ(
+        refusal(spec, asks(from)),
+        spec +
+            ": the box of the file, 8 x 8 x 8, repeats space, which this command does not know; --box none "
+            "leaves it out, of a file also when it is exported");
   for (const std::string& spec : {melt, data})
-    EXPECT_TRUE(refusal(spec, asks(BoxFrom::options)).starts_with(spec + ": the box of --box, 5 x 6 x 7, repeats"));
+    EXPECT_TRUE(
+        refusal(spec, asks(BoxFrom::options)).starts_with(spec + ": the box of --box, 5 x 6 x 7, repeats"));
   InputOptions scene = asks(BoxFrom::options);
   scene.radius.reset();
   EXPECT_TRUE(refusal("path1:n=9", scene).starts_with("path1:n=9: the box of --box, 5 x 6 x 7, repeats"));

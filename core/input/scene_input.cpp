@@ -29,6 +29,7 @@ class WithExclusion final : public Animation {
     const Chain moved = scene_->frame(f);
     return rest_.moved({moved.spheres().begin(), moved.spheres().end()});
   }
+  std::int64_t shift(std::uint32_t f) const override { return scene_->shift(f); }
 
  private:
   std::unique_ptr<Animation> scene_;
@@ -89,7 +90,8 @@ std::unique_ptr<Animation> open_scene(const std::string& spec, const InputOption
         fmt::format("{}: a scene knows which of its strands are closed; leave out --closed", spec));
   const ReadOptions& reading = options.reading;
   if (!reading.columns.empty() || !reading.atom.empty() || reading.recentre)
-    throw InputError(fmt::format("{}: --columns, --atom, --recentre and --origin are for files, not for scenes", spec));
+    throw InputError(
+        fmt::format("{}: --columns, --atom, --recentre and --origin are for files, not for scenes", spec));
   std::string scene_spec = spec;
   const auto frame = take_frame(scene_spec);
   auto animation = SceneRegistry::instance().open(scene_spec);

@@ -50,7 +50,8 @@ std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const Sp
 std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts,
                                  std::vector<IdPair> pairs) {
   const auto lists = returned(ranks, starts, std::move(pairs), &IdPair::i);
-  // Parted by the first sphere, which is one of this rank's, in no more parts than there are pairs: each has a few.
+  // Parted by the first sphere, which is one of this rank's, in no more parts than there are pairs: each has
+  // a few.
   const SphereId first = starts[ranks.rank()], spheres = starts[ranks.rank() + 1] - first;
   std::size_t found = 0;
   for (const auto& list : lists) found += list.size();
@@ -65,7 +66,8 @@ std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> 
     for (const IdPair& pair : list) own[end[(pair.i - first) >> shift]++] = pair;
   std::size_t begin = 0;
   for (const std::size_t to : end) {
-    std::sort(own.begin() + static_cast<std::ptrdiff_t>(begin), own.begin() + static_cast<std::ptrdiff_t>(to));
+    std::sort(own.begin() + static_cast<std::ptrdiff_t>(begin),
+              own.begin() + static_cast<std::ptrdiff_t>(to));
     begin = to;
   }
   return own;

@@ -8,22 +8,25 @@
 #include "catena/core/readers/reader.h"
 
 /// Cem Yuksel's Binary Curve Collection, of his yarn-level cloth models,
-/// http://www.cemyuksel.com/cyCodeBase/soln/using_bcc_files.html: a header of 64 bytes (BCC, bytes of an integer and of
-/// a float, type of the curves, dimensions, which of them is up, curves, control points, a text), then for each curve
-/// its number of control points (negative: closed) and three floats for each. Little-endian. C is a Catmull-Rom curve,
-/// which goes through its control points, PL a polyline; of other curves the control points are no points. No radii.
+/// http://www.cemyuksel.com/cyCodeBase/soln/using_bcc_files.html: a header of 64 bytes (BCC, bytes of an
+/// integer and of a float, type of the curves, dimensions, which of them is up, curves, control points, a
+/// text), then for each curve its number of control points (negative: closed) and three floats for each.
+/// Little-endian. C is a Catmull-Rom curve, which goes through its control points, PL a polyline; of other
+/// curves the control points are no points. No radii.
 namespace catena {
 namespace {
 
 void check_header(BinaryFields& fields) {
   if (fields.text(3, "header") != "BCC") fields.fail("the first three bytes are not BCC");
   if (const auto sizes = fields.unsigned_of(1, "header"); sizes != 0x44)
-    fields.fail(fmt::format("the numbers have {} and {} bytes; four and four are read", sizes >> 4, sizes & 15));
+    fields.fail(
+        fmt::format("the numbers have {} and {} bytes; four and four are read", sizes >> 4, sizes & 15));
   const std::string type(fields.text(2, "type of the curves"));
   if (type[0] != 'C' && type != "PL")
-    fields.fail(fmt::format("curves of type {} do not go through their control points; Catmull-Rom curves (C0) and "
-                            "polylines (PL) are read",
-                            in_quotes(type)));
+    fields.fail(
+        fmt::format("curves of type {} do not go through their control points; Catmull-Rom curves (C0) and "
+                    "polylines (PL) are read",
+                    in_quotes(type)));
   if (const auto dimensions = fields.unsigned_of(1, "dimensions"); dimensions != 3)
     fields.fail(fmt::format("the curves have {}; three are read", counted(dimensions, "dimension")));
   fields.skip(1, "upward dimension");
@@ -53,13 +56,16 @@ CurveFile read_bcc(const std::filesystem::path& file, const ReadOptions& options
     fields.fail(fmt::format("curves: {}, with control points: {}, but the header says {}", curve_count,
                             curves.spheres.size(), points));
   if (fields.left() > 0)
-    curves.warnings.push_back(fmt::format("{} after the last curve not read", counted(fields.left(), "byte")));
+    curves.warnings.push_back(
+        fmt::format("{} after the last curve not read", counted(fields.left(), "byte")));
   return curves;
 }
 
-const RegisterReader registered{
-    {"Binary Curve Collection", {".bcc"}, "yarns: control points of curves, open or closed; no radii", "point number from 0"},
-    read_bcc};
+const RegisterReader registered{{"Binary Curve Collection",
+                                 {".bcc"},
+                                 "yarns: control points of curves, open or closed; no radii",
+                                 "point number from 0"},
+                                read_bcc};
 
 }  // namespace
 }  // namespace catena

@@ -72,8 +72,10 @@ TEST(BccReader, SaysWhatIsWrong) {
                    header("BCCDPL\3\2", 1, 0) + one.substr(64));
   EXPECT_COMPLAINT(" byte ", "a.bcc", one.substr(0, one.size() - 1));
   for (const std::uint64_t many : {std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
-    EXPECT_COMPLAINT(" byte 64: the file is truncated", "a.bcc", header("BCCDC0\3\2", many, 1) + one.substr(64));
-    EXPECT_COMPLAINT(" byte 64: the file is truncated", "a.bcc", header("BCCDC0\3\2", 1, many) + one.substr(64));
+    EXPECT_COMPLAINT(" byte 64: the file is truncated", "a.bcc",
+                     header("BCCDC0\3\2", many, 1) + one.substr(64));
+    EXPECT_COMPLAINT(" byte 64: the file is truncated", "a.bcc",
+                     header("BCCDC0\3\2", 1, many) + one.substr(64));
   }
   std::string least = header("BCCDC0\3\2", 1, 0);
   append(least, std::int32_t{-2147483647 - 1});

@@ -105,26 +105,34 @@ RC_GTEST_PROP(DamagedFiles, Text, ()) {
   };
   const Whole whole = *rc::gen::elementOf(std::vector<Whole>{
       {"a.vtk",
-       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 2 0 0\nLINES 1 4\n3 0 1 2\n"
+       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 2 0 0\nLINES 1 "
+       "4\n3 0 1 2\n"
        "POINT_DATA 3\nSCALARS radius float 1\nLOOKUP_TABLE default\n1 1 1\nMETADATA\nINFORMATION 0\n\n"},
       {"a.vtp",
-       "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfVerts=\"0\"><Points><DataArray type=\"Float32\">0 0 0 1 0 0</DataArray>"
-       "</Points><Lines><DataArray type=\"Int64\" Name=\"connectivity\">0 1</DataArray><DataArray type=\"UInt8\" Name=\"offsets\" "
+       "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfVerts=\"0\"><Points><DataArray "
+       "type=\"Float32\">0 0 0 1 0 0</DataArray>"
+       "</Points><Lines><DataArray type=\"Int64\" Name=\"connectivity\">0 1</DataArray><DataArray "
+       "type=\"UInt8\" Name=\"offsets\" "
        "format=\"binary\">AQAAAAI=</DataArray></Lines></Piece></PolyData></VTKFile>"},
       {"a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0 # c\nl 1 2 \\\n3\nl -1 1\nf 1 2 3\n"},
       {"a.data",
-       "t\n\n2 atoms\n1 bonds\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms # full\n\n1 1 1 0.5 0 0 0\n2 1 1 0 1 0 0\n\nBonds\n\n1 1 1 2\n"},
+       "t\n\n2 atoms\n1 bonds\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms # full\n\n1 1 1 0.5 0 0 0\n2 "
+       "1 1 0 1 0 0\n\nBonds\n\n1 1 1 2\n"},
       {"a.dump",
-       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 9 1\n0 9 0\n0 9 0\nITEM: ATOMS id mol xs ys zs "
+       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 9 1\n0 9 0\n0 9 "
+       "0\nITEM: ATOMS id mol xs ys zs "
        "radius\n1 1 0 0 0 1\n2 1 0.5 0 0 1\n"},
       {"a.cif",
-       "loop_\n_entity_poly_seq.mon_id\nGLY\n#\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
-       "_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+       "loop_\n_entity_poly_seq.mon_id\nGLY\n#\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_"
+       "site.label_atom_id\n"
+       "_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.label_seq_id\n_atom_site.Cartn_x\n_"
+       "atom_site.Cartn_y\n_atom_site.Cartn_z\n"
        "ATOM C CA GLY A 1 0 0 0\nATOM C 'CA' GLY A 2 3.8 0 0\n#\n"},
       {"a.xyzr", "0 0 0 1\n1 0 0 1\n\n2,0,0,1 # c\n"},
       {"a.nucle3d", "TITLE\tK\nCHR\tchr1\n0,1,2,3\n1,2,3,4,p\nCHR\tchr2\n0,1,2,3\n"},
       {"a.3dg", "chr1\t0\t1\t2\t3\nchr1\t5\t2\t3\t4\nchr2\t0\t1\t2\t3\n"},
-      {"a.tck", "mrtrix tracks\ndatatype: Float32LE\nfile: . 60\nEND\n             0123012301230123012301230123"}});
+      {"a.tck",
+       "mrtrix tracks\ndatatype: Float32LE\nfile: . 60\nEND\n             0123012301230123012301230123"}});
   reads_or_complains(whole.name, damaged(whole.text));
 }
 
@@ -137,13 +145,15 @@ RC_GTEST_PROP(DamagedFiles, Binary, ()) {
   std::string bcc("BCCDC0\3\2\2\0\0\0\0\0\0\0\3\0\0\0\0\0\0\0", 24);
   bcc.resize(64, '\0');
   bcc += std::string("\1\0\0\0", 4) + std::string(12, '\x3f') + "\xFE\xFF\xFF\xFF" + std::string(24, '\x3f');
-  const std::vector<std::pair<std::string, std::string>> files{{"a.trk", trk}, {"a.tfx", tfx}, {"a.bcc", bcc}};
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"a.trk", trk}, {"a.tfx", tfx}, {"a.bcc", bcc}};
   const auto [name, whole] = *rc::gen::elementOf(files);
   reads_or_complains(name, damaged(whole));
 }
 
 RC_GTEST_PROP(DamagedFiles, Oxdna, ()) {
-  const TestFile top("b.top", damaged("2 1\n1 A -1 1\n1 C 0 -1\n")), file("b.conf", damaged("t = 0\nb = 9 9 9\nE = 0\n0 0 0\n1 0 0\n"));
+  const TestFile top("b.top", damaged("2 1\n1 A -1 1\n1 C 0 -1\n")),
+      file("b.conf", damaged("t = 0\nb = 9 9 9\nE = 0\n0 0 0\n1 0 0\n"));
   try {
     ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()});
   } catch (const InputError& error) {

@@ -71,7 +71,8 @@ TEST_P(SharedData, HasTheCountsOfItsNotice) {
   if (rod) {
     EXPECT_THROW(ReaderRegistry::instance().read(shared_data() / name), InputError);
   }
-  const ReadOptions options{.columns = rod ? std::vector<std::string>{"x", "y", "z", "_"} : std::vector<std::string>{}};
+  const ReadOptions options{.columns = rod ? std::vector<std::string>{"x", "y", "z", "_"}
+                                           : std::vector<std::string>{}};
   const CurveFile curves = ReaderRegistry::instance().read(shared_data() / name, options);
   EXPECT_EQ(curves.spheres.size(), expected.points);
   EXPECT_EQ(curves.strand_closed.size() - curves.joints.size(), expected.parts);
@@ -91,7 +92,8 @@ TEST(SharedDataFiles, RepeatedIdIsRefused) {
   EXPECT_THROW(ReaderRegistry::instance().read(file), InputError);
 }
 
-// 160 lines tie 162 points into three parts, of which two branch: more strands than parts and joints would tell.
+// 160 lines tie 162 points into three parts, of which two branch: more strands than parts and joints would
+// tell.
 TEST(SharedDataFiles, VesselsBranch) {
   if (!std::filesystem::exists(shared_data())) GTEST_SKIP() << "no real files at " << shared_data();
   const CurveFile curves = ReaderRegistry::instance().read(shared_data() / "vessel/one_loop.vtk");
@@ -108,7 +110,8 @@ TEST(SharedDataFiles, HairOfUscIsRefusedInOneLine) {
 
 TEST(SharedDataFiles, EveryFileOfAKnownKindHasCounts) {
   if (!std::filesystem::exists(shared_data())) GTEST_SKIP() << "no real files at " << shared_data();
-  const std::set<std::string> elsewhere{"hair/sintel_usc.data", "neuron/repeated_id.swc", "vessel/one_loop.vtk"};
+  const std::set<std::string> elsewhere{"hair/sintel_usc.data", "neuron/repeated_id.swc",
+                                        "vessel/one_loop.vtk"};
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data())) {
     const std::string name = std::filesystem::relative(entry.path(), shared_data()).string();
     if (entry.is_regular_file() && ReaderRegistry::instance().knows(name) && !elsewhere.contains(name)) {

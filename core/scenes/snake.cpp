@@ -19,12 +19,19 @@ class Snake final : public Animation {
 
   Chain frame(std::uint32_t f) const override {
     if (f >= frames_) throw std::out_of_range(fmt::format("frame {} of {}", f, frames_));
-    const std::uint64_t slide = row_.size() - n_, last = frames_ - 1;
-    const auto tail = row_.begin() + static_cast<std::ptrdiff_t>((f * slide + last / 2) / last);
+    const auto tail = row_.begin() + tail_of(f);
     return Chain(std::vector<Sphere>(tail, tail + n_));
   }
 
+  std::int64_t shift(std::uint32_t f) const override { return tail_of(f) - tail_of(f - 1); }
+
  private:
+  /// Where the snake lies in the row.
+  std::int64_t tail_of(std::uint32_t f) const {
+    const std::uint64_t slide = row_.size() - n_, last = frames_ - 1;
+    return static_cast<std::int64_t>((f * slide + last / 2) / last);
+  }
+
   std::vector<Sphere> row_;
   std::uint32_t n_, frames_;
 };

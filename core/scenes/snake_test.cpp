@@ -115,6 +115,7 @@ TEST_P(SnakeScene, CrawlsFromFrameToFrame) {
     for (std::uint32_t f = 1; f < snake->frames(); ++f) {
       Chain chain = snake->frame(f);
       EXPECT_NE(chain[0], before[0]) << "frame " << f;
+      EXPECT_GE(snake->shift(f), 1) << "frame " << f;
       before = std::move(chain);
     }
   }

@@ -24,8 +24,8 @@ struct Run {
   }
 };
 
-/// What auto took beside the quickest single variant of the host, on the first chain of each input: which of them
-/// is the quickest is found first, by a few runs of each, and then the two run in random turns.
+/// What auto took beside the quickest single variant of the host, on the first chain of each input: which of
+/// them is the quickest is found first, by a few runs of each, and then the two run in random turns.
 nlohmann::ordered_json regret(const Profile& profile) {
   struct Case {
     std::shared_ptr<const bench::Workload> work;
@@ -57,7 +57,8 @@ nlohmann::ordered_json regret(const Profile& profile) {
       if (&run != &*planned) others.push_back(&run);
     const auto tried = in_turns(others, 3);
     const auto best = others[static_cast<std::size_t>(
-        std::ranges::min_element(tried, {}, [](const auto& ms) { return bench::median_interval(ms).median; }) -
+        std::ranges::min_element(tried, {},
+                                 [](const auto& ms) { return bench::median_interval(ms).median; }) -
         tried.begin())];
     const auto ms = in_turns({&*planned, best}, 2 * profile.section_rounds);
     rows.push_back({{"input", work->label},

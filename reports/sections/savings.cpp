@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "catena/bench/timing/sampling.h"
 #include "catena/bench/timing/median_interval.h"
+#include "catena/bench/timing/sampling.h"
 #include "catena/core/input/input.h"
 #include "catena/reports/faults.h"
 #include "catena/reports/saving.h"
@@ -32,8 +32,8 @@ std::vector<Pair> sorted_pairs(Variant& variant, const Chain& chain) {
 
 using Make = std::function<std::unique_ptr<Variant>(const std::string&)>;
 
-std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain, bool VariantInfo::*kind,
-                               const Make& make) {
+std::vector<Standing> standing(const std::vector<VariantInfo>& infos, const Chain& chain,
+                               bool VariantInfo::*kind, const Make& make) {
   std::vector<Standing> list;
   for (const auto& info : infos) {
     if (!(info.*kind)) continue;
@@ -70,7 +70,8 @@ std::optional<std::size_t> quickest_of(const std::vector<Standing>& list, const 
   Collisions found;
   std::vector<std::function<double()>> runs;
   for (const auto& s : list)
-    runs.emplace_back([&] { return blaming(s.info.name, [&] { return whole_ms(*s.variant, chain, found); }); });
+    runs.emplace_back(
+        [&] { return blaming(s.info.name, [&] { return whole_ms(*s.variant, chain, found); }); });
   return quickest(bench::interleave(runs, 5, profile.section_seconds / 4, profile.stopping.seed));
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "catena/core/commands/input_options.h"
 #include "catena/core/error.h"
 #include "catena/core/hierarchy/sphere_bounds_visitor.h"
-#include "catena/core/commands/input_options.h"
 #include "catena/core/input/input.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/reference/compare.h"
@@ -84,8 +84,8 @@ Json levels_of(const Chain& chain, const Profile& profile) {
 }
 
 /// Which pairs each rounded variant misses and invents.
-Json wrong_answers(const Chain& chain, std::span<const PeriodicBox> boxes, std::uint32_t frame, const reference::Answer& exact,
-                   const Profile& profile) {
+Json wrong_answers(const Chain& chain, std::span<const PeriodicBox> boxes, std::uint32_t frame,
+                   const reference::Answer& exact, const Profile& profile) {
   constexpr std::uint64_t pair_limit = 200'000;
   Json list = Json::array();
   for (const auto& info : profile.variants) {
@@ -136,7 +136,8 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
     frames.push_back({{"frame", frame},
                       {"spheres", spheres_of(chain)},
                       {"pairs", base64(std::span<const Pair>(exact.pairs))}});
-    for (auto& answer : wrong_answers(chain, input.boxes, frame, exact, profile)) wrong.push_back(std::move(answer));
+    for (auto& answer : wrong_answers(chain, input.boxes, frame, exact, profile))
+      wrong.push_back(std::move(answer));
     if (k == 0 || exact.pair_count > most) busiest = chain, busiest_frame = frame, most = exact.pair_count;
   }
   auto strands = busiest.strands().first;
@@ -144,8 +145,9 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
   Json closed = Json::array();
   for (std::size_t s = 0; s < strands.size(); ++s) closed.push_back(busiest.strands().closed[s] != 0);
   Json out{{"input", bench::label_of({shown.input, false, shown.options})},
-           {"command", fmt::format("catena detect {}{} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv",
-                                   shown.input, in_command(shown.options), count == 1 ? std::to_string(all / 2) : "all")},
+           {"command",
+            fmt::format("catena detect {}{} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv", shown.input,
+                        in_command(shown.options), count == 1 ? std::to_string(all / 2) : "all")},
            {"frames", std::move(frames)},
            {"strands", strands},
            {"closed", std::move(closed)}};
