@@ -89,6 +89,18 @@ TEST_F(Program, JudgesKnotsByWhatWasPublishedOfThem) {
               {"208 vertices", "within"});
 }
 
+TEST_F(Program, LeavesOutWhatATolerancePermits) {
+  const std::string dense = "detect path1:n=5000,spacing=0.2,frame=3 ";
+  expect_says(dense + "--tolerance 0.1 --arc-window pi/2", 0, {"of 5000 spheres are kept; without the others", "auto"});
+  expect_says(dense + "--tolerance 0.1 --arc-window pi/2 --json", 0, {"\"thinned\":{\"tolerance\":0.1,\"of\":5000"});
+  expect_says("verify path2:n=600,spacing=0.3 --tolerance 0.1 --arc-window pi/2 --variant Hybrid", 0, {"exact"});
+  expect_says("detect " + examples + "melt.dump --radius 0.5 --tolerance 0.3 --arc-window 1.5", 0,
+              {"every sphere is kept", "4 spheres, 2 pairs"});
+  expect_refused(dense + "--tolerance 0.1", "give --arc-window F too");
+  expect_refused(dense + "--tolerance 1 --arc-window pi/2", "above 0 and below 1");
+  expect_refused(dense + "--tolerance wide --arc-window pi/2", "--tolerance");
+}
+
 TEST_F(Program, RepeatsSpaceInABox) {
   const std::string melt = "detect " + examples + "melt.data --radius 0.5";
   expect_says(melt, 0, {"8 spheres, 1 pair"});

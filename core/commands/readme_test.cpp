@@ -87,7 +87,9 @@ std::string documented(const std::string& command) {
 
 TEST_F(Readme, EveryKeyOfEveryLineOfJsonIsDocumented) {
   for (const std::string run_line :
-       {"detect coincident:n=9 --plan", "detect coincident:n=9 --any", "plan coincident:n=9 --run",
+       {"detect coincident:n=9 --plan", "detect coincident:n=9 --any",
+        "detect path1:n=2000,spacing=0.2 --tolerance 0.1 --arc-window 2",
+        "plan coincident:n=9 --run",
         "calibrate", "list", "margins coincident:n=9 lattice:n=30",
         "verify lattice:n=60 --variant CPU1 --variant aCPU2+CPU2/literal --variant aCPU2+Dual --certify",
         "verify lattice:n=2000 --variant bGPU2@host+CPU2", "examine rod:n=50",
