@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "catena/core/scenes/step_between.h"
 #include "catena/reference/exact_gap.h"
 
 namespace catena::bench {
@@ -24,10 +25,6 @@ Collisions searched(Variant& variant, const Chain& chain, const Request& request
   variant.build(chain);
   variant.find(chain, request, found);
   return found;
-}
-
-double distance(const Sphere& a, const Sphere& b) {
-  return std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
 }
 
 /// The least radius at which two spheres about these centres touch, from an estimate that is nearly it.
@@ -57,7 +54,7 @@ std::optional<FirstContact> first_contact(Variant& variant, const Chain& centres
   std::optional<FirstContact> first;
   for (const Pair& pair : searched(variant, all, {}).pairs) {
     const Sphere &a = all[pair.i], &b = all[pair.j];
-    const auto estimate = static_cast<float>(distance(a, b) / 2);
+    const auto estimate = static_cast<float>(length(step_between(a, b)) / 2);
     if (first && estimate > std::nextafter(first->radius, infinity)) continue;
     const float radius = least_radius(a, b, estimate);
     // Neighbours when they touch stay neighbours when they grow.

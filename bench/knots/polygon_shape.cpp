@@ -8,14 +8,10 @@
 #include <numbers>
 
 #include "catena/core/error.h"
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/scenes/step_between.h"
 
 namespace catena::bench {
 namespace {
-
-Vec3 edge_from(const Sphere& a, const Sphere& b) {
-  return {double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z};
-}
 
 double angle(const Vec3& a, const Vec3& b) {
   const Vec3 across{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -41,9 +37,9 @@ void add_strand(PolygonShape& shape, std::span<const Sphere> vertices, std::size
   if (vertices.size() < 3)
     throw InputError(
         fmt::format("strand {} has fewer than three vertices; a knot is a closed polygon", strand));
-  Vec3 before = edge_from(vertices.back(), vertices.front());
+  Vec3 before = step_between(vertices.back(), vertices.front());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec3 after = edge_from(vertices[i], vertices[(i + 1) % vertices.size()]);
+    const Vec3 after = step_between(vertices[i], vertices[(i + 1) % vertices.size()]);
     const double edge = length(after);
     if (!(edge > 0)) throw InputError(fmt::format("strand {}: vertex {} lies on the next one", strand, i));
     shape.length += edge;

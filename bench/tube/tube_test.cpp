@@ -126,5 +126,15 @@ TEST(Storage, FlipsMoreTheFartherTheChainLies) {
   EXPECT_LT(near.least_margin, 1e-2);
 }
 
+TEST(TubeError, AToleranceTakesNoMoreSpheresThanItMust) {
+  for (const Tube& tube : {straight_rod(), helix(), lissajous()})
+    for (const double tolerance : {0.3, 0.01, 1e-4}) {
+      const std::uint32_t n = spheres_for(tube, tolerance);
+      ASSERT_GT(n, 8u) << tube.name;
+      EXPECT_LE(tube_error(tube, {}, n).gap, tolerance * tube.radius) << tube.name;
+      EXPECT_GT(tube_error(tube, {}, n - 1).gap, tolerance * tube.radius) << tube.name;
+    }
+}
+
 }  // namespace
 }  // namespace catena::bench

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "catena/core/commands/answer_files.h"
 #include "catena/core/commands/command.h"
@@ -58,7 +57,6 @@ class DetectCommand final : public Command {
     Periodic* const periodic = take_box(input, variant);
     const auto [first, last] = frame_.of(input);
     request_.frames_follow = last - first > 1;
-    thinning_ = input.thinning;
     first_frame_ = written_frame(input_);
     AnswerFiles files(files_, input.labels);
 
@@ -74,7 +72,7 @@ class DetectCommand final : public Command {
         variant->find(chain, request_, found);
       });
       progress.clear();
-      print(f, chain, found, *variant);
+      print(f, input, chain, found, *variant);
       files.write(first_frame_ + f, chain, found);
     }
     files.close();
@@ -96,7 +94,8 @@ class DetectCommand final : public Command {
     return put_into_boxes(variant, input.boxes);
   }
 
-  void print(std::uint32_t frame, const Chain& chain, const Collisions& found, const Variant& variant) const {
+  void print(std::uint32_t frame, const Input& input, const Chain& chain, const Collisions& found,
+             const Variant& variant) const {
     const Timings t = variant.timings();
     const std::string by = variant.answered_by();
     const std::uint32_t most = found.count.empty() ? 0 : *std::ranges::max_element(found.count);
@@ -106,11 +105,11 @@ class DetectCommand final : public Command {
                                   {"n", chain.size()},
                                   {"variant", variant_},
                                   {"collides", found.found}};
-      if (thinning_)
-        line["thinned"] = {{"tolerance", thinning_->tolerance},
-                           {"of", thinning_->spheres},
-                           {"lost", thinning_->lost},
-                           {"own", thinning_->own}};
+      if (const auto& thinning = input.thinning)
+        line["thinned"] = {{"tolerance", thinning->tolerance},
+                           {"of", thinning->spheres},
+                           {"lost", thinning->lost},
+                           {"own", thinning->own}};
       if (!by.empty()) line["answered_by"] = by;
       if (request_.want != Request::Want::any) line["pairs"] = found.pair_count, line["max_count"] = most;
       line["build_ms"] = t.build_ms;
@@ -138,7 +137,6 @@ class DetectCommand final : public Command {
   WantOptions want_;
   NoOmitOption no_omit_;
   InputOptions options_{.takes_box = true};
-  std::optional<Thinning> thinning_;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   Request request_;
   bool json_ = false, plan_ = false;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -57,15 +56,12 @@ std::string said_of(const Thinning& thinning) {
 void leave_out(Input& input, double tolerance) {
   Thinning thinning = thin(*input.animation, input.joints, tolerance);
   input.animation = thinned(std::move(input.animation), thinning);
-  const auto& kept = thinning.kept;
   if (input.labels.size() > 0) {
-    input.labels = input.labels.chosen(kept);
+    input.labels = input.labels.chosen(thinning.kept);
   } else {
-    for (const std::uint32_t sphere : kept) input.labels.add(std::int64_t{sphere});
+    for (const std::uint32_t sphere : thinning.kept) input.labels.add(std::int64_t{sphere});
   }
-  for (Pair& joint : input.joints)
-    for (std::uint32_t* sphere : {&joint.i, &joint.j})
-      *sphere = static_cast<std::uint32_t>(std::ranges::lower_bound(kept, *sphere) - kept.begin());
+  for (Pair& joint : input.joints) joint = {thinning.place_of(joint.i), thinning.place_of(joint.j)};
   input.warnings.push_back(said_of(thinning));
   input.thinning = std::move(thinning);
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "catena/core/error.h"
@@ -12,8 +11,6 @@
 
 namespace catena {
 namespace {
-
-constexpr std::uint32_t left_out = std::numeric_limits<std::uint32_t>::max();
 
 /// tube_loss as a share of the least radius; 1 where as much is lost.
 double share_lost(std::span<const Sphere> stretch) {
@@ -120,8 +117,8 @@ void measure(const Chain& chain, Thinning& thinning) {
 
 class Thinned final : public Animation {
  public:
-  Thinned(std::unique_ptr<Animation> whole, std::vector<std::uint32_t> kept)
-      : whole_(std::move(whole)), kept_(std::move(kept)) {
+  Thinned(std::unique_ptr<Animation> whole, const Thinning& thinning)
+      : whole_(std::move(whole)), thinning_(thinning) {
     const Chain first = whole_->frame(0);
     topology_ = first.view().topology;
     first_ = made(first);
@@ -137,38 +134,41 @@ class Thinned final : public Animation {
  private:
   std::vector<Sphere> spheres_of(const Chain& chain) const {
     std::vector<Sphere> spheres;
-    spheres.reserve(kept_.size());
-    for (const std::uint32_t i : kept_) spheres.push_back(chain[i]);
+    spheres.reserve(thinning_.kept.size());
+    for (const std::uint32_t i : thinning_.kept) spheres.push_back(chain[i]);
     return spheres;
   }
 
   Chain made(const Chain& chain) const {
     Strands strands{{0}, chain.strands().closed};
     for (const std::uint32_t end : std::span(chain.strands().first).subspan(1))
-      strands.first.push_back(
-          static_cast<std::uint32_t>(std::ranges::lower_bound(kept_, end) - kept_.begin()));
+      strands.first.push_back(thinning_.place_of(end));
 
-    std::vector<std::uint32_t> now(chain.size(), left_out);
-    for (std::uint32_t k = 0; k < kept_.size(); ++k) now[kept_[k]] = k;
     Exclusion exclusion = chain.exclusion();
     std::erase_if(exclusion.extra_pairs,
-                  [&](const Pair& pair) { return now[pair.i] == left_out || now[pair.j] == left_out; });
-    for (Pair& pair : exclusion.extra_pairs) pair = {now[pair.i], now[pair.j]};
+                  [&](const Pair& pair) { return !thinning_.keeps(pair.i) || !thinning_.keeps(pair.j); });
+    for (Pair& pair : exclusion.extra_pairs) pair = {thinning_.place_of(pair.i), thinning_.place_of(pair.j)};
 
     const ExclusionView whole = chain.view().exclusion;
     ArcLengths arcs;
-    for (const std::uint32_t i : kept_) arcs.arc.push_back(whole.arc[i]);
+    for (const std::uint32_t i : thinning_.kept) arcs.arc.push_back(whole.arc[i]);
     arcs.loop_length.assign(whole.loop_length, whole.loop_length + chain.strand_count());
     return Chain(spheres_of(chain), std::move(strands), std::move(exclusion), std::move(arcs));
   }
 
   std::unique_ptr<Animation> whole_;
-  std::vector<std::uint32_t> kept_;
+  Thinning thinning_;
   std::uint64_t topology_ = 0;  ///< of the whole chain in frame 0
   Chain first_;
 };
 
 }  // namespace
+
+bool Thinning::keeps(std::uint32_t sphere) const { return std::ranges::binary_search(kept, sphere); }
+
+std::uint32_t Thinning::place_of(std::uint32_t sphere) const {
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(kept, sphere) - kept.begin());
+}
 
 Thinning thin(const Animation& whole, std::span<const Pair> joints, double tolerance) {
   if (!(tolerance > 0 && tolerance < 1))
@@ -177,9 +177,8 @@ Thinning thin(const Animation& whole, std::span<const Pair> joints, double toler
   const Chain chain = whole.frame(0);
   if (chain.exclusion().rule != Exclusion::Rule::arc_window)
     throw InputError(
-        "--tolerance leaves spheres out, so that neighbours cannot be told by counting them: give "
-        "--arc-window F too, "
-        "such as pi/2");
+        "--tolerance leaves spheres out, so that neighbours cannot be told by counting them: "
+        "give --arc-window F too, such as pi/2");
   const Walk walk(joints, tolerance);
   Thinning thinning{tolerance, chain.size(), walk.first(chain)};
   // What one frame adds can spoil a stretch of another, so until a whole round adds nothing.
@@ -198,7 +197,7 @@ Thinning thin(const Animation& whole, std::span<const Pair> joints, double toler
 }
 
 std::unique_ptr<Animation> thinned(std::unique_ptr<Animation> whole, const Thinning& thinning) {
-  return std::make_unique<Thinned>(std::move(whole), thinning.kept);
+  return std::make_unique<Thinned>(std::move(whole), thinning);
 }
 
 }  // namespace catena

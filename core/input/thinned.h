@@ -20,6 +20,10 @@ struct Thinning {
   std::vector<std::uint32_t> kept;  ///< ascending; of every strand the first and the last are
   double lost = 0;  ///< most tube_loss of a stretch that leaves spheres out, as a share of its least radius
   double own = 0;   ///< most between two consecutive spheres of the input, where nothing is left out
+
+  bool keeps(std::uint32_t sphere) const;
+  /// The new index of a sphere that is kept; of any other that of the next one that is. O(log kept).
+  std::uint32_t place_of(std::uint32_t sphere) const;
 };
 
 /// The spheres to keep in every frame alike: as few as a walk along each strand finds that goes as far as

@@ -12,7 +12,6 @@
 #include "catena/core/input/tube_loss.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/scenes/vec3.h"
-#include "catena/properties/generators/shapes.h"
 #include "catena/reference/reference.h"
 
 namespace catena {

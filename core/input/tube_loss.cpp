@@ -3,24 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/scenes/step_between.h"
 
 namespace catena {
-namespace {
-
-Vec3 from(const Sphere& a, const Sphere& b) {
-  return {double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z};
-}
-
-}  // namespace
-
 double tube_loss(std::span<const Sphere> spheres) {
   const Sphere &a = spheres.front(), &b = spheres.back();
-  const Vec3 chord = from(a, b);
+  const Vec3 chord = step_between(a, b);
   const double squared = dot(chord, chord);
   double excess = 0, reach = std::sqrt(squared), greatest = std::max(a.radius, b.radius);
   for (const Sphere& sphere : spheres.subspan(1, spheres.size() - 2)) {
-    const Vec3 out = from(a, sphere);
+    const Vec3 out = step_between(a, sphere);
     const double along = squared > 0 ? std::clamp(dot(out, chord) / squared, 0.0, 1.0) : 0.0;
     const double here = a.radius + along * (double{b.radius} - a.radius);
     excess = std::max(excess, length(out - along * chord) + sphere.radius - here);
