@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <numbers>
 #include <optional>
 
 #include "catena/core/chain/chain.h"
@@ -8,7 +9,7 @@
 namespace catena::bench {
 
 /// What a tube can bend into is no contact: spheres nearer along it than pi/2 times the sum of their radii.
-inline constexpr double bending_window = 1.5707963267948966;
+inline constexpr double bending_window = std::numbers::pi / 2;
 
 /// Where spheres that grow about the vertices of a tube touch for the first time.
 struct FirstContact {

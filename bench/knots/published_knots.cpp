@@ -13,16 +13,13 @@ using Of = PublishedKnot::Of;
 
 constexpr auto ridgerunner =
     "README of Ridgerunner (github.com/designbynumbers/ridgerunner at 4ee3199), whose test/3_1_328.vect it "
-    "is; "
-    "GPL-3.0. The struts are those after its 100 steps, which shorten the rope by less than 1e-5";
+    "is; GPL-3.0. The struts are those after its 100 steps, which shorten the rope by less than 1e-5";
 constexpr auto plcurve =
     "the program ropelength of plCurve, as measured in github.com/Njakasoa/tight-knots-ropelength, report of "
-    "its "
-    "independent validation; ";
+    "its independent validation; ";
 constexpr auto sharp =
     "Cantarella, Kusner and Sullivan, On the minimum ropelength of knots and links, Inventiones mathematicae "
-    "150 "
-    "(2002), where it is proved to be the least";
+    "150 (2002), where it is proved to be the least";
 
 }  // namespace
 

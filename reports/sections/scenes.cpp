@@ -56,8 +56,7 @@ nlohmann::ordered_json scenes(const Profile& profile) {
       row["images"] = images_of(chain, *box);
       row["summary"] = fmt::format(
           "space repeats in the box {}: build puts the spheres into it and makes {} images at its faces, "
-          "find decides "
-          "exactly what lies across them; both are timed",
+          "find decides exactly what lies across them; both are timed",
           written(*box), row["images"].get<std::uint32_t>());
     }
     rows.push_back(std::move(row));
