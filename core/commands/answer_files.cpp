@@ -16,12 +16,13 @@ NamedSphere AnswerFiles::named(const Strands& strands, std::uint32_t i) const {
           i - strands.first[strand]};
 }
 
-void AnswerFiles::write(std::uint32_t frame, const Chain& chain, Collisions& found) {
+void AnswerFiles::write(std::uint32_t frame, const Chain& chain, Collisions& found, const PeriodicBox* box) {
   const Strands& strands = chain.strands();
   if (pairs_) {
     std::ranges::sort(found.pairs);
     for (const Pair& p : found.pairs) {
-      put_pair_cells(pairs_->row(), tables_, frame, named(strands, p.i), named(strands, p.j), chain[p.i], chain[p.j]);
+      put_pair_cells(pairs_->row(), tables_, frame, named(strands, p.i), named(strands, p.j), chain[p.i], chain[p.j],
+                     box);
       pairs_->end_row();
     }
   }

@@ -16,8 +16,8 @@ class AnswerFiles {
   /// The labels must outlive this object. Throws as RowFile does.
   AnswerFiles(const AnswerTables& tables, const Labels& labels);
 
-  /// Sorts the pairs of `found`.
-  void write(std::uint32_t frame, const Chain& chain, Collisions& found);
+  /// Sorts the pairs of `found`, which was found in the box, or in open space where it is null.
+  void write(std::uint32_t frame, const Chain& chain, Collisions& found, const PeriodicBox* box = nullptr);
   void close();
 
  private:

@@ -1,7 +1,7 @@
 #include "catena/core/commands/answer_rows.h"
 
 #include "catena/core/error.h"
-#include "catena/core/overlap.h"
+#include "catena/core/periodic/overlap.h"
 
 namespace catena {
 
@@ -27,12 +27,14 @@ void check_answer_options(const Request& request, const AnswerTables& tables) {
 }
 
 void put_pair_cells(RowText& row, const AnswerTables& tables, std::uint32_t frame, const NamedSphere& i,
-                    const NamedSphere& j, const Sphere& at_i, const Sphere& at_j) {
+                    const NamedSphere& j, const Sphere& at_i, const Sphere& at_j, const PeriodicBox* box) {
   row.number(frame).number(i.number).number(j.number);
   row.text(i.label).text(j.label).text(i.strand).text(j.strand);
   row.number(i.index).number(j.index);
-  if (tables.depth) row.real(overlap_of(at_i, at_j).depth);
-  if (tables.margin) row.real(overlap_of(at_i, at_j).margin);
+  if (!tables.depth && !tables.margin) return;
+  const Overlap overlap = overlap_of(at_i, at_j, box);
+  if (tables.depth) row.real(overlap.depth);
+  if (tables.margin) row.real(overlap.margin);
 }
 
 void put_count_cells(RowText& row, std::uint32_t frame, const NamedSphere& sphere, std::uint64_t count) {

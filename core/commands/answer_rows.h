@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catena/core/commands/row_file.h"
+#include "catena/core/periodic/periodic_box.h"
 #include "catena/core/sphere.h"
 #include "catena/core/strategy/request.h"
 
@@ -35,9 +36,9 @@ struct NamedSphere {
   std::uint64_t index;
 };
 
-/// The cells of a row; the caller ends it.
+/// The cells of a row; the caller ends it. Depth and margin are those in the box, where there is one.
 void put_pair_cells(RowText& row, const AnswerTables& tables, std::uint32_t frame, const NamedSphere& i,
-                    const NamedSphere& j, const Sphere& at_i, const Sphere& at_j);
+                    const NamedSphere& j, const Sphere& at_i, const Sphere& at_j, const PeriodicBox* box);
 void put_count_cells(RowText& row, std::uint32_t frame, const NamedSphere& sphere, std::uint64_t count);
 
 }  // namespace catena

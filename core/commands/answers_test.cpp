@@ -36,6 +36,37 @@ TEST_F(Answers, NameTheSamplesOfANeuron) {
 }
 
 // Of a real neuron, every pair of samples that is named overlaps by the file's own numbers.
+// 0.5 of the one end and 9.25 of the other are 1.25 apart across the face.
+TEST_F(Answers, TellDepthsAcrossAFaceOfABox) {
+  const std::string csv = write("b.csv", "x,y,z,r\n0.5,0,0,1\n5,5,5,0.1\n9.25,0,0,1\n");
+  run("detect " + csv + " --box 10,0,0 --depth --margin --pairs '" + file("p.csv") + "'");
+  EXPECT_TRUE(text_of(file("p.csv")).ends_with("index_j,depth,margin\n0,0,2,2,4,0,0,0,2,0.75,0.609375\n"))
+      << text_of(file("p.csv"));
+  run("detect " + csv + " --depth --pairs '" + file("p.csv") + "'");
+  EXPECT_TRUE(text_of(file("p.csv")).ends_with("depth\n"));
+  run("export " + csv + " '" + file("b.vtp") + "' --contacts --box 10,0,0");
+  const std::string text = text_of(file("b.vtp"));
+  EXPECT_NE(text.find("Name=\"collisions\" format=\"ascii\">\n1\n0\n1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("Name=\"contact\" format=\"ascii\">\n2\n-1\n0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("Name=\"depth\" format=\"ascii\">\n0.75\n0\n0.75\n"), std::string::npos) << text;
+}
+
+// The dump's second frame has a box of its own.
+TEST_F(Answers, TellDepthsInTheBoxOfEachFrame) {
+  const auto frame = [](int step, int box, float far) {
+    return fmt::format(
+        "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 {}\n0 {}\n0 {}\n"
+        "ITEM: ATOMS id mol xu yu zu\n1 1 0.5 0 0\n2 1 4 4 4\n3 1 {} 0 0\n",
+        step, box, box, box, far);
+  };
+  const std::string dump = write("d.dump", frame(0, 10, 9.5f) + frame(1, 20, 19.25f));
+  run("detect " + dump + " --radius 1 --frame all --depth --pairs '" + file("p.csv") + "'");
+  EXPECT_TRUE(text_of(file("p.csv")).ends_with("depth\n0,0,2,1,3,0,0,0,2,1\n1,0,2,1,3,0,0,0,2,0.75\n"))
+      << text_of(file("p.csv"));
+  run("export " + dump + " '" + file("d.vtp") + "' --radius 1 --frame all --contacts");
+  EXPECT_NE(text_of(file("d_1.vtp")).find("Name=\"depth\" format=\"ascii\">\n0.75\n0\n0.75\n"), std::string::npos);
+}
+
 TEST_F(Answers, NameSamplesThatOverlapInTheFile) {
   const std::string swc = CATENA_SOURCE_DIR "/core/readers/examples/Neuron.swc";
   run("detect " + swc + " --pairs '" + file("p.jsonl") + "' --depth --margin");

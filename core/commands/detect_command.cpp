@@ -54,7 +54,7 @@ class DetectCommand final : public Command {
     auto variant = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     const Input input = open_input(input_, options_);
     show_warnings(input);
-    Periodic* const periodic = take_box(input, variant);
+    Periodic* const periodic = put_into_boxes(variant, input.boxes);
     const auto [first, last] = frame_.of(input);
     request_.frames_follow = last - first > 1;
     first_frame_ = written_frame(input_);
@@ -73,7 +73,7 @@ class DetectCommand final : public Command {
       });
       progress.clear();
       print(f, input, chain, found, *variant);
-      files.write(first_frame_ + f, chain, found);
+      files.write(first_frame_ + f, chain, found, box_of(input.boxes, f));
     }
     files.close();
     return 0;
@@ -86,12 +86,6 @@ class DetectCommand final : public Command {
     if (no_omit_.given() && variant_ != usual_variant)
       throw InputError("--no-omit is about the variant auto; leave it out, or --variant");
     if (no_omit_.given()) variant_ = no_omit_.variant();
-  }
-
-  Periodic* take_box(const Input& input, std::unique_ptr<Variant>& variant) const {
-    if (!input.boxes.empty() && (files_.depth || files_.margin))
-      throw InputError("--depth and --margin do not know a box; leave them out, or say --box none");
-    return put_into_boxes(variant, input.boxes);
   }
 
   void print(std::uint32_t frame, const Input& input, const Chain& chain, const Collisions& found,

@@ -13,6 +13,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/one_line.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
 #include "catena/core/writers/writer.h"
@@ -42,8 +43,7 @@ class ExportCommand final : public Command {
     if (contacts_) search_ = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     const Input input = open_input(input_, options_);
     show_warnings(input);
-    if (contacts_ && !input.boxes.empty())
-      throw InputError("--contacts do not know a box; leave them out, or say --box none");
+    if (contacts_) periodic_ = put_into_boxes(search_, input.boxes);
     const auto [first, last] = frame_.of(input);
     first_frame_ = written_frame(input_);
     say_losses(writer.info, input.animation->frame(first), !input.boxes.empty());
@@ -63,6 +63,8 @@ class ExportCommand final : public Command {
   ExportedFrame exported(const Input& input, std::uint32_t f, bool first) {
     ExportedFrame frame{input.animation->frame(f)};
     if (!search_) return frame;
+    frame.box = box_of(input.boxes, f);
+    go_to_frame(periodic_, input.boxes, f);
     blaming(variant_, [&] {
       if (first) search_->prepare({});
       first ? search_->build(frame.chain) : search_->update(frame.chain);
@@ -98,6 +100,7 @@ class ExportCommand final : public Command {
   bool contacts_ = false;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   std::unique_ptr<Variant> search_;
+  Periodic* periodic_ = nullptr;  ///< search_, where a box repeats space
   Collisions found_;
 };
 

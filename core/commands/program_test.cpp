@@ -110,7 +110,6 @@ TEST_F(Program, RepeatsSpaceInABox) {
   expect_refused(melt + " --box 1.5,8,8", "less than twice the reach");
   expect_refused(melt + " --box 3,8", "a box is X,Y,Z");
   expect_refused(melt + " --box 3,8,a", "'a' is not a number");
-  expect_refused(melt + " --box file --pairs p.csv --depth", "do not know a box");
 }
 
 // melt.dump says that its box is periodic, melt.data does not.

@@ -3,24 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
 #include "catena/core/error.h"
+#include "catena/core/periodic/image_squares.h"
 
 namespace catena {
 namespace {
 
-// A binary32 number is a multiple of 2^-149, and so is one of binary64 that is not below 2^-96; the smallest
-// edges take 2^-152.
-constexpr int unit = -160;
-using Integer = boost::multiprecision::cpp_int;
+using Integer = ImageSquares::Integer;
 
 Integer units(double value) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
   const Integer digits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  const int shift = exponent - 53 - unit;
+  const int shift = exponent - 53 - ImageSquares::unit;
   return shift >= 0 ? Integer(digits << shift) : Integer(digits >> -shift);  // what is shifted out is 0
 }
 
@@ -34,14 +31,19 @@ std::array<double, 3> PeriodicBox::widths() const {
           length[1] / std::sqrt(1 + lean_y * lean_y), length[2]};
 }
 
-bool image_overlaps_by_integers(const Sphere& a, const Sphere& b, const Shift& shift,
-                                const PeriodicBox& box) {
+ImageSquares::ImageSquares(const Sphere& a, const Sphere& b, const Shift& shift, const PeriodicBox& box) {
   const Integer dx = units(b.x) - units(a.x) + shift[0] * units(box.length[0]) + shift[1] * units(box.xy) +
                      shift[2] * units(box.xz);
   const Integer dy = units(b.y) - units(a.y) + shift[1] * units(box.length[1]) + shift[2] * units(box.yz);
   const Integer dz = units(b.z) - units(a.z) + shift[2] * units(box.length[2]);
-  const Integer reach = units(a.radius) + units(b.radius);
-  return dx * dx + dy * dy + dz * dz <= reach * reach;
+  distance = dx * dx + dy * dy + dz * dz;
+  reach = units(a.radius) + units(b.radius);
+}
+
+bool image_overlaps_by_integers(const Sphere& a, const Sphere& b, const Shift& shift,
+                                const PeriodicBox& box) {
+  const ImageSquares exact(a, b, shift, box);
+  return exact.distance <= exact.reach * exact.reach;
 }
 
 bool image_overlaps(const Sphere& a, const Sphere& b, const Shift& shift, const PeriodicBox& box) {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <set>
 
 #include "catena/core/error.h"
+#include "catena/core/periodic/overlap.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -140,6 +142,70 @@ RC_GTEST_PROP(Periodic, AnswersAPartOfTheSpheres, ()) {
     if (!request.queries.contains(i)) count[i] = 0;
   RC_ASSERT(part.pairs == expected);
   RC_ASSERT(part.count == count);
+}
+
+/// The squared distance to the nearest image, by every image that may matter.
+Rational nearest_squared(const Sphere& a, const Sphere& b, const PeriodicBox& box, int boxes) {
+  Rational least = -1;
+  for (int x = -boxes; x <= boxes; ++x)
+    for (int y = -boxes; y <= boxes; ++y)
+      for (int z = -boxes; z <= boxes; ++z) {
+        const Rational dx = Rational(b.x) - Rational(a.x) + x * Rational(box.length[0]) +
+                            y * Rational(box.xy) + z * Rational(box.xz),
+                       dy =
+                           Rational(b.y) - Rational(a.y) + y * Rational(box.length[1]) + z * Rational(box.yz),
+                       dz = Rational(b.z) - Rational(a.z) + z * Rational(box.length[2]);
+        const Rational q = dx * dx + dy * dy + dz * dz;
+        const bool repeats =
+            (x == 0 || box.length[0] > 0) && (y == 0 || box.length[1] > 0) && (z == 0 || box.length[2] > 0);
+        if (repeats && (least < 0 || q < least)) least = q;
+      }
+  return least;
+}
+
+/// Both but for a few roundings, by 100 digits.
+void expect_overlap(const Overlap& got, const Rational& q, const Rational& touch) {
+  using Digits = boost::multiprecision::cpp_bin_float_100;
+  const Digits depth = Digits(touch) - sqrt(Digits(q)),
+               margin = q == touch * touch ? Digits(0)
+                                           : Digits(Rational(abs(q - touch * touch) / (touch * touch)));
+  RC_ASSERT(abs(Digits(got.depth) - depth) <= abs(depth) * 0x1p-52);
+  RC_ASSERT(abs(Digits(got.margin) - margin) <= margin * 0x1p-52);
+}
+
+RC_GTEST_PROP(Periodic, TellsDepthAndMarginOfTheNearestImage, ()) {
+  const auto [chain, box] = any_in_a_box();
+  const Collisions pairs = found("CPU1", chain, box);
+  RC_CLASSIFY(!pairs.pairs.empty(), "pairs");
+  for (std::size_t k = 0; k < std::min<std::size_t>(pairs.pairs.size(), 3); ++k) {
+    const Sphere &a = chain[pairs.pairs[k].i], &b = chain[pairs.pairs[k].j];
+    const Rational touch = Rational(a.radius) + Rational(b.radius);
+    const Overlap overlap = overlap_of(a, b, &box);
+    RC_ASSERT(overlap.depth >= 0);
+    if (touch > 0) expect_overlap(overlap, nearest_squared(a, b, box, 4), touch);
+  }
+}
+
+// Depths of a share of 2^-80 of the distance have all their digits, and their sign.
+RC_GTEST_PROP(Overlap, LosesNothingNearATie, ()) {
+  const auto number = [] {
+    return std::ldexp(static_cast<float>(*rc::gen::inRange(-1000, 1000)), *rc::gen::inRange(-60, 3));
+  };
+  const Sphere a{number(), 0, 0, std::abs(number())};
+  const Sphere b{a.x + a.radius + 1, number(), number(), 1};
+  const Rational dx = Rational(b.x) - Rational(a.x),
+                 q = dx * dx + Rational(b.y) * Rational(b.y) + Rational(b.z) * Rational(b.z);
+  expect_overlap(overlap_of(a, b), q, Rational(a.radius) + 1);
+}
+
+TEST(Overlap, SeesATieAcrossAFace) {
+  const PeriodicBox box{{10, 10, 10}, 2.5, 0, 0};
+  // The image of b along the second edge is at (3.5, 10, 0): 3, 4, 5.
+  EXPECT_EQ(overlap_of({0.5, 6, 0, 3}, {1, 0, 0, 2}, &box).depth, 0);
+  EXPECT_EQ(overlap_of({0.5, 6, 0, 3}, {1, 0, 0, 2}, &box).margin, 0);
+  EXPECT_DOUBLE_EQ(overlap_of({0.5, 6, 0, 3}, {1, 0, 0, 2.5}, &box).depth, 0.5);
+  EXPECT_DOUBLE_EQ(overlap_of({0, 0, 0, 1}, {9, 0, 0, 1}).depth, -7);
+  EXPECT_THROW(overlap_of({0, 0, 0, 1}, {5, 5, 5, 1}, &box), std::logic_error);
 }
 
 float nudged(float value, int ulps) {

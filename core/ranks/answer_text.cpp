@@ -10,7 +10,7 @@ std::string pair_rows(Communicator& ranks, const AnswerTables& tables, std::uint
   RowText row(tables.pairs, tables.pair_columns());
   for (std::size_t k = 0; k < answer.pairs.size(); ++k) {
     const Described i = directory.at(answer.pairs[k].i);
-    put_pair_cells(row, tables, frame, i.named, partners[k].named, i.sphere, partners[k].sphere);
+    put_pair_cells(row, tables, frame, i.named, partners[k].named, i.sphere, partners[k].sphere, nullptr);
     row.end_row();
   }
   return row.take();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "catena/core/output_file.h"
-#include "catena/core/overlap.h"
+#include "catena/core/periodic/overlap.h"
 #include "catena/core/writers/point_row.h"
 #include "catena/core/writers/strand_cell.h"
 #include "catena/core/writers/writer.h"
@@ -34,7 +34,7 @@ class Vtp {
     file_.write("<PointData Scalars=\"radius\">\n");
     array("Float32", "radius", chain.size(), [&](std::uint32_t i) { return chain[i].radius; });
     write_strands(chain);
-    if (frame.found != nullptr) write_found(chain, *frame.found);
+    if (frame.found != nullptr) write_found(frame);
     file_.write(
         "</PointData>\n<Points>\n<DataArray type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\" "
         "format=\"ascii\">\n");
@@ -73,11 +73,13 @@ class Vtp {
     });
   }
 
-  void write_found(const Chain& chain, const Collisions& found) {
+  void write_found(const ExportedFrame& frame) {
+    const Chain& chain = frame.chain;
+    const Collisions& found = *frame.found;
     std::vector<std::int64_t> partner(chain.size(), -1);
     std::vector<double> depth(chain.size(), 0);
     for (const Pair& p : found.pairs) {
-      const double deep = overlap_of(chain[p.i], chain[p.j]).depth;
+      const double deep = overlap_of(chain[p.i], chain[p.j], frame.box).depth;
       for (const auto& [from, to] : {std::pair(p.i, p.j), std::pair(p.j, p.i)})
         if (partner[from] < 0 || deep > depth[from]) partner[from] = to, depth[from] = deep;
     }

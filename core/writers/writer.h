@@ -17,6 +17,7 @@ namespace catena {
 struct ExportedFrame {
   Chain chain;
   const Collisions* found = nullptr;
+  const PeriodicBox* box = nullptr;  ///< in which that was found
 };
 
 /// The frames [first, last) that go into one file.
