@@ -15,6 +15,7 @@
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/strategy/registry.h"
@@ -92,12 +93,15 @@ class VerifyCommand final : public Command {
                     VerifyReport& report, Progress& progress) const {
     const Chain chain = input.animation->frame(frame);
     const PeriodicBox* const box = box_of(input.boxes, frame);
+    const std::uint32_t first_frame = written_frame(input.name);
     std::optional<Answer> found;  // only when somebody needs it: a certificate does without
     const auto exact = [&]() -> const Answer& {
-      if (!found) found = box ? find_in_box(chain, *box, pair_limit) : exact_answer(chain, pair_limit);
+      if (!found && box)
+        found = naming(fmt::format("{} frame {}", input.name, first_frame + frame),
+                       [&] { return find_in_box(chain, *box, pair_limit); });
+      if (!found) found = exact_answer(chain, pair_limit);
       return *found;
     };
-    const std::uint32_t first_frame = written_frame(input.name);
     const auto print = [&](const VariantInfo& variant, std::uint64_t exact_pairs, Verification result) {
       progress.clear();
       report.row({input.name, first_frame + frame, chain.size(), exact_pairs, variant, std::move(result)});

@@ -14,6 +14,7 @@
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/counted.h"
 #include "catena/core/input/input.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/periodic/periodic.h"
 
@@ -40,8 +41,9 @@ class MarginsCommand final : public Command {
       for (std::uint32_t frame = first; frame < last; ++frame) {
         const Chain chain = input.animation->frame(frame);
         const PeriodicBox* const box = box_of(input.boxes, frame);
-        const Margins m = margins_of(chain, input.rounding, box);
         const std::uint32_t of_scene = written_frame(spec) + frame;
+        const Margins m = naming(fmt::format("{} frame {}", spec, of_scene),
+                                 [&] { return margins_of(chain, input.rounding, box); });
         json_ ? print_json(spec, of_scene, chain, box, m) : print(spec, of_scene, chain, box, m);
       }
     }

@@ -14,6 +14,7 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/parameters/whole_number.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/scenes/scene.h"
@@ -129,11 +130,10 @@ std::vector<PeriodicBox> boxes_of_options(const WorkloadSpec& spec) {
 
 /// Refuses a box before anything is measured.
 void check_boxes(const Input& input) {
-  for (std::uint32_t f = 0; f < input.boxes.size(); ++f) try {
+  naming(input.name, [&] {
+    for (std::uint32_t f = 0; f < input.boxes.size(); ++f)
       check_box(input.boxes[f], 2 * double{input.animation->frame(f).view().extent.greatest_radius});
-    } catch (const InputError& why) {
-      throw InputError(fmt::format("{}: {}", input.name, why.what()));
-    }
+  });
 }
 
 /// Says what had to be assumed of an input, once.

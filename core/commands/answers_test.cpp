@@ -12,10 +12,6 @@ namespace {
 /// Answers that can be traced to the user's own file, and what is said of a file that would be misread.
 class Answers : public Program {
  protected:
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name), std::ios::binary) << text;
-    return "'" + file(name) + "'";
-  }
   std::vector<nlohmann::json> lines_of(const std::string& name) const {
     std::vector<nlohmann::json> rows;
     std::istringstream text(text_of(file(name)));

@@ -15,6 +15,7 @@
 #include "catena/core/commands/whole_number_option.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/strategy/registry.h"
@@ -66,10 +67,13 @@ class DetectCommand final : public Command {
       progress.step(fmt::format("frame {}", f));
       const Chain chain = input.animation->frame(f);
       go_to_frame(periodic, input.boxes, f);
-      blaming(variant_, [&] {
-        if (f == first) variant->prepare(request_);
-        f == first ? variant->build(chain) : variant->update(chain, Moved::along(input.animation->shift(f)));
-        variant->find(chain, request_, found);
+      naming(fmt::format("{} frame {}", input_, first_frame_ + f), [&] {
+        blaming(variant_, [&] {
+          if (f == first) variant->prepare(request_);
+          f == first ? variant->build(chain)
+                     : variant->update(chain, Moved::along(input.animation->shift(f)));
+          variant->find(chain, request_, found);
+        });
       });
       progress.clear();
       print(f, input, chain, found, *variant);

@@ -11,6 +11,7 @@
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/one_line.h"
 #include "catena/core/periodic/periodic.h"
@@ -65,10 +66,12 @@ class ExportCommand final : public Command {
     if (!search_) return frame;
     frame.box = box_of(input.boxes, f);
     go_to_frame(periodic_, input.boxes, f);
-    blaming(variant_, [&] {
-      if (first) search_->prepare({});
-      first ? search_->build(frame.chain) : search_->update(frame.chain);
-      search_->find(frame.chain, {}, found_);
+    naming(fmt::format("{} frame {}", input_, first_frame_ + f), [&] {
+      blaming(variant_, [&] {
+        if (first) search_->prepare({});
+        first ? search_->build(frame.chain) : search_->update(frame.chain);
+        search_->find(frame.chain, {}, found_);
+      });
     });
     frame.found = &found_;
     return frame;

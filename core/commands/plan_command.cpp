@@ -11,6 +11,7 @@
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/registry.h"
@@ -38,7 +39,7 @@ class PlanCommand final : public Command {
     const Input input = open_input(input_, options_);
     if (!input.boxes.empty() && !run_)
       throw InputError(
-          "what is searched in a box is known when it is searched; add --run, or say --box none");
+          input_ + ": what is searched in a box is known when it is searched; add --run, or say --box none");
     show_warnings(input);
     const Machine& machine = Machine::here();
     if (machine.warning) fmt::print(stderr, "catena: {}\n", *machine.warning);
@@ -58,9 +59,12 @@ class PlanCommand final : public Command {
         continue;
       }
       go_to_frame(periodic, input.boxes, f);
-      blaming("auto", [&] {
-        f == first ? variant->build(chain) : variant->update(chain, Moved::along(input.animation->shift(f)));
-        variant->find(chain, request, found);
+      naming(fmt::format("{} frame {}", input_, f), [&] {
+        blaming("auto", [&] {
+          f == first ? variant->build(chain)
+                     : variant->update(chain, Moved::along(input.animation->shift(f)));
+          variant->find(chain, request, found);
+        });
       });
       print(f, chain, variant->plan(), &found);
     }

@@ -108,6 +108,20 @@ TEST_F(Program, RepeatsSpaceInABox) {
   expect_says(melt + " --box 8,8,8,0,0,0 --variant ChainTree", 0, {"8 spheres, 2 pairs"});
   expect_says(melt + " --box 0,8,8", 0, {"8 spheres, 1 pair"});
   expect_refused(melt + " --box 1.5,8,8", "less than twice the reach");
+  // One call may have many files, and one file many frames.
+  for (const std::string command : {"margins ", "verify --variant Hybrid ", "plan --run "})
+    expect_refused(command + examples + "melt.data --radius 0.5 --box 1.5,8,8",
+                   "melt.data frame 0: the box is 1.5 wide along x, less than twice the reach 1");
+  expect_refused(melt + " --box 1.5,8,8", "melt.data frame 0: the box is 1.5 wide");
+  expect_says("export " + examples + "melt.data '" + file("m.vtp") + "' --contacts --radius 0.5 --box 1.5,8,8", 2,
+              {"melt.data frame 0: the box is 1.5 wide"});
+  expect_refused("report --output " + file("r") + " --scene " + examples + "melt.data --radius 0.5 --box 1.5,8,8",
+                 "melt.data: the box is 1.5 wide");
+  const std::string far = write("far.csv", "x,y,z,r\n0,0,0,1\n9663676416,0,0,1\n3,0,0,1\n");
+  for (const std::string command : {"margins ", "verify --variant Hybrid ", "detect "})
+    expect_refused(command + far + " --box 9,9,9", "far.csv frame 0: sphere 1 lies ");
+  const std::string ring = write("ring.csv", "x,y,z,r,closed\n0,0,0,1,1\n3,0,0,1,1\n6,0,0,1,1\n");
+  expect_refused("detect " + ring + " --box 9,9,9 --arc-window 1", "ring.csv: the tube winds around the box");
   expect_refused(melt + " --box 3,8", "a box is X,Y,Z");
   expect_refused(melt + " --box 3,8,a", "'a' is not a number");
 }

@@ -47,6 +47,10 @@ class Program : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out) + text_of(err)};
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(file(name), std::ios::binary) << text;
+    return "'" + file(name) + "'";
+  }
 
   void expect_refused(const std::string& arguments, const std::string& because) const {
     const ProgramOutcome r = run(arguments);

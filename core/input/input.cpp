@@ -9,6 +9,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/box_choice.h"
 #include "catena/core/input/curve_input.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
@@ -82,7 +83,8 @@ Input open_input(const std::string& spec, const InputOptions& options) {
     input.boxes = curves.boxes;
     input.joints = curves.joints;
     auto later = std::move(curves.later_frames);
-    input.animation = std::make_unique<FileFrames>(make_chain(std::move(curves), options), std::move(later));
+    Chain chain = naming(spec, [&] { return make_chain(std::move(curves), options); });
+    input.animation = std::make_unique<FileFrames>(std::move(chain), std::move(later));
   } else {
     input.boxes = boxes_of_scene(options, spec);
     input.animation = open_scene(spec, options);
