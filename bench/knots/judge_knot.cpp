@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "catena/core/error.h"
+#include "catena/core/rounded_up.h"
 
 namespace catena::bench {
 namespace {
@@ -57,11 +58,6 @@ KnotBounds of_curve(const Range& thickness, const PolygonShape& shape) {
 KnotBounds of_type(const Range& thickness, double edge) {
   const double h = edge / (2 * thickness.low);
   return {.most = thickness.high * std::sqrt((1 + h * h) * (1 + h * h / 2))};
-}
-
-float rounded_up(double radius) {
-  const auto nearest = static_cast<float>(radius);
-  return nearest < radius ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
 }
 
 }  // namespace

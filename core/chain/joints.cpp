@@ -9,17 +9,13 @@
 #include <queue>
 #include <utility>
 
+#include "catena/core/chain/centre_distance.h"
 #include "catena/core/error.h"
 
 namespace catena {
 namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
-
-double distance(const Sphere& a, const Sphere& b) {
-  const double dx = double{b.x} - a.x, dy = double{b.y} - a.y, dz = double{b.z} - a.z;
-  return std::sqrt(dx * dx + dy * dy + dz * dz);
-}
 
 /// The tube as a graph, and the shortest ways in it (Dijkstra). For an index window every edge has the
 /// length 1.
@@ -104,7 +100,7 @@ class TubeGraph {
   };
 
   double length(std::uint32_t i, std::uint32_t j) const {
-    return by_index() ? 1 : distance(spheres_[i], spheres_[j]);
+    return by_index() ? 1 : centre_distance(spheres_[i], spheres_[j]);
   }
 
   void reached(std::uint32_t i, double way) {

@@ -6,15 +6,11 @@
 #include <atomic>
 #include <cmath>
 
+#include "catena/core/chain/centre_distance.h"
 #include "catena/core/error.h"
 
 namespace catena {
 namespace {
-
-double distance(const Sphere& a, const Sphere& b) {
-  const double dx = double{b.x} - a.x, dy = double{b.y} - a.y, dz = double{b.z} - a.z;
-  return std::sqrt(dx * dx + dy * dy + dz * dz);
-}
 
 void check_strands(Strands& strands, std::uint32_t n) {
   auto& first = strands.first;
@@ -74,10 +70,10 @@ void measure_arcs(Topology& t, const std::vector<Sphere>& spheres) {
     const std::uint32_t first = t.strands.first[s], last = t.strands.first[s + 1];
     double length = 0;
     for (std::uint32_t i = first; i < last; ++i) {
-      if (i > first) length += distance(spheres[i - 1], spheres[i]);
+      if (i > first) length += centre_distance(spheres[i - 1], spheres[i]);
       t.arc[i] = length;
     }
-    t.loop_length[s] = last > first ? length + distance(spheres[last - 1], spheres[first]) : 0;
+    t.loop_length[s] = last > first ? length + centre_distance(spheres[last - 1], spheres[first]) : 0;
   }
 }
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "catena/core/rounded_up.h"
+
 namespace catena {
 namespace {
 
@@ -125,12 +127,6 @@ Vector centre_of_smallest(std::span<const Sphere> spheres) {
     ball = larger->first, support = larger->second;
   }
   return ball.centre;
-}
-
-/// The least binary32 that is not below, infinite past the largest.
-float rounded_up(double value) {
-  const auto nearest = static_cast<float>(value);
-  return double{nearest} >= value ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
 
 }  // namespace
