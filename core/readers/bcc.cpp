@@ -11,8 +11,8 @@
 /// http://www.cemyuksel.com/cyCodeBase/soln/using_bcc_files.html: a header of 64 bytes (BCC, bytes of an
 /// integer and of a float, type of the curves, dimensions, which of them is up, curves, control points, a
 /// text), then for each curve its number of control points (negative: closed) and three floats for each.
-/// Little-endian. C is a Catmull-Rom curve, which goes through its control points, PL a polyline; of other
-/// curves the control points are no points. No radii.
+/// Little-endian. C with a digit for its parameters is a Catmull-Rom curve, which goes through its control
+/// points, PL a polyline; of other curves the control points are no points. No radii.
 namespace catena {
 namespace {
 
@@ -22,10 +22,10 @@ void check_header(BinaryFields& fields) {
     fields.fail(
         fmt::format("the numbers have {} and {} bytes; four and four are read", sizes >> 4, sizes & 15));
   const std::string type(fields.text(2, "type of the curves"));
-  if (type[0] != 'C' && type != "PL")
+  if (type != "C0" && type != "C1" && type != "C2" && type != "PL")
     fields.fail(
-        fmt::format("curves of type {} do not go through their control points; Catmull-Rom curves (C0) and "
-                    "polylines (PL) are read",
+        fmt::format("curves of type {} are not known to go through their control points; Catmull-Rom curves "
+                    "(C0, C1, C2) and polylines (PL) are read",
                     in_quotes(type)));
   if (const auto dimensions = fields.unsigned_of(1, "dimensions"); dimensions != 3)
     fields.fail(fmt::format("the curves have {}; three are read", counted(dimensions, "dimension")));

@@ -49,7 +49,7 @@ RC_GTEST_PROP(BccReader, ReadsWhatIsWritten, ()) {
     for (auto left = *rc::gen::inRange(1, 6); left > 0; --left)
       points.push_back({*any_finite(), *any_finite(), *any_finite(), 0});
   }
-  const CurveFile read = read_text("a.bcc", bcc_of(*rc::gen::element<std::string>("C0", "C1", "PL"), curves));
+  const CurveFile read = read_text("a.bcc", bcc_of(*rc::gen::element<std::string>("C0", "C1", "C2", "PL"), curves));
   RC_ASSERT(read.strand_closed.size() == curves.size());
   RC_ASSERT(!read.has_radii);
   RC_ASSERT(read.warnings.empty());
@@ -66,7 +66,9 @@ TEST(BccReader, SaysWhatIsWrong) {
   EXPECT_EQ(read_text("a.bcc", one + "x").warnings.size(), 1u);
   EXPECT_COMPLAINT(" byte 3: the first three bytes are not BCC", "a.bcc", "HAIR");
   EXPECT_COMPLAINT(" byte 4: the numbers have 8 and 8 bytes", "a.bcc", "BCC\x88" + one.substr(4));
-  EXPECT_COMPLAINT(" byte 6: curves of type 'B0' do not go through", "a.bcc", "BCCDB0" + one.substr(6));
+  EXPECT_COMPLAINT(" byte 6: curves of type 'B0' are not known to go through", "a.bcc", "BCCDB0" + one.substr(6));
+  for (const std::string type : {"CH", "CB", "C9", "P0"})
+    EXPECT_COMPLAINT(" byte 6: curves of type '" + type + "'", "a.bcc", "BCCD" + type + one.substr(6));
   EXPECT_COMPLAINT(" byte 7: the curves have 2 dimensions", "a.bcc", "BCCDC0\2" + one.substr(7));
   EXPECT_COMPLAINT(" byte 80: curves: 1, with control points: 1, but the header says 0", "a.bcc",
                    header("BCCDPL\3\2", 1, 0) + one.substr(64));
