@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "catena/core/commands/test_program.h"
 
@@ -56,6 +57,33 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
   }
 }
 
+TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
+  const std::string examples = CATENA_SOURCE_DIR "/core/readers/examples/";
+  for (const std::string& input : std::vector<std::string>{
+           examples + "melt.dump --radius 0.5 --frame all", "yarn:n=3000,seed=5 --box 30,0,25",
+           "hair:n=900 --window 3 --box 20,20,20,3,-2,1", "yarn:n=500 --arc-window pi/2 --box 300,300,300"}) {
+    for (const char* order : {"chain", "space"}) {
+      const auto tables = [&](const char* of) {
+        return fmt::format(" --pairs '{0}.csv' --counts '{0}.counts.csv' --depth --margin", file(of));
+      };
+      const ProgramOutcome alone = run("detect " + input + tables("alone"));
+      ASSERT_EQ(alone.code, 0) << alone.output;
+      const ProgramOutcome ranks = run_ranks("detect " + input + tables("ranks") + " --order " + order);
+      ASSERT_EQ(ranks.code, 0) << ranks.output;
+      for (const std::string end : {".csv", ".counts.csv"}) {
+        EXPECT_GT(text_of(file("alone" + end)).size(), 100u) << input;
+        EXPECT_EQ(text_of(file("alone" + end)), text_of(file("ranks" + end))) << input << " " << order;
+      }
+    }
+  }
+  const ProgramOutcome verified = run_ranks("verify yarn:n=2000 --box 30,30,30");
+  EXPECT_EQ(verified.code, 0) << verified.output;
+  const ProgramOutcome limit = run_ranks("detect yarn:n=3000,seed=5 --box 30,0,25 --pair-limit 5");
+  expect_one_line(limit, "more than the limit of 5");
+  const ProgramOutcome timed = run_ranks("bench yarn:n=2000 --box 30,30,30 --repetitions 1");
+  EXPECT_NE(timed.output.find("\"box\":\"30,30,30\""), std::string::npos) << timed.output;
+}
+
 TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   const ProgramOutcome r = run_ranks("detect coincident:n=60 --json", 4);
   ASSERT_EQ(r.code, 0) << r.output;
@@ -75,7 +103,8 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   expect_one_line(run_ranks("detect coincident:n=60 --pairs /dev/full"), "cannot write /dev/full");
   expect_one_line(run_ranks("detect coincident:n=60 --variant Fastest"), "'Fastest'");
   expect_one_line(run_ranks("detect coincident:n=60 --variant CPU1/literal"), "ranks decide exactly");
-  expect_one_line(run_ranks("detect coincident:n=60 --box 9,9,9"), "--box none");
+  expect_one_line(run_ranks("detect coincident:n=60 --box 0.1,9,9"),
+                  "coincident:n=60 frame 0: the box is 0.1 wide along x, less than twice the reach");
   expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
 }
 

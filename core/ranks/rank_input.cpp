@@ -6,6 +6,9 @@
 #include <tuple>
 
 #include "catena/core/commands/show_warnings.h"
+#include "catena/core/input/naming.h"
+#include "catena/core/periodic/periodic.h"
+#include "catena/core/ranks/box_search.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/part_file.h"
 
@@ -26,7 +29,7 @@ bool in_parts(const std::string& spec, const InputOptions& options) {
 
 RankInput::RankInput(Communicator& ranks, const std::string& spec, const InputOptions& options,
                      const Open& open)
-    : ranks_(ranks) {
+    : ranks_(ranks), spec_(spec) {
   // Rank 0 decides, as the others may not see the file.
   const auto parts = all_gather_value(ranks, std::uint8_t{in_parts(spec, options)}).front();
   if (parts != 0) {
@@ -36,8 +39,6 @@ RankInput::RankInput(Communicator& ranks, const std::string& spec, const InputOp
   if (ranks.rank() != 0) return;
   input_ = open_input(spec, options);
   show_warnings(*input_);
-  if (!input_->boxes.empty())
-    throw InputError(fmt::format("{}: ranks do not repeat space; say --box none, or leave out mpirun", spec));
 }
 
 std::pair<std::uint32_t, std::uint32_t> RankInput::frames(const FrameOption& option) const {
@@ -62,9 +63,29 @@ NamedPart RankInput::part(std::uint32_t frame) const {
   });
 }
 
+std::optional<PeriodicBox> RankInput::box(std::uint32_t frame) const {
+  struct Told {
+    std::uint64_t repeats = 0;  // as wide as the others, so that no byte of it is undefined
+    PeriodicBox box{};
+  } told;
+  if (input_)
+    if (const PeriodicBox* const box = box_of(input_->boxes, frame)) told = {1, *box};
+  told = all_gather_value(ranks_, told).front();
+  if (told.repeats == 0) return {};
+  return told.box;
+}
+
 std::optional<Chain> RankInput::whole(std::uint32_t frame) const {
   if (!input_) return {};
   return input_->animation->frame(frame);
+}
+
+RankAnswer search_frame(Communicator& ranks, const RankInput& input, std::uint32_t frame,
+                        const std::optional<PeriodicBox>& box, Part part, const RankOptions& options,
+                        RankWork& work) {
+  if (!box) return search(ranks, std::move(part), options, work);
+  return naming(fmt::format("{} frame {}", input.name(), frame),
+                [&] { return search_in_box(ranks, input.whole(frame), *box, options, work); });
 }
 
 }  // namespace catena::ranks

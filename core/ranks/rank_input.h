@@ -1,11 +1,13 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/input/input.h"
 #include "catena/core/readers/binary_chain.h"
 #include "catena/core/ranks/named_part.h"
+#include "catena/core/ranks/rank_search.h"
 
 namespace catena::ranks {
 
@@ -18,17 +20,27 @@ class RankInput {
 
   RankInput(Communicator& ranks, const std::string& spec, const InputOptions& options, const Open& open);
 
+  const std::string& name() const { return spec_; }
   /// The frames [first, last) that the option names.
   std::pair<std::uint32_t, std::uint32_t> frames(const FrameOption& option) const;
   /// The spheres of this rank in that frame: as many as the others have, give or take one.
   NamedPart part(std::uint32_t frame) const;
+  /// The box that repeats space in that frame, on every rank; null where none does. Rank 0 has the whole chain then.
+  std::optional<PeriodicBox> box(std::uint32_t frame) const;
   /// The whole chain in that frame, on rank 0; none on others.
   std::optional<Chain> whole(std::uint32_t frame) const;
 
  private:
   Communicator& ranks_;
+  std::string spec_;
   std::optional<Input> input_;
   std::optional<BinaryChain> file_;
 };
+
+/// What collides in that frame, of which `part` is this rank's, in its box where it has one: by search or
+/// search_in_box; call it within together.
+RankAnswer search_frame(Communicator& ranks, const RankInput& input, std::uint32_t frame,
+                        const std::optional<PeriodicBox>& box, Part part, const RankOptions& options,
+                        RankWork& work);
 
 }  // namespace catena::ranks

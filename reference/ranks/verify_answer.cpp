@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "catena/core/ranks/bytes.h"
-#include "catena/reference/reference.h"
+#include "catena/reference/find_in_box.h"
 
 namespace catena::ranks {
 namespace {
@@ -52,9 +52,9 @@ RankComparison compare(const Expected& exact, const RankAnswer& answer) {
 }  // namespace
 
 RankComparison compare_with_reference(Communicator& ranks, const std::optional<Chain>& chain,
-                                      const RankAnswer& answer) {
+                                      const RankAnswer& answer, const PeriodicBox* box) {
   std::vector<Message> out;
-  if (chain) out = told(reference::find(*chain), answer.starts);
+  if (chain) out = told(reference::find_in(*chain, box), answer.starts);
   Expected exact;
   for (const Message& message : ranks.exchange(std::move(out))) {
     ByteReader in(message.bytes);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/periodic/periodic_box.h"
 #include "catena/core/ranks/rank_search.h"
 
 namespace catena::ranks {
@@ -17,8 +18,8 @@ struct RankComparison {
 };
 
 /// Rank 0, which alone has the chain, finds the exact answer by itself and sends each rank what it ought to
-/// have. All ranks call it and get the same.
+/// have, in the box where there is one. All ranks call it and get the same.
 RankComparison compare_with_reference(Communicator& ranks, const std::optional<Chain>& chain,
-                                      const RankAnswer& answer);
+                                      const RankAnswer& answer, const PeriodicBox* box = nullptr);
 
 }  // namespace catena::ranks

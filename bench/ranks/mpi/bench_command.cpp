@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
 #include "catena/core/ranks/mpi/rank_options.h"
@@ -34,7 +35,12 @@ class BenchCommand final : public Command {
     together(ranks_, [&] {
       const RankInput input(ranks_, input_, search_.input(), open_shared);
       const NamedPart part = input.part(0);
-      for (unsigned k = 0; k < repetitions_; ++k) search_once(part.part, options, k + 1 == repetitions_);
+      const std::optional<PeriodicBox> box = input.box(0);
+      const auto search_in = [&](Part own, RankWork& work) {
+        return search_frame(ranks_, input, 0, box, std::move(own), options, work);
+      };
+      for (unsigned k = 0; k < repetitions_; ++k)
+        search_once(part.part, search_in, box, k + 1 == repetitions_);
     });
     return 0;
   }
@@ -46,14 +52,16 @@ class BenchCommand final : public Command {
     double whole;
   };
 
-  void search_once(const Part& part, const RankOptions& options, bool last) {
+  template <class Search>
+  void search_once(const Part& part, const Search& search_in, const std::optional<PeriodicBox>& box,
+                   bool last) {
     clock_ = {};
     RankWork work;
     Part own = part;
     const Traffic before = ranks_.traffic();
     ranks_.vote();  // all begin at once
     const auto began = std::chrono::steady_clock::now();
-    const RankAnswer answer = search(ranks_, std::move(own), options, work);
+    const RankAnswer answer = search_in(std::move(own), work);
     const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - began;
     Times slowest{};
     for (const Times& times : all_gather_value(ranks_, Times{clock_.ms(), whole.count()})) {
@@ -63,10 +71,12 @@ class BenchCommand final : public Command {
     }
     times_.push_back(slowest);
     if (last)
-      say(answer, work, ranks_.traffic().bytes - before.bytes, ranks_.traffic().messages - before.messages);
+      say(answer, work, box, ranks_.traffic().bytes - before.bytes,
+          ranks_.traffic().messages - before.messages);
   }
 
-  void say(const RankAnswer& answer, const RankWork& work, std::uint64_t bytes, std::uint64_t messages) {
+  void say(const RankAnswer& answer, const RankWork& work, const std::optional<PeriodicBox>& box,
+           std::uint64_t bytes, std::uint64_t messages) {
     struct Share {
       std::uint64_t spheres, asked, touching, rounds, bytes, messages, peak_kib;
     };
@@ -83,6 +93,7 @@ class BenchCommand final : public Command {
                                 {"order", work.in_space ? "space" : "chain"},
                                 {"pairs", answer.pair_count},
                                 {"repetitions", repetitions_}};
+    if (box) line["box"] = written(*box);
     line["whole_ms"] = median([](const Times& t) { return t.whole; });
     for (std::size_t k = 0; k + 1 < PhaseClock::phases; ++k)
       line["phases_ms"][name_of(static_cast<Phase>(k))] = median([k](const Times& t) { return t.ms[k]; });

@@ -70,7 +70,9 @@ class DetectCommand final : public Command {
       const Directory directory = pairs || counts ? Directory(part) : Directory({});
       clock_ = {};
       RankWork work;
-      const RankAnswer answer = search(ranks_, std::move(part.part), options, work);
+      const std::optional<PeriodicBox> box = input.box(f);
+      const RankAnswer answer =
+          search_frame(ranks_, input, f, box, std::move(part.part), options, work);
       if (request_.want == Request::Want::pairs && answer.pair_count > request_.pair_limit) {
         too_many.emplace(answer.pair_count, request_.pair_limit);
         return;
@@ -78,7 +80,7 @@ class DetectCommand final : public Command {
       const std::uint32_t frame = written_frame(input_) + f;
       say(frame, answer, work);
       meet_fault("write", ranks_.rank());
-      if (pairs) pairs->append(pair_rows(ranks_, tables_, frame, directory, answer));
+      if (pairs) pairs->append(pair_rows(ranks_, tables_, frame, directory, answer, box ? &*box : nullptr));
       if (counts) counts->append(count_rows(tables_, frame, directory, answer));
     }
     if (pairs) pairs->close();

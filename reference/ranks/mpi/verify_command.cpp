@@ -41,9 +41,10 @@ class VerifyCommand final : public Command {
     options.order = order;
     std::optional<Chain> whole = input.whole(0);
     RankWork work;
-    const RankAnswer answer = search(ranks_, input.part(0).part, options, work);
+    const std::optional<PeriodicBox> box = input.box(0);
+    const RankAnswer answer = search_frame(ranks_, input, 0, box, input.part(0).part, options, work);
     if (ranks_.rank() == 0 && !whole) whole = open_input(name, search_.input()).animation->frame(0);
-    const RankComparison wrong = compare_with_reference(ranks_, whole, answer);
+    const RankComparison wrong = compare_with_reference(ranks_, whole, answer, box ? &*box : nullptr);
     if (ranks_.rank() == 0) say(name, order, answer, wrong);
     return wrong.right();
   }
