@@ -9,6 +9,7 @@
 #include "catena/core/commands/plan_options.h"
 #include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/show_warnings.h"
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/naming.h"
@@ -82,7 +83,7 @@ class PlanCommand final : public Command {
       fmt::print("{}\n", line.dump());
       return;
     }
-    fmt::print("{} frame {}: {} spheres{}\n{}", input_, frame, chain.size(),
+    fmt::print("{} frame {}: {}{}\n{}", input_, frame, counted(chain.size(), "sphere"),
                found == nullptr ? ""
                : found->found   ? ", collides"
                                 : ", does not collide",

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "catena/core/error.h"
 
 namespace catena {
@@ -25,8 +28,11 @@ void choose_boxes(CurveFile& curves, const InputOptions& options, const std::str
     curves.boxes = boxes_of_scene(options, name);
     return;
   }
+  // "ff ff ff" of a dump, "b = 0 0 0": the file says that nothing repeats.
+  const auto repeats_nothing = [](const PeriodicBox& box) { return box.length == std::array<double, 3>{}; };
+  if (std::ranges::all_of(curves.boxes, repeats_nothing)) curves.boxes.clear();
   if (options.box_from == BoxFrom::file && curves.boxes.empty())
-    throw InputError(fmt::format("{}: has no box; give one with --box X,Y,Z", name));
+    throw InputError(fmt::format("{}: has no box that repeats space; give one with --box X,Y,Z", name));
   if (options.box_from == BoxFrom::none || curves.boxes.empty()) return curves.boxes.clear();
   const bool repeats = options.box_from == BoxFrom::file || curves.box_is_periodic;
   const std::string size = size_of(curves.boxes[0]);

@@ -30,6 +30,13 @@ TEST(BoxChoice, TakesWhatTheFileSaysIsPeriodicAndAsksForTheRest) {
   EXPECT_EQ(boxes_of("melt.data", BoxFrom::options), std::vector<PeriodicBox>{of_user});
   EXPECT_EQ(boxes_of("melt.dump", BoxFrom::none), std::vector<PeriodicBox>{});
   EXPECT_THROW(boxes_of("loop.obj", BoxFrom::file), InputError);
+  // Walls on all sides: nothing repeats, and nobody need say so.
+  const TestFile walls(
+      "w.dump",
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ss fm\n0 9\n0 9\n0 9\n"
+      "ITEM: ATOMS id mol x y z\n1 1 0 0 0\n");
+  EXPECT_TRUE(open_input(walls.path().string(), {.radius = 1.0f, .takes_box = true}).boxes.empty());
+  EXPECT_TRUE(open_input(walls.path().string(), {.radius = 1.0f}).boxes.empty());
   const InputOptions scene{.box_from = BoxFrom::options, .box = of_user, .takes_box = true};
   EXPECT_EQ(open_input("path1:n=9", scene).boxes, std::vector<PeriodicBox>{of_user});
   EXPECT_THROW(open_input("path1:n=9", {.box_from = BoxFrom::file}), InputError);

@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <string>
 
 #include "catena/core/error.h"
@@ -14,7 +16,7 @@ decltype(auto) naming(const std::string& name, const Work& work) {
   } catch (const InputError& error) {
     const std::string what = error.what();
     if (what.starts_with(name)) throw;
-    throw InputError(name + ": " + what);
+    throw InputError(fmt::format("{}: {}", name, what));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/tube_loss.h"
 
@@ -186,8 +187,8 @@ Thinning thin(const Animation& whole, std::span<const Pair> joints, double toler
   const auto frame = [&](std::uint32_t f) {
     Chain moved = whole.frame(f);
     if (moved.size() != chain.size())
-      throw InputError(
-          fmt::format("--tolerance: frame {} has {} spheres, frame 0 has {}", f, moved.size(), chain.size()));
+      throw InputError(fmt::format("--tolerance: frame {} has {}, frame 0 has {}", f,
+                                   counted(moved.size(), "sphere"), chain.size()));
     return moved;
   };
   for (std::uint32_t f = 1 % frames, clean = 1; clean < frames; f = (f + 1) % frames)

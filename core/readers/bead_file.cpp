@@ -66,7 +66,10 @@ std::uint32_t BeadFile::place_of(std::int64_t id) const {
   return static_cast<std::uint32_t>(found - ids_.begin());
 }
 
-void BeadFile::tie(std::int64_t a, std::int64_t b) { bonds_.push_back({place_of(a), place_of(b)}); }
+void BeadFile::tie(std::int64_t a, std::int64_t b) {
+  if (a == b) throw InputError(fmt::format("{}: a bond ties atom {} to itself", file_, a));
+  bonds_.push_back({place_of(a), place_of(b)});
+}
 
 void BeadFile::reserve(std::size_t beads, std::size_t bonds) {
   curves_.spheres.reserve(beads);

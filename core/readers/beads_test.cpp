@@ -76,14 +76,14 @@ RC_GTEST_PROP(LammpsDataReader, ReadsEveryStyle, (bool flags, bool kokkos)) {
 
 TEST(LammpsDataReader, SaysWhatIsWrong) {
   const std::string start = "t\n\n2 atoms\n\n";
-  EXPECT_COMPLAINT("7: what the 6 columns are is not told", "a.data",
+  EXPECT_COMPLAINT("7: what the columns are, of which there are 6, is not told", "a.data",
                    start + "Atoms\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n");
   EXPECT_COMPLAINT("5: 'edpt' behind Atoms is no style", "a.data", start + "Atoms # edpt\n\n1 1 1 0 0 0\n");
   EXPECT_COMPLAINT("7: an atom of style bond has 6 columns, perhaps 3 image flags more, not 7", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0.5 0 0 0\n2 1 1 0.5 0 0 0\n");
   EXPECT_COMPLAINT("7: an atom of style atomic has 5 columns, perhaps 3 image flags more, not 8", "a.data",
                    start + "Atoms # atomic\n\n1 1 1 1 1 0.5 0 0\n");
-  EXPECT_COMPLAINT("8: what the 8 columns are is not told", "a.data",
+  EXPECT_COMPLAINT("8: what the columns are, of which there are 8, is not told", "a.data",
                    start + "Atoms\n\n1 1 1 1 1 0 0 0\n2 1 1 1 1 0.5 0 0\n");  // of bpm/sphere
   EXPECT_COMPLAINT("7: the header says 2 atoms, the file has 1", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0 0 0\n");
@@ -155,7 +155,7 @@ TEST(LammpsDumpReader, SaysWhatIsWrong) {
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n";
   EXPECT_COMPLAINT("1: 'ITEM: ...' is due", "a.dump", "hello\n");
   EXPECT_COMPLAINT("9: the columns lack id", "a.dump", start + "ITEM: ATOMS x y z\n0 0 0\n");
-  EXPECT_COMPLAINT("10: an atom of 3 columns, 4 are named", "a.dump",
+  EXPECT_COMPLAINT("10: an atom of 3 columns, but 4 are named", "a.dump",
                    start + "ITEM: ATOMS id x y z\n0 0 0\n");
   EXPECT_COMPLAINT("9: the file is truncated", "a.dump", start + "ITEM: ATOMS id x y z\n");
   EXPECT_COMPLAINT(
@@ -225,6 +225,24 @@ TEST(OxdnaReader, SaysWhatIsWrong) {
   EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n0 0 0\n"), InputError);
   EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows + "2 0 0\n"), InputError);
   EXPECT_EQ(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows).spheres.size(), 2u);
+}
+
+TEST(Beads, RefuseWhatTheirNeighboursContradict) {
+  EXPECT_COMPLAINT(" a bond ties atom 1 to itself", "a.data",
+                   "t\n\n2 atoms\n1 bonds\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 1 0 0\n\nBonds\n\n1 1 1 1\n");
+  const auto topology = [](const std::string& text) {
+    const TestFile top("a.top", text), file("a.conf", "t = 0\nb = 9 9 9\nE = 0\n0 0 0\n1 0 0\n2 0 0\n");
+    try {
+      ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()});
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(topology("3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n"), "");
+  EXPECT_NE(topology("3 1\n1 A -1 2\n1 C 0 2\n1 G 1 -1\n").find("has the neighbour"), std::string::npos);
+  EXPECT_NE(topology("3 1\n1 A -1 0\n1 C -1 2\n1 G 1 -1\n").find("nucleotide 0 "), std::string::npos);
+  EXPECT_COMPLAINT("3: bin 4 of 'chr1' comes after 4", "a.nucle3d", "CHR\tchr1\n4,0,0,0\n4,1,0,0\n");
 }
 
 }  // namespace

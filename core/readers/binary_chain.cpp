@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
@@ -26,19 +27,20 @@ BinaryChain::BinaryChain(std::string name, std::uint64_t bytes, ReadAt read)
   // Each fits into the file before it is multiplied.
   if (header_.spheres > bytes / sizeof(Sphere) || header_.strands > bytes / sizeof(Strand) ||
       header_.pairs > bytes / sizeof(Neighbours))
-    fail(fmt::format("the file is truncated: {} spheres, {} strands and {} pairs do not fit into {} bytes",
-                     header_.spheres, header_.strands, header_.pairs, bytes));
+    fail(fmt::format("the file is truncated: {}, {} and {} do not fit into {}",
+                     counted(header_.spheres, "sphere"), counted(header_.strands, "strand"),
+                     counted(header_.pairs, "pair"), counted(bytes, "byte")));
   spheres_at_ = sizeof header_;
   strands_at_ = spheres_at_ + header_.spheres * sizeof(Sphere);
   pairs_at_ = strands_at_ + header_.strands * sizeof(Strand);
   arcs_at_ = pairs_at_ + header_.pairs * sizeof(Neighbours);
   if (const std::uint64_t due = arcs_at_ + header_.spheres * arcs; due != bytes)
-    fail(fmt::format("the file has {} bytes, but its header says {}", bytes, due));
+    fail(fmt::format("the file has {}, but its header says {}", counted(bytes, "byte"), due));
   const bool window = header_.rule == 0 && header_.window >= 1;
   const bool arc = header_.rule == 1 && std::isfinite(header_.factor) && header_.factor > 0;
   if (!window && !arc)
-    fail(fmt::format("the exclusion rule {} with window {} and factor {} is none", header_.rule, header_.window,
-                     header_.factor));
+    fail(fmt::format("the exclusion rule {} with window {} and factor {} is none", header_.rule,
+                     header_.window, header_.factor));
   if (header_.strands == 0) fail("there is no strand");
 }
 
@@ -58,7 +60,8 @@ std::vector<Sphere> BinaryChain::spheres(std::uint64_t begin, std::uint64_t end)
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Sphere& s = all[k];
     if (!std::isfinite(s.x) || !std::isfinite(s.y) || !std::isfinite(s.z) || !std::isfinite(s.radius))
-      fail(fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", begin + k, s.x, s.y, s.z, s.radius));
+      fail(fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", begin + k, s.x, s.y, s.z,
+                       s.radius));
     if (s.radius < 0) fail(fmt::format("sphere {} has the negative radius {}", begin + k, s.radius));
   }
   return all;
@@ -67,7 +70,8 @@ std::vector<Sphere> BinaryChain::spheres(std::uint64_t begin, std::uint64_t end)
 std::vector<double> BinaryChain::arcs(std::uint64_t begin, std::uint64_t end) const {
   auto all = records<double>(arcs_at_, begin, end);
   for (std::size_t k = 0; k < all.size(); ++k)
-    if (!std::isfinite(all[k])) fail(fmt::format("the arc length {} of sphere {} is not finite", all[k], begin + k));
+    if (!std::isfinite(all[k]))
+      fail(fmt::format("the arc length {} of sphere {} is not finite", all[k], begin + k));
   return all;
 }
 
@@ -78,12 +82,14 @@ BinaryChain::Extent BinaryChain::strand(std::uint64_t number) const {
   if (found[0].first > end || (number == 0 && found[0].first != 0) || end > header_.spheres)
     fail(fmt::format("strand {} runs from sphere {} to {}", number, found[0].first, end));
   if (found[0].closed > 1 || !std::isfinite(found[0].loop_length))
-    fail(fmt::format("strand {} is closed by {}, with a loop of length {}", number, found[0].closed, found[0].loop_length));
+    fail(fmt::format("strand {} is closed by {}, with a loop of length {}", number, found[0].closed,
+                     found[0].loop_length));
   return {found[0], end};
 }
 
 std::uint64_t BinaryChain::strand_of(std::uint64_t sphere) const {
-  std::uint64_t begin = 0, end = header_.strands;  // strand `begin` begins at the sphere or before it, `end` does not
+  std::uint64_t begin = 0,
+                end = header_.strands;  // strand `begin` begins at the sphere or before it, `end` does not
   while (end - begin > 1) {
     const std::uint64_t middle = begin + (end - begin) / 2;
     (records<Strand>(strands_at_, middle, middle + 1)[0].first <= sphere ? begin : end) = middle;
@@ -106,11 +112,15 @@ std::vector<BinaryChain::Neighbours> BinaryChain::pairs(std::uint64_t begin, std
   auto all = records<Neighbours>(pairs_at_, first_of(begin), first_of(end));
   for (const auto& [i, j] : all)
     if (i < begin || i >= end || j <= i || j >= header_.spheres)
-      fail(fmt::format("the pair {} {} does not name two of the {} spheres in their order", i, j, header_.spheres));
+      fail(
+          fmt::format("the pair {} {} does not name two of the spheres in their order, of which there are {}",
+                      i, j, header_.spheres));
   return all;
 }
 
-void BinaryChain::fail(const std::string& reason) const { throw InputError(fmt::format("{}: {}", name_, reason)); }
+void BinaryChain::fail(const std::string& reason) const {
+  throw InputError(fmt::format("{}: {}", name_, reason));
+}
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/file_bytes.h"
 
@@ -16,8 +17,10 @@ BinaryFields::BinaryFields(const std::filesystem::path& file, Order order)
 
 void BinaryFields::require(std::uint64_t count, std::uint64_t size, std::string_view what) const {
   if (count > left() / size)
-    fail(fmt::format("the file is truncated: {} {} of {} bytes are due, {} bytes are left", count, what, size,
-                     left()));
+    fail(fmt::format("the file is truncated: {} left, too few for {}", counted(left(), "byte"),
+                     count == 1 || size == 1
+                         ? fmt::format("{} ({})", what, counted(count == 1 ? size : count, "byte"))
+                         : fmt::format("{} {} of {}", count, what, counted(size, "byte"))));
 }
 
 std::string_view BinaryFields::text(std::uint64_t size, std::string_view what) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
@@ -48,9 +49,9 @@ class ChainText {
     else if (word == "joints" && fields.size() == 2)
       read_pairs(fields[1], "joints", curves_.joints);
     else
-      lines_.fail(
-          fmt::format("{}: expected 'window K', 'arc_window F', 'strand open|closed N', 'pairs N', 'joints N' or 'end'",
-                      in_quotes(lines_.line())));
+      lines_.fail(fmt::format(
+          "{}: expected 'window K', 'arc_window F', 'strand open|closed N', 'pairs N', 'joints N' or 'end'",
+          in_quotes(lines_.line())));
     return true;
   }
 
@@ -81,7 +82,7 @@ class ChainText {
     for (std::uint32_t i = 0; i < count; ++i) {
       const Fields& fields = next_fields("a sphere");
       if (fields.size() != 4)
-        lines_.fail(fmt::format("a sphere is 'x y z radius', got {} columns", fields.size()));
+        lines_.fail(fmt::format("a sphere is 'x y z radius', got {}", counted(fields.size(), "column")));
       curves_.add_point(lines_.coordinate(fields[0], "x"), lines_.coordinate(fields[1], "y"),
                         lines_.coordinate(fields[2], "z"), lines_.radius(fields[3]));
     }
@@ -94,7 +95,8 @@ class ChainText {
     const std::uint32_t count = limited_count(size, "number of " + what);
     for (std::uint32_t i = 0; i < count; ++i) {
       const Fields& fields = next_fields("a pair");
-      if (fields.size() != 2) lines_.fail(fmt::format("a pair is 'i j', got {} columns", fields.size()));
+      if (fields.size() != 2)
+        lines_.fail(fmt::format("a pair is 'i j', got {}", counted(fields.size(), "column")));
       const Pair pair{lines_.count(fields[0], "i"), lines_.count(fields[1], "j")};
       if (pair.i == pair.j) lines_.fail(fmt::format("sphere {} cannot be its own neighbour", pair.i));
       pairs.push_back(pair);
@@ -106,8 +108,8 @@ class ChainText {
   void check_pairs() const {
     for (const auto& [pair, line] : named_)
       if (pair.i >= curves_.spheres.size() || pair.j >= curves_.spheres.size())
-        lines_.fail_at(line, fmt::format("pair {} {} does not name two of the {} spheres", pair.i, pair.j,
-                                         curves_.spheres.size()));
+        lines_.fail_at(line, fmt::format("pair {} {} does not name two of the spheres, of which there are {}",
+                                         pair.i, pair.j, curves_.spheres.size()));
   }
 
   std::uint32_t limited_count(std::string_view text, const std::string& what) const {

@@ -123,9 +123,9 @@ TEST(ChainFormat, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("3: a second exclusion rule", "a.chain", start + "window 1\narc_window 2\nend\n");
   EXPECT_COMPLAINT("2: the window must be at least 1", "a.chain", start + "window 0\nend\n");
   EXPECT_COMPLAINT("2: the arc_window must be above 0", "a.chain", start + "arc_window -1\nend\n");
-  EXPECT_COMPLAINT("3: pair 0 1 does not name two of the 1", "a.chain",
+  EXPECT_COMPLAINT("3: pair 0 1 does not name two of the spheres, of which there are 1", "a.chain",
                    start + "pairs 1\n0 1\nstrand open 1\n0 0 0 1\nend\n");
-  EXPECT_COMPLAINT("3: pair 0 1 does not name two of the 1", "a.chain",
+  EXPECT_COMPLAINT("3: pair 0 1 does not name two of the spheres, of which there are 1", "a.chain",
                    start + "joints 1\n0 1\nstrand open 1\n0 0 0 1\nend\n");
   EXPECT_COMPLAINT("3: sphere 5 cannot be its own neighbour", "a.chain", start + "pairs 1\n5 5\nend\n");
   EXPECT_COMPLAINT("4: there is more after 'end'", "a.chain", start + "strand open 0\nend\nend\n");

@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 
 namespace catena {
@@ -87,9 +88,9 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
     size += filled;
     if (state == Inflate::State::damaged)
       throw InputError(
-          fmt::format("{}: the gzip data is damaged or cut off after {} bytes of content; check it "
+          fmt::format("{}: the gzip data is damaged or cut off after {} of content; check it "
                       "with gzip -t",
-                      file, size));
+                      file, counted(size, "byte")));
     if (state == Inflate::State::member_over && !member.next_member()) break;
   }
   content.resize(size);

@@ -146,7 +146,11 @@ RC_GTEST_PROP(DamagedFiles, Binary, ()) {
   bcc.resize(64, '\0');
   bcc += std::string("\1\0\0\0", 4) + std::string(12, '\x3f') + "\xFE\xFF\xFF\xFF" + std::string(24, '\x3f');
   const std::vector<std::pair<std::string, std::string>> files{
-      {"a.trk", trk}, {"a.tfx", tfx}, {"a.bcc", bcc}};
+      {"a.trk", trk},
+      {"a.tfx", tfx},
+      {"a.bcc", bcc},
+      {"a.data", std::string("\2\0\0\0\1\0\0\0", 8) + std::string(12, '\x3f') + std::string("\2\0\0\0", 4) +
+                     std::string(24, '\x3f')}};
   const auto [name, whole] = *rc::gen::elementOf(files);
   reads_or_complains(name, damaged(whole));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
@@ -66,7 +67,8 @@ void read_lattice(std::string_view value, ExtendedXyz& found) {
   const auto words = words_of(value);
   auto& edges = found.lattice.emplace();
   if (words.size() != edges.size())
-    throw InputError(fmt::format("Lattice {} has {} numbers, not 9", in_quotes(value), words.size()));
+    throw InputError(
+        fmt::format("Lattice {} has {}, not 9", in_quotes(value), counted(words.size(), "number")));
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto [number, problem] = parse_double(words[k]);
     if (!problem.empty()) throw InputError(fmt::format("Lattice: {} {}", in_quotes(words[k]), problem));

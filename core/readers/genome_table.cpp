@@ -2,6 +2,7 @@
 
 #include <unordered_set>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
@@ -31,7 +32,8 @@ class GenomeTable {
  private:
   void read_row(const std::vector<std::string_view>& fields) {
     if (fields.size() < 5)
-      lines_.fail(fmt::format("a row is 'chromosome position x y z', got {} columns", fields.size()));
+      lines_.fail(
+          fmt::format("a row is 'chromosome position x y z', got {}", counted(fields.size(), "column")));
     const bool names_columns = fields[2] == "x" || fields[2] == "X";
     if (names_columns && curves_.spheres.empty()) return;
     const std::int64_t position = lines_.integer(fields[1], "position");

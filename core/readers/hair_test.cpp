@@ -65,9 +65,9 @@ TEST(HairReader, ComplainsOfWhatDoesNotFit) {
                    header({2, 5, 1}) + segments_2_1);
   EXPECT_COMPLAINT(" byte 132: strands: 2, with points: 5, but the header says", "a.hair",
                    header({2, 6, 3}) + segments_2_1);
-  EXPECT_COMPLAINT(" byte 128: the file is truncated: 4294967295", "a.hair", header({~0u, ~0u, 2, ~0u}));
-  EXPECT_COMPLAINT(" byte 128: the file is truncated: 4294967295", "a.hair", header({~0u, ~0u, 3}));
-  EXPECT_COMPLAINT(" byte 128: the file is truncated: 4294967295", "a.hair",
+  EXPECT_COMPLAINT(" byte 128: the file is truncated: 0 bytes left, too few for 4294967295", "a.hair", header({~0u, ~0u, 2, ~0u}));
+  EXPECT_COMPLAINT(" byte 128: the file is truncated: 0 bytes left, too few for 4294967295", "a.hair", header({~0u, ~0u, 3}));
+  EXPECT_COMPLAINT(" byte 128: the file is truncated: 12 bytes left, too few for 4294967295", "a.hair",
                    header({1, ~0u, 2, ~0u - 1}) + floats(3));
   const std::string nan = little(std::numeric_limits<float>::quiet_NaN());
   EXPECT_COMPLAINT(" byte 132: y is nan", "a.hair", header({1, 2, 2, 1}) + floats(1) + nan + floats(4));

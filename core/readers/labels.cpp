@@ -1,6 +1,7 @@
 #include "catena/core/readers/labels.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 namespace catena {
@@ -33,6 +34,23 @@ std::string Labels::of(std::uint32_t i) const {
   if (size_ == 0) return std::to_string(i);
   if (i >= size_) throw std::out_of_range("a label of a sphere that has none");
   return runs_.empty() ? std::string(text_of(i)) : std::to_string(number_of(i));
+}
+
+bool Labels::surely_differ() const {
+  if (size_ == 0) return true;
+  if (runs_.empty()) return false;
+  std::vector<Run> runs = runs_;
+  const auto end_of = [&](std::size_t k) { return k + 1 < runs_.size() ? runs_[k + 1].first : size_; };
+  for (std::size_t k = 0; k < runs.size(); ++k) runs[k].first = end_of(k) - runs_[k].first;  // its size
+  std::ranges::sort(runs, {}, &Run::number);
+  return std::ranges::adjacent_find(runs, [](const Run& a, const Run& b) {
+           return a.number + std::int64_t{a.first} > b.number;
+         }) == runs.end();
+}
+
+std::uint64_t Labels::hash_of(std::uint32_t i) const {
+  return runs_.empty() ? std::hash<std::string_view>()(text_of(i))
+                       : static_cast<std::uint64_t>(number_of(i)) * 0x9E3779B97F4A7C15;
 }
 
 Labels Labels::chosen(std::span<const std::uint32_t> spheres) const {

@@ -28,6 +28,13 @@ class Labels {
   /// are labels and i is not of theirs.
   std::string of(std::uint32_t i) const;
 
+  /// True where each is that of one sphere, by a look at the runs of numbers; texts may or may not. O(runs
+  /// log runs).
+  bool surely_differ() const;
+
+  /// Of the label of sphere i; equal for equal ones. O(letters).
+  std::uint64_t hash_of(std::uint32_t i) const;
+
   /// Those of these spheres, in this order; the names of the strands stay. O(n log runs).
   Labels chosen(std::span<const std::uint32_t> spheres) const;
 

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/bead_file.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/lammps_atom_style.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/readers/reader.h"
+#include "catena/core/readers/usc_hair.h"
 
 namespace catena {
 namespace {
@@ -104,9 +106,11 @@ class LammpsAtoms {
     }
     if (atoms_ == 0) data_.lines().fail("the file has no section Atoms, or nothing in it");
     if (atoms_ != data_.atoms())
-      data_.lines().fail(fmt::format("the header says {} atoms, the file has {}", data_.atoms(), atoms_));
+      data_.lines().fail(
+          fmt::format("the header says {}, the file has {}", counted(data_.atoms(), "atom"), atoms_));
     if (bonds_ != data_.bonds())
-      data_.lines().fail(fmt::format("the header says {} bonds, the file has {}", data_.bonds(), bonds_));
+      data_.lines().fail(
+          fmt::format("the header says {}, the file has {}", counted(data_.bonds(), "bond"), bonds_));
     if (data_.has_box()) {
       beads_.about().boxes.push_back(data_.box());
       beads_.about().box_is_periodic = false;
@@ -132,7 +136,8 @@ class LammpsAtoms {
                         style->columns, row.size()));
       if (size == 0) size = row.size();
       if (row.size() != size)
-        data_.lines().fail(fmt::format("the atom has {} columns, those before it {}", row.size(), size));
+        data_.lines().fail(
+            fmt::format("the atom has {}, those before it {}", counted(row.size(), "column"), size));
       if (guessed_ && size > style->columns && !has_flags(row)) fail_untold(size);
       add(row, *style);
     }
@@ -157,7 +162,7 @@ class LammpsAtoms {
 
   [[noreturn]] void fail_untold(std::size_t columns) const {
     data_.lines().fail(
-        fmt::format("what the {} columns are is not told; write the style behind the section's name, as in "
+        fmt::format("what the columns are, of which there are {}, is not told; write the style behind the section's name, as in "
                     "'Atoms # full'",
                     columns));
   }
@@ -191,7 +196,8 @@ class LammpsAtoms {
       const auto& row = data_.next_row();
       if (row.empty()) return;
       if (row.size() < 4)
-        data_.lines().fail(fmt::format("a bond is 'id type atom atom', got {} columns", row.size()));
+        data_.lines().fail(
+            fmt::format("a bond is 'id type atom atom', got {}", counted(row.size(), "column")));
       beads_.tie(data_.lines().integer(row[2], "atom"), data_.lines().integer(row[3], "atom"));
       ++bonds_;
     }
@@ -207,7 +213,10 @@ const RegisterReader registered{{"LAMMPS data",
                                  {".data", ".lmp"},
                                  "atoms along their bonds, or molecules; the box; radii of style sphere",
                                  "atom id"},
-                                read_by<LammpsAtoms>};
+                                [](const std::filesystem::path& file, const ReadOptions& options) {
+                                  return may_be_usc_hair(file) ? read_usc_hair(file, options)
+                                                               : read_by<LammpsAtoms>(file, options);
+                                }};
 
 }  // namespace
 }  // namespace catena

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/bead_file.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/lammps_data.h"
@@ -97,7 +98,8 @@ class LammpsDump {
       due_line("an atom");
       const auto& fields = lines_.fields();
       if (fields.size() != columns_)
-        lines_.fail(fmt::format("an atom of {} columns, {} are named", fields.size(), columns_));
+        lines_.fail(fmt::format("an atom of {}, but {} named", counted(fields.size(), "column"),
+                                columns_ == 1 ? "1 is" : fmt::format("{} are", columns_)));
       add(fields);
     }
     beads_.about().boxes.push_back(box_);
@@ -155,7 +157,8 @@ class LammpsDump {
         const auto& row = data.next_row();
         if (row.empty()) break;
         if (row.size() < 4)
-          data.lines().fail(fmt::format("a bond is 'id type atom atom', got {} columns", row.size()));
+          data.lines().fail(
+              fmt::format("a bond is 'id type atom atom', got {}", counted(row.size(), "column")));
         beads_.tie(data.lines().integer(row[2], "atom"), data.lines().integer(row[3], "atom"));
       }
     }

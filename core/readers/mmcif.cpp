@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/pdb_models.h"
 #include "catena/core/readers/reader.h"
@@ -70,7 +71,8 @@ class CifTables {
       add_words(line);
     }
     if (!row_.empty() && row_.size() != names_.size())
-      lines_.fail(fmt::format("the row has {} words, the table {} columns", row_.size(), names_.size()));
+      lines_.fail(fmt::format("the row has {}, the table {}", counted(row_.size(), "word"),
+                              counted(names_.size(), "column")));
     return row_;
   }
 

@@ -2,6 +2,7 @@
 
 #include <unordered_set>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/readers/reader.h"
@@ -9,7 +10,7 @@
 
 /// Genome models of Nucle3D and g3d: lines `KEY<tab>value`, of which `CHR name` begins a chromosome, then
 /// `bin,x,y,z` rows, or `bin,x,y,z,haplotype`. A chromosome, and in it each haplotype, is a strand, so its
-/// rows stand together; bins that are missing do not end it. No radii.
+/// rows stand together in ascending bins; bins that are missing do not end it. No radii.
 namespace catena {
 namespace {
 
@@ -42,11 +43,16 @@ class Nucle3d {
   void read_point(const std::vector<std::string_view>& fields) {
     if (chromosome_.empty()) lines_.fail("a point before the first 'CHR name'");
     if (fields.size() != 4 && fields.size() != 5)
-      lines_.fail(
-          fmt::format("a point is 'bin,x,y,z' and perhaps a haplotype, got {} columns", fields.size()));
+      lines_.fail(fmt::format("a point is 'bin,x,y,z' and perhaps a haplotype, got {}",
+                              counted(fields.size(), "column")));
     const std::string haplotype(fields.size() == 5 ? fields[4] : "");
-    if (new_strand_ || haplotype != haplotype_) begin_strand(haplotype);
-    lines_.integer(fields[0], "bin");
+    const bool starts = new_strand_ || haplotype != haplotype_;
+    const std::int64_t bin = lines_.integer(fields[0], "bin");
+    if (!starts && bin <= bin_)
+      lines_.fail(fmt::format("bin {} of {} comes after {}; sort the rows", bin,
+                              in_quotes(curves_.labels.strand_names.back()), bin_));
+    bin_ = bin;
+    if (starts) begin_strand(haplotype);
     curves_.add_point(lines_.coordinate(fields[1], "x"), lines_.coordinate(fields[2], "y"),
                       lines_.coordinate(fields[3], "z"));
     curves_.labels.add(fmt::format("{}:{}", curves_.labels.strand_names.back(), fields[0]));
@@ -66,6 +72,7 @@ class Nucle3d {
   std::string chromosome_, haplotype_;
   std::unordered_set<std::string> seen_;
   bool new_strand_ = false;
+  std::int64_t bin_ = 0;
   CurveFile curves_;
 };
 

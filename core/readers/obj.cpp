@@ -34,7 +34,7 @@ class Obj {
                      fmt::format("vertex {} of {} is named", greatest_ + 1, curves_.spheres.size()));
     if (edges_.empty())
       lines_.fail(
-          fmt::format("the file has {} vertices, {} faces and {} free-form curves, but no lines ('l 1 2 3'); "
+          fmt::format("the file has no lines ('l 1 2 3'), but vertices: {}, faces: {}, free-form curves: {}; "
                       "convert curves to polylines, and export edges",
                       curves_.spheres.size(), faces_, free_form_));
     return arranged();

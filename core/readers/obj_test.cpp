@@ -49,7 +49,7 @@ TEST(ObjReader, SaysThatItDoesNotSampleFreeFormCurves) {
   const std::string curve = "v 0 0 0\nv 1 0 0\ncstype bezier\ndeg 1\ncurv 0 1 1 2\nend\n";
   EXPECT_EQ(read_text("a.obj", curve + "l 1 2\n").warnings,
             (std::vector<std::string>{"1 free-form curve left out; export it as a polyline"}));
-  EXPECT_COMPLAINT("6: the file has 2 vertices, 0 faces and 1 free-form curves", "a.obj", curve);
+  EXPECT_COMPLAINT("6: the file has no lines ('l 1 2 3'), but vertices: 2, faces: 0, free-form curves: 1", "a.obj", curve);
 }
 
 TEST(ObjReader, SaysWhatIsNoStatement) {
@@ -62,7 +62,7 @@ TEST(ObjReader, SaysWhatIsNoStatement) {
 }
 
 TEST(ObjReader, ComplainsWithFileAndLine) {
-  EXPECT_COMPLAINT("2: the file has 1 vertices, 1 faces and 0 free-form curves, but no lines", "a.obj",
+  EXPECT_COMPLAINT("2: the file has no lines ('l 1 2 3'), but vertices: 1, faces: 1", "a.obj",
                    "v 0 0 0\nf 1 1 1\n");
   EXPECT_COMPLAINT("2: vertex 2 of 1 is named", "a.obj", "v 0 0 0\nl 1 2\n");
   EXPECT_COMPLAINT("2: vertex '0' is not", "a.obj", "v 0 0 0\nl 0 1\n");

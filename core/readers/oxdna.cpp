@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/curve_graph.h"
 #include "catena/core/readers/file_bytes.h"
@@ -37,7 +38,9 @@ class TopologyText {
       if (!lines_.line().empty()) by_strand ? read_strand() : read_nucleotide();
     }
     if (seen_ != topology_.nucleotides)
-      lines_.fail(fmt::format("the first line says {} nucleotides, {} follow", topology_.nucleotides, seen_));
+      lines_.fail(fmt::format("the first line says {}, but {} follow",
+                              counted(topology_.nucleotides, "nucleotide"), seen_));
+    tie_neighbours();
     return std::move(topology_);
   }
 
@@ -46,14 +49,31 @@ class TopologyText {
   void read_nucleotide() {
     const auto& fields = lines_.fields();
     if (fields.size() < 4)
-      lines_.fail(fmt::format("a nucleotide is 'strand base n3 n5', got {} columns", fields.size()));
+      lines_.fail(
+          fmt::format("a nucleotide is 'strand base n3 n5', got {}", counted(fields.size(), "column")));
     for (const std::size_t k : {2, 3}) {
       const std::int64_t other = lines_.integer(fields[k], "neighbour");
       if (other < -1 || other >= topology_.nucleotides)
-        lines_.fail(fmt::format("neighbour {} is not one of {} nucleotides", other, topology_.nucleotides));
-      if (other >= 0) topology_.bonds.push_back({seen_, static_cast<std::uint32_t>(other)});
+        lines_.fail(fmt::format("neighbour {} is not one of {}", other,
+                                counted(topology_.nucleotides, "nucleotide")));
+      (k == 2 ? towards_3_ : towards_5_).push_back(other);
     }
     ++seen_;
+  }
+
+  void tie_neighbours() {
+    const auto agree = [&](const std::vector<std::int64_t>& there, const std::vector<std::int64_t>& back) {
+      for (std::size_t i = 0; i < there.size(); ++i)
+        if (const std::int64_t j = there[i]; j == static_cast<std::int64_t>(i))
+          lines_.fail(fmt::format("nucleotide {} is its own neighbour", i));
+        else if (j >= 0 && back[static_cast<std::size_t>(j)] != static_cast<std::int64_t>(i))
+          lines_.fail(fmt::format("nucleotide {} has the neighbour {}, which has {} on that side", i, j,
+                                  back[static_cast<std::size_t>(j)]));
+    };
+    agree(towards_3_, towards_5_);
+    agree(towards_5_, towards_3_);
+    for (std::uint32_t i = 0; i < towards_3_.size(); ++i)
+      if (towards_3_[i] >= 0) topology_.bonds.push_back({static_cast<std::uint32_t>(towards_3_[i]), i});
   }
 
   // `SEQUENCE key=value ...`; a base in brackets is a number, and one base.
@@ -74,6 +94,7 @@ class TopologyText {
 
   TextLines lines_;
   std::uint32_t seen_ = 0;
+  std::vector<std::int64_t> towards_3_, towards_5_;  ///< of the old form: the neighbour of each, -1 for none
   OxdnaTopology topology_;
 };
 
@@ -124,7 +145,7 @@ class Oxdna {
     } while (lines_.next());
     if (!has_box) lines_.fail(fmt::format("frame {} has no line 'b = X Y Z'", frame));
     if (nucleotides != topology_.nucleotides)
-      lines_.fail(fmt::format("frame {} has {} nucleotides, the topology {}", frame, nucleotides,
+      lines_.fail(fmt::format("frame {} has {}, the topology {}", frame, counted(nucleotides, "nucleotide"),
                               topology_.nucleotides));
     return !lines_.fields().empty() && lines_.fields()[0] == "t";
   }
@@ -138,7 +159,7 @@ class Oxdna {
 
   void read_nucleotide(const std::vector<std::string_view>& fields, std::uint32_t number, std::size_t frame) {
     if (fields.size() < 3)
-      lines_.fail(fmt::format("a nucleotide begins with x y z, got {} columns", fields.size()));
+      lines_.fail(fmt::format("a nucleotide begins with x y z, got {}", counted(fields.size(), "column")));
     if (number > topology_.nucleotides)
       lines_.fail(
           fmt::format("frame {} has more nucleotides than the topology's {}", frame, topology_.nucleotides));

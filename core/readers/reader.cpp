@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/repeated_labels.h"
 #include "catena/core/readers/text_lines.h"
 
 namespace catena {
@@ -47,8 +49,8 @@ void check(const CurveFile& curves, const std::string& file) {
   if (curves.strand_closed.empty()) throw InputError(fmt::format("{}: holds no points", file));
   for (std::size_t f = 0; f < curves.later_frames.size(); ++f)
     if (curves.later_frames[f].size() != curves.spheres.size())
-      throw InputError(fmt::format("{}: frame {} has {} points, frame 0 has {}", file, f + 1,
-                                   curves.later_frames[f].size(), curves.spheres.size()));
+      throw InputError(fmt::format("{}: frame {} has {}, frame 0 has {}", file, f + 1,
+                                   counted(curves.later_frames[f].size(), "point"), curves.spheres.size()));
   if (curves.labels.size() != 0 && curves.labels.size() != curves.spheres.size())
     throw std::logic_error("a reader labels some spheres only");
   if (!curves.labels.strand_names.empty() && curves.labels.strand_names.size() != curves.strand_closed.size())
@@ -109,6 +111,7 @@ CurveFile ReaderRegistry::read(const std::filesystem::path& file, const ReadOpti
     require_options(entry.info, name, options);
     CurveFile curves = entry.read(file, options);
     check(curves, name);
+    if (const auto said = said_of_repeated_labels(curves)) curves.warnings.push_back(*said);
     return curves;
   }
   std::vector<std::string> known;

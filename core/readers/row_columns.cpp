@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
 
@@ -47,10 +48,11 @@ std::string option(std::string front, std::string_view back, std::size_t columns
     ways = {option("", "", columns), option("", ",r", columns),
             option(counted ? "element," : "id,", "", columns)};
   }
-  lines.fail(fmt::format(
-      "{} can be read in several ways; say which: {}",
-      word ? fmt::format("a word and {} numbers", columns - 1) : fmt::format("{} numbers in a row", columns),
-      fmt::join(ways, ", ")));
+  const auto numbers = [](std::size_t n) { return catena::counted(n, "number"); };
+  lines.fail(fmt::format("{} can be read in several ways; say which: {}",
+                         word ? fmt::format("a word and {}", numbers(columns - 1))
+                              : fmt::format("{} in a row", numbers(columns)),
+                         fmt::join(ways, ", ")));
 }
 
 }  // namespace

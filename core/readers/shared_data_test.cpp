@@ -21,6 +21,7 @@ const std::map<std::string, Counts> counts{
     {"hair/sintel_ragged.hair", {6121, 228}},
     {"hair/sintel_ragged_thickness.hair", {6121, 228}},
     {"hair/sintel_uniform_nosegments.hair", {7296, 228}},
+    {"hair/sintel_usc.data", {6123, 230}},  // two strands of one vertex more than its notice counts
     {"intestine/Edin90_small_xyzr.csv", {2870, 1}},
     {"knot/12n_838-braid.obj", {360, 1}},
     {"knot/3_1_328.vect", {328, 1}},
@@ -102,15 +103,9 @@ TEST(SharedDataFiles, VesselsBranch) {
   EXPECT_EQ(curves.joints.size(), 8u);
 }
 
-TEST(SharedDataFiles, HairOfUscIsRefusedInOneLine) {
-  const auto file = shared_data() / "hair/sintel_usc.data";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no real files at " << shared_data();
-  EXPECT_THROW(ReaderRegistry::instance().read(file), InputError);
-}
-
 TEST(SharedDataFiles, EveryFileOfAKnownKindHasCounts) {
   if (!std::filesystem::exists(shared_data())) GTEST_SKIP() << "no real files at " << shared_data();
-  const std::set<std::string> elsewhere{"hair/sintel_usc.data", "neuron/repeated_id.swc",
+  const std::set<std::string> elsewhere{"neuron/repeated_id.swc",
                                         "vessel/one_loop.vtk"};
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data())) {
     const std::string name = std::filesystem::relative(entry.path(), shared_data()).string();

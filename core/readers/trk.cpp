@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/binary_fields.h"
 #include "catena/core/readers/reader.h"
 
@@ -38,8 +39,8 @@ class Trk {
     std::int64_t tracks = 0;
     for (; fields_.left() > 0; ++tracks) read_track(scalars, properties);
     if (announced > 0 && announced != tracks)  // 0 says that it is not known
-      curves_.warnings.push_back(
-          fmt::format("the header says {} tracks, the file has {}; all of them are read", announced, tracks));
+      curves_.warnings.push_back(fmt::format("the header says {}, the file has {}; all of them are read",
+                                             counted(announced, "track"), tracks));
     return std::move(curves_);
   }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/binary_fields.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
@@ -126,15 +127,18 @@ class VtkLegacy {
     std::uint64_t used = 0;
     for (std::uint64_t cell = 0; cell < first; ++cell) {
       if (used >= second)
-        fail(fmt::format("{} cells do not fit into the {} numbers announced", first, second));
+        fail(fmt::format("{} do not fit into the {} announced", counted(first, "cell"),
+                         counted(second, "number")));
       const std::int64_t size = integer(int32, "size of a cell");
       if (size < 0 || static_cast<std::uint64_t>(size) > second - used - 1)
-        fail(fmt::format("a cell of {} points, where {} numbers are left", size, second - used - 1));
+        fail(fmt::format("a cell of {}, where room for {} is left",
+                         counted(static_cast<std::uint64_t>(size), "point"), second - used - 1));
       for (std::int64_t k = 0; k < size; ++k) cells.points.push_back(integer(int32, "point number"));
       cells.end.push_back(cells.points.size());
       used += 1 + static_cast<std::uint64_t>(size);
     }
-    if (used != second) fail(fmt::format("the cells take {} numbers, {} are announced", used, second));
+    if (used != second)
+      fail(fmt::format("the cells take {}, not the {} announced", counted(used, "number"), second));
   }
 
   // Version 5: where each cell begins, and one more; then the points.
@@ -148,7 +152,7 @@ class VtkLegacy {
       if (k == 0 ? begin[k] != 0 : begin[k] < begin[k - 1] || static_cast<std::uint64_t>(begin[k]) > size)
         fail(fmt::format("offset {} is {}; offsets ascend from 0 to {}", k, begin[k], size));
     if (const std::int64_t last = begin.empty() ? 0 : begin.back(); static_cast<std::uint64_t>(last) != size)
-      fail(fmt::format("the offsets end at {}, not at the {} numbers announced", last, size));
+      fail(fmt::format("the offsets end at {}, not at {}, the numbers announced", last, size));
     words_of_line();
     if (lower_case(argument(0)) != "connectivity") fail("CONNECTIVITY is due after OFFSETS");
     const Type point_type = type_of(argument(1));
@@ -166,7 +170,8 @@ class VtkLegacy {
   // Cell data counts vertices first, then lines, then the rest.
   void add_cells() {
     if (unstructured_ && types_.size() != lines_.end.size())
-      fail(fmt::format("{} cells, but {} cell types", lines_.end.size(), types_.size()));
+      fail(
+          fmt::format("{}, but {}", counted(lines_.end.size(), "cell"), counted(types_.size(), "cell type")));
     const auto add = [&](Cells& cells, const auto& type_of_cell) {
       std::uint64_t begin = 0;
       for (std::size_t k = 0; k < cells.end.size(); ++k) {

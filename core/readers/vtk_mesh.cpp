@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/curve_graph.h"
 #include "catena/core/readers/file_bytes.h"
@@ -100,9 +101,8 @@ void VtkMesh::give_radii(const Array& array, const std::string& file) {
 
 CurveFile VtkMesh::curves(const std::string& file) {
   if (line_end_.empty() && vertices_.empty())
-    throw InputError(
-        fmt::format("{}: holds no lines, only {} points and {} other cells; catena reads poly-lines", file,
-                    points(), other_cells_));
+    throw InputError(fmt::format("{}: holds no lines, only {} and {}; catena reads poly-lines", file,
+                                 counted(points(), "point"), counted(other_cells_, "other cell")));
   if (const Array* array = radii(file)) give_radii(*array, file);
   if (other_cells_ > 0)
     curves_.warnings.push_back(

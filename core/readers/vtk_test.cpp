@@ -243,7 +243,7 @@ TEST(VtkXmlReader, RefusesCountsThatDoNotFit) {
 }
 
 TEST(VtkLegacyReader, RefusesOffsetsThatLeavePointsOver) {
-  EXPECT_COMPLAINT("9: the offsets end at 2, not at the 3 numbers announced", "a.vtk",
+  EXPECT_COMPLAINT("9: the offsets end at 2, not at 3, the numbers announced", "a.vtk",
                    "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 2 0 "
                    "0\nLINES 2 3\nOFFSETS "
                    "vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1 2\n");
@@ -269,7 +269,7 @@ TEST(VtkLegacyReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("8: a cell of 9 points", "a.vtk", start.substr(0, start.find("3 0 1 2")) + "9 0 1\n");
   EXPECT_COMPLAINT(" 'radius' of point 1 is -1, no radius", "a.vtk",
                    start + "POINT_DATA 4\nFIELD f 1\nradius 1 4 float\n1 -1 1 1\n");
-  EXPECT_COMPLAINT(" holds no lines, only 1 points", "a.vtk",
+  EXPECT_COMPLAINT(" holds no lines, only 1 point and", "a.vtk",
                    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\n");
   EXPECT_COMPLAINT("9: 'wind': no section", "a.vtk", start + "WIND 3\n");
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
@@ -120,7 +121,7 @@ class VtkXml {
     const auto types = numbers_named(piece.child("Cells"), "types"),
                ends = numbers_named(piece.child("Cells"), "offsets");
     if (types.size() != ends.size())
-      fail(fmt::format("{} cells, but {} cell types", ends.size(), types.size()));
+      fail(fmt::format("{}, but {}", counted(ends.size(), "cell"), counted(types.size(), "cell type")));
     read_cells(piece.child("Cells"), [&](std::size_t k) { return index(types[k], 255, "cell type"); },
                {piece, "NumberOfCells"});
     read_arrays(piece);
@@ -162,7 +163,8 @@ class VtkXml {
       if (const std::string problem = mesh_.add_cell(type(k), line); !problem.empty()) fail(problem);
     }
     if (begin != points.size())
-      fail(fmt::format("the offsets end at {}, the connectivity has {} numbers", begin, points.size()));
+      fail(fmt::format("the offsets end at {}, the connectivity has {}", begin,
+                       counted(points.size(), "number")));
   }
 
   std::int64_t index(double value, std::uint64_t most, std::string_view what) const {
@@ -233,7 +235,7 @@ class VtkXml {
     if (size == 0 || (!floating && !is_signed && !type.starts_with("UInt")) || (floating && size < 4))
       throw InputError(fmt::format("the type {} is not known", in_quotes(type)));
     if (bytes.size() % size != 0)
-      throw InputError(fmt::format("{} bytes are no numbers of {}", bytes.size(), size));
+      throw InputError(fmt::format("{} cannot be numbers of {}", counted(bytes.size(), "byte"), size));
     std::vector<double> numbers;
     numbers.reserve(bytes.size() / size);
     for (std::size_t at = 0; at < bytes.size(); at += size) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/extended_xyz.h"
 #include "catena/core/readers/number_text.h"
@@ -31,13 +32,12 @@ class XyzFrames {
   void read_frame(bool first) {
     const auto& head = lines_.fields();
     if (head.size() != 1 || !is_integer(head[0]))
-      lines_.fail(fmt::format(
-          "the number of points of another frame is due here, or the end: {} points were announced",
-          announced_));
+      lines_.fail(fmt::format("the number of points of another frame is due here, or the end: {} announced",
+                              announced_ == 1 ? "1 point was" : fmt::format("{} points were", announced_)));
     announced_ = lines_.count(head[0], "number of points");
     if (!first && announced_ != curves_.spheres.size())
-      lines_.fail(fmt::format("frame {} has {} points, frame 0 has {}", curves_.later_frames.size(),
-                              announced_, curves_.spheres.size()));
+      lines_.fail(fmt::format("frame {} has {}, frame 0 has {}", curves_.later_frames.size(),
+                              counted(announced_, "point"), curves_.spheres.size()));
     const std::size_t count_line = lines_.line_number();
     if (first) curves_.spheres.reserve(std::min<std::size_t>(announced_, lines_.bytes() / 6));
     ExtendedXyz title;

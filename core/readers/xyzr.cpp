@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "catena/core/counted.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
 
@@ -27,7 +28,8 @@ class Xyzr {
  private:
   void read_point() {
     const auto& fields = lines_.columns();
-    if (fields.size() != 4) lines_.fail(fmt::format("a point is 'x y z r', got {} columns", fields.size()));
+    if (fields.size() != 4)
+      lines_.fail(fmt::format("a point is 'x y z r', got {}", counted(fields.size(), "column")));
     curves_.add_point(lines_.coordinate(fields[0], "x"), lines_.coordinate(fields[1], "y"),
                       lines_.coordinate(fields[2], "z"), lines_.radius(fields[3]));
     curves_.labels.add(static_cast<std::int64_t>(lines_.line_number()));
