@@ -38,6 +38,17 @@ class Environment(unittest.TestCase):
             self.shown.raw("scenes"), [[scene[key] for key in keys] for scene in self.value["catena"]["scenes"]]
         )
 
+    def test_a_chain_in_a_box_is_shown_with_it(self):
+        self.assertNotIn("box", self.shown.tables["scenes"].columns)
+        value = made.run()
+        value["catena"]["scenes"][0] |= {"box": "9,9,9,1,0,0", "images": 1234}
+        shown = pages.shown(value)
+        columns = shown.tables["scenes"].columns
+        first, second = shown.raw("scenes")[:2]
+        self.assertEqual([first[columns.index(name)] for name in ("box", "images")], ["9,9,9,1,0,0", 1234])
+        self.assertEqual([second[columns.index(name)] for name in ("box", "images")], ["", ""])
+        self.assertEqual(first[columns.index("n")], value["catena"]["scenes"][0]["n"])
+
     def test_when_measuring_stopped(self):
         stopping = self.value["catena"]["stopping"]
         self.assertIn(f"{stopping['narrow']} of {stopping['cases']} cases became that narrow", self.shown.prose)

@@ -113,11 +113,13 @@ def _size(size):
 
 
 def _scenes(report, run):
+    boxes = any("box" in row for row in run.list("scenes"))
     rows = [
         [
             row["input"],
             row.get("summary", ""),
             row.get("hash", ""),
+            *([row.get("box", "")] if boxes else []),
             Cell(words.count(row["n"]), row["n"]),
             _number(row, "frame"),
             _number(row, "frames"),
@@ -129,17 +131,20 @@ def _scenes(report, run):
                 if row.get("smallest_margin") is not None
                 else ""
             ),
+            *([_number(row, "images")] if boxes else []),
         ]
         for row in run.list("scenes")
     ]
+    in_boxes = " The box repeats space; its images are spheres that a build adds at the faces." if boxes else ""
     return Table(
         f"scenes{report.key(run)}",
         "Chains that were run",
-        "The hash is that of every sphere's bytes: the same hash, the same chain.",
+        "The hash is that of every sphere's bytes: the same hash, the same chain." + in_boxes,
         [
             "chain",
             "what it is",
             "hash",
+            *(["box"] if boxes else []),
             "n",
             "frame",
             "frames",
@@ -147,9 +152,10 @@ def _scenes(report, run):
             "most a sphere",
             "pairs a sphere",
             "smallest margin",
+            *(["images"] if boxes else []),
         ],
         rows,
-        words=3,
+        words=4 if boxes else 3,
     )
 
 
