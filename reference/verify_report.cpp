@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/report_text.h"
 
 namespace catena::reference {
@@ -134,7 +135,7 @@ void VerifyReport::json_row(const VerifyRow& row) {
                            {"excluded", v.certificate->excluded}};
   line["verdict"] = v.verdict == Verdict::wrong ? "wrong" : name_of(v.verdict);
   if (!v.reason.empty()) line["reason"] = v.reason;
-  fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  fmt::print("{}\n", json_line(line));
 }
 
 void VerifyReport::finish() const {

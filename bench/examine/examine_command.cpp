@@ -12,6 +12,7 @@
 #include "catena/bench/examine/json.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
@@ -91,7 +92,7 @@ class ExamineCommand final : public Command {
   }
 
   static void print_line(const nlohmann::ordered_json& line) {
-    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", json_line(line));
   }
 
   std::vector<std::string> inputs_, arithmetics_;

@@ -9,6 +9,7 @@
 #include "catena/bench/knots/judge_knot.h"
 #include "catena/bench/knots/known_knots.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/commands/whole_number_option.h"
 #include "catena/core/counted.h"
@@ -98,7 +99,7 @@ class KnotsCommand final : public Command {
   void print_json(const std::string& input, const KnotVerdict& v) const {
     nlohmann::ordered_json line{{"input", input}, {"variant", variant_}};
     line.update(to_json(v));
-    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", json_line(line));
   }
 
   void print(const std::string& input, const KnotVerdict& v) const {

@@ -10,12 +10,14 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/report_text.h"
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/counted.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/one_line.h"
 #include "catena/core/periodic/periodic.h"
 
 namespace catena::bench {
@@ -53,7 +55,7 @@ class MarginsCommand final : public Command {
  private:
   static void print(const std::string& spec, std::uint32_t frame, const Chain& chain, const PeriodicBox* box,
                     const Margins& m) {
-    fmt::print("{} frame {}: {}, {}{}\n", spec, frame, counted(chain.size(), "sphere"),
+    fmt::print("{} frame {}: {}, {}{}\n", one_line(spec), frame, counted(chain.size(), "sphere"),
                counted(m.colliding.pairs, "pair"),
                box ? "; between nearest images in the box " + written(*box) : "");
     if (m.rounding > 0)
@@ -100,7 +102,7 @@ class MarginsCommand final : public Command {
     line["open_by_rounding"] = m.open_by_rounding;
     line["colliding_decades"] = m.colliding.decade;
     line["apart_decades"] = m.apart.decade;
-    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", json_line(line));
   }
 
   std::vector<std::string> inputs_;

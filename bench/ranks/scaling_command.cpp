@@ -5,6 +5,7 @@
 #include "catena/bench/ranks/scaling.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/show_warnings.h"
 
 namespace catena::ranks {
@@ -36,7 +37,7 @@ class ScalingCommand final : public Command {
     if (json_) {
       nlohmann::ordered_json line{{"input", input_}, {"n", chain.size()}};
       line.update(to_json(scaling));
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return 0;
     }
     fmt::print(

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/report_text.h"
 
 namespace catena::bench {
@@ -75,7 +76,7 @@ void StabilityReport::scene(const std::vector<Cell>& cells) {
       left_out.scenes.insert(cell.scene);
     }
     if (form_ == Form::json)
-      fmt::print("{}\n", to_json(cell).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+      fmt::print("{}\n", json_line(to_json(cell)));
     if (form_ == Form::cells) cell_line(cell);
   }
   if (form_ == Form::table && !cells.empty()) table_line(cells);

@@ -63,6 +63,19 @@ TEST_F(Answers, TellDepthsInTheBoxOfEachFrame) {
   EXPECT_NE(text_of(file("d_1.vtp")).find("Name=\"depth\" format=\"ascii\">\n0.75\n0\n0.75\n"), std::string::npos);
 }
 
+// A name may hold what no line of text may, and no JSON.
+TEST_F(Answers, TakeNamesOfAnyBytes) {
+  const std::string csv = write("a\n\xff.csv", "x,y,z,r\n0,0,0,1\n1,0,0,1\n2,0,0,1\n");
+  for (const std::string command : {"detect ", "plan --run ", "margins ", "scaling "}) {
+    const ProgramOutcome json = run(command + csv + " --json");
+    EXPECT_EQ(json.code, 0) << json.output;
+    EXPECT_TRUE(nlohmann::json::accept(json.output.substr(0, json.output.find('\n')))) << json.output;
+    if (command == "scaling ") continue;
+    const ProgramOutcome text = run(command + csv);
+    EXPECT_NE(text.output.find("a ?.csv frame 0:"), std::string::npos) << text.output;
+  }
+}
+
 TEST_F(Answers, NameSamplesThatOverlapInTheFile) {
   const std::string swc = CATENA_SOURCE_DIR "/core/readers/examples/Neuron.swc";
   run("detect " + swc + " --pairs '" + file("p.jsonl") + "' --depth --margin");

@@ -8,6 +8,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/plan_options.h"
 #include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/progress.h"
@@ -17,6 +18,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/one_line.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
@@ -114,14 +116,14 @@ class DetectCommand final : public Command {
       line["find_ms"] = t.find_ms;
       line["transfer_ms"] = t.transfer_ms;
       if (plan_) line["plan"] = to_json(variant.plan());
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return;
     }
     const std::string what =
         request_.want == Request::Want::any
             ? (found.found ? "collides" : "does not collide")
             : fmt::format("{}, at most {} a sphere", counted(found.pair_count, "pair"), most);
-    fmt::print("{} frame {}: {}, {}; {}{}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
+    fmt::print("{} frame {}: {}, {}; {}{}: build {:.3f} ms, find {:.3f} ms{}\n", one_line(input_), first_frame_ + frame,
                counted(chain.size(), "sphere"), what, variant_, by.empty() ? "" : ", " + by, t.build_ms,
                t.find_ms, t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
     if (plan_) fmt::print("{}", plan_table(variant.plan(), "  "));

@@ -55,7 +55,7 @@ class ExportCommand final : public Command {
       for (std::uint32_t f = first; f < last; ++f)
         writer.write(name_of(f), {f, f + 1, frame, input.labels, input.joints, input.boxes});
     }
-    fmt::print("{}: {} of {} as {}\n", out_, counted(last - first, "frame"),
+    fmt::print("{}: {} of {} as {}\n", one_line(out_), counted(last - first, "frame"),
                counted(input.animation->frame(first).size(), "sphere"), writer.info.name);
     return 0;
   }

@@ -6,6 +6,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/plan_options.h"
 #include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/show_warnings.h"
@@ -13,6 +14,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/naming.h"
+#include "catena/core/one_line.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/registry.h"
@@ -80,10 +82,10 @@ class PlanCommand final : public Command {
           {"input", input_}, {"frame", frame}, {"n", chain.size()}, {"figures", Machine::here().source}};
       if (found != nullptr) line["collides"] = found->found;
       line["plan"] = to_json(steps);
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return;
     }
-    fmt::print("{} frame {}: {}{}\n{}", input_, frame, counted(chain.size(), "sphere"),
+    fmt::print("{} frame {}: {}{}\n{}", one_line(input_), frame, counted(chain.size(), "sphere"),
                found == nullptr ? ""
                : found->found   ? ", collides"
                                 : ", does not collide",

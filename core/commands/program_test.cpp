@@ -162,7 +162,6 @@ TEST_F(Program, ExportsTheBoxToXyzAndSaysWhereItCannot) {
               {"CSV table holds no box; give it with --box when it is read"});
   expect_says("verify " + melt, 0, {"melt.data", " 2 "});
   expect_refused("verify " + examples + "melt.data --radius 0.5 --box 1,1,1", "less than twice the reach");
-  expect_refused("export " + melt + file("a.vtp") + " --contacts", "--contacts do not know a box");
 }
 
 TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {

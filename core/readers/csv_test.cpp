@@ -105,6 +105,9 @@ TEST(CsvReader, ReadsWhichStrandsAreClosed) {
 }
 
 TEST(CsvReader, ComplainsWithFileAndLine) {
+  EXPECT_COMPLAINT("1: columns 'x (mm)' and 'r (um)' tell different units", "a.csv",
+                   "x (mm),y (mm),z (mm),r (um)\n0,0,0,1\n");
+  EXPECT_TRUE(complaint("a.csv", "x (mm),y [mm],z,r( mm ),id (um)\n0,0,0,1,a\n").empty());
   EXPECT_COMPLAINT("1: the columns must name x, y and z", "a.csv", "1,2,3\n");
   EXPECT_COMPLAINT("1: columns 1 and 2 mean the same", "a.csv", "x,X,y,z\n");
   EXPECT_COMPLAINT("1: columns 1 and 2 mean the same", "a.csv", "strand,chain,x,y,z\n");

@@ -39,6 +39,22 @@ std::optional<Role> TableColumns::role_of(std::string_view name) {
   return found->second;
 }
 
+void TableColumns::require_one_unit(std::span<const std::string_view> names) {
+  std::string_view told, teller;
+  for (const std::string_view name : names) {
+    const auto role = role_of(name);
+    const std::size_t begin = name.find_first_of("[("), end = name.find_first_of("])");
+    const bool of_length = role && (*role == Role::x || *role == Role::y || *role == Role::z ||
+                                    *role == Role::radius || *role == Role::diameter);
+    if (!of_length || begin == std::string_view::npos || end < begin) continue;
+    const std::string_view unit = trimmed(name.substr(begin + 1, end - begin - 1));
+    if (told.empty()) told = unit, teller = name;
+    if (unit != told)
+      throw InputError(
+          fmt::format("columns {} and {} tell different units", in_quotes(teller), in_quotes(name)));
+  }
+}
+
 TableColumns::TableColumns(std::vector<Role> roles) : roles_(std::move(roles)) {
   for (std::size_t column = 0; column < roles_.size(); ++column) {
     if (roles_[column] == Role::unread) continue;

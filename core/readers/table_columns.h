@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,10 @@ class TableColumns {
   /// What a column of this name is: x, y, z, r or radius, d or diameter, id, element, strand or chain or
   /// chr, closed; upper case, too, and with a unit in brackets after it. Nothing for another name.
   static std::optional<Role> role_of(std::string_view name);
+
+  /// Throws InputError, without a place, where two of the columns named so, of a coordinate or a radius, tell
+  /// different units, as "x (mm)" and "r [um]" do.
+  static void require_one_unit(std::span<const std::string_view> names);
 
   TableColumns() = default;
   /// Throws InputError, without a place, unless there is one column of x, of y and of z, and at most one of

@@ -24,6 +24,7 @@ void TablePoints::set_columns_named(std::span<const std::string_view> names) {
     if (roles.back() == Role::unread) unread.push_back(in_quotes(name));
   }
   try {
+    TableColumns::require_one_unit(names);
     set_columns(TableColumns(std::move(roles)));
   } catch (const InputError& error) {
     lines_.fail(fmt::format("{}; the first line names the columns, or --columns x,y,z,r does", error.what()));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
@@ -105,7 +106,7 @@ class BenchCommand final : public Command {
                                   {"bytes", s.bytes},
                                   {"messages", s.messages},
                                   {"peak_kib", s.peak_kib}});
-    fmt::print("{}\n", line.dump());
+    fmt::print("{}\n", json_line(line));
   }
 
   template <class Field>

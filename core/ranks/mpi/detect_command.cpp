@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/whole_number_option.h"
 #include "catena/core/counted.h"
 #include "catena/core/input/scene_input.h"
@@ -130,7 +131,7 @@ class DetectCommand final : public Command {
       line["most_bytes_sent"] = greatest(&Share::bytes);
       for (std::size_t k = 0; k + 1 < PhaseClock::phases; ++k)
         line["phases_ms"][name_of(static_cast<Phase>(k))] = slowest(static_cast<Phase>(k));
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return;
     }
     const std::string what = request_.want == Request::Want::any

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/counted.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
 #include "catena/core/ranks/mpi/rank_options.h"
@@ -63,7 +64,7 @@ class VerifyCommand final : public Command {
                                         {"invented", wrong.invented},
                                         {"repeated", wrong.repeated},
                                         {"wrong_counts", wrong.wrong_counts}};
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return;
     }
     const std::string verdict =
