@@ -7,7 +7,7 @@
 namespace catena {
 
 void Labels::add(std::int64_t number) {
-  if (!text_end_.empty()) throw std::logic_error("labels are numbers or texts, not both");
+  if (!texts_.empty()) throw std::logic_error("labels are numbers or texts, not both");
   if (runs_.empty() || number != runs_.back().number + (size_ - runs_.back().first))
     runs_.push_back({size_, number});
   ++size_;
@@ -15,8 +15,11 @@ void Labels::add(std::int64_t number) {
 
 void Labels::add(std::string_view text) {
   if (!runs_.empty()) throw std::logic_error("labels are numbers or texts, not both");
+  if (size_ % block == 0) block_begin_.push_back(texts_.size());
+  std::size_t length = text.size();
+  for (; length >= 128; length >>= 7) texts_ += static_cast<char>(length % 128 + 128);
+  texts_ += static_cast<char>(length);
   texts_ += text;
-  text_end_.push_back(texts_.size());
   ++size_;
 }
 
@@ -26,8 +29,17 @@ std::int64_t Labels::number_of(std::uint32_t i) const {
 }
 
 std::string_view Labels::text_of(std::uint32_t i) const {
-  const std::uint64_t begin = i == 0 ? 0 : text_end_[i - 1];
-  return std::string_view(texts_).substr(begin, text_end_[i] - begin);
+  std::uint64_t at = block_begin_[i / block];
+  for (std::uint32_t k = i % block;; --k) {
+    std::size_t length = 0;
+    for (int shift = 0;; shift += 7) {
+      const auto byte = static_cast<unsigned char>(texts_[at++]);
+      length += std::size_t{byte % 128u} << shift;
+      if (byte < 128) break;
+    }
+    if (k == 0) return std::string_view(texts_).substr(at, length);
+    at += length;
+  }
 }
 
 std::string Labels::of(std::uint32_t i) const {

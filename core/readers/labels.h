@@ -11,8 +11,8 @@ namespace catena {
 /// ("A/MSE151/CA"), and the names of the strands. What a label of a format is, ReaderInfo::label says.
 ///
 /// Memory: 16 bytes for every run of consecutive numbers, so nothing a sphere where a file counts its points;
-/// 8 bytes and its letters for a text. A reader adds numbers alone or texts alone, one a sphere, in the order
-/// of the spheres.
+/// a byte and a half and its letters for a text. A reader adds numbers alone or texts alone, one a sphere, in
+/// the order of the spheres.
 class Labels {
  public:
   void add(std::int64_t number);
@@ -50,8 +50,9 @@ class Labels {
 
   std::uint32_t size_ = 0;
   std::vector<Run> runs_;
-  std::string texts_;
-  std::vector<std::uint64_t> text_end_;
+  static constexpr std::uint32_t block = 16;
+  std::string texts_;                       ///< each behind its length, seven bits a byte, the last below 128
+  std::vector<std::uint64_t> block_begin_;  ///< of every block of texts
 };
 
 }  // namespace catena

@@ -40,6 +40,15 @@ RC_GTEST_PROP(Labels, GiveEveryTextBack, ()) {
   keeps_all_and_chosen(*rc::gen::arbitrary<std::vector<std::string>>());
 }
 
+// Lengths of one, two and three bytes, on both sides of where blocks begin.
+TEST(Labels, GiveLongTextsBack) {
+  std::vector<std::string> all;
+  for (const std::size_t length : {0u, 1u, 127u, 128u, 129u, 16383u, 16384u, 20000u})
+    for (int k = 0; k < 5; ++k) all.emplace_back(length, static_cast<char>('a' + k));
+  const Labels labels = labels_of(all);
+  for (std::uint32_t i = 0; i < all.size(); ++i) EXPECT_EQ(labels.of(i), all[i]);
+}
+
 TEST(Labels, AreTheNumbersOfTheSpheresWhereThereAreNone) {
   EXPECT_EQ(Labels().of(0), "0");
   EXPECT_EQ(Labels().of(4000000000u), "4000000000");
