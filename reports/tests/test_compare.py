@@ -96,6 +96,22 @@ class Compare(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("no longer answered: 3 pairs missing", out)
 
+    def test_a_peer_that_got_worse_is_told_and_fails_nothing(self):
+        old, new = made.run(repetitions=12, seed=1), made.run(
+            repetitions=12, seed=2, slower={("aCPU2+Dual", "find"): 1.3}
+        )
+        for row in new["benchmarks"]:
+            if row["name"].startswith("path2/n:1000/aCPU2+Dual/whole"):
+                row |= {"error_occurred": True, "error_message": "its library has not been found"}
+        for row in new["catena"]["counts"]:
+            row["bytes"] *= 2 if row["variant"] == "aCPU2+Dual" else 1
+        self.assertEqual(compared(old, new)[0], 1)
+        for run in (old, new):
+            run["catena"]["variants"]["aCPU2+Dual"]["peer"] = True
+        code, out, _ = compared(old, new)
+        self.assertEqual(code, 0, out)
+        self.assertIn("as these are peers: aCPU2+Dual", out)
+
     def test_an_input_whose_chain_is_another_is_not_compared(self):
         old, new = made.run(seed=1), multiplied(made.run(seed=2), 3, lambda name: name.startswith("path1/n:1000/"))
         new["catena"]["scenes"][0]["hash"] = "0bad"
