@@ -66,7 +66,7 @@ class GPU2 {
   }
 
   const ChainView& chain_;
-  const HierarchyView<Bound> tree_;  // a copy stays in registers
+  const HierarchyView<Bound>& tree_;
   const Bound sphere_;
   const std::uint32_t i_;
   std::uint32_t size_ = 0;
