@@ -6,6 +6,7 @@
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_answer.h"
 #include "catena/cuda/device_buffer.h"
+#include "catena/cuda/staging.h"
 #include "catena/cuda/stream.h"
 
 namespace catena::cuda {
@@ -24,7 +25,7 @@ class CudaDevice final : public Device {
     const DeviceScope scope(place_);
     if (host.topology == 0 || host.topology != topology_.topology) upload_topology(host);
     ChainView view = topology_;
-    view.spheres = spheres_.upload(host.spheres, host.size, stream_);
+    view.spheres = staging_.upload(spheres_, host.spheres, host.size, stream_);
     view.size = host.size;
     view.extent = host.extent;
     stream_.synchronize();
@@ -59,7 +60,7 @@ class CudaDevice final : public Device {
   Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
                const std::function<void(const ResidentState&)>& mend) override {
     const DeviceScope scope(place_);
-    return answer_.fetch(n, request, result, search, mend, stream_);
+    return answer_.fetch(n, request, result, search, mend, stream_, staging_);
   }
 
   void flush_cache() override {
@@ -79,17 +80,17 @@ class CudaDevice final : public Device {
     ExclusionView& rule = view.exclusion;
     const ExclusionView& from = host.exclusion;
     if (!from.one_open_strand) {
-      rule.strand_of = strand_of_.upload(from.strand_of, n, stream_);
-      rule.strand_first = strand_first_.upload(from.strand_first, strands + 1, stream_);
-      rule.strand_closed = strand_closed_.upload(from.strand_closed, strands, stream_);
+      rule.strand_of = staging_.upload(strand_of_, from.strand_of, n, stream_);
+      rule.strand_first = staging_.upload(strand_first_, from.strand_first, strands + 1, stream_);
+      rule.strand_closed = staging_.upload(strand_closed_, from.strand_closed, strands, stream_);
     }
     if (from.rule == Exclusion::Rule::arc_window) {
-      rule.arc = arc_.upload(from.arc, n, stream_);
-      rule.loop_length = loop_length_.upload(from.loop_length, strands, stream_);
+      rule.arc = staging_.upload(arc_, from.arc, n, stream_);
+      rule.loop_length = staging_.upload(loop_length_, from.loop_length, strands, stream_);
     }
     if (from.extra_row != nullptr) {
-      rule.extra_row = extra_row_.upload(from.extra_row, n + 1, stream_);
-      rule.extra = extra_.upload(from.extra, host.extra_count, stream_);
+      rule.extra_row = staging_.upload(extra_row_, from.extra_row, n + 1, stream_);
+      rule.extra = staging_.upload(extra_, from.extra, host.extra_count, stream_);
     }
     stream_.synchronize();
     topology_ = view;
@@ -97,8 +98,8 @@ class CudaDevice final : public Device {
   template <class Bound>
   HierarchyView<Bound> upload(HierarchyView<Bound> tree, DeviceBuffer<Bound>& bounds) {
     const DeviceScope scope(place_);
-    tree.bound = bounds.upload(tree.bound, tree.size(), stream_);
-    tree.links = links_.upload(tree.links, tree.size(), stream_);
+    tree.bound = staging_.upload<Bound>(bounds, tree.bound, tree.size(), stream_);
+    tree.links = staging_.upload<Links>(links_, tree.links, tree.size(), stream_);
     stream_.synchronize();
     return tree;
   }
@@ -108,13 +109,8 @@ class CudaDevice final : public Device {
     const std::size_t slots = tree.size();
     bounds.resize(slots);
     host_links_.resize(slots);
-    if (slots > 0) {
-      CATENA_CUDA(
-          cudaMemcpyAsync(bounds.data(), tree.bound, slots * sizeof(Bound), cudaMemcpyDeviceToHost, stream_));
-      CATENA_CUDA(cudaMemcpyAsync(host_links_.data(), tree.links, slots * sizeof(Links),
-                                  cudaMemcpyDeviceToHost, stream_));
-    }
-    stream_.synchronize();
+    staging_.to_host(bounds.data(), tree.bound, slots * sizeof(Bound), stream_);
+    staging_.to_host(host_links_.data(), tree.links, slots * sizeof(Links), stream_);
     tree.bound = bounds.data();
     tree.links = host_links_.data();
     return tree;
@@ -123,6 +119,7 @@ class CudaDevice final : public Device {
   Place place_;
   Stream stream_;
   EventTimer timer_;
+  Staging staging_;
   DeviceAnswer answer_;
   ChainView topology_{};  ///< the last one that was moved, with the device's pointers
   DeviceBuffer<Sphere> spheres_, bounds_;
