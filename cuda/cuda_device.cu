@@ -45,12 +45,13 @@ class CudaDevice final : public Device {
     return download(device, host_bounds64_);
   }
 
-  double run(const Work& work) override {
+  Times run(const Work& work) override {
     const DeviceScope scope(place_);
-    timer_.start(stream_);
-    work(stream_);
-    timer_.stop(stream_);
-    return timer_.ms();
+    Times times;
+    do {
+      times.work_ms = timer_.time(stream_, [&] { work(stream_); });
+    } while (timer_.is_start(times.work_ms, times.start_ms));
+    return times;
   }
 
   void clear(const ResidentAnswer& answer, std::uint32_t n, StreamHandle stream) override {

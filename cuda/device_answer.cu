@@ -30,10 +30,9 @@ Device::Times DeviceAnswer::fetch_all(std::uint32_t n, const Request& request, C
   ResidentState state{};
   for (;;) {
     clear_answer(answer, n, stream);
-    timer_.start(stream);
-    search(answer, stream);
-    timer_.stop(stream);
-    times.work_ms += timer_.ms();
+    const double work_ms = timer_.time(stream, [&] { search(answer, stream); });
+    if (timer_.is_start(work_ms, times.start_ms)) continue;
+    times.work_ms += work_ms;
     const Stopwatch watch;
     CATENA_CUDA(cudaMemcpyAsync(&state, answer.state, sizeof state, cudaMemcpyDeviceToHost, stream));
     stream.synchronize();

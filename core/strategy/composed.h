@@ -43,6 +43,7 @@ class Composed final : public Variant, private ResidentSearch {
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     require_built(chain);
     timings_.transfer_ms = build_transfer_ms_;
+    timings_.start_ms = build_start_ms_;
     if (!find_place_.on_device()) {
       const Stopwatch watch;
       traversal_->find(chain.view(), tree_, request, result);
@@ -57,6 +58,7 @@ class Composed final : public Variant, private ResidentSearch {
         [&](const ResidentState& seen) { traversal_->mend(seen); });
     timings_.find_ms = times.work_ms;
     timings_.transfer_ms += times.transfer_ms;
+    timings_.start_ms += times.start_ms;
   }
 
   /// Evidence names nodes of the host's tree, so it is to be had from traversals on the host.
@@ -117,8 +119,10 @@ class Composed final : public Variant, private ResidentSearch {
     built_.reset();
     if (build_place_.on_device() || find_place_.on_device()) upload(chain);
     if (build_place_.on_device()) {
-      timings_.build_ms =
+      const auto times =
           device_->run([&](StreamHandle stream) { construction_->enqueue(chain_on_device_, stream); });
+      timings_.build_ms = times.work_ms;
+      timings_.start_ms = times.start_ms;
     } else {
       const Stopwatch watch;
       make(chain.view());
@@ -128,6 +132,7 @@ class Composed final : public Variant, private ResidentSearch {
     require_height(tree_.height);
     if (build_place_ != find_place_) move_tree();
     build_transfer_ms_ = timings_.transfer_ms;
+    build_start_ms_ = timings_.start_ms;
     built_ = chain.size();
   }
 

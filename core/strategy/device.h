@@ -21,6 +21,7 @@ class CATENA_API Device {
   struct Times {
     double work_ms = 0;      ///< kernels, by the device's clock
     double transfer_ms = 0;  ///< answers to the host, wall time
+    double start_ms = 0;     ///< of work whose code had to be loaded first, wall time
   };
 
   virtual ~Device() = default;
@@ -31,8 +32,9 @@ class CATENA_API Device {
   virtual HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) = 0;
   virtual HierarchyView<Sphere64> to_host(const HierarchyView<Sphere64>& device) = 0;
 
-  /// Runs what `work` enqueues on the stream that it is given; milliseconds by the device's clock.
-  virtual double run(const Work& work) = 0;
+  /// Runs what `work` enqueues on the stream that it is given; once more, for its time, where its code had to
+  /// be loaded first and that took longer.
+  virtual Times run(const Work& work) = 0;
   /// Enqueues what every search begins with: counts, if wanted, and state of an answer for n spheres set to nothing.
   virtual void clear(const ResidentAnswer& answer, std::uint32_t n, StreamHandle stream) = 0;
   /// Runs what `search` enqueues for a chain of n spheres into an answer that was cleared, again with more room until nothing is lost, and

@@ -8,8 +8,8 @@
 
 namespace catena {
 
-/// A variant that is one resident search: it derives from this and enqueues its build and, into an answer that was
-/// cleared, its search; building, finding and fetching from the host are made of them here.
+/// A variant that is one resident search: it derives from this and enqueues its build and, into an answer
+/// that was cleared, its search; building, finding and fetching from the host are made of them here.
 class ResidentVariant : public Variant, protected ResidentSearch {
  public:
   explicit ResidentVariant(std::unique_ptr<Device> device) : device_(std::move(device)) {}
@@ -22,8 +22,10 @@ class ResidentVariant : public Variant, protected ResidentSearch {
     const Stopwatch watch;
     chain_ = device_->to_device(chain.view());
     upload_ms_ = watch.ms();
-    timings_.build_ms = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
+    const auto times = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
+    timings_.build_ms = times.work_ms;
     timings_.transfer_ms = upload_ms_;
+    timings_.start_ms = build_start_ms_ = times.start_ms;
     built_ = chain.size();
   }
 
@@ -37,6 +39,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
         [&](const ResidentState& seen) { mend(seen); });
     timings_.find_ms = times.work_ms;
     timings_.transfer_ms = upload_ms_ + times.transfer_ms;
+    timings_.start_ms = build_start_ms_ + times.start_ms;
   }
 
   Timings timings() const final { return timings_; }
@@ -62,7 +65,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   std::optional<std::uint32_t> built_;
   ChainView chain_{};
   Timings timings_;
-  double upload_ms_ = 0;
+  double upload_ms_ = 0, build_start_ms_ = 0;
 };
 
 }  // namespace catena
