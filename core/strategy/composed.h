@@ -166,7 +166,7 @@ class Composed final : public Variant, private ResidentSearch {
   ChainView chain_on_device_{};
   Tree tree_{};  ///< where the traversal is
   Timings timings_;
-  double build_transfer_ms_ = 0;
+  double build_transfer_ms_ = 0, build_start_ms_ = 0;
 };
 
 }  // namespace catena
