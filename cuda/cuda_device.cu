@@ -21,11 +21,13 @@ class CudaDevice final : public Device {
   /// current.
   explicit CudaDevice(Place place) : place_(place) {}
 
-  ChainView to_device(const ChainView& host) override {
+  ChainView to_device(const ChainView& host, const Moved& moved) override {
     const DeviceScope scope(place_);
-    if (host.topology == 0 || host.topology != topology_.topology) upload_topology(host);
+    const bool known = host.topology != 0 && host.topology == topology_.topology;
+    if (!known) upload_topology(host);
     ChainView view = topology_;
-    view.spheres = staging_.upload(spheres_, host.spheres, host.size, stream_);
+    view.spheres = known && !moved.everything() ? upload_ranges(host.spheres, host.size, moved.ranges())
+                                                : staging_.upload(spheres_, host.spheres, host.size, stream_);
     view.size = host.size;
     view.extent = host.extent;
     stream_.synchronize();
@@ -74,6 +76,17 @@ class CudaDevice final : public Device {
   }
 
  private:
+  /// Ranges of spheres over those that are there; near ones as one, as every move takes microseconds.
+  const Sphere* upload_ranges(const Sphere* host, std::uint32_t n, std::span<const SphereRange> ranges) {
+    constexpr std::uint32_t near = 2048;
+    Sphere* const there = spheres_.reserve(n, stream_);
+    for (std::size_t k = 0; k < ranges.size();) {
+      SphereRange range = ranges[k++].within(n);
+      while (k < ranges.size() && ranges[k].begin <= range.end + near) range.end = ranges[k++].within(n).end;
+      staging_.to_device(there + range.begin, host + range.begin, range.size() * sizeof(Sphere), stream_);
+    }
+    return there;
+  }
   void upload_topology(const ChainView& host) {
     topology_ = {};
     ChainView view = host;

@@ -32,12 +32,12 @@ class Composed final : public Variant, private ResidentSearch {
   }
 
   void build(const Chain& chain) override {
-    make_tree(chain, [&](const ChainView& view) { construction_->build(view); });
+    make_tree(chain, {}, [&](const ChainView& view) { construction_->build(view); });
   }
 
   void update(const Chain& chain, const Moved& moved) override {
     if (built_ != chain.size()) return build(chain);
-    make_tree(chain, [&](const ChainView& view) { construction_->update(view, moved); });
+    make_tree(chain, moved, [&](const ChainView& view) { construction_->update(view, moved); });
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
@@ -114,10 +114,10 @@ class Composed final : public Variant, private ResidentSearch {
   /// `make` builds on the host; on a device the construction is enqueued. Nothing counts as built until all
   /// of it is.
   template <class Make>
-  void make_tree(const Chain& chain, const Make& make) {
+  void make_tree(const Chain& chain, const Moved& moved, const Make& make) {
     timings_ = {};
     built_.reset();
-    if (build_place_.on_device() || find_place_.on_device()) upload(chain);
+    if (build_place_.on_device() || find_place_.on_device()) upload(chain, moved);
     if (build_place_.on_device()) {
       const auto times =
           device_->run([&](StreamHandle stream) { construction_->enqueue(chain_on_device_, stream); });
@@ -145,9 +145,9 @@ class Composed final : public Variant, private ResidentSearch {
   void require_built(const Chain& chain) const {
     if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
   }
-  void upload(const Chain& chain) {
+  void upload(const Chain& chain, const Moved& moved) {
     const Stopwatch watch;
-    chain_on_device_ = device_->to_device(chain.view());
+    chain_on_device_ = device_->to_device(chain.view(), moved);
     timings_.transfer_ms += watch.ms();
   }
   void move_tree() {

@@ -5,6 +5,7 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/hierarchy.h"
 #include "catena/core/sphere.h"
+#include "catena/core/strategy/moved.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/resident.h"
 
@@ -25,8 +26,9 @@ class CATENA_API Device {
   };
 
   virtual ~Device() = default;
-  /// What chains have in common (strands, neighbours) is moved once, not for every frame.
-  virtual ChainView to_device(const ChainView& host) = 0;
+  /// What chains have in common (strands, neighbours) is moved once, not for every frame. `moved`: where the
+  /// chain differs from the one before it, of as many spheres; only that much is moved, then.
+  virtual ChainView to_device(const ChainView& host, const Moved& moved = {}) = 0;
   virtual HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) = 0;
   virtual HierarchyView<Sphere64> to_device(const HierarchyView<Sphere64>& host) = 0;
   virtual HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) = 0;

@@ -16,17 +16,11 @@ class ResidentVariant : public Variant, protected ResidentSearch {
 
   void prepare(const Request& request) final { request_ = request; }
 
-  void build(const Chain& chain) final {
-    built_.reset();
-    timings_ = {};
-    const Stopwatch watch;
-    chain_ = device_->to_device(chain.view());
-    upload_ms_ = watch.ms();
-    const auto times = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
-    timings_.build_ms = times.work_ms;
-    timings_.transfer_ms = upload_ms_;
-    timings_.start_ms = build_start_ms_ = times.start_ms;
-    built_ = chain.size();
+  void build(const Chain& chain) final { build_from(chain, {}); }
+
+  /// Builds anew, of a chain that is there but for what moved.
+  void update(const Chain& chain, const Moved& moved) final {
+    build_from(chain, built_ == chain.size() ? moved : Moved());
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) final {
@@ -54,6 +48,18 @@ class ResidentVariant : public Variant, protected ResidentSearch {
                               StreamHandle stream) = 0;
 
  private:
+  void build_from(const Chain& chain, const Moved& moved) {
+    built_.reset();
+    timings_ = {};
+    const Stopwatch watch;
+    chain_ = device_->to_device(chain.view(), moved);
+    upload_ms_ = watch.ms();
+    const auto times = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
+    timings_.build_ms = times.work_ms;
+    timings_.transfer_ms = upload_ms_;
+    timings_.start_ms = build_start_ms_ = times.start_ms;
+    built_ = chain.size();
+  }
   void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                     StreamHandle stream) final {
     device_->clear(answer, chain.size, stream);
