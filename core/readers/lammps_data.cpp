@@ -162,7 +162,8 @@ class LammpsAtoms {
 
   [[noreturn]] void fail_untold(std::size_t columns) const {
     data_.lines().fail(
-        fmt::format("what the columns are, of which there are {}, is not told; write the style behind the section's name, as in "
+        fmt::format("what the columns are, of which there are {}, is not told; write the style behind the "
+                    "section's name, as in "
                     "'Atoms # full'",
                     columns));
   }

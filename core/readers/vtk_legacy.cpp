@@ -130,7 +130,8 @@ class VtkLegacy {
         fail(fmt::format("{} do not fit into the {} announced", counted(first, "cell"),
                          counted(second, "number")));
       const std::int64_t size = integer(int32, "size of a cell");
-      if (size < 0 || static_cast<std::uint64_t>(size) > second - used - 1)
+      if (size < 0) fail(fmt::format("a cell of {} points", size));
+      if (static_cast<std::uint64_t>(size) > second - used - 1)
         fail(fmt::format("a cell of {}, where room for {} is left",
                          counted(static_cast<std::uint64_t>(size), "point"), second - used - 1));
       for (std::int64_t k = 0; k < size; ++k) cells.points.push_back(integer(int32, "point number"));
