@@ -30,6 +30,18 @@ class Frames final : public Animation {
   std::vector<Chain> chains_;
 };
 
+/// The same, of which it is known how often each was asked for.
+class Asked final : public Animation {
+ public:
+  explicit Asked(std::vector<Chain> chains) : times(chains.size()), chains_(std::move(chains)) {}
+  std::uint32_t frames() const override { return static_cast<std::uint32_t>(chains_.size()); }
+  Chain frame(std::uint32_t f) const override { return ++times[f], chains_[f]; }
+  mutable std::vector<int> times;
+
+ private:
+  std::vector<Chain> chains_;
+};
+
 Vec3 centre(const Sphere& s) { return {s.x, s.y, s.z}; }
 float rounded(double number) { return static_cast<float>(number); }
 
@@ -227,6 +239,45 @@ TEST(OpenInput, LeavesOutWhatATolerancePermits) {
   ASSERT_EQ(neuron.joints.size(), all.joints.size());
   for (std::size_t k = 0; k < all.joints.size(); ++k)
     EXPECT_EQ(neuron.labels.of(neuron.joints[k].i), all.labels.of(all.joints[k].i));
+}
+
+/// What one frame needs is held against all: no stretch that is left loses more than the tolerance in any frame, and
+/// what is said to be lost is the most of them. Each frame is made twice where another than the first needs more, else
+/// once.
+TEST(Thinned, LooksAtEachFrameOnceOrTwice) {
+  std::mt19937 random(11);
+  const Chain first(crooked(random, 400), {}, Exclusion::arc(bend));
+  for (const bool alike : {true, false}) {
+    std::vector<Chain> chains{first};
+    for (int f = 0; f < 5; ++f) {
+      std::vector<Sphere> spheres = alike ? std::vector<Sphere>(first.spheres().begin(), first.spheres().end())
+                                          : crooked(random, 400);
+      for (Sphere& s : spheres) s.x += static_cast<float>(alike ? f : 0);
+      chains.push_back(first.moved(std::move(spheres)));
+    }
+    const Asked animation(chains);
+    constexpr double tolerance = 0.2;
+    const Thinning thinning = thin(animation, {}, tolerance);
+    std::vector<int> times(6, alike ? 1 : 2);
+    times[0] = 1;
+    EXPECT_EQ(animation.times, times);
+    EXPECT_GT(thinning.kept.size(), 40u);
+    EXPECT_LT(thinning.kept.size(), 300u);
+    double lost = 0, own = 0;
+    const auto share = [](std::span<const Sphere> stretch) {
+      return tube_loss(stretch) / std::ranges::min_element(stretch, {}, &Sphere::radius)->radius;
+    };
+    for (const Chain& chain : chains) {
+      for (std::size_t k = 1; k < thinning.kept.size(); ++k)
+        if (const std::uint32_t at = thinning.kept[k - 1], steps = thinning.kept[k] - at; steps > 1)
+          lost = std::max(lost, share(chain.spheres().subspan(at, steps + 1)));
+      for (std::uint32_t i = 1; i < chain.size(); ++i)
+        own = std::max(own, share(chain.spheres().subspan(i - 1, 2)));
+    }
+    EXPECT_LE(lost, tolerance);
+    EXPECT_EQ(thinning.lost, lost);
+    EXPECT_EQ(thinning.own, own);
+  }
 }
 
 }  // namespace
