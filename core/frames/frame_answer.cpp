@@ -4,16 +4,9 @@
 
 #include "catena/core/error.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/frames/count_pairs.h"
 
 namespace catena {
-namespace {
-
-void count_pairs(std::span<const Pair> pairs, std::vector<std::uint32_t>& counts) {
-  for (const Pair& p : pairs) ++counts[p.i], ++counts[p.j];
-}
-
-}  // namespace
-
 void FrameAnswer::copy(const Collisions& from) {
   all_.pairs.assign(from.pairs.begin(), from.pairs.end());
   counts_ = Counts::unknown;

@@ -25,12 +25,10 @@ class CATENA_API FrameAnswer {
   void shift(std::uint32_t n, std::int64_t s);
   /// Takes out the pairs at these places of pairs(), which ascend, and puts in those that are there instead. O(both).
   void exchange(std::span<const std::uint32_t> places, std::span<const Pair> instead);
-  /// All pairs of n spheres and their counts, which `write(pairs, counts)` gives; counts come as n zeros.
+  /// Another answer, which write(pairs, counts, stand) makes of this one; `stand`: counts are those of the pairs.
   template <class Write>
-  void rewrite(std::uint32_t n, const Write& write) {
-    all_.pairs.clear();
-    all_.count.assign(n, 0);
-    write(all_.pairs, all_.count);
+  void rewrite(const Write& write) {
+    write(all_.pairs, all_.count, counts_ == Counts::stand);
     counts_ = Counts::stand;
   }
 

@@ -27,7 +27,7 @@ Plan FrameSearch::plan() const {
     case Way::kept_list:
       return {left_out(Omission::far_pairs,
                        fmt::format("each of {} spheres is within a skin of {:.3g}", n, list_->skin()),
-                       fmt::format("all but {} near pairs", compared_))};
+                       fmt::format("all but {} pairs whose state may change", compared_))};
   }
   return {{"search of the whole frame", false, "too little in common with the frame before", std::nullopt,
            full_ms_}};

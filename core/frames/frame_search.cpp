@@ -60,7 +60,8 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   const bool fresh = !list_->made();
   if (fresh) {
     const Stopwatch watch;
-    list_->make(chain, static_cast<float>(skin_), most_own_pairs, search);
+    list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_own_pairs, search);
+    by_list_ = false;
     policy_.rebuilt(watch.ms(), move_);
   }
   if (!list_->made()) {
@@ -70,14 +71,19 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
     return remember(chain);
   }
   const Stopwatch watch;
-  answer_.rewrite(chain.size(), [&](std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts) {
-    list_->find(chain.spheres(), pairs, counts);
+  bool pruned = false;
+  answer_.rewrite([&](std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts, bool stand) {
+    pruned = list_->find(chain.spheres(), pairs, counts, stand && by_list_);
   });
+  by_list_ = true;
   remember(chain);
-  compared_ = list_->size();
+  compared_ = list_->inner_size();
   // The first use of a list brings it into the cache, and is no measure of the next ones.
-  if (!fresh)
-    policy_.used(watch.ms(), list_->skin(), static_cast<double>(compared_),
+  if (fresh) return;
+  if (pruned)
+    policy_.pruned(watch.ms());
+  else
+    policy_.used(watch.ms(), list_->skin(), static_cast<double>(list_->size()),
                  static_cast<double>(answer_.pairs().size()));
 }
 
@@ -107,6 +113,7 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
   // Searched already: it is asked again about the same frame.
   if (answered_ && !behind_) return false;
   behind_ = false;
+  if (way_ != Way::kept_list && way_ != Way::unmoved) by_list_ = false;
   const Stopwatch watch;
   bool filled = false;
   try {

@@ -10,6 +10,7 @@
 #include "catena/core/frames/frame_answer.h"
 #include "catena/core/frames/kept_list.h"
 #include "catena/core/frames/list_policy.h"
+#include "catena/core/frames/moved_cells.h"
 #include "catena/core/frames/moving_row.h"
 #include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/moved.h"
@@ -35,9 +36,11 @@ class CATENA_API FrameSearch {
     bool measured = false;
   };
 
-  /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too.
+  /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too. `list` and `cells` are what
+  /// a test may have broken.
   FrameSearch(const Omissions& omissions, bool always,
-              std::unique_ptr<KeptList> list = std::make_unique<KeptList>());
+              std::unique_ptr<KeptList> list = std::make_unique<KeptList>(),
+              std::unique_ptr<MovedCells> cells = std::make_unique<MovedCells>());
   virtual ~FrameSearch() = default;
 
   /// A first frame. `follow`: others are expected.
@@ -105,7 +108,9 @@ class CATENA_API FrameSearch {
   std::int64_t shift_ = 0;
   std::unique_ptr<KeptList> list_;
   ListPolicy policy_;
-  double move_ = 0, skin_ = 0;            ///< for the next list: of a frame, at most; wanted
+  bool by_list_ = false;                  ///< answer_ is as the list's last find left it
+  double move_ = 0;                       ///< of a frame, at most
+  double skin_ = 0, inner_skin_ = 0;      ///< wanted of the next list
   std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay
   std::uint32_t blind_ = 0, blinds_ = 0;  ///< the same of looking for what frames have in common
   Learned run_, cell_sphere_{4e-6};       ///< of a run that changed, by the tree; of any sphere, by cells

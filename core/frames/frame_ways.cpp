@@ -31,8 +31,9 @@ std::uint32_t FrameSearch::wait_after(std::uint32_t times) {
   return std::min(longest_wait, 2u << std::min(times, 8u));
 }
 
-FrameSearch::FrameSearch(const Omissions& omissions, bool always, std::unique_ptr<KeptList> list)
-    : omissions_(omissions), always_(always), list_(std::move(list)) {
+FrameSearch::FrameSearch(const Omissions& omissions, bool always, std::unique_ptr<KeptList> list,
+                         std::unique_ptr<MovedCells> cells)
+    : omissions_(omissions), always_(always), row_(std::move(cells)), list_(std::move(list)) {
   ranges_.reserve(most_ranges);
 }
 
@@ -124,7 +125,7 @@ FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
   }
   if (const auto way = choose_shift(chain)) return blinds_ = 0, *way;
   if (const auto way = choose_list(chain)) return blinds_ = 0, *way;
-  blind_ = wait_after(blinds_++);
+  if (!policy_.cold()) blind_ = wait_after(blinds_++);
   return Way::full;
 }
 
@@ -157,6 +158,7 @@ std::optional<FrameSearch::Way> FrameSearch::choose_shift(const Chain& chain) {
 
 std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   if (!omissions_.may(Omission::far_pairs) || !KeptList::can_keep(chain)) return std::nullopt;
+  if (policy_.cold() && !always_) return std::nullopt;
   if (list_->made()) {
     const bool pays = always_ || policy_.use_pays();
     if (pays) waits_ = 0;
@@ -169,6 +171,8 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   const double thickest = chain.view().extent.greatest_radius;
   constexpr double life_in_tests = 3;
   skin_ = std::max(move_ * (always_ ? life_in_tests : policy_.life()) * 1.05, thickest * 0x1p-10);
+  constexpr double inner_life = 4;  // frames at least; steps by chance part as the root of their number
+  inner_skin_ = std::min(inner_life * move_, skin_ / 2);
   const bool sensible = std::isfinite(skin_) && skin_ > 0 && skin_ < 1e30;
   if (sensible && (always_ || (skin_ <= thickest && policy_.pays()))) return Way::kept_list;
   wait_ = wait_after(waits_++);

@@ -17,15 +17,18 @@ void MovedCells::for_each_cell(const Box& box, const Visit& visit) const {
       for (std::uint32_t x = first[0]; x <= last[0]; ++x) visit(z * step_[2] + y * step_[1] + x);
 }
 
+/// The two radii, rounded up, of which the other is the greatest at most.
+float MovedCells::reach(const Sphere& s, float greatest_radius) const {
+  return std::nextafter(s.radius + greatest_radius, std::numeric_limits<float>::infinity());
+}
+
 bool MovedCells::lay_out(const ChainView& chain, std::span<const std::uint32_t> moved) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   around_ = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   boxes_.clear();
   for (const std::uint32_t i : moved) {
     const Sphere& s = chain.spheres[i];
-    // A centre that touches is no farther than the two radii, of which the other is the greatest at most.
-    const float reach = std::nextafter(s.radius + chain.extent.greatest_radius, infinity);
-    boxes_.push_back(Box::around({s.x, s.y, s.z, reach}));
+    boxes_.push_back(Box::around({s.x, s.y, s.z, reach(s, chain.extent.greatest_radius)}));
     around_.join(boxes_.back());
   }
   // As wide as two of the widest spheres at least: a box then lies in a few cells.
@@ -66,11 +69,13 @@ bool MovedCells::lay_out(const ChainView& chain, std::span<const std::uint32_t> 
   return true;
 }
 
+CellsOfFew MovedCells::view() const {
+  return {around_,       scale_,          last_,           step_,           filled_.data(),
+          begin_.data(), entries_.data(), spheres_.data(), is_few_.data()};
+}
+
 void MovedCells::search(const ChainView& chain, std::vector<Pair>& pairs) const {
-  search_cells(chain,
-               {around_, scale_, last_, step_, filled_.data(), begin_.data(), entries_.data(), spheres_.data(),
-                is_few_.data()},
-               pairs);
+  search_cells(chain, view(), pairs);
 }
 
 }  // namespace catena

@@ -29,12 +29,20 @@ struct CellsOfFew {
 /// into the cell of its own. For crowded chains, whose order says little; elsewhere a tree takes less.
 class CATENA_API MovedCells {
  public:
+  virtual ~MovedCells() = default;
+
   /// Lays out the spheres `moved`, indices of the chain, ascending. O(moved + n / 32) and at most 2^18 cells to set to
   /// zero. False, and of no use, where a box has no end or more than 64 entries a sphere would be made.
-  bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved);
+  virtual bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved);
   /// Appends each colliding pair with one of them, once, lower index first. O(n) and the entries of the cells
   /// that are looked into; after a lay_out of this chain that was true.
   void search(const ChainView& chain, std::vector<Pair>& pairs) const;
+
+ protected:
+  /// How far from the centre of one of the few a centre is at most whose sphere touches it. A test may break it.
+  virtual float reach(const Sphere& s, float greatest_radius) const;
+  /// As the search is to have it.
+  virtual CellsOfFew view() const;
 
  private:
   static constexpr std::uint32_t most_along = 64;  ///< cells of an axis

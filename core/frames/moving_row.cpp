@@ -65,8 +65,8 @@ bool MovingRow::search_cells(const ChainView& chain, std::vector<Pair>& found) {
   moved_.clear();
   for (const std::uint32_t r : changed_)
     for (std::uint32_t i = spheres_of(r).begin; i < spheres_of(r).end; ++i) moved_.push_back(i);
-  if (!cells_.lay_out(chain, moved_)) return false;
-  cells_.search(chain, found);
+  if (!cells_->lay_out(chain, moved_)) return false;
+  cells_->search(chain, found);
   return true;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
@@ -17,6 +19,9 @@ namespace catena {
 /// searched again, every other pair is of two spheres none of whose bits differ and so is as it was.
 class CATENA_API MovingRow {
  public:
+  explicit MovingRow(std::unique_ptr<MovedCells> cells = std::make_unique<MovedCells>())
+      : cells_(std::move(cells)) {}
+
   /// Another frame altogether. O(n); does not allocate when n has not grown.
   void hold(std::span<const Sphere> spheres);
   std::span<const Sphere> spheres() const { return {row_.data() + begin_, size_}; }
@@ -52,7 +57,7 @@ class CATENA_API MovingRow {
   bool tree_stands_ = false;
   std::vector<std::uint32_t> changed_;    ///< runs, ascending
   std::vector<std::uint32_t> moved_;      ///< their spheres, where cells are used
-  MovedCells cells_;
+  std::unique_ptr<MovedCells> cells_;
   std::vector<std::uint8_t> is_changed_;  ///< of each run
 };
 

@@ -69,7 +69,7 @@ class Film {
 
   void grow(float factor) {
     for (Sphere& s : spheres_) nudge(s.radius, s.radius * (factor - 1));
-    add("growth", false, {});
+    add(factor > 1 ? "growth" : "shrinking", false, {});
   }
 
   /// What follows a sphere turns about it by a right angle.
@@ -115,6 +115,7 @@ std::vector<Frame> film_of(const Chain& chain) {
   if (chain.size() > 64) return film.take();
   for (int k = 0; k < 12; ++k) film.drift(0.06f * radius);
   for (int k = 0; k < 6; ++k) film.grow(1.06f);
+  for (int k = 0; k < 4; ++k) film.grow(0.85f);
   film.pivot(), film.still(false), film.parts(true, 1);
   return film.take();
 }
