@@ -12,6 +12,7 @@
 #include "catena/core/frames/frame_search.h"
 #include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/plan/coarse_look.h"
+#include "catena/core/plan/part_look.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/register.h"
 
@@ -101,6 +102,7 @@ class Auto final : public Variant, public KeepsAnswer {
     if (plan_->look_first()) {
       if (contact_) contact_ = CoarseLook::look_near(chain.view(), request_.queries, *contact_);
       if (!contact_) contact_ = look_.look(chain.view(), request_.queries);
+      if (!contact_) contact_ = part_look_.look(chain.view(), request_.queries);
     }
     if (frames_count()) see();
     if (!contact_ && way_ == FrameSearch::Way::full) build_searcher(chain);
@@ -185,6 +187,7 @@ class Auto final : public Variant, public KeepsAnswer {
   Request request_;
   std::optional<SearchPlan> plan_;
   CoarseLook look_;
+  PartLook part_look_;
   std::optional<Pair> contact_;  ///< of the last frame, found by a look
   FrameSearch frames_;
   FrameSearch::Way way_ = FrameSearch::Way::full;

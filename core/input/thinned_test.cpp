@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <span>
 #include <string>
 
+#include "catena/core/chain/bending_window.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/tube_loss.h"
@@ -18,8 +18,6 @@
 
 namespace catena {
 namespace {
-
-constexpr double bend = std::numbers::pi / 2;
 
 /// Frames that are given.
 class Frames final : public Animation {
@@ -189,7 +187,7 @@ class FirstFrameOnly final : public Animation {
 TEST(Thin, KeepsWhatTheToleranceNeedsAndNoMore) {
   std::vector<Sphere> rod;
   for (int i = 0; i <= 1000; ++i) rod.push_back({rounded(i * 0.015625), 0, 0, 1});
-  const Frames whole({Chain(rod, {}, Exclusion::arc(bend))});
+  const Frames whole({Chain(rod, {}, Exclusion::arc(bending_window))});
   const Thinning thinning = thin(whole, {}, 0.01);
   const double most = 2 * std::sqrt(1 - 0.99 * 0.99);  // between kept centres
   const auto steps = static_cast<std::uint32_t>(most / 0.015625);
@@ -214,7 +212,7 @@ TEST(Thin, LeavesTheAnswerBetweenKeptSpheresAsItIs) {
         const auto strand = crooked(random, n);
         spheres.insert(spheres.end(), strand.begin(), strand.end());
       }
-      Exclusion exclusion = Exclusion::arc(bend);
+      Exclusion exclusion = Exclusion::arc(bending_window);
       exclusion.extra_pairs = {{0, 389}, {5, 300}, {0, 390}};
       frames.push_back(f == 0 ? Chain(spheres, {{0, 90, 390, 391}, {1, 0, 0}}, exclusion)
                               : frames[0].moved(spheres));
@@ -260,7 +258,7 @@ TEST(Thin, AsksEveryFrame) {
     straight.push_back({rounded(0.02 * i), 0, 0, 1});
     bent.push_back({rounded(2 * std::cos(0.01 * i)), rounded(2 * std::sin(0.01 * i)), 0, 1});
   }
-  const Chain first(straight, {}, Exclusion::arc(bend));
+  const Chain first(straight, {}, Exclusion::arc(bending_window));
   const std::size_t one = thin(Frames({first}), {}, 0.01).kept.size();
   for (const auto& frames : {std::vector{first, first.moved(bent)}, std::vector{first.moved(bent), first},
                              std::vector{first, first, first.moved(bent), first}}) {
@@ -273,18 +271,18 @@ TEST(Thin, AsksEveryFrame) {
 
 TEST(Thin, RefusesWhatItCannotDo) {
   const std::vector<Sphere> two{{0, 0, 0, 1}, {1, 0, 0, 1}};
-  const Chain chain(two, {}, Exclusion::arc(bend));
+  const Chain chain(two, {}, Exclusion::arc(bending_window));
   for (const double wrong : {0.0, -0.1, 1.0, 7.0, std::nan("")})
     EXPECT_THROW(thin(Frames({chain}), {}, wrong), InputError) << wrong;
   EXPECT_THROW(thin(Frames({Chain(two)}), {}, 0.1), InputError);
-  EXPECT_THROW(thin(Frames({chain, Chain({two[0]}, {}, Exclusion::arc(bend))}), {}, 0.1), InputError);
+  EXPECT_THROW(thin(Frames({chain, Chain({two[0]}, {}, Exclusion::arc(bending_window))}), {}, 0.1), InputError);
   EXPECT_EQ(thin(Frames({chain}), {}, 0.1).kept.size(), 2u);
-  EXPECT_EQ(thin(Frames({Chain({}, {}, Exclusion::arc(bend))}), {}, 0.1).kept.size(), 0u);
+  EXPECT_EQ(thin(Frames({Chain({}, {}, Exclusion::arc(bending_window))}), {}, 0.1).kept.size(), 0u);
 }
 
 TEST(OpenInput, LeavesOutWhatATolerancePermits) {
   InputOptions options;
-  options.arc_window = bend;
+  options.arc_window = bending_window;
   options.tolerance = 0.05;
   const Input scene = open_input("path1:n=20000,spacing=0.1,frame=3", options);
   ASSERT_TRUE(scene.thinning.has_value());
@@ -312,7 +310,7 @@ TEST(OpenInput, LeavesOutWhatATolerancePermits) {
 /// once.
 TEST(Thinned, LooksAtEachFrameOnceOrTwice) {
   std::mt19937 random(11);
-  const Chain first(crooked(random, 400), {}, Exclusion::arc(bend));
+  const Chain first(crooked(random, 400), {}, Exclusion::arc(bending_window));
   for (const bool alike : {true, false}) {
     std::vector<Chain> chains{first};
     for (int f = 0; f < 5; ++f) {
