@@ -12,7 +12,7 @@ namespace catena {
 namespace {
 
 constexpr std::uint32_t nothing = 0xFFFFFFFFu;
-constexpr std::uint32_t coarse = 16;  ///< of a stretch every so many spheres are looked at first
+constexpr std::uint32_t coarse = 32;  ///< of a stretch every so many spheres are looked at first
 constexpr std::uint32_t around = 20;  ///< spheres to either side that are then compared
 constexpr std::uint32_t along = 4;    ///< spheres that follow a middle one
 

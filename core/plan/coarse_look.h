@@ -16,8 +16,8 @@ namespace catena {
 /// colliding pair; nothing found proves nothing.
 class CATENA_API CoarseLook {
  public:
-  static constexpr std::uint32_t stretch = 512;  ///< spheres
-  static constexpr std::uint32_t least = 16 * stretch;
+  static constexpr std::uint32_t stretch = 1024;  ///< spheres
+  static constexpr std::uint32_t least = 8 * stretch;
   /// Below, all is searched as quickly.
   static bool pays(std::uint32_t n) { return n >= least; }
 

@@ -16,8 +16,8 @@ namespace catena {
 /// chain; nothing found proves nothing.
 class CATENA_API PartLook {
  public:
-  static constexpr std::uint32_t parts = 128;  ///< of the chain; one is searched, which costs as little of a search
-  static constexpr std::uint32_t least = 2048 * parts;
+  static constexpr std::uint32_t parts = 256;  ///< of the chain; one is searched, which costs as little of a search
+  static constexpr std::uint32_t least = 1024 * parts;
   /// Below, all is built as quickly.
   static bool pays(std::uint32_t n) { return n >= least; }
 
