@@ -117,8 +117,8 @@ class Auto final : public Variant, public KeepsAnswer {
            (always_ || !plan_->all_pairs());
   }
 
-  /// A find, which `search` does: it is given how this chain and how any other is searched, and what building this one
-  /// took.
+  /// A find, which `search` does: it is given how this chain and how any other is searched, and what building
+  /// this one took.
   template <class Search>
   void timed(const Chain& chain, const Search& search) {
     if (spheres_ != chain.size()) throw std::logic_error("find: not the chain of the last build");

@@ -23,7 +23,8 @@ template <class Bits>
 class Kept {
  public:
   explicit HWY_INLINE Kept(hn::Mask<Bits> keep) : keep_(keep) {
-    if constexpr (hn::MaxLanes(Bits()) == 8) {  // for which Highway 1.0 copies its table to the stack at each call
+    if constexpr (hn::MaxLanes(Bits()) ==
+                  8) {  // for which Highway 1.0 copies its table to the stack at each call
       std::uint8_t mask[8];
       hn::StoreMaskBits(Bits(), keep, mask);
       const hn::Rebind<std::uint8_t, Bits> bytes;
@@ -34,7 +35,8 @@ class Kept {
     }
   }
   std::uint32_t size() const { return size_; }
-  /// The lanes that are kept, side by side. To a register: AMD's instruction takes a hundred times as long to memory.
+  /// The lanes that are kept, side by side. To a register: AMD's instruction takes a hundred times as long to
+  /// memory.
   HWY_INLINE hn::Vec<Bits> compress(hn::Vec<Bits> v) const {
     if constexpr (hn::MaxLanes(Bits()) == 8)
       return hn::TableLookupLanes(v, hn::IndicesFromVec(Bits(), order_));

@@ -17,8 +17,8 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
-/// Which stretches of the window have a run that changed, in the bits of a single vector: 32 a lane, and a lane for each
-/// sphere asked about at once. What it lets through is looked up.
+/// Which stretches of the window have a run that changed, in the bits of a single vector: 32 a lane, and a
+/// lane for each sphere asked about at once. What it lets through is looked up.
 class Stretches {
  public:
   using Tag = hn::CappedTag<std::uint32_t, 16>;
@@ -66,7 +66,8 @@ void find_pairs_of_runs_here(std::span<const Pair> pairs, const RunRow& row,
   places.clear();
   if (row.changed.empty()) return;
   const auto changed = [&](const Pair& p) -> std::size_t {
-    return row.is_changed[(row.begin + p.i) / RunTree::run] | row.is_changed[(row.begin + p.j) / RunTree::run];
+    return row.is_changed[(row.begin + p.i) / RunTree::run] |
+           row.is_changed[(row.begin + p.j) / RunTree::run];
   };
   std::size_t k = 0;
 #if HWY_TARGET != HWY_SCALAR
@@ -80,7 +81,8 @@ void find_pairs_of_runs_here(std::span<const Pair> pairs, const RunRow& row,
       const std::uint32_t bits = stretches.may(&pairs[k]);
       const hn::CappedTag<std::uint32_t, 8> d;
       for (std::size_t p = 0; p < at_once; p += hn::Lanes(d)) {
-        const auto order = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, decltype(d)>(), &compress_table[bits][p]));
+        const auto order =
+            hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, decltype(d)>(), &compress_table[bits][p]));
         hn::StoreU(hn::Add(order, hn::Set(d, static_cast<std::uint32_t>(k))), d, may + found + p);
       }
       found += static_cast<std::size_t>(std::popcount(bits));

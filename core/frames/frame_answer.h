@@ -9,8 +9,9 @@
 
 namespace catena {
 
-/// All pairs of a frame and how many each sphere has, carried on to the next one: what that does not change is not
-/// written again. Counts follow the pairs where they stand, and are made of them when they are asked for else.
+/// All pairs of a frame and how many each sphere has, carried on to the next one: what that does not change
+/// is not written again. Counts follow the pairs where they stand, and are made of them when they are asked
+/// for else.
 class CATENA_API FrameAnswer {
  public:
   /// Where a search may leave an answer; `found` then, if it is all pairs and their counts.
@@ -23,9 +24,11 @@ class CATENA_API FrameAnswer {
 
   /// Sphere i of the next frame, of n, is what i + s was, where both are; pairs with one that is gone go.
   void shift(std::uint32_t n, std::int64_t s);
-  /// Takes out the pairs at these places of pairs(), which ascend, and puts in those that are there instead. O(both).
+  /// Takes out the pairs at these places of pairs(), which ascend, and puts in those that are there instead.
+  /// O(both).
   void exchange(std::span<const std::uint32_t> places, std::span<const Pair> instead);
-  /// Another answer, which write(pairs, counts, stand) makes of this one; `stand`: counts are those of the pairs.
+  /// Another answer, which write(pairs, counts, stand) makes of this one; `stand`: counts are those of the
+  /// pairs.
   template <class Write>
   void rewrite(const Write& write) {
     write(all_.pairs, all_.count, counts_ == Counts::stand);

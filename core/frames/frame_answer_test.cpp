@@ -29,7 +29,8 @@ Plain some_pairs(std::uint32_t n, std::size_t pairs, std::mt19937& random) {
   Plain plain{n, {}};
   while (plain.pairs.size() < pairs) {
     const std::uint32_t i = random() % n, j = random() % n;
-    if (i < j && std::ranges::find(plain.pairs, Pair{i, j}) == plain.pairs.end()) plain.pairs.push_back({i, j});
+    if (i < j && std::ranges::find(plain.pairs, Pair{i, j}) == plain.pairs.end())
+      plain.pairs.push_back({i, j});
   }
   return plain;
 }

@@ -14,10 +14,11 @@ namespace catena {
 /// What searches of frames do in vectors, compiled once for each instruction set.
 
 /// As RunTree::search.
-void search_runs(const ChainView& chain, const RunRow& row, const WideBoxTree& tree, std::vector<Pair>& pairs);
+void search_runs(const ChainView& chain, const RunRow& row, const WideBoxTree& tree,
+                 std::vector<Pair>& pairs);
 
-/// Sets the boxes of runs first, ..., end - 1, which lie in the window as a whole, each around its spheres as by
-/// Box::around.
+/// Sets the boxes of runs first, ..., end - 1, which lie in the window as a whole, each around its spheres as
+/// by Box::around.
 void set_boxes_of_runs(const Sphere* places, std::uint32_t first, std::uint32_t end, WideBoxTree& tree);
 
 /// Fills `places` with those of the pairs of which a sphere lies in a run that changed, ascending.

@@ -36,8 +36,8 @@ class CATENA_API FrameSearch {
     bool measured = false;
   };
 
-  /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too. `list` and `cells` are what
-  /// a test may have broken.
+  /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too. `list` and
+  /// `cells` are what a test may have broken.
   FrameSearch(const Omissions& omissions, bool always,
               std::unique_ptr<KeptList> list = std::make_unique<KeptList>(),
               std::unique_ptr<MovedCells> cells = std::make_unique<MovedCells>());

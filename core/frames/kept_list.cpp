@@ -33,7 +33,7 @@ bool KeptList::make(const Chain& chain, float skin, float inner_skin, std::uint6
   } catch (const PairLimitExceeded&) {
     return false;
   }
-    skin_ = skin;
+  skin_ = skin;
   inner_skin_ = inner_skin;
   pruned_ = false;
   made_ = true;

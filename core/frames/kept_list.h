@@ -20,9 +20,10 @@ using FullSearch = std::function<void(const Chain&, const Request&, Collisions&)
 /// thick one has no other pairs. For two spheres a, b within A, B that overlap have A and B overlap; and who
 /// is a neighbour depends on no radius under the rules that `can_keep` takes.
 ///
-/// Of these the *inner* list are those that may come to collide or cease to while each sphere stays within an inner skin
-/// of where and as large as it was when the list was pruned: of every other pair it is known whether it collides
-/// (see part_pairs). It is pruned again, of all near pairs, when a sphere has left its inner skin.
+/// Of these the *inner* list are those that may come to collide or cease to while each sphere stays within an
+/// inner skin of where and as large as it was when the list was pruned: of every other pair it is known
+/// whether it collides (see part_pairs). It is pruned again, of all near pairs, when a sphere has left its
+/// inner skin.
 class CATENA_API KeptList {
  public:
   virtual ~KeptList() = default;
@@ -31,7 +32,8 @@ class CATENA_API KeptList {
   static bool can_keep(const Chain& chain);
 
   /// Makes the list of this chain. False, and there is no list, where a radius with its skin would not be
-  /// finite or the thick spheres have more pairs than `most`. `inner_skin` is what the inner list is pruned for.
+  /// finite or the thick spheres have more pairs than `most`. `inner_skin` is what the inner list is pruned
+  /// for.
   bool make(const Chain& chain, float skin, float inner_skin, std::uint64_t most, const FullSearch& search);
   void drop() { made_ = false; }
   bool made() const { return made_; }
@@ -44,7 +46,8 @@ class CATENA_API KeptList {
 
   /// The colliding pairs of the spheres of a chain that it holds for, and of each sphere how many it has.
   /// `stand`: both are as the last find left them. True when the inner list had to be pruned again.
-  bool find(std::span<const Sphere> now, std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts, bool stand);
+  bool find(std::span<const Sphere> now, std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts,
+            bool stand);
 
  protected:
   const Chain& thick() const { return thick_; }

@@ -10,14 +10,15 @@ namespace catena {
 /// between ways to the same answer, and decides nothing else.
 ///
 /// A list that is to live k frames in which spheres move by v each needs a skin of k v, and the thicker it is
-/// the more pairs it holds: a frame costs `use` + `growth` k, and its share of pruning. With one rebuild, the mean of k frames is
+/// the more pairs it holds: a frame costs `use` + `growth` k, and its share of pruning. With one rebuild, the
+/// mean of k frames is
 ///     (rebuild + (k - 1) use) / k + growth k,   least where k = sqrt((rebuild - use) / growth).
 class CATENA_API ListPolicy {
  public:
   static constexpr double shortest = 2, longest = 64;  ///< lives, frames
 
-  /// A full search of a frame took so long. The first ones touch memory for the first time, and are no measure
-  /// of the next.
+  /// A full search of a frame took so long. The first ones touch memory for the first time, and are no
+  /// measure of the next.
   void searched(double ms) {
     full_ms_ = searches_ < cold_searches ? ms : blend(full_ms_, std::min(ms, 2 * full_ms_));
     ++searches_;
@@ -68,7 +69,7 @@ class CATENA_API ListPolicy {
   double use_ms() const { return use_ms_ > 0 ? use_ms_ : full_ms_ / 4; }
 
   double full_ms_ = 0, rebuild_ms_ = 0, use_ms_ = 0, growth_ms_ = 0, move_ = 0;
-  double prune_ms_ = 0;  ///< of a frame, on average
+  double prune_ms_ = 0;                          ///< of a frame, on average
   unsigned made_ = 0, searches_ = 0, uses_ = 0;  ///< uses since the list was pruned
 };
 

@@ -70,7 +70,7 @@ bool MovedCells::lay_out(const ChainView& chain, std::span<const std::uint32_t> 
 }
 
 CellsOfFew MovedCells::view() const {
-  return {around_,       scale_,          last_,           step_,           filled_.data(),
+  return {around_,       scale_,          last_,           step_,         filled_.data(),
           begin_.data(), entries_.data(), spheres_.data(), is_few_.data()};
 }
 

@@ -14,14 +14,14 @@ namespace catena {
 
 /// Cells of the places where a centre can be of a sphere that touches one of a few; plain pointers.
 struct CellsOfFew {
-  Box around;                      ///< all those places
-  std::array<float, 3> scale, last;  ///< a cell of a coordinate is (at - low) scale, at most last
+  Box around;                         ///< all those places
+  std::array<float, 3> scale, last;   ///< a cell of a coordinate is (at - low) scale, at most last
   std::array<std::uint32_t, 3> step;  ///< from cell to cell along an axis
-  const std::uint32_t* filled;     ///< a bit a cell: it has entries
-  const std::uint32_t* begin;      ///< of each cell, in entries
-  const std::uint32_t* entries;    ///< the few, in each cell that they reach
-  const Sphere* spheres;           ///< of the entries; seven more may be read
-  const std::uint32_t* is_few;     ///< a bit a sphere of the chain
+  const std::uint32_t* filled;        ///< a bit a cell: it has entries
+  const std::uint32_t* begin;         ///< of each cell, in entries
+  const std::uint32_t* entries;       ///< the few, in each cell that they reach
+  const Sphere* spheres;              ///< of the entries; seven more may be read
+  const std::uint32_t* is_few;        ///< a bit a sphere of the chain
 };
 
 /// Finds the pairs of a few spheres of a chain with all others by going through the chain once: the places
@@ -31,15 +31,17 @@ class CATENA_API MovedCells {
  public:
   virtual ~MovedCells() = default;
 
-  /// Lays out the spheres `moved`, indices of the chain, ascending. O(moved + n / 32) and at most 2^18 cells to set to
-  /// zero. False, and of no use, where a box has no end or more than 64 entries a sphere would be made.
+  /// Lays out the spheres `moved`, indices of the chain, ascending. O(moved + n / 32) and at most 2^18 cells
+  /// to set to zero. False, and of no use, where a box has no end or more than 64 entries a sphere would be
+  /// made.
   virtual bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved);
   /// Appends each colliding pair with one of them, once, lower index first. O(n) and the entries of the cells
   /// that are looked into; after a lay_out of this chain that was true.
   void search(const ChainView& chain, std::vector<Pair>& pairs) const;
 
  protected:
-  /// How far from the centre of one of the few a centre is at most whose sphere touches it. A test may break it.
+  /// How far from the centre of one of the few a centre is at most whose sphere touches it. A test may break
+  /// it.
   virtual float reach(const Sphere& s, float greatest_radius) const;
   /// As the search is to have it.
   virtual CellsOfFew view() const;

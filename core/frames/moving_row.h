@@ -33,9 +33,9 @@ class CATENA_API MovingRow {
 
   /// Fills `places` with those of the pairs of this frame, ascending, that are to be searched again.
   void find_changed(std::span<const Pair> pairs, std::vector<std::uint32_t>& places) const;
-  /// Fills `found` with the pairs that have a sphere which changed. `chain` is the frame that move or shift was told of.
-  /// A search for each run that changed, in the tree; `by_cells`: O(n) instead, where that can be. True when it was by
-  /// cells. Nothing is changed any more then.
+  /// Fills `found` with the pairs that have a sphere which changed. `chain` is the frame that move or shift
+  /// was told of. A search for each run that changed, in the tree; `by_cells`: O(n) instead, where that can
+  /// be. True when it was by cells. Nothing is changed any more then.
   bool search(const ChainView& chain, std::vector<Pair>& found, bool by_cells);
 
   /// Runs that changed last; each costs about the same.
@@ -51,12 +51,12 @@ class CATENA_API MovingRow {
   void stand_tree();
   SphereRange spheres_of(std::uint32_t of) const;
 
-  std::vector<Sphere> row_;  ///< whole runs
+  std::vector<Sphere> row_;             ///< whole runs
   std::uint32_t begin_ = 0, size_ = 0;  ///< the window
   RunTree tree_;
   bool tree_stands_ = false;
-  std::vector<std::uint32_t> changed_;    ///< runs, ascending
-  std::vector<std::uint32_t> moved_;      ///< their spheres, where cells are used
+  std::vector<std::uint32_t> changed_;  ///< runs, ascending
+  std::vector<std::uint32_t> moved_;    ///< their spheres, where cells are used
   std::unique_ptr<MovedCells> cells_;
   std::vector<std::uint8_t> is_changed_;  ///< of each run
 };

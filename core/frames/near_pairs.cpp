@@ -42,7 +42,8 @@ HWY_INLINE Flags<8> fits(const Lanes8& q, const Lanes8& m) {
          (q * Lanes8::all(within_slack) <= m * m);
 }
 
-/// Calls each(now, other) for vectors of spheres side by side while it says true, then one(now, other) for the rest.
+/// Calls each(now, other) for vectors of spheres side by side while it says true, then one(now, other) for
+/// the rest.
 template <class Each, class One>
 HWY_INLINE bool all_of(std::span<const Sphere> now, std::span<const Sphere> other, const Each& each,
                        const One& one) {
@@ -59,10 +60,12 @@ HWY_INLINE bool all_of(std::span<const Sphere> now, std::span<const Sphere> othe
   return true;
 }
 
-/// Pairs with their spheres, copied side by side a good while before they are loaded as vectors, so that loads need not
-/// wait for stores: take(pairs, a, b, lanes) for each eight of them, of which `lanes` are heeded.
+/// Pairs with their spheres, copied side by side a good while before they are loaded as vectors, so that
+/// loads need not wait for stores: take(pairs, a, b, lanes) for each eight of them, of which `lanes` are
+/// heeded.
 template <class Take>
-HWY_INLINE void for_each_eight(std::span<const Sphere> spheres, std::span<const Pair> pairs, const Take& take) {
+HWY_INLINE void for_each_eight(std::span<const Sphere> spheres, std::span<const Pair> pairs,
+                               const Take& take) {
   constexpr std::size_t room = 256;
   alignas(64) Sphere a[room] = {}, b[room] = {};
   Pair rest[room] = {};
@@ -139,8 +142,8 @@ void part_pairs_here(std::span<const Sphere> spheres, std::span<const Pair> pair
     const Lanes8 s = Lanes8::all(skin), q = square(a, b), zero = Lanes8::all(0);
     const Lanes8 thin_a = a.radius - s, thin_b = b.radius - s, close = thin_a + thin_b;
     const Lanes8 far = (a.radius + s) + (b.radius + s);
-    const auto certain = (zero <= thin_a) & (zero <= thin_b) &
-                         SphereLanes::overlap_for_certain(Squares{q, close * close});
+    const auto certain =
+        (zero <= thin_a) & (zero <= thin_b) & SphereLanes::overlap_for_certain(Squares{q, close * close});
     sure.grow(store_kept(some, certain, lanes, sure.end()));
     const auto may = SphereLanes::may_overlap(Squares{q, far * far});
     unsure.grow(store_kept(some, without(may, certain), lanes, unsure.end()));

@@ -39,16 +39,18 @@ class CellSearch {
   using Bits = hn::RebindToUnsigned<Reals>;
   static constexpr std::uint32_t width = Lanes16::width, room = 1024;
 
-  /// As MovedCells::along, operation by operation, so that both round alike: a lower coordinate has no higher cell.
+  /// As MovedCells::along, operation by operation, so that both round alike: a lower coordinate has no higher
+  /// cell.
   HWY_INLINE hn::Vec<Bits> along(int axis, hn::Vec<Reals> at) const {
     const Reals d;
-    const auto cell = hn::Mul(hn::Sub(at, hn::Set(d, cells_.around.low[axis])), hn::Set(d, cells_.scale[axis]));
+    const auto cell =
+        hn::Mul(hn::Sub(at, hn::Set(d, cells_.around.low[axis])), hn::Set(d, cells_.scale[axis]));
     const auto inside = hn::Min(hn::Max(cell, hn::Zero(d)), hn::Set(d, cells_.last[axis]));
     return hn::Mul(hn::BitCast(Bits(), hn::ConvertTo(Whole(), inside)), hn::Set(Bits(), cells_.step[axis]));
   }
 
-  /// Notes which of `count` spheres lie in a cell that is filled. Who does is hard to foretell, and so found without a
-  /// branch.
+  /// Notes which of `count` spheres lie in a cell that is filled. Who does is hard to foretell, and so found
+  /// without a branch.
   HWY_INLINE void look(const Sphere* spheres, std::uint32_t first, std::uint32_t count) {
     const Reals d;
     const Bits bits;
@@ -61,8 +63,7 @@ class CellSearch {
     const auto inside = hn::RebindMask(bits, hn::And(between(0, x), hn::And(between(1, y), between(2, z))));
     if (hn::AllFalse(bits, inside)) return;
     // Cell 0 outside, where a coordinate may have overflowed.
-    const auto cell =
-        hn::IfThenElseZero(inside, hn::Add(along(0, x), hn::Add(along(1, y), along(2, z))));
+    const auto cell = hn::IfThenElseZero(inside, hn::Add(along(0, x), hn::Add(along(1, y), along(2, z))));
     const auto words = hn::GatherIndex(bits, cells_.filled, hn::BitCast(Whole(), hn::ShiftRight<5>(cell)));
     const auto bit = hn::Shl(hn::Set(bits, 1u), hn::And(cell, hn::Set(bits, 31u)));
     auto met = hn::And(inside, hn::Ne(hn::And(words, bit), hn::Zero(bits)));
@@ -74,7 +75,8 @@ class CellSearch {
   }
 
   void flush() {
-    for (std::uint32_t k = 0; k < found_; ++k) meet(sphere_[k], cells_.begin[cell_[k]], cells_.begin[cell_[k] + 1]);
+    for (std::uint32_t k = 0; k < found_; ++k)
+      meet(sphere_[k], cells_.begin[cell_[k]], cells_.begin[cell_[k] + 1]);
     found_ = 0;
   }
 

@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace {
 
-/// The runs that changed, all that share a group of the tree at once, against every run whose box one of theirs meets.
+/// The runs that changed, all that share a group of the tree at once, against every run whose box one of
+/// theirs meets.
 class RunSearch {
  public:
   RunSearch(const ChainView& chain, const RunRow& row, const WideBoxTree& tree, std::vector<Pair>& pairs)
@@ -72,13 +73,15 @@ class RunSearch {
     const SphereLanes theirs(row_.places + std::size_t{other} * run_);
     Flags<run_> near[run_];
     for (std::uint32_t p = 0; p < run_; ++p) near[p] = SphereLanes::may_overlap(theirs.squares(own[p]));
-    const auto any = ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
+    const auto any =
+        ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
     if (any.none()) return;
     const std::uint32_t there = filled(other);
     for_each_lane(filled(of), [&](std::uint32_t p) {
       const std::uint32_t later = of == other ? ~lane_bits(p + 1) : ~std::uint32_t{0};
-      for_each_lane(near[p].bits() & there & later,
-                    [&](std::uint32_t q) { decide(of * run_ + p - row_.begin, other * run_ + q - row_.begin); });
+      for_each_lane(near[p].bits() & there & later, [&](std::uint32_t q) {
+        decide(of * run_ + p - row_.begin, other * run_ + q - row_.begin);
+      });
     });
   }
 
@@ -123,13 +126,16 @@ HWY_INLINE Box box_of_run(const Sphere* spheres) {
   for (std::size_t k = 0; k < numbers; k += width) {
     const auto centre = hn::LoadU(d, &spheres->x + k), radius = hn::Broadcast<3>(centre);
     const auto low = hn::Sub(centre, radius), high = hn::Add(centre, radius);
-    const auto below = hn::Sub(low, hn::Mul(hn::Abs(low), step)), above = hn::Add(high, hn::Mul(hn::Abs(high), step));
+    const auto below = hn::Sub(low, hn::Mul(hn::Abs(low), step)),
+               above = hn::Add(high, hn::Mul(hn::Abs(high), step));
     least = k == 0 ? below : hn::Min(least, below);
     greatest = k == 0 ? above : hn::Max(greatest, above);
   }
   float low[4], high[4];
-  fold_blocks(least, [](auto a, auto b) { return hn::Min(a, b); }, low);
-  fold_blocks(greatest, [](auto a, auto b) { return hn::Max(a, b); }, high);
+  fold_blocks(
+      least, [](auto a, auto b) { return hn::Min(a, b); }, low);
+  fold_blocks(
+      greatest, [](auto a, auto b) { return hn::Max(a, b); }, high);
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 #endif

@@ -92,9 +92,9 @@ class OwnLoss {
   double most() const { return most_; }
 
  private:
-  /// What is lost of a step, as a share of the least radius r, is 1 - sqrt(1 - x / 4), but for rounding, which is less
-  /// than 1e-13 where the radii are alike, and so grows with x = (D^2 - (ra - rb)^2) / r^2: only where x is about the
-  /// greatest so far is the loss to be asked for.
+  /// What is lost of a step, as a share of the least radius r, is 1 - sqrt(1 - x / 4), but for rounding,
+  /// which is less than 1e-13 where the radii are alike, and so grows with x = (D^2 - (ra - rb)^2) / r^2:
+  /// only where x is about the greatest so far is the loss to be asked for.
   void step(const Sphere& a, const Sphere& b) {
     const double dx = double{b.x} - a.x, dy = double{b.y} - a.y, dz = double{b.z} - a.z;
     const double taper = double{b.radius} - a.radius, radius = std::min(a.radius, b.radius);
@@ -107,8 +107,8 @@ class OwnLoss {
   double greatest_ = 0, most_ = 0;  ///< x; what is lost
 };
 
-/// What is lost of stretches, of their halves, of the halves of these, and so on, most over all frames. What one frame
-/// needs can spoil a stretch of another: so each tells all that may be asked of it.
+/// What is lost of stretches, of their halves, of the halves of these, and so on, most over all frames. What
+/// one frame needs can spoil a stretch of another: so each tells all that may be asked of it.
 class Halves {
  public:
   Halves(std::vector<Pair> whole, std::uint32_t spheres, double tolerance)
@@ -123,7 +123,8 @@ class Halves {
   }
 
  private:
-  // A stretch of k steps has 2 k - 1 stretches in and with it: itself, then those of its first half, then the others.
+  // A stretch of k steps has 2 k - 1 stretches in and with it: itself, then those of its first half, then the
+  // others.
   static std::size_t root(const Pair& stretch) { return std::size_t{2} * stretch.i; }
   static std::uint32_t middle(std::uint32_t first, std::uint32_t last) { return first + (last - first) / 2; }
   static std::size_t second_half(std::uint32_t first, std::uint32_t last, std::size_t at) {

@@ -148,7 +148,8 @@ double chord_error(std::span<const Sphere> spheres) {
 }
 double least_radius(std::span<const Sphere> s) { return std::min(s.front().radius, s.back().radius); }
 
-/// The mutants of a museum: the statement that holds for tube_loss kills each, and not what they are made from.
+/// The mutants of a museum: the statement that holds for tube_loss kills each, and not what they are made
+/// from.
 TEST(TubeLoss, ItsMutantsDie) {
   EXPECT_EQ(fault_of([](std::span<const Sphere> s) {
               return chord_error(s) + dip_of(s.front(), s.back(), least_radius(s)) + 1e-12;
@@ -275,7 +276,8 @@ TEST(Thin, RefusesWhatItCannotDo) {
   for (const double wrong : {0.0, -0.1, 1.0, 7.0, std::nan("")})
     EXPECT_THROW(thin(Frames({chain}), {}, wrong), InputError) << wrong;
   EXPECT_THROW(thin(Frames({Chain(two)}), {}, 0.1), InputError);
-  EXPECT_THROW(thin(Frames({chain, Chain({two[0]}, {}, Exclusion::arc(bending_window))}), {}, 0.1), InputError);
+  EXPECT_THROW(thin(Frames({chain, Chain({two[0]}, {}, Exclusion::arc(bending_window))}), {}, 0.1),
+               InputError);
   EXPECT_EQ(thin(Frames({chain}), {}, 0.1).kept.size(), 2u);
   EXPECT_EQ(thin(Frames({Chain({}, {}, Exclusion::arc(bending_window))}), {}, 0.1).kept.size(), 0u);
 }
@@ -305,17 +307,17 @@ TEST(OpenInput, LeavesOutWhatATolerancePermits) {
     EXPECT_EQ(neuron.labels.of(neuron.joints[k].i), all.labels.of(all.joints[k].i));
 }
 
-/// What one frame needs is held against all: no stretch that is left loses more than the tolerance in any frame, and
-/// what is said to be lost is the most of them. Each frame is made twice where another than the first needs more, else
-/// once.
+/// What one frame needs is held against all: no stretch that is left loses more than the tolerance in any
+/// frame, and what is said to be lost is the most of them. Each frame is made twice where another than the
+/// first needs more, else once.
 TEST(Thinned, LooksAtEachFrameOnceOrTwice) {
   std::mt19937 random(11);
   const Chain first(crooked(random, 400), {}, Exclusion::arc(bending_window));
   for (const bool alike : {true, false}) {
     std::vector<Chain> chains{first};
     for (int f = 0; f < 5; ++f) {
-      std::vector<Sphere> spheres = alike ? std::vector<Sphere>(first.spheres().begin(), first.spheres().end())
-                                          : crooked(random, 400);
+      std::vector<Sphere> spheres =
+          alike ? std::vector<Sphere>(first.spheres().begin(), first.spheres().end()) : crooked(random, 400);
       for (Sphere& s : spheres) s.x += static_cast<float>(alike ? f : 0);
       chains.push_back(first.moved(std::move(spheres)));
     }

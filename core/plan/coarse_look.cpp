@@ -93,7 +93,8 @@ std::optional<Pair> CoarseLook::look(const ChainView& chain, const SphereRange& 
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
     if (const auto pair = look_along(chain, queries, k * stretch + stretch / 2)) return pair;
     Stretch& own = stretches_[k];
-    // A hash of a cell is one of its three numbers each, so that those of the cells around it take three more.
+    // A hash of a cell is one of its three numbers each, so that those of the cells around it take three
+    // more.
     const auto part = [](std::int32_t cell, std::uint32_t factor) {
       const std::uint32_t here = static_cast<std::uint32_t>(cell) * factor;
       return std::array{here, here - factor, here + factor};

@@ -47,7 +47,8 @@ TEST(Film, AnswersEachFrame) {
         frame([](auto&) {}, Moved(std::span<const SphereRange>()));
         const SphereRange told{1000, 1200};
         const auto part = [&](auto& spheres) {
-          for (std::uint32_t i = told.begin; i < told.end; ++i) spheres[i].x += 0.3f * static_cast<float>(i % 5);
+          for (std::uint32_t i = told.begin; i < told.end; ++i)
+            spheres[i].x += 0.3f * static_cast<float>(i % 5);
         };
         frame(part), frame(part, Moved(std::span(&told, 1)));
         const auto along = [](auto& spheres) { std::ranges::rotate(spheres, spheres.begin() + 40); };

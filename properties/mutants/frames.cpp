@@ -95,18 +95,22 @@ class InnerListNeverPruned final : public KeptList {
   bool inner_holds(std::span<const Sphere> now) const override { return now.size() == pruned_at().size(); }
 };
 const RegisterMutant<WithList<InnerListNeverPruned>> never_pruned{
-    "inner-list-never-pruned-again", "GROMACS 2018 to 2024 (issue 5138): pairs lost through a pruned list that outlived its skin", frames_parameter};
+    "inner-list-never-pruned-again",
+    "GROMACS 2018 to 2024 (issue 5138): pairs lost through a pruned list that outlived its skin",
+    frames_parameter};
 
 class ShrinkingForgotten final : public KeptList {
   bool inner_holds(std::span<const Sphere> now) const override {
     return KeptList::inner_holds(now) ||
-           (now.size() == pruned_at().size() && std::ranges::equal(now, pruned_at(), [](const Sphere& a, const Sphere& b) {
+           (now.size() == pruned_at().size() &&
+            std::ranges::equal(now, pruned_at(), [](const Sphere& a, const Sphere& b) {
               return a.x == b.x && a.y == b.y && a.z == b.z && a.radius <= b.radius;
             }));
   }
 };
 const RegisterMutant<WithList<ShrinkingForgotten>> shrinking{
-    "shrinking-forgotten", "pairs that touched deeply are taken to touch for good, where radii shrink", frames_parameter};
+    "shrinking-forgotten", "pairs that touched deeply are taken to touch for good, where radii shrink",
+    frames_parameter};
 
 template <class Cells>
 class WithCells final : public FaultyFrames {
@@ -120,8 +124,8 @@ class ReachOfOneRadius final : public MovedCells {
   float reach(const Sphere& s, float) const override { return s.radius; }
 };
 const RegisterMutant<WithCells<ReachOfOneRadius>> one_radius{
-    "moved-reach-of-one-radius", "a sphere that moved is looked for where centres lie in it, not where spheres touch",
-    frames_parameter};
+    "moved-reach-of-one-radius",
+    "a sphere that moved is looked for where centres lie in it, not where spheres touch", frames_parameter};
 
 class MetFromBoth final : public MovedCells {
   bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved) override {
@@ -154,7 +158,8 @@ class CellsOfAnotherScale final : public MovedCells {
   }
 };
 const RegisterMutant<WithCells<CellsOfAnotherScale>> scale{
-    "moved-cells-of-another-scale", "places are laid out and looked up by cells of different width", frames_parameter};
+    "moved-cells-of-another-scale", "places are laid out and looked up by cells of different width",
+    frames_parameter};
 
 class DirtyRangeTooShort final : public FrameSearch {
  public:

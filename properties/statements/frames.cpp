@@ -137,7 +137,11 @@ class Frames final : public Property {
   std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
     using Want = Request::Want;
     const auto& frames = frames_(test, [&] { return film_of(test.chain); });
-    enum class Pass { each, each_kept, every_third };  // each frame is searched, into the variant's own answer, or few are
+    enum class Pass {
+      each,
+      each_kept,
+      every_third
+    };  // each frame is searched, into the variant's own answer, or few are
     auto* const keeper = dynamic_cast<KeepsAnswer*>(&variant);
     for (const Pass pass : {Pass::each, Pass::each_kept, Pass::every_third}) {
       if (pass == Pass::each_kept && keeper == nullptr) continue;
@@ -151,7 +155,8 @@ class Frames final : public Property {
                                                             : Moved());
         if (pass == Pass::every_third && k % 3 != 2) continue;
         if (pass == Pass::each_kept) {
-          if (!reference::compare(frame.test.chain, frame.test.exact, keeper->find_kept(frame.test.chain, {})).right())
+          if (!reference::compare(frame.test.chain, frame.test.exact, keeper->find_kept(frame.test.chain, {}))
+                   .right())
             return fmt::format("frame {}, {}: another answer where it is kept", k, frame.name);
           continue;
         }
