@@ -25,8 +25,8 @@ class CATENA_API ListPolicy {
   }
   /// A list of thick spheres was made, of a chain whose spheres were to move by `move` a frame.
   void rebuilt(double ms, double move) {
-    // The first one touches memory for the first time, too.
-    rebuild_ms_ = made_ == 0 ? std::min(ms, 2 * full_ms_) : made_ == 1 ? ms : blend(rebuild_ms_, ms);
+    // The first ones touch memory for the first time, too.
+    rebuild_ms_ = blend(rebuild_ms_, made_ < cold_searches ? std::min(ms, 2 * full_ms_) : ms);
     move_ = move, ++made_;
     uses_ = 0;
   }
@@ -39,6 +39,7 @@ class CATENA_API ListPolicy {
   }
   /// A frame was answered after the inner list was pruned again.
   void pruned(double ms) {
+    if (prunes_++ == 0) return;  // it touches memory for the first time
     prune_ms_ = blend(prune_ms_, std::max(0.0, ms - use_ms_) / (uses_ + 1));
     uses_ = 0;
   }
@@ -70,7 +71,7 @@ class CATENA_API ListPolicy {
 
   double full_ms_ = 0, rebuild_ms_ = 0, use_ms_ = 0, growth_ms_ = 0, move_ = 0;
   double prune_ms_ = 0;                          ///< of a frame, on average
-  unsigned made_ = 0, searches_ = 0, uses_ = 0;  ///< uses since the list was pruned
+  unsigned made_ = 0, searches_ = 0, prunes_ = 0, uses_ = 0;  ///< uses since the list was pruned
 };
 
 }  // namespace catena
