@@ -10,7 +10,9 @@
 
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/frames/frame_search.h"
+#include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/plan/coarse_look.h"
+#include "catena/core/plan/part_look.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/register.h"
 
@@ -20,7 +22,7 @@ namespace {
 /// auto: what a plan chooses for the chain, and leaves out for the request; of a frame it searches what the
 /// last one does not tell.
 template <class Arithmetic>
-class Auto final : public Variant {
+class Auto final : public Variant, public KeepsAnswer {
  public:
   explicit Auto(const Parameters& parameters)
       : omissions_(Omissions::without(parameters.choices("keep", omission_names()))),
@@ -40,26 +42,25 @@ class Auto final : public Variant {
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
-    if (spheres_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
-    const Stopwatch watch;
-    timings_ = build_timings_;
-    if (contact_ && request.want == Request::Want::any && request.queries == request_.queries) {
-      PairCollector collector(chain.size(), request, result);
-      collector.lane(0).pair(contact_->i, contact_->j);
-      collector.finish();
-    } else if (frames_count()) {
-      frames_.find(
-          chain, request, result,
-          [this](const Chain& c, const Request& r, Collisions& found) { search_here(c, r, found); },
-          [this](const Chain& c, const Request& r, Collisions& found) { search_other(c, r, found); },
-          build_timings_.build_ms + build_timings_.transfer_ms);
-    } else {
-      search_here(chain, request, result);
-    }
-    if (built_ && plan_->on_device())
-      timings_ = searcher_->timings();
+    timed(chain, [&](const FullSearch& here, const FullSearch& other, double build_ms) {
+      if (answered_by_contact(request))
+        report_contact(chain, request, result);
+      else if (frames_count())
+        frames_.find(chain, request, result, here, other, build_ms);
+      else
+        search_here(chain, request, result);
+    });
+  }
+
+  const Collisions& find_kept(const Chain& chain, const Request& request) override {
+    const Collisions* answer = nullptr;
+    if (!answered_by_contact(request) && frames_count() && request.queries == SphereRange{})
+      timed(chain, [&](const FullSearch& here, const FullSearch& other, double build_ms) {
+        answer = &frames_.find_kept(chain, request, here, other, build_ms);
+      });
     else
-      timings_.find_ms = watch.ms();
+      find(chain, request, own_), answer = &own_;
+    return *answer;
   }
 
   Timings timings() const override { return timings_; }
@@ -101,6 +102,7 @@ class Auto final : public Variant {
     if (plan_->look_first()) {
       if (contact_) contact_ = CoarseLook::look_near(chain.view(), request_.queries, *contact_);
       if (!contact_) contact_ = look_.look(chain.view(), request_.queries);
+      if (!contact_) contact_ = part_look_.look(chain.view(), request_.queries);
     }
     if (frames_count()) see();
     if (!contact_ && way_ == FrameSearch::Way::full) build_searcher(chain);
@@ -113,6 +115,31 @@ class Auto final : public Variant {
   bool frames_count() const {
     return plan_->want() != Request::Want::any && request_.queries == SphereRange{} &&
            (always_ || !plan_->all_pairs());
+  }
+
+  /// A find, which `search` does: it is given how this chain and how any other is searched, and what building
+  /// this one took.
+  template <class Search>
+  void timed(const Chain& chain, const Search& search) {
+    if (spheres_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
+    const Stopwatch watch;
+    timings_ = build_timings_;
+    search([this](const Chain& c, const Request& r, Collisions& found) { search_here(c, r, found); },
+           [this](const Chain& c, const Request& r, Collisions& found) { search_other(c, r, found); },
+           build_timings_.build_ms + build_timings_.transfer_ms);
+    if (built_ && plan_->on_device())
+      timings_ = searcher_->timings();
+    else
+      timings_.find_ms = watch.ms();
+  }
+
+  bool answered_by_contact(const Request& request) const {
+    return contact_ && request.want == Request::Want::any && request.queries == request_.queries;
+  }
+  void report_contact(const Chain& chain, const Request& request, Collisions& result) const {
+    PairCollector collector(chain.size(), request, result);
+    collector.lane(0).pair(contact_->i, contact_->j);
+    collector.finish();
   }
 
   void build_searcher(const Chain& chain) {
@@ -160,6 +187,7 @@ class Auto final : public Variant {
   Request request_;
   std::optional<SearchPlan> plan_;
   CoarseLook look_;
+  PartLook part_look_;
   std::optional<Pair> contact_;  ///< of the last frame, found by a look
   FrameSearch frames_;
   FrameSearch::Way way_ = FrameSearch::Way::full;
@@ -173,6 +201,7 @@ class Auto final : public Variant {
   bool built_ = false;                    ///< the searcher, on the chain of the last build or update
   std::optional<std::uint32_t> spheres_;  ///< of the last build or update
   Timings timings_, build_timings_;
+  Collisions own_;  ///< of a find_kept that no frame before helps
 };
 
 const RegisterVariant<Auto, Robust> registered{

@@ -1,15 +1,12 @@
 #pragma once
 #include <cstdint>
-#include <numbers>
 #include <optional>
 
+#include "catena/core/chain/bending_window.h"
 #include "catena/core/chain/chain.h"
 #include "catena/core/strategy/variant.h"
 
 namespace catena::bench {
-
-/// What a tube can bend into is no contact: spheres nearer along it than pi/2 times the sum of their radii.
-inline constexpr double bending_window = std::numbers::pi / 2;
 
 /// Where spheres that grow about the vertices of a tube touch for the first time.
 struct FirstContact {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "catena/core/chain/bending_window.h"
 #include "catena/reference/grid.h"
 
 namespace catena::bench {
@@ -130,7 +131,7 @@ Chain inscribed_chain(const Tube& tube, std::uint32_t n, double offset) {
                        static_cast<float>(tube.radius)});
   }
   return Chain(std::move(spheres), tube.closed ? Strands::one_closed(n) : Strands{},
-               Exclusion::arc(1.5707963267948966));
+               Exclusion::arc(bending_window));
 }
 
 double stored_error(const Tube& tube, std::uint32_t n, double offset) {

@@ -10,6 +10,7 @@
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/family.h"
 #include "catena/properties/generators/shapes.h"
+#include "catena/properties/property.h"
 #include "catena/properties/sorted_pairs.h"
 #include "catena/reference/reference.h"
 #include "hwy/highway.h"
@@ -76,6 +77,24 @@ TEST(SimdTargets, GiveTheExactPairsEachOfThem) {
     chosen.insert(hwy::GetChosenTarget().GetIndex());
   }
   EXPECT_EQ(chosen.size(), targets.size()) << "one was not forced";
+}
+
+/// The same of searches that use what frames have in common.
+TEST(SimdTargets, AnswerFrameAfterFrameEachOfThem) {
+  const std::vector<Solved> solved = solved_chains();
+  const auto subject = properties::Subject::named("auto(frames=always)");
+  auto all = properties::PropertyRegistry::instance().make_all();
+  const auto frames = std::ranges::find(all, "frame after frame", [](const auto& p) { return p->name(); });
+  ASSERT_NE(frames, all.end());
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    const ForcedTarget forced(target);
+    const auto variant = subject.make();
+    for (const Solved& s : solved) {
+      if (s.chain.size() == 0) continue;
+      const auto fault = (*frames)->check(subject, *variant, properties::Case::of(s.chain));
+      EXPECT_FALSE(fault) << hwy::TargetName(target) << ", " << s.name << ": " << *fault;
+    }
+  }
 }
 
 }  // namespace

@@ -7,7 +7,13 @@
 
 #include <algorithm>
 
+#include "catena/core/executor/usable_cores.h"
+
 namespace catena {
+
+unsigned usable_cores() {
+  return static_cast<unsigned>(std::max(1, oneapi::tbb::info::default_concurrency()));
+}
 
 struct Team::Arena {
   explicit Arena(unsigned threads) : arena(static_cast<int>(threads)) {}
@@ -17,8 +23,8 @@ struct Team::Arena {
 Team::Team() = default;
 Team::Team(const Parameters& parameters)
     : size_(static_cast<unsigned>(parameters.unsigned_integer("threads", 0, 1024))) {
-  // Those that this process may use; more bring nothing, and oneTBB would complain of them.
-  const auto cores = static_cast<unsigned>(std::max(1, oneapi::tbb::info::default_concurrency()));
+  // More bring nothing, and oneTBB would complain of them.
+  const unsigned cores = usable_cores();
   size_ = size_ == 0 ? cores : std::min(size_, cores);
   if (size_ > 1) arena_ = std::make_unique<Arena>(size_);
 }

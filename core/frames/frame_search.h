@@ -7,8 +7,10 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/export.h"
+#include "catena/core/frames/frame_answer.h"
 #include "catena/core/frames/kept_list.h"
 #include "catena/core/frames/list_policy.h"
+#include "catena/core/frames/moved_cells.h"
 #include "catena/core/frames/moving_row.h"
 #include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/moved.h"
@@ -34,9 +36,11 @@ class CATENA_API FrameSearch {
     bool measured = false;
   };
 
-  /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too.
+  /// `always`: a way that can be gone is, whatever it costs; for tests, on short chains too. `list` and
+  /// `cells` are what a test may have broken.
   FrameSearch(const Omissions& omissions, bool always,
-              std::unique_ptr<KeptList> list = std::make_unique<KeptList>());
+              std::unique_ptr<KeptList> list = std::make_unique<KeptList>(),
+              std::unique_ptr<MovedCells> cells = std::make_unique<MovedCells>());
   virtual ~FrameSearch() = default;
 
   /// A first frame. `follow`: others are expected.
@@ -47,6 +51,11 @@ class CATENA_API FrameSearch {
   /// this one took where the way is full.
   void find(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,
             const FullSearch& search, double build_ms);
+  /// The same, of all spheres, into an answer of its own, of which what did not change is not written again:
+  /// a frame that moved little costs no more than what moved. Pairs may be there where counts are asked for.
+  /// Stays until the next call of any function but plan and way.
+  const Collisions& find_kept(const Chain& chain, const Request& request, const FullSearch& here,
+                              const FullSearch& search, double build_ms);
 
   /// What was decided for the last frame; nothing for a first frame alone.
   Plan plan() const;
@@ -73,22 +82,25 @@ class CATENA_API FrameSearch {
   bool take(const Moved& moved, std::uint32_t n);
   void remember(const Chain& chain);
   void forget() { answered_ = false; }
-  void search_all(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here);
+  bool search(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,
+              const FullSearch& search, double build_ms);
+  bool search_all(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here);
   void search_by_list(const Chain& chain, const FullSearch& search);
-  void report(const Chain& chain, const Request& request, Collisions& result);
-  void count(std::uint32_t n, Collisions& result);
+  void search_changes(const Chain& chain);
+  /// Frames to wait after the nth time in a row that something did not pay.
+  static std::uint32_t wait_after(std::uint32_t times);
 
   const Omissions omissions_;
   const bool always_;
   Way way_ = Way::full;
   bool frames_ = false;    ///< more than one frame, or others are expected
-  bool answered_ = false;  ///< row_ and pairs_ are those of the last frame that was searched
+  bool answered_ = false;  ///< row_ and answer_ are those of the last frame that was searched
   bool behind_ = false;    ///< an update since was not searched
   bool updated_ = false;   ///< the last frame is not a first one
   MovingRow row_;
-  std::vector<Pair> pairs_;
-  std::vector<std::uint32_t> counts_;  ///< of pairs_, where counts_stand_
-  bool counts_stand_ = false;
+  FrameAnswer answer_;
+  std::vector<std::uint32_t> places_;  ///< of its pairs that are searched again
+  std::vector<Pair> fresh_;            ///< what that found
   std::uint64_t topology_ = 0;
   std::uint32_t window_ = 0;  ///< of a chain whose only rule it is; 0: another rule
   std::vector<SphereRange> ranges_;
@@ -96,14 +108,15 @@ class CATENA_API FrameSearch {
   std::int64_t shift_ = 0;
   std::unique_ptr<KeptList> list_;
   ListPolicy policy_;
-  double move_ = 0, skin_ = 0;            ///< for the next list: of a frame, at most; wanted
+  bool by_list_ = false;                  ///< answer_ is as the list's last find left it
+  double move_ = 0;                       ///< of a frame, at most
+  double skin_ = 0, inner_skin_ = 0;      ///< wanted of the next list
   std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay
   std::uint32_t blind_ = 0, blinds_ = 0;  ///< the same of looking for what frames have in common
   Learned run_, cell_sphere_{4e-6};       ///< of a run that changed, by the tree; of any sphere, by cells
   bool by_cells_ = false;                 ///< the next such search; then, the last one
   double full_ms_ = 0, find_ms_ = 0;      ///< of the last full search; of this frame's
   std::size_t compared_ = 0;              ///< of this frame: runs that changed, or near pairs
-  Collisions own_;
 };
 
 }  // namespace catena

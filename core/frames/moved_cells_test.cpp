@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "catena/core/frames/moved_cells-inl.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/generators/family.h"
 #include "catena/properties/sorted_pairs.h"
@@ -31,8 +30,7 @@ TEST(MovedCells, FindThePairsOfAFew) {
       if (moved.empty() || !cells.lay_out(chain.view(), moved)) continue;
       ++laid_out;
       std::vector<Pair> found, right;
-      cells.search(
-          chain.view(), [&](std::uint32_t i) { return is_moved[i]; }, found);
+      cells.search(chain.view(), found);
       properties::sort(found);
       for (const Pair& p : reference::find(chain).pairs)
         if (is_moved[p.i] || is_moved[p.j]) right.push_back(p);

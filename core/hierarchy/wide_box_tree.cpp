@@ -34,9 +34,14 @@ void WideBoxTree::set(std::size_t level, std::uint32_t k, const Box& box) {
 
 Box WideBoxTree::around(const Group& group) {
   Box box;
-  for (int d = 0; d < 3; ++d)
-    box.low[d] = *std::ranges::min_element(group.low[d]),
-    box.high[d] = *std::ranges::max_element(group.high[d]);
+  for (int d = 0; d < 3; ++d) {
+    // By halves, as vectors take it.
+    std::array<float, fan> low = group.low[d], high = group.high[d];
+    for (std::uint32_t half = fan / 2; half > 0; half /= 2)
+      for (std::uint32_t k = 0; k < half; ++k)
+        low[k] = std::min(low[k], low[k + half]), high[k] = std::max(high[k], high[k + half]);
+    box.low[d] = low[0], box.high[d] = high[0];
+  }
   return box;
 }
 

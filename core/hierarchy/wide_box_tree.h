@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "catena/core/export.h"
@@ -25,29 +26,20 @@ class CATENA_API WideBoxTree {
 
   Box box(std::uint32_t k) const;
 
-  /// visit(g) for groups g of sixteen boxes, 16 g and on, every one of which a box meets this one, and others.
-  template <class Visit>
-  void for_each_group_near(const Box& box, const Visit& visit) const {
-    if (levels_.size() == 1) return visit(0u);
-    if (!levels_.empty()) descend(levels_.size() - 1, 1, 0, box, visit);
-  }
-  /// Bit k: box 16 group + k meets this one.
-  std::uint32_t meeting_in_group(std::uint32_t group, const Box& box) const {
-    return meeting(levels_[0][group], box);
-  }
-
   /// visit(k) for every box k that meets this one, in their order; an empty box meets none.
   template <class Visit>
   void for_each_meeting(const Box& box, const Visit& visit) const {
-    if (!levels_.empty()) descend(levels_.size() - 1, 0, 0, box, visit);
+    if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
   }
 
- private:
-  /// Sixteen boxes, a coordinate after the other.
+  /// Sixteen boxes, a coordinate after the other; an empty one has low above high.
   struct Group {
     std::array<std::array<float, fan>, 3> low, high;
   };
+  /// Groups of boxes, of the boxes around those groups, and so on; the last level is one group.
+  std::span<const std::vector<Group>> levels() const { return levels_; }
 
+ private:
   void set(std::size_t level, std::uint32_t k, const Box& box);
   static Box around(const Group& group);
 
@@ -64,15 +56,14 @@ class CATENA_API WideBoxTree {
   }
 
   template <class Visit>
-  void descend(std::size_t level, std::size_t last, std::uint32_t group, const Box& box,
-               const Visit& visit) const {
+  void descend(std::size_t level, std::uint32_t group, const Box& box, const Visit& visit) const {
     for (std::uint32_t bits = meeting(levels_[level][group], box); bits != 0; bits &= bits - 1) {
       const std::uint32_t child = group * fan + static_cast<std::uint32_t>(std::countr_zero(bits));
-      level == last ? visit(child) : descend(level - 1, last, child, box, visit);
+      level == 0 ? visit(child) : descend(level - 1, child, box, visit);
     }
   }
 
-  std::vector<std::vector<Group>> levels_;  ///< groups of boxes, of groups, and so on; the last is one group
+  std::vector<std::vector<Group>> levels_;
 };
 
 }  // namespace catena

@@ -33,25 +33,6 @@ TEST(WideBoxTree, FindsTheBoxesThatMeet) {
   }
 }
 
-TEST(WideBoxTree, ItsGroupsHaveEveryBoxThatMeets) {
-  for (const std::uint32_t boxes : {1u, 16u, 17u, 257u, 5000u}) {
-    WideBoxTree tree;
-    tree.clear(boxes);
-    for (std::uint32_t k = 0; k < boxes; ++k) tree.set(k, cube(static_cast<float>(k * 7919 % boxes)));
-    tree.refresh(0, boxes);
-    for (const float at : {0.0f, 3.5f, 250.0f, 4998.0f}) {
-      const Box box{{at, 0, 0}, {at + 30, 1, 1}};
-      std::vector<std::uint32_t> by_groups;
-      tree.for_each_group_near(box, [&](std::uint32_t g) {
-        const std::uint32_t bits = tree.meeting_in_group(g, box);
-        for (std::uint32_t k = 0; k < WideBoxTree::fan; ++k)
-          if (bits >> k & 1) by_groups.push_back(g * WideBoxTree::fan + k);
-      });
-      EXPECT_EQ(by_groups, met(tree, box)) << boxes << ' ' << at;
-    }
-  }
-}
-
 /// A sphere as large as floats are has a box without end, which meets whatever is there: not what is not.
 TEST(WideBoxTree, HasNothingWhereNoBoxWasSet) {
   WideBoxTree tree;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "catena/core/counted.h"
@@ -25,6 +26,10 @@ std::span<const Sphere> stretch_of(const Chain& chain, std::uint32_t first, std:
   return chain.spheres().subspan(first, last - first + 1);
 }
 
+bool starts_strand(const Chain& chain, std::uint32_t sphere) {
+  return std::ranges::binary_search(chain.strands().first, sphere);
+}
+
 class Walk {
  public:
   Walk(std::span<const Pair> joints, double tolerance) : joints_(joints), tolerance_(tolerance) {}
@@ -42,23 +47,7 @@ class Walk {
     return kept;
   }
 
-  /// Adds to `kept` what this frame needs; whether that was anything.
-  bool add(const Chain& chain, std::vector<std::uint32_t>& kept) const {
-    std::vector<std::uint32_t> more;
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-      if (k > 0 && !starts_strand(chain, kept[k])) halve(chain, kept[k - 1], kept[k], more);
-      more.push_back(kept[k]);
-    }
-    const bool changed = more.size() != kept.size();
-    kept = std::move(more);
-    return changed;
-  }
-
  private:
-  static bool starts_strand(const Chain& chain, std::uint32_t sphere) {
-    return std::ranges::binary_search(chain.strands().first, sphere);
-  }
-
   std::vector<std::uint32_t> stops_of(const Chain& chain) const {
     std::vector<std::uint32_t> stops;
     const auto& first = chain.strands().first;
@@ -87,34 +76,124 @@ class Walk {
     return from + good;
   }
 
-  void halve(const Chain& chain, std::uint32_t first, std::uint32_t last,
-             std::vector<std::uint32_t>& more) const {
-    if (may_skip(chain, first, last)) return;
-    const std::uint32_t middle = first + (last - first) / 2;
-    halve(chain, first, middle, more);
-    more.push_back(middle);
-    halve(chain, middle, last, more);
-  }
-
   std::span<const Pair> joints_;
   double tolerance_;
 };
 
-void measure(const Chain& chain, Thinning& thinning) {
-  const auto& [first, closed] = chain.strands();
-  for (std::size_t s = 0; s < closed.size(); ++s)
-    if (closed[s] && first[s] < first[s + 1])
-      thinning.own = std::max(thinning.own, share_lost(std::array{chain[first[s + 1] - 1], chain[first[s]]}));
-  std::size_t strand = 0, k = 0;
-  for (std::uint32_t i = 0; i + 1 < chain.size(); ++i) {
-    while (first[strand + 1] <= i) ++strand;
-    while (thinning.kept[k] < i) ++k;
-    if (first[strand + 1] == i + 1) continue;
-    thinning.own = std::max(thinning.own, share_lost(stretch_of(chain, i, i + 1)));
-    if (thinning.kept[k] != i || thinning.kept[k + 1] == i + 1) continue;
-    thinning.lost = std::max(thinning.lost, share_lost(stretch_of(chain, i, thinning.kept[k + 1])));
+/// The most that is lost between two consecutive spheres, over all frames.
+class OwnLoss {
+ public:
+  void look(const Chain& chain) {
+    const auto& [first, closed] = chain.strands();
+    for (std::size_t s = 0; s < closed.size(); ++s) {
+      for (std::uint32_t i = first[s]; i + 1 < first[s + 1]; ++i) step(chain[i], chain[i + 1]);
+      if (closed[s] && first[s] < first[s + 1]) step(chain[first[s + 1] - 1], chain[first[s]]);
+    }
   }
-}
+  double most() const { return most_; }
+
+ private:
+  /// What is lost of a step, as a share of the least radius r, is 1 - sqrt(1 - x / 4), but for rounding,
+  /// which is less than 1e-13 where the radii are alike, and so grows with x = (D^2 - (ra - rb)^2) / r^2:
+  /// only where x is about the greatest so far is the loss to be asked for.
+  void step(const Sphere& a, const Sphere& b) {
+    const double dx = double{b.x} - a.x, dy = double{b.y} - a.y, dz = double{b.z} - a.z;
+    const double taper = double{b.radius} - a.radius, radius = std::min(a.radius, b.radius);
+    const double x = dx * dx + dy * dy + dz * dz - taper * taper, square = radius * radius;
+    if (square > 0 && std::abs(taper) <= radius && x < (0.999999 * greatest_ - 1e-12) * square) return;
+    if (square > 0) greatest_ = std::max(greatest_, x / square);
+    most_ = std::max(most_, share_lost(std::array{a, b}));
+  }
+
+  double greatest_ = 0, most_ = 0;  ///< x; what is lost
+};
+
+/// What is lost of stretches, of their halves, of the halves of these, and so on, most over all frames. What
+/// one frame needs can spoil a stretch of another: so each tells all that may be asked of it.
+class Halves {
+ public:
+  Halves(std::vector<Pair> whole, std::uint32_t spheres, double tolerance)
+      : tolerance_(tolerance), whole_(std::move(whole)), most_(std::size_t{2} * spheres) {}
+
+  void look(const Chain& chain) {
+    for (const Pair& stretch : whole_) look(chain, stretch.i, stretch.j, root(stretch));
+  }
+  /// As few halvings as every frame lets be.
+  void settle(Thinning& thinning) const {
+    for (const Pair& stretch : whole_) keep(stretch.i, stretch.j, root(stretch), thinning);
+  }
+
+ private:
+  // A stretch of k steps has 2 k - 1 stretches in and with it: itself, then those of its first half, then the
+  // others.
+  static std::size_t root(const Pair& stretch) { return std::size_t{2} * stretch.i; }
+  static std::uint32_t middle(std::uint32_t first, std::uint32_t last) { return first + (last - first) / 2; }
+  static std::size_t second_half(std::uint32_t first, std::uint32_t last, std::size_t at) {
+    return at + std::size_t{2} * (middle(first, last) - first);
+  }
+
+  void look(const Chain& chain, std::uint32_t first, std::uint32_t last, std::size_t at) {
+    if (last - first <= 1) return;
+    // By how much it is above the tolerance does not matter.
+    if (most_[at] <= tolerance_) most_[at] = std::max(most_[at], share_lost(stretch_of(chain, first, last)));
+    look(chain, first, middle(first, last), at + 1);
+    look(chain, middle(first, last), last, second_half(first, last, at));
+  }
+  void keep(std::uint32_t first, std::uint32_t last, std::size_t at, Thinning& thinning) const {
+    if (most_[at] > tolerance_) {
+      keep(first, middle(first, last), at + 1, thinning);
+      return keep(middle(first, last), last, second_half(first, last, at), thinning);
+    }
+    thinning.kept.push_back(last);
+    thinning.lost = std::max(thinning.lost, most_[at]);
+  }
+
+  const double tolerance_;
+  const std::vector<Pair> whole_;  ///< their first and last spheres
+  std::vector<double> most_;       ///< share_lost; 0 of a single step, of which nothing is left out
+};
+
+/// The stretches of a walk along frame 0, most of which are good for all frames as they are.
+class Stretches {
+ public:
+  Stretches(const Chain& chain, std::span<const std::uint32_t> walked, double tolerance, Thinning& thinning)
+      : tolerance_(tolerance), thinning_(thinning) {
+    for (std::size_t k = 0; k < walked.size(); ++k)
+      if (starts_strand(chain, walked[k]))
+        thinning.kept.push_back(walked[k]);
+      else
+        whole_.push_back({walked[k - 1], walked[k]});
+    most_.resize(whole_.size());
+  }
+
+  void look(const Chain& chain) {
+    for (std::size_t k = 0; k < whole_.size(); ++k)
+      if (whole_[k].j - whole_[k].i > 1 && most_[k] <= tolerance_)
+        most_[k] = std::max(most_[k], share_lost(stretch_of(chain, whole_[k].i, whole_[k].j)));
+    own_.look(chain);
+  }
+  /// Keeps the ends of those that are good; gives the others.
+  std::vector<Pair> settle() {
+    std::vector<Pair> spoilt;
+    for (std::size_t k = 0; k < whole_.size(); ++k) {
+      if (most_[k] > tolerance_) {
+        spoilt.push_back(whole_[k]);
+        continue;
+      }
+      thinning_.kept.push_back(whole_[k].j);
+      thinning_.lost = std::max(thinning_.lost, most_[k]);
+    }
+    thinning_.own = own_.most();
+    return spoilt;
+  }
+
+ private:
+  const double tolerance_;
+  Thinning& thinning_;
+  std::vector<Pair> whole_;  ///< their first and last spheres
+  std::vector<double> most_;
+  OwnLoss own_;
+};
 
 class Thinned final : public Animation {
  public:
@@ -180,20 +259,25 @@ Thinning thin(const Animation& whole, std::span<const Pair> joints, double toler
     throw InputError(
         "--tolerance leaves spheres out, so that neighbours cannot be told by counting them: "
         "give --arc-window F too, such as pi/2");
-  const Walk walk(joints, tolerance);
-  Thinning thinning{tolerance, chain.size(), walk.first(chain)};
-  // What one frame adds can spoil a stretch of another, so until a whole round adds nothing.
-  const std::uint32_t frames = whole.frames();
-  const auto frame = [&](std::uint32_t f) {
-    Chain moved = whole.frame(f);
-    if (moved.size() != chain.size())
-      throw InputError(fmt::format("--tolerance: frame {} has {}, frame 0 has {}", f,
-                                   counted(moved.size(), "sphere"), chain.size()));
-    return moved;
+  const auto for_each_frame = [&](auto& looks) {
+    looks.look(chain);
+    for (std::uint32_t f = 1; f < whole.frames(); ++f) {
+      const Chain moved = whole.frame(f);
+      if (moved.size() != chain.size())
+        throw InputError(fmt::format("--tolerance: frame {} has {}, frame 0 has {}", f,
+                                     counted(moved.size(), "sphere"), chain.size()));
+      looks.look(moved);
+    }
   };
-  for (std::uint32_t f = 1 % frames, clean = 1; clean < frames; f = (f + 1) % frames)
-    clean = walk.add(frame(f), thinning.kept) ? 1 : clean + 1;
-  for (std::uint32_t f = 0; f < frames; ++f) measure(frame(f), thinning);
+  Thinning thinning{.tolerance = tolerance, .spheres = chain.size(), .kept = {}};
+  Stretches stretches(chain, Walk(joints, tolerance).first(chain), tolerance, thinning);
+  for_each_frame(stretches);
+  if (std::vector<Pair> spoilt = stretches.settle(); !spoilt.empty()) {
+    Halves halves(std::move(spoilt), chain.size(), tolerance);
+    for_each_frame(halves);
+    halves.settle(thinning);
+  }
+  std::ranges::sort(thinning.kept);
   return thinning;
 }
 

@@ -1,6 +1,7 @@
 #include "catena/core/plan/coarse_look.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -11,7 +12,7 @@ namespace catena {
 namespace {
 
 constexpr std::uint32_t nothing = 0xFFFFFFFFu;
-constexpr std::uint32_t coarse = 16;  ///< of a stretch every so many spheres are looked at first
+constexpr std::uint32_t coarse = 32;  ///< of a stretch every so many spheres are looked at first
 constexpr std::uint32_t around = 20;  ///< spheres to either side that are then compared
 constexpr std::uint32_t along = 4;    ///< spheres that follow a middle one
 
@@ -79,10 +80,7 @@ void CoarseLook::lay_out(const ChainView& chain) {
   buckets_.assign(std::bit_ceil(2 * stretches_.size()), nothing);
 }
 
-std::uint32_t CoarseLook::bucket(const std::int32_t (&cell)[3], int dx, int dy, int dz) const {
-  const auto mixed = static_cast<std::uint32_t>(cell[0] + dx) * 0x9E3779B1u ^
-                     static_cast<std::uint32_t>(cell[1] + dy) * 0x85EBCA77u ^
-                     static_cast<std::uint32_t>(cell[2] + dz) * 0xC2B2AE3Du;
+std::uint32_t CoarseLook::bucket(std::uint32_t mixed) const {
   return (mixed ^ mixed >> 15) & static_cast<std::uint32_t>(buckets_.size() - 1);
 }
 
@@ -95,9 +93,18 @@ std::optional<Pair> CoarseLook::look(const ChainView& chain, const SphereRange& 
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
     if (const auto pair = look_along(chain, queries, k * stretch + stretch / 2)) return pair;
     Stretch& own = stretches_[k];
-    for (int d = 0; d < 27; ++d) {
-      for (std::uint32_t e = buckets_[bucket(own.cell, d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1)]; e != nothing;
-           e = stretches_[e].next) {
+    // A hash of a cell is one of its three numbers each, so that those of the cells around it take three
+    // more.
+    const auto part = [](std::int32_t cell, std::uint32_t factor) {
+      const std::uint32_t here = static_cast<std::uint32_t>(cell) * factor;
+      return std::array{here, here - factor, here + factor};
+    };
+    const auto in_x = part(own.cell[0], 0x9E3779B1u), in_y = part(own.cell[1], 0x85EBCA77u),
+               in_z = part(own.cell[2], 0xC2B2AE3Du);
+    std::array<std::uint32_t, 27> hashes;
+    for (std::size_t d = 0; d < 27; ++d) hashes[d] = in_x[d % 3] ^ in_y[d / 3 % 3] ^ in_z[d / 9];
+    for (const std::uint32_t hash : hashes) {
+      for (std::uint32_t e = buckets_[bucket(hash)]; e != nothing; e = stretches_[e].next) {
         if (left-- == 0) return std::nullopt;
         const Stretch& other = stretches_[e];
         const float dx = own.x - other.x, dy = own.y - other.y, dz = own.z - other.z;
@@ -107,7 +114,7 @@ std::optional<Pair> CoarseLook::look(const ChainView& chain, const SphereRange& 
         if (const auto pair = compare(chain, queries, e, k)) return pair;
       }
     }
-    std::uint32_t& head = buckets_[bucket(own.cell, 0, 0, 0)];
+    std::uint32_t& head = buckets_[bucket(hashes[0])];
     own.next = head, head = k;
   }
   return std::nullopt;

@@ -16,8 +16,8 @@ namespace catena {
 /// colliding pair; nothing found proves nothing.
 class CATENA_API CoarseLook {
  public:
-  static constexpr std::uint32_t stretch = 512;  ///< spheres
-  static constexpr std::uint32_t least = 16 * stretch;
+  static constexpr std::uint32_t stretch = 1024;  ///< spheres
+  static constexpr std::uint32_t least = 8 * stretch;
   /// Below, all is searched as quickly.
   static bool pays(std::uint32_t n) { return n >= least; }
 
@@ -39,7 +39,7 @@ class CATENA_API CoarseLook {
   };
   void lay_out(const ChainView& chain);
   static std::optional<Pair> look_along(const ChainView& chain, const SphereRange& queries, std::uint32_t i);
-  std::uint32_t bucket(const std::int32_t (&cell)[3], int dx, int dy, int dz) const;
+  std::uint32_t bucket(std::uint32_t hash) const;  ///< of a cell
   static std::optional<Pair> compare(const ChainView& chain, const SphereRange& queries, std::uint32_t a,
                                      std::uint32_t b);
 

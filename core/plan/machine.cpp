@@ -8,8 +8,8 @@
 #include <fstream>
 #include <locale>
 #include <sstream>
-#include <thread>
 
+#include "catena/core/executor/usable_cores.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -76,7 +76,7 @@ Machine Machine::built_in() {
     if (!info.cost || info.peer || (!on_device && info.unavailable && info.unavailable())) continue;
     machine.costs.push_back({name, with_threads(info), on_device, info.all_pairs, info.unavailable});
   }
-  machine.cores = std::max(1u, std::thread::hardware_concurrency());
+  machine.cores = usable_cores();
   machine.source = "built-in figures; catena calibrate measures this machine's";
   return machine;
 }

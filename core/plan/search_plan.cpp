@@ -6,6 +6,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/plan/coarse_look.h"
+#include "catena/core/plan/part_look.h"
 #include "catena/core/strategy/variant_name.h"
 
 namespace catena {
@@ -135,8 +136,9 @@ Plan SearchPlan::steps() const {
   plan.push_back({info_of(Omission::after_hit).step, want_ == any,
                   "one pair is the answer yes" + switched_off(omissions_, Omission::after_hit)});
   plan.push_back({info_of(Omission::other_places).step, look_first_,
-                  (look_first_ ? fmt::format("a look at every {}th sphere first, {} of {}",
-                                             CoarseLook::stretch, n_ / CoarseLook::stretch, n_)
+                  (look_first_ ? fmt::format("a look at every {}th sphere first, {} of {}{}",
+                                             CoarseLook::stretch, n_ / CoarseLook::stretch, n_,
+                                             PartLook::pays(n_) ? fmt::format(", then at one of {} parts", PartLook::parts) : "")
                                : fmt::format("{} spheres: a look pays from {} on", n_, CoarseLook::least)) +
                       switched_off(omissions_, Omission::other_places)});
   return plan;

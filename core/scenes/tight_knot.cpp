@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catena/core/chain/bending_window.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/setup.h"
 #include "catena/core/scenes/still.h"
@@ -26,7 +27,7 @@ Chain tight_knot(const SceneSetup& setup, const TorusCurve& knot, double margin)
   spheres.reserve(n);
   for (const double t : knot.equal_steps(n)) spheres.push_back(setup.place(1 / radius * knot.position(t)));
   // What a tube of this thickness can bend into lies nearer than pi r along it: not a contact.
-  return Chain(std::move(spheres), Strands::one_closed(n), Exclusion::arc(1.5707963267948966));
+  return Chain(std::move(spheres), Strands::one_closed(n), Exclusion::arc(bending_window));
 }
 
 const RegisterScene registered{

@@ -4,15 +4,17 @@
 #include <vector>
 
 #include "catena/core/default_floats.h"
+#include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/strategy/variant.h"
 
 namespace catena {
 
 /// A variant as the registry gives it out: whatever the floating-point environment of its caller, it builds
 /// and finds in the default one. All else is passed on; a test holds that to every function of Variant.
-class InDefaultFloats final : public Variant {
+class InDefaultFloats final : public Variant, public KeepsAnswer {
  public:
-  explicit InDefaultFloats(std::unique_ptr<Variant> variant) : variant_(std::move(variant)) {}
+  explicit InDefaultFloats(std::unique_ptr<Variant> variant)
+      : variant_(std::move(variant)), keeper_(dynamic_cast<KeepsAnswer*>(variant_.get())) {}
 
   void prepare(const Request& request) override { variant_->prepare(request); }
   void build(const Chain& chain) override {
@@ -40,8 +42,17 @@ class InDefaultFloats final : public Variant {
   Accounting evidence() const override { return variant_->evidence(); }
   ResidentSearch* resident() override { return variant_->resident(); }
 
+  const Collisions& find_kept(const Chain& chain, const Request& request) override {
+    const DefaultFloats floats;
+    if (keeper_ != nullptr) return keeper_->find_kept(chain, request);
+    variant_->find(chain, request, own_);
+    return own_;
+  }
+
  private:
   std::unique_ptr<Variant> variant_;
+  KeepsAnswer* keeper_;  ///< the same, if it is one
+  Collisions own_;       ///< where it is none
 };
 
 }  // namespace catena

@@ -91,6 +91,76 @@ class GrowthForgotten final : public KeptList {
 const RegisterMutant<WithList<GrowthForgotten>> growth{
     "growth-forgotten", "a skin for what moves alone, where radii grow", frames_parameter};
 
+class InnerListNeverPruned final : public KeptList {
+  bool inner_holds(std::span<const Sphere> now) const override { return now.size() == pruned_at().size(); }
+};
+const RegisterMutant<WithList<InnerListNeverPruned>> never_pruned{
+    "inner-list-never-pruned-again",
+    "GROMACS 2018 to 2024 (issue 5138): pairs lost through a pruned list that outlived its skin",
+    frames_parameter};
+
+class ShrinkingForgotten final : public KeptList {
+  bool inner_holds(std::span<const Sphere> now) const override {
+    return KeptList::inner_holds(now) ||
+           (now.size() == pruned_at().size() &&
+            std::ranges::equal(now, pruned_at(), [](const Sphere& a, const Sphere& b) {
+              return a.x == b.x && a.y == b.y && a.z == b.z && a.radius <= b.radius;
+            }));
+  }
+};
+const RegisterMutant<WithList<ShrinkingForgotten>> shrinking{
+    "shrinking-forgotten", "pairs that touched deeply are taken to touch for good, where radii shrink",
+    frames_parameter};
+
+template <class Cells>
+class WithCells final : public FaultyFrames {
+ public:
+  WithCells()
+      : FaultyFrames(std::make_unique<FrameSearch>(Omissions(), true, std::make_unique<KeptList>(),
+                                                   std::make_unique<Cells>())) {}
+};
+
+class ReachOfOneRadius final : public MovedCells {
+  float reach(const Sphere& s, float) const override { return s.radius; }
+};
+const RegisterMutant<WithCells<ReachOfOneRadius>> one_radius{
+    "moved-reach-of-one-radius",
+    "a sphere that moved is looked for where centres lie in it, not where spheres touch", frames_parameter};
+
+class MetFromBoth final : public MovedCells {
+  bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved) override {
+    none_.assign(chain.size / 32 + 1, 0);
+    return MovedCells::lay_out(chain, moved);
+  }
+  CellsOfFew view() const override {
+    CellsOfFew cells = MovedCells::view();
+    cells.is_few = none_.data();
+    return cells;
+  }
+  std::vector<std::uint32_t> none_;
+};
+const RegisterMutant<WithCells<MetFromBoth>> both{
+    "moved-met-from-both", "a pair of two spheres that moved is found from each of them", frames_parameter};
+
+class LastMovedForgotten final : public MovedCells {
+  bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved) override {
+    return MovedCells::lay_out(chain, moved.size() > 1 ? moved.first(moved.size() - 1) : moved);
+  }
+};
+const RegisterMutant<WithCells<LastMovedForgotten>> last_moved{
+    "moved-last-forgotten", "the last sphere that moved is not laid out", frames_parameter};
+
+class CellsOfAnotherScale final : public MovedCells {
+  CellsOfFew view() const override {
+    CellsOfFew cells = MovedCells::view();
+    for (float& scale : cells.scale) scale *= 0.9f;
+    return cells;
+  }
+};
+const RegisterMutant<WithCells<CellsOfAnotherScale>> scale{
+    "moved-cells-of-another-scale", "places are laid out and looked up by cells of different width",
+    frames_parameter};
+
 class DirtyRangeTooShort final : public FrameSearch {
  public:
   using FrameSearch::FrameSearch;

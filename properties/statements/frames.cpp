@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "catena/core/strategy/keeps_answer.h"
 #include "catena/properties/property.h"
 #include "catena/reference/compare.h"
 
@@ -68,7 +69,7 @@ class Film {
 
   void grow(float factor) {
     for (Sphere& s : spheres_) nudge(s.radius, s.radius * (factor - 1));
-    add("growth", false, {});
+    add(factor > 1 ? "growth" : "shrinking", false, {});
   }
 
   /// What follows a sphere turns about it by a right angle.
@@ -114,6 +115,7 @@ std::vector<Frame> film_of(const Chain& chain) {
   if (chain.size() > 64) return film.take();
   for (int k = 0; k < 12; ++k) film.drift(0.06f * radius);
   for (int k = 0; k < 6; ++k) film.grow(1.06f);
+  for (int k = 0; k < 4; ++k) film.grow(0.85f);
   film.pivot(), film.still(false), film.parts(true, 1);
   return film.take();
 }
@@ -135,7 +137,14 @@ class Frames final : public Property {
   std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
     using Want = Request::Want;
     const auto& frames = frames_(test, [&] { return film_of(test.chain); });
-    for (const bool searched : {true, false}) {  // each frame is searched, or every third alone
+    enum class Pass {
+      each,
+      each_kept,
+      every_third
+    };  // each frame is searched, into the variant's own answer, or few are
+    auto* const keeper = dynamic_cast<KeepsAnswer*>(&variant);
+    for (const Pass pass : {Pass::each, Pass::each_kept, Pass::every_third}) {
+      if (pass == Pass::each_kept && keeper == nullptr) continue;
       variant.prepare({.frames_follow = true});
       variant.build(test.chain);
       variant.find(test.chain, {}, found_);
@@ -144,7 +153,13 @@ class Frames final : public Property {
         variant.update(frame.test.chain, frame.told         ? Moved(frame.ranges)
                                          : frame.shift != 0 ? Moved::along(frame.shift)
                                                             : Moved());
-        if (!searched && k % 3 != 2) continue;
+        if (pass == Pass::every_third && k % 3 != 2) continue;
+        if (pass == Pass::each_kept) {
+          if (!reference::compare(frame.test.chain, frame.test.exact, keeper->find_kept(frame.test.chain, {}))
+                   .right())
+            return fmt::format("frame {}, {}: another answer where it is kept", k, frame.name);
+          continue;
+        }
         variant.find(frame.test.chain, {}, found_);
         if (!reference::compare(frame.test.chain, frame.test.exact, found_).right())
           return fmt::format("frame {}, {}: {} pairs, exactly {}", k, frame.name, found_.pair_count,
