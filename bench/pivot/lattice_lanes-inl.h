@@ -1,5 +1,5 @@
-// Boxes and moves of the lattice in eight lanes, see WalkTree::Lanes. Compiled once a target: no include guard but
-// Highway's.
+// Boxes and moves of the lattice in eight lanes, see WalkTree::Lanes. Compiled once a target: no include
+// guard but Highway's.
 #if defined(CATENA_BENCH_PIVOT_LATTICE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_BENCH_PIVOT_LATTICE_LANES_INL_H
 #undef CATENA_BENCH_PIVOT_LATTICE_LANES_INL_H
@@ -61,9 +61,7 @@ struct LatticeLanes {
     hn::StoreMaskBits(Tag(), mask, bytes);
     return bytes[0];
   }
-  HWY_INLINE LatticeLanes negated_high() const {
-    return {hn::ConcatUpperLower(Tag(), hn::Neg(v), v)};
-  }
+  HWY_INLINE LatticeLanes negated_high() const { return {hn::ConcatUpperLower(Tag(), hn::Neg(v), v)}; }
 #else
   WalkTree::Lanes v;
 

@@ -22,8 +22,7 @@ WalkTree::Lanes between(std::uint32_t first, std::uint32_t last) {
 PivotWalk::PivotWalk(std::uint32_t points) {
   if (points < 2 || points > 1u << 30)
     throw InputError(fmt::format("a walk has 2 to 2^30 points, not {}", points));
-  tree_.size = points;
-  while (std::uint64_t{tree_.leaves} * WalkTree::most_in_leaf < points) tree_.leaves *= 2, ++tree_.leaf_bits;
+  static_cast<PivotHeap&>(tree_) = PivotHeap(points);
   const std::uint32_t leaves = tree_.leaves;
   tree_.near.resize(points);
   for (std::uint32_t leaf = leaves; leaf < 2 * leaves; ++leaf)

@@ -33,7 +33,6 @@ LatticeSymmetry::Products LatticeSymmetry::make_products() {
   return products;
 }
 
-
 LatticeSymmetry::Inverses LatticeSymmetry::make_inverses() {
   Inverses inverses{};
   for (std::size_t k = 0; k < count; ++k)

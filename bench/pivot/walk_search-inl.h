@@ -33,8 +33,7 @@ class WalkSearch {
     std::vector<Pivot> sorted(pivots.begin(), pivots.end());
     std::ranges::sort(sorted, {}, &Pivot::site);
     if (!meets_itself(Part{LatticeLanes::point_of({}), 1, 0, tree_.size, from_origin()}, sorted)) return true;
-    for (std::size_t k = pivots.size(); k-- > 0;)
-      turn(Cut(tree_, pivots[k].site), pivots[k].turn.inverse());
+    for (std::size_t k = pivots.size(); k-- > 0;) turn(Cut(tree_, pivots[k].site), pivots[k].turn.inverse());
     return false;
   }
 
@@ -64,17 +63,18 @@ class WalkSearch {
   struct Cut {
     std::uint32_t site, leaf;
     std::size_t levels;
-    LatticeLanes centre;  ///< of the turn: the last point before the cut
+    LatticeLanes centre;                         ///< of the turn: the last point before the cut
     std::array<Move, WalkTree::most_levels> at;  ///< of the nodes on the way, the root's first
 
     HWY_INLINE Cut(const WalkTree& tree, std::uint32_t before)
-        : site(before), leaf(tree.leaf_of(before)), levels(static_cast<std::size_t>(tree.leaf_bits) + 1) {
+        : site(before), leaf(tree.leaf_of(before)), levels(tree.levels()) {
       // The way is known from the site: its cache misses need not queue.
       __builtin_prefetch(&tree.near[site]);
       for (std::size_t level = levels - 1; level-- > 0;) __builtin_prefetch(&tree.halves[node(level)]);
       at[0] = from_origin();
       for (std::size_t level = 1; level < levels; ++level)
-        at[level] = goes_later(level - 1) ? at_later(tree.halves[node(level - 1)], at[level - 1]) : at[level - 1];
+        at[level] =
+            goes_later(level - 1) ? at_later(tree.halves[node(level - 1)], at[level - 1]) : at[level - 1];
       centre = at[levels - 1](LatticeLanes::point(tree.near[site]));
     }
     std::uint32_t node(std::size_t level) const { return leaf >> (levels - 1 - level); }
@@ -103,8 +103,8 @@ class WalkSearch {
       __builtin_prefetch(&tree_.halves[node]);
   }
 
-  /// A point of one is a point of the other; their boxes meet. What is nearest to where the two join is looked at
-  /// first: a walk that meets itself mostly does so there.
+  /// A point of one is a point of the other; their boxes meet. What is nearest to where the two join is
+  /// looked at first: a walk that meets itself mostly does so there.
   bool meet(const Part& before, const Part& after) const {
     const bool one = tree_.is_leaf(before.node), other = tree_.is_leaf(after.node);
     if (one && other) return points_meet(before, after);
@@ -176,13 +176,15 @@ class WalkSearch {
 
   /// Turns everything after the cut about the last point before it.
   void turn(const Cut& cut, LatticeSymmetry turn) {
-    std::array<LatticeLanes, WalkTree::most_levels> end;  // of the nodes on the way, as they are before the turn
+    std::array<LatticeLanes, WalkTree::most_levels>
+        end;  // of the nodes on the way, as they are before the turn
     end[0] = LatticeLanes::point_of(tree_.end);
     for (std::size_t level = 0; level + 1 < cut.levels; ++level) {
       const Halves& halves = tree_.halves[cut.node(level)];
       const LatticeLanes earlier_end = LatticeLanes::earlier_end(halves);
-      end[level + 1] =
-          cut.goes_later(level) ? (end[level] - earlier_end).turned(halves.later_turn().inverse()) : earlier_end;
+      end[level + 1] = cut.goes_later(level)
+                           ? (end[level] - earlier_end).turned(halves.later_turn().inverse())
+                           : earlier_end;
     }
 
     const LatticeSymmetry in_leaf = seen_from(cut.at_leaf(), turn);
@@ -194,11 +196,13 @@ class WalkSearch {
                        static_cast<std::int8_t>(at.z), 0};
     }
 
-    LatticeLanes box = some_of(cut.leaf, tree_.first_point(cut.leaf), beyond, Move{{}, LatticeLanes::point_of({})}).box;
+    LatticeLanes box =
+        some_of(cut.leaf, tree_.first_point(cut.leaf), beyond, Move{{}, LatticeLanes::point_of({})}).box;
     LatticeLanes now = LatticeLanes::point(tree_.near[beyond - 1]);
     for (std::size_t level = cut.levels - 1; level-- > 0;) {
       Halves& halves = tree_.halves[cut.node(level)];
-      LatticeLanes earlier_box = LatticeLanes::load(halves.earlier), later_box = LatticeLanes::load(halves.later);
+      LatticeLanes earlier_box = LatticeLanes::load(halves.earlier),
+                   later_box = LatticeLanes::load(halves.later);
       const LatticeLanes old_end = LatticeLanes::earlier_end(halves);
       LatticeSymmetry later_turn = halves.later_turn();
       LatticeLanes earlier_end = old_end;
@@ -219,7 +223,8 @@ class WalkSearch {
     tree_.end = now.low();
   }
 
-  /// Of these pivots, which lie between points of the part. A part without one is as it was, free of collisions.
+  /// Of these pivots, which lie between points of the part. A part without one is as it was, free of
+  /// collisions.
   bool meets_itself(const Part& whole, std::span<const Pivot> sorted) const {
     if (sorted.empty()) return false;
     if (tree_.is_leaf(whole.node)) {

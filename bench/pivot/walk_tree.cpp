@@ -11,7 +11,9 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::bench::HWY_NAMESPACE {
 
 bool attempt_one_here(WalkTree& tree, const Pivot& pivot) { return WalkSearch(tree).attempt(pivot); }
-bool attempt_all_here(WalkTree& tree, std::span<const Pivot> pivots) { return WalkSearch(tree).attempt(pivots); }
+bool attempt_all_here(WalkTree& tree, std::span<const Pivot> pivots) {
+  return WalkSearch(tree).attempt(pivots);
+}
 
 }  // namespace catena::bench::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -22,7 +24,9 @@ namespace catena::bench {
 HWY_EXPORT(attempt_one_here);
 HWY_EXPORT(attempt_all_here);
 
-bool attempt(WalkTree& tree, const Pivot& pivot) { return HWY_DYNAMIC_DISPATCH(attempt_one_here)(tree, pivot); }
+bool attempt(WalkTree& tree, const Pivot& pivot) {
+  return HWY_DYNAMIC_DISPATCH(attempt_one_here)(tree, pivot);
+}
 bool attempt(WalkTree& tree, std::span<const Pivot> pivots) {
   return HWY_DYNAMIC_DISPATCH(attempt_all_here)(tree, pivots);
 }

@@ -1,28 +1,24 @@
 #pragma once
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "catena/bench/pivot/pivot.h"
+#include "catena/bench/pivot/pivot_heap.h"
 #include "catena/bench/pivot/symmetry.h"
 
 namespace catena::bench {
 
-/// The state of a PivotWalk: a binary tree over the points of a walk, nodes as in a heap (1 is the root, 2k and
-/// 2k + 1 are below k, the last level are the leaves).
-struct WalkTree {
-  static constexpr std::uint32_t most_in_leaf = 8;
-  static constexpr std::size_t most_levels = 32;
-
-  /// A box as x, y, z of its low end, then of its high end negated: a symmetry moves lanes and needs no sign, the
-  /// join of two is their least, and two are apart where one's and the other's halves exchanged have a sum above 0.
-  /// Lanes 3 and 7 are no part of it.
+/// The state of a PivotWalk.
+struct WalkTree : PivotHeap {
+  /// A box as x, y, z of its low end, then of its high end negated: a symmetry moves lanes and needs no sign,
+  /// the join of two is their least, and two are apart where one's and the other's halves exchanged have a
+  /// sum above 0. Lanes 3 and 7 are no part of it.
   using Lanes = std::array<std::int32_t, 8>;
 
-  /// The two halves of a subwalk, both as the node sees them: from the point before it, turned in some way that its
-  /// parents know. All that a search reads of them is one line of the cache.
+  /// The two halves of a subwalk, both as the node sees them: from the point before it, turned in some way
+  /// that its parents know. All that a search reads of them is one line of the cache.
   struct alignas(64) Halves {
     Lanes earlier;  ///< lanes 3 and 7: x and y of the earlier half's last point
     Lanes later;    ///< lane 3: its z; lane 7: how the later half is turned, by number
@@ -39,33 +35,13 @@ struct WalkTree {
     std::int8_t x, y, z, spare;
   };
 
-  std::uint32_t size = 0, leaves = 1;
-  int leaf_bits = 0;           ///< leaves is 2 to this power
   std::vector<Halves> halves;  ///< of inner nodes
   LatticePoint end;            ///< the last point, as the root sees it
   std::vector<NearPoint> near;
-
-  bool is_leaf(std::uint32_t node) const { return node >= leaves; }
-  std::uint32_t first_point(std::uint32_t leaf) const {
-    return static_cast<std::uint32_t>(std::uint64_t{leaf - leaves} * size >> leaf_bits);
-  }
-  /// The first point below a node.
-  std::uint32_t first_below(std::uint32_t node) const {
-    return first_point(node << (std::bit_width(leaves) - std::bit_width(node)));
-  }
-  /// The first point beyond a node.
-  std::uint32_t end_below(std::uint32_t node) const {
-    return first_point((node + 1) << (std::bit_width(leaves) - std::bit_width(node)));
-  }
-  std::uint32_t leaf_of(std::uint32_t point) const {
-    auto leaf = leaves + static_cast<std::uint32_t>((std::uint64_t{point} << leaf_bits) / size);
-    while (first_point(leaf + 1) <= point) ++leaf;  // rounded down, it may be one too early
-    return leaf;
-  }
 };
 
-/// Makes the move, or the moves one after the other, where the walk stays self-avoiding; otherwise leaves it as it was
-/// and says false.
+/// Makes the move, or the moves one after the other, where the walk stays self-avoiding; otherwise leaves it
+/// as it was and says false.
 bool attempt(WalkTree& tree, const Pivot& pivot);
 bool attempt(WalkTree& tree, std::span<const Pivot> pivots);
 

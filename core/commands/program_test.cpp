@@ -63,6 +63,9 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("knots nowhere.vect --knot 3_1", "nowhere.vect");
   expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from");
   expect_refused("pivot --n 1", "--n: 1 is not a whole number from");
+  expect_refused("pivot --n 5e6 --rotations any", "--n must be at most 2^22 with --rotations any");
+  expect_refused("pivot --n 50 --rotations some", "--rotations: some not in {lattice,any}");
+  expect_refused("pivot --n 50 --rotations any --at-once", "--at-once goes with --rotations lattice");
   expect_refused("pivot --n 50 --moves 64 --out /nowhere/x.chain", "cannot write /nowhere/x.chain");
   expect_refused("scaling path1:n=300 --ranks 1", "--ranks: Value 1 not in range");
   expect_refused("plan nowhere", "no scene is named 'nowhere'");
