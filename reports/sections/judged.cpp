@@ -79,21 +79,22 @@ void add_growth(nlohmann::ordered_json& rows, std::uint32_t most) {
     }
 }
 
-void add_exponent(nlohmann::ordered_json& rows, std::uint64_t moves) {
+template <class Walk>
+void add_exponent(nlohmann::ordered_json& rows, std::uint64_t moves, const std::string& of,
+                  const std::string& options) {
   constexpr std::uint32_t most = 4096;
   std::vector<bench::EndToEnd> lengths;
   Random random(1);
   for (std::uint32_t n = most / 32; n <= most; n *= 2) {
-    bench::PivotWalk walk(n);
+    Walk walk(n);
     lengths.push_back(bench::measure_end_to_end(walk, moves, random));
   }
   const auto exponent = bench::fit_exponent(lengths);
-  rows.push_back(
-      row("Clisby and Dünweg (2016)",
-          fmt::format("exponent nu of self-avoiding walks, {} to {} points under pivots", most / 32, most),
-          fmt::format("{:.8f} ± {:.8f}", exponent.published, exponent.published_error),
-          fmt::format("{:.4f} ± {:.4f}", exponent.nu, exponent.half_width), exponent.agrees(),
-          fmt::format("catena pivot --exponent --n {} --moves {}", most, moves)));
+  rows.push_back(row("Clisby and Dünweg (2016)",
+                     fmt::format("exponent nu of {}, {} to {} points under pivots", of, most / 32, most),
+                     fmt::format("{:.8f} ± {:.8f}", exponent.published, exponent.published_error),
+                     fmt::format("{:.4f} ± {:.4f}", exponent.nu, exponent.half_width), exponent.agrees(),
+                     fmt::format("catena pivot --exponent --n {} --moves {}{}", most, moves, options)));
 }
 
 void add_knots(nlohmann::ordered_json& rows, std::uint32_t points) {
@@ -125,7 +126,9 @@ nlohmann::ordered_json judged(const Profile& profile) {
     add_knots(rows, 8 * profile.judged_side);
   });
   add_growth(rows, profile.judged_n);
-  add_exponent(rows, profile.judged_moves);
+  add_exponent<bench::PivotWalk>(rows, profile.judged_moves, "self-avoiding walks", "");
+  add_exponent<bench::RotatedChain<>>(
+      rows, profile.judged_moves, "spheres that touch along a chain, by any rotation", " --rotations any");
   return rows;
 }
 
