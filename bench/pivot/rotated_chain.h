@@ -22,12 +22,11 @@ namespace catena::bench {
 /// than
 ///   2 sqrt(3) 2^-24 E < `rounding` = 2^-22 E.
 /// - A place composed down d <= 31 levels is wrong by the sum over levels k of what k products of quaternions
-/// (8u each,
-///   twice that of what is turned) and one rotation (32u) make of a step of at most 2E: less than (16k + 32)
-///   u 2E, altogether less than 2^15 u E. A move changes the distance of two spheres that it turns alike by
-///   four such errors and by the rounding of what it stores, less than as much again: by less than 2^18 u E =
-///   2^-35 E, and `drift` is 2^-33 E. The balls are wrong by less than that, too, as each is joined anew from
-///   those below.
+/// and one
+///   rotation make of a step of at most 2E: by less than 2^17 u E. A move changes the distance of two spheres
+///   that it turns alike by four such errors and by the rounding of what it stores, less than as much again:
+///   by less than `drift` = 2^-33 E. The balls are wrong by less than that, too, as each is joined anew from
+///   those below. properties/proofs/rotation_binary64.g has the proof.
 /// - A list holds every pair nearer than 2 radius + skin when it was made or when last a pivot was between
 /// them. While
 ///   the drifts since are less than skin - rounding, no pair out of the list can collide by turning alike;
