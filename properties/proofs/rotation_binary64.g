@@ -7,7 +7,7 @@
 # 4. a place down 31 levels is wrong by less than 2^17 u times the extent, and a move changes the distance of two spheres
 #    that it turns alike by less than drift = 2^-33 of the extent;
 # 5. rounding to binary32 and 4. together change the distance of two spheres by less than rounding = 2^-22 of the extent.
-# Components of axis x v + w v are at most 1, as its length is the sine of half the angle times that of v, or less.
+# Components of axis x v + w v are at most 1: axis x v is orthogonal to v, so its length is at most that of v.
 
 @r = float<ieee_64, ne>;
 
