@@ -1,6 +1,7 @@
 #include "catena/bench/pivot/end_to_end.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -19,9 +20,12 @@ double square(const Vec3& v) { return dot(v, v); }
 std::uint32_t below(std::uint32_t n, Random& random) { return static_cast<std::uint32_t>(random.unit() * n); }
 
 template <class Walk, class Move>
-EndToEnd measure(Walk& walk, std::uint64_t attempts, Random& random, const Move& random_move) {
-  for (std::uint64_t k = 0; k < attempts / 5; ++k) walk.attempt(random_move(walk.size(), random));
-  EndToEnd seen{.points = walk.size(), .attempts = attempts / runs * runs};
+EndToEnd measure(Walk& walk, std::uint64_t attempts, Random& random, std::optional<std::uint64_t> warm_up,
+                 const Move& random_move) {
+  EndToEnd seen{.points = walk.size(),
+                .warm_up = warm_up.value_or(std::max(attempts / 5, std::uint64_t{20} * walk.size())),
+                .attempts = attempts / runs * runs};
+  for (std::uint64_t k = 0; k < seen.warm_up; ++k) walk.attempt(random_move(walk.size(), random));
   double means = 0, squares = 0;
   std::uint64_t accepted = 0;
   const double start = processor_us();
@@ -57,12 +61,14 @@ RotationPivot random_rotation_pivot(std::uint32_t spheres, Random& random) {
   return {site, random_rotation(random)};
 }
 
-EndToEnd measure_end_to_end(PivotWalk& walk, std::uint64_t attempts, Random& random) {
-  return measure(walk, attempts, random, random_pivot);
+EndToEnd measure_end_to_end(PivotWalk& walk, std::uint64_t attempts, Random& random,
+                            std::optional<std::uint64_t> warm_up) {
+  return measure(walk, attempts, random, warm_up, random_pivot);
 }
 
-EndToEnd measure_end_to_end(RotatedChain<>& chain, std::uint64_t attempts, Random& random) {
-  return measure(chain, attempts, random, random_rotation_pivot);
+EndToEnd measure_end_to_end(RotatedChain<>& chain, std::uint64_t attempts, Random& random,
+                            std::optional<std::uint64_t> warm_up) {
+  return measure(chain, attempts, random, warm_up, random_rotation_pivot);
 }
 
 bool Exponent::agrees() const { return std::fabs(nu - published) <= half_width + published_error; }
@@ -87,6 +93,7 @@ Exponent fit_exponent(std::span<const EndToEnd> lengths) {
 
 nlohmann::ordered_json to_json(const EndToEnd& seen) {
   return {{"n", seen.points},
+          {"warm_up", seen.warm_up},
           {"attempts", seen.attempts},
           {"acceptance", seen.acceptance},
           {"mean_square", seen.mean_square},

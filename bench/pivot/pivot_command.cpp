@@ -28,10 +28,12 @@ class PivotCommand final : public Command {
     app.add_option("--n", points_, "Points of the walk")
         ->transform(whole_number_option(2))
         ->capture_default_str();
-    app.add_option("--moves", moves_,
-                   "Attempts that are measured, after a fifth as many from a straight walk on")
+    app.add_option("--moves", moves_, "Attempts that are measured")
         ->transform(whole_number_option(64))
         ->capture_default_str();
+    app.add_option("--warm-up", warm_up_,
+                   "Attempts before, from a straight walk on (default: a fifth of the moves, or 20 a point)")
+        ->transform(whole_number_option());
     app.add_option("--seed", seed_, "Of the random pivots")
         ->transform(whole_number_option())
         ->capture_default_str();
@@ -84,7 +86,7 @@ class PivotCommand final : public Command {
     Random random(seed_);
     for (std::uint64_t points = exponent_ ? points_ / 32 : points_; points <= points_; points *= 2) {
       Walk walk(static_cast<std::uint32_t>(points));
-      lengths.push_back(measure_end_to_end(walk, moves_, random));
+      lengths.push_back(measure_end_to_end(walk, moves_, random, warm_up_));
       const bool avoids_itself =
           reference::find(judged(walk), {.want = Request::Want::counts}).pair_count == 0;
       print(lengths.back(), avoids_itself);
@@ -152,6 +154,7 @@ class PivotCommand final : public Command {
 
   std::uint64_t points_ = 4096, moves_ = 100'000, seed_ = 1;
   bool exponent_ = false, at_once_ = false, json_ = false;
+  std::optional<std::uint64_t> warm_up_;
   std::string out_, rotations_ = "lattice";
 };
 

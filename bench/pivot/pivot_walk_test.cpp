@@ -185,6 +185,27 @@ TEST(EndToEnd, IsThatOfAllWalksOfTwoSteps) {
   EXPECT_LT(seen.error, 0.02);
 }
 
+/// A chain whose joints are still straight is longer than it should be: 60 runs of few moves from a straight
+/// chain on, against one of many.
+TEST(EndToEnd, IsNotThatOfAChainWhichIsStraightStill) {
+  constexpr std::uint32_t n = 1000;
+  Random random(12);
+  RotatedChain<> chain(n);
+  const EndToEnd right = measure_end_to_end(chain, 200'000, random);
+  double mean = 0, squares = 0;
+  constexpr int runs = 60;
+  for (int k = 0; k < runs; ++k) {
+    RotatedChain<> fresh(n);
+    const EndToEnd seen = measure_end_to_end(fresh, 64, random);
+    EXPECT_EQ(seen.warm_up, 20 * n);
+    mean += seen.mean_square / runs, squares += seen.mean_square * seen.mean_square / runs;
+  }
+  const double error = std::sqrt((squares - mean * mean) / (runs - 1));
+  EXPECT_NEAR(mean, right.mean_square, 4 * (error + right.error));
+  RotatedChain<> stiff(n);
+  EXPECT_GT(measure_end_to_end(stiff, 64, random, 200).mean_square, 2 * right.mean_square);
+}
+
 TEST(EndToEnd, GivesTheExponentOfAPowerLaw) {
   std::vector<EndToEnd> lengths;
   for (std::uint32_t n = 101; n < 20'000; n *= 2) {

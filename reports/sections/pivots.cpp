@@ -13,7 +13,7 @@ nlohmann::ordered_json pivots(const Profile& profile) {
   Random random(1);
   bench::PivotWalk walk(longest);
   const std::uint64_t moves = 15 * profile.judged_moves;
-  auto speed = bench::to_json(bench::measure_end_to_end(walk, moves, random));
+  auto speed = bench::to_json(bench::measure_end_to_end(walk, moves, random, 4 * longest));
   speed["published_us"] = 3.876643180847168;
   speed["published_by"] =
       "github.com/bencwallace/pivot at a39c81f, bench/times3_fast.json, Apple M1 Pro, from a walk after 20 "

@@ -262,6 +262,7 @@ def run(**options):
             "pivots": {
                 "speed": {
                     "n": 1000,
+                    "warm_up": 4000,
                     "attempts": 64000,
                     "acceptance": 0.25,
                     "us_per_attempt": 1.5,

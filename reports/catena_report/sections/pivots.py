@@ -19,7 +19,7 @@ def _speed(speed):
         f" {words.significant(speed['bytes_per_point'], 3)} bytes a point; {speed['acceptance']:.3f} of"
         f" {words.count(speed['attempts'])} attempts were accepted. Published:"
         f" {words.significant(speed['published_us'], 3)} µs ({speed['published_by']})."
-        f" `catena pivot --n {speed['n']} --moves {speed['attempts']}`"
+        f" `catena pivot --n {speed['n']} --warm-up {speed['warm_up']} --moves {speed['attempts']}`"
     )
 
 
