@@ -6,6 +6,7 @@
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_answer.h"
 #include "catena/cuda/device_buffer.h"
+#include "catena/cuda/staging.h"
 #include "catena/cuda/stream.h"
 
 namespace catena::cuda {
@@ -20,11 +21,13 @@ class CudaDevice final : public Device {
   /// current.
   explicit CudaDevice(Place place) : place_(place) {}
 
-  ChainView to_device(const ChainView& host) override {
+  ChainView to_device(const ChainView& host, const Moved& moved) override {
     const DeviceScope scope(place_);
-    if (host.topology == 0 || host.topology != topology_.topology) upload_topology(host);
+    const bool known = host.topology != 0 && host.topology == topology_.topology;
+    if (!known) upload_topology(host);
     ChainView view = topology_;
-    view.spheres = spheres_.upload(host.spheres, host.size, stream_);
+    view.spheres = known && !moved.everything() ? upload_ranges(host.spheres, host.size, moved.ranges())
+                                                : staging_.upload(spheres_, host.spheres, host.size, stream_);
     view.size = host.size;
     view.extent = host.extent;
     stream_.synchronize();
@@ -44,12 +47,13 @@ class CudaDevice final : public Device {
     return download(device, host_bounds64_);
   }
 
-  double run(const Work& work) override {
+  Times run(const Work& work) override {
     const DeviceScope scope(place_);
-    timer_.start(stream_);
-    work(stream_);
-    timer_.stop(stream_);
-    return timer_.ms();
+    Times times;
+    do {
+      times.work_ms = timer_.time(stream_, [&] { work(stream_); });
+    } while (timer_.is_start(times.work_ms, times.start_ms));
+    return times;
   }
 
   void clear(const ResidentAnswer& answer, std::uint32_t n, StreamHandle stream) override {
@@ -59,7 +63,7 @@ class CudaDevice final : public Device {
   Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
                const std::function<void(const ResidentState&)>& mend) override {
     const DeviceScope scope(place_);
-    return answer_.fetch(n, request, result, search, mend, stream_);
+    return answer_.fetch(n, request, result, search, mend, stream_, staging_);
   }
 
   void flush_cache() override {
@@ -72,6 +76,17 @@ class CudaDevice final : public Device {
   }
 
  private:
+  /// Ranges of spheres over those that are there; near ones as one, as every move takes microseconds.
+  const Sphere* upload_ranges(const Sphere* host, std::uint32_t n, std::span<const SphereRange> ranges) {
+    constexpr std::uint32_t near = 2048;
+    Sphere* const there = spheres_.reserve(n, stream_);
+    for (std::size_t k = 0; k < ranges.size();) {
+      SphereRange range = ranges[k++].within(n);
+      while (k < ranges.size() && ranges[k].begin <= range.end + near) range.end = ranges[k++].within(n).end;
+      staging_.to_device(there + range.begin, host + range.begin, range.size() * sizeof(Sphere), stream_);
+    }
+    return there;
+  }
   void upload_topology(const ChainView& host) {
     topology_ = {};
     ChainView view = host;
@@ -79,17 +94,17 @@ class CudaDevice final : public Device {
     ExclusionView& rule = view.exclusion;
     const ExclusionView& from = host.exclusion;
     if (!from.one_open_strand) {
-      rule.strand_of = strand_of_.upload(from.strand_of, n, stream_);
-      rule.strand_first = strand_first_.upload(from.strand_first, strands + 1, stream_);
-      rule.strand_closed = strand_closed_.upload(from.strand_closed, strands, stream_);
+      rule.strand_of = staging_.upload(strand_of_, from.strand_of, n, stream_);
+      rule.strand_first = staging_.upload(strand_first_, from.strand_first, strands + 1, stream_);
+      rule.strand_closed = staging_.upload(strand_closed_, from.strand_closed, strands, stream_);
     }
     if (from.rule == Exclusion::Rule::arc_window) {
-      rule.arc = arc_.upload(from.arc, n, stream_);
-      rule.loop_length = loop_length_.upload(from.loop_length, strands, stream_);
+      rule.arc = staging_.upload(arc_, from.arc, n, stream_);
+      rule.loop_length = staging_.upload(loop_length_, from.loop_length, strands, stream_);
     }
     if (from.extra_row != nullptr) {
-      rule.extra_row = extra_row_.upload(from.extra_row, n + 1, stream_);
-      rule.extra = extra_.upload(from.extra, host.extra_count, stream_);
+      rule.extra_row = staging_.upload(extra_row_, from.extra_row, n + 1, stream_);
+      rule.extra = staging_.upload(extra_, from.extra, host.extra_count, stream_);
     }
     stream_.synchronize();
     topology_ = view;
@@ -97,8 +112,8 @@ class CudaDevice final : public Device {
   template <class Bound>
   HierarchyView<Bound> upload(HierarchyView<Bound> tree, DeviceBuffer<Bound>& bounds) {
     const DeviceScope scope(place_);
-    tree.bound = bounds.upload(tree.bound, tree.size(), stream_);
-    tree.links = links_.upload(tree.links, tree.size(), stream_);
+    tree.bound = staging_.upload<Bound>(bounds, tree.bound, tree.size(), stream_);
+    tree.links = staging_.upload<Links>(links_, tree.links, tree.size(), stream_);
     stream_.synchronize();
     return tree;
   }
@@ -108,13 +123,8 @@ class CudaDevice final : public Device {
     const std::size_t slots = tree.size();
     bounds.resize(slots);
     host_links_.resize(slots);
-    if (slots > 0) {
-      CATENA_CUDA(
-          cudaMemcpyAsync(bounds.data(), tree.bound, slots * sizeof(Bound), cudaMemcpyDeviceToHost, stream_));
-      CATENA_CUDA(cudaMemcpyAsync(host_links_.data(), tree.links, slots * sizeof(Links),
-                                  cudaMemcpyDeviceToHost, stream_));
-    }
-    stream_.synchronize();
+    staging_.to_host(bounds.data(), tree.bound, slots * sizeof(Bound), stream_);
+    staging_.to_host(host_links_.data(), tree.links, slots * sizeof(Links), stream_);
     tree.bound = bounds.data();
     tree.links = host_links_.data();
     return tree;
@@ -123,6 +133,7 @@ class CudaDevice final : public Device {
   Place place_;
   Stream stream_;
   EventTimer timer_;
+  Staging staging_;
   DeviceAnswer answer_;
   ChainView topology_{};  ///< the last one that was moved, with the device's pointers
   DeviceBuffer<Sphere> spheres_, bounds_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "catena/core/error.h"
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/strategy/timings.h"
 #include "catena/cuda/clear_answer.cuh"
 #include "catena/cuda/device_answer.h"
@@ -9,17 +10,29 @@ namespace catena::cuda {
 
 Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Collisions& result,
                                   const Device::Search& search,
-                                  const std::function<void(const ResidentState&)>& mend,
-                                  const Stream& stream) {
+                                  const std::function<void(const ResidentState&)>& mend, const Stream& stream,
+                                  Staging& staging) {
+  try {
+    return fetch_all(n, request, result, search, mend, stream, staging);
+  } catch (...) {  // what is left of an earlier search is no answer
+    result.count.clear();
+    std::vector<Pair>().swap(result.pairs);
+    throw;
+  }
+}
+
+Device::Times DeviceAnswer::fetch_all(std::uint32_t n, const Request& request, Collisions& result,
+                                      const Device::Search& search,
+                                      const std::function<void(const ResidentState&)>& mend,
+                                      const Stream& stream, Staging& staging) {
   ResidentAnswer answer = prepare(n, request, result, stream);
   Device::Times times;
   ResidentState state{};
   for (;;) {
     clear_answer(answer, n, stream);
-    timer_.start(stream);
-    search(answer, stream);
-    timer_.stop(stream);
-    times.work_ms += timer_.ms();
+    const double work_ms = timer_.time(stream, [&] { search(answer, stream); });
+    if (timer_.is_start(work_ms, times.start_ms)) continue;
+    times.work_ms += work_ms;
     const Stopwatch watch;
     CATENA_CUDA(cudaMemcpyAsync(&state, answer.state, sizeof state, cudaMemcpyDeviceToHost, stream));
     stream.synchronize();
@@ -37,7 +50,12 @@ Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Colli
   if (request.want == Request::Want::any) return times;
   result.pair_count = state.found;
   const Stopwatch watch;
-  download(answer, n, result, stream);
+  resize_large(result.count, n);
+  staging.to_host(result.count.data(), answer.count, n * sizeof *answer.count, stream);
+  if (request.want == Request::Want::pairs) {
+    resize_large(result.pairs, state.found);
+    staging.to_host(result.pairs.data(), answer.pairs, state.found * sizeof(Pair), stream);
+  }
   times.transfer_ms += watch.ms();
   return times;
 }
@@ -46,27 +64,15 @@ ResidentAnswer DeviceAnswer::prepare(std::uint32_t n, const Request& request, Co
                                      cudaStream_t stream) {
   result.found = false;
   result.pair_count = 0;
-  result.pairs.clear();
   const bool counts = request.want != Request::Want::any, pairs = request.want == Request::Want::pairs;
-  result.count.assign(counts ? n : 0, 0);
+  // What is wanted is kept until the device overwrites it: to clear it first takes as long as to move it.
+  if (!counts) result.count.clear();
+  if (!pairs) result.pairs.clear();
   // A first guess of one pair in two spheres; kept from search to search.
   const std::uint64_t guess = std::max<std::uint64_t>({pairs_.capacity(), n / 2, 1024});
   const std::uint64_t capacity = pairs ? std::max<std::uint64_t>(1, std::min(guess, request.pair_limit)) : 0;
   return {counts ? count_.reserve(n, stream) : nullptr, pairs ? pairs_.reserve(capacity, stream) : nullptr,
           capacity, state_.reserve(1, stream)};
-}
-
-void DeviceAnswer::download(const ResidentAnswer& answer, std::uint32_t n, Collisions& result,
-                            const Stream& stream) {
-  if (answer.count != nullptr && n > 0)
-    CATENA_CUDA(cudaMemcpyAsync(result.count.data(), answer.count, n * sizeof *answer.count,
-                                cudaMemcpyDeviceToHost, stream));
-  if (answer.pairs != nullptr && result.pair_count > 0) {
-    result.pairs.resize(result.pair_count);
-    CATENA_CUDA(cudaMemcpyAsync(result.pairs.data(), answer.pairs, result.pair_count * sizeof(Pair),
-                                cudaMemcpyDeviceToHost, stream));
-  }
-  stream.synchronize();
 }
 
 }  // namespace catena::cuda

@@ -3,6 +3,7 @@
 
 #include "catena/core/strategy/device.h"
 #include "catena/cuda/device_buffer.h"
+#include "catena/cuda/staging.h"
 #include "catena/cuda/stream.h"
 
 namespace catena::cuda {
@@ -15,12 +16,13 @@ class DeviceAnswer {
   /// runs again, told by `mend`. Throws PairLimitExceeded with the true number.
   Device::Times fetch(std::uint32_t n, const Request& request, Collisions& result,
                       const Device::Search& search, const std::function<void(const ResidentState&)>& mend,
-                      const Stream& stream);
+                      const Stream& stream, Staging& staging);
 
  private:
+  Device::Times fetch_all(std::uint32_t n, const Request& request, Collisions& result,
+                          const Device::Search& search, const std::function<void(const ResidentState&)>& mend,
+                          const Stream& stream, Staging& staging);
   ResidentAnswer prepare(std::uint32_t n, const Request& request, Collisions& result, cudaStream_t stream);
-  void download(const ResidentAnswer& answer, std::uint32_t n, Collisions& result, const Stream& stream);
-
   DeviceBuffer<std::uint32_t> count_;
   DeviceBuffer<Pair> pairs_;
   DeviceBuffer<ResidentState> state_;

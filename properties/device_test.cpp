@@ -10,6 +10,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/sorted_pairs.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
 
@@ -105,6 +106,28 @@ TEST_F(Device, FindsTheSamePairsEveryTime) {
         }
       }
     }
+}
+
+TEST_F(Device, MovesLargeChainsAndAnswersWhole) {
+  // Beyond what the driver moves before memory is pinned for it, in parts of several chunks and a rest.
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 1'500'007; ++i)
+    spheres.push_back({static_cast<float>(i % 1000), static_cast<float>(i / 1000 % 40), static_cast<float>(i / 40'000), 0.55f});
+  const Chain chain(spheres);
+  for (const char* name : {"DeviceGrid", "aGPU2+GPU2", "aCPU2+GPU2"}) {
+    const auto variant = StrategyRegistry::instance().make(name), host = StrategyRegistry::instance().make("Grid");
+    Collisions found, expected;
+    for (int frame = 0; frame < 3; ++frame) {
+      for (std::size_t i = 0; i < spheres.size(); i += 1 + i % 7) spheres[i].x += 0.25f;
+      const Chain moved = chain.moved(spheres);
+      host->build(moved), host->find(moved, {}, expected);
+      ASSERT_GT(expected.pair_count, 1'000'000u);
+      variant->build(moved), variant->find(moved, {}, found);
+      sort(found.pairs), sort(expected.pairs);
+      EXPECT_EQ(found.pairs, expected.pairs) << name << ", frame " << frame;
+      EXPECT_EQ(found.count, expected.count) << name << ", frame " << frame;
+    }
+  }
 }
 
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {

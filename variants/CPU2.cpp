@@ -33,9 +33,9 @@ class CPU2 final : public Traversal<HierarchyView<typename Arithmetic::Bound>> {
   template <class Tests, class Observer>
   struct Search {
     const ChainView& chain;
-    const HierarchyView<Bound>& tree;
+    const HierarchyView<Bound> tree;  // copies: they stay in registers
     PairCollector::Lane& lane;
-    const Bound& sphere;
+    const Bound sphere;
     const std::uint32_t i;
     [[no_unique_address]] Observer observer;
     std::uint32_t collisions = 0;

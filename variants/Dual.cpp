@@ -42,7 +42,7 @@ class Dual final : public Traversal<HierarchyView<typename Arithmetic::Bound>> {
   template <class Tests, class Sink>
   struct Search {
     const ChainView& chain;
-    const HierarchyView<Bound>& tree;
+    const HierarchyView<Bound> tree;  // copies: they stay in registers
     PairCollector::Lane& lane;
     Sink sink;
 

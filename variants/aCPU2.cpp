@@ -22,12 +22,13 @@ class aCPU2 final : public Construction<HierarchyView<typename Arithmetic::Bound
 
  private:
   /// The paper's recursion: one level, then the routine again on its parents.
-  void construct(const Level& level, std::uint32_t next) {
+  void construct(Level level, std::uint32_t next) {
     if (level.size == 1) {
       tree_.root = level.node(0);
       return;
     }
-    for (std::uint32_t p = 0; p < level.pairs(); ++p) make_parent<Arithmetic>(tree_, level, p, next + p);
+    const HierarchyView<Bound> tree = tree_;  // a copy stays in registers
+    for (std::uint32_t p = 0; p < level.pairs(); ++p) make_parent<Arithmetic>(tree, level, p, next + p);
     ++tree_.height;
     construct(level.above(next), next + level.pairs());
   }

@@ -115,6 +115,7 @@ class DetectCommand final : public Command {
       line["build_ms"] = t.build_ms;
       line["find_ms"] = t.find_ms;
       line["transfer_ms"] = t.transfer_ms;
+      if (t.start_ms > 0) line["start_ms"] = t.start_ms;
       if (plan_) line["plan"] = to_json(variant.plan());
       fmt::print("{}\n", line.dump());
       return;
@@ -123,9 +124,13 @@ class DetectCommand final : public Command {
         request_.want == Request::Want::any
             ? (found.found ? "collides" : "does not collide")
             : fmt::format("{}, at most {} a sphere", counted(found.pair_count, "pair"), most);
-    fmt::print("{} frame {}: {}, {}; {}{}: build {:.3f} ms, find {:.3f} ms{}\n", input_, first_frame_ + frame,
-               counted(chain.size(), "sphere"), what, variant_, by.empty() ? "" : ", " + by, t.build_ms,
-               t.find_ms, t.transfer_ms > 0 ? fmt::format(", transfer {:.3f} ms", t.transfer_ms) : "");
+    const auto also = [](const char* name, double ms) {
+      return ms > 0 ? fmt::format(", {} {:.3f} ms", name, ms) : "";
+    };
+    fmt::print("{} frame {}: {}, {}; {}{}: build {:.3f} ms, find {:.3f} ms{}{}\n", input_,
+               first_frame_ + frame, counted(chain.size(), "sphere"), what, variant_,
+               by.empty() ? "" : ", " + by, t.build_ms, t.find_ms, also("transfer", t.transfer_ms),
+               also("first start of the device", t.start_ms));
     if (plan_) fmt::print("{}", plan_table(variant.plan(), "  "));
   }
 

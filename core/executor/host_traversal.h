@@ -42,7 +42,10 @@ class HostTraversal final : public Traversal<HierarchyView<typename Arithmetic::
  private:
   template <class Tests>
   static auto visit(const ChainView& chain, const HierarchyView<Bound>& tree) {
-    return [&](std::uint32_t i, auto& visitor) { Search<Tests>::visit(i, chain, tree, visitor); };
+    return [&](std::uint32_t i, auto& visitor) {
+      const HierarchyView<Bound> own = tree;  // stays in registers, as nothing else can point to it
+      Search<Tests>::visit(i, chain, own, visitor);
+    };
   }
 
   HostExecutor executor_;

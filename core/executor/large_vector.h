@@ -74,4 +74,16 @@ void append_large(std::vector<T>& all, std::span<const T> more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
+/// Resizes an array of the standard kind that may become large and is to be overwritten: what it held may be
+/// lost.
+template <class T>
+void resize_large(std::vector<T>& all, std::size_t size) {
+  if (all.capacity() < size) {
+    std::vector<T>().swap(all);
+    all.reserve(size);
+    wish_large_pages(all.data(), size * sizeof(T));
+  }
+  all.resize(size);
+}
+
 }  // namespace catena

@@ -32,17 +32,18 @@ class Composed final : public Variant, private ResidentSearch {
   }
 
   void build(const Chain& chain) override {
-    make_tree(chain, [&](const ChainView& view) { construction_->build(view); });
+    make_tree(chain, {}, [&](const ChainView& view) { construction_->build(view); });
   }
 
   void update(const Chain& chain, const Moved& moved) override {
     if (built_ != chain.size()) return build(chain);
-    make_tree(chain, [&](const ChainView& view) { construction_->update(view, moved); });
+    make_tree(chain, moved, [&](const ChainView& view) { construction_->update(view, moved); });
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     require_built(chain);
     timings_.transfer_ms = build_transfer_ms_;
+    timings_.start_ms = build_start_ms_;
     if (!find_place_.on_device()) {
       const Stopwatch watch;
       traversal_->find(chain.view(), tree_, request, result);
@@ -57,6 +58,7 @@ class Composed final : public Variant, private ResidentSearch {
         [&](const ResidentState& seen) { traversal_->mend(seen); });
     timings_.find_ms = times.work_ms;
     timings_.transfer_ms += times.transfer_ms;
+    timings_.start_ms += times.start_ms;
   }
 
   /// Evidence names nodes of the host's tree, so it is to be had from traversals on the host.
@@ -112,13 +114,15 @@ class Composed final : public Variant, private ResidentSearch {
   /// `make` builds on the host; on a device the construction is enqueued. Nothing counts as built until all
   /// of it is.
   template <class Make>
-  void make_tree(const Chain& chain, const Make& make) {
+  void make_tree(const Chain& chain, const Moved& moved, const Make& make) {
     timings_ = {};
     built_.reset();
-    if (build_place_.on_device() || find_place_.on_device()) upload(chain);
+    if (build_place_.on_device() || find_place_.on_device()) upload(chain, moved);
     if (build_place_.on_device()) {
-      timings_.build_ms =
+      const auto times =
           device_->run([&](StreamHandle stream) { construction_->enqueue(chain_on_device_, stream); });
+      timings_.build_ms = times.work_ms;
+      timings_.start_ms = times.start_ms;
     } else {
       const Stopwatch watch;
       make(chain.view());
@@ -128,6 +132,7 @@ class Composed final : public Variant, private ResidentSearch {
     require_height(tree_.height);
     if (build_place_ != find_place_) move_tree();
     build_transfer_ms_ = timings_.transfer_ms;
+    build_start_ms_ = timings_.start_ms;
     built_ = chain.size();
   }
 
@@ -140,9 +145,9 @@ class Composed final : public Variant, private ResidentSearch {
   void require_built(const Chain& chain) const {
     if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
   }
-  void upload(const Chain& chain) {
+  void upload(const Chain& chain, const Moved& moved) {
     const Stopwatch watch;
-    chain_on_device_ = device_->to_device(chain.view());
+    chain_on_device_ = device_->to_device(chain.view(), moved);
     timings_.transfer_ms += watch.ms();
   }
   void move_tree() {
@@ -161,7 +166,7 @@ class Composed final : public Variant, private ResidentSearch {
   ChainView chain_on_device_{};
   Tree tree_{};  ///< where the traversal is
   Timings timings_;
-  double build_transfer_ms_ = 0;
+  double build_transfer_ms_ = 0, build_start_ms_ = 0;
 };
 
 }  // namespace catena

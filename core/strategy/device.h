@@ -5,6 +5,7 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/hierarchy.h"
 #include "catena/core/sphere.h"
+#include "catena/core/strategy/moved.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/resident.h"
 
@@ -21,18 +22,21 @@ class CATENA_API Device {
   struct Times {
     double work_ms = 0;      ///< kernels, by the device's clock
     double transfer_ms = 0;  ///< answers to the host, wall time
+    double start_ms = 0;     ///< of work whose code had to be loaded first, wall time
   };
 
   virtual ~Device() = default;
-  /// What chains have in common (strands, neighbours) is moved once, not for every frame.
-  virtual ChainView to_device(const ChainView& host) = 0;
+  /// What chains have in common (strands, neighbours) is moved once, not for every frame. `moved`: where the
+  /// chain differs from the one before it, of as many spheres; only that much is moved, then.
+  virtual ChainView to_device(const ChainView& host, const Moved& moved = {}) = 0;
   virtual HierarchyView<Sphere> to_device(const HierarchyView<Sphere>& host) = 0;
   virtual HierarchyView<Sphere64> to_device(const HierarchyView<Sphere64>& host) = 0;
   virtual HierarchyView<Sphere> to_host(const HierarchyView<Sphere>& device) = 0;
   virtual HierarchyView<Sphere64> to_host(const HierarchyView<Sphere64>& device) = 0;
 
-  /// Runs what `work` enqueues on the stream that it is given; milliseconds by the device's clock.
-  virtual double run(const Work& work) = 0;
+  /// Runs what `work` enqueues on the stream that it is given; once more, for its time, where its code had to
+  /// be loaded first and that took longer.
+  virtual Times run(const Work& work) = 0;
   /// Enqueues what every search begins with: counts, if wanted, and state of an answer for n spheres set to nothing.
   virtual void clear(const ResidentAnswer& answer, std::uint32_t n, StreamHandle stream) = 0;
   /// Runs what `search` enqueues for a chain of n spheres into an answer that was cleared, again with more room until nothing is lost, and

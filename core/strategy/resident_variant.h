@@ -8,23 +8,19 @@
 
 namespace catena {
 
-/// A variant that is one resident search: it derives from this and enqueues its build and, into an answer that was
-/// cleared, its search; building, finding and fetching from the host are made of them here.
+/// A variant that is one resident search: it derives from this and enqueues its build and, into an answer
+/// that was cleared, its search; building, finding and fetching from the host are made of them here.
 class ResidentVariant : public Variant, protected ResidentSearch {
  public:
   explicit ResidentVariant(std::unique_ptr<Device> device) : device_(std::move(device)) {}
 
   void prepare(const Request& request) final { request_ = request; }
 
-  void build(const Chain& chain) final {
-    built_.reset();
-    timings_ = {};
-    const Stopwatch watch;
-    chain_ = device_->to_device(chain.view());
-    upload_ms_ = watch.ms();
-    timings_.build_ms = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
-    timings_.transfer_ms = upload_ms_;
-    built_ = chain.size();
+  void build(const Chain& chain) final { build_from(chain, {}); }
+
+  /// Builds anew, of a chain that is there but for what moved.
+  void update(const Chain& chain, const Moved& moved) final {
+    build_from(chain, built_ == chain.size() ? moved : Moved());
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) final {
@@ -37,6 +33,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
         [&](const ResidentState& seen) { mend(seen); });
     timings_.find_ms = times.work_ms;
     timings_.transfer_ms = upload_ms_ + times.transfer_ms;
+    timings_.start_ms = build_start_ms_ + times.start_ms;
   }
 
   Timings timings() const final { return timings_; }
@@ -51,6 +48,18 @@ class ResidentVariant : public Variant, protected ResidentSearch {
                               StreamHandle stream) = 0;
 
  private:
+  void build_from(const Chain& chain, const Moved& moved) {
+    built_.reset();
+    timings_ = {};
+    const Stopwatch watch;
+    chain_ = device_->to_device(chain.view(), moved);
+    upload_ms_ = watch.ms();
+    const auto times = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
+    timings_.build_ms = times.work_ms;
+    timings_.transfer_ms = upload_ms_;
+    timings_.start_ms = build_start_ms_ = times.start_ms;
+    built_ = chain.size();
+  }
   void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                     StreamHandle stream) final {
     device_->clear(answer, chain.size, stream);
@@ -62,7 +71,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   std::optional<std::uint32_t> built_;
   ChainView chain_{};
   Timings timings_;
-  double upload_ms_ = 0;
+  double upload_ms_ = 0, build_start_ms_ = 0;
 };
 
 }  // namespace catena

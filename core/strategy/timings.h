@@ -6,11 +6,13 @@
 namespace catena {
 
 /// Milliseconds of the last build or update and of the last find. Host stages are wall time; device stages
-/// are CUDA events around the kernels. Moves between memories are never part of a stage.
+/// are CUDA events around the kernels. Moves between memories are never part of a stage, nor is what a first
+/// call on a device adds.
 struct CATENA_API Timings {
   double build_ms = 0;
   double find_ms = 0;
   double transfer_ms = 0;
+  double start_ms = 0;  ///< wall time of a first call: device code loaded, memory taken; else 0
 };
 
 /// Wall clock of one stage.

@@ -5,6 +5,8 @@ what was timed by one test for each variant and stage over all chains (gate.py).
   faster     the same the other way round
   same       the whole 95 % interval of the ratio lies within 1 / 1.05 and 1.05
   undecided  anything else; it is said how much slower would have been seen
+
+Peers, which are not catena's to mend, get the same verdicts and fail nothing.
 """
 import numpy
 
@@ -33,7 +35,12 @@ def main(old_path, new_path, least_ratio):
         print(f"{'/'.join(case)}: no longer answered: {new.refused[case]}")
     _print_notes(old, new, cases)
     _print_seen(families)
-    if counted.regressed or broken or any(part.verdict == gate.SLOWER for part in (*families, *common)):
+    regressed = [case[1] for case in broken] + [change.variant for change in counted.more]
+    regressed += [family.variant for family in families if family.verdict == gate.SLOWER]
+    peers = sorted({variant for variant in regressed if _is_peer(variant, old, new)})
+    if peers:
+        print(f"note: no regression of catena's, as these are peers: {words.listed(peers)}")
+    if len(set(regressed)) > len(peers) or any(part.verdict == gate.SLOWER for part in common):
         return 1
     if min(family.seen for family in families) > BLIND:  # a gate that cannot close must not say: all is well
         fewest = min(case.repetitions for case in cases)
@@ -42,6 +49,11 @@ def main(old_path, new_path, least_ratio):
             " much load; measure both again, with more --repetitions"
         )
     return 0
+
+
+def _is_peer(variant, *runs):
+    """False of an algorithm, "*+CPU2": no peer has stages."""
+    return any((run.catena.get("variants") or {}).get(variant, {}).get("peer", False) for run in runs)
 
 
 def _print_work(counted):

@@ -6,7 +6,9 @@ one factor for all, the calibration kernel that was timed beside each sample, an
 a long one is interrupted more often. What is left belongs to the code. A family, one variant and stage, or
 the stage of one algorithm in all variants that have it, is tested by the weighted mean of that over its
 chains; its variance comes from the scatter between them, moderated by that of all families (Smyth 2004), and
-grows with the load that the kernel saw. One test a family, Bonferroni over the families.
+grows with the load that the kernel saw. One test a family, Bonferroni over the families. Where most of the
+code changed, what all cases share is not the machine's: nothing is called slower, or faster, of which the
+clock does not show a good part, with nothing but the kernel's share taken out.
 """
 import dataclasses
 import functools
@@ -22,6 +24,7 @@ LEAST_RATIO = 1.02  # smaller changes do not matter
 SEEN = 0.95  # the chance with which what "could have been seen" is seen
 COMMON_RATIO = 1.1  # a factor of all cases at one place is the machine's up to this
 UNCALIBRATED_RATIO = 1.5  # the same without a kernel
+BY_CLOCK = 0.5  # of a change, on the logarithm, is to be seen without taking out what all cases share
 LOADED = 0.25  # how much of the load that the kernel saw may be in a case's time, on each chain anew,
 LOADED_ALL = 0.05  # and in a family's, on all its chains alike
 # Degrees of freedom by which the scatter of all moderates that of a family: with FEW_CASES at least, and with
@@ -68,6 +71,7 @@ def decide(cases, least_ratio=LEAST_RATIO):
     left, uncertain, common = _without_machine(cases)
     members = _members(cases)
     variances = numpy.array([case.variance for case in cases])
+    own_clock = numpy.array([case.change - case.kernel for case in cases])
     loads = numpy.array([case.load for case in cases])
     found = {}
     for name, at in members.items():
@@ -79,15 +83,16 @@ def decide(cases, least_ratio=LEAST_RATIO):
         load = math.hypot(LOADED * math.sqrt(weights**2 @ squares), LOADED_ALL * math.sqrt(weights @ squares))
         found[name] = (
             centre,
+            float(weights @ own_clock[at]),
             float(weights**2 @ variances[at]),
             float(((own - centre) ** 2 / variances[at]).sum()),
             len(at) - 1,
             load,
             float(weights @ uncertain[at]),
         )
-    degrees = sum(values[3] for values in found.values())
+    degrees = sum(values[4] for values in found.values())
     # One scale for all; a family that changed on all chains alike adds no scatter to it.
-    prior = max(0.25, sum(values[2] for values in found.values()) / degrees) if degrees >= 5 else 1.0
+    prior = max(0.25, sum(values[3] for values in found.values()) / degrees) if degrees >= 5 else 1.0
     families = [
         _family(*name, values, prior, len(found), least_ratio) for name, values in sorted(found.items())
     ]
@@ -109,7 +114,7 @@ def _members(cases):
 
 
 def _family(variant, stage, values, prior, tests, least_ratio):
-    centre, variance, scatter, degrees, load, machine = values
+    centre, by_clock, variance, scatter, degrees, load, machine = values
     freedom = PRIOR_DEGREES[degrees + 1 >= FEW_CASES] + degrees
     moderated = (scatter + (freedom - degrees) * prior) / freedom
     error = math.sqrt(variance * moderated + load**2)
@@ -117,7 +122,7 @@ def _family(variant, stage, values, prior, tests, least_ratio):
     bound = max(math.hypot(_quantile(freedom, ALARMS / tests) * error, 3 * machine), math.log(least_ratio))
     p = min(1.0, 2 * tests * float(scipy.special.stdtr(freedom, -abs(centre) / math.hypot(error, machine))))
     if abs(centre) >= bound:
-        verdict = SLOWER if centre > 0 else FASTER
+        verdict = UNDECIDED if by_clock / centre < BY_CLOCK else SLOWER if centre > 0 else FASTER
     else:
         verdict = SAME if abs(centre) + reach < math.log(1.05) else UNDECIDED
     return Family(

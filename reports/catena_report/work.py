@@ -33,10 +33,6 @@ class Work:
     small: list  # by less than LEAST_RATIO
     compared: int  # cases
 
-    @property
-    def regressed(self):
-        return bool(self.more)
-
 
 def compared(old, new):
     """The Work of two runs, of inputs whose chains are the same in both."""

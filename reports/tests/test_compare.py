@@ -47,6 +47,14 @@ class Compare(unittest.TestCase):
         self.assertNotIn(gate.FASTER, found.values())
         self.assertEqual(compared(old, new)[0], 1)
 
+    def test_what_stayed_is_not_slower_when_most_became_faster(self):
+        old = made.run(repetitions=12, seed=1)
+        faster = {(variant, "find"): 0.9 for variant in made.COSTS} | {(variant, "build"): 0.9 for variant in made.COSTS}
+        stayed = [key for key in faster if key[0] == "aCPU2+CPU2"]
+        new = made.run(repetitions=12, seed=2, slower={k: v for k, v in faster.items() if k not in stayed})
+        self.assertNotIn(gate.SLOWER, verdicts(old, new).values())
+        self.assertEqual(compared(old, new)[0], 0)
+
     def test_the_other_way_round_is_faster(self):
         old, new = made.run(repetitions=12, seed=1, slower={("aCPU2+Dual", "find"): 1.3}), made.run(
             repetitions=12, seed=2
@@ -95,6 +103,22 @@ class Compare(unittest.TestCase):
         code, out, _ = compared(old, new)
         self.assertEqual(code, 1)
         self.assertIn("no longer answered: 3 pairs missing", out)
+
+    def test_a_peer_that_got_worse_is_told_and_fails_nothing(self):
+        old, new = made.run(repetitions=12, seed=1), made.run(
+            repetitions=12, seed=2, slower={("aCPU2+Dual", "find"): 1.3}
+        )
+        for row in new["benchmarks"]:
+            if row["name"].startswith("path2/n:1000/aCPU2+Dual/whole"):
+                row |= {"error_occurred": True, "error_message": "its library has not been found"}
+        for row in new["catena"]["counts"]:
+            row["bytes"] *= 2 if row["variant"] == "aCPU2+Dual" else 1
+        self.assertEqual(compared(old, new)[0], 1)
+        for run in (old, new):
+            run["catena"]["variants"]["aCPU2+Dual"]["peer"] = True
+        code, out, _ = compared(old, new)
+        self.assertEqual(code, 0, out)
+        self.assertIn("as these are peers: aCPU2+Dual", out)
 
     def test_an_input_whose_chain_is_another_is_not_compared(self):
         old, new = made.run(seed=1), multiplied(made.run(seed=2), 3, lambda name: name.startswith("path1/n:1000/"))

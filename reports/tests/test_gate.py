@@ -81,7 +81,7 @@ class Promises(unittest.TestCase):
                 self.assertTrue(alarms(samples.slower(cases, 1000, lambda case: True)))
                 found = alarms(samples.slower(cases, 2.2, lambda case: case.algorithm == "*+CPU2"))
                 self.assertIn("*+CPU2/find", {getattr(part, "name", "") for part in found})
-                self.assertFalse(work.compared(old, new).regressed)
+                self.assertFalse(work.compared(old, new).more)
 
     def test_what_is_the_same_is_called_so(self):
         timed, kinds = samples.stored()

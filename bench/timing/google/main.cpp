@@ -2,14 +2,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "catena/bench/timing/google/benchmarks.h"
 #include "catena/core/commands/guarded_main.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
+#include "catena/core/output_file.h"
 #include "catena/core/scenes/scene.h"
 
 namespace {
@@ -66,6 +69,24 @@ std::vector<bench::WorkloadSpec> inputs(const Options& options) {
   return specs;
 }
 
+/// The value of Google Benchmark's own flag --NAME=VALUE, which it does not tell; empty without.
+std::string flag(const std::vector<std::string>& rest, const std::string& name) {
+  const std::string start = "--" + name + "=";
+  std::string value;
+  for (const auto& text : rest)
+    if (text.starts_with(start)) value = text.substr(start.size());
+  return value;
+}
+
+/// Adds to the JSON that Google Benchmark wrote what is known of each variant (reports/run_file.md), so that
+/// `catena report` takes it for a run file. Its own context would show it on the console, 40 kB of it.
+void describe_variants(const std::string& file, const std::vector<bench::Case>& cases) {
+  auto run = nlohmann::ordered_json::parse(std::ifstream(file));
+  auto& own = run["catena"] = {{"schema", 1}, {"profile", "custom"}};
+  for (const auto& c : cases) own["variants"][c.variant.name] = to_json(c.variant);
+  write_file(file, run.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+}
+
 int run(int argc, char** argv) {
   require_release_build();
   const auto facts = environment();
@@ -76,12 +97,15 @@ int run(int argc, char** argv) {
   int count = static_cast<int>(pointers.size());
   for (const auto& [key, value] : facts) benchmark::AddCustomContext(key, value);
   benchmark::AddCustomContext("device cache", options.flush_cache ? "flushed before every sample" : "warm");
-  for (const auto& c : bench::cases(inputs(options), StrategyRegistry::instance().variants()))
+  const auto cases = bench::cases(inputs(options), StrategyRegistry::instance().variants());
+  for (const auto& c : cases)
     bench::register_benchmark(c, std::make_shared<bench::Trial>(c.spec, c.variant, options.flush_cache));
   benchmark::Initialize(&count, pointers.data());
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
+  const std::string file = flag(rest, "benchmark_out"), format = flag(rest, "benchmark_out_format");
+  if (!file.empty() && (format.empty() || format == "json")) describe_variants(file, cases);
   return 0;
 }
 

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cstring>
+
+#include "catena/core/parameters/parameters.h"
+#include "catena/cuda/staging.h"
+
+namespace catena::cuda {
+namespace {
+
+/// Copying is done by as many cores as a memory bus feeds.
+Parameters copiers() { return {"staging", {{"threads", "8", "that copy"}}, ""}; }
+
+/// Less is moved by the driver in the time that it takes to share it out.
+constexpr std::size_t least = std::size_t{1} << 20;
+constexpr std::size_t page = 4096, pages_at_once = 64;
+
+}  // namespace
+
+/// Pinned memory, and when what was last enqueued with it is done.
+class Staging::Chunk {
+ public:
+  /// Throws CudaError where there is no memory to pin.
+  Chunk() {
+    CATENA_CUDA(cudaEventCreateWithFlags(&done_, cudaEventDisableTiming));
+    const cudaError_t code = cudaMallocHost(&memory_, chunk);
+    if (code != cudaSuccess) cudaEventDestroy(done_);
+    check(code, "cudaMallocHost", __FILE__, __LINE__);
+  }
+  ~Chunk() {
+    cudaEventSynchronize(done_);
+    cudaFreeHost(memory_);
+    cudaEventDestroy(done_);
+  }
+  Chunk(const Chunk&) = delete;
+  Chunk& operator=(const Chunk&) = delete;
+
+  char* memory() const { return static_cast<char*>(memory_); }
+  void move(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind, cudaStream_t stream) {
+    CATENA_CUDA(cudaMemcpyAsync(to, from, bytes, kind, stream));
+    CATENA_CUDA(cudaEventRecord(done_, stream));
+  }
+  void wait() const { CATENA_CUDA(cudaEventSynchronize(done_)); }
+
+ private:
+  void* memory_ = nullptr;
+  cudaEvent_t done_ = nullptr;
+};
+
+Staging::Staging() : team_(copiers()) {}
+Staging::~Staging() = default;
+
+void Staging::to_device(void* device, const void* host, std::size_t bytes, cudaStream_t stream) {
+  if (bytes == 0) return;
+  if (!pins(bytes)) {
+    CATENA_CUDA(cudaMemcpyAsync(device, host, bytes, cudaMemcpyHostToDevice, stream));
+    return;
+  }
+  for (std::size_t at = 0, k = 0; at < bytes; at += chunk, ++k) {
+    Chunk& of = *chunks_[k % chunks];
+    const std::size_t size = std::min(chunk, bytes - at);
+    of.wait();
+    copy(of.memory(), static_cast<const char*>(host) + at, size);
+    of.move(static_cast<char*>(device) + at, of.memory(), size, cudaMemcpyHostToDevice, stream);
+  }
+}
+
+void Staging::to_host(void* host, const void* device, std::size_t bytes, cudaStream_t stream) {
+  if (bytes == 0) return;
+  if (!pins(bytes)) {
+    CATENA_CUDA(cudaMemcpyAsync(host, device, bytes, cudaMemcpyDeviceToHost, stream));
+    CATENA_CUDA(cudaStreamSynchronize(stream));
+    return;
+  }
+  const std::size_t all = (bytes + chunk - 1) / chunk;
+  const auto size = [&](std::size_t k) { return std::min(chunk, bytes - k * chunk); };
+  for (std::size_t k = 0; k < all + chunks; ++k) {
+    Chunk& of = *chunks_[k % chunks];
+    if (k >= chunks && k - chunks < all) {
+      of.wait();
+      copy(static_cast<char*>(host) + (k - chunks) * chunk, of.memory(), size(k - chunks));
+    }
+    if (k < all)
+      of.move(of.memory(), static_cast<const char*>(device) + k * chunk, size(k), cudaMemcpyDeviceToHost,
+              stream);
+  }
+}
+
+/// Whether so much goes through chunks, which are there then.
+bool Staging::pins(std::size_t bytes) {
+  if (bytes < least || refused_) return false;
+  if (chunks_[0] == nullptr && by_driver_ < pays_from) {
+    by_driver_ += bytes;
+    return false;
+  }
+  try {
+    for (auto& chunk : chunks_)
+      if (chunk == nullptr) chunk = std::make_unique<Chunk>();
+  } catch (const CudaError&) {
+    refused_ = true;
+  }
+  return !refused_;
+}
+
+void Staging::copy(char* to, const char* from, std::size_t bytes) const {
+  team_.for_each_range(static_cast<std::uint32_t>((bytes + page - 1) / page), pages_at_once,
+                       [&](std::uint32_t begin, std::uint32_t end) {
+                         const std::size_t first = begin * page;
+                         std::memcpy(to + first, from + first, std::min(end * page, bytes) - first);
+                       });
+}
+
+}  // namespace catena::cuda
