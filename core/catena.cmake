@@ -142,7 +142,7 @@ endif()
 add_dependencies(catena_part_core catena_commit)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
 catena_part(properties)
-catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen)
+catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen hwy::hwy)
 include(${PROJECT_SOURCE_DIR}/core/ranks/ranks.cmake)
 
 add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)

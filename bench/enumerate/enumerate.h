@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "catena/bench/enumerate/other_lattice.h"
 #include "catena/bench/enumerate/published.h"
 #include "catena/bench/enumerate/walk.h"
 #include "catena/core/strategy/variant.h"
@@ -14,11 +15,14 @@ struct WalkQuestion {
   int dimensions = 3;  ///< 2 square, 3 cubic
   float radius = 0.5f;
   bool contacts = false;  ///< also count pairs that touch at radius 1/2, in walks that are free at `radius`
-  int steps = 8;          ///< of the longest walks, 1 to Walk::most_steps
+  int steps = 8;          ///< of the longest walks, 1 to most_steps()
+  const OtherLattice* other =
+      nullptr;  ///< instead of the square or cubic lattice; its contacts are not counted
 
   /// The published table that a walk without collisions at this radius belongs to: below 1/2 points collide
   /// where they coincide, below sqrt(1/2) where they are adjacent too. Beyond, nobody published one.
   std::optional<WalkTable> table() const;
+  int most_steps() const { return other ? OtherWalk::most_steps : Walk::most_steps; }
 };
 
 /// All walks of a length without a collision, whole classes counted.
@@ -37,5 +41,6 @@ std::vector<WalkCount> enumerate_walks(Variant& variant, const WalkQuestion& que
 /// One chain of these walks, which have equal lengths: each a strand, apart from the others by more than they
 /// reach.
 Chain chain_of_walks(const std::vector<Walk>& walks, float radius);
+Chain chain_of_walks(const std::vector<OtherWalk>& walks, float radius);
 
 }  // namespace catena::bench

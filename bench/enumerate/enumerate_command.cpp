@@ -23,8 +23,11 @@ class EnumerateCommand final : public Command {
         ->type_name("N")
         ->check(CLI::Range(1, Walk::most_steps))
         ->capture_default_str();
-    app.add_option("--lattice", lattice_, "cubic or square")
-        ->check(CLI::IsMember({"cubic", "square"}))
+    std::vector<std::string> lattices{"cubic", "square"};
+    for (const OtherLattice& lattice : other_lattices()) lattices.push_back(lattice.name);
+    app.add_option("--lattice", lattice_,
+                   "Of the walks; on other than cubic and square their points alone count")
+        ->check(CLI::IsMember(lattices))
         ->capture_default_str();
     app.add_option("--radius", radius_,
                    "Of every sphere, in steps (default: just below 1/2, where walks may not meet themselves, "
@@ -35,7 +38,9 @@ class EnumerateCommand final : public Command {
     app.add_option("--variant", variant_, "Who says which walks collide; see catena list")
         ->capture_default_str();
     app.add_flag("--json", json_, "One JSON object a line for each number");
-    app.footer("The tables are in bench/enumerate/published.cpp. Exit code 1 when a number differs.");
+    app.footer(
+        "The tables are in bench/enumerate/published.cpp and other_lattice.cpp. Exit code 1 when a number "
+        "differs.");
   }
 
   int run() override {
@@ -54,6 +59,10 @@ class EnumerateCommand final : public Command {
 
  private:
   std::vector<WalkQuestion> questions() const {
+    if (const OtherLattice* other = other_lattice(lattice_)) {
+      const float radius = radius_ ? static_cast<float>(*radius_) : other->radius_below_touching();
+      return {{.radius = radius, .steps = steps_, .other = other}};
+    }
     const int dimensions = lattice_ == "square" ? 2 : 3;
     if (radius_) return {{dimensions, static_cast<float>(*radius_), false, steps_}};
     return {{dimensions, std::nextafter(0.5f, 0.0f), true, steps_}, {dimensions, 0.5f, false, steps_}};
@@ -65,9 +74,8 @@ class EnumerateCommand final : public Command {
       if (v.counts != counts) {
         counts = v.counts;
         const PublishedTable* table = table_of(v);
-        fmt::print("{} lattice, radius {:.9g}, {}: {}{}\n", lattice_name(question.dimensions),
-                   question.radius, variant_, counts,
-                   table ? fmt::format(" ({})", table->address()) : "; no table to compare with");
+        fmt::print("{} lattice, radius {:.9g}, {}: {}{}\n", lattice_name(question), question.radius, variant_,
+                   counts, table ? fmt::format(" ({})", table->address()) : "; no table to compare with");
         if (table && !table->erratum.empty()) fmt::print("  {}\n", table->erratum);
         fmt::print("  {:>5} {:>20} {:>20}\n", "steps", "found", "published");
       }
@@ -80,6 +88,8 @@ class EnumerateCommand final : public Command {
   static const PublishedTable* table_of(const WalkVerdict& verdict) {
     for (const PublishedTable& table : published_tables())
       if (table.sequence == verdict.sequence) return &table;
+    for (const OtherLattice& lattice : other_lattices())
+      if (lattice.table.sequence == verdict.sequence) return &lattice.table;
     return nullptr;
   }
 

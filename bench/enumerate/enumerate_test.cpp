@@ -98,6 +98,58 @@ TEST(Enumerate, FindsThePublishedNumbersByEveryExactVariant) {
   }
 }
 
+/// Every walk on one of the other lattices, no symmetry and no sphere: a set of points.
+std::uint64_t count_by_hand(std::vector<std::array<int, 3>>& walk, const OtherLattice& lattice, int steps) {
+  if (steps == 0) return 1;
+  std::uint64_t sum = 0;
+  const int way = walk.size() % 2 == 1 ? 1 : -1;
+  for (const auto& step : lattice.steps) {
+    std::array<int, 3> next = walk.back();
+    for (std::size_t axis = 0; axis < 3; ++axis) next[axis] += way * step[axis];
+    if (std::ranges::find(walk, next) != walk.end()) continue;
+    walk.push_back(next);
+    sum += count_by_hand(walk, lattice, steps - 1);
+    walk.pop_back();
+  }
+  return sum;
+}
+
+TEST(OtherLattices, TablesBeginAsASetOfPointsCountsThem) {
+  EXPECT_EQ(other_lattices().size(), 5u);
+  EXPECT_EQ(other_lattice("cubic"), nullptr);
+  for (const OtherLattice& lattice : other_lattices()) {
+    EXPECT_EQ(other_lattice(lattice.name), &lattice);
+    EXPECT_EQ(lattice.table.terms[1], lattice.steps.size()) << lattice.name;
+    for (const auto& step : lattice.steps)
+      EXPECT_EQ(step[0] * step[0] + step[1] * step[1] + step[2] * step[2], lattice.spacing) << lattice.name;
+    for (int steps = 0; lattice.table.terms[static_cast<std::size_t>(steps)] < 100'000; ++steps) {
+      std::vector<std::array<int, 3>> walk{{0, 0, 0}};
+      EXPECT_EQ(count_by_hand(walk, lattice, steps), lattice.table.terms[static_cast<std::size_t>(steps)])
+          << lattice.name << ", " << steps << " steps";
+      if (static_cast<std::size_t>(steps) + 1 == lattice.table.terms.size()) break;
+    }
+  }
+}
+
+TEST(Enumerate, FindsThePublishedNumbersOnOtherLattices) {
+  for (const OtherLattice& lattice : other_lattices()) {
+    int steps = static_cast<int>(lattice.table.terms.size()) - 1;
+    while (lattice.table.terms[static_cast<std::size_t>(steps)] > 300'000) --steps;
+    for (const float radius : {lattice.radius_below_touching(), 0.25f})
+      expect_published("Hybrid", {.radius = radius, .steps = steps, .other = &lattice});
+    const float touching = std::nextafter(lattice.radius_below_touching(), 1.0f);
+    EXPECT_FALSE(judged("Hybrid", {.radius = touching, .steps = 2, .other = &lattice}).back().published);
+  }
+}
+
+TEST(EnumerateLong, FindsThePublishedNumbersOnOtherLatticesToTheirEnd) {
+  for (const OtherLattice& lattice : other_lattices()) {
+    const int steps = static_cast<int>(lattice.table.terms.size()) - 1;
+    expect_published("Hybrid",
+                     {.radius = lattice.radius_below_touching(), .steps = steps, .other = &lattice});
+  }
+}
+
 TEST(EnumerateLong, FindsThePublishedNumbersToTwelveSteps) {
   expect_published("Hybrid", {.dimensions = 3, .radius = below_half, .steps = 12});
   expect_published("Hybrid", {.dimensions = 3, .radius = 0.5f, .steps = 12});

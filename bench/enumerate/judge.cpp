@@ -20,8 +20,10 @@ std::string words(const std::optional<WalkTable>& table) {
 
 WalkVerdict verdict(const WalkQuestion& question, int steps, const std::optional<WalkTable>& counts,
                     std::uint64_t found, double ms) {
-  WalkVerdict v{question.dimensions, question.radius, steps, words(counts), found, {}, {}, ms};
-  const PublishedTable* table = counts ? published_table(question.dimensions, *counts) : nullptr;
+  WalkVerdict v{lattice_name(question), question.radius, steps, words(counts), found, {}, {}, ms};
+  const PublishedTable* table = !counts          ? nullptr
+                                : question.other ? &question.other->table
+                                                 : published_table(question.dimensions, *counts);
   if (table && static_cast<std::size_t>(steps) < table->terms.size()) {
     v.sequence = table->sequence;
     v.published = table->terms[static_cast<std::size_t>(steps)];
@@ -45,7 +47,7 @@ std::vector<WalkVerdict> judge_walks(Variant& variant, const WalkQuestion& quest
 }
 
 nlohmann::ordered_json to_json(const WalkVerdict& verdict) {
-  nlohmann::ordered_json line{{"lattice", lattice_name(verdict.dimensions)},
+  nlohmann::ordered_json line{{"lattice", verdict.lattice},
                               {"radius", verdict.radius},
                               {"steps", verdict.steps},
                               {"counts", verdict.counts},
@@ -58,6 +60,9 @@ nlohmann::ordered_json to_json(const WalkVerdict& verdict) {
   return line;
 }
 
-std::string lattice_name(int dimensions) { return dimensions == 2 ? "square" : "cubic"; }
+std::string lattice_name(const WalkQuestion& question) {
+  if (question.other) return question.other->name;
+  return question.dimensions == 2 ? "square" : "cubic";
+}
 
 }  // namespace catena::bench

@@ -10,7 +10,7 @@ namespace catena::bench {
 
 /// One number that a variant found, beside the published one.
 struct WalkVerdict {
-  int dimensions = 0;
+  std::string lattice;
   float radius = 0;
   int steps = 0;
   std::string counts;  ///< what is counted, in words
@@ -28,6 +28,6 @@ std::vector<WalkVerdict> judge_walks(Variant& variant, const WalkQuestion& quest
 /// {lattice, radius, steps, counts, found, (sequence, published), agrees}
 nlohmann::ordered_json to_json(const WalkVerdict& verdict);
 
-std::string lattice_name(int dimensions);  ///< "square", "cubic"
+std::string lattice_name(const WalkQuestion& question);  ///< "square", "cubic", or the other's
 
 }  // namespace catena::bench

@@ -117,6 +117,8 @@ class KnotsCommand final : public Command {
         "where every strut shows\n",
         v.bounds.least, v.bounds.most, v.shape.longest_edge, counted(v.contacts, "contact"),
         v.contacts_at_most);
+    if (!v.published.struts_of.empty())
+      fmt::print("  struts     are of {}: no more is asked than that as many fit in\n", v.published.struts_of);
     fmt::print("  {}\n", v.within() ? "within" : "NOT WITHIN: " + v.fault());
   }
 

@@ -21,6 +21,7 @@ struct PublishedKnot {
   double error = 0;            ///< of that number as it is printed
   std::uint64_t struts = 0;    ///< places where the tube touches itself; 0: none are told
   double strut_tolerance = 0;  ///< a strut may be longer than twice the thickness by this share
+  std::string struts_of = {};  ///< the shape that they were told of, where it is another
   std::string source = {};     ///< who told it, and where the polygon is
 };
 

@@ -33,12 +33,29 @@ LatticeSymmetry::Products LatticeSymmetry::make_products() {
   return products;
 }
 
+LatticeSymmetry::Inverses LatticeSymmetry::make_inverses() {
+  Inverses inverses{};
+  for (std::size_t k = 0; k < count; ++k)
+    inverses[k] = static_cast<std::uint8_t>(std::ranges::find(products_[k], 0) - products_[k].begin());
+  return inverses;
+}
+
+LatticeSymmetry::Lanes LatticeSymmetry::make_lanes() {
+  Lanes lanes{};
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int plain = all_[k].from[axis], negated = plain + 4;
+      lanes[k][axis] = all_[k].sign[axis] > 0 ? plain : negated;
+      lanes[k][axis + 4] = all_[k].sign[axis] > 0 ? negated : plain;
+    }
+    lanes[k][3] = 3, lanes[k][7] = 7;
+  }
+  return lanes;
+}
+
 constexpr LatticeSymmetry::Table LatticeSymmetry::all_ = make_table();
 const LatticeSymmetry::Products LatticeSymmetry::products_ = make_products();
-
-LatticeSymmetry LatticeSymmetry::inverse() const {
-  const auto& row = products_[number_];
-  return number(static_cast<int>(std::ranges::find(row, 0) - row.begin()));
-}
+const LatticeSymmetry::Inverses LatticeSymmetry::inverses_ = make_inverses();
+const LatticeSymmetry::Lanes LatticeSymmetry::lanes_ = make_lanes();
 
 }  // namespace catena::bench

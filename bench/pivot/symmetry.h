@@ -33,7 +33,10 @@ class LatticeSymmetry {
   }
   /// This one after that one.
   LatticeSymmetry after(LatticeSymmetry first) const { return number(products_[number_][first.number_]); }
-  LatticeSymmetry inverse() const;
+  LatticeSymmetry inverse() const { return number(inverses_[number_]); }
+  int number() const { return number_; }
+  /// Where the image takes its lanes from, of a vector x, y, z, any, -x, -y, -z, any: then no sign is needed.
+  const std::int32_t* lanes() const { return lanes_[number_].data(); }
 
   LatticePoint operator()(const LatticePoint& p) const {
     const Signed& s = all_[number_];
@@ -51,27 +54,19 @@ class LatticeSymmetry {
   };
   using Table = std::array<Signed, count>;
   using Products = std::array<std::array<std::uint8_t, count>, count>;
+  using Inverses = std::array<std::uint8_t, count>;
+  struct alignas(32) EightLanes : std::array<std::int32_t, 8> {};
+  using Lanes = std::array<EightLanes, count>;
   static constexpr Table make_table();
   static Products make_products();
+  static Inverses make_inverses();
+  static Lanes make_lanes();
   static const Table all_;
   static const Products products_;
+  static const Inverses inverses_;
+  static const Lanes lanes_;
 
   std::uint8_t number_ = 0;
-};
-
-/// A box of lattice points, ends included.
-struct LatticeBounds {
-  LatticePoint low, high;
-
-  static LatticeBounds around(const LatticePoint& p) { return {p, p}; }
-  void join(const LatticeBounds& other) {
-    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y), std::min(low.z, other.low.z)};
-    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y), std::max(high.z, other.high.z)};
-  }
-  bool meets(const LatticeBounds& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
-           low.z <= other.high.z && other.low.z <= high.z;
-  }
 };
 
 /// A symmetry, then a move by whole steps.
@@ -80,11 +75,6 @@ struct LatticeMove {
   LatticePoint shift;
 
   LatticePoint operator()(const LatticePoint& p) const { return turn(p) + shift; }
-  LatticeBounds operator()(const LatticeBounds& box) const {
-    LatticeBounds moved = LatticeBounds::around((*this)(box.low));
-    moved.join(LatticeBounds::around((*this)(box.high)));
-    return moved;
-  }
   LatticeMove after(const LatticeMove& first) const { return {turn.after(first.turn), (*this)(first.shift)}; }
 };
 

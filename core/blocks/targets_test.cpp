@@ -8,6 +8,7 @@
 
 #include "catena/core/blocks/simd_targets.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/forced_target.h"
 #include "catena/properties/generators/family.h"
 #include "catena/properties/generators/shapes.h"
 #include "catena/properties/property.h"
@@ -17,15 +18,6 @@
 
 namespace catena {
 namespace {
-
-/// Forces an instruction set on every search of the process for as long as it lives.
-class ForcedTarget {
- public:
-  explicit ForcedTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
-  ForcedTarget(const ForcedTarget&) = delete;
-  ForcedTarget& operator=(const ForcedTarget&) = delete;
-  ~ForcedTarget() { hwy::SetSupportedTargetsForTest(0); }
-};
 
 struct Solved {
   std::string name;
@@ -60,7 +52,7 @@ TEST(SimdTargets, GiveTheExactPairsEachOfThem) {
   EXPECT_TRUE(std::ranges::any_of(solved, [](const Solved& s) { return s.right.pair_count > 1000; }));
   std::set<std::size_t> chosen;
   for (const std::int64_t target : targets) {
-    const ForcedTarget forced(target);
+    const properties::ForcedTarget forced(target);
     for (const char* name : {"ChainTree", "Grid", "Hybrid", "Hybrid(crowd=0)", "Hybrid(crowd=0,dense=0)",
                              "Hybrid(crowd=0,dense=0.2)", "Hybrid(crowd=0,dense=1e6)"}) {
       const auto variant = StrategyRegistry::instance().make(name);

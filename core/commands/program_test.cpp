@@ -63,6 +63,9 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("knots nowhere.vect --knot 3_1", "nowhere.vect");
   expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from");
   expect_refused("pivot --n 1", "--n: 1 is not a whole number from");
+  expect_refused("pivot --n 5e6 --rotations any", "--n must be at most 2^22 with --rotations any");
+  expect_refused("pivot --n 50 --rotations some", "--rotations: some not in {lattice,any}");
+  expect_refused("pivot --n 50 --rotations any --at-once", "--at-once goes with --rotations lattice");
   expect_refused("pivot --n 50 --moves 64 --out /nowhere/x.chain", "cannot write /nowhere/x.chain");
   expect_refused("scaling path1:n=300 --ranks 1", "--ranks: Value 1 not in range");
   expect_refused("plan nowhere", "no scene is named 'nowhere'");
@@ -78,6 +81,12 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("fuzz --replay /nowhere.chain", "/nowhere.chain");
 }
 
+TEST_F(Program, CountsAndTurnsWalks) {
+  expect_says("pivot --n 40 --moves 64 --rotations any", 0, {"40 points", "self-avoiding by the exact reference"});
+  expect_says("pivot --n 40 --moves 64 --at-once", 0, {"\n1 at once", "\n39 at once", "times as much"});
+  expect_says("enumerate --walks 4 --lattice diamond", 0, {"A001394", "108"});
+}
+
 TEST_F(Program, JudgesKnotsByWhatWasPublishedOfThem) {
   expect_says("knots --n 32", 0, {"hopf: the tight Hopf link", "published  ropelength 25.13", "within"});
   const std::string trefoil = "knots tight_knot:p=2,margin=0,n=600 ";
@@ -85,15 +94,20 @@ TEST_F(Program, JudgesKnotsByWhatWasPublishedOfThem) {
   expect_says(trefoil + "--ropelength 60", 1, {"NOT WITHIN: ", "fit in, above"});
   expect_says(trefoil + "--ropelength 20 --variant CPU1", 1, {"NOT WITHIN: ", "touch at a radius of"});
   expect_says(trefoil + "--thickness 1e-3", 1, {"NOT WITHIN: ", "do not touch"});
+  expect_says("knots tight_knot:p=2,margin=0,n=64 --knot 3_1_328", 1,
+              {", 375 struts", "struts     are of its shape 100 steps of tightening later"});
   expect_says("knots " + examples + "9_47-cubiclattice.txt --closed --knot knotted", 0,
               {"208 vertices", "within"});
 }
 
 TEST_F(Program, LeavesOutWhatATolerancePermits) {
   const std::string dense = "detect path1:n=5000,spacing=0.2,frame=3 ";
-  expect_says(dense + "--tolerance 0.1 --arc-window pi/2", 0, {"of 5000 spheres are kept; without the others", "auto"});
-  expect_says(dense + "--tolerance 0.1 --arc-window pi/2 --json", 0, {"\"thinned\":{\"tolerance\":0.1,\"of\":5000"});
-  expect_says("verify path2:n=600,spacing=0.3 --tolerance 0.1 --arc-window pi/2 --variant Hybrid", 0, {"exact"});
+  expect_says(dense + "--tolerance 0.1 --arc-window pi/2", 0,
+              {"of 5000 spheres are kept; without the others", "auto"});
+  expect_says(dense + "--tolerance 0.1 --arc-window pi/2 --json", 0,
+              {"\"thinned\":{\"tolerance\":0.1,\"of\":5000"});
+  expect_says("verify path2:n=600,spacing=0.3 --tolerance 0.1 --arc-window pi/2 --variant Hybrid", 0,
+              {"exact"});
   expect_says("detect " + examples + "melt.dump --radius 0.5 --tolerance 0.3 --arc-window 1.5", 0,
               {"every sphere is kept", "4 spheres, 2 pairs"});
   expect_refused(dense + "--tolerance 0.1", "give --arc-window F too");

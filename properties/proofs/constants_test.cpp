@@ -68,8 +68,10 @@ TEST(Proofs, AreAboutTheConstantsOfTheCells) {
                 "the bare radius's 16u"},
         Covered{"capsule_blocks.h", "2 * reach * (1 + 0x1p-16f)", "block_capsule_binary32.g", "1 + 2^-16"},
         Covered{"capsule_blocks.h", "(0.5f + 0x1p-12f)", "capsule_rows.g", "0.5f + 0x1p-12f"},
-        Covered{"node_box.h", "centre_slack = 0x1p-20f;  // 16 u", "capsule_binary32.g", "centre_slack = 16u"},
-        Covered{"node_box.h", "c.radius * (1 + BlockTree::axes_slack)", "capsule_binary32.g", "axes_slack = 128u"},
+        Covered{"node_box.h", "centre_slack = 0x1p-20f;  // 16 u", "capsule_binary32.g",
+                "centre_slack = 16u"},
+        Covered{"node_box.h", "c.radius * (1 + BlockTree::axes_slack)", "capsule_binary32.g",
+                "axes_slack = 128u"},
         Covered{"node_box.h", "mul_add(b.sides(), BlockTree::axes_slack,", "oriented_box_binary32.g",
                 "axes_slack = 128u"},
         Covered{"node_box.h", "(std::fabs(dot(axis[i], axis[(i + 1) % 3])) < BlockTree::axes_error)",
@@ -120,6 +122,19 @@ TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
     EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)
         << c.script << " does not cover " << c.covered;
   }
+}
+
+TEST(Proofs, AreAboutTheConstantsOfRotations) {
+  const std::string code = text_of("bench/pivot/rotated_chain.h"), heap = text_of("bench/pivot/pivot_heap.h"),
+                    proof = text_of("properties/proofs/rotation_binary64.g");
+  for (const auto& [declared, covered, formula] :
+       {std::array{"return 0x1p-22 * extent;", "rounding = 2^-22 of", "written <= 1b-22"},
+        std::array{"return 0x1p-33 * extent;", "drift = 2^-33 of", "moved <= 1b-33"}}) {
+    EXPECT_NE(code.find(declared), std::string::npos) << "rotated_chain.h no longer says " << declared;
+    EXPECT_NE(proof.find(covered), std::string::npos) << covered;
+    EXPECT_NE(proof.find(formula), std::string::npos) << formula;
+  }
+  EXPECT_NE(heap.find("most_levels = 32;"), std::string::npos) << "31 levels below the root are proved";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -17,6 +18,7 @@ namespace catena::reports {
 namespace {
 
 constexpr auto judged_variant = "Hybrid";
+constexpr std::uint64_t most_walks = 2'000'000;  ///< on a lattice whose symmetries are not used
 
 nlohmann::ordered_json row(const std::string& source, const std::string& what, const std::string& published,
                            const std::string& found, bool agrees, const std::string& command) {
@@ -27,18 +29,23 @@ nlohmann::ordered_json row(const std::string& source, const std::string& what, c
 /// The longest walks of each published table, or the first length that differs.
 void add_walks(nlohmann::ordered_json& rows, int steps) {
   const auto variant = StrategyRegistry::instance().make(judged_variant);
-  for (const int dimensions : {3, 2})
-    for (const float radius : {std::nextafter(0.5f, 0.0f), 0.5f}) {
-      const auto verdicts = bench::judge_walks(*variant, {dimensions, radius, radius < 0.5f, steps});
-      for (const bench::WalkVerdict& v : verdicts) {
-        if (!v.published || (v.steps < steps && !v.differs())) continue;
-        rows.push_back(row(
-            "https://oeis.org/" + v.sequence,
-            fmt::format("{} of {} steps, {} lattice", v.counts, v.steps, bench::lattice_name(dimensions)),
-            fmt::format("{}", *v.published), fmt::format("{}", v.found), !v.differs(),
-            fmt::format("catena enumerate --walks {} --lattice {}", steps, bench::lattice_name(dimensions))));
-      }
+  const auto add = [&](const bench::WalkQuestion& question) {
+    for (const bench::WalkVerdict& v : bench::judge_walks(*variant, question)) {
+      if (!v.published || (v.steps < question.steps && !v.differs())) continue;
+      rows.push_back(row("https://oeis.org/" + v.sequence,
+                         fmt::format("{} of {} steps, {} lattice", v.counts, v.steps, v.lattice),
+                         fmt::format("{}", *v.published), fmt::format("{}", v.found), !v.differs(),
+                         fmt::format("catena enumerate --walks {} --lattice {}", question.steps, v.lattice)));
     }
+  };
+  for (const int dimensions : {3, 2})
+    for (const float radius : {std::nextafter(0.5f, 0.0f), 0.5f})
+      add({dimensions, radius, radius < 0.5f, steps});
+  for (const bench::OtherLattice& lattice : bench::other_lattices()) {
+    auto longest = std::min(static_cast<std::size_t>(steps), lattice.table.terms.size() - 1);
+    while (lattice.table.terms[longest] > most_walks) --longest;
+    add({.radius = lattice.radius_below_touching(), .steps = static_cast<int>(longest), .other = &lattice});
+  }
 }
 
 void add_closed_form(nlohmann::ordered_json& rows, const bench::LatticeBox& box, const std::string& options) {
@@ -79,21 +86,22 @@ void add_growth(nlohmann::ordered_json& rows, std::uint32_t most) {
     }
 }
 
-void add_exponent(nlohmann::ordered_json& rows, std::uint64_t moves) {
+template <class Walk>
+void add_exponent(nlohmann::ordered_json& rows, std::uint64_t moves, const std::string& of,
+                  const std::string& options) {
   constexpr std::uint32_t most = 4096;
   std::vector<bench::EndToEnd> lengths;
   Random random(1);
   for (std::uint32_t n = most / 32; n <= most; n *= 2) {
-    bench::PivotWalk walk(n);
+    Walk walk(n);
     lengths.push_back(bench::measure_end_to_end(walk, moves, random));
   }
   const auto exponent = bench::fit_exponent(lengths);
-  rows.push_back(
-      row("Clisby and Dünweg (2016)",
-          fmt::format("exponent nu of self-avoiding walks, {} to {} points under pivots", most / 32, most),
-          fmt::format("{:.8f} ± {:.8f}", exponent.published, exponent.published_error),
-          fmt::format("{:.4f} ± {:.4f}", exponent.nu, exponent.half_width), exponent.agrees(),
-          fmt::format("catena pivot --exponent --n {} --moves {}", most, moves)));
+  rows.push_back(row("Clisby and Dünweg (2016)",
+                     fmt::format("exponent nu of {}, {} to {} points under pivots", of, most / 32, most),
+                     fmt::format("{:.8f} ± {:.8f}", exponent.published, exponent.published_error),
+                     fmt::format("{:.4f} ± {:.4f}", exponent.nu, exponent.half_width), exponent.agrees(),
+                     fmt::format("catena pivot --exponent --n {} --moves {}{}", most, moves, options)));
 }
 
 void add_knots(nlohmann::ordered_json& rows, std::uint32_t points) {
@@ -125,7 +133,9 @@ nlohmann::ordered_json judged(const Profile& profile) {
     add_knots(rows, 8 * profile.judged_side);
   });
   add_growth(rows, profile.judged_n);
-  add_exponent(rows, profile.judged_moves);
+  add_exponent<bench::PivotWalk>(rows, profile.judged_moves, "self-avoiding walks", "");
+  add_exponent<bench::RotatedChain<>>(
+      rows, profile.judged_moves, "spheres that touch along a chain, by any rotation", " --rotations any");
   return rows;
 }
 

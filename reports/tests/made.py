@@ -259,6 +259,33 @@ def run(**options):
                 }
                 for source, found in (("https://oeis.org/A001412", "387966"), ("nobody <b>", "387965"))
             ],
+            "pivots": {
+                "speed": {
+                    "n": 1000,
+                    "warm_up": 4000,
+                    "attempts": 64000,
+                    "acceptance": 0.25,
+                    "us_per_attempt": 1.5,
+                    "bytes_per_point": 12.0,
+                    "published_us": 3.875,
+                    "published_by": "somebody <b>",
+                },
+                "at_once": [
+                    {
+                        "n": n,
+                        "pivots": k,
+                        "attempts": 64,
+                        "acceptance": 0.5 / k,
+                        "us_per_attempt": 2.0 * k,
+                        "rebuild_us": 80.0,
+                        "times": 40.0 / k,
+                        "agree": True,
+                    }
+                    for n in (100, 1000)
+                    for k in (1, 8, 64)
+                ],
+                "rebuilt": "Hybrid",
+            },
             "counts": [
                 {
                     "input": i,

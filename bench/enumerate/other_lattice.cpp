@@ -1,0 +1,80 @@
+#include "catena/bench/enumerate/other_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace catena::bench {
+namespace {
+
+/// Every vector of these lengths along the axes, signs and order changed in all ways, whose coordinates have
+/// a sum that is wanted.
+template <class Wanted>
+std::vector<std::array<int, 3>> steps_where(const Wanted& wanted) {
+  std::vector<std::array<int, 3>> steps;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (wanted(x, y, z)) steps.push_back({x, y, z});
+  return steps;
+}
+
+PublishedTable self_avoiding(int dimensions, const std::string& sequence, std::vector<std::uint64_t> terms) {
+  return {dimensions, WalkTable::self_avoiding, sequence, "", std::move(terms)};
+}
+
+}  // namespace
+
+std::span<const OtherLattice> other_lattices() {
+  // Honeycomb: the cubic lattice's points whose coordinates have the sum 0 or 1. Triangular: the face-centred
+  // lattice's whose sum is 0. The terms are those of oeis.org; A001334's as A177238, of which it is a part,
+  // prints them.
+  static const std::vector<OtherLattice> lattices{
+      {"honeycomb",
+       {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+       1,
+       self_avoiding(2, "A001668", {1, 3, 6, 12, 24, 48, 90, 174, 336, 648, 1218})},
+      {"triangular",
+       steps_where([](int x, int y, int z) { return x * x + y * y + z * z == 2 && x + y + z == 0; }), 2,
+       self_avoiding(2, "A001334",
+                     {1, 6, 30, 138, 618, 2730, 11946, 51882, 224130, 964134, 4133166, 17668938, 75355206})},
+      {"diamond",
+       {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+       3,
+       self_avoiding(3, "A001394", {1, 4, 12, 36, 108, 324, 948, 2796, 8196, 24060})},
+      {"body-centred", steps_where([](int x, int y, int z) { return x * y * z != 0; }), 3,
+       self_avoiding(3, "A001666", {1, 8, 56, 392, 2648, 17960, 120056, 804824, 5351720})},
+      {"face-centred", steps_where([](int x, int y, int z) { return x * x + y * y + z * z == 2; }), 2,
+       self_avoiding(3, "A001336", {1, 12, 132, 1404, 14700, 152532, 1573716, 16172148})}};
+  return lattices;
+}
+
+const OtherLattice* other_lattice(std::string_view name) {
+  const auto found = std::ranges::find(other_lattices(), name, &OtherLattice::name);
+  return found == other_lattices().end() ? nullptr : &*found;
+}
+
+float OtherLattice::radius_below_touching() const {
+  auto radius = static_cast<float>(std::sqrt(spacing) / 2);
+  while (4 * double{radius} * radius >= spacing) radius = std::nextafter(radius, 0.0f);  // exactly
+  return radius;
+}
+
+OtherWalk OtherWalk::then(int step) const {
+  OtherWalk longer = *this;
+  longer.steps |= static_cast<std::uint64_t>(step) << (4 * length);
+  ++longer.length;
+  return longer;
+}
+
+std::vector<std::array<int, 3>> OtherWalk::points() const {
+  std::vector<std::array<int, 3>> points{{0, 0, 0}};
+  for (int k = 0; k < length; ++k) {
+    const auto& step = lattice->steps[steps >> (4 * k) & 15];
+    std::array<int, 3> next = points.back();
+    for (std::size_t axis = 0; axis < 3; ++axis) next[axis] += k % 2 == 0 ? step[axis] : -step[axis];
+    points.push_back(next);
+  }
+  return points;
+}
+
+}  // namespace catena::bench
