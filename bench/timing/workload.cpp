@@ -59,7 +59,7 @@ std::vector<std::string> said_of(InputOptions options) {
     if (argument.starts_with("--"))
       said.push_back(argument.substr(2));
     else
-      said.back() += "=" + std::filesystem::path(argument).filename().string();
+      said.back().append("=").append(std::filesystem::path(argument).filename().string());
   for (std::string& text : said) std::ranges::replace(text, ',', '_');
   return said;
 }

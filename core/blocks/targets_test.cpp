@@ -79,7 +79,7 @@ TEST(SimdTargets, AnswerFrameAfterFrameEachOfThem) {
   const auto frames = std::ranges::find(all, "frame after frame", [](const auto& p) { return p->name(); });
   ASSERT_NE(frames, all.end());
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    const ForcedTarget forced(target);
+    const properties::ForcedTarget forced(target);
     const auto variant = subject.make();
     for (const Solved& s : solved) {
       if (s.chain.size() == 0) continue;

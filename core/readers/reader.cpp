@@ -23,7 +23,8 @@ std::string extension_of(const std::filesystem::path& file) {
 
 std::string extension_of(const std::filesystem::path& file, const ReadOptions& options) {
   if (options.format.empty()) return extension_of(file);
-  return (options.format.starts_with('.') ? "" : ".") + lower_case(options.format);
+  const std::string format = lower_case(options.format);
+  return format.starts_with('.') ? format : fmt::format(".{}", format);
 }
 
 bool reads(const ReaderInfo& info, const std::string& extension) {

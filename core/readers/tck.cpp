@@ -69,7 +69,7 @@ class Tracks {
 
   bool read_point() {
     if (fields_.left() == 0) {
-      curves_.warnings.push_back("the file ends without the infinities that are due; tracks may be missing");
+      curves_.warnings.emplace_back("the file ends without the infinities that are due; tracks may be missing");
       return false;
     }
     const double x = number(), y = number(), z = number();

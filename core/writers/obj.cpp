@@ -24,7 +24,7 @@ void write_obj(const std::filesystem::path& name, const ExportedFrames& frames) 
   for (std::uint32_t s = 0; s < chain.strand_count(); ++s) {
     const auto cell = strand_cell(chain, s);
     if (cell.empty()) continue;
-    line = cell.size() == 1 ? "p" : "l";
+    line.assign(1, cell.size() == 1 ? 'p' : 'l');
     for (const std::uint32_t i : cell) line += fmt::format(" {}", i + 1);
     file.write(line += '\n');
   }
