@@ -27,6 +27,12 @@ TEST_F(BenchProgram, WritesARunFileThatDescribesItsVariants) {
             to_json(StrategyRegistry::instance().describe("aCPU2+Dual")));
   EXPECT_TRUE(run["context"].contains("commit"));
 
+  // Spreads of what is always 0 are no numbers.
+  ASSERT_EQ(measure("--benchmark_repetitions=2 --benchmark_out='" + file("spread.json") + "'"), 0);
+  const std::string spread = text_of(file("spread.json"));
+  EXPECT_NE(spread.find("NaN"), std::string::npos);
+  EXPECT_NE(spread.find("\"catena\": {\"schema\":1,"), std::string::npos);
+
   ASSERT_EQ(measure("--benchmark_out_format=csv --benchmark_out='" + file("run.csv") + "'"), 0);
   EXPECT_NE(text_of(file("run.csv")).find("aCPU2+Dual/find"), std::string::npos);
 }

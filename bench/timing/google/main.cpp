@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fstream>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "catena/bench/timing/google/benchmarks.h"
@@ -81,10 +83,18 @@ std::string flag(const std::vector<std::string>& rest, const std::string& name) 
 /// Adds to the JSON that Google Benchmark wrote what is known of each variant (reports/run_file.md), so that
 /// `catena report` takes it for a run file. Its own context would show it on the console, 40 kB of it.
 void describe_variants(const std::string& file, const std::vector<bench::Case>& cases) {
-  auto run = nlohmann::ordered_json::parse(std::ifstream(file));
-  auto& own = run["catena"] = {{"schema", 1}, {"profile", "custom"}};
+  nlohmann::ordered_json own{{"schema", 1}, {"profile", "custom"}};
   for (const auto& c : cases) own["variants"][c.variant.name] = to_json(c.variant);
-  write_file(file, run.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  // As text: where a spread is none Google Benchmark writes NaN, which Python reads and a strict parser does
+  // not.
+  const std::string run = text.str();
+  const auto end = run.find_last_of('}');
+  if (end == std::string::npos) throw InputError(file + ": Google Benchmark wrote no JSON object");
+  write_file(file, fmt::format("{},\n  \"catena\": {}\n}}\n",
+                               std::string_view(run).substr(0, run.find_last_not_of(" \n", end - 1) + 1),
+                               own.dump()));
 }
 
 int run(int argc, char** argv) {
