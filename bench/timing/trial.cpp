@@ -125,7 +125,8 @@ void Trial::go_to_box_of(const Chain& chain) {
 void Trial::stand_on(const Chain& chain) {
   if (standing_ == &chain) return;
   go_to_box_of(chain);
-  standing_ == nullptr ? variant_->build(chain) : variant_->update(chain);
+  updated_ = standing_ != nullptr;
+  updated_ ? variant_->update(chain) : variant_->build(chain);
   standing_ = &chain;
 }
 
@@ -159,11 +160,13 @@ double Trial::run_now(Stage stage) {
   const Chain& chain = work_->chains[next_];
   next_ = (next_ + 1) % work_->chains.size();
   if (stage == Stage::resident) return search_resident(chain);
+  // One that keeps what it found of a frame would answer the next question about it from memory.
+  if (stage == Stage::find && work_->chains.size() == 1 && updated_) standing_ = nullptr;
   if (stage == Stage::find) stand_on(chain);
   if (flush_cache_ && device_) device_->flush_cache();
   go_to_box_of(chain);
   const Stopwatch wall;
-  if (stage != Stage::find) variant_->build(chain);
+  if (stage != Stage::find) variant_->build(chain), updated_ = false;
   if (stage != Stage::build) variant_->find(chain, {}, found_);
   const double whole_ms = wall.ms();
   standing_ = &chain;

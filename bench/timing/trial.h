@@ -75,6 +75,7 @@ class Trial {
   std::size_t next_ = 0;              // of the chains
   std::vector<const Chain*> moving_;  // the frames that an update goes through, each beside the one before it
   const Chain* standing_ = nullptr;   // of the last build or update
+  bool updated_ = false;              // it was an update
   std::uint64_t pairs_ = 0, missing_ = 0, invented_ = 0;
 };
 

@@ -55,8 +55,8 @@ TEST(Trial, AnUpdateMovesToAndFroTheFrameBeside) {
   Trial trial({"path1:n=50"}, TimesTold::info());
   EXPECT_EQ(calls_of(trial, Stage::update, 3),
             (std::vector<Call>{{"update", frames[27]}, {"update", frames[28]}, {"update", frames[27]}}));
-  EXPECT_EQ(calls_of(trial, Stage::find), (std::vector<Call>{{"update", frames[28]}, {"find", frames[28]}}))
-      << "on the chain that is named, whatever was updated before";
+  EXPECT_EQ(calls_of(trial, Stage::find), (std::vector<Call>{{"build", frames[28]}, {"find", frames[28]}}))
+      << "on the chain that is named, and with no frame before it to remember";
 }
 
 TEST(Trial, AnUpdateGoesThroughAllFramesInTheirOrder) {

@@ -71,14 +71,14 @@ class OfTheH200(unittest.TestCase):
         cls.medians = raw_medians(cls.run_, "whole")
 
     def test_the_advice_for_a_thousand_spheres_is_what_a_caller_waits_for_least(self):
-        self.assertEqual(choice.choose(self.run_, waits.end_to_end(self.run_))["path1/n:1000"].leader, "aCPU2+Dual")
-        self.assertAlmostEqual(self.medians["path1/n:1000"]["aCPU2+Dual"], 0.0397, places=4)
+        self.assertEqual(choice.choose(self.run_, waits.end_to_end(self.run_))["path1/n:1000"].leader, "ChainTree")
+        self.assertAlmostEqual(self.medians["path1/n:1000"]["ChainTree"], 0.0124, places=4)
 
     @recomputes("table:choice")
     def test_every_row_of_the_choice_is_the_least_median_and_its_ratio(self):
         table = next(b for b in advice.build(self.report).blocks if getattr(b, "key", "") == "choice")
         rows = [[cell.raw for cell in row] for row in table.rows if row[1].text == "end to end"]
-        self.assertEqual(len(rows), 8)
+        self.assertEqual(len(rows), len(self.medians))
         for chain, _, fastest, _, next_, ratio, papers, _, median in rows:
             own = exact(self.run_, self.medians[chain])
             self.assertEqual(fastest, min(own, key=own.get), chain)
@@ -105,9 +105,7 @@ class OfTheH200(unittest.TestCase):
     def test_the_mean_slowdowns(self):
         table = next(b for b in slowdown.build(self.report).blocks if getattr(b, "key", "") == "slowdown" and hasattr(b, "rows"))
         for name, timed, mean, least, greatest, tenth, twice in [[c.raw for c in row] for row in table.rows]:
-            factors = [
-                row[name] / min(exact(self.run_, row).values()) for row in self.medians.values() if name in row
-            ]
+            factors = self.slowdowns(name)
             self.assertEqual(timed, len(factors))
             self.assertAlmostEqual(mean, math.exp(sum(map(math.log, factors)) / len(factors)))
             self.assertAlmostEqual(least, min(factors))
@@ -115,30 +113,26 @@ class OfTheH200(unittest.TestCase):
             self.assertAlmostEqual(tenth, sum(f <= 1.1 for f in factors) / len(self.medians))
             self.assertAlmostEqual(twice, sum(f <= 2 for f in factors) / len(self.medians))
 
+    def slowdowns(self, shown):
+        name = shown.removesuffix(" (peer)")
+        return [row[name] / min(exact(self.run_, row).values()) for row in self.medians.values() if name in row]
+
     @recomputes("figure:slowdown")
     def test_the_curves_are_the_share_of_chains(self):
         figure = next(b for b in slowdown.build(self.report).blocks if hasattr(b, "panels"))
         for series in figure.panels[0].series:
-            factors = [
-                row[series.name] / min(exact(self.run_, row).values())
-                for row in self.medians.values()
-                if series.name in row
-            ]
+            factors = self.slowdowns(series.name)
             for at in range(2, len(series.x) - 1, 2):  # the upper ends of the steps
                 share = sum(factor <= series.x[at] * (1 + 1e-12) for factor in factors) / len(self.medians)
                 self.assertGreaterEqual(share + 1e-12, series.y[at])
             self.assertAlmostEqual(series.y[-1], sum(f <= series.x[-1] for f in factors) / len(self.medians))
         for series in figure.panels[1].series:
-            factors = [
-                row[series.name] / min(exact(self.run_, row).values())
-                for row in self.medians.values()
-                if series.name in row
-            ]
+            factors = self.slowdowns(series.name)
             self.assertAlmostEqual(series.x[0], plain.geometric_mean(factors))
 
     def test_no_rank_test_where_it_could_not_tell(self):
         test = profiles.rank_test(self.run_, profiles.slowdowns(self.run_))
-        self.assertEqual((test.p, round(test.power, 3)), ({}, 0))
+        self.assertEqual((test.p, round(test.power, 3)), ({}, 0.314))
         self.assertIn("no rank test", profiles.in_words(test))
 
 
@@ -146,8 +140,9 @@ class TwoRunsOfOneMachine(unittest.TestCase):
     def test_the_one_that_timed_more_variants_advises(self):
         runs = [runfile.load(QUICK), runfile.load(made.H200)]
         rows = [[cell.text for cell in row] for row in advice.summary_table(report.Report(runs)).rows]
-        small = [row for row in rows if row[1] == "1,000 spheres (path1)"]
-        self.assertEqual([row[0] for row in small], ["aCPU2+Dual"])
+        small = [row for row in rows if row[1].startswith("1,000 to 5,000 spheres")]
+        self.assertEqual([row[0] for row in small], ["auto"])
+        self.assertIn("h200_quick", small[0][-1])  # and not h200_tables, which timed path1/n:1000 as well
 
 
 class Ranks(unittest.TestCase):
