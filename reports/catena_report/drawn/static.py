@@ -120,7 +120,8 @@ def _handle(name, look):
 
 
 def _panel(ax, panel, at):
-    ax.set_title(panel.title)
+    above = panel.heat and any(line.label for line in panel.lines)  # words between the title and the map
+    ax.set_title(panel.title, pad=18 if above else None)
     ax.set_xlabel(panel.x.title)
     ax.set_ylabel(panel.y.title)
     for line in panel.lines:
