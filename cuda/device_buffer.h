@@ -45,13 +45,6 @@ class DeviceBuffer {
     return data_;
   }
 
-  /// Copies n elements from the host, growing when needed; returns the device address.
-  T* upload(const T* host, std::size_t n, cudaStream_t stream) {
-    reserve(n, stream);
-    if (n > 0) CATENA_CUDA(cudaMemcpyAsync(data_, host, n * sizeof(T), cudaMemcpyHostToDevice, stream));
-    return data_;
-  }
-
   T* data() const { return data_; }
   std::size_t capacity() const { return capacity_; }
 

@@ -12,6 +12,8 @@ Parameters copiers() { return {"staging", {{"threads", "8", "that copy"}}, ""}; 
 
 /// Less is moved by the driver in the time that it takes to share it out.
 constexpr std::size_t least = std::size_t{1} << 20;
+/// So many bytes are moved by the driver in the time that it takes to pin the chunks.
+constexpr std::size_t pays_from = std::size_t{128} << 20;
 constexpr std::size_t page = 4096, pages_at_once = 64;
 
 }  // namespace

@@ -19,7 +19,6 @@ class Staging {
  public:
   static constexpr std::size_t chunk = std::size_t{4} << 20;  ///< bytes
   static constexpr unsigned chunks = 4;
-  static constexpr std::size_t pays_from = std::size_t{128} << 20;  ///< bytes moved by the driver before
 
   Staging();
   ~Staging();

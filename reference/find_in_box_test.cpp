@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <map>
 
 #include "catena/core/error.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/rational_image.h"
 
 namespace catena::reference {
 namespace {
@@ -55,27 +55,12 @@ RC_GTEST_PROP(FindInBox, AgreesWithASearchAmongImages, ()) {
   RC_ASSERT(answer.pair_count == expected.pair_count);
 }
 
-using Rational = boost::multiprecision::cpp_rational;
+using properties::Rational;
 
 /// q and t of the nearest of all images up to `far` boxes away.
 std::pair<Rational, Rational> nearest(const Sphere& a, const Sphere& b, const PeriodicBox& box, int far) {
-  Rational least = -1;
-  for (int x = -far; x <= far; ++x)
-    for (int y = -far; y <= far; ++y)
-      for (int z = -far; z <= far; ++z) {
-        if ((x != 0 && box.length[0] == 0) || (y != 0 && box.length[1] == 0) ||
-            (z != 0 && box.length[2] == 0))
-          continue;
-        const Rational dx = Rational(b.x) - Rational(a.x) + x * Rational(box.length[0]) +
-                            y * Rational(box.xy) + z * Rational(box.xz),
-                       dy =
-                           Rational(b.y) - Rational(a.y) + y * Rational(box.length[1]) + z * Rational(box.yz),
-                       dz = Rational(b.z) - Rational(a.z) + z * Rational(box.length[2]);
-        const Rational q = dx * dx + dy * dy + dz * dz;
-        if (least < 0 || q < least) least = q;
-      }
   const Rational reach = Rational(a.radius) + Rational(b.radius);
-  return {least, reach * reach};
+  return {properties::nearest_squared(a, b, box, far), reach * reach};
 }
 
 // Pairs, sides and margins are those of the definition; narrow boxes, where 0.71 of a width matters, among

@@ -6,8 +6,7 @@
 namespace catena::bench {
 namespace {
 
-/// Every vector of these lengths along the axes, signs and order changed in all ways, whose coordinates have
-/// a sum that is wanted.
+/// Every vector of coordinates -1, 0 and 1 that is wanted.
 template <class Wanted>
 std::vector<std::array<int, 3>> steps_where(const Wanted& wanted) {
   std::vector<std::array<int, 3>> steps;
@@ -26,8 +25,8 @@ PublishedTable self_avoiding(int dimensions, const std::string& sequence, std::v
 
 std::span<const OtherLattice> other_lattices() {
   // Honeycomb: the cubic lattice's points whose coordinates have the sum 0 or 1. Triangular: the face-centred
-  // lattice's whose sum is 0. The terms are those of oeis.org; A001334's as A177238, of which it is a part,
-  // prints them.
+  // lattice's whose sum is 0. The numbers are OEIS's; A001334's terms are as A177238, of which it is a part,
+  // prints them, A001666's and A001336's were not compared with oeis.org, but agree with what is counted here.
   static const std::vector<OtherLattice> lattices{
       {"honeycomb",
        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},

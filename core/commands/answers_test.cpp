@@ -31,7 +31,6 @@ TEST_F(Answers, NameTheSamplesOfANeuron) {
   EXPECT_TRUE(text_of(file("c.csv")).ends_with("0,3,0,4,1,0\n0,4,1,5,1,1\n")) << text_of(file("c.csv"));
 }
 
-// Of a real neuron, every pair of samples that is named overlaps by the file's own numbers.
 // 0.5 of the one end and 9.25 of the other are 1.25 apart across the face.
 TEST_F(Answers, TellDepthsAcrossAFaceOfABox) {
   const std::string csv = write("b.csv", "x,y,z,r\n0.5,0,0,1\n5,5,5,0.1\n9.25,0,0,1\n");
@@ -76,6 +75,7 @@ TEST_F(Answers, TakeNamesOfAnyBytes) {
   }
 }
 
+// Of a real neuron, every pair of samples that is named overlaps by the file's own numbers.
 TEST_F(Answers, NameSamplesThatOverlapInTheFile) {
   const std::string swc = CATENA_SOURCE_DIR "/core/readers/examples/Neuron.swc";
   run("detect " + swc + " --pairs '" + file("p.jsonl") + "' --depth --margin");

@@ -7,6 +7,7 @@
 #include "catena/core/frames/count_pairs.h"
 
 namespace catena {
+
 void FrameAnswer::copy(const Collisions& from) {
   all_.pairs.assign(from.pairs.begin(), from.pairs.end());
   counts_ = Counts::unknown;

@@ -4,18 +4,20 @@
 #include <rapidcheck/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <set>
 
 #include "catena/core/error.h"
 #include "catena/core/periodic/overlap.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/rational_image.h"
 
 namespace catena {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
+using properties::image_squared;
+using properties::nearest_squared;
+using properties::Rational;
 using Pairs = std::vector<Pair>;
 
 /// The definition, by rational numbers and every image that may matter: no code of core/.
@@ -26,12 +28,8 @@ bool overlaps(const Sphere& a, const Sphere& b, int nx, int ny, int nz, const Pe
                z = double{b.z} - a.z + nz * box.length[2];
   if (std::sqrt(x * x + y * y + z * z) > 1.5 * (double{a.radius} + b.radius) + 1e-3 * std::abs(x))
     return false;
-  const Rational dx = Rational(b.x) - Rational(a.x) + nx * Rational(box.length[0]) + ny * Rational(box.xy) +
-                      nz * Rational(box.xz),
-                 dy = Rational(b.y) - Rational(a.y) + ny * Rational(box.length[1]) + nz * Rational(box.yz),
-                 dz = Rational(b.z) - Rational(a.z) + nz * Rational(box.length[2]),
-                 reach = Rational(a.radius) + Rational(b.radius);
-  return dx * dx + dy * dy + dz * dz <= reach * reach;
+  const Rational reach = Rational(a.radius) + Rational(b.radius);
+  return image_squared(a, b, {nx, ny, nz}, box) <= reach * reach;
 }
 
 Pairs by_definition(const Chain& chain, const PeriodicBox& box, int boxes) {
@@ -142,25 +140,6 @@ RC_GTEST_PROP(Periodic, AnswersAPartOfTheSpheres, ()) {
     if (!request.queries.contains(i)) count[i] = 0;
   RC_ASSERT(part.pairs == expected);
   RC_ASSERT(part.count == count);
-}
-
-/// The squared distance to the nearest image, by every image that may matter.
-Rational nearest_squared(const Sphere& a, const Sphere& b, const PeriodicBox& box, int boxes) {
-  Rational least = -1;
-  for (int x = -boxes; x <= boxes; ++x)
-    for (int y = -boxes; y <= boxes; ++y)
-      for (int z = -boxes; z <= boxes; ++z) {
-        const Rational dx = Rational(b.x) - Rational(a.x) + x * Rational(box.length[0]) +
-                            y * Rational(box.xy) + z * Rational(box.xz),
-                       dy =
-                           Rational(b.y) - Rational(a.y) + y * Rational(box.length[1]) + z * Rational(box.yz),
-                       dz = Rational(b.z) - Rational(a.z) + z * Rational(box.length[2]);
-        const Rational q = dx * dx + dy * dy + dz * dz;
-        const bool repeats =
-            (x == 0 || box.length[0] > 0) && (y == 0 || box.length[1] > 0) && (z == 0 || box.length[2] > 0);
-        if (repeats && (least < 0 || q < least)) least = q;
-      }
-  return least;
 }
 
 /// Both but for a few roundings, by 100 digits.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <fstream>
+#include <initializer_list>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -42,16 +43,21 @@ TEST(Proofs, AreAboutTheConstantsOfTheCode) {
       EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(range), std::string::npos) << script;
 }
 
-TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
-  const std::string code = text_of("core/grid/bucket_map.h"),
-                    proof = text_of("properties/proofs/grid_cells.g");
-  for (const auto& [declared, covered, formula] :
-       {std::array{"cell_slack = 0x1p-16;", "cell_slack = 2^-16", "(1 - 1b-16)"},
-        std::array{"far_cell = 0x1p25;", "far_cell = 2^25", "|V| <= 33554433"}}) {
-    EXPECT_NE(code.find(declared), std::string::npos) << "bucket_map.h no longer says " << declared;
+/// Of each: as a file of the code declares it, as the proof says that it covers it, and as its formulas have it.
+void expect_covered(const std::string& file, const std::string& script,
+                    std::initializer_list<std::array<const char*, 3>> constants) {
+  const std::string code = text_of(file), proof = text_of("properties/proofs/" + script);
+  for (const auto& [declared, covered, formula] : constants) {
+    EXPECT_NE(code.find(declared), std::string::npos) << file << " no longer says " << declared;
     EXPECT_NE(proof.find(covered), std::string::npos) << covered;
     EXPECT_NE(proof.find(formula), std::string::npos) << formula;
   }
+}
+
+TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
+  expect_covered("core/grid/bucket_map.h", "grid_cells.g",
+                 {{"cell_slack = 0x1p-16;", "cell_slack = 2^-16", "(1 - 1b-16)"},
+                  {"far_cell = 0x1p25;", "far_cell = 2^25", "|V| <= 33554433"}});
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheCells) {
@@ -125,16 +131,11 @@ TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
 }
 
 TEST(Proofs, AreAboutTheConstantsOfRotations) {
-  const std::string code = text_of("bench/pivot/rotated_chain.h"), heap = text_of("bench/pivot/pivot_heap.h"),
-                    proof = text_of("properties/proofs/rotation_binary64.g");
-  for (const auto& [declared, covered, formula] :
-       {std::array{"return 0x1p-22 * extent;", "rounding = 2^-22 of", "written <= 1b-22"},
-        std::array{"return 0x1p-33 * extent;", "drift = 2^-33 of", "moved <= 1b-33"}}) {
-    EXPECT_NE(code.find(declared), std::string::npos) << "rotated_chain.h no longer says " << declared;
-    EXPECT_NE(proof.find(covered), std::string::npos) << covered;
-    EXPECT_NE(proof.find(formula), std::string::npos) << formula;
-  }
-  EXPECT_NE(heap.find("most_levels = 32;"), std::string::npos) << "31 levels below the root are proved";
+  expect_covered("bench/pivot/rotated_chain.h", "rotation_binary64.g",
+                 {{"return 0x1p-22 * extent;", "rounding = 2^-22 of", "written <= 1b-22"},
+                  {"return 0x1p-33 * extent;", "drift = 2^-33 of", "moved <= 1b-33"}});
+  EXPECT_NE(text_of("bench/pivot/pivot_heap.h").find("most_levels = 32;"), std::string::npos)
+      << "31 levels below the root are proved";
 }
 
 }  // namespace

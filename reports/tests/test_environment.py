@@ -53,6 +53,12 @@ class Environment(unittest.TestCase):
         stopping = self.value["catena"]["stopping"]
         self.assertIn(f"{stopping['narrow']} of {stopping['cases']} cases became that narrow", self.shown.prose)
 
+    def test_what_was_taken_out_is_said(self):
+        value = made.run()
+        value["catena"]["removed"] = ["auto/find: timed from memory"]
+        self.assertIn("taken out: auto/find: timed from memory.", pages.shown(value).prose)
+        self.assertNotIn("taken out", self.shown.prose)
+
     def test_what_was_compared_is_counted(self):
         names = {tuple(name.split("/")[:2]): 0 for name in self.times}
         variants = {re.sub(r"/(build|update|find|whole)/manual_time$", "", name.split("/", 2)[2]) for name in self.times}

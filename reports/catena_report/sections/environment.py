@@ -49,6 +49,11 @@ def build(report):
     ]
     stopping = [Prose(_stopping(report, run)) for run in report.having("stopping")]
     stopping += [Prose(text) for run in report.runs if (text := _certain(report, run))]
+    stopping += [
+        Prose(f"<strong>{html.escape(report.label(run))}</strong>, taken out: {html.escape(why)}.")
+        for run in report.runs
+        for why in run.catena.get("removed") or []
+    ]
     scenes = [_scenes(report, run) for run in report.having("scenes")]
     return Section("environment", "Environment", blocks + stopping + scenes)
 
