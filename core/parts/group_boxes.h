@@ -1,0 +1,16 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "catena/core/executor/large_vector.h"
+#include "catena/core/executor/team.h"
+#include "catena/core/hierarchy/box.h"
+#include "catena/core/sphere.h"
+
+namespace catena::parts {
+
+/// A box around each group of `size` consecutive spheres, the last of which may be shorter; each encloses its
+/// spheres as Box::around does. O(n), shared out by the team.
+LargeVector<Box> group_boxes(std::span<const Sphere> spheres, std::uint32_t size, const Team& team);
+
+}  // namespace catena::parts

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "catena/core/sphere.h"
+
+namespace catena::parts {
+
+/// Space cut into boxes with about as many spheres in each: halved across its longest side again and again,
+/// where that many of a sample of the spheres lie before the cut.
+class Regions {
+ public:
+  /// `count` >= 1 of them, numbered along the cuts. O(s log s) for a sample of s spheres.
+  Regions(std::span<const Sphere> spheres, std::uint32_t count);
+
+  /// In which one a centre lies. O(log count).
+  std::uint32_t of(const Sphere& sphere) const {
+    std::uint32_t at = 0;
+    while (!cuts_[at].leaf()) {
+      const Cut& cut = cuts_[at];
+      const float centre[] = {sphere.x, sphere.y, sphere.z};
+      at = centre[cut.axis] < cut.at ? at + 1 : cut.second;
+    }
+    return cuts_[at].region;
+  }
+
+ private:
+  /// A half before a cut follows it, the other is `second`.
+  struct Cut {
+    float at = 0;
+    int axis = 0;
+    std::uint32_t second = 0, region = 0;
+    bool leaf() const { return second == 0; }
+  };
+  void cut(std::span<Sphere> sample, std::uint32_t first, std::uint32_t count);
+
+  std::vector<Cut> cuts_;
+};
+
+}  // namespace catena::parts
