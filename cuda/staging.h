@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include "catena/core/executor/team.h"
+#include "catena/core/strategy/request.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/stream.h"
 
@@ -27,6 +29,9 @@ class Staging {
 
   /// On its way in the stream when this returns; the program's memory is its own again.
   void to_device(void* device, const void* host, std::size_t bytes, cudaStream_t stream);
+  /// The same of ranges of an array of such elements, which come one after the other.
+  void to_device(void* device, const void* host, std::size_t element, std::span<const SphereRange> ranges,
+                 cudaStream_t stream);
   /// All of it is there when this returns.
   void to_host(void* host, const void* device, std::size_t bytes, cudaStream_t stream);
 
@@ -43,6 +48,7 @@ class Staging {
 
   bool pins(std::size_t bytes);
   void copy(char* to, const char* from, std::size_t bytes) const;
+  void gather(char* to, const char* from, std::size_t element, std::span<const SphereRange> ranges) const;
 
   Team team_;
   std::array<std::unique_ptr<Chunk>, chunks> chunks_;

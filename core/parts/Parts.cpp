@@ -20,6 +20,7 @@ class VariantSearch final : public PartSearch {
   void find(const LocalChain&, const Request& request, Collisions& result) override {
     variant_->find(chain_, request, result);
   }
+  void drop() override { variant_ = StrategyRegistry::instance().make(name_), chain_ = {}; }
   Timings timings() const override { return variant_->timings(); }
 
  private:
@@ -45,6 +46,7 @@ class VariantSearch final : public PartSearch {
     return Chain(std::move(spheres), std::move(strands), std::move(exclusion), std::move(arcs));
   }
 
+  const std::string name_;
   std::unique_ptr<Variant> variant_;
   Chain chain_;
 };
@@ -73,14 +75,9 @@ class Parts final : public Variant {
     return searches;
   }
   static PartedSearch::Options options_of(const Parameters& parameters) {
-    const std::string order = parameters.choice("order", {"measured", "chain", "space"});
-    return {
-        .partition = {.group = static_cast<std::uint32_t>(parameters.unsigned_integer("group", 1, 1u << 20)),
-                      .order = order == "chain"   ? Order::chain
-                               : order == "space" ? Order::space
-                                                  : Order::measured},
-        .least_parts = static_cast<std::uint32_t>(parameters.unsigned_integer("parts", 1, 1u << 20)),
-        .room = parameters.unsigned_integer("room", 1, 1u << 31)};
+    return {.partition = partition_options(parameters),
+            .parts = static_cast<std::uint32_t>(parameters.unsigned_integer("parts", 1, 1u << 20)),
+            .room = parameters.unsigned_integer("room", 1, 1u << 31)};
   }
 
   const Team team_;

@@ -14,6 +14,8 @@ class PartSearch {
   virtual void build(const Chain& whole, const LocalChain& part, const Request& request) = 0;
   /// As Variant::find on the part of the last build, in its numbers.
   virtual void find(const LocalChain& part, const Request& request, Collisions& result) = 0;
+  /// Gives back all memory; a build comes next.
+  virtual void drop() = 0;
   /// Of the last build and find.
   virtual Timings timings() const = 0;
 };

@@ -74,7 +74,7 @@ void PartedSearch::find(const Chain& chain, const Request& request, Collisions& 
   moved_in_find_ms_ = std::max(0.0, watch.ms() - worked_ms);
 }
 
-/// As few parts as have room, and as many as there are searches for.
+/// As many parts as are wanted, or as have room, shared out evenly among the searches.
 void PartedSearch::part_chain(const Chain& chain) {
   const Stopwatch watch;
   built_ = false;
@@ -83,7 +83,8 @@ void PartedSearch::part_chain(const Chain& chain) {
   const auto searches = static_cast<std::uint32_t>(searches_.size());
   auto parts = static_cast<std::uint32_t>((n + room - 1) / room);
   if (parts > searches) parts = (parts + searches - 1) / searches * searches;
-  parts = std::max({parts, options_.least_parts, 1u});
+  const std::uint64_t worth = n / std::max(1u, options_.least_part);
+  parts = std::max({parts, static_cast<std::uint32_t>(std::min<std::uint64_t>(options_.parts, worth)), 1u});
   for (;;) {
     partition_.emplace(chain, parts, options_.partition, team_);
     if (partition_->size() == 1 || partition_->greatest() <= room) break;
@@ -112,6 +113,7 @@ void PartedSearch::with_room(const Chain& chain, const std::function<void()>& wo
       return work();
     } catch (const CapacityError&) {
       if (!options_.room_is_guessed || options_.room < least_room) throw;
+      for (const auto& search : searches_) search->drop();
       const std::uint64_t largest = partition_->greatest();
       options_.room = std::min(options_.room, largest) / 4 * 3;
       part_chain(chain);

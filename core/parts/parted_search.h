@@ -21,9 +21,10 @@ class PartedSearch {
  public:
   struct Options {
     Partition::Options partition;
-    std::uint32_t least_parts = 1;  ///< of a chain that has as many groups
-    std::uint64_t room = 1;         ///< most spheres of a part and its halo
-    bool room_is_guessed = false;   ///< then it becomes smaller where a search says that it has no room
+    std::uint32_t parts = 1;       ///< wanted: fewer where they would be short, more where there is no room
+    std::uint32_t least_part = 1;  ///< spheres that are worth a part
+    std::uint64_t room = 1;        ///< most spheres of a part and its halo
+    bool room_is_guessed = false;  ///< then it becomes smaller where a search says that it has no room
   };
 
   PartedSearch(std::vector<std::unique_ptr<PartSearch>> searches, const Options& options, const Team& team);

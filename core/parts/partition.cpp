@@ -126,4 +126,12 @@ double Partition::halo_share() const {
   return own == 0 ? 0 : static_cast<double>(in_halos) / static_cast<double>(own);
 }
 
+Partition::Options partition_options(const Parameters& parameters) {
+  const std::string order = parameters.choice("order", {"measured", "chain", "space"});
+  return {.group = static_cast<std::uint32_t>(parameters.unsigned_integer("group", 1, 1u << 20)),
+          .order = order == "chain"   ? Order::chain
+                   : order == "space" ? Order::space
+                                      : Order::measured};
+}
+
 }  // namespace catena::parts

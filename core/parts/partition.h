@@ -5,6 +5,7 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/parameters/parameters.h"
 
 namespace catena::parts {
 
@@ -54,5 +55,8 @@ class Partition {
   bool in_space_ = false;
   std::vector<Part> parts_;
 };
+
+/// As a strategy's parameters `group` and `order` say.
+Partition::Options partition_options(const Parameters& parameters);
 
 }  // namespace catena::parts
