@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catena/core/executor/large_vector.h"
+#include "catena/core/parts/group_boxes.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_answer.h"
@@ -97,7 +98,8 @@ class PartOnDevice final : public parts::PartSearch {
     memory_.reset();
   }
 
-  void build(const Chain& whole, const parts::LocalChain& part, const Request& request) override {
+  void build(const Chain& whole, const parts::LocalChain& part, const Request& request,
+             const parts::BoxesWanted& boxes) override {
     const DeviceScope scope(place_);
     built_ = false;
     timings_ = {};
@@ -108,7 +110,14 @@ class PartOnDevice final : public parts::PartSearch {
     chain_.extra_count = static_cast<std::uint32_t>(2 * part.extra().size());
     chain_.topology = 0;
     Sphere* const there = m.spheres.reserve(part.size(), m.stream);
-    m.staging.to_device(there, whole.spheres().data(), sizeof(Sphere), part.runs(), m.stream);
+    Staging::Seen enclose;
+    if (boxes.boxes != nullptr)
+      enclose = [&](std::size_t first, std::size_t count, const void* spheres) {
+        parts::enclose_groups({static_cast<const Sphere*>(spheres), count}, boxes.group,
+                              boxes.boxes + (first - part.runs()[0].begin) / boxes.group);
+      };
+    m.staging.to_device(there, whole.spheres().data(), sizeof(Sphere), part.runs(), m.stream, enclose,
+                        boxes.group);
     chain_.spheres = there;
     chain_.exclusion = m.tables.upload(whole, part, m.staging, m.stream);
     do {
@@ -118,16 +127,18 @@ class PartOnDevice final : public parts::PartSearch {
     built_ = true;
   }
 
-  void find(const parts::LocalChain& part, const Request& request, Collisions& result) override {
+  void find(const parts::LocalChain& part, const Request& request, Collisions& result,
+            std::span<std::uint32_t> count) override {
     if (!built_ || part.size() != chain_.size) throw std::logic_error("find: not the part of the last build");
     const DeviceScope scope(place_);
     Memory& m = *memory_;
+    const DeviceAnswer::CountsTo counts{part.own().begin, count};
     const auto times = m.answer.fetch(
         chain_.size, request, result,
         [&](const ResidentAnswer& answer, StreamHandle stream) {
           m.search->enqueue_find(chain_, request, answer, stream);
         },
-        [&](const ResidentState& seen) { m.search->mend(seen); }, m.stream, m.staging);
+        [&](const ResidentState& seen) { m.search->mend(seen); }, m.stream, m.staging, &counts);
     timings_.find_ms = times.work_ms;
     timings_.transfer_ms = times.transfer_ms;
     timings_.start_ms += times.start_ms;

@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "catena/core/parts/group_boxes.h"
 #include "catena/core/parts/parted_search.h"
 #include "catena/core/strategy/register.h"
 
@@ -12,13 +13,18 @@ class VariantSearch final : public PartSearch {
  public:
   explicit VariantSearch(const std::string& variant) : variant_(StrategyRegistry::instance().make(variant)) {}
 
-  void build(const Chain& whole, const LocalChain& part, const Request& request) override {
+  void build(const Chain& whole, const LocalChain& part, const Request& request,
+             const BoxesWanted& boxes) override {
     chain_ = copy_of(whole, part);
+    if (boxes.boxes != nullptr) enclose_groups(chain_.spheres(), boxes.group, boxes.boxes);
     variant_->prepare(request);
     variant_->build(chain_);
   }
-  void find(const LocalChain&, const Request& request, Collisions& result) override {
+  void find(const LocalChain& part, const Request& request, Collisions& result,
+            std::span<std::uint32_t> count) override {
     variant_->find(chain_, request, result);
+    if (!result.count.empty())
+      std::copy_n(result.count.begin() + part.own().begin, count.size(), count.begin());
   }
   void drop() override { variant_ = StrategyRegistry::instance().make(name_), chain_ = {}; }
   Timings timings() const override { return variant_->timings(); }

@@ -7,36 +7,31 @@
 
 namespace catena::parts {
 
-LocalChain::LocalChain(const Chain& whole, const Partition& partition, std::uint32_t part)
-    : group_(partition.group()) {
-  take_groups(whole, partition, part);
+LocalChain::LocalChain(const Chain& whole, const PartRanges& part) {
+  take(part.before);
+  own_.begin = size();
+  take(part.own);
+  own_.end = size();
+  take(part.after);
+  if (runs_.size() > few)
+    for (std::uint32_t at = 0, run = 0; at < size(); at += stride) {
+      while (begin_[run + 1] <= at) ++run;
+      run_at_.push_back(run);
+    }
   cut_pieces(whole);
   extra_ = neighbours_across(whole, pieces_);
 }
 
-void LocalChain::take_groups(const Chain& whole, const Partition& partition, std::uint32_t part) {
-  std::uint64_t spheres = 0;
-  const auto take = [&](std::span<const std::uint32_t> groups) {
-    for (const std::uint32_t g : groups) {
-      const std::uint64_t first = std::uint64_t{g} * group_,
-                          end = std::min<std::uint64_t>(first + group_, whole.size());
-      group_at_.push_back(g);
-      spheres += end - first;
-      if (end - first < group_)
-        short_end_ = static_cast<std::uint32_t>(spheres),
-        missing_ = static_cast<std::uint32_t>(group_ - (end - first));
-      if (!runs_.empty() && runs_.back().end == first)
-        runs_.back().end = static_cast<std::uint32_t>(end);
-      else
-        runs_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)});
-      if (spheres >> 31 != 0)
-        throw CapacityError("a part of the chain and its halo have 2^31 spheres or more");
-    }
-    return static_cast<std::uint32_t>(spheres);
-  };
-  own_.begin = take(partition.halo_before(part));
-  own_.end = take(partition.own(part));
-  size_ = take(partition.halo_after(part));
+void LocalChain::take(const std::vector<SphereRange>& ranges) {
+  for (const SphereRange& range : ranges) {
+    if (range.size() == 0) continue;
+    if (std::uint64_t{size()} + range.size() >= std::uint64_t{1} << 31)
+      throw CapacityError("a part of the chain and its halo have 2^31 spheres or more");
+    const std::uint32_t end = size() + range.size();
+    const bool goes_on = !runs_.empty() && runs_.back().end == range.begin;
+    append(runs_, range);
+    goes_on ? static_cast<void>(begin_.back() = end) : begin_.push_back(end);
+  }
 }
 
 void LocalChain::cut_pieces(const Chain& whole) {

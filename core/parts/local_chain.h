@@ -5,7 +5,7 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/pair.h"
-#include "catena/core/parts/partition.h"
+#include "catena/core/parts/part_ranges.h"
 #include "catena/core/strategy/request.h"
 
 namespace catena::parts {
@@ -25,14 +25,16 @@ class LocalChain {
     bool closed;           ///< all of a closed strand
   };
 
-  /// O(groups + p log p) for p pieces and those of their spheres that are neighbours across pieces. Throws
-  /// CapacityError for 2^31 spheres or more.
-  LocalChain(const Chain& whole, const Partition& partition, std::uint32_t part);
+  /// O(ranges + size / 32 + p log p) for p pieces and those of their spheres that are neighbours across
+  /// pieces. Throws CapacityError for 2^31 spheres or more.
+  LocalChain(const Chain& whole, const PartRanges& part);
 
-  std::uint32_t size() const { return size_; }
+  std::uint32_t size() const { return begin_.back(); }
   SphereRange own() const { return own_; }
   /// Spheres of the whole chain, in the order of this one.
   std::span<const SphereRange> runs() const { return runs_; }
+  /// Where in this one each run begins.
+  std::uint32_t begin(std::size_t run) const { return begin_[run]; }
   /// Each is a strand.
   std::span<const Piece> pieces() const { return pieces_; }
   /// Neighbours that no strand shows, i < j, each once, sorted.
@@ -40,24 +42,25 @@ class LocalChain {
   /// A single piece, open and without extra pairs: no table is needed to say who are neighbours.
   bool is_one_open_strand() const { return pieces_.size() == 1 && !pieces_[0].closed && extra_.empty(); }
 
-  /// The number in the whole chain. O(1).
+  /// The number in the whole chain. O(1) where runs are not shorter than four spheres.
   std::uint32_t id(std::uint32_t local) const {
-    // Behind the chain's last group, which may be short, groups begin earlier.
-    const std::uint32_t padded = local < short_end_ ? local : local + missing_;
-    return group_at_[padded / group_] * group_ + padded % group_;
+    std::uint32_t run = run_at_.empty() ? 0 : run_at_[local / stride];
+    while (begin_[run + 1] <= local) ++run;
+    return runs_[run].begin + (local - begin_[run]);
   }
 
  private:
-  void take_groups(const Chain& whole, const Partition& partition, std::uint32_t part);
+  static constexpr std::uint32_t stride = 32;
+  static constexpr std::size_t few = 8;  ///< runs that are found without a table
+  void take(const std::vector<SphereRange>& ranges);
   void cut_pieces(const Chain& whole);
 
-  std::uint32_t group_, size_ = 0;
   SphereRange own_;
   std::vector<SphereRange> runs_;
+  std::vector<std::uint32_t> begin_{0};  ///< of each run, and the end
+  std::vector<std::uint32_t> run_at_;    ///< [k]: of sphere stride * k
   std::vector<Piece> pieces_;
   std::vector<Pair> extra_;
-  std::vector<std::uint32_t> group_at_;
-  std::uint32_t short_end_ = 0xFFFFFFFFu, missing_ = 0;
 };
 
 }  // namespace catena::parts

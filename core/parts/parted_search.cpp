@@ -10,15 +10,16 @@
 #include <thread>
 
 #include "catena/core/error.h"
-#include "catena/core/executor/large_vector.h"
+#include "catena/core/parts/halos.h"
 
 namespace catena::parts {
 namespace {
 
 /// A part whose halo is so many times larger than itself is not worth the search.
 constexpr std::uint64_t most_halo = 15;
+constexpr std::uint32_t grain = 1u << 15;  ///< counts or pairs that one core takes at a time
 
-bool all_of(const Request& request, std::uint32_t spheres) {
+bool asks_for_all(const Request& request, std::uint32_t spheres) {
   return request.queries.within(spheres) == SphereRange{0, spheres};
 }
 
@@ -26,19 +27,17 @@ bool all_of(const Request& request, std::uint32_t spheres) {
 
 PartedSearch::PartedSearch(std::vector<std::unique_ptr<PartSearch>> searches, const Options& options,
                            const Team& team)
-    : searches_(std::move(searches)),
-      scratch_(searches_.size()),
-      times_(searches_.size()),
-      options_(options),
-      team_(team) {}
+    : options_(options), team_(team) {
+  for (auto& search : searches) workers_.emplace_back().search = std::move(search);
+}
 
 void PartedSearch::build(const Chain& chain, const Request& request) {
   const Stopwatch watch;
   spheres_.reset();
   prepared_ = request;
   prepared_.queries = {};
-  times_.assign(searches_.size(), {});
-  part_chain(chain);
+  for (Worker& worker : workers_) worker.times = {};
+  plan(chain);
   with_room(chain, [&] { build_those_that_stay(chain); });
   spheres_ = chain.size();
   moved_in_build_ms_ = std::max(0.0, watch.ms() - plan_ms_ - slowest(&Timings::build_ms));
@@ -48,21 +47,12 @@ void PartedSearch::build(const Chain& chain, const Request& request) {
 void PartedSearch::find(const Chain& chain, const Request& request, Collisions& result) {
   if (spheres_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
   const Stopwatch watch;
-  for (Timings& times : times_) times.find_ms = 0, times.build_ms = built_ ? times.build_ms : 0;
+  for (Worker& worker : workers_)
+    worker.times.find_ms = 0, worker.times.build_ms = built_ ? worker.times.build_ms : 0;
   try {
     with_room(chain, [&] {
       build_those_that_stay(chain);
-      found_.assign(parts_.size(), {});
-      if (request.want == Request::Want::any)
-        result.count.clear();
-      else
-        resize_large(result.count, chain.size());
-      std::atomic<bool> enough{false};
-      for_each_part([&](std::uint32_t part, std::size_t by) {
-        if (enough) return;
-        search_part(chain, part, by, request, result);
-        if (request.want == Request::Want::any && found_[part].any) enough = true;
-      });
+      search_parts(chain, request, result);
     });
     gather(request, result);
   } catch (...) {  // what is left of an earlier search is no answer
@@ -75,36 +65,56 @@ void PartedSearch::find(const Chain& chain, const Request& request, Collisions& 
 }
 
 /// As many parts as are wanted, or as have room, shared out evenly among the searches.
-void PartedSearch::part_chain(const Chain& chain) {
-  const Stopwatch watch;
-  built_ = false;
-  parts_.clear();
-  const std::uint64_t n = chain.size(), room = std::max<std::uint64_t>(1, options_.room);
-  const auto searches = static_cast<std::uint32_t>(searches_.size());
-  auto parts = static_cast<std::uint32_t>((n + room - 1) / room);
+std::uint32_t PartedSearch::wanted_parts(std::uint64_t spheres) const {
+  const std::uint64_t room = std::max<std::uint64_t>(1, options_.room);
+  const auto searches = static_cast<std::uint32_t>(workers_.size());
+  auto parts = static_cast<std::uint32_t>((spheres + room - 1) / room);
   if (parts > searches) parts = (parts + searches - 1) / searches * searches;
-  const std::uint64_t worth = n / std::max(1u, options_.least_part);
-  parts = std::max({parts, static_cast<std::uint32_t>(std::min<std::uint64_t>(options_.parts, worth)), 1u});
-  for (;;) {
-    partition_.emplace(chain, parts, options_.partition, team_);
-    if (partition_->size() == 1 || partition_->greatest() <= room) break;
-    parts = more_parts(parts, partition_->greatest());
+  const std::uint64_t worth = spheres / std::max(1u, options_.least_part);
+  return std::max({parts, static_cast<std::uint32_t>(std::min<std::uint64_t>(options_.parts, worth)), 1u});
+}
+
+void PartedSearch::plan(const Chain& chain) {
+  const Stopwatch watch;
+  const std::uint32_t parts = wanted_parts(chain.size());
+  without_halos_ = parts > workers_.size() && options_.partition.order != Order::space &&
+                   (options_.partition.order == Order::chain ||
+                    !seems_tangled(chain, parts, options_.partition.group, team_));
+  if (without_halos_) {
+    group_ = options_.partition.group;
+    set_parts(chain, cut_in_chain_order(chain.size(), parts, group_));
+  } else {
+    part_with_halos(chain);
+  }
+  plan_ms_ = watch.ms();
+}
+
+void PartedSearch::part_with_halos(const Chain& chain) {
+  const std::uint64_t n = chain.size(), room = std::max<std::uint64_t>(1, options_.room);
+  without_halos_ = false;
+  for (std::uint32_t parts = wanted_parts(n);;) {
+    Partition partition = part_chain(chain, parts, options_.partition, team_);
+    const std::uint64_t greatest = partition.greatest();
+    if (partition.parts.size() == 1 || greatest <= room) return set_parts(chain, std::move(partition));
+    const double more = 1.1 * parts * static_cast<double>(greatest) / static_cast<double>(room);
+    parts = std::max(parts + 1, static_cast<std::uint32_t>(std::min(more, 4.0 * parts)));
     if (std::uint64_t{parts} * room / (most_halo + 1) > n + room)
       throw CapacityError("the chain cannot be parted for a memory of " + std::to_string(room) +
                           " spheres: so many touch one another that a part of " + std::to_string(n / parts) +
                           " comes with more others than there is room for");
   }
-  std::vector<std::optional<LocalChain>> made(partition_->size());
-  team_.for_each_range(partition_->size(), 1, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t p = begin; p < end; ++p) made[p].emplace(chain, *partition_, p);
-  });
-  for (auto& part : made) parts_.push_back(std::move(*part));
-  plan_ms_ = watch.ms();
 }
 
-std::uint32_t PartedSearch::more_parts(std::uint32_t parts, std::uint64_t greatest) const {
-  const double wanted = 1.1 * parts * (static_cast<double>(greatest) / static_cast<double>(options_.room));
-  return std::max(parts + 1, static_cast<std::uint32_t>(std::min(wanted, 4.0 * parts)));
+void PartedSearch::set_parts(const Chain& chain, Partition partition) {
+  built_ = false;
+  in_space_ = partition.in_space;
+  const auto parts = static_cast<std::uint32_t>(partition.parts.size());
+  std::vector<std::optional<LocalChain>> made(parts);
+  team_.for_each_range(parts, 1, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t p = begin; p < end; ++p) made[p].emplace(chain, partition.parts[p]);
+  });
+  parts_.clear();
+  for (auto& part : made) parts_.push_back(std::move(*part));
 }
 
 void PartedSearch::with_room(const Chain& chain, const std::function<void()>& work) {
@@ -113,132 +123,208 @@ void PartedSearch::with_room(const Chain& chain, const std::function<void()>& wo
       return work();
     } catch (const CapacityError&) {
       if (!options_.room_is_guessed || options_.room < least_room) throw;
-      for (const auto& search : searches_) search->drop();
-      const std::uint64_t largest = partition_->greatest();
-      options_.room = std::min(options_.room, largest) / 4 * 3;
-      part_chain(chain);
+      std::uint64_t greatest = 0;
+      for (const LocalChain& part : parts_) greatest = std::max<std::uint64_t>(greatest, part.size());
+      options_.room = std::min(options_.room, greatest) / 4 * 3;
+      for (Worker& worker : workers_) worker.search->drop();
+      plan(chain);
     }
 }
 
 void PartedSearch::build_those_that_stay(const Chain& chain) {
   if (built_ || !stay()) return;
-  for_each_part([&](std::uint32_t part, std::size_t by) {
-    searches_[by]->build(chain, parts_[part], prepared_);
-    times_[by].build_ms += searches_[by]->timings().build_ms;
-    times_[by].start_ms += searches_[by]->timings().start_ms;
+  for_each_part([&](std::uint32_t part, Worker& by) {
+    by.search->build(chain, parts_[part], prepared_, {});
+    by.times.build_ms += by.search->timings().build_ms;
+    by.times.start_ms += by.search->timings().start_ms;
   });
   built_ = true;
 }
 
 /// Parts that stay have a search of their own, others the next that is free. Throws what the first of them
 /// threw, when all are done with what they had begun.
-void PartedSearch::for_each_part(const std::function<void(std::uint32_t part, std::size_t by)>& work) {
+void PartedSearch::for_each_part(const std::function<void(std::uint32_t part, Worker& by)>& work) {
   std::atomic<std::uint32_t> next{0};
   std::atomic<bool> failed{false};
   std::mutex mutex;
   std::exception_ptr first;
   const auto run = [&](std::size_t by) {
     try {
-      if (stay()) return work(static_cast<std::uint32_t>(by), by);
-      for (std::uint32_t part; !failed && (part = next++) < parts_.size();) work(part, by);
+      if (stay()) return work(static_cast<std::uint32_t>(by), workers_[by]);
+      for (std::uint32_t part; !failed && (part = next++) < parts_.size();) work(part, workers_[by]);
     } catch (...) {
       const std::lock_guard lock(mutex);
       if (!first) first = std::current_exception();
       failed = true;
     }
   };
-  std::vector<std::jthread> others;
-  for (std::size_t by = 1; by < std::min(searches_.size(), parts_.size()); ++by) others.emplace_back(run, by);
-  run(0);
-  others.clear();
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t by = 1; by < std::min(workers_.size(), parts_.size()); ++by)
+      others.emplace_back(run, by);
+    run(0);
+  }
   if (first) std::rethrow_exception(first);
 }
 
-void PartedSearch::search_part(const Chain& chain, std::uint32_t p, std::size_t by, const Request& request,
+void PartedSearch::search_parts(const Chain& chain, const Request& request, Collisions& result) {
+  if (request.want == Request::Want::any)
+    result.count.clear();
+  else
+    resize_large(result.count, chain.size());
+  found_.resize(parts_.size() + 1);
+  for (Found& found : found_) found.any = false, found.pairs = 0, found.list.clear();
+  between_ = 0;
+  if (without_halos_) boxes_.resize((chain.size() + std::size_t{group_} - 1) / group_);
+  std::atomic<bool> enough{false};
+  for_each_part([&](std::uint32_t part, Worker& by) {
+    if (enough) return;
+    search_part(chain, part, by, request, result);
+    if (request.want == Request::Want::any && found_[part].any) enough = true;
+  });
+  if (!without_halos_ || enough || search_between(chain, request, result)) return;
+  part_with_halos(chain);  // they touch one another too much for that
+  search_parts(chain, request, result);
+}
+
+void PartedSearch::search_part(const Chain& chain, std::uint32_t p, Worker& by, const Request& request,
                                Collisions& result) {
   const LocalChain& part = parts_[p];
-  PartSearch& search = *searches_[by];
-  if (!built_) search.build(chain, part, prepared_);
+  if (!built_) {
+    BoxesWanted boxes;
+    if (without_halos_ && part.size() > 0) boxes = {group_, boxes_.data() + part.runs()[0].begin / group_};
+    by.search->build(chain, part, prepared_, boxes);
+  }
   Request local = request;
   local.queries = part.own();
-  if (!all_of(request, chain.size()))  // what is not asked for is left out of all pairs of the part
+  if (!asks_for_all(request, chain.size()))  // what is not asked for is left out of all pairs of the part
     local.want = Request::Want::pairs, local.pair_limit = std::numeric_limits<std::uint64_t>::max();
+  by.found.pairs.swap(found_[p].list);
   try {
-    search.find(part, local, scratch_[by]);
-    take(part, request, scratch_[by], found_[p], result);
+    by.search->find(part, local, by.found, place_of_counts(part, by, result));
+    take_counts(part, by, request, result);
+    take_pairs(part, by, found_[p]);
+    if (!asks_for_all(request, chain.size())) leave_out_unasked(request, found_[p]);
   } catch (const PairLimitExceeded& exceeded) {
     found_[p].any = true;
     found_[p].pairs = exceeded.found();
   }
-  const Timings of_part = search.timings();
-  if (!built_) times_[by].build_ms += of_part.build_ms;
-  times_[by].find_ms += of_part.find_ms;
-  times_[by].start_ms += of_part.start_ms;
+  const Timings of_part = by.search->timings();
+  if (!built_) by.times.build_ms += of_part.build_ms;
+  by.times.find_ms += of_part.find_ms;
+  by.times.start_ms += of_part.start_ms;
 }
 
-/// What was found in a part, in the numbers of the whole chain.
-void PartedSearch::take(const LocalChain& part, const Request& request, const Collisions& found, Found& to,
-                        Collisions& result) const {
-  constexpr std::uint32_t grain = 1u << 15;
-  const bool all = all_of(request, *spheres_);
-  if (request.want != Request::Want::any) {
-    std::uint32_t local = 0;
-    for (const SphereRange& run : part.runs()) {
-      const std::uint32_t first = std::max(local, part.own().begin),
-                          end = std::min(local + run.size(), part.own().end);
-      if (first < end)
-        team_.for_each_range(end - first, grain, [&](std::uint32_t begin, std::uint32_t stop) {
-          const std::uint32_t* const from = found.count.data() + first;
-          std::uint32_t* const at = result.count.data() + run.begin + (first - local);
-          std::copy(from + begin, from + stop, at + begin);
-          if (all) return;
-          for (std::uint32_t k = begin; k < stop; ++k)
-            if (!request.queries.contains(run.begin + (first - local) + k)) at[k] = 0;
-        });
-      local += run.size();
-    }
+/// Pairs of two parts, where parts came without halos: all groups that touch another part are searched at
+/// once. False when they are too many.
+bool PartedSearch::search_between(const Chain& chain, const Request& request, Collisions& result) {
+  std::vector<std::uint32_t> first{0};
+  for (const LocalChain& part : parts_) first.push_back(first.back() + (part.size() + group_ - 1) / group_);
+  std::vector<std::uint32_t> touching;
+  for (const auto& halo : Halos(boxes_, first, team_).find())
+    touching.insert(touching.end(), halo.begin(), halo.end());
+  std::ranges::sort(touching);
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  if (touching.empty()) return true;
+  if (touching.size() * std::uint64_t{group_} > options_.room) return false;
+  PartRanges ranges;
+  for (const std::uint32_t g : touching)
+    append(ranges.own, {g * group_, std::min(g * group_ + group_, chain.size())});
+  const LocalChain part(chain, ranges);
+  between_ = part.size();
+
+  Worker& by = workers_[0];
+  Found& found = found_.back();
+  by.search->build(chain, part, {}, {});
+  by.count.resize(part.size());
+  by.found.pairs.swap(found.list);
+  by.search->find(part, {.pair_limit = std::numeric_limits<std::uint64_t>::max(), .queries = part.own()},
+                  by.found, by.count);
+  take_pairs(part, by, found);
+  const auto part_of = [&](std::uint32_t sphere) { return std::ranges::upper_bound(first, sphere / group_); };
+  std::erase_if(found.list, [&](const Pair& pair) { return part_of(pair.i) == part_of(pair.j); });
+  if (request.want != Request::Want::any)
+    for (const Pair& pair : found.list)
+      for (const std::uint32_t sphere : {pair.i, pair.j})
+        if (request.queries.contains(sphere)) ++result.count[sphere];
+  leave_out_unasked(request, found);
+  if (request.want == Request::Want::counts) found.list.clear();
+  return true;
+}
+
+/// Where they belong, if they lie together there.
+std::span<std::uint32_t> PartedSearch::place_of_counts(const LocalChain& part, Worker& by,
+                                                       Collisions& result) const {
+  if (result.count.empty()) return {};
+  if (!in_space_ && part.own().size() > 0)
+    return {result.count.data() + part.id(part.own().begin), part.own().size()};
+  by.count.resize(part.own().size());
+  return by.count;
+}
+
+void PartedSearch::take_counts(const LocalChain& part, const Worker& by, const Request& request,
+                               Collisions& result) const {
+  if (result.count.empty()) return;
+  const SphereRange own = part.own(), asked = request.queries.within(*spheres_);
+  for (std::size_t k = 0; k < part.runs().size(); ++k) {
+    const SphereRange run = part.runs()[k];
+    const std::uint32_t begin = std::max(part.begin(k), own.begin),
+                        end = std::min(part.begin(k) + run.size(), own.end);
+    if (begin >= end) continue;
+    const std::uint32_t id = run.begin + (begin - part.begin(k));
+    if (in_space_)
+      std::copy(by.count.begin() + (begin - own.begin), by.count.begin() + (end - own.begin),
+                result.count.begin() + id);
+    for (std::uint32_t i = id; !asks_for_all(request, *spheres_) && i < id + (end - begin); ++i)
+      if (!asked.contains(i)) result.count[i] = 0;
   }
-  to.any = found.found;
-  to.pairs = found.pair_count;
-  to.list.resize(found.pairs.size());
-  team_.for_each_range(static_cast<std::uint32_t>(found.pairs.size()), grain,
+}
+
+/// In the numbers of the whole chain.
+void PartedSearch::take_pairs(const LocalChain& part, Worker& by, Found& to) const {
+  to.any = by.found.found;
+  to.pairs = by.found.pair_count;
+  to.list.swap(by.found.pairs);
+  team_.for_each_range(static_cast<std::uint32_t>(to.list.size()), grain,
                        [&](std::uint32_t begin, std::uint32_t end) {
                          for (std::uint32_t k = begin; k < end; ++k) {
-                           const std::uint32_t a = part.id(found.pairs[k].i), b = part.id(found.pairs[k].j);
+                           const std::uint32_t a = part.id(to.list[k].i), b = part.id(to.list[k].j);
                            to.list[k] = {std::min(a, b), std::max(a, b)};
                          }
                        });
-  if (all) return;
-  std::erase_if(to.list, [&](const Pair& pair) { return !request.queries.contains(pair.i); });
-  to.pairs = to.list.size();
-  to.any = to.pairs > 0;
+}
+
+void PartedSearch::leave_out_unasked(const Request& request, Found& found) {
+  std::erase_if(found.list, [&](const Pair& pair) { return !request.queries.contains(pair.i); });
+  found.pairs = found.list.size();
+  found.any = found.pairs > 0;
 }
 
 /// The pairs of all parts, part after part.
 void PartedSearch::gather(const Request& request, Collisions& result) {
-  result.pairs.clear();
   result.found = std::ranges::any_of(found_, &Found::any);
   result.pair_count = 0;
+  if (request.want != Request::Want::pairs) result.pairs.clear();
   if (request.want == Request::Want::any) return;
   for (const Found& found : found_) result.pair_count += found.pairs;
   if (request.want != Request::Want::pairs) return;
   if (result.pair_count > request.pair_limit) throw PairLimitExceeded(result.pair_count, request.pair_limit);
+  if (found_[0].list.size() == result.pair_count) return result.pairs.swap(found_[0].list);
   resize_large(result.pairs, result.pair_count);
-  std::vector<std::uint64_t> at;
-  std::uint64_t next = 0;
-  for (const Found& found : found_) at.push_back(next), next += found.list.size();
-  team_.for_each_range(
-      static_cast<std::uint32_t>(found_.size()), 1, [&](std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t p = begin; p < end; ++p) {
-          std::ranges::copy(found_[p].list, result.pairs.begin() + static_cast<std::ptrdiff_t>(at[p]));
-          std::vector<Pair>().swap(found_[p].list);
-        }
-      });
+  std::size_t at = 0;
+  for (Found& found : found_) {
+    team_.for_each_range(static_cast<std::uint32_t>(found.list.size()), grain,
+                         [&](std::uint32_t begin, std::uint32_t end) {
+                           std::copy(found.list.begin() + begin, found.list.begin() + end,
+                                     result.pairs.begin() + static_cast<std::ptrdiff_t>(at + begin));
+                         });
+    at += found.list.size();
+  }
 }
 
 double PartedSearch::slowest(double Timings::*stage) const {
   double most = 0;
-  for (const Timings& times : times_) most = std::max(most, times.*stage);
+  for (const Worker& worker : workers_) most = std::max(most, worker.times.*stage);
   return most;
 }
 
@@ -253,8 +339,9 @@ std::vector<WorkDone> PartedSearch::work() const {
   std::uint64_t halo = 0, extra = 0;
   for (const LocalChain& part : parts_) halo += part.size() - part.own().size(), extra += part.extra().size();
   return {{"parts", parts_.size()},
-          {"parted by space", partition_ && partition_->in_space()},
+          {"parted by space", in_space_},
           {"spheres in halos", halo},
+          {"spheres searched for pairs of two parts", between_},
           {"neighbours across pieces", extra}};
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <optional>
 
 #include "catena/core/parts/group_boxes.h"
 #include "catena/core/parts/halos.h"
@@ -19,119 +19,176 @@ Box empty_box() {
   return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 }
 
-/// Groups that are worked on together; what each range of so many finds is joined in their order.
-constexpr std::uint32_t range = 1u << 14;
+/// A chain as groups of consecutive spheres.
+struct Groups {
+  std::span<const Sphere> spheres;
+  std::uint32_t size;
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>((spheres.size() + size - 1) / size); }
+  SphereRange range(std::uint32_t g) const {
+    const std::uint64_t first = std::uint64_t{g} * size;
+    return {static_cast<std::uint32_t>(first),
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(first + size, spheres.size()))};
+  }
+  std::span<const Sphere> of(SphereRange range) const { return spheres.subspan(range.begin, range.size()); }
+};
+
+std::vector<std::uint32_t> even_offsets(std::uint32_t groups, std::uint32_t parts) {
+  parts = std::clamp(parts, 1u, std::max(1u, groups));
+  std::vector<std::uint32_t> first;
+  for (std::uint64_t p = 0; p <= parts; ++p) first.push_back(static_cast<std::uint32_t>(groups * p / parts));
+  return first;
+}
+
+Partition cut_at(std::span<const std::uint32_t> first, std::uint32_t spheres, std::uint32_t group) {
+  Partition partition;
+  for (std::size_t p = 0; p + 1 < first.size(); ++p) {
+    const auto sphere = [&](std::size_t k) {
+      return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{first[k]} * group, spheres));
+    };
+    partition.parts.emplace_back().own.push_back({sphere(p), sphere(p + 1)});
+  }
+  return partition;
+}
+
+/// Nothing where it need not be chain order and halos seem too large; `share` is how large.
+std::optional<Partition> in_chain_order(const Chain& chain, std::uint32_t parts,
+                                        const PartitionOptions& options, const Team& team, double& share) {
+  const Groups groups{chain.spheres(), options.group};
+  const std::vector<std::uint32_t> first = even_offsets(groups.count(), parts);
+  Partition partition = cut_at(first, chain.size(), options.group);
+  if (partition.parts.size() == 1) return partition;
+  const LargeVector<Box> boxes = group_boxes(groups.spheres, groups.size, team);
+  const Halos near(boxes, first, team);
+  if (options.order == Order::measured && (share = near.halo_share()) > most_in_halos) return {};
+  const auto halos = near.find();
+  for (std::size_t p = 0; p < halos.size(); ++p)
+    for (const std::uint32_t g : halos[p])
+      append(g < first[p] ? partition.parts[p].before : partition.parts[p].after, groups.range(g));
+  return partition;
+}
+
+/// A group is of the region where a sphere in its middle lies. All of a part is in one box, and every other
+/// group that meets it is of its halo. What is known of a group is worked out anew in each pass, as memory
+/// takes longer.
+class BySpace {
+ public:
+  BySpace(const Chain& chain, std::uint32_t parts, std::uint32_t group, const Team& team)
+      : groups_{chain.spheres(), std::max(1u, group / 8)},
+        parts_(parts),
+        team_(team),
+        regions_(chain.spheres(), parts) {}
+
+  Partition part() {
+    regions_.enclose(boxes_of_parts());
+    std::vector<std::vector<PartRanges>> found(stretches(), std::vector<PartRanges>(parts_));
+    for_each_group([&](std::uint32_t stretch, SphereRange range) {
+      const std::uint32_t own = regions_.of(middle(range));
+      append(found[stretch][own].own, range);
+      regions_.for_each_meeting(box_around(groups_.of(range)), [&](std::uint32_t p) {
+        if (p != own) append(own < p ? found[stretch][p].before : found[stretch][p].after, range);
+      });
+    });
+    Partition partition{std::vector<PartRanges>(parts_), true};
+    team_.for_each_range(parts_, 1, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t p = begin; p < end; ++p)
+        for (const auto list : {&PartRanges::own, &PartRanges::before, &PartRanges::after})
+          for (const auto& of_stretch : found)
+            for (const SphereRange& range : of_stretch[p].*list) append(partition.parts[p].*list, range);
+    });
+    return partition;
+  }
+
+ private:
+  /// Groups that are worked on together; what each such stretch finds is joined in their order.
+  static constexpr std::uint32_t stretch_length = 1u << 14;
+
+  std::uint32_t stretches() const { return (groups_.count() + stretch_length - 1) / stretch_length; }
+  const Sphere& middle(SphereRange range) const { return groups_.spheres[range.begin + range.size() / 2]; }
+  template <class Body>
+  void for_each_group(const Body& body) const {
+    team_.for_each_range(stretches(), 1, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t s = begin; s < end; ++s)
+        for (std::uint32_t g = s * stretch_length; g < std::min((s + 1) * stretch_length, groups_.count());
+             ++g)
+          body(s, groups_.range(g));
+    });
+  }
+  std::vector<Box> boxes_of_parts() const {
+    std::vector<std::vector<Box>> boxes(stretches(), std::vector<Box>(parts_, empty_box()));
+    for_each_group([&](std::uint32_t stretch, SphereRange range) {
+      boxes[stretch][regions_.of(middle(range))].join(box_around(groups_.of(range)));
+    });
+    std::vector<Box> all(parts_, empty_box());
+    for (const auto& of_stretch : boxes)
+      for (std::uint32_t p = 0; p < parts_; ++p) all[p].join(of_stretch[p]);
+    return all;
+  }
+
+  const Groups groups_;
+  const std::uint32_t parts_;
+  const Team& team_;
+  Regions regions_;
+};
 
 }  // namespace
 
-Partition::Partition(const Chain& chain, std::uint32_t parts, const Options& options, const Team& team) {
-  parts = std::max(1u, parts);
-  if (options.order != Order::space) {
-    const double share = part_in_chain_order(chain, parts, options, team);
-    if (share <= most_in_halos || options.order == Order::chain) return;
-    Partition by_space(chain, parts, {.group = options.group, .order = Order::space}, team);
-    if (by_space.halo_share() < share) {
-      *this = std::move(by_space);
-      return;
-    }
-    part_in_chain_order(chain, parts, {.group = options.group, .order = Order::chain}, team);
-  } else {
-    part_by_space(chain, parts, options, team);
-  }
-}
-
-/// Returns about how much of the chain is in halos; where that is too much to be worth it, and it need not be
-/// so, nothing is parted.
-double Partition::part_in_chain_order(const Chain& chain, std::uint32_t parts, const Options& options,
-                                      const Team& team) {
-  group_ = options.group;
-  const LargeVector<Box> boxes = group_boxes(chain.spheres(), group_, team);
-  const auto groups = static_cast<std::uint32_t>(boxes.size());
-  parts = std::min(parts, std::max(1u, groups));
-  std::vector<std::uint32_t> first;
-  for (std::uint64_t p = 0; p <= parts; ++p) first.push_back(static_cast<std::uint32_t>(groups * p / parts));
-  std::vector<std::vector<std::uint32_t>> halos(parts);
-  if (parts > 1) {
-    const Halos near(boxes, first, team);
-    const double share = near.halo_share();
-    if (share > most_in_halos && options.order == Order::measured) return share;
-    halos = near.find();
-  }
-  parts_.assign(parts, {});
-  for (std::uint32_t p = 0; p < parts; ++p) {
-    parts_[p].own.resize(first[p + 1] - first[p]);
-    std::iota(parts_[p].own.begin(), parts_[p].own.end(), first[p]);
-    const auto after = std::ranges::lower_bound(halos[p], first[p]);
-    parts_[p].before.assign(halos[p].begin(), after);
-    parts_[p].after.assign(after, halos[p].end());
-  }
-  return 0;
-}
-
-/// A group is of the region where a sphere in its middle lies. All groups of a part are in one box, and every
-/// other group that meets it is of its halo.
-void Partition::part_by_space(const Chain& chain, std::uint32_t parts, const Options& options,
-                              const Team& team) {
-  in_space_ = true;
-  group_ = std::max(1u, options.group / 8);
-  const std::span<const Sphere> spheres = chain.spheres();
-  const auto groups = static_cast<std::uint32_t>((spheres.size() + group_ - 1) / group_);
-  const std::uint32_t ranges = (groups + range - 1) / range;
-  const Regions regions(spheres, parts);
-  LargeVector<std::uint32_t> part_of(groups);
-  LargeVector<Box> boxes = group_boxes(spheres, group_, team);
-  std::vector<std::vector<Box>> of_range(ranges, std::vector<Box>(parts, empty_box()));
-  const auto in_ranges = [&](const auto& body) {
-    team.for_each_range(ranges, 1, [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t r = begin; r < end; ++r)
-        for (std::uint32_t g = r * range; g < std::min((r + 1) * range, groups); ++g) body(r, g);
-    });
-  };
-  in_ranges([&](std::uint32_t r, std::uint32_t g) {
-    const std::size_t first = std::size_t{g} * group_,
-                      size = std::min<std::size_t>(group_, spheres.size() - first);
-    part_of[g] = regions.of(spheres[first + size / 2]);
-    of_range[r][part_of[g]].join(boxes[g]);
-  });
-  std::vector<Box> around(parts, empty_box());
-  for (const auto& of : of_range)
-    for (std::uint32_t p = 0; p < parts; ++p) around[p].join(of[p]);
-
-  std::vector<std::vector<Part>> found(ranges, std::vector<Part>(parts));
-  in_ranges([&](std::uint32_t r, std::uint32_t g) {
-    found[r][part_of[g]].own.push_back(g);
-    for (std::uint32_t p = 0; p < parts; ++p)
-      if (p != part_of[g] && around[p].meets(boxes[g]))
-        (part_of[g] < p ? found[r][p].before : found[r][p].after).push_back(g);
-  });
-  parts_.assign(parts, {});
-  team.for_each_range(parts, 1, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t p = begin; p < end; ++p)
-      for (auto list : {&Part::own, &Part::before, &Part::after})
-        for (const auto& of : found)
-          (parts_[p].*list).insert((parts_[p].*list).end(), (of[p].*list).begin(), (of[p].*list).end());
-  });
-}
-
-std::uint64_t Partition::greatest() const {
-  std::size_t most = 0;
-  for (const Part& part : parts_)
-    most = std::max(most, part.own.size() + part.before.size() + part.after.size());
-  return std::uint64_t{most} * group_;
-}
-
-double Partition::halo_share() const {
-  std::size_t own = 0, in_halos = 0;
-  for (const Part& part : parts_) own += part.own.size(), in_halos += part.before.size() + part.after.size();
-  return own == 0 ? 0 : static_cast<double>(in_halos) / static_cast<double>(own);
-}
-
-Partition::Options partition_options(const Parameters& parameters) {
+PartitionOptions partition_options(const Parameters& parameters) {
   const std::string order = parameters.choice("order", {"measured", "chain", "space"});
-  return {.group = static_cast<std::uint32_t>(parameters.unsigned_integer("group", 1, 1u << 20)),
+  return {.group = static_cast<std::uint32_t>(parameters.unsigned_integer("group", 1, 1u << 12)),
           .order = order == "chain"   ? Order::chain
                    : order == "space" ? Order::space
                                       : Order::measured};
+}
+
+std::uint64_t Partition::greatest() const {
+  std::uint64_t most = 0;
+  for (const PartRanges& part : parts)
+    most = std::max(most, spheres_in(part.before) + spheres_in(part.own) + spheres_in(part.after));
+  return most;
+}
+
+double Partition::halo_share() const {
+  std::uint64_t own = 0, in_halos = 0;
+  for (const PartRanges& part : parts)
+    own += spheres_in(part.own), in_halos += spheres_in(part.before) + spheres_in(part.after);
+  return own == 0 ? 0 : static_cast<double>(in_halos) / static_cast<double>(own);
+}
+
+Partition cut_in_chain_order(std::uint32_t spheres, std::uint32_t parts, std::uint32_t group) {
+  return cut_at(even_offsets((spheres + group - 1) / group, parts), spheres, group);
+}
+
+Partition part_chain(const Chain& chain, std::uint32_t parts, const PartitionOptions& options,
+                     const Team& team) {
+  parts = std::max(1u, parts);
+  if (options.order == Order::space) return BySpace(chain, parts, options.group, team).part();
+  double share = 0;
+  if (auto partition = in_chain_order(chain, parts, options, team, share)) return *std::move(partition);
+  Partition by_space = BySpace(chain, parts, options.group, team).part();
+  if (by_space.halo_share() < share) return by_space;
+  return *in_chain_order(chain, parts, {.group = options.group, .order = Order::chain}, team, share);
+}
+
+bool seems_tangled(const Chain& chain, std::uint32_t parts, std::uint32_t group, const Team& team) {
+  // Groups in a box: some of a part, and of many every eighth is looked at.
+  const std::uint64_t of_part = chain.size() / group / std::max(1u, parts);
+  const auto together = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(of_part / 32, 1, 64));
+  const std::uint32_t step = std::max(1u, together / 8);
+  const Groups stretches{chain.spheres(), group * together};
+  LargeVector<Box> boxes(stretches.count());
+  team.for_each_range(stretches.count(), 64, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t s = begin; s < end; ++s) {
+      const SphereRange range = stretches.range(s);
+      boxes[s] = empty_box();
+      for (std::uint64_t first = range.begin; first < range.end; first += step * group)
+        boxes[s].join(box_around(
+            stretches.of({static_cast<std::uint32_t>(first),
+                          static_cast<std::uint32_t>(std::min<std::uint64_t>(first + group, range.end))})));
+    }
+  });
+  const std::vector<std::uint32_t> first = even_offsets(stretches.count(), parts);
+  return Halos(boxes, first, team).halo_share() > most_in_halos;
 }
 
 }  // namespace catena::parts

@@ -1,11 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/parameters/parameters.h"
+#include "catena/core/parts/part_ranges.h"
 
 namespace catena::parts {
 
@@ -16,47 +16,36 @@ enum class Order {
   space
 };
 
-/// A chain parted for searches of one part at a time: each part has some of the chain's groups of consecutive
-/// spheres, and a halo, the groups of others that may touch one of its own. So a part and its halo have every
-/// pair of a sphere of the part.
-class Partition {
- public:
-  struct Options {
-    std::uint32_t group =
-        32;  ///< spheres of a group in chain order, >= 1; an eighth of that, at least 1, by space
-    Order order = Order::measured;
-  };
+struct PartitionOptions {
+  std::uint32_t group =
+      32;  ///< consecutive spheres that stay together, >= 1; by space an eighth of that, at least 1
+  Order order = Order::measured;
+};
+/// As a strategy's parameters `group` and `order` say.
+PartitionOptions partition_options(const Parameters& parameters);
 
-  /// Parts the chain into `parts` of about as many groups each, >= 1; by space some may be empty. In chain
-  /// order O(n), and O(m log n) for m groups near another part; by space O(n parts). Shared out by the team.
-  Partition(const Chain& chain, std::uint32_t parts, const Options& options, const Team& team);
+/// A chain parted for searches of one part at a time. Each sphere is a part's own once, so that the parts and
+/// their halos have each pair of the chain in a part of which a sphere of it is.
+struct Partition {
+  std::vector<PartRanges> parts;
+  bool in_space = false;
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(parts_.size()); }
-  bool in_space() const { return in_space_; }
-  std::uint32_t group() const { return group_; }  ///< spheres of a group
-  /// A part's own groups, ascending.
-  std::span<const std::uint32_t> own(std::uint32_t part) const { return parts_[part].own; }
-  /// Its halo: of parts before it, ascending, then of those after it, ascending.
-  std::span<const std::uint32_t> halo_before(std::uint32_t part) const { return parts_[part].before; }
-  std::span<const std::uint32_t> halo_after(std::uint32_t part) const { return parts_[part].after; }
   /// The greatest number of spheres in a part and its halo.
   std::uint64_t greatest() const;
-
- private:
-  struct Part {
-    std::vector<std::uint32_t> own, before, after;
-  };
-  double part_in_chain_order(const Chain& chain, std::uint32_t parts, const Options& options,
-                             const Team& team);
-  void part_by_space(const Chain& chain, std::uint32_t parts, const Options& options, const Team& team);
+  /// Spheres in all halos, as a share of all.
   double halo_share() const;
-
-  std::uint32_t group_ = 1;
-  bool in_space_ = false;
-  std::vector<Part> parts_;
 };
 
-/// As a strategy's parameters `group` and `order` say.
-Partition::Options partition_options(const Parameters& parameters);
+/// Consecutive parts of about as many groups each, >= 1, without halos. O(parts).
+Partition cut_in_chain_order(std::uint32_t spheres, std::uint32_t parts, std::uint32_t group);
+
+/// Parts the chain into `parts` >= 1; by space some may be empty. In chain order O(n), and O(m log n) for m
+/// groups near another part; by space O(n log parts). Shared out by the team.
+Partition part_chain(const Chain& chain, std::uint32_t parts, const PartitionOptions& options,
+                     const Team& team);
+
+/// Whether chain order seems to tangle the parts, so that halos would be large: by every eighth group of the
+/// chain. Only a guess.
+bool seems_tangled(const Chain& chain, std::uint32_t parts, std::uint32_t group, const Team& team);
 
 }  // namespace catena::parts

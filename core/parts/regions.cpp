@@ -34,18 +34,29 @@ Regions::Regions(std::span<const Sphere> spheres, std::uint32_t count) {
 void Regions::cut(std::span<Sphere> sample, std::uint32_t first, std::uint32_t count) {
   const std::size_t at = cuts_.size();
   cuts_.push_back({.region = first});
-  if (count == 1 || sample.empty()) return;
+  if (count == 1) return;
   const int axis = longest_side(sample);
   const std::uint32_t before = count / 2;
-  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * before / count);
-  std::nth_element(sample.begin(), middle, sample.end(), [axis](const Sphere& a, const Sphere& b) {
-    return coordinate(a, axis) < coordinate(b, axis);
-  });
+  const std::size_t middle = sample.size() * before / count;
   cuts_[at].axis = axis;
-  cuts_[at].at = coordinate(*middle, axis);
-  cut(sample.subspan(0, static_cast<std::size_t>(middle - sample.begin())), first, before);
+  if (!sample.empty()) {
+    std::nth_element(
+        sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(middle), sample.end(),
+        [axis](const Sphere& a, const Sphere& b) { return coordinate(a, axis) < coordinate(b, axis); });
+    cuts_[at].at = coordinate(sample[middle], axis);
+  }
+  cut(sample.subspan(0, middle), first, before);
   cuts_[at].second = static_cast<std::uint32_t>(cuts_.size());
-  cut(sample.subspan(static_cast<std::size_t>(middle - sample.begin())), first + before, count - before);
+  cut(sample.subspan(middle), first + before, count - before);
+}
+
+void Regions::enclose(std::span<const Box> contents) {
+  around_.resize(cuts_.size());
+  for (std::size_t at = cuts_.size(); at-- > 0;) {  // what follows a cut is of it
+    const Cut& cut = cuts_[at];
+    around_[at] = cut.leaf() ? contents[cut.region] : around_[at + 1];
+    if (!cut.leaf()) around_[at].join(around_[cut.second]);
+  }
 }
 
 }  // namespace catena::parts

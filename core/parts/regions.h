@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "catena/core/hierarchy/box.h"
 #include "catena/core/sphere.h"
 
 namespace catena::parts {
@@ -25,8 +26,19 @@ class Regions {
     return cuts_[at].region;
   }
 
+  /// What is in each region, as a box around it.
+  void enclose(std::span<const Box> contents);
+  /// visit(region) for each whose contents' box meets this one. After enclose.
+  template <class Visit>
+  void for_each_meeting(const Box& box, const Visit& visit, std::uint32_t at = 0) const {
+    if (!around_[at].meets(box)) return;
+    if (cuts_[at].leaf()) return visit(cuts_[at].region);
+    for_each_meeting(box, visit, at + 1);
+    for_each_meeting(box, visit, cuts_[at].second);
+  }
+
  private:
-  /// A half before a cut follows it, the other is `second`.
+  /// The half before a cut follows it, the other is `second`.
   struct Cut {
     float at = 0;
     int axis = 0;
@@ -36,6 +48,7 @@ class Regions {
   void cut(std::span<Sphere> sample, std::uint32_t first, std::uint32_t count);
 
   std::vector<Cut> cuts_;
+  std::vector<Box> around_;  ///< [cut]: what is in its regions
 };
 
 }  // namespace catena::parts
