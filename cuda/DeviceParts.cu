@@ -54,6 +54,7 @@ class DeviceParts final : public Variant {
     search_.find(chain, request, result);
   }
   Timings timings() const override { return search_.timings(); }
+  Plan plan() const override { return search_.plan(); }
   std::vector<WorkDone> work() const override { return search_.work(); }
 
  private:
@@ -91,7 +92,7 @@ const RegisterVariant<DeviceParts, Robust> registered{
      .parameters = {{"devices", "0", "how many, the first ones; 0: all"},
                     {"memory", "0", "MiB to take of each device; 0: what is free"},
                     {"parts", "0", "how many at least; 0: a part a device"},
-                    {"searches", "2", "parts at a time on a device, where they take turns"},
+                    {"searches", "4", "parts at a time on a device, where they take turns"},
                     {"group", "32", "consecutive spheres that stay together; by space an eighth of that"},
                     {"order", "measured", "parts in chain order or by space, or as measured"}},
      .unavailable = unavailable}};

@@ -1,4 +1,4 @@
-#include <numeric>
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -60,26 +60,28 @@ class PartTables {
       rule.loop_length = staging.upload(loop_, host_loop_.data(), host_loop_.size(), stream);
   }
 
-  /// Partners of each sphere, both ways, as Topology has them.
+  /// Partners of each sphere, both ways, as Topology has them; few spheres have any.
   void upload_extra(const parts::LocalChain& part, ExclusionView& rule, Staging& staging,
                     cudaStream_t stream) {
-    host_row_.assign(part.size() + std::size_t{1}, 0);
-    host_extra_.resize(2 * part.extra().size());
-    for (const Pair& pair : part.extra()) ++host_row_[pair.i], ++host_row_[pair.j];
-    std::exclusive_scan(host_row_.begin(), host_row_.end(), host_row_.begin(), 0u);
-    for (const Pair& pair : part.extra()) {
-      host_extra_[host_row_[pair.i]++] = pair.j;
-      host_extra_[host_row_[pair.j]++] = pair.i;
+    host_ends_.assign(part.extra().begin(), part.extra().end());
+    for (const Pair& pair : part.extra()) host_ends_.push_back({pair.j, pair.i});
+    std::sort(host_ends_.begin(), host_ends_.end(), [](const Pair& a, const Pair& b) { return a.i < b.i; });
+    host_row_.resize(part.size() + std::size_t{1});
+    host_extra_.clear();
+    auto row = host_row_.begin();
+    for (const Pair& end : host_ends_) {  // up to its sphere all rows begin here
+      const auto to = host_row_.begin() + end.i + 1;
+      if (row < to) std::fill(row, to, static_cast<std::uint32_t>(host_extra_.size())), row = to;
+      host_extra_.push_back(end.j);
     }
-    for (std::size_t k = host_row_.size(); --k > 0;)
-      host_row_[k] = host_row_[k - 1];  // ends were made of begins
-    host_row_[0] = 0;
+    std::fill(row, host_row_.end(), static_cast<std::uint32_t>(host_extra_.size()));
     rule.extra_row = staging.upload(row_, host_row_.data(), host_row_.size(), stream);
     rule.extra = staging.upload(extra_, host_extra_.data(), host_extra_.size(), stream);
   }
 
   LargeVector<std::uint32_t> host_strand_of_, host_row_;
   std::vector<std::uint32_t> host_first_, host_extra_;
+  std::vector<Pair> host_ends_;
   std::vector<std::uint8_t> host_closed_;
   std::vector<double> host_loop_;
   DeviceBuffer<std::uint32_t> strand_of_, first_, row_, extra_;

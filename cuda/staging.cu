@@ -72,7 +72,7 @@ void Staging::to_device(void* device, const void* host, std::size_t element,
                         std::span<const SphereRange> ranges, cudaStream_t stream, const Seen& seen,
                         std::size_t together) {
   const auto multiple = [&](std::size_t count) { return std::max(together, count / together * together); };
-  const std::size_t at_once = multiple(1 << 14);  // elements that one core copies
+  const std::size_t at_once = multiple(1 << 12);  // elements that one core copies
   const std::size_t most = multiple(chunk / element);
   if (most * element > chunk) throw std::logic_error("Staging: too many elements are to be seen together");
   std::size_t all = 0;

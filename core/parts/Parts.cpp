@@ -71,6 +71,7 @@ class Parts final : public Variant {
     search_.find(chain, request, result);
   }
   Timings timings() const override { return search_.timings(); }
+  Plan plan() const override { return search_.plan(); }
   std::vector<WorkDone> work() const override { return search_.work(); }
 
  private:

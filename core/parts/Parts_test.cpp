@@ -96,15 +96,15 @@ TEST(Parts, ArePartedByWhatIsMeasured) {
 }
 
 TEST(Parts, HaveAsManyAsTheRoomAsks) {
-  const Chain chain = scene("path1:n=30000");
-  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=1000)");
+  const Chain chain = scene("path1:n=100000");
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=10000)");
   variant->build(chain);
   Collisions found;
   variant->find(chain, {}, found);
   const auto exact = reference::find(chain);
   ASSERT_FALSE(exact.pairs.empty());
   expect_same(found, exact, "path1");
-  EXPECT_GE(step(*variant, "parts"), 30u);
+  EXPECT_GE(step(*variant, "parts"), 10u);
   EXPECT_GT(step(*variant, "spheres searched for pairs of two parts"), 0u);
   variant->find(chain, {}, found);  // parts that took turns come again
   expect_same(found, exact, "path1 again");

@@ -7,7 +7,6 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "catena/core/error.h"
 #include "catena/core/parts/halos.h"
@@ -27,7 +26,9 @@ bool asks_for_all(const Request& request, std::uint32_t spheres) {
 
 PartedSearch::PartedSearch(std::vector<std::unique_ptr<PartSearch>> searches, const Options& options,
                            const Team& team)
-    : options_(options), team_(team) {
+    : options_(options),
+      team_(team),
+      at_a_time_({"PartedSearch", {{"threads", std::to_string(searches.size()), "a search each"}}, ""}) {
   for (auto& search : searches) workers_.emplace_back().search = std::move(search);
 }
 
@@ -37,10 +38,10 @@ void PartedSearch::build(const Chain& chain, const Request& request) {
   prepared_ = request;
   prepared_.queries = {};
   for (Worker& worker : workers_) worker.times = {};
-  plan(chain);
+  share_out(chain);
   with_room(chain, [&] { build_those_that_stay(chain); });
   spheres_ = chain.size();
-  moved_in_build_ms_ = std::max(0.0, watch.ms() - plan_ms_ - slowest(&Timings::build_ms));
+  moved_in_build_ms_ = std::max(0.0, watch.ms() - share_out_ms_ - slowest(&Timings::build_ms));
   moved_in_find_ms_ = 0;
 }
 
@@ -74,7 +75,7 @@ std::uint32_t PartedSearch::wanted_parts(std::uint64_t spheres) const {
   return std::max({parts, static_cast<std::uint32_t>(std::min<std::uint64_t>(options_.parts, worth)), 1u});
 }
 
-void PartedSearch::plan(const Chain& chain) {
+void PartedSearch::share_out(const Chain& chain) {
   const Stopwatch watch;
   const std::uint32_t parts = wanted_parts(chain.size());
   without_halos_ = parts > workers_.size() && options_.partition.order != Order::space &&
@@ -86,7 +87,7 @@ void PartedSearch::plan(const Chain& chain) {
   } else {
     part_with_halos(chain);
   }
-  plan_ms_ = watch.ms();
+  share_out_ms_ = watch.ms();
 }
 
 void PartedSearch::part_with_halos(const Chain& chain) {
@@ -127,7 +128,7 @@ void PartedSearch::with_room(const Chain& chain, const std::function<void()>& wo
       for (const LocalChain& part : parts_) greatest = std::max<std::uint64_t>(greatest, part.size());
       options_.room = std::min(options_.room, greatest) / 4 * 3;
       for (Worker& worker : workers_) worker.search->drop();
-      plan(chain);
+      share_out(chain);
     }
 }
 
@@ -148,9 +149,9 @@ void PartedSearch::for_each_part(const std::function<void(std::uint32_t part, Wo
   std::atomic<bool> failed{false};
   std::mutex mutex;
   std::exception_ptr first;
-  const auto run = [&](std::size_t by) {
+  const auto run = [&](std::uint32_t by) {
     try {
-      if (stay()) return work(static_cast<std::uint32_t>(by), workers_[by]);
+      if (stay()) return work(by, workers_[by]);
       for (std::uint32_t part; !failed && (part = next++) < parts_.size();) work(part, workers_[by]);
     } catch (...) {
       const std::lock_guard lock(mutex);
@@ -158,12 +159,10 @@ void PartedSearch::for_each_part(const std::function<void(std::uint32_t part, Wo
       failed = true;
     }
   };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t by = 1; by < std::min(workers_.size(), parts_.size()); ++by)
-      others.emplace_back(run, by);
-    run(0);
-  }
+  const auto some = static_cast<std::uint32_t>(std::min(workers_.size(), parts_.size()));
+  at_a_time_.for_each_range(some, 1, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t by = begin; by < end; ++by) run(by);
+  });
   if (first) std::rethrow_exception(first);
 }
 
@@ -329,18 +328,33 @@ double PartedSearch::slowest(double Timings::*stage) const {
 }
 
 Timings PartedSearch::timings() const {
-  return {.build_ms = plan_ms_ + slowest(&Timings::build_ms),
+  return {.build_ms = share_out_ms_ + slowest(&Timings::build_ms),
           .find_ms = slowest(&Timings::find_ms),
           .transfer_ms = moved_in_build_ms_ + moved_in_find_ms_,
           .start_ms = slowest(&Timings::start_ms)};
 }
 
+Plan PartedSearch::plan() const {
+  return {{.step = "sharing out",
+           .left_out = parts_.size() < 2,
+           .reason = std::to_string(parts_.size()) + (parts_.size() == 1 ? " part" : " parts") +
+                     (in_space_ ? " by space" : " in chain order") + ", " +
+                     (built_ ? "each stays where it is" : "which take turns"),
+           .actual_ms = share_out_ms_}};
+}
+
+std::uint64_t PartedSearch::spheres_in_halos() const {
+  std::uint64_t halo = 0;
+  for (const LocalChain& part : parts_) halo += part.size() - part.own().size();
+  return halo;
+}
+
 std::vector<WorkDone> PartedSearch::work() const {
-  std::uint64_t halo = 0, extra = 0;
-  for (const LocalChain& part : parts_) halo += part.size() - part.own().size(), extra += part.extra().size();
+  std::uint64_t extra = 0;
+  for (const LocalChain& part : parts_) extra += part.extra().size();
   return {{"parts", parts_.size()},
           {"parted by space", in_space_},
-          {"spheres in halos", halo},
+          {"spheres in halos", spheres_in_halos()},
           {"spheres searched for pairs of two parts", between_},
           {"neighbours across pieces", extra}};
 }

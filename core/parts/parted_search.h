@@ -11,6 +11,7 @@
 #include "catena/core/parts/local_chain.h"
 #include "catena/core/parts/part_search.h"
 #include "catena/core/parts/partition.h"
+#include "catena/core/strategy/plan.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/timings.h"
 #include "catena/core/strategy/work_done.h"
@@ -42,6 +43,8 @@ class PartedSearch {
   /// As Variant::find.
   void find(const Chain& chain, const Request& request, Collisions& result);
   Timings timings() const;
+  /// How the chain was shared out.
+  Plan plan() const;
   std::vector<WorkDone> work() const;
 
  private:
@@ -59,7 +62,7 @@ class PartedSearch {
     Timings times;  ///< summed up
   };
 
-  void plan(const Chain& chain);
+  void share_out(const Chain& chain);
   void part_with_halos(const Chain& chain);
   void set_parts(const Chain& chain, Partition partition);
   std::uint32_t wanted_parts(std::uint64_t spheres) const;
@@ -78,10 +81,12 @@ class PartedSearch {
   static void leave_out_unasked(const Request& request, Found& found);
   void gather(const Request& request, Collisions& result);
   double slowest(double Timings::*stage) const;
+  std::uint64_t spheres_in_halos() const;
 
   std::vector<Worker> workers_;
   Options options_;
   const Team& team_;
+  const Team at_a_time_;  ///< whose members search
   Request prepared_;
   bool in_space_ = false, without_halos_ = false;
   std::vector<LocalChain> parts_;
@@ -91,7 +96,7 @@ class PartedSearch {
   std::optional<std::uint32_t> spheres_;  ///< of the chain that was built
   bool built_ = false;                    ///< all parts, and they stay
   std::uint64_t between_ = 0;             ///< spheres that were searched for pairs of two parts
-  double plan_ms_ = 0, moved_in_build_ms_ = 0, moved_in_find_ms_ = 0;
+  double share_out_ms_ = 0, moved_in_build_ms_ = 0, moved_in_find_ms_ = 0;
 };
 
 }  // namespace catena::parts

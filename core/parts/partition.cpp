@@ -82,13 +82,13 @@ class BySpace {
   Partition part() {
     regions_.enclose(boxes_of_parts());
     std::vector<std::vector<PartRanges>> found(stretches(), std::vector<PartRanges>(parts_));
-    for_each_group([&](std::uint32_t stretch, SphereRange range) {
-      const std::uint32_t own = regions_.of(middle(range));
-      append(found[stretch][own].own, range);
-      regions_.for_each_meeting(box_around(groups_.of(range)), [&](std::uint32_t p) {
-        if (p != own) append(own < p ? found[stretch][p].before : found[stretch][p].after, range);
-      });
-    });
+    for_each_run(
+        [&](std::uint32_t stretch, SphereRange run, const Box& box, std::optional<std::uint32_t> own) {
+          std::uint32_t others = 0;
+          if (own) regions_.for_each_meeting(box, [&](std::uint32_t p) { others += p != *own; });
+          if (own && others == 0) return append(found[stretch][*own].own, run);
+          for_each_group(run, [&](SphereRange range) { take(range, found[stretch]); });
+        });
     Partition partition{std::vector<PartRanges>(parts_), true};
     team_.for_each_range(parts_, 1, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t p = begin; p < end; ++p)
@@ -100,25 +100,49 @@ class BySpace {
   }
 
  private:
-  /// Groups that are worked on together; what each such stretch finds is joined in their order.
-  static constexpr std::uint32_t stretch_length = 1u << 14;
+  /// Groups that are looked at as one first, and such runs that are worked on together; what each stretch of
+  /// these finds is joined in their order.
+  static constexpr std::uint32_t run_length = 8, stretch_length = 1u << 11;
 
-  std::uint32_t stretches() const { return (groups_.count() + stretch_length - 1) / stretch_length; }
+  std::uint32_t runs() const { return (groups_.count() + run_length - 1) / run_length; }
+  std::uint32_t stretches() const { return (runs() + stretch_length - 1) / stretch_length; }
   const Sphere& middle(SphereRange range) const { return groups_.spheres[range.begin + range.size() / 2]; }
+
+  /// body(stretch, run, its box, the region if all of it is in one).
   template <class Body>
-  void for_each_group(const Body& body) const {
+  void for_each_run(const Body& body) const {
+    const Groups of_runs{groups_.spheres, groups_.size * run_length};
     team_.for_each_range(stretches(), 1, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t s = begin; s < end; ++s)
-        for (std::uint32_t g = s * stretch_length; g < std::min((s + 1) * stretch_length, groups_.count());
-             ++g)
-          body(s, groups_.range(g));
+        for (std::uint32_t r = s * stretch_length; r < std::min((s + 1) * stretch_length, runs()); ++r) {
+          const SphereRange run = of_runs.range(r);
+          const Box box = box_around(groups_.of(run));
+          body(s, run, box, regions_.around(box));
+        }
+    });
+  }
+  template <class Body>
+  void for_each_group(SphereRange run, const Body& body) const {
+    for (std::uint64_t first = run.begin; first < run.end; first += groups_.size)
+      body(SphereRange{static_cast<std::uint32_t>(first),
+                       static_cast<std::uint32_t>(std::min<std::uint64_t>(first + groups_.size, run.end))});
+  }
+  void take(SphereRange range, std::vector<PartRanges>& to) const {
+    const std::uint32_t own = regions_.of(middle(range));
+    append(to[own].own, range);
+    regions_.for_each_meeting(box_around(groups_.of(range)), [&](std::uint32_t p) {
+      if (p != own) append(own < p ? to[p].before : to[p].after, range);
     });
   }
   std::vector<Box> boxes_of_parts() const {
     std::vector<std::vector<Box>> boxes(stretches(), std::vector<Box>(parts_, empty_box()));
-    for_each_group([&](std::uint32_t stretch, SphereRange range) {
-      boxes[stretch][regions_.of(middle(range))].join(box_around(groups_.of(range)));
-    });
+    for_each_run(
+        [&](std::uint32_t stretch, SphereRange run, const Box& box, std::optional<std::uint32_t> own) {
+          if (own) return boxes[stretch][*own].join(box);
+          for_each_group(run, [&](SphereRange range) {
+            boxes[stretch][regions_.of(middle(range))].join(box_around(groups_.of(range)));
+          });
+        });
     std::vector<Box> all(parts_, empty_box());
     for (const auto& of_stretch : boxes)
       for (std::uint32_t p = 0; p < parts_; ++p) all[p].join(of_stretch[p]);
@@ -171,10 +195,10 @@ Partition part_chain(const Chain& chain, std::uint32_t parts, const PartitionOpt
 }
 
 bool seems_tangled(const Chain& chain, std::uint32_t parts, std::uint32_t group, const Team& team) {
-  // Groups in a box: some of a part, and of many every eighth is looked at.
+  // Groups in a box: some of a part, of which two are looked at.
   const std::uint64_t of_part = chain.size() / group / std::max(1u, parts);
   const auto together = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(of_part / 32, 1, 64));
-  const std::uint32_t step = std::max(1u, together / 8);
+  const std::uint32_t step = std::max(1u, together / 2);
   const Groups stretches{chain.spheres(), group * together};
   LargeVector<Box> boxes(stretches.count());
   team.for_each_range(stretches.count(), 64, [&](std::uint32_t begin, std::uint32_t end) {
@@ -188,7 +212,8 @@ bool seems_tangled(const Chain& chain, std::uint32_t parts, std::uint32_t group,
     }
   });
   const std::vector<std::uint32_t> first = even_offsets(stretches.count(), parts);
-  return Halos(boxes, first, team).halo_share() > most_in_halos;
+  constexpr double most = 0.5;  // the ends of a part, which are few boxes, touch the next ones
+  return Halos(boxes, first, team).halo_share() > most;
 }
 
 }  // namespace catena::parts

@@ -44,7 +44,7 @@ Partition cut_in_chain_order(std::uint32_t spheres, std::uint32_t parts, std::ui
 Partition part_chain(const Chain& chain, std::uint32_t parts, const PartitionOptions& options,
                      const Team& team);
 
-/// Whether chain order seems to tangle the parts, so that halos would be large: by every eighth group of the
+/// Whether chain order seems to tangle the parts, so that halos would be large: by a few groups of the
 /// chain. Only a guess.
 bool seems_tangled(const Chain& chain, std::uint32_t parts, std::uint32_t group, const Team& team);
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,21 @@ class Regions {
       const Cut& cut = cuts_[at];
       const float centre[] = {sphere.x, sphere.y, sphere.z};
       at = centre[cut.axis] < cut.at ? at + 1 : cut.second;
+    }
+    return cuts_[at].region;
+  }
+
+  /// The one in which every centre in this box lies; nothing when there are several. O(log count).
+  std::optional<std::uint32_t> around(const Box& box) const {
+    std::uint32_t at = 0;
+    while (!cuts_[at].leaf()) {
+      const Cut& cut = cuts_[at];
+      if (box.high[cut.axis] < cut.at)
+        ++at;
+      else if (box.low[cut.axis] >= cut.at)
+        at = cut.second;
+      else
+        return {};
     }
     return cuts_[at].region;
   }
