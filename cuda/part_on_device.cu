@@ -143,7 +143,7 @@ class PartOnDevice final : public parts::PartSearch {
         [&](const ResidentState& seen) { m.search->mend(seen); }, m.stream, m.staging, &counts);
     timings_.find_ms = times.work_ms;
     timings_.transfer_ms = times.transfer_ms;
-    timings_.start_ms += times.start_ms;
+    timings_.start_ms = times.start_ms;
   }
 
   void drop() override {

@@ -78,7 +78,7 @@ std::uint32_t PartedSearch::wanted_parts(std::uint64_t spheres) const {
 void PartedSearch::share_out(const Chain& chain) {
   const Stopwatch watch;
   const std::uint32_t parts = wanted_parts(chain.size());
-  without_halos_ = parts > workers_.size() && options_.partition.order != Order::space &&
+  without_halos_ = parts > 1 && options_.partition.order != Order::space &&
                    (options_.partition.order == Order::chain ||
                     !seems_tangled(chain, parts, options_.partition.group, team_));
   if (without_halos_) {
@@ -134,16 +134,32 @@ void PartedSearch::with_room(const Chain& chain, const std::function<void()>& wo
 
 void PartedSearch::build_those_that_stay(const Chain& chain) {
   if (built_ || !stay()) return;
-  for_each_part([&](std::uint32_t part, Worker& by) {
-    by.search->build(chain, parts_[part], prepared_, {});
-    by.times.build_ms += by.search->timings().build_ms;
-    by.times.start_ms += by.search->timings().start_ms;
-  });
+  make_room_for_boxes(chain);
+  for_each_part([&](std::uint32_t part, Worker& by) { build_part(chain, part, by); });
+  if (without_halos_ && !find_touching(chain)) {
+    part_with_halos(chain);
+    return build_those_that_stay(chain);
+  }
+  if (between_) build_between(chain);
   built_ = true;
 }
 
-/// Parts that stay have a search of their own, others the next that is free. Throws what the first of them
-/// threw, when all are done with what they had begun.
+void PartedSearch::make_room_for_boxes(const Chain& chain) {
+  between_.reset();
+  if (without_halos_) boxes_.resize((chain.size() + std::size_t{group_} - 1) / group_);
+}
+
+void PartedSearch::build_part(const Chain& chain, std::uint32_t p, Worker& by) {
+  const LocalChain& part = parts_[p];
+  BoxesWanted boxes;
+  if (without_halos_ && part.size() > 0) boxes = {group_, boxes_.data() + part.runs()[0].begin / group_};
+  by.search->build(chain, part, prepared_, boxes);
+  by.add_build();
+}
+
+/// Parts that stay have a search of their own, others the next that is free; after the last part comes what
+/// is between parts, if that stays too. Throws what the first of them threw, when all are done with what they
+/// had begun.
 void PartedSearch::for_each_part(const std::function<void(std::uint32_t part, Worker& by)>& work) {
   std::atomic<std::uint32_t> next{0};
   std::atomic<bool> failed{false};
@@ -159,7 +175,8 @@ void PartedSearch::for_each_part(const std::function<void(std::uint32_t part, Wo
       failed = true;
     }
   };
-  const auto some = static_cast<std::uint32_t>(std::min(workers_.size(), parts_.size()));
+  const bool and_between = built_ && between_;
+  const auto some = static_cast<std::uint32_t>(std::min(workers_.size(), parts_.size() + and_between));
   at_a_time_.for_each_range(some, 1, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t by = begin; by < end; ++by) run(by);
   });
@@ -173,27 +190,29 @@ void PartedSearch::search_parts(const Chain& chain, const Request& request, Coll
     resize_large(result.count, chain.size());
   found_.resize(parts_.size() + 1);
   for (Found& found : found_) found.any = false, found.pairs = 0, found.list.clear();
-  between_ = 0;
-  if (without_halos_) boxes_.resize((chain.size() + std::size_t{group_} - 1) / group_);
+  if (!built_) make_room_for_boxes(chain);
   std::atomic<bool> enough{false};
   for_each_part([&](std::uint32_t part, Worker& by) {
     if (enough) return;
+    if (part == parts_.size()) return search_between();
     search_part(chain, part, by, request, result);
     if (request.want == Request::Want::any && found_[part].any) enough = true;
   });
-  if (!without_halos_ || enough || search_between(chain, request, result)) return;
-  part_with_halos(chain);  // they touch one another too much for that
-  search_parts(chain, request, result);
+  if (!without_halos_ || enough) return;
+  if (!built_) {
+    if (!find_touching(chain)) {  // they touch one another too much for that
+      part_with_halos(chain);
+      return search_parts(chain, request, result);
+    }
+    if (between_) build_between(chain), search_between();
+  }
+  if (between_) take_between(request, result);
 }
 
 void PartedSearch::search_part(const Chain& chain, std::uint32_t p, Worker& by, const Request& request,
                                Collisions& result) {
   const LocalChain& part = parts_[p];
-  if (!built_) {
-    BoxesWanted boxes;
-    if (without_halos_ && part.size() > 0) boxes = {group_, boxes_.data() + part.runs()[0].begin / group_};
-    by.search->build(chain, part, prepared_, boxes);
-  }
+  if (!built_) build_part(chain, p, by);
   Request local = request;
   local.queries = part.own();
   if (!asks_for_all(request, chain.size()))  // what is not asked for is left out of all pairs of the part
@@ -208,19 +227,16 @@ void PartedSearch::search_part(const Chain& chain, std::uint32_t p, Worker& by, 
     found_[p].any = true;
     found_[p].pairs = exceeded.found();
   }
-  const Timings of_part = by.search->timings();
-  if (!built_) by.times.build_ms += of_part.build_ms;
-  by.times.find_ms += of_part.find_ms;
-  by.times.start_ms += of_part.start_ms;
+  by.add_find();
 }
 
-/// Pairs of two parts, where parts came without halos: all groups that touch another part are searched at
-/// once. False when they are too many.
-bool PartedSearch::search_between(const Chain& chain, const Request& request, Collisions& result) {
-  std::vector<std::uint32_t> first{0};
-  for (const LocalChain& part : parts_) first.push_back(first.back() + (part.size() + group_ - 1) / group_);
+/// The groups that touch another part, together as a chain of their own: parts came without halos, and pairs
+/// of two parts are found there. False when they are too many.
+bool PartedSearch::find_touching(const Chain& chain) {
+  first_.assign(1, 0);
+  for (const LocalChain& part : parts_) first_.push_back(first_.back() + (part.size() + group_ - 1) / group_);
   std::vector<std::uint32_t> touching;
-  for (const auto& halo : Halos(boxes_, first, team_).find())
+  for (const auto& halo : Halos(boxes_, first_, team_).find())
     touching.insert(touching.end(), halo.begin(), halo.end());
   std::ranges::sort(touching);
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
@@ -229,18 +245,36 @@ bool PartedSearch::search_between(const Chain& chain, const Request& request, Co
   PartRanges ranges;
   for (const std::uint32_t g : touching)
     append(ranges.own, {g * group_, std::min(g * group_ + group_, chain.size())});
-  const LocalChain part(chain, ranges);
-  between_ = part.size();
+  between_.emplace(chain, ranges);
+  return true;
+}
 
-  Worker& by = workers_[0];
-  Found& found = found_.back();
-  by.search->build(chain, part, {}, {});
-  by.count.resize(part.size());
-  by.found.pairs.swap(found.list);
-  by.search->find(part, {.pair_limit = std::numeric_limits<std::uint64_t>::max(), .queries = part.own()},
+/// A search that has no part of its own.
+PartedSearch::Worker& PartedSearch::between_parts() { return workers_[stay() ? parts_.size() : 0]; }
+
+void PartedSearch::build_between(const Chain& chain) {
+  Worker& by = between_parts();
+  by.search->build(chain, *between_, {}, {});
+  by.add_build();
+}
+
+void PartedSearch::search_between() {
+  Worker& by = between_parts();
+  by.count.resize(between_->size());
+  by.found.pairs.swap(found_.back().list);
+  by.search->find(*between_,
+                  {.pair_limit = std::numeric_limits<std::uint64_t>::max(), .queries = between_->own()},
                   by.found, by.count);
-  take_pairs(part, by, found);
-  const auto part_of = [&](std::uint32_t sphere) { return std::ranges::upper_bound(first, sphere / group_); };
+  by.add_find();
+}
+
+/// Of what was found there, the pairs of two parts.
+void PartedSearch::take_between(const Request& request, Collisions& result) {
+  Found& found = found_.back();
+  take_pairs(*between_, between_parts(), found);
+  const auto part_of = [&](std::uint32_t sphere) {
+    return std::ranges::upper_bound(first_, sphere / group_);
+  };
   std::erase_if(found.list, [&](const Pair& pair) { return part_of(pair.i) == part_of(pair.j); });
   if (request.want != Request::Want::any)
     for (const Pair& pair : found.list)
@@ -248,7 +282,6 @@ bool PartedSearch::search_between(const Chain& chain, const Request& request, Co
         if (request.queries.contains(sphere)) ++result.count[sphere];
   leave_out_unasked(request, found);
   if (request.want == Request::Want::counts) found.list.clear();
-  return true;
 }
 
 /// Where they belong, if they lie together there.
@@ -355,7 +388,7 @@ std::vector<WorkDone> PartedSearch::work() const {
   return {{"parts", parts_.size()},
           {"parted by space", in_space_},
           {"spheres in halos", spheres_in_halos()},
-          {"spheres searched for pairs of two parts", between_},
+          {"spheres searched for pairs of two parts", between_ ? between_->size() : 0},
           {"neighbours across pieces", extra}};
 }
 

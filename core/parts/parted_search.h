@@ -21,11 +21,11 @@ namespace catena::parts {
 /// Finds the collisions of a chain part after part, by several searches at a time, each in a thread of its
 /// own.
 ///
-/// A part that has a search to itself is built once, with its halo, and stays there. Others come and go with
-/// each find, and how the chain is parted then depends on what it is like. Where chain order does not tangle
-/// the parts they come without halos, and the boxes of their groups are made as they are moved; the few
-/// groups that then turn out to touch other parts are searched together, for pairs of two parts. So the chain
-/// is read once. Else parts come with halos.
+/// How the chain is parted depends on what it is like. Where chain order does not tangle the parts they come
+/// without halos, and the boxes of their groups are made as they are moved; the few groups that then turn out
+/// to touch other parts are searched together, for pairs of two parts. So the chain is read once. Else parts
+/// come with halos. Parts that have a search to themselves are built once and stay there; others come and go
+/// with each find.
 class PartedSearch {
  public:
   struct Options {
@@ -60,20 +60,34 @@ class PartedSearch {
     Collisions found;
     std::vector<std::uint32_t> count;
     Timings times;  ///< summed up
+
+    void add_build() {
+      times.build_ms += search->timings().build_ms, times.start_ms += search->timings().start_ms;
+    }
+    void add_find() {
+      times.find_ms += search->timings().find_ms, times.start_ms += search->timings().start_ms;
+    }
   };
 
   void share_out(const Chain& chain);
   void part_with_halos(const Chain& chain);
   void set_parts(const Chain& chain, Partition partition);
   std::uint32_t wanted_parts(std::uint64_t spheres) const;
-  bool stay() const { return !without_halos_ && parts_.size() <= workers_.size(); }
+  /// One more search is needed for what is between parts that come without halos.
+  bool stay() const { return parts_.size() + without_halos_ <= workers_.size(); }
   void build_those_that_stay(const Chain& chain);
   void with_room(const Chain& chain, const std::function<void()>& work);
   void for_each_part(const std::function<void(std::uint32_t part, Worker& by)>& work);
   void search_parts(const Chain& chain, const Request& request, Collisions& result);
   void search_part(const Chain& chain, std::uint32_t part, Worker& by, const Request& request,
                    Collisions& result);
-  bool search_between(const Chain& chain, const Request& request, Collisions& result);
+  void make_room_for_boxes(const Chain& chain);
+  void build_part(const Chain& chain, std::uint32_t part, Worker& by);
+  bool find_touching(const Chain& chain);
+  Worker& between_parts();
+  void build_between(const Chain& chain);
+  void search_between();
+  void take_between(const Request& request, Collisions& result);
   std::span<std::uint32_t> place_of_counts(const LocalChain& part, Worker& by, Collisions& result) const;
   void take_counts(const LocalChain& part, const Worker& by, const Request& request,
                    Collisions& result) const;
@@ -93,9 +107,10 @@ class PartedSearch {
   std::vector<Found> found_;              ///< of each part, and between them
   LargeVector<Box> boxes_;                ///< of groups, where parts have no halos
   std::uint32_t group_ = 1;               ///< of these
+  std::vector<std::uint32_t> first_;      ///< group of each part, and their number
+  std::optional<LocalChain> between_;     ///< where there are any, all of these that touch another part
   std::optional<std::uint32_t> spheres_;  ///< of the chain that was built
   bool built_ = false;                    ///< all parts, and they stay
-  std::uint64_t between_ = 0;             ///< spheres that were searched for pairs of two parts
   double share_out_ms_ = 0, moved_in_build_ms_ = 0, moved_in_find_ms_ = 0;
 };
 
