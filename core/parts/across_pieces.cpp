@@ -25,10 +25,8 @@ class Across {
     for (const Pair& pair : whole_.exclusion().extra_pairs)
       if (const auto i = local(pair.i))
         if (const auto j = local(pair.j)) add(*i, *j);
-    std::ranges::sort(pairs_,
-                      [](const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
-    const auto same = [](const Pair& a, const Pair& b) { return a.i == b.i && a.j == b.j; };
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end(), same), pairs_.end());
+    std::ranges::sort(pairs_);
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     return std::move(pairs_);
   }
 
