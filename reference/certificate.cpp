@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/reference/exact_gap.h"
 
 namespace catena::reference {
@@ -74,7 +75,7 @@ CertificateReport CertificateChecker::report() const {
 Certified certify(Variant& variant, const Chain& chain, const Request& request, Collisions& found) {
   variant.build(chain);
   EvidenceTree tree(chain);
-  variant.visit_bounds(tree);
+  visit_evidence_nodes(variant, tree);
   tree.complete();
   variant.find(chain, request, found);
   CertificateChecker checker(chain, tree, variant.evidence(), request);
