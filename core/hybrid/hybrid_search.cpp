@@ -1,6 +1,11 @@
 #include "catena/core/hybrid/hybrid_search.h"
 
 #include <numeric>
+#include <optional>
+
+#include "catena/core/grid/grid_evidence.h"
+#include "catena/core/hybrid/crowd_evidence.h"
+#include "catena/core/space_tree/space_evidence.h"
 
 namespace catena {
 
@@ -30,6 +35,42 @@ void HybridSearch::search(const ChainView& chain, PairCollector& collector, cons
   if (space_.entries > 0)
     search_space_tree(chain, tree_, space_, entry_queues_, block_queues_, collector, team);
   if (dense_count_ > 0) search_grid(chain, grid_, grid_queues_, collector, team);
+}
+
+/// The nodes of each of the three searches that there is.
+struct HybridSearch::Evidence {
+  CrowdNodes chain;
+  std::optional<SpaceNodes> space;
+  std::optional<GridTrees> cells;
+
+  Evidence(const ChainView& view, const HybridSearch& of) : chain(view, of.tree_, of.crowding_) {
+    std::uint32_t next = chain.end_id();
+    if (of.space_.entries > 0) next = space.emplace(view, of.tree_, of.space_, next).end_id();
+    if (of.dense_count_ > 0) cells.emplace(view, of.grid_, next);
+  }
+};
+
+void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::Lane& lane,
+                                        EvidenceSink& sink) {
+  before_ = met();
+  const Evidence nodes(chain, *this);
+  std::optional<SpaceEvidence> space;
+  if (nodes.space) {
+    space.emplace(chain, *nodes.space, sink);
+    search_space_tree(chain, tree_, space_, entry_queues_[0], block_queues_[0], lane, *space);
+  }
+  CrowdSink uncrowded(nodes.chain, space ? &*space : nullptr, sink);
+  search_uncrowded(chain, tree_, crowding_, block_queues_[0], lane, BlockEvidence(chain, tree_, uncrowded));
+  if (!nodes.cells) return;
+  GridEvidence cells(chain, *nodes.cells, sink);
+  search_grid(chain, grid_, grid_queues_[0], lane, cells);
+}
+
+void HybridSearch::show_evidence(const ChainView& chain, BoundsVisitor& visitor) const {
+  const Evidence nodes(chain, *this);
+  nodes.chain.show(visitor);
+  if (nodes.space) nodes.space->show(visitor);
+  if (nodes.cells) nodes.cells->show(visitor);
 }
 
 void HybridSearch::gather_dense(const Team& team) {

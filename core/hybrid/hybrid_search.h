@@ -42,6 +42,10 @@ class CATENA_API HybridSearch {
   void build(const ChainView& chain, const Team& team);
   /// Reports every colliding pair, once. As many lanes as the team has members.
   void search(const ChainView& chain, PairCollector& collector, const Team& team);
+  /// The same to one lane, by the caller alone, slower; every pair is accounted for to the sink, once.
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink);
+  /// The nodes that it names: three trees, of the chain's order, of the order of space and of cells.
+  void show_evidence(const ChainView& chain, BoundsVisitor& visitor) const;
 
   Work work() const;
   const Settings& settings() const { return settings_; }
@@ -49,6 +53,7 @@ class CATENA_API HybridSearch {
   std::uint32_t crowded_nodes() const { return crowding_.crowded_nodes(); }
 
  private:
+  struct Evidence;
   Work met() const;  ///< since this was made
   void gather_dense(const Team& team);
 
@@ -59,8 +64,8 @@ class CATENA_API HybridSearch {
   SpaceTree space_;
   SphereGrid grid_;
   std::vector<std::uint32_t> dense_before_;  ///< [node]: dense spheres of earlier ones
-  std::uint32_t dense_count_ = 0;     ///< spheres of dense blocks
-  LargeVector<std::uint32_t> dense_;  ///< they, ascending; empty where all are
+  std::uint32_t dense_count_ = 0;            ///< spheres of dense blocks
+  LargeVector<std::uint32_t> dense_;         ///< they, ascending; empty where all are
   // [member of the team]
   std::vector<BlockQueues> block_queues_;
   std::vector<SpaceQueue> entry_queues_;
