@@ -72,6 +72,16 @@ CertificateReport CertificateChecker::report() const {
   return result;
 }
 
+bool has_evidence(Variant& variant, const Chain& chain) {
+  if (variant.evidence() == Accounting::none) return false;
+  try {
+    variant.build(chain);
+  } catch (...) {
+    return true;  // certify() meets it again, and says so
+  }
+  return variant.evidence() != Accounting::none;
+}
+
 Certified certify(Variant& variant, const Chain& chain, const Request& request, Collisions& found) {
   variant.build(chain);
   EvidenceTree tree(chain);

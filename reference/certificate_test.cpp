@@ -112,6 +112,7 @@ TEST(Certificate, ProvesTheReferencesAnswerForEveryVariantThatHasOne) {
     if (variant->evidence() == Accounting::none) continue;
     ++variants;
     for (const Chain& chain : chains) {
+      if (!has_evidence(*variant, chain)) continue;  // `auto` chose a device
       Collisions found;
       const Certified certified = certify(*variant, chain, {}, found);
       EXPECT_TRUE(certified.report.holds())
