@@ -1,6 +1,7 @@
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/executor/host_search.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 
@@ -9,12 +10,17 @@ namespace {
 
 /// DeviceGrid with its steps run on the host, one after the other.
 template <class Arithmetic>
-class DeviceGridOnHost final : public HostSearch {
+class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
  public:
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    if (built()) cells_.trees(view_, view_.size).show(visitor);
+  }
 
  private:
   void construct(const ChainView& chain) override {
+    view_ = chain;
     cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
   }
   void search(const ChainView& chain, PairCollector& collector) override {
@@ -23,6 +29,15 @@ class DeviceGridOnHost final : public HostSearch {
     in_range_ = in_range<Arithmetic>(chain);
   }
 
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& to) override {
+    const CellsTrees trees = cells_.trees(chain, chain.size);
+    CellsEvidence evidence(chain, trees, to);
+    TellingLane sink{{lane}, evidence};
+    with_tests_for<Arithmetic>(chain, [&](auto tests) { cells_.search<decltype(tests)>(chain, sink); });
+    evidence.rest();
+  }
+
+  ChainView view_{};  // of the last build
   HostSphereCells cells_;
   bool in_range_ = false;
 };

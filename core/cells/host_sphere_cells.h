@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "catena/core/cells/cells_evidence.h"
 #include "catena/core/cells/host_buckets.h"
 #include "catena/core/cells/search_cells.h"
 #include "catena/core/executor/pair_collector.h"
@@ -34,6 +35,15 @@ class HostSphereCells {
   template <class Tests, class Sink>
   void search(const ChainView& chain, Sink& sink) const {
     cells_.octaves.equal ? search_all<Tests, true>(chain, sink) : search_all<Tests, false>(chain, sink);
+  }
+
+  /// Those that were sorted, as evidence names their cells; ids are first_id and following.
+  CellsTrees trees(const ChainView& chain, std::uint32_t first_id) const {
+    std::vector<std::uint32_t> spheres;
+    for (std::uint32_t place = 0; place < buckets_.places(); ++place)
+      spheres.push_back(cells_.octaves.equal ? PlacedSpheres<true>(cells_).index(place)
+                                             : cells_.index[place]);
+    return CellsTrees(chain, cells_, spheres, first_id);
   }
 
  private:
@@ -88,6 +98,13 @@ struct LaneSink {
 
  private:
   void pair_of(std::uint32_t a, std::uint32_t b) { a < b ? pair(a, b) : pair(b, a); }
+};
+
+/// One that tells of the search.
+struct TellingLane : LaneSink {
+  CellsEvidence& evidence;
+  void looks(std::uint32_t i, std::uint32_t level, std::uint32_t cells) { evidence.looks(i, level, cells); }
+  void compared(std::uint32_t i, std::uint32_t j, std::uint32_t level) { evidence.compared(i, j, level); }
 };
 
 }  // namespace catena

@@ -41,7 +41,7 @@ bool GridEvidence::next_to_one_another(std::uint32_t i, std::uint32_t j) const {
 void GridEvidence::rest() const {
   const auto apart = [&](std::uint32_t a, std::uint32_t b) { sink_.discarded(a, b); };
   for (std::size_t l = 0; l < trees_.levels(); ++l) {
-    trees_.level(l).for_each_apart(apart);
+    trees_.level(l).for_each_apart(apart, [](const CellTree::Node&, const CellTree::Node&) {});
     for (std::size_t coarser = 0; coarser < l; ++coarser) {
       const auto place = [&](std::uint32_t i) { return trees_.place(i, coarser); };
       const auto near = [&](std::uint32_t i, const CellPlace& at, const CellTree::Node& cell) {

@@ -36,7 +36,7 @@ class CATENA_API GridTrees {
 /// What a search of a SphereGrid tells of itself. A pair of spheres in cells that are next to one another is
 /// accounted for when the search compares it, or says that it need not; all others by rest(), whether they
 /// were compared too, for cells share buckets, or not.
-class GridEvidence {
+class CATENA_API GridEvidence {
  public:
   static constexpr bool listens = true;
 

@@ -69,15 +69,18 @@ class CATENA_API CellTree {
 
   bool empty() const { return nodes_.empty(); }
   std::uint32_t end_id() const { return end_id_; }
-  const std::vector<Node>& nodes() const { return nodes_; }
-  const std::vector<Member>& members() const { return members_; }
   void show(BoundsVisitor& visitor) const;
+  /// body(sphere) for those of a cell.
+  template <class Body>
+  void for_each_in(const Node& cell, const Body& body) const {
+    for (std::uint32_t m = cell.first; m < cell.end; ++m) body(members_[m].sphere);
+  }
 
   /// apart(id, id) for pairs of nodes whose cells are not next to one another, so that every pair of spheres
-  /// in such cells is below one of them.
-  template <class Apart>
-  void for_each_apart(const Apart& apart) const {
-    if (!nodes_.empty()) within(0, apart);
+  /// in such cells is below one of them; near(node, node) for each two cells that are.
+  template <class Apart, class Near>
+  void for_each_apart(const Apart& apart, const Near& near) const {
+    if (!nodes_.empty()) within(0, apart, near);
   }
 
   /// Of spheres of this tree and of a coarser one, where place(sphere) is in the cells of that one. apart(id,
@@ -106,24 +109,24 @@ class CATENA_API CellTree {
   Node leaf(const Cell& cell);
   void make(std::vector<Cell>& cells, std::uint32_t begin, std::uint32_t end);
 
-  template <class Apart>
-  void within(std::uint32_t k, const Apart& apart) const {
+  template <class Apart, class Near>
+  void within(std::uint32_t k, const Apart& apart, const Near& near) const {
     if (nodes_[k].right == 0) return;
-    within(k + 1, apart);
-    within(nodes_[k].right, apart);
-    between(k + 1, nodes_[k].right, apart);
+    within(k + 1, apart, near);
+    within(nodes_[k].right, apart, near);
+    between(k + 1, nodes_[k].right, apart, near);
   }
-  template <class Apart>
-  void between(std::uint32_t a, std::uint32_t b, const Apart& apart) const {
+  template <class Apart, class Near>
+  void between(std::uint32_t a, std::uint32_t b, const Apart& apart, const Near& near) const {
     const Node &p = nodes_[a], &q = nodes_[b];
     if (!p.range.near(q.range)) return apart(p.id, q.id);
-    if (p.right == 0 && q.right == 0) return;
+    if (p.right == 0 && q.right == 0) return near(p, q);
     if (q.right == 0 || (p.right != 0 && p.range.side() > q.range.side())) {
-      between(a + 1, b, apart);
-      between(p.right, b, apart);
+      between(a + 1, b, apart, near);
+      between(p.right, b, apart, near);
     } else {
-      between(a, b + 1, apart);
-      between(a, q.right, apart);
+      between(a, b + 1, apart, near);
+      between(a, q.right, apart, near);
     }
   }
 
