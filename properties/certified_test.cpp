@@ -11,7 +11,9 @@ TEST(Certified, AreGridAndHybridWhateverPartsItTakes) {
 }
 
 TEST(Certified, AreTheTwinsOfDevices) {
-  for (const char* name : {"DeviceGrid@host"}) expect_certified(name);
+  for (const char* name : {"DeviceGrid@host", "DeviceHybrid@host", "DeviceHybrid@host(crowd=1)",
+                           "DeviceHybrid@host(cells=1000000)"})
+    expect_certified(name);
 }
 
 }  // namespace

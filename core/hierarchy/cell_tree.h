@@ -7,6 +7,7 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/export.h"
 #include "catena/core/hierarchy/bounds_visitor.h"
+#include "catena/core/hierarchy/range_tree.h"
 
 namespace catena {
 
@@ -38,36 +39,27 @@ struct CellRange {
       if (low.at[d] - other.high.at[d] > 1 || other.low.at[d] - high.at[d] > 1) return false;
     return true;
   }
-  /// The greatest side.
-  std::int64_t side() const {
-    std::int64_t side = 0;
-    for (std::size_t d = 0; d < 3; ++d) side = std::max(side, high.at[d] - low.at[d]);
-    return side;
-  }
+  std::int64_t side(std::size_t d) const { return high.at[d] - low.at[d]; }
+  std::int64_t side() const { return std::max({side(0), side(1), side(2)}); }
+  std::int64_t middle(std::size_t d) const { return low.at[d] + side(d) / 2; }
 };
 
-/// The cells that have spheres as leaves of a binary tree, whose nodes lie in boxes around their spheres: how
-/// a search by cells, which has no tree, says in O(n) lines what it need not look at, cells that are not next
-/// to one another. Its nodes have ids; that of a cell of one sphere is the sphere's. Of `size` spheres there
-/// are fewer ids than spheres.
+/// The cells that have spheres as leaves of a RangeTree: how a search by cells, which has no tree, says in
+/// O(n) lines what it need not look at, cells that are not next to one another. Its nodes lie in boxes around
+/// their spheres and have ids; that of a cell of one sphere is the sphere's. There are fewer ids than
+/// spheres.
 class CATENA_API CellTree {
  public:
   struct Member {
     CellPlace place;
     std::uint32_t sphere;
   };
-  struct Node {
-    CellRange range;
-    Box64 box;
-    std::uint32_t id;
-    std::uint32_t first, end;  ///< of a cell: its members
-    std::uint32_t right;       ///< the left child follows its parent; 0: a cell
-  };
+  /// `first` and `end` of a cell are its members.
+  using Node = RangeTree<CellRange>::Node;
 
   /// The chain must outlive this; ids of nodes are first_id and following. O(c log c) for c cells.
   CellTree(const ChainView& chain, std::vector<Member> members, std::uint32_t first_id);
 
-  bool empty() const { return nodes_.empty(); }
   std::uint32_t end_id() const { return end_id_; }
   void show(BoundsVisitor& visitor) const;
   /// body(sphere) for those of a cell.
@@ -80,7 +72,7 @@ class CATENA_API CellTree {
   /// in such cells is below one of them; near(node, node) for each two cells that are.
   template <class Apart, class Near>
   void for_each_apart(const Apart& apart, const Near& near) const {
-    if (!nodes_.empty()) within(0, apart, near);
+    tree_.for_each_pair([&](const Node& a, const Node& b) { apart(a.id, b.id); }, near);
   }
 
   /// Of spheres of this tree and of a coarser one, where place(sphere) is in the cells of that one. apart(id,
@@ -88,48 +80,22 @@ class CATENA_API CellTree {
   template <class Place, class Apart, class Near>
   void for_each_apart(const CellTree& coarser, const Place& place, const Apart& apart,
                       const Near& near) const {
-    if (nodes_.empty() || coarser.empty()) return;
-    std::vector<CellRange> range(nodes_.size());  // in the coarser cells
-    for (std::size_t k = nodes_.size(); k-- > 0;) {
-      const Node& node = nodes_[k];
-      if (node.right != 0) {
+    const std::vector<Node>& nodes = tree_.nodes();
+    if (nodes.empty() || coarser.tree_.nodes().empty()) return;
+    std::vector<CellRange> range(nodes.size());  // in the coarser cells
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+      if (nodes[k].is_leaf()) {
+        range[k] = CellRange::of(place(members_[nodes[k].first].sphere));
+        for_each_in(nodes[k], [&](std::uint32_t i) { range[k].join(CellRange::of(place(i))); });
+      } else {
         range[k] = range[k + 1];
-        range[k].join(range[node.right]);
-        continue;
+        range[k].join(range[nodes[k].right]);
       }
-      range[k] = CellRange::of(place(members_[node.first].sphere));
-      for (std::uint32_t m = node.first + 1; m < node.end; ++m)
-        range[k].join(CellRange::of(place(members_[m].sphere)));
     }
     Against<Place, Apart, Near>{*this, coarser, range, place, apart, near}.nodes(0, 0);
   }
 
  private:
-  struct Cell;
-  Node leaf(const Cell& cell);
-  void make(std::vector<Cell>& cells, std::uint32_t begin, std::uint32_t end);
-
-  template <class Apart, class Near>
-  void within(std::uint32_t k, const Apart& apart, const Near& near) const {
-    if (nodes_[k].right == 0) return;
-    within(k + 1, apart, near);
-    within(nodes_[k].right, apart, near);
-    between(k + 1, nodes_[k].right, apart, near);
-  }
-  template <class Apart, class Near>
-  void between(std::uint32_t a, std::uint32_t b, const Apart& apart, const Near& near) const {
-    const Node &p = nodes_[a], &q = nodes_[b];
-    if (!p.range.near(q.range)) return apart(p.id, q.id);
-    if (p.right == 0 && q.right == 0) return near(p, q);
-    if (q.right == 0 || (p.right != 0 && p.range.side() > q.range.side())) {
-      between(a + 1, b, apart, near);
-      between(p.right, b, apart, near);
-    } else {
-      between(a, b + 1, apart, near);
-      between(a, q.right, apart, near);
-    }
-  }
-
   template <class Place, class Apart, class Near>
   struct Against {
     const CellTree &fine, &coarser;
@@ -139,28 +105,28 @@ class CATENA_API CellTree {
     const Near& near;
 
     void nodes(std::uint32_t a, std::uint32_t b) const {
-      const Node &p = fine.nodes_[a], &q = coarser.nodes_[b];
+      const Node &p = fine.tree_.nodes()[a], &q = coarser.tree_.nodes()[b];
       if (!range[a].near(q.range)) return apart(p.id, q.id);
-      if (q.right != 0 && (p.right == 0 || q.range.side() >= range[a].side())) {
+      if (!q.is_leaf() && (p.is_leaf() || q.range.side() >= range[a].side())) {
         nodes(a, b + 1);
         nodes(a, q.right);
-      } else if (p.right != 0) {
+      } else if (!p.is_leaf()) {
         nodes(a + 1, b);
         nodes(p.right, b);
       } else {
-        for (std::uint32_t m = p.first; m < p.end; ++m) {
-          const std::uint32_t i = fine.members_[m].sphere;
+        fine.for_each_in(p, [&](std::uint32_t i) {
           const CellPlace at = place(i);
           CellRange::of(at).near(q.range) ? near(i, at, q) : apart(i, q.id);
-        }
+        });
       }
     }
   };
 
-  const ChainView& chain_;
+  std::vector<Node> cells(const ChainView& chain);
+
   std::vector<Member> members_;  ///< by cells
-  std::vector<Node> nodes_;
   std::uint32_t end_id_;
+  RangeTree<CellRange> tree_;
 };
 
 }  // namespace catena

@@ -9,14 +9,12 @@ constexpr std::uint32_t none = NodeParts::none, group = BlockTree::group;
 
 CrowdNodes::CrowdNodes(const ChainView& chain, const BlockTree& tree, const Crowding& crowding)
     : chain_(chain), tree_(tree), parts_(chain.size) {
-  const auto one = [](std::uint32_t id, bool crowded) {
-    return crowded ? NodeParts{none, id} : NodeParts{id, none};
-  };
   for (std::uint32_t b = 0; b < tree.blocks; ++b) {
     const bool crowded = crowding.crowded(b / group);
     for (std::uint32_t k = 0; k < BlockTree::block; ++k)
-      if (const std::uint32_t i = tree.index(b, k); i != BlockTree::no_sphere) parts_[i] = one(i, crowded);
-    parts_.push_back(one(chain.size + b, crowded));
+      if (const std::uint32_t i = tree.index(b, k); i != BlockTree::no_sphere)
+        parts_[i] = NodeParts::one(i, crowded);
+    parts_.push_back(NodeParts::one(chain.size + b, crowded));
   }
   end_id_ = chain.size + tree.blocks;
   for (const BlockTree::Level& level : tree.level) end_id_ += level.count;
@@ -25,7 +23,7 @@ CrowdNodes::CrowdNodes(const ChainView& chain, const BlockTree& tree, const Crow
     for (std::uint32_t k = 0; k < tree.level[l].count; ++k) {
       const auto id = static_cast<std::uint32_t>(parts_.size());
       if (l == 0) {
-        parts_.push_back(one(id, crowding.crowded(k)));
+        parts_.push_back(NodeParts::one(id, crowding.crowded(k)));
         continue;
       }
       NodeParts of;

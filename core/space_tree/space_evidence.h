@@ -4,27 +4,13 @@
 #include <vector>
 
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/blocks/node_parts.h"
 #include "catena/core/export.h"
 #include "catena/core/hierarchy/bounds_visitor.h"
 #include "catena/core/space_tree/space_tree.h"
 #include "catena/core/strategy/evidence.h"
 
 namespace catena {
-
-/// What is dense below a node, and what is not: pairs of two dense blocks are another search's, so evidence
-/// has a node for each. Either may be none.
-struct NodeParts {
-  static constexpr std::uint32_t none = 0xFFFFFFFF;
-  std::uint32_t ours = none, others = none;
-
-  /// found(id, id) for pairs of parts, but of two of the other search's.
-  template <class Found>
-  static void for_each_pair(const NodeParts& a, const NodeParts& b, const Found& found) {
-    if (a.ours != none && b.ours != none) found(a.ours, b.ours);
-    if (a.ours != none && b.others != none) found(a.ours, b.others);
-    if (a.others != none && b.ours != none) found(a.others, b.ours);
-  }
-};
 
 /// The nodes of a SpaceTree as evidence names them. An entry is its box, and in that its capsule.
 class CATENA_API SpaceNodes {
@@ -43,7 +29,7 @@ class CATENA_API SpaceNodes {
 
  private:
   NodeParts part(std::uint32_t entry, std::uint32_t id) const {
-    return space_.dense_entry[entry] != 0 ? NodeParts{NodeParts::none, id} : NodeParts{id, NodeParts::none};
+    return NodeParts::one(id, space_.dense_entry[entry] != 0);
   }
   Box64 bound(std::size_t level, std::uint32_t k) const;
 
