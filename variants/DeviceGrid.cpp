@@ -1,5 +1,6 @@
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/cells/host_sphere_cells.h"
+#include "catena/core/cells/told_search.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
@@ -15,7 +16,7 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) cells_.trees(view_, view_.size).show(visitor);
+    if (built()) ToldSearch(view_, nullptr, cells_.placed()).show(visitor);
   }
 
  private:
@@ -25,16 +26,12 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     LaneSink sink{collector.lane(0)};
-    with_tests_for<Arithmetic>(chain, [&](auto tests) { cells_.search<decltype(tests)>(chain, sink); });
+    with_tests_for<Arithmetic>(chain,
+                               [&](auto tests) { cells_.placed().search<decltype(tests)>(chain, sink); });
     in_range_ = in_range<Arithmetic>(chain);
   }
-
-  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& to) override {
-    const CellsTrees trees = cells_.trees(chain, chain.size);
-    CellsEvidence evidence(chain, trees, to);
-    TellingLane sink{{lane}, evidence};
-    with_tests_for<Arithmetic>(chain, [&](auto tests) { cells_.search<decltype(tests)>(chain, sink); });
-    evidence.rest();
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    ToldSearch(chain, nullptr, cells_.placed()).search(lane, sink);
   }
 
   ChainView view_{};  // of the last build

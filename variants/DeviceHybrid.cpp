@@ -1,17 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/cells/block_nodes.h"
-#include "catena/core/cells/blocks_evidence.h"
-#include "catena/core/cells/compare_blocks.h"
+#include "catena/core/cells/host_comparison.h"
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/host_warp.h"
 #include "catena/core/cells/meet_blocks.h"
+#include "catena/core/cells/told_search.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
@@ -45,10 +44,7 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
 
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(BoundsVisitor& visitor) const override {
-    if (!built()) return;
-    const Nodes nodes(view_, *this);
-    if (nodes.blocks) nodes.blocks->show(visitor);
-    nodes.cells->show(visitor);
+    if (built()) ToldSearch(view_, &blocks_, cells_.placed()).show(visitor);
   }
 
  private:
@@ -71,49 +67,13 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   void search(const ChainView& chain, PairCollector& collector) override {
     LaneSink sink{collector.lane(0)};
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      compare_blocks<decltype(tests)>(chain, sink);
-      cells_.search<decltype(tests)>(chain, sink);
+      compare_blocks<decltype(tests)>(chain, blocks_, sink);
+      cells_.placed().search<decltype(tests)>(chain, sink);
     });
     in_range_ = in_range<Arithmetic>(chain);
   }
-  template <class Tests, class Sink>
-  void compare_blocks(const ChainView& chain, Sink& sink) const {
-    const BlockComparison<HostWarp> comparison(warp_, chain, blocks_);
-    for (std::uint32_t b = 0; !blocks_.all_crowded && b < blocks_.blocks && !sink.satisfied(); ++b)
-      comparison.plan(b, [&](auto work) { comparison.template compare<Tests>(b, work, sink); });
-  }
-
-  /// As evidence names them: of blocks, unless all are crowded, and of cells.
-  struct Nodes {
-    std::optional<CapsuleNodes> blocks;
-    std::optional<CellsTrees> cells;
-    Nodes(const ChainView& chain, const DeviceHybridOnHost& of) {
-      std::uint32_t next = chain.size;
-      if (!of.blocks_.all_crowded) next = blocks.emplace(chain, of.blocks_, next).end_id();
-      cells.emplace(of.cells_.trees(chain, next));
-    }
-  };
-  struct TellingBlocks : LaneSink {
-    CapsuleEvidence& evidence;
-    void met(std::uint32_t a, std::uint32_t near_a, std::uint32_t b, std::uint32_t near_b) {
-      evidence.met(a, near_a, b, near_b);
-    }
-    void compared(std::uint32_t i, std::uint32_t j) { evidence.compared(i, j); }
-  };
-  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& to) override {
-    const Nodes nodes(chain, *this);
-    CellsEvidence of_cells(chain, *nodes.cells, to);
-    TellingLane cell_sink{{lane}, of_cells};
-    with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      if (nodes.blocks) {
-        CapsuleEvidence of_blocks(chain, blocks_, *nodes.blocks, to);
-        TellingBlocks block_sink{{lane}, of_blocks};
-        compare_blocks<decltype(tests)>(chain, block_sink);
-        of_blocks.rest();
-      }
-      cells_.search<decltype(tests)>(chain, cell_sink);
-    });
-    of_cells.rest();
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    ToldSearch(chain, &blocks_, cells_.placed()).search(lane, sink);
   }
   void meet_in_tree(const BlockMeeting& of_blocks) {
     const NodeMeeting meeting(nodes_, blocks_);
@@ -211,7 +171,6 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   const std::uint64_t least_, least_in_cells_;
   const std::uint32_t meetings_;
   ChainView view_{};  // of the last build
-  HostWarp warp_;
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
   BlockNodes nodes_{};

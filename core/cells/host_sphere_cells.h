@@ -9,68 +9,77 @@
 
 namespace catena {
 
+/// SphereCells in host memory whose spheres have their places.
+struct PlacedCells {
+  SphereCells cells{};
+  CellTable table{};
+
+  /// Every pair of those that were sorted.
+  template <class Tests, class Sink>
+  void search(const ChainView& chain, Sink& sink) const {
+    cells.octaves.equal ? search_all<Tests, true>(chain, sink) : search_all<Tests, false>(chain, sink);
+  }
+  /// They, as evidence names their cells; ids are first_id and following.
+  CellsTrees trees(const ChainView& chain, std::uint32_t first_id) const {
+    std::vector<std::uint32_t> spheres(cells.places());
+    for (std::uint32_t place = 0; place < spheres.size(); ++place)
+      spheres[place] = cells.octaves.equal ? PlacedSpheres<true>(cells).index(place) : cells.index[place];
+    return CellsTrees(chain, cells, spheres, first_id);
+  }
+
+ private:
+  template <class Tests, bool equal_radii, class Sink>
+  void search_all(const ChainView& chain, Sink& sink) const {
+    const CellSearch<Tests, equal_radii, Sink> search(chain, cells, table, sink);
+    const PlacedSpheres<equal_radii> placed(cells);
+    for (std::uint32_t place = 0; place < cells.places() && !sink.satisfied(); ++place)
+      cells.one_level() ? search.run_in_one_level(placed.sphere(place), place, true)
+                        : search.run(placed.sphere(place), place, true);
+  }
+};
+
 /// SphereCells on the host, its steps run one after the other: the device's twin. Keeps its memory.
 class HostSphereCells {
  public:
   /// Sorts those spheres i of the chain for which takes(i), at most `expected` by a guess of the device.
   template <class Takes>
   void build(const ChainView& chain, std::uint32_t expected, const Takes& takes) {
-    cells_ = SphereCells::of(chain.extent);
-    table_ = cells_.table_for(expected);
+    auto& [cells, table] = placed_;
+    cells = SphereCells::of(chain.extent);
+    table = cells.table_for(expected);
     state_ = {};
-    cells_.buckets = buckets_.reserve(table_, chain.size);
+    cells.buckets = buckets_.reserve(table, chain.size);
     index_.resize(chain.size);
     sphere_.resize(chain.size + std::size_t{SphereCells::at_once});
-    cells_.index = index_.data(), cells_.sphere = sphere_.data(), cells_.state = &state_;
+    cells.index = index_.data(), cells.sphere = sphere_.data(), cells.state = &state_;
     for (std::uint32_t i = 0; i < chain.size; ++i)
-      if (takes(i)) cells_.enter(table_, chain.spheres[i], i, 0);
+      if (takes(i)) cells.enter(table, chain.spheres[i], i, 0);
     state_.together = buckets_.allocate();
     state_.places[0] = buckets_.places();
-    if (!cells_.octaves.one && cells_.many_together()) sort_by_octaves(chain, takes);
+    if (!cells.octaves.one && cells.many_together()) sort_by_octaves(chain, takes);
     for (std::uint32_t i = 0; i < chain.size; ++i)
-      if (takes(i)) cells_.place(table_, chain.spheres[i], i);
+      if (takes(i)) cells.place(table, chain.spheres[i], i);
   }
 
-  /// Every pair of those that were sorted.
-  template <class Tests, class Sink>
-  void search(const ChainView& chain, Sink& sink) const {
-    cells_.octaves.equal ? search_all<Tests, true>(chain, sink) : search_all<Tests, false>(chain, sink);
-  }
-
-  /// Those that were sorted, as evidence names their cells; ids are first_id and following.
-  CellsTrees trees(const ChainView& chain, std::uint32_t first_id) const {
-    std::vector<std::uint32_t> spheres;
-    for (std::uint32_t place = 0; place < buckets_.places(); ++place)
-      spheres.push_back(cells_.octaves.equal ? PlacedSpheres<true>(cells_).index(place)
-                                             : cells_.index[place]);
-    return CellsTrees(chain, cells_, spheres, first_id);
-  }
+  const PlacedCells& placed() const { return placed_; }
 
  private:
-  template <class Tests, bool equal_radii, class Sink>
-  void search_all(const ChainView& chain, Sink& sink) const {
-    const CellSearch<Tests, equal_radii, Sink> search(chain, cells_, table_, sink);
-    const PlacedSpheres<equal_radii> placed(cells_);
-    for (std::uint32_t place = 0; place < buckets_.places() && !sink.satisfied(); ++place)
-      cells_.one_level() ? search.run_in_one_level(placed.sphere(place), place, true)
-                         : search.run(placed.sphere(place), place, true);
-  }
   template <class Takes>
   void sort_by_octaves(const ChainView& chain, const Takes& takes) {
-    cells_.buckets = buckets_.reserve(table_, chain.size);
+    auto& [cells, table] = placed_;
+    cells.buckets = buckets_.reserve(table, chain.size);
     state_.by_octaves = 1;
     for (std::uint32_t i = 0; i < chain.size; ++i) {
       if (!takes(i)) continue;
-      const std::uint32_t octave = cells_.octaves.of(chain.spheres[i].radius);
-      cells_.enter(table_, chain.spheres[i], i, octave);
+      const std::uint32_t octave = cells.octaves.of(chain.spheres[i].radius);
+      cells.enter(table, chain.spheres[i], i, octave);
       state_.levels[octave / 32] |= 1u << octave % 32;
     }
     buckets_.allocate();
     state_.places[1] = buckets_.places();
   }
 
-  SphereCells cells_{};
-  CellTable table_{};
+  PlacedCells placed_;
   SphereCells::State state_{};
   HostBuckets buckets_;
   std::vector<std::uint32_t> index_;
@@ -98,13 +107,6 @@ struct LaneSink {
 
  private:
   void pair_of(std::uint32_t a, std::uint32_t b) { a < b ? pair(a, b) : pair(b, a); }
-};
-
-/// One that tells of the search.
-struct TellingLane : LaneSink {
-  CellsEvidence& evidence;
-  void looks(std::uint32_t i, std::uint32_t level, std::uint32_t cells) { evidence.looks(i, level, cells); }
-  void compared(std::uint32_t i, std::uint32_t j, std::uint32_t level) { evidence.compared(i, j, level); }
 };
 
 }  // namespace catena
