@@ -31,7 +31,8 @@ TEST(Uncertified, IsASearchThatLosesAPair) {
        {"cells-forget-a-corner", "cells-never-look-into-coarser", "cells-level-box-too-small",
         "cells-look-into-a-row-twice", "cells-reach-without-the-other", "space-box-too-small",
         "last-block-not-sorted", "space-drops-its-last-row", "dense-left-alone", "crowd-handed-to-no-one",
-        "last-dense-block-not-in-cells"}) {
+        "last-dense-block-not-in-cells", "hashed-cells-look-into-a-row-twice",
+        "hashed-cells-forget-the-coarsest"}) {
     const auto variant = StrategyRegistry::instance().make("mutant:" + mutant);
     ASSERT_NE(variant->evidence(), Accounting::none) << mutant;
     std::uint32_t lost = 0;
