@@ -38,7 +38,8 @@ class DeviceBuffer {
       CATENA_CUDA(cudaMemGetInfo(&free, &total));
       const auto mib = [](std::size_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
       throw CapacityError("out of device memory: " + mib(n * sizeof(T)) + " are needed, " + mib(free) +
-                          " of " + mib(total) + " are free");
+                          " of " + mib(total) +
+                          " are free; the variant DeviceParts takes a chain part after part");
     }
     check(code, "cudaMallocAsync", __FILE__, __LINE__);
     capacity_ = n;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -42,17 +43,21 @@ class PartTables {
  private:
   void upload_strands(const ExclusionView& of_whole, const parts::LocalChain& part, ExclusionView& rule,
                       Staging& staging, cudaStream_t stream) {
+    const std::span<const parts::LocalChain::Piece> pieces = part.pieces();
     host_strand_of_.resize(part.size());
     host_first_.assign(1, 0);
     host_closed_.clear();
     host_loop_.clear();
-    for (const parts::LocalChain::Piece& piece : part.pieces()) {
-      const auto strand = static_cast<std::uint32_t>(host_closed_.size());
-      std::fill_n(host_strand_of_.begin() + piece.begin, piece.size, strand);
+    for (const parts::LocalChain::Piece& piece : pieces) {
       host_first_.push_back(piece.begin + piece.size);
       host_closed_.push_back(piece.closed);
       if (rule.rule == Exclusion::Rule::arc_window) host_loop_.push_back(of_whole.loop_length[piece.strand]);
     }
+    staging.team().for_each_range(
+        static_cast<std::uint32_t>(pieces.size()), at_once, [&](std::uint32_t begin, std::uint32_t end) {
+          for (std::uint32_t p = begin; p < end; ++p)
+            std::fill_n(host_strand_of_.begin() + pieces[p].begin, pieces[p].size, p);
+        });
     rule.strand_of = staging.upload(strand_of_, host_strand_of_.data(), host_strand_of_.size(), stream);
     rule.strand_first = staging.upload(first_, host_first_.data(), host_first_.size(), stream);
     rule.strand_closed = staging.upload(closed_, host_closed_.data(), host_closed_.size(), stream);
@@ -66,18 +71,23 @@ class PartTables {
     host_ends_.assign(part.extra().begin(), part.extra().end());
     for (const Pair& pair : part.extra()) host_ends_.push_back({pair.j, pair.i});
     std::sort(host_ends_.begin(), host_ends_.end(), [](const Pair& a, const Pair& b) { return a.i < b.i; });
-    host_row_.resize(part.size() + std::size_t{1});
     host_extra_.clear();
-    auto row = host_row_.begin();
-    for (const Pair& end : host_ends_) {  // up to its sphere all rows begin here
-      const auto to = host_row_.begin() + end.i + 1;
-      if (row < to) std::fill(row, to, static_cast<std::uint32_t>(host_extra_.size())), row = to;
-      host_extra_.push_back(end.j);
-    }
-    std::fill(row, host_row_.end(), static_cast<std::uint32_t>(host_extra_.size()));
+    for (const Pair& end : host_ends_) host_extra_.push_back(end.j);
+    host_row_.resize(part.size() + std::size_t{1});
+    const auto ends = static_cast<std::uint32_t>(host_ends_.size());
+    staging.team().for_each_range(ends + 1, at_once, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t k = begin; k < end; ++k) {  // rows up to a sphere's begin where its first partner is
+        const std::size_t from = k == 0 ? 0 : host_ends_[k - 1].i + std::size_t{1},
+                          to = k == ends ? host_row_.size() : host_ends_[k].i + std::size_t{1};
+        std::fill(host_row_.begin() + static_cast<std::ptrdiff_t>(from),
+                  host_row_.begin() + static_cast<std::ptrdiff_t>(std::max(from, to)), k);
+      }
+    });
     rule.extra_row = staging.upload(row_, host_row_.data(), host_row_.size(), stream);
     rule.extra = staging.upload(extra_, host_extra_.data(), host_extra_.size(), stream);
   }
+
+  static constexpr std::uint32_t at_once = 256;  ///< pieces or partners that one core takes
 
   LargeVector<std::uint32_t> host_strand_of_, host_row_;
   std::vector<std::uint32_t> host_first_, host_extra_;

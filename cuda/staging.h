@@ -48,6 +48,9 @@ class Staging {
     return buffer.data();
   }
 
+  /// The cores that copy.
+  const Team& team() const { return team_; }
+
  private:
   class Chunk;
 

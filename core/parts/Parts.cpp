@@ -2,6 +2,7 @@
 #include <string>
 
 #include "catena/core/parts/group_boxes.h"
+#include "catena/core/parts/part_as_chain.h"
 #include "catena/core/parts/parted_search.h"
 #include "catena/core/strategy/register.h"
 
@@ -15,7 +16,7 @@ class VariantSearch final : public PartSearch {
 
   void build(const Chain& whole, const LocalChain& part, const Request& request,
              const BoxesWanted& boxes) override {
-    chain_ = copy_of(whole, part);
+    chain_ = part_as_chain(whole, part);
     if (boxes.boxes != nullptr) enclose_groups(chain_.spheres(), boxes.group, boxes.boxes);
     variant_->prepare(request);
     variant_->build(chain_);
@@ -30,28 +31,6 @@ class VariantSearch final : public PartSearch {
   Timings timings() const override { return variant_->timings(); }
 
  private:
-  static Chain copy_of(const Chain& whole, const LocalChain& part) {
-    std::vector<Sphere> spheres;
-    for (const SphereRange& run : part.runs())
-      spheres.insert(spheres.end(), whole.spheres().begin() + run.begin, whole.spheres().begin() + run.end);
-    Strands strands{{0}, {}};
-    for (const LocalChain::Piece& piece : part.pieces())
-      strands.first.push_back(piece.begin + piece.size), strands.closed.push_back(piece.closed);
-    if (part.pieces().empty()) strands = {};
-    Exclusion exclusion = whole.exclusion();
-    exclusion.extra_pairs.assign(part.extra().begin(), part.extra().end());
-    if (exclusion.rule == Exclusion::Rule::index_window)
-      return Chain(std::move(spheres), std::move(strands), std::move(exclusion));
-    const ExclusionView rule = whole.view().exclusion;
-    ArcLengths arcs;
-    for (const LocalChain::Piece& piece : part.pieces()) {
-      arcs.arc.insert(arcs.arc.end(), rule.arc + piece.first, rule.arc + piece.first + piece.size);
-      arcs.loop_length.push_back(rule.loop_length[piece.strand]);
-    }
-    if (part.pieces().empty()) arcs.loop_length.push_back(0);
-    return Chain(std::move(spheres), std::move(strands), std::move(exclusion), std::move(arcs));
-  }
-
   const std::string name_;
   std::unique_ptr<Variant> variant_;
   Chain chain_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/export.h"
 #include "catena/core/pair.h"
 #include "catena/core/parts/part_ranges.h"
 #include "catena/core/strategy/request.h"
@@ -14,7 +15,7 @@ namespace catena::parts {
 /// are so in the whole: first what is of parts before it, then its own spheres, then the rest. A search for
 /// the pairs i < j whose i is of the part so finds each pair of the whole chain in one part, and every
 /// collision of its own spheres.
-class LocalChain {
+class CATENA_API LocalChain {
  public:
   /// Consecutive spheres of one strand of the whole chain.
   struct Piece {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -16,11 +15,6 @@ namespace {
 
 /// A part whose halo is so many times larger than itself is not worth the search.
 constexpr std::uint64_t most_halo = 15;
-constexpr std::uint32_t grain = 1u << 15;  ///< counts or pairs that one core takes at a time
-
-bool asks_for_all(const Request& request, std::uint32_t spheres) {
-  return request.queries.within(spheres) == SphereRange{0, spheres};
-}
 
 }  // namespace
 
@@ -28,6 +22,7 @@ PartedSearch::PartedSearch(std::vector<std::unique_ptr<PartSearch>> searches, co
                            const Team& team)
     : options_(options),
       team_(team),
+      answer_(team),
       at_a_time_({"PartedSearch", {{"threads", std::to_string(searches.size()), "a search each"}}, ""}) {
   for (auto& search : searches) workers_.emplace_back().search = std::move(search);
 }
@@ -55,7 +50,7 @@ void PartedSearch::find(const Chain& chain, const Request& request, Collisions& 
       build_those_that_stay(chain);
       search_parts(chain, request, result);
     });
-    gather(request, result);
+    answer_.gather();
   } catch (...) {  // what is left of an earlier search is no answer
     result.count.clear();
     std::vector<Pair>().swap(result.pairs);
@@ -184,19 +179,14 @@ void PartedSearch::for_each_part(const std::function<void(std::uint32_t part, Wo
 }
 
 void PartedSearch::search_parts(const Chain& chain, const Request& request, Collisions& result) {
-  if (request.want == Request::Want::any)
-    result.count.clear();
-  else
-    resize_large(result.count, chain.size());
-  found_.resize(parts_.size() + 1);
-  for (Found& found : found_) found.any = false, found.pairs = 0, found.list.clear();
+  answer_.begin(request, chain.size(), parts_.size(), result);
   if (!built_) make_room_for_boxes(chain);
   std::atomic<bool> enough{false};
   for_each_part([&](std::uint32_t part, Worker& by) {
     if (enough) return;
     if (part == parts_.size()) return search_between();
-    search_part(chain, part, by, request, result);
-    if (request.want == Request::Want::any && found_[part].any) enough = true;
+    search_part(chain, part, by);
+    if (answer_.is_answered(part)) enough = true;
   });
   if (!without_halos_ || enough) return;
   if (!built_) {
@@ -206,26 +196,22 @@ void PartedSearch::search_parts(const Chain& chain, const Request& request, Coll
     }
     if (between_) build_between(chain), search_between();
   }
-  if (between_) take_between(request, result);
+  if (!between_) return;
+  const auto part_of = [&](std::uint32_t sphere) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(first_, sphere / group_) - first_.begin());
+  };
+  answer_.take_between(*between_, part_of, between_parts().found);
 }
 
-void PartedSearch::search_part(const Chain& chain, std::uint32_t p, Worker& by, const Request& request,
-                               Collisions& result) {
+void PartedSearch::search_part(const Chain& chain, std::uint32_t p, Worker& by) {
   const LocalChain& part = parts_[p];
   if (!built_) build_part(chain, p, by);
-  Request local = request;
-  local.queries = part.own();
-  if (!asks_for_all(request, chain.size()))  // what is not asked for is left out of all pairs of the part
-    local.want = Request::Want::pairs, local.pair_limit = std::numeric_limits<std::uint64_t>::max();
-  by.found.pairs.swap(found_[p].list);
+  const std::span<std::uint32_t> count = answer_.place_of_counts(part, by.count);
   try {
-    by.search->find(part, local, by.found, place_of_counts(part, by, result));
-    take_counts(part, by, request, result);
-    take_pairs(part, by, found_[p]);
-    if (!asks_for_all(request, chain.size())) leave_out_unasked(request, found_[p]);
+    by.search->find(part, answer_.asked(p, part, by.found), by.found, count);
+    answer_.take(p, part, count, by.found);
   } catch (const PairLimitExceeded& exceeded) {
-    found_[p].any = true;
-    found_[p].pairs = exceeded.found();
+    answer_.take_too_many(p, exceeded.found());
   }
   by.add_find();
 }
@@ -261,97 +247,8 @@ void PartedSearch::build_between(const Chain& chain) {
 void PartedSearch::search_between() {
   Worker& by = between_parts();
   by.count.resize(between_->size());
-  by.found.pairs.swap(found_.back().list);
-  by.search->find(*between_,
-                  {.pair_limit = std::numeric_limits<std::uint64_t>::max(), .queries = between_->own()},
-                  by.found, by.count);
+  by.search->find(*between_, answer_.asked_between(*between_, by.found), by.found, by.count);
   by.add_find();
-}
-
-/// Of what was found there, the pairs of two parts.
-void PartedSearch::take_between(const Request& request, Collisions& result) {
-  Found& found = found_.back();
-  take_pairs(*between_, between_parts(), found);
-  const auto part_of = [&](std::uint32_t sphere) {
-    return std::ranges::upper_bound(first_, sphere / group_);
-  };
-  std::erase_if(found.list, [&](const Pair& pair) { return part_of(pair.i) == part_of(pair.j); });
-  if (request.want != Request::Want::any)
-    for (const Pair& pair : found.list)
-      for (const std::uint32_t sphere : {pair.i, pair.j})
-        if (request.queries.contains(sphere)) ++result.count[sphere];
-  leave_out_unasked(request, found);
-  if (request.want == Request::Want::counts) found.list.clear();
-}
-
-/// Where they belong, if they lie together there.
-std::span<std::uint32_t> PartedSearch::place_of_counts(const LocalChain& part, Worker& by,
-                                                       Collisions& result) const {
-  if (result.count.empty()) return {};
-  if (!in_space_ && part.own().size() > 0)
-    return {result.count.data() + part.id(part.own().begin), part.own().size()};
-  by.count.resize(part.own().size());
-  return by.count;
-}
-
-void PartedSearch::take_counts(const LocalChain& part, const Worker& by, const Request& request,
-                               Collisions& result) const {
-  if (result.count.empty()) return;
-  const SphereRange own = part.own(), asked = request.queries.within(*spheres_);
-  for (std::size_t k = 0; k < part.runs().size(); ++k) {
-    const SphereRange run = part.runs()[k];
-    const std::uint32_t begin = std::max(part.begin(k), own.begin),
-                        end = std::min(part.begin(k) + run.size(), own.end);
-    if (begin >= end) continue;
-    const std::uint32_t id = run.begin + (begin - part.begin(k));
-    if (in_space_)
-      std::copy(by.count.begin() + (begin - own.begin), by.count.begin() + (end - own.begin),
-                result.count.begin() + id);
-    for (std::uint32_t i = id; !asks_for_all(request, *spheres_) && i < id + (end - begin); ++i)
-      if (!asked.contains(i)) result.count[i] = 0;
-  }
-}
-
-/// In the numbers of the whole chain.
-void PartedSearch::take_pairs(const LocalChain& part, Worker& by, Found& to) const {
-  to.any = by.found.found;
-  to.pairs = by.found.pair_count;
-  to.list.swap(by.found.pairs);
-  team_.for_each_range(static_cast<std::uint32_t>(to.list.size()), grain,
-                       [&](std::uint32_t begin, std::uint32_t end) {
-                         for (std::uint32_t k = begin; k < end; ++k) {
-                           const std::uint32_t a = part.id(to.list[k].i), b = part.id(to.list[k].j);
-                           to.list[k] = {std::min(a, b), std::max(a, b)};
-                         }
-                       });
-}
-
-void PartedSearch::leave_out_unasked(const Request& request, Found& found) {
-  std::erase_if(found.list, [&](const Pair& pair) { return !request.queries.contains(pair.i); });
-  found.pairs = found.list.size();
-  found.any = found.pairs > 0;
-}
-
-/// The pairs of all parts, part after part.
-void PartedSearch::gather(const Request& request, Collisions& result) {
-  result.found = std::ranges::any_of(found_, &Found::any);
-  result.pair_count = 0;
-  if (request.want != Request::Want::pairs) result.pairs.clear();
-  if (request.want == Request::Want::any) return;
-  for (const Found& found : found_) result.pair_count += found.pairs;
-  if (request.want != Request::Want::pairs) return;
-  if (result.pair_count > request.pair_limit) throw PairLimitExceeded(result.pair_count, request.pair_limit);
-  if (found_[0].list.size() == result.pair_count) return result.pairs.swap(found_[0].list);
-  resize_large(result.pairs, result.pair_count);
-  std::size_t at = 0;
-  for (Found& found : found_) {
-    team_.for_each_range(static_cast<std::uint32_t>(found.list.size()), grain,
-                         [&](std::uint32_t begin, std::uint32_t end) {
-                           std::copy(found.list.begin() + begin, found.list.begin() + end,
-                                     result.pairs.begin() + static_cast<std::ptrdiff_t>(at + begin));
-                         });
-    at += found.list.size();
-  }
 }
 
 double PartedSearch::slowest(double Timings::*stage) const {

@@ -3,13 +3,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/parts/local_chain.h"
 #include "catena/core/parts/part_search.h"
+#include "catena/core/parts/parted_answer.h"
 #include "catena/core/parts/partition.h"
 #include "catena/core/strategy/plan.h"
 #include "catena/core/strategy/request.h"
@@ -48,12 +48,6 @@ class PartedSearch {
   std::vector<WorkDone> work() const;
 
  private:
-  /// What a part found, in the numbers of the whole chain.
-  struct Found {
-    bool any = false;
-    std::uint64_t pairs = 0;
-    std::vector<Pair> list;  ///< its memory is kept from find to find
-  };
   /// One search, and what it keeps.
   struct Worker {
     std::unique_ptr<PartSearch> search;
@@ -79,32 +73,24 @@ class PartedSearch {
   void with_room(const Chain& chain, const std::function<void()>& work);
   void for_each_part(const std::function<void(std::uint32_t part, Worker& by)>& work);
   void search_parts(const Chain& chain, const Request& request, Collisions& result);
-  void search_part(const Chain& chain, std::uint32_t part, Worker& by, const Request& request,
-                   Collisions& result);
+  void search_part(const Chain& chain, std::uint32_t part, Worker& by);
   void make_room_for_boxes(const Chain& chain);
   void build_part(const Chain& chain, std::uint32_t part, Worker& by);
   bool find_touching(const Chain& chain);
   Worker& between_parts();
   void build_between(const Chain& chain);
   void search_between();
-  void take_between(const Request& request, Collisions& result);
-  std::span<std::uint32_t> place_of_counts(const LocalChain& part, Worker& by, Collisions& result) const;
-  void take_counts(const LocalChain& part, const Worker& by, const Request& request,
-                   Collisions& result) const;
-  void take_pairs(const LocalChain& part, Worker& by, Found& to) const;
-  static void leave_out_unasked(const Request& request, Found& found);
-  void gather(const Request& request, Collisions& result);
   double slowest(double Timings::*stage) const;
   std::uint64_t spheres_in_halos() const;
 
   std::vector<Worker> workers_;
   Options options_;
   const Team& team_;
+  PartedAnswer answer_;
   const Team at_a_time_;  ///< whose members search
   Request prepared_;
   bool in_space_ = false, without_halos_ = false;
   std::vector<LocalChain> parts_;
-  std::vector<Found> found_;              ///< of each part, and between them
   LargeVector<Box> boxes_;                ///< of groups, where parts have no halos
   std::uint32_t group_ = 1;               ///< of these
   std::vector<std::uint32_t> first_;      ///< group of each part, and their number

@@ -4,6 +4,7 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/export.h"
 #include "catena/core/parameters/parameters.h"
 #include "catena/core/parts/part_ranges.h"
 
@@ -41,8 +42,8 @@ Partition cut_in_chain_order(std::uint32_t spheres, std::uint32_t parts, std::ui
 
 /// Parts the chain into `parts` >= 1; by space some may be empty. In chain order O(n), and O(m log n) for m
 /// groups near another part; by space O(n log parts). Shared out by the team.
-Partition part_chain(const Chain& chain, std::uint32_t parts, const PartitionOptions& options,
-                     const Team& team);
+CATENA_API Partition part_chain(const Chain& chain, std::uint32_t parts, const PartitionOptions& options,
+                                const Team& team);
 
 /// Whether chain order seems to tangle the parts, so that halos would be large: by a few groups of the
 /// chain. Only a guess.

@@ -13,6 +13,7 @@
 #include "catena/properties/giants.h"
 #include "catena/properties/mutants/chains_to_kill.h"
 #include "catena/core/strategy/register.h"
+#include "catena/properties/mutants/faulty_parts.h"
 #include "catena/properties/mutants/faulty_tree.h"
 #include "catena/properties/property.h"
 
@@ -113,24 +114,32 @@ TEST(Mutants, AreHiddenFromEveryList) {
     EXPECT_FALSE(name.starts_with("mutant:"));
 }
 
-TEST(Mutants, WithoutABugTheirBasePasses) {
-  StrategyRegistry::instance().add_variant(
-      {.name = "FaultyTree", .summary = "no mutant", .has_tree = true, .promises = {true, true}},
-      arithmetic_info<Robust>(), make_strategy<FaultyTree, Variant>, true);
-  const Subject base = Subject::named("FaultyTree");
+void expect_passes_everything(const Subject& base) {
   for (const auto& property : PropertyRegistry::instance().make_all()) {
     if (!property->applies_to(base)) continue;
     const auto variant = base.make();
     for (std::size_t k = 0; k < cases().size(); ++k) {
       const auto what = failure(*property, base, *variant, cases()[k]);
-      EXPECT_FALSE(what) << property->name() << " on " << cases().name(k)
+      EXPECT_FALSE(what) << base.info.name << ": " << property->name() << " on " << cases().name(k)
                          << ", n = " << cases()[k].chain.size() << ": " << *what;
     }
     for (const Case& giant : giants()) {
       if (!property->every_chain()) continue;
-      EXPECT_FALSE(failure(*property, base, *variant, giant)) << property->name() << " on a giant";
+      EXPECT_FALSE(failure(*property, base, *variant, giant))
+          << base.info.name << ": " << property->name() << " on a giant";
     }
   }
+}
+
+TEST(Mutants, WithoutABugTheirBasePasses) {
+  StrategyRegistry& registry = StrategyRegistry::instance();
+  registry.add_variant(
+      {.name = "FaultyTree", .summary = "no mutant", .has_tree = true, .promises = {true, true}},
+      arithmetic_info<Robust>(), make_strategy<FaultyTree, Variant>, true);
+  registry.add_variant(
+      {.name = "FaultyParts", .summary = "no mutant", .parameters = FaultyParts::parameters()},
+      arithmetic_info<Robust>(), make_strategy<FaultyParts, Variant>, true);
+  for (const char* const base : {"FaultyTree", "FaultyParts"}) expect_passes_everything(Subject::named(base));
 }
 
 TEST(Mutants, AllDie) {
