@@ -1,9 +1,14 @@
+#include <optional>
+
 #include "catena/core/arithmetic/in_range.h"
+#include "catena/core/cells/told_search.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 #include "catena/core/strategy/resident_variant.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_sphere_cells.cuh"
+#include "catena/cuda/host_copies.cuh"
 
 namespace catena::cuda {
 namespace {
@@ -11,14 +16,37 @@ namespace {
 /// DeviceGrid: spheres sorted into hashed cells, an octave of radii a level; a thread a sphere, against half
 /// of its neighbourhood in its own level and all of it in coarser ones.
 template <class Arithmetic>
-class DeviceGrid final : public ResidentVariant {
+class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
  public:
   explicit DeviceGrid(const Parameters& parameters)
       : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))) {}
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    told(host_chain(), [&](const ToldSearch& search) { search.show(visitor); });
+  }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    check(chain);
+    PairCollector collector(chain.size(), request, result);
+    told(chain.view(), [&](const ToldSearch& search) { search.search(collector.lane(0), sink); });
+    collector.finish();
+  }
+
  private:
+  /// The cells that the device built, on the host.
+  template <class Use>
+  void told(const ChainView& chain, const Use& use) const {
+    if (chain.size == 0) return;
+    std::optional<CellsOnHost> cells;
+    run_on_device([&](StreamHandle stream) {
+      cells.emplace(cells_.cells(), chain.size, static_cast<cudaStream_t>(stream));
+    });
+    use(ToldSearch(chain, nullptr, cells->placed()));
+  }
+
   void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     SphereCells::State* const state = state_.reserve(1, stream);

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <optional>
 
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/cells/compare_blocks.h"
 #include "catena/core/cells/meet_blocks.h"
+#include "catena/core/cells/told_search.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 #include "catena/core/strategy/resident_variant.h"
@@ -12,6 +15,7 @@
 #include "catena/cuda/device_buckets.cuh"
 #include "catena/cuda/device_sphere_cells.cuh"
 #include "catena/cuda/device_warp.cuh"
+#include "catena/cuda/host_copies.cuh"
 #include "catena/cuda/node_meetings.cuh"
 
 namespace catena::cuda {
@@ -129,7 +133,7 @@ struct CrowdedSpheres {
 /// cells where that says little of what is near; and blocks that meet too many others are searched among one
 /// another as in DeviceGrid. Decided on the device, for each.
 template <class Arithmetic>
-class DeviceHybrid final : public ResidentVariant {
+class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
  public:
   explicit DeviceHybrid(const Parameters& parameters)
       : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))),
@@ -141,7 +145,33 @@ class DeviceHybrid final : public ResidentVariant {
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    told(host_chain(), [&](const ToldSearch& search) { search.show(visitor); });
+  }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    check(chain);
+    PairCollector collector(chain.size(), request, result);
+    told(chain.view(), [&](const ToldSearch& search) { search.search(collector.lane(0), sink); });
+    collector.finish();
+  }
+
  private:
+  /// The blocks and cells that the device built, on the host.
+  template <class Use>
+  void told(const ChainView& chain, const Use& use) const {
+    if (chain.size == 0) return;
+    std::optional<BlocksOnHost> blocks;
+    std::optional<CellsOnHost> cells;
+    run_on_device([&](StreamHandle handle) {
+      const auto stream = static_cast<cudaStream_t>(handle);
+      const CapsuleBlocks& on_host = blocks.emplace(blocks_, stream).blocks();
+      cells.emplace(cells_.cells(), on_host.all_crowded ? chain.size : on_host.crowded_spheres(), stream);
+    });
+    use(ToldSearch(chain, &blocks->blocks(), cells->placed()));
+  }
+
   void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     lay_out(chain, stream);

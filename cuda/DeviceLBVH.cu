@@ -1,8 +1,13 @@
+#include <vector>
+
 #include "catena/core/arithmetic/in_range.h"
+#include "catena/core/cells/host_sphere_cells.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 #include "catena/core/strategy/resident_variant.h"
 #include "catena/cuda/device.h"
+#include "catena/cuda/host_copies.cuh"
 #include "catena/cuda/morton_order.cuh"
 #include "catena/cuda/near_queue.cuh"
 #include "catena/cuda/rope_tree.cuh"
@@ -23,17 +28,74 @@ __global__ void __launch_bounds__(128)
   queue.flush(search);
 }
 
+/// What a search on the host tells of the tree that the device built: inner node k is n + k to evidence.
+struct TellingRopes : LaneSink {
+  const ChainView& chain;
+  const RopeTree& tree;
+  EvidenceSink& to;
+  void compared(std::uint32_t i, std::uint32_t j) const {
+    chain.neighbours(i, j) ? to.excluded(i, j) : to.tested(i, j);
+  }
+  void apart(std::uint32_t i, std::uint32_t at) const {
+    const std::uint32_t id = tree.is_leaf(at) ? tree.node[at].left : chain.size + at;
+    to.compared(i, id);
+    to.discarded(i, id);
+  }
+};
+
 /// DeviceLBVH: what a general library does on a GPU. Boxes over the order of Morton codes, one sphere a leaf,
 /// and the half traversal along ropes (ArborX).
 template <class Arithmetic>
-class DeviceLBVH final : public ResidentVariant {
+class DeviceLBVH final : public ResidentVariant, public EvidenceNodes {
  public:
   explicit DeviceLBVH(const Parameters& parameters)
       : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))) {}
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    with_tree_on_host([&](const RopeTree& tree) {
+      visitor.tree({});
+      for (std::uint32_t k = 0; k + 1 < tree.leaves; ++k) {
+        const std::uint32_t left = tree.node[k].left, right = tree.node[left].rope;  // its subtree's next
+        for (const std::uint32_t child : {left, right}) {
+          const RopeTree::Node& node = tree.node[child];
+          const bool leaf = tree.is_leaf(child);
+          visitor.edge(tree.leaves + k, tree.node[k].box.shown(), leaf ? node.left : tree.leaves + child,
+                       leaf ? AnyBound(Everything{}) : AnyBound(node.box.shown()));
+        }
+      }
+    });
+  }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& to) override {
+    check(chain);
+    const ChainView view = chain.view();
+    PairCollector collector(chain.size(), request, result);
+    with_tree_on_host([&](const RopeTree& tree) {
+      with_tests_for<Arithmetic>(view, [&](auto tests) {
+        TellingRopes sink{{collector.lane(0)}, view, tree, to};
+        const RopeSearch<decltype(tests), TellingRopes> search(view, tree, sink);
+        for (std::uint32_t leaf = 0; leaf < tree.leaves; ++leaf) search.run(leaf);
+      });
+    });
+    collector.finish();
+  }
+
  private:
+  template <class Use>
+  void with_tree_on_host(const Use& use) const {
+    std::vector<RopeTree::Node> node;
+    run_on_device([&](StreamHandle stream) {
+      node = fetched(tree_.node, tree_.leaves == 0 ? 0 : 2 * std::size_t{tree_.leaves} - 1,
+                     static_cast<cudaStream_t>(stream));
+    });
+    RopeTree on_host = tree_;
+    on_host.node = node.data();
+    use(on_host);
+  }
+
   void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     const std::uint32_t n = chain.size;

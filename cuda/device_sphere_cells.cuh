@@ -227,6 +227,9 @@ class DeviceSphereCells {
     if (!cells_.octaves.one) search<search_octaves<Tests, Members>>(chain, request, answer, stream);
   }
 
+  /// On the device, of the last build.
+  const SphereCells& cells() const { return cells_; }
+
  private:
   static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
   static constexpr std::uint32_t most_search_blocks = 4224;

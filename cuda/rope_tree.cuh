@@ -3,6 +3,7 @@
 
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/box.h"
+#include "catena/core/host_device.h"
 
 namespace catena::cuda {
 
@@ -24,8 +25,8 @@ struct RopeTree {
   const std::uint64_t* code;  ///< by leaf, ascending
   const std::uint32_t* id;    ///< by leaf
 
-  __device__ std::uint32_t leaf(std::uint32_t k) const { return leaves - 1 + k; }
-  __device__ bool is_leaf(std::uint32_t at) const { return at >= leaves - 1; }
+  CATENA_HD std::uint32_t leaf(std::uint32_t k) const { return leaves - 1 + k; }
+  CATENA_HD bool is_leaf(std::uint32_t at) const { return at >= leaves - 1; }
 
   /// How leaves k and k + 1 differ: the larger, the higher the node that parts them. Equal codes differ by
   /// place.
@@ -82,30 +83,40 @@ __global__ void __launch_bounds__(256)
 }
 
 /// The leaf against all that come after it in the tree: first its own rope, then without a stack. Each pair
-/// once.
+/// once. A sink that `listens`, which only one on the host does, is also told of each sphere it is compared
+/// with, sink.compared(i, j), and each node it leaves out, sink.apart(i, node).
 template <class Tests, class Sink>
 class RopeSearch {
  public:
-  __device__ RopeSearch(const ChainView& chain, const RopeTree& tree, Sink& sink)
+  CATENA_HD RopeSearch(const ChainView& chain, const RopeTree& tree, Sink& sink)
       : chain_(chain), tree_(tree), sink_(sink) {}
 
-  __device__ void run(std::uint32_t leaf) const {
+#pragma nv_exec_check_disable
+  CATENA_HD void run(std::uint32_t leaf) const {
     const RopeTree::Node own = tree_.node[tree_.leaf(leaf)];
     for (std::uint32_t at = own.rope; at != RopeTree::end;) {
       const RopeTree::Node other = tree_.node[at];
       const bool meets = own.box.meets(other.box);
+      if constexpr (listens) {
+        if (!meets)
+          sink_.apart(own.left, at);
+        else if (tree_.is_leaf(at))
+          sink_.compared(own.left, other.left);
+      }
       if (meets && tree_.is_leaf(at)) sink_.near_too(*this, own.left, 0, {other.left, 1});
       at = meets && !tree_.is_leaf(at) ? other.left : other.rope;
     }
   }
 
   /// Of spheres: what NearQueue asks of places.
-  __device__ bool collides(std::uint32_t a, std::uint32_t b, std::uint32_t) const {
+  CATENA_HD bool collides(std::uint32_t a, std::uint32_t b, std::uint32_t) const {
     return Tests::overlap(chain_.spheres[a], chain_.spheres[b]) && !chain_.neighbours(a, b);
   }
-  __device__ std::uint32_t sphere_at(std::uint32_t i) const { return i; }
+  CATENA_HD std::uint32_t sphere_at(std::uint32_t i) const { return i; }
 
  private:
+  static constexpr bool listens = requires(Sink sink) { sink.apart(0u, 0u); };
+
   const ChainView& chain_;
   const RopeTree& tree_;
   Sink& sink_;

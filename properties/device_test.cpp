@@ -1,16 +1,21 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/shown_bounds.h"
 #include "catena/properties/sorted_pairs.h"
+#include "catena/properties/testing/certified.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
 
@@ -71,6 +76,60 @@ TEST_F(Device, TreesHaveTheHostsBits) {
           << input << end;
     }
   }
+}
+
+/// What a search says, in any order, as it accounts for pairs without one.
+class Lines final : public EvidenceSink {
+ public:
+  void discarded(std::uint32_t a, std::uint32_t b) override { add('d', a, b); }
+  void tested(std::uint32_t i, std::uint32_t j) override { add('t', i, j); }
+  void excluded(std::uint32_t i, std::uint32_t j) override { add('e', i, j); }
+  auto sorted() && {
+    std::ranges::sort(lines_);
+    return std::move(lines_);
+  }
+
+ private:
+  void add(char kind, std::uint32_t a, std::uint32_t b) {
+    lines_.emplace_back(kind, std::min(a, b), std::max(a, b));
+  }
+  std::vector<std::tuple<char, std::uint32_t, std::uint32_t>> lines_;
+};
+
+/// The blocks and cells that the device built say what the host's do: the same capsules, bit for bit, the same parts
+/// given up, the same partners, the same cells, and so the same lines; and the same pairs.
+TEST_F(Device, BlocksAndCellsHaveTheHostsBits) {
+  struct Twins {
+    const char *device, *host;
+  };
+  for (const auto& [device, host] :
+       {Twins{"DeviceGrid", "DeviceGrid@host"}, Twins{"DeviceHybrid(least=0,cells=0)", "DeviceHybrid@host"},
+        Twins{"DeviceHybrid(least=0)", "DeviceHybrid@host(cells=4194304)"},
+        Twins{"DeviceHybrid(least=0,cells=0,crowd=1)", "DeviceHybrid@host(crowd=1)"},
+        Twins{"DeviceHybrid", "DeviceHybrid@host(least=524288)"}})
+    for (const char* input :
+         {"path1:n=4000", "yarn:n=5000", "mixed_radii:n=3000", "hair:n=3000", "stretched:n=5000", "walk:n=20000",
+          "coil:n=1200,offset=1e6", "points:n=3000", "cluster:n=2000", "rod:n=900,scale=1e30", "rod:n=1", "rod:n=33"}) {
+      const Chain chain = scene(input);
+      const auto there = StrategyRegistry::instance().make(device), here = StrategyRegistry::instance().make(host);
+      there->build(chain), here->build(chain);
+      EXPECT_TRUE(ShownBounds::of_evidence(*there).same_bits(ShownBounds::of_evidence(*here))) << device << ", " << input;
+      Lines told, expected;
+      Collisions shown, found, twins;
+      there->find_with_evidence(chain, {}, shown, told);
+      here->find_with_evidence(chain, {}, twins, expected);
+      EXPECT_TRUE(std::move(told).sorted() == std::move(expected).sorted()) << device << ", " << input;
+      there->find(chain, {}, found);
+      for (Collisions* of : {&shown, &found, &twins}) sort(of->pairs);
+      EXPECT_EQ(shown.pairs, twins.pairs) << device << ", " << input;
+      EXPECT_EQ(found.pairs, twins.pairs) << device << ", " << input;
+      EXPECT_EQ(found.count, twins.count) << device << ", " << input;
+    }
+}
+
+TEST_F(Device, IsCertifiedByWhatItBuilt) {
+  for (const char* name : {"DeviceGrid", "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(least=0)", "DeviceHybrid", "DeviceLBVH"})
+    expect_certified(name);
 }
 
 TEST_F(Device, PairBufferGrowsAndLosesNothing) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "catena/core/strategy/evidence_nodes.h"
+
 namespace catena::properties {
 namespace {
 
@@ -42,6 +44,14 @@ ShownBounds::ShownBounds(const Variant& variant) {
   Collector collector(edges_, numbers_);
   variant.visit_bounds(collector);
   std::ranges::sort(edges_);
+}
+
+ShownBounds ShownBounds::of_evidence(const Variant& variant) {
+  ShownBounds shown;
+  Collector collector(shown.edges_, shown.numbers_);
+  visit_evidence_nodes(variant, collector);
+  std::ranges::sort(shown.edges_);
+  return shown;
 }
 
 bool ShownBounds::same_bits(const ShownBounds& other) const {

@@ -11,6 +11,8 @@ namespace catena::properties {
 class ShownBounds {
  public:
   explicit ShownBounds(const Variant& variant);
+  /// The nodes that its evidence names.
+  static ShownBounds of_evidence(const Variant& variant);
 
   /// (parent id, child id), sorted: the shape of the tree.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges() const { return edges_; }
@@ -18,6 +20,8 @@ class ShownBounds {
   bool same_bits(const ShownBounds& other) const;
 
  private:
+  ShownBounds() = default;
+
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
   std::vector<double> numbers_;  ///< kind and numbers of each bound, as shown
 };

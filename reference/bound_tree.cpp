@@ -41,16 +41,21 @@ void BoundTree::add(std::uint32_t parent_id, const AnyBound& parent, std::uint32
   ++faults_.bounds;
   const bool placed = show(parent_id, parent) != nullptr && parent_id >= leaves_;
   Node* const node = show(child_id, child);
-  if (!placed || node == nullptr || node->parent != none) {
+  const bool again = node != nullptr && node->parent != none;
+  if (!placed || node == nullptr || (again && (child_id >= leaves_ || node->tree == trees_))) {
     ++faults_.misplaced;
     return;
   }
-  node->parent = parent_id;
+  if (again)
+    further_.push_back({child_id, parent_id});
+  else
+    node->parent = parent_id;
+  node->tree = trees_;
   ++nodes_[parent_id].open_children;
 }
 
 BoundTree::Node* BoundTree::show(std::uint32_t id, const AnyBound& bound) {
-  if (id / 4 >= leaves_) return nullptr;
+  if (id / 8 >= leaves_) return nullptr;
   if (id >= nodes_.size()) nodes_.resize(std::size_t{id} + 1);
   Node& node = nodes_[id];
   node.known = true;
@@ -102,6 +107,9 @@ void BoundTree::check(bool nested) {
     for (Node& node : nodes_)
       if (node.parent != none && !node.nested)
         stick_out(node, node.is_sphere ? reference::shortfall(bound(nodes_[node.parent]), node.sphere) : 0);
+    for (const Further& f : further_)
+      if (!f.nested)
+        stick_out(nodes_[f.sphere], reference::shortfall(bound(nodes_[f.parent]), nodes_[f.sphere].sphere));
   } else if (faults_.misplaced == 0) {  // a cycle would have no end
     check_spheres();
   }
@@ -113,9 +121,13 @@ void BoundTree::order() {
     known += nodes_[id].known;
     if (nodes_[id].known && nodes_[id].open_children == 0) upwards_.push_back(id);
   }
+  const auto settle = [&](std::uint32_t parent) {
+    if (--nodes_[parent].open_children == 0) upwards_.push_back(parent);
+  };
+  for (const Further& f : further_) settle(f.parent);
   for (std::size_t k = 0; k < upwards_.size(); ++k) {
     const std::uint32_t parent = nodes_[upwards_[k]].parent;
-    if (parent != none && --nodes_[parent].open_children == 0) upwards_.push_back(parent);
+    if (parent != none) settle(parent);
   }
   faults_.misplaced += known - upwards_.size();  // in a cycle
 }
@@ -127,20 +139,30 @@ void BoundTree::check_edges() {
     node.nested = parent.is_sphere && node.is_sphere ? reference::encloses(parent.sphere, node.sphere)
                                                      : reference::encloses(bound(parent), bound(node));
   }
+  for (Further& f : further_) f.nested = contains(bound(nodes_[f.parent]), nodes_[f.sphere].sphere);
 }
 
 void BoundTree::check_spheres() {
-  if (std::ranges::all_of(nodes_, [](const Node& node) { return node.parent == none || node.nested; }))
-    return;
-  for (std::uint32_t i = 0; i < leaves_; ++i) {
-    const Sphere64& sphere = nodes_[i].sphere;
-    bool inside = true;  // of the node that the walk has reached
-    for (Node* node = &nodes_[i]; node->parent != none; node = &nodes_[node->parent]) {
-      if (inside && node->nested) continue;
-      const AnyBound parent = bound(nodes_[node->parent]);
-      inside = contains(parent, sphere);
-      if (!inside) stick_out(*node, reference::shortfall(parent, sphere));
+  if (!std::ranges::all_of(nodes_, [](const Node& node) { return node.parent == none || node.nested; }))
+    for (std::uint32_t i = 0; i < leaves_; ++i)
+      if (nodes_[i].parent != none)
+        check_above(nodes_[i].sphere, nodes_[i], nodes_[i].parent, nodes_[i].nested);
+  for (const Further& f : further_)
+    check_above(nodes_[f.sphere].sphere, nodes_[f.sphere], f.parent, f.nested);
+}
+
+/// Holds a sphere against `parent`, which is that of `node`, and all above; what lies in a bound that lies in
+/// the next lies in that, too.
+void BoundTree::check_above(const Sphere64& sphere, Node& node, std::uint32_t parent, bool nested) {
+  bool inside = true;  // of the node that the walk has reached
+  for (Node* at = &node;; nested = at->nested, parent = at->parent) {
+    if (!inside || !nested) {
+      const AnyBound around = bound(nodes_[parent]);
+      inside = contains(around, sphere);
+      if (!inside) stick_out(*at, reference::shortfall(around, sphere));
     }
+    at = &nodes_[parent];
+    if (at->parent == none) return;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/reference/exact_gap.h"
 
 namespace catena::reference {
@@ -71,10 +72,20 @@ CertificateReport CertificateChecker::report() const {
   return result;
 }
 
+bool has_evidence(Variant& variant, const Chain& chain) {
+  if (variant.evidence() == Accounting::none) return false;
+  try {
+    variant.build(chain);
+  } catch (...) {
+    return true;  // certify() meets it again, and says so
+  }
+  return variant.evidence() != Accounting::none;
+}
+
 Certified certify(Variant& variant, const Chain& chain, const Request& request, Collisions& found) {
   variant.build(chain);
   EvidenceTree tree(chain);
-  variant.visit_bounds(tree);
+  visit_evidence_nodes(variant, tree);
   tree.complete();
   variant.find(chain, request, found);
   CertificateChecker checker(chain, tree, variant.evidence(), request);

@@ -70,9 +70,13 @@ struct Certified {
   Collisions shown;  ///< what the search with evidence answered itself
 };
 
+/// Whether certify() can check the variant's answer on this chain. `auto` knows when it has chosen, so where a
+/// variant says that it has evidence it is asked again after a build.
+bool has_evidence(Variant& variant, const Chain& chain);
+
 /// Builds, leaves the answer of find() in `found`, searches again with evidence, and checks that evidence. That all
 /// three answers are one is for the caller to compare: the evidence alone says nothing of find(), which may run on
-/// many threads. The variant's evidence() must not be none. Cost: both searches and O(1) for each line of evidence. Throws what build and
+/// many threads. It must have evidence. Cost: both searches and O(1) for each line of evidence. Throws what build and
 /// find throw, and PairLimitExceeded.
 Certified certify(Variant& variant, const Chain& chain, const Request& request, Collisions& found);
 

@@ -112,6 +112,7 @@ TEST(Certificate, ProvesTheReferencesAnswerForEveryVariantThatHasOne) {
     if (variant->evidence() == Accounting::none) continue;
     ++variants;
     for (const Chain& chain : chains) {
+      if (!has_evidence(*variant, chain)) continue;  // `auto` chose a device
       Collisions found;
       const Certified certified = certify(*variant, chain, {}, found);
       EXPECT_TRUE(certified.report.holds())
@@ -214,6 +215,48 @@ TEST(Certificate, ANodeBelowTwoParentsOrItselfIsNoticed) {
                 })
                 .tree.misplaced,
             0u);
+}
+
+/// Four spheres in a row, apart, and two trees: 4 holds 0 and 1, and 5 holds 1 and 2.
+struct TwoTrees {
+  Chain chain = Chain({{0, 0, 0, 1}, {10, 0, 0, 1}, {20, 0, 0, 1}, {30, 0, 0, 1}});
+  EvidenceTree tree{chain};
+
+  explicit TwoTrees(double radius = 6.5) {
+    tree.tree({});
+    for (const std::uint32_t i : {0u, 1u}) tree.edge(4, Sphere64{5, 0, 0, 6.5}, i, Everything{});
+    tree.tree({});
+    for (const std::uint32_t i : {1u, 2u}) tree.edge(5, Sphere64{15, 0, 0, radius}, i, Everything{});
+  }
+};
+
+TEST(Certificate, ASphereMayBeInSeveralTreesOnceInEach) {
+  TwoTrees two;
+  two.tree.complete();
+  CertificateChecker checker(two.chain, two.tree, Accounting::each_pair, {});
+  checker.discarded(3, 4), checker.discarded(0, 5), checker.tested(1, 2), checker.discarded(2, 3);
+  EXPECT_TRUE(checker.report().holds()) << checker.report().fault();
+  checker.discarded(3, 5);
+  EXPECT_FALSE(checker.report().each_once);
+
+  TwoTrees twice;
+  twice.tree.edge(5, Sphere64{15, 0, 0, 6.5}, 2, Everything{});
+  twice.tree.complete();
+  EXPECT_GT(twice.tree.faults().misplaced, 0u);
+
+  TwoTrees shared;
+  shared.tree.tree({});
+  shared.tree.edge(6, Everything{}, 4, Sphere64{5, 0, 0, 6.5});
+  shared.tree.tree({});
+  shared.tree.edge(7, Everything{}, 4, Sphere64{5, 0, 0, 6.5});
+  shared.tree.complete();
+  EXPECT_GT(shared.tree.faults().misplaced, 0u);
+}
+
+TEST(Certificate, TheSecondTreeOfASphereMustEncloseItToo) {
+  TwoTrees two(5.9);
+  two.tree.complete();
+  EXPECT_EQ(two.tree.faults().unenclosed, 2u);
 }
 
 TEST(Certificate, UnknownNodesAndSpheresAreNoticed) {

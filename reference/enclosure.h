@@ -49,7 +49,7 @@ struct EnclosureReport {
 };
 
 /// Checks every bound that a variant shows of its last build, and gathers the shape of its tree. Ids are
-/// below 4n.
+/// below 8n.
 class EnclosureChecker final : public BoundsVisitor {
  public:
   /// `chain` is that of the variant's last build and must outlive the checker.

@@ -20,12 +20,14 @@ EvidenceTree::EvidenceTree(const Chain& chain) : tree_(chain), weights_(chain.si
 void EvidenceTree::complete() {
   tree_.check(nested_);
   weights_.resize(tree_.size());
+  const auto add = [&](std::uint32_t id, std::uint32_t parent) {
+    Fingerprint::Weight& above = weights_[parent];
+    above = {Fingerprint::sum(above.row, weights_[id].row),
+             Fingerprint::sum(above.column, weights_[id].column)};
+  };
+  for (const BoundTree::Further& f : tree_.further()) add(f.sphere, f.parent);
   for (const std::uint32_t id : tree_.upwards())
-    if (const auto parent = tree_.parent(id)) {
-      Fingerprint::Weight& above = weights_[*parent];
-      above = {Fingerprint::sum(above.row, weights_[id].row),
-               Fingerprint::sum(above.column, weights_[id].column)};
-    }
+    if (const auto parent = tree_.parent(id)) add(id, *parent);
 }
 
 }  // namespace catena::reference

@@ -9,15 +9,19 @@
 
 namespace catena::reference {
 
-/// The nodes of a variant's last build, of any arity and with bounds of any kind, and the weight of the
-/// spheres below each. When its tree is sound, every node encloses all spheres below it, exactly. About 80
-/// bytes a node.
+/// The nodes that the evidence of a variant's last build names, of one tree or of several, of any arity and
+/// with bounds of any kind, and the weight of the spheres below each. When its tree is sound, every node
+/// encloses all spheres below it, exactly. About 80 bytes a node.
 class EvidenceTree final : public BoundsVisitor {
  public:
   /// `chain` must outlive the tree. Weights are drawn from std::random_device, so no search can know them.
   explicit EvidenceTree(const Chain& chain);
 
-  void tree(const TreeFacts& facts) override { nested_ = facts.nested; }
+  void tree(const TreeFacts& facts) override {
+    nested_ = facts.nested && (nested_ || trees_ == 0);
+    ++trees_;
+    tree_.begin_tree();
+  }
   void edge(std::uint32_t parent_id, const AnyBound& parent, std::uint32_t child_id,
             const AnyBound& child) override {
     tree_.add(parent_id, parent, child_id, child);
@@ -36,7 +40,8 @@ class EvidenceTree final : public BoundsVisitor {
 
  private:
   BoundTree tree_;
-  bool nested_ = false;
+  bool nested_ = false;  ///< all trees are
+  std::uint32_t trees_ = 0;
   std::vector<Fingerprint::Weight> weights_;
   std::uint64_t all_pairs_ = 0;
 };

@@ -45,7 +45,7 @@ Answer exact_answer(const Chain& chain, std::uint64_t pair_limit);
 /// `refused`, and whatever else the variant throws `wrong`, with "threw: " and what it said.
 Verification verify(Variant& variant, bool rounded, const Chain& chain, const Answer& exact);
 
-/// The same with the variant's own evidence in place of the reference, for variants whose evidence() is not none: it is
+/// The same with the variant's own evidence in place of the reference, for those of has_evidence(): it is
 /// checked line by line and proves which pairs there are, at about the cost of the search; what find() answers, and
 /// what the search with evidence does, are held against that. Counts only when there are
 /// more pairs than the limit. `exact_pairs` becomes the proved number; 0 when nothing was proved.

@@ -115,7 +115,7 @@ class VerifyCommand final : public Command {
         print(c.info, certify_ ? 0 : exact().pair_count, std::move(v));
       } else if (box) {
         print(c.info, exact().pair_count, verify(in_box(c, *box), !c.info.exact, chain, exact()));
-      } else if (certify_ && c.info.exact && c.variant->evidence() != Accounting::none) {
+      } else if (certify_ && c.info.exact && has_evidence(*c.variant, chain)) {
         std::uint64_t proved;
         Verification v = verify_by_certificate(*c.variant, chain, pair_limit, proved);
         print(c.info, proved, std::move(v));

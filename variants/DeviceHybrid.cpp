@@ -6,11 +6,13 @@
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/cells/block_nodes.h"
-#include "catena/core/cells/compare_blocks.h"
+#include "catena/core/cells/host_comparison.h"
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/host_warp.h"
 #include "catena/core/cells/meet_blocks.h"
+#include "catena/core/cells/told_search.h"
 #include "catena/core/executor/host_search.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
 
@@ -19,7 +21,7 @@ namespace {
 
 /// DeviceHybrid with its steps run on the host, one after the other, warps emulated.
 template <class Arithmetic>
-class DeviceHybridOnHost final : public HostSearch {
+class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
  public:
   explicit DeviceHybridOnHost(const Parameters& parameters)
       : crowd_(static_cast<std::uint32_t>(
@@ -40,8 +42,14 @@ class DeviceHybridOnHost final : public HostSearch {
     return plan;
   }
 
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    if (built()) ToldSearch(view_, &blocks_, cells_.placed()).show(visitor);
+  }
+
  private:
   void construct(const ChainView& chain) override {
+    view_ = chain;
     lay_out(chain);
     if (blocks_.all_crowded) return cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
     const BlockMeeting meeting(blocks_);
@@ -59,12 +67,13 @@ class DeviceHybridOnHost final : public HostSearch {
   void search(const ChainView& chain, PairCollector& collector) override {
     LaneSink sink{collector.lane(0)};
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      const BlockComparison<HostWarp> comparison(warp_, chain, blocks_);
-      for (std::uint32_t b = 0; !blocks_.all_crowded && b < blocks_.blocks && !sink.satisfied(); ++b)
-        comparison.plan(b, [&](auto work) { comparison.template compare<decltype(tests)>(b, work, sink); });
-      cells_.search<decltype(tests)>(chain, sink);
+      compare_blocks<decltype(tests)>(chain, blocks_, sink);
+      cells_.placed().search<decltype(tests)>(chain, sink);
     });
     in_range_ = in_range<Arithmetic>(chain);
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    ToldSearch(chain, &blocks_, cells_.placed()).search(lane, sink);
   }
   void meet_in_tree(const BlockMeeting& of_blocks) {
     const NodeMeeting meeting(nodes_, blocks_);
@@ -161,7 +170,7 @@ class DeviceHybridOnHost final : public HostSearch {
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
   const std::uint32_t meetings_;
-  HostWarp warp_;
+  ChainView view_{};  // of the last build
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
   BlockNodes nodes_{};

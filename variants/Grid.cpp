@@ -1,5 +1,6 @@
 #include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -8,7 +9,7 @@ namespace {
 /// Grid: spheres in cells as wide as two of them, a level of cells for each octave of the radii; each against
 /// half of its neighbourhood, a vector of candidates a test.
 template <class Arithmetic>
-class Grid final : public HostSearch {
+class Grid final : public HostSearch, public EvidenceNodes {
  public:
   explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {}
 
@@ -16,11 +17,24 @@ class Grid final : public HostSearch {
     return {{"sphere, vector of spheres", tests_done() - tests_before_}};
   }
 
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    if (built()) GridTrees(view_, grid_, view_.size).show(visitor);
+  }
+
  private:
-  void construct(const ChainView& chain) override { build_grid(chain, grid_, {}, team_); }
+  void construct(const ChainView& chain) override {
+    view_ = chain;
+    build_grid(chain, grid_, {}, team_);
+  }
   void search(const ChainView& chain, PairCollector& collector) override {
     tests_before_ = tests_done();
     search_grid(chain, grid_, queues_, collector, team_);
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    const GridTrees trees(chain, grid_, chain.size);
+    GridEvidence evidence(chain, trees, sink);
+    search_grid(chain, grid_, queues_[0], lane, evidence);
   }
   const Team& team() const override { return team_; }
 
@@ -31,6 +45,7 @@ class Grid final : public HostSearch {
   }
 
   const Team team_;
+  ChainView view_{};  // of the last build
   SphereGrid grid_;
   std::vector<GridQueues> queues_;  // [member of the team]
   std::uint64_t tests_before_ = 0;  // the last search

@@ -2,6 +2,7 @@
 
 #include "catena/core/executor/host_search.h"
 #include "catena/core/hybrid/hybrid_search.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -10,7 +11,7 @@ namespace {
 /// Hybrid: blocks of eight spheres in the chain's order where that says what is near, in the order of space
 /// where it does not, and single spheres in cells where much is near; see HybridSearch.
 template <class Arithmetic>
-class Hybrid final : public HostSearch {
+class Hybrid final : public HostSearch, public EvidenceNodes {
  public:
   explicit Hybrid(const Parameters& parameters)
       : team_(parameters),
@@ -34,14 +35,26 @@ class Hybrid final : public HostSearch {
             {"sphere, vector of spheres", work.tests}};
   }
 
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    if (built()) search_.show_evidence(view_, visitor);
+  }
+
  private:
-  void construct(const ChainView& chain) override { search_.build(chain, team_); }
+  void construct(const ChainView& chain) override {
+    view_ = chain;
+    search_.build(chain, team_);
+  }
   void search(const ChainView& chain, PairCollector& collector) override {
     search_.search(chain, collector, team_);
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    search_.search_with_evidence(chain, lane, sink);
   }
   const Team& team() const override { return team_; }
 
   const Team team_;
+  ChainView view_{};  // of the last build
   HybridSearch search_;
 };
 

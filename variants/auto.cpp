@@ -10,10 +10,11 @@
 
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/frames/frame_search.h"
-#include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/plan/coarse_look.h"
 #include "catena/core/plan/part_look.h"
 #include "catena/core/plan/search_plan.h"
+#include "catena/core/strategy/evidence_nodes.h"
+#include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -22,7 +23,7 @@ namespace {
 /// auto: what a plan chooses for the chain, and leaves out for the request; of a frame it searches what the
 /// last one does not tell.
 template <class Arithmetic>
-class Auto final : public Variant, public KeepsAnswer {
+class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
  public:
   explicit Auto(const Parameters& parameters)
       : omissions_(Omissions::without(parameters.choices("keep", omission_names()))),
@@ -61,6 +62,21 @@ class Auto final : public Variant, public KeepsAnswer {
     else
       find(chain, request, own_), answer = &own_;
     return *answer;
+  }
+
+  /// That of what it chose for the last build; before the first, of what it would choose on a host. None
+  /// where nothing was built: an earlier frame, or a look, answers.
+  Accounting evidence() const override {
+    if (!spheres_) return Accounting::each_pair;
+    return built_ ? searcher_->evidence() : Accounting::none;
+  }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    if (!built_) throw std::logic_error("find_with_evidence: nothing was built");
+    searcher_->find_with_evidence(chain, request, result, sink);
+  }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    if (built_) visit_evidence_nodes(*searcher_, visitor);
   }
 
   Timings timings() const override { return timings_; }

@@ -34,6 +34,8 @@ class WorkSink final : public EvidenceSink {
 }  // namespace
 
 std::optional<Work> count_work(const VariantInfo& info, const Chain& chain) {
+  // Cells say what they left out by trees that no search went through.
+  if (!info.has_tree && !info.all_pairs) return {};
   const auto& registry = StrategyRegistry::instance();
   const auto variant = registry.make(info.on_device() ? registry.on_host(info.parts).text() : info.name);
   if (variant->evidence() == Accounting::none) return {};

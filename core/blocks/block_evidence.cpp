@@ -13,16 +13,10 @@ constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
 /// capsule encloses, and is apart from what a test finds it apart from.
 constexpr double bare = 0x1p-20;  // 16 u
 
-/// Capsule k of fields laid out sixteen at a time, its radius bare.
+/// Capsule k of fields laid out sixteen at a time.
 Capsule64 capsule(std::span<const float> fields, std::uint32_t k, double unit) {
-  const float* const f =
-      fields.data() + std::size_t{k / group} * group * BlockTree::capsule_fields + k % group;
-  const auto at = [&](int field) { return double{f[group * field]}; };
-  const auto end = [&](double side) -> Vector64 {
-    return {(at(0) + side * at(3)) * unit, (at(1) + side * at(4)) * unit, (at(2) + side * at(5)) * unit};
-  };
-  const double reach = std::hypot(at(3), at(4), at(5)) + at(6);
-  return {end(-1), end(1), (at(6) - bare * reach) * unit};
+  return shown_capsule(fields.data() + std::size_t{k / group} * group * BlockTree::capsule_fields + k % group,
+                       group, unit);
 }
 
 /// Of the box of a node.
@@ -42,6 +36,15 @@ std::array<Slab, 3> slabs(const BlockTree::Level& level, std::uint32_t node, dou
 }
 
 }  // namespace
+
+Capsule64 shown_capsule(const float* fields, std::uint32_t stride, double unit) {
+  const auto at = [&](int field) { return double{fields[stride * static_cast<std::uint32_t>(field)]}; };
+  const auto end = [&](double side) -> Vector64 {
+    return {(at(0) + side * at(3)) * unit, (at(1) + side * at(4)) * unit, (at(2) + side * at(5)) * unit};
+  };
+  const double reach = std::hypot(at(3), at(4), at(5)) + at(6);
+  return {end(-1), end(1), (at(6) - bare * reach) * unit};
+}
 
 std::uint32_t BlockEvidence::node_id(std::size_t level, std::uint32_t k) const {
   std::uint32_t id = block_id(tree_.blocks);

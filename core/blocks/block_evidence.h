@@ -64,6 +64,10 @@ struct NoBlockEvidence {
   void ordered_between(std::uint32_t) const {}
 };
 
+/// A capsule as it is shown, whose fields lie so many numbers apart; `unit` is that of the chain in the
+/// tree's.
+Capsule64 shown_capsule(const float* fields, std::uint32_t stride, double unit);
+
 /// Shows a tree as BlockEvidence names it. Bounds are in the chain's own units.
 void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& visitor);
 

@@ -23,6 +23,12 @@ CATENA_API void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding
 CATENA_API void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                                  std::span<BlockQueues> queues, PairCollector& collector, const Team& team);
 
+/// The same to the lane, by the caller alone, slower. Tells `evidence` of all pairs but those of two crowded
+/// nodes; and of these, what it finds in and between blocks that follow one another.
+CATENA_API void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                                 BlockQueues& queues, PairCollector::Lane& lane,
+                                 const BlockEvidence& evidence);
+
 /// Reports every colliding pair to the lane, once. `evidence` may be null; with it the search is slower.
 CATENA_API void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
                               PairCollector::Lane& lane, const BlockEvidence* evidence);

@@ -43,6 +43,27 @@ void search_pairs_here(const ChainView& chain, const BlockTree& tree, const Crow
   BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run_pairs(crowding, nodes);
 }
 
+/// What a walk asks for whose pairs of nodes are known.
+struct KnownWalk {
+  const Crowding& crowding;
+  void met(std::uint32_t, std::uint32_t) const {}
+  bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
+  bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
+    return crowding.left_out_group(l, a, parent);
+  }
+  bool stop() const { return false; }
+};
+
+void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                           BlockQueues& queues, PairCollector::Lane& lane, const BlockEvidence& evidence) {
+  if (tree.blocks == 0) return;
+  const KnownWalk walk{crowding};
+  NodeWalk(tree, walk, evidence).run();
+  BlockSearch<BlockEvidence> search(chain, tree, queues, lane, evidence);
+  search.run_nodes(crowding, 0, crowding.nodes());
+  for (const std::vector<Pair>& pairs : crowding.pairs()) search.run_pairs(crowding, pairs);
+}
+
 void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
                  PairCollector::Lane& lane, const BlockEvidence* evidence) {
   if (evidence != nullptr)
@@ -66,6 +87,7 @@ constexpr std::uint32_t nodes_of_a_task = 32, pairs_of_a_task = 64;
 HWY_EXPORT(find_crowds_here);
 HWY_EXPORT(search_nodes_here);
 HWY_EXPORT(search_pairs_here);
+HWY_EXPORT(search_uncrowded_here);
 HWY_EXPORT(search_here);
 
 void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
@@ -89,6 +111,10 @@ void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowd
                            queues[member], collector.lane(member));
                         });
   }
+}
+void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                      BlockQueues& queues, PairCollector::Lane& lane, const BlockEvidence& evidence) {
+  HWY_DYNAMIC_DISPATCH(search_uncrowded_here)(chain, tree, crowding, queues, lane, evidence);
 }
 void search_blocks(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
                    PairCollector::Lane& lane, const BlockEvidence* evidence) {

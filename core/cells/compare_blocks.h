@@ -47,7 +47,9 @@ class BlockComparison {
     if (ordered && !neighbours) add(Work::adjacent);
   }
 
-  /// For each item of block b; tells what collides to sink.pair(i, j), i < j.
+  /// For each item of block b; tells what collides to sink.pair(i, j), i < j. A sink on the host that listens
+  /// is also told which blocks it compared, sink.met(a, near_a, b, near_b), and which spheres,
+  /// sink.compared(i, j): see CapsuleEvidence.
   template <class Tests, class Sink>
   CATENA_HD void compare(std::uint32_t b, Work work, Sink& sink) const {
     if (work == Work::within) return compare_within<Tests>(b, sink);
@@ -59,6 +61,11 @@ class BlockComparison {
   }
 
  private:
+  template <class Sink>
+  static constexpr bool listens = requires(Sink sink) {
+    sink.met(0u, 0u, 0u, 0u);
+  };
+
   /// A crowded block found no partners, and blocks of its own level find it; but those of coarser levels do
   /// not. They are in no bucket that holds too many.
   template <class Tests, class Sink>
@@ -100,6 +107,7 @@ class BlockComparison {
   CATENA_HD void compare_two(std::uint32_t a, std::uint32_t b, Sink& sink) const {
     const auto first = spheres(a), second = spheres(b);
     const std::uint32_t near_a = near(a, first, blocks_.capsule[b]);
+    if constexpr (listens<Sink>) sink.met(a, near_a, b, near(b, second, blocks_.capsule[a]));
     if (near_a == 0) return;
     compare_spheres<Tests>(a, first, near_a, b, second, near(b, second, blocks_.capsule[a]), sink);
   }
@@ -114,6 +122,8 @@ class BlockComparison {
         const std::uint32_t k = (lane + ahead) % CapsuleBlocks::block, first = lane < k ? lane : k,
                             second = lane < k ? k : lane, i = b * CapsuleBlocks::block + first,
                             j = b * CapsuleBlocks::block + second;
+        if constexpr (listens<Sink>)
+          if ((ahead < half || lane < half) && in_chain(b, second)) sink.compared(i, j);
         if ((ahead < half || lane < half) && in_chain(b, second) && Tests::overlap(all[lane], others[lane]) &&
             !chain_.neighbours(i, j))
           sink.pair(i, j);
@@ -148,6 +158,8 @@ class BlockComparison {
       const Sphere other = warp_.from(second, k);
       warp_.run([&](std::uint32_t lane) {
         const std::uint32_t i = a * CapsuleBlocks::block + lane;
+        if constexpr (listens<Sink>)
+          if ((of_a >> lane & 1) != 0 && i < j) sink.compared(i, j);
         if ((of_a >> lane & 1) != 0 && i < j && Tests::overlap(first[lane], other) &&
             !chain_.neighbours(i, j))
           sink.pair(i, j);
@@ -162,6 +174,7 @@ class BlockComparison {
     warp_.run([&](std::uint32_t lane) {
       if (lane == CapsuleBlocks::block - 1 ? !last_too : left_out) return;
       const std::uint32_t i = b * CapsuleBlocks::block + lane;
+      if constexpr (listens<Sink>) sink.compared(i, i + 1);
       if (Tests::overlap(chain_.spheres[i], chain_.spheres[i + 1]) && !chain_.neighbours(i, i + 1))
         sink.pair(i, i + 1);
     });

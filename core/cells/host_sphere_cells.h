@@ -2,11 +2,41 @@
 #include <cstdint>
 #include <vector>
 
+#include "catena/core/cells/cells_evidence.h"
 #include "catena/core/cells/host_buckets.h"
 #include "catena/core/cells/search_cells.h"
 #include "catena/core/executor/pair_collector.h"
 
 namespace catena {
+
+/// SphereCells in host memory whose spheres have their places.
+struct PlacedCells {
+  SphereCells cells{};
+  CellTable table{};
+
+  /// Every pair of those that were sorted.
+  template <class Tests, class Sink>
+  void search(const ChainView& chain, Sink& sink) const {
+    cells.octaves.equal ? search_all<Tests, true>(chain, sink) : search_all<Tests, false>(chain, sink);
+  }
+  /// They, as evidence names their cells; ids are first_id and following.
+  CellsTrees trees(const ChainView& chain, std::uint32_t first_id) const {
+    std::vector<std::uint32_t> spheres(cells.places());
+    for (std::uint32_t place = 0; place < spheres.size(); ++place)
+      spheres[place] = cells.octaves.equal ? PlacedSpheres<true>(cells).index(place) : cells.index[place];
+    return CellsTrees(chain, cells, spheres, first_id);
+  }
+
+ private:
+  template <class Tests, bool equal_radii, class Sink>
+  void search_all(const ChainView& chain, Sink& sink) const {
+    const CellSearch<Tests, equal_radii, Sink> search(chain, cells, table, sink);
+    const PlacedSpheres<equal_radii> placed(cells);
+    for (std::uint32_t place = 0; place < cells.places() && !sink.satisfied(); ++place)
+      cells.one_level() ? search.run_in_one_level(placed.sphere(place), place, true)
+                        : search.run(placed.sphere(place), place, true);
+  }
+};
 
 /// SphereCells on the host, its steps run one after the other: the device's twin. Keeps its memory.
 class HostSphereCells {
@@ -14,53 +44,42 @@ class HostSphereCells {
   /// Sorts those spheres i of the chain for which takes(i), at most `expected` by a guess of the device.
   template <class Takes>
   void build(const ChainView& chain, std::uint32_t expected, const Takes& takes) {
-    cells_ = SphereCells::of(chain.extent);
-    table_ = cells_.table_for(expected);
+    auto& [cells, table] = placed_;
+    cells = SphereCells::of(chain.extent);
+    table = cells.table_for(expected);
     state_ = {};
-    cells_.buckets = buckets_.reserve(table_, chain.size);
+    cells.buckets = buckets_.reserve(table, chain.size);
     index_.resize(chain.size);
     sphere_.resize(chain.size + std::size_t{SphereCells::at_once});
-    cells_.index = index_.data(), cells_.sphere = sphere_.data(), cells_.state = &state_;
+    cells.index = index_.data(), cells.sphere = sphere_.data(), cells.state = &state_;
     for (std::uint32_t i = 0; i < chain.size; ++i)
-      if (takes(i)) cells_.enter(table_, chain.spheres[i], i, 0);
+      if (takes(i)) cells.enter(table, chain.spheres[i], i, 0);
     state_.together = buckets_.allocate();
     state_.places[0] = buckets_.places();
-    if (!cells_.octaves.one && cells_.many_together()) sort_by_octaves(chain, takes);
+    if (!cells.octaves.one && cells.many_together()) sort_by_octaves(chain, takes);
     for (std::uint32_t i = 0; i < chain.size; ++i)
-      if (takes(i)) cells_.place(table_, chain.spheres[i], i);
+      if (takes(i)) cells.place(table, chain.spheres[i], i);
   }
 
-  /// Every pair of those that were sorted.
-  template <class Tests, class Sink>
-  void search(const ChainView& chain, Sink& sink) const {
-    cells_.octaves.equal ? search_all<Tests, true>(chain, sink) : search_all<Tests, false>(chain, sink);
-  }
+  const PlacedCells& placed() const { return placed_; }
 
  private:
-  template <class Tests, bool equal_radii, class Sink>
-  void search_all(const ChainView& chain, Sink& sink) const {
-    const CellSearch<Tests, equal_radii, Sink> search(chain, cells_, table_, sink);
-    const PlacedSpheres<equal_radii> placed(cells_);
-    for (std::uint32_t place = 0; place < buckets_.places() && !sink.satisfied(); ++place)
-      cells_.one_level() ? search.run_in_one_level(placed.sphere(place), place, true)
-                         : search.run(placed.sphere(place), place, true);
-  }
   template <class Takes>
   void sort_by_octaves(const ChainView& chain, const Takes& takes) {
-    cells_.buckets = buckets_.reserve(table_, chain.size);
+    auto& [cells, table] = placed_;
+    cells.buckets = buckets_.reserve(table, chain.size);
     state_.by_octaves = 1;
     for (std::uint32_t i = 0; i < chain.size; ++i) {
       if (!takes(i)) continue;
-      const std::uint32_t octave = cells_.octaves.of(chain.spheres[i].radius);
-      cells_.enter(table_, chain.spheres[i], i, octave);
+      const std::uint32_t octave = cells.octaves.of(chain.spheres[i].radius);
+      cells.enter(table, chain.spheres[i], i, octave);
       state_.levels[octave / 32] |= 1u << octave % 32;
     }
     buckets_.allocate();
     state_.places[1] = buckets_.places();
   }
 
-  SphereCells cells_{};
-  CellTable table_{};
+  PlacedCells placed_;
   SphereCells::State state_{};
   HostBuckets buckets_;
   std::vector<std::uint32_t> index_;

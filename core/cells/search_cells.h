@@ -15,7 +15,9 @@ struct PlaceSet {
 /// of its level that come after that one, and of all 27 of each coarser level; so each pair is met once.
 /// Tells the sink, which asks collides() of each in its own time: sink.near(search, place, level, sets) by
 /// all threads of a warp together, `sets` an array of PlaceSet, and sink.near_too(search, place, level, set)
-/// by a thread alone.
+/// by a thread alone. A sink that `listens`, which only one on the host does, is also told of each cell that
+/// a sphere looks into, sink.looks(i, level, bits), bit 3 r + 1 + x for that x further on in row r, and of
+/// each sphere it is compared with, sink.compared(i, j, level).
 template <class Tests, bool equal_radii, class Sink>
 class CellSearch {
  public:
@@ -72,9 +74,10 @@ class CellSearch {
     sink_.converge();
     for (std::uint32_t r = first_row; r < rows; ++r) {
       Row row = this->row(r, of, at, bucket, limit);
+      if constexpr (listens) tell_looks(r, of, bucket, row);
       Buckets::Run run{0, 0};
       if (row.cells > 0) run = take(r, of, row);
-      found[r - first_row] = {run.first, near(of.sphere, run)};
+      found[r - first_row] = {run.first, near(of, run)};
       longer |= static_cast<std::uint32_t>(row.cells > 0 || run.end - run.first > batch) << r;
     }
     sink_.near(*this, of.place, of.level, found);
@@ -91,7 +94,7 @@ class CellSearch {
     run.first += batch;
     for (;; run = cells_.buckets.take(table_, row.from, row.cells)) {
       for (; run.first < run.end; run.first += batch)
-        sink_.near_too(*this, of.place, of.level, {run.first, near(of.sphere, run)});
+        sink_.near_too(*this, of.place, of.level, {run.first, near(of, run)});
       if (row.cells == 0) return;
     }
   }
@@ -124,9 +127,13 @@ class CellSearch {
   static constexpr std::uint32_t batch = 32;
 
   /// Of the first `batch` of these places those whose spheres are not separate for certain from s.
-  CATENA_HD std::uint32_t near(const Sphere& s, const Buckets::Run& run) const {
+  CATENA_HD std::uint32_t near(const Look& of, const Buckets::Run& run) const {
+    const Sphere& s = of.sphere;
     std::uint32_t bits = 0, end = run.end;
     if (end > run.first + batch) end = run.first + batch;
+    if constexpr (listens)
+      for (std::uint32_t at = run.first; at < end; ++at)
+        sink_.compared(placed_.index(of.place), placed_.index(at), of.level);
     for (std::uint32_t at = run.first; at < end; at += SphereCells::at_once) {
       const Sphere* const these = cells_.sphere + at;
       std::uint32_t of_these = 0;
@@ -135,6 +142,13 @@ class CellSearch {
       bits |= of_these << (at - run.first);
     }
     return end - run.first < batch ? bits & ((1u << (end - run.first)) - 1) : bits;
+  }
+
+  static constexpr bool listens = requires(Sink sink) { sink.compared(0u, 0u, 0u); };
+  void tell_looks(std::uint32_t r, const Look& of, std::uint32_t bucket, const Row& row) const {
+    const bool left = row.from != table_.on(bucket, table_.step[r]);
+    const std::uint32_t cells = (1u << row.cells) - 1;  // the middle one is the second of three
+    sink_.looks(placed_.index(of.place), of.level, (left ? cells : cells << 1) << (3 * r));
   }
 
   const ChainView& chain_;

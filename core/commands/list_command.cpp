@@ -43,6 +43,16 @@ class ListCommand final : public Command {
     return parameters;
   }
 
+  /// Exact, and says what it left out; asked of the variant itself.
+  static bool gives_evidence(const VariantInfo& v) {
+    if (!v.exact || v.unavailable) return false;
+    try {
+      return StrategyRegistry::instance().make(v.name)->evidence() != Accounting::none;
+    } catch (const std::exception&) {
+      return false;  // it cannot be made here, as who runs it is told
+    }
+  }
+
   static void print_text() {
     const auto& strategies = StrategyRegistry::instance();
     fmt::print(
@@ -52,10 +62,14 @@ class ListCommand final : public Command {
       fmt::print("  {:<12} {}\n", name, info.summary);
       print_parameters(info.parameters);
     }
-    fmt::print("\nVariants (robust arithmetic unless /literal or /double is written)\n");
+    fmt::print(
+        "\nVariants (robust arithmetic unless /literal or /double is written; evidence: `verify --certify` proves "
+        "the answer by it)\n");
     for (const auto& v : strategies.variants())
       if (v.unavailable)
         fmt::print("  {:<30} not available: {}\n", v.name, *v.unavailable);
+      else if (gives_evidence(v))
+        fmt::print("  {:<30} evidence\n", v.name);
       else
         fmt::print("  {}\n", v.name);
     fmt::print("\nScenes (name:key=value,...); every scene takes\n");
@@ -96,6 +110,7 @@ class ListCommand final : public Command {
       nlohmann::json item(catena::to_json(v));
       item["name"] = v.name;
       item["device"] = v.on_device();
+      item["evidence"] = gives_evidence(v);
       item["unavailable"] = v.unavailable ? nlohmann::json(*v.unavailable) : nlohmann::json();
       out["variants"].push_back(item);
     }

@@ -229,7 +229,7 @@ TEST_F(Program, ListsVariantsScenesAndReaders) {
   const auto list = nlohmann::json::parse(printed);
   EXPECT_GE(list["variants"].size(), 40u);
   for (const auto& variant : list["variants"]) {
-    for (const char* key : {"name", "arithmetic", "device", "unavailable", "stages", "exact", "peer"})
+    for (const char* key : {"name", "arithmetic", "device", "unavailable", "stages", "exact", "peer", "evidence"})
       EXPECT_TRUE(variant.contains(key)) << variant << " lacks " << key;
     EXPECT_EQ(variant["device"], variant["on_device"]) << variant;
   }

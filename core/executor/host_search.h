@@ -21,10 +21,20 @@ class HostSearch : public Variant {
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) final {
-    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+    check(chain);
     const Stopwatch watch;
     PairCollector collector(spheres_, request, result, team(), lane_counts_);
     search(chain.view(), collector);
+    collector.finish();
+    timings_.find_ms = watch.ms();
+  }
+
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) final {
+    check(chain);
+    const Stopwatch watch;
+    PairCollector collector(spheres_, request, result);
+    search_with_evidence(chain.view(), collector.lane(0), sink);
     collector.finish();
     timings_.find_ms = watch.ms();
   }
@@ -36,12 +46,22 @@ class HostSearch : public Variant {
   virtual void construct(const ChainView& chain) = 0;
   /// Reports every colliding pair, once, to the collector's lanes.
   virtual void search(const ChainView& chain, PairCollector& collector) = 0;
+  /// The same to one lane, by the caller alone, and to the sink what was left out; where evidence() says that
+  /// there is some.
+  virtual void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) {
+    static_cast<void>(chain), static_cast<void>(lane), static_cast<void>(sink);
+    throw std::logic_error("find_with_evidence: this variant has no evidence");
+  }
   /// Who searches; each member has a lane.
   virtual const Team& team() const { return alone_; }
 
   bool built() const { return built_; }
 
  private:
+  void check(const Chain& chain) const {
+    if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+  }
+
   const Team alone_;
   std::uint32_t spheres_ = 0;
   bool built_ = false;

@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <span>
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/store_pairs-inl.h"
+#include "catena/core/grid/grid_evidence.h"
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/member_buckets-inl.h"
 #include "catena/core/grid/sphere_grid.h"
@@ -29,17 +31,19 @@ struct Run {
 };
 
 /// Found has collide(pairs), which takes pairs of spheres that overlap and are no neighbours, each once, the
-/// lower index first; and satisfied(), true when nothing more is asked for.
-template <class Found>
+/// lower index first; and satisfied(), true when nothing more is asked for. Sink has the members of
+/// GridEvidence; NoGridEvidence costs nothing.
+template <class Found, class Sink>
 class Candidates {
  public:
   static constexpr std::uint32_t part = 1024;  ///< candidates at a time where a neighbourhood is too crowded
 
-  Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found)
+  Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found, Sink& sink)
       : chain_(chain),
         from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         q_(queues),
-        found_(found) {
+        found_(found),
+        sink_(sink) {
     const ExclusionView& rule = chain.exclusion;
     const bool window = rule.rule == Exclusion::Rule::index_window && rule.one_open_strand;
     window_ = window ? std::min(rule.window, chain.size) : 0;
@@ -129,6 +133,12 @@ class Candidates {
   /// Forgets the candidates from `from` on, the last that were gathered, of which no test was queued.
   void forget(std::uint32_t from) { size_ = from; }
 
+  /// Calls body(index) for those from `from` on.
+  template <class Body>
+  void for_each(std::uint32_t from, const Body& body) const {
+    for (std::uint32_t c = from; c < end_; ++c) body(q_.candidates.index[c]);
+  }
+
   /// The spheres of a run are to be compared with the candidates from `from` on, each `step` further than the
   /// one before.
   HWY_INLINE void test(const Run& spheres, std::uint32_t from, std::uint32_t step) {
@@ -182,6 +192,7 @@ class Candidates {
     std::uint32_t hits = hits_;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t p = tests[k].place, c = tests[k].candidate;
+      if constexpr (Sink::listens) tell(from.index[p], c);
       const auto dx = hn::Sub(hn::LoadU(Tag(), of.x + c), hn::Set(Tag(), from.x[p]));
       const auto dy = hn::Sub(hn::LoadU(Tag(), of.y + c), hn::Set(Tag(), from.y[p]));
       const auto dz = hn::Sub(hn::LoadU(Tag(), of.z + c), hn::Set(Tag(), from.z[p]));
@@ -200,6 +211,12 @@ class Candidates {
     hits_ = hits;
     q_.tests_done += count;
     tests_ = 0;
+  }
+
+  /// Sphere i is compared with the candidates of a vector; what follows the last is no number.
+  void tell(std::uint32_t i, std::uint32_t c) const {
+    for (std::uint32_t k = c; k < c + lanes; ++k)
+      if (!std::isnan(q_.candidates.x[k])) sink_.compared(i, q_.candidates.index[k]);
   }
 
   /// `keep` without those undecided that do not overlap.
@@ -231,6 +248,7 @@ class Candidates {
   const Places from_;
   GridQueues& q_;
   Found& found_;
+  Sink& sink_;
   std::uint32_t window_;
   bool window_is_all_;  // it decides alone who is a neighbour
   std::uint32_t size_ = 0, end_ = 0, tests_ = 0, hits_ = 0;

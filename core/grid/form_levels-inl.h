@@ -35,7 +35,10 @@ class LevelForming {
       next = first_left_out(o);
       const std::uint32_t first = grid_.octaves[o].first, end = grid_.octaves[next - 1].end;
       const BucketMap map = map_buckets(grid_.octaves[o].greatest, box_, end - first);
-      grid_.levels.push_back({map, rows_around(map), box_, grid_.octaves[o].greatest, first, end, starts});
+      const std::array<std::uint32_t, 4> half{step_before(map, 1, 0), step_before(map, -1, 1),
+                                              step_before(map, 0, 1), step_before(map, 1, 1)};
+      grid_.levels.push_back(
+          {map, rows_around(map), half, box_, grid_.octaves[o].greatest, first, end, starts});
       starts += grid_.levels.back().map.buckets + 1;
     }
     // The order of the chain is the better one.

@@ -23,12 +23,14 @@ void build_grid_here(const ChainView& chain, SphereGrid& grid, std::span<const s
 }
 
 void search_grid_here(const ChainView& chain, const SphereGrid& grid, std::size_t l, std::uint32_t begin,
-                      std::uint32_t end, bool across, GridQueues& queues, PairCollector::Lane& lane) {
-  GridSearch<PairCollector::Lane> search(chain, grid, queues, lane);
-  if (across)
-    search.across(l, begin, end);
-  else
-    search.within(l, begin, end);
+                      std::uint32_t end, bool across, GridQueues& queues, PairCollector::Lane& lane,
+                      GridEvidence* evidence) {
+  const auto run = [&](auto& sink) {
+    GridSearch search(chain, grid, queues, lane, sink);
+    across ? search.across(l, begin, end) : search.within(l, begin, end);
+  };
+  NoGridEvidence nothing;
+  evidence != nullptr ? run(*evidence) : run(nothing);
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -50,8 +52,15 @@ void search_grid(const ChainView& chain, const SphereGrid& grid, std::span<GridQ
   for_each_part(grid, team, [&](std::size_t l, std::uint32_t begin, std::uint32_t end, bool across) {
     const unsigned member = team.member();
     HWY_DYNAMIC_DISPATCH(search_grid_here)
-    (chain, grid, l, begin, end, across, queues[member], collector.lane(member));
+    (chain, grid, l, begin, end, across, queues[member], collector.lane(member), nullptr);
   });
+}
+void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues,
+                 PairCollector::Lane& lane, GridEvidence& evidence) {
+  for_each_part(grid, Team(), [&](std::size_t l, std::uint32_t begin, std::uint32_t end, bool across) {
+    HWY_DYNAMIC_DISPATCH(search_grid_here)(chain, grid, l, begin, end, across, queues, lane, &evidence);
+  });
+  evidence.rest();
 }
 
 }  // namespace catena

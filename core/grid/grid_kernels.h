@@ -4,6 +4,7 @@
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
+#include "catena/core/grid/grid_evidence.h"
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/sphere_grid.h"
 
@@ -18,5 +19,9 @@ CATENA_API void build_grid(const ChainView& chain, SphereGrid& grid, std::span<c
 /// lanes and queues as the team has members.
 CATENA_API void search_grid(const ChainView& chain, const SphereGrid& grid, std::span<GridQueues> queues,
                             PairCollector& collector, const Team& team);
+
+/// The same to the lane, by the caller alone, slower, and tells `evidence` of all pairs of those spheres.
+CATENA_API void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues,
+                            PairCollector::Lane& lane, GridEvidence& evidence);
 
 }  // namespace catena

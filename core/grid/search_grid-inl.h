@@ -18,12 +18,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Found as for Candidates.
-template <class Found>
+/// Found and Sink as for Candidates.
+template <class Found, class Sink>
 class GridSearch {
  public:
-  GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found)
-      : chain_(chain), grid_(grid), queues_(queues), found_(found), candidates_(chain, grid, queues, found) {}
+  GridSearch(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found, Sink& sink)
+      : chain_(chain),
+        grid_(grid),
+        queues_(queues),
+        found_(found),
+        sink_(sink),
+        candidates_(chain, grid, queues, found, sink) {}
 
   /// Pairs of level l whose bucket is begin to end - 1, begin even. A sphere is compared with those after it
   /// in its own group of buckets and the bucket behind, and with the four rows of cells that come after its
@@ -32,8 +37,7 @@ class GridSearch {
     const Level& level = grid_.levels[l];
     const std::uint32_t* const start = grid_.start.data() + level.starts;
     const std::uint32_t buckets = level.map.buckets;
-    const std::uint32_t steps[4] = {step_before(level.map, 1, 0), step_before(level.map, -1, 1),
-                                    step_before(level.map, 0, 1), step_before(level.map, 1, 1)};
+    const std::array<std::uint32_t, 4> steps = level.half;
     for (std::uint32_t at = begin; at < end && !found_.satisfied(); at += group * groups_at_a_time) {
       for (const std::uint32_t b : groups(start, at, end)) {
         const std::uint32_t size = std::min(group, buckets - b);
@@ -63,7 +67,10 @@ class GridSearch {
       members.take(chain_, grid_, at, size);
       const MemberBox all = members.box(0, size);
       for (std::size_t coarser = 0; coarser < l; ++coarser)
-        if (within_reach(all, grid_.levels[coarser])) across(at, size, members, grid_.levels[coarser]);
+        if (within_reach(all, grid_.levels[coarser]))
+          across(at, size, members, grid_.levels[coarser]);
+        else
+          tell_looks(at, at + size, grid_.levels[coarser], GridEvidence::into_none);
     }
     candidates_.finish();
   }
@@ -119,7 +126,7 @@ class GridSearch {
   HWY_NOINLINE void meet_crowd(const Run& own, const Runs& runs, bool behind) {
     for (const Run& run : runs) {
       for (Run part{run.first, 0}; part.first < run.end && !found_.satisfied(); part.first = part.end) {
-        part.end = std::min(run.end, part.first + Candidates<Found>::part);
+        part.end = std::min(run.end, part.first + Candidates<Found, Sink>::part);
         candidates_.start_over();
         const std::uint32_t first = candidates_.gather(std::array{part});
         for (std::uint32_t p = own.first; p < own.end; ++p)
@@ -158,7 +165,9 @@ class GridSearch {
         while (next < size && bucket[next] == bucket[k]) ++next;
         Together& these = some[count];
         these = {at + k, at + next, members.box(k, next), Runs(start, coarse.map.buckets)};
-        add_near(these.box, coarse, bucket[k], these.runs);
+        const Around around(these.box, coarse);
+        add_near(around, coarse, bucket[k], these.runs);
+        tell_looks(these.first, these.end, coarse, around.bits());
         if (these.runs.candidates() == 0) continue;
         candidates_.prefetch_runs(these.runs);
         for (std::uint32_t m = these.first; m < these.end; ++m) candidates_.prefetch(grid_.place[m]);
@@ -175,18 +184,6 @@ class GridSearch {
     Runs runs;
   };
 
-  /// Of the 27 cells around members of a bucket those that a coarser sphere which overlaps one may be in.
-  static HWY_INLINE void add_near(const MemberBox& box, const Level& coarse, std::uint32_t bucket,
-                                  Runs& runs) {
-    const CellsAround x(box, coarse, 0), y(box, coarse, 1), z(box, coarse, 2);
-    const std::uint32_t skipped = !x.before, count = 1 + x.before + x.behind;
-    for (int dz = -static_cast<int>(z.before); dz <= static_cast<int>(z.behind); ++dz)
-      for (int dy = -static_cast<int>(y.before); dy <= static_cast<int>(y.behind); ++dy)
-        runs.add(before(before(bucket, coarse.rows[3 * (dz + 1) + dy + 1], coarse.map.buckets), skipped,
-                        coarse.map.buckets),
-                 count);
-  }
-
   /// Whether what is near a box may be in the cells before and behind its own, along axis d. A centre is no
   /// farther than `reach`, so its number is none below that of low - reach, rounded, as numbers and cells are
   /// in one order: see BucketMap. A box of several cells, which share a bucket by chance, or of far ones has
@@ -202,6 +199,33 @@ class GridSearch {
     }
   };
 
+  struct Around {
+    CellsAround x, y, z;
+    HWY_INLINE Around(const MemberBox& box, const Level& level)
+        : x(box, level, 0), y(box, level, 1), z(box, level, 2) {}
+    std::uint8_t bits() const {
+      return static_cast<std::uint8_t>(x.before | x.behind << 1 | y.before << 2 | y.behind << 3 |
+                                       z.before << 4 | z.behind << 5);
+    }
+  };
+  /// Of the 27 cells around members of a bucket those that a coarser sphere which overlaps one may be in.
+  static HWY_INLINE void add_near(const Around& around, const Level& coarse, std::uint32_t bucket,
+                                  Runs& runs) {
+    const auto& [x, y, z] = around;
+    const std::uint32_t skipped = !x.before, count = 1 + x.before + x.behind;
+    for (int dz = -static_cast<int>(z.before); dz <= static_cast<int>(z.behind); ++dz)
+      for (int dy = -static_cast<int>(y.before); dy <= static_cast<int>(y.behind); ++dy)
+        runs.add(before(before(bucket, coarse.rows[3 * (dz + 1) + dy + 1], coarse.map.buckets), skipped,
+                        coarse.map.buckets),
+                 count);
+  }
+  void tell_looks([[maybe_unused]] std::uint32_t first, [[maybe_unused]] std::uint32_t end,
+                  [[maybe_unused]] const Level& coarse, [[maybe_unused]] std::uint8_t cells) const {
+    if constexpr (Sink::listens)
+      for (std::uint32_t m = first; m < end; ++m)
+        sink_.looks(grid_.member(m), static_cast<std::size_t>(&coarse - grid_.levels.data()), cells);
+  }
+
   /// At least the distance of centres at which a sphere of a box may overlap one of a level.
   static HWY_INLINE double reach_of(const MemberBox& box, const Level& level) {
     return (double{box.radius} + level.greatest) * (1 + 0x1p-40);
@@ -214,11 +238,20 @@ class GridSearch {
     const std::span places(grid_.place.data() + these.first, members);
     if (HWY_LIKELY(candidates_.make_room(these.runs.candidates(), members))) {
       const std::uint32_t from = candidates_.gather(these.runs);
-      if (members >= worth_a_box && candidates_.apart(from, these.box)) return candidates_.forget(from);
+      if (members >= worth_a_box && candidates_.apart(from, these.box)) {
+        tell_apart(these, from);
+        return candidates_.forget(from);
+      }
       for (const std::uint32_t place : places) candidates_.test({place, place + 1}, from, 0);
     } else {
       for (const std::uint32_t place : places) meet_crowd({place, place + 1}, these.runs, false);
     }
+  }
+
+  void tell_apart([[maybe_unused]] const Together& these, [[maybe_unused]] std::uint32_t from) const {
+    if constexpr (Sink::listens)
+      for (std::uint32_t m = these.first; m < these.end; ++m)
+        candidates_.for_each(from, [&](std::uint32_t j) { sink_.apart(grid_.member(m), j); });
   }
 
   static constexpr std::uint32_t groups_at_a_time = GridQueues::group_room;
@@ -240,7 +273,8 @@ class GridSearch {
   const SphereGrid& grid_;
   GridQueues& queues_;
   Found& found_;
-  Candidates<Found> candidates_;
+  Sink& sink_;
+  Candidates<Found, Sink> candidates_;
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -20,6 +20,7 @@ struct SphereGrid {
   struct Level {
     BucketMap map;
     std::array<std::uint32_t, 9> rows;  ///< steps to the buckets before each of the nine rows of three around
+    std::array<std::uint32_t, 4> half;  ///< and of the four that come after the own one
     CentreBox centres;                  ///< of its spheres, at most
     float greatest;                     ///< radius
     std::uint32_t first, end;           ///< its places

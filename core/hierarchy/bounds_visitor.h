@@ -16,7 +16,7 @@ struct CATENA_API TreeFacts {
 
 /// Receives a hierarchy, for what is asked of all of them: enclosure, shape, evidence. First tree(), then
 /// every (parent, child) once, in any order. Ids below n are leaves, the sphere of that index; others are the
-/// strategy's own, below 4n where it gives evidence. A block of spheres is a node with those spheres as
+/// strategy's own, below 8n where it gives evidence. A block of spheres is a node with those spheres as
 /// children.
 class CATENA_API BoundsVisitor {
  public:

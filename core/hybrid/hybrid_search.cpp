@@ -1,6 +1,11 @@
 #include "catena/core/hybrid/hybrid_search.h"
 
 #include <numeric>
+#include <optional>
+
+#include "catena/core/grid/grid_evidence.h"
+#include "catena/core/hybrid/crowd_evidence.h"
+#include "catena/core/space_tree/space_evidence.h"
 
 namespace catena {
 
@@ -8,47 +13,86 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
     : settings_(settings), block_queues_(threads), entry_queues_(threads), grid_queues_(threads) {}
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
-  build_block_tree(chain, tree_, team);
-  find_crowds(tree_, settings_.crowd, crowding_, team);
-  space_.entries = 0;
+  build_block_tree(chain, parts_.tree, team);
+  find_crowds(parts_.tree, settings_.crowd, parts_.crowding, team);
+  parts_.space.entries = 0;
   dense_.clear();
-  dense_count_ = 0;
-  if (crowding_.crowded_nodes() == 0) return;
-  build_space_tree(chain, tree_, crowding_, space_, settings_.dense, entry_queues_, team);
-  if (space_.entries == 0 && crowding_.crowded_nodes() == crowding_.nodes()) {
-    dense_count_ = chain.size;  // their list need not be made
+  parts_.dense_count = 0;
+  if (parts_.crowding.crowded_nodes() == 0) return;
+  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, settings_.dense, entry_queues_, team);
+  if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
+    parts_.dense_count = chain.size;  // their list need not be made
   } else {
     gather_dense(team);
-    dense_count_ = static_cast<std::uint32_t>(dense_.size());
+    parts_.dense_count = static_cast<std::uint32_t>(dense_.size());
   }
-  if (dense_count_ > 0) build_grid(chain, grid_, dense_, team);
+  if (parts_.dense_count > 0) build_grid(chain, parts_.grid, dense_, team);
 }
 
 void HybridSearch::search(const ChainView& chain, PairCollector& collector, const Team& team) {
   before_ = met();
-  search_uncrowded(chain, tree_, crowding_, block_queues_, collector, team);
-  if (space_.entries > 0)
-    search_space_tree(chain, tree_, space_, entry_queues_, block_queues_, collector, team);
-  if (dense_count_ > 0) search_grid(chain, grid_, grid_queues_, collector, team);
+  search_uncrowded(chain, parts_.tree, parts_.crowding, block_queues_, collector, team);
+  if (parts_.space.entries > 0)
+    search_space_tree(chain, parts_.tree, parts_.space, entry_queues_, block_queues_, collector, team);
+  if (parts_.dense_count > 0) search_grid(chain, parts_.grid, grid_queues_, collector, team);
+}
+
+/// The nodes of each of the three searches that there is.
+struct HybridSearch::Evidence {
+  CrowdNodes chain;
+  std::optional<SpaceNodes> space;
+  std::optional<GridTrees> cells;
+
+  Evidence(const ChainView& view, const HybridSearch& of) : chain(view, of.parts_.tree, of.parts_.crowding) {
+    std::uint32_t next = chain.end_id();
+    if (of.parts_.space.entries > 0)
+      next = space.emplace(view, of.parts_.tree, of.parts_.space, next).end_id();
+    if (of.parts_.dense_count > 0) cells.emplace(view, of.parts_.grid, next);
+  }
+};
+
+void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::Lane& lane,
+                                        EvidenceSink& sink) {
+  before_ = met();
+  const Evidence nodes(chain, *this);
+  std::optional<SpaceEvidence> space;
+  if (nodes.space) {
+    space.emplace(chain, *nodes.space, sink);
+    search_space_tree(chain, parts_.tree, parts_.space, entry_queues_[0], block_queues_[0], lane, *space);
+  }
+  CrowdSink uncrowded(nodes.chain, space ? &*space : nullptr, sink);
+  search_uncrowded(chain, parts_.tree, parts_.crowding, block_queues_[0], lane,
+                   BlockEvidence(chain, parts_.tree, uncrowded));
+  if (!nodes.cells) return;
+  GridEvidence cells(chain, *nodes.cells, sink);
+  search_grid(chain, parts_.grid, grid_queues_[0], lane, cells);
+}
+
+void HybridSearch::show_evidence(const ChainView& chain, BoundsVisitor& visitor) const {
+  const Evidence nodes(chain, *this);
+  nodes.chain.show(visitor);
+  if (nodes.space) nodes.space->show(visitor);
+  if (nodes.cells) nodes.cells->show(visitor);
 }
 
 void HybridSearch::gather_dense(const Team& team) {
   // Counted first, so that each thread knows where its own come.
   const auto for_each = [&](std::uint32_t node, const auto& body) {
-    const std::uint32_t begin = node * BlockTree::group, dense = crowding_.dense(node);
-    for (std::uint32_t b = begin; dense != 0 && b < begin + tree_.blocks_of(node); ++b) {
+    const std::uint32_t begin = node * BlockTree::group, dense = parts_.crowding.dense(node);
+    for (std::uint32_t b = begin; dense != 0 && b < begin + parts_.tree.blocks_of(node); ++b) {
       if ((dense >> (b - begin) & 1) == 0) continue;
       for (std::uint32_t k = 0; k < BlockTree::block; ++k)
-        if (const std::uint32_t i = tree_.index(b, k); i != BlockTree::no_sphere) body(i);
+        if (const std::uint32_t i = parts_.tree.index(b, k); i != BlockTree::no_sphere) body(i);
     }
   };
   constexpr std::uint32_t nodes_of_a_task = 64;
   const auto for_each_node = [&](const auto& body) {
-    team.for_each_range(crowding_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t node = begin; node < end; ++node) body(node);
-    });
+    team.for_each_range(parts_.crowding.nodes(), nodes_of_a_task,
+                        [&](std::uint32_t begin, std::uint32_t end) {
+                          for (std::uint32_t node = begin; node < end; ++node) body(node);
+                        });
   };
-  dense_before_.assign(crowding_.nodes() + 1, 0);
+  dense_before_.assign(parts_.crowding.nodes() + 1, 0);
   for_each_node(
       [&](std::uint32_t node) { for_each(node, [&](std::uint32_t) { ++dense_before_[node + 1]; }); });
   std::partial_sum(dense_before_.begin(), dense_before_.end(), dense_before_.begin());
@@ -74,8 +118,8 @@ HybridSearch::Work HybridSearch::work() const {
   Work work = met();
   work.rows -= before_.rows, work.near -= before_.near;
   work.entries -= before_.entries, work.tests -= before_.tests;
-  work.crowded = std::uint64_t{crowding_.crowded_nodes()} * BlockTree::group * BlockTree::block;
-  work.dense = dense_count_;
+  work.crowded = std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block;
+  work.dense = parts_.dense_count;
   return work;
 }
 

@@ -42,25 +42,36 @@ class CATENA_API HybridSearch {
   void build(const ChainView& chain, const Team& team);
   /// Reports every colliding pair, once. As many lanes as the team has members.
   void search(const ChainView& chain, PairCollector& collector, const Team& team);
+  /// The same to one lane, by the caller alone, slower; every pair is accounted for to the sink, once.
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink);
+  /// The nodes that it names: three trees, of the chain's order, of the order of space and of cells.
+  void show_evidence(const ChainView& chain, BoundsVisitor& visitor) const;
 
   Work work() const;
   const Settings& settings() const { return settings_; }
-  std::uint32_t nodes() const { return crowding_.nodes(); }
-  std::uint32_t crowded_nodes() const { return crowding_.crowded_nodes(); }
+  std::uint32_t nodes() const { return parts_.crowding.nodes(); }
+  std::uint32_t crowded_nodes() const { return parts_.crowding.crowded_nodes(); }
+
+  /// What a build leaves for the searches; mutants spoil it.
+  struct Parts {
+    BlockTree tree;
+    Crowding crowding;
+    SpaceTree space;
+    SphereGrid grid;
+    std::uint32_t dense_count = 0;  ///< spheres of dense blocks
+  };
+  Parts& parts() { return parts_; }
 
  private:
+  struct Evidence;
   Work met() const;  ///< since this was made
   void gather_dense(const Team& team);
 
   const Settings settings_;
   Work before_;  ///< met before the last search
-  BlockTree tree_;
-  Crowding crowding_;
-  SpaceTree space_;
-  SphereGrid grid_;
+  Parts parts_;
   std::vector<std::uint32_t> dense_before_;  ///< [node]: dense spheres of earlier ones
-  std::uint32_t dense_count_ = 0;     ///< spheres of dense blocks
-  LargeVector<std::uint32_t> dense_;  ///< they, ascending; empty where all are
+  LargeVector<std::uint32_t> dense_;         ///< all, ascending; empty where all of the chain are
   // [member of the team]
   std::vector<BlockQueues> block_queues_;
   std::vector<SpaceQueue> entry_queues_;

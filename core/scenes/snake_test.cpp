@@ -71,6 +71,8 @@ struct Snake {
   std::string name;
   std::uint32_t frames;
 };
+/// How gtest names one where it prints it.
+void PrintTo(const Snake& snake, std::ostream* out) { *out << snake.name; }
 
 class SnakeScene : public testing::TestWithParam<Snake> {
  protected:

@@ -42,7 +42,8 @@ class SpaceSample {
   bool skip(std::uint32_t, std::uint32_t) { return ++cost_.nodes, enough(); }
   void take(std::span<const Pair> entries) {
     cost_.entries += entries.size();
-    for_each_near(space_, entries, [&](std::uint32_t, std::uint32_t) { ++cost_.near; });
+    for_each_near(
+        space_, entries, [&](std::uint32_t, std::uint32_t) { ++cost_.near; }, NoSpaceEvidence{});
   }
   /// Each of two nodes that meet pays one half.
   bool enough() const { return cost_.ns() / 2 > enough_ns_; }
@@ -64,7 +65,8 @@ inline void judge_density(SpaceTree& space, Crowding& crowding, std::span<SpaceQ
   const auto judge = [&](std::uint32_t first) {
     const std::uint32_t end = std::min(space.nodes(), first + judged_at_once);
     SpaceSample sample(space, sphere_ns * BlockTree::block * group);
-    SpaceWalk walk(space, queues[team.member()], sample);
+    const NoSpaceEvidence nothing;
+    SpaceWalk walk(space, queues[team.member()], sample, nothing);
     walk.node((first + end) / 2, true);
     walk.finish();
     if (!sample.enough()) return;

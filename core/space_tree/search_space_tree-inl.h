@@ -9,17 +9,18 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
-#include "catena/core/blocks/block_evidence.h"
 #include "catena/core/blocks/leaf_pairs-inl.h"
 #include "catena/core/space_tree/space_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Near has near(a, b), called for each pair of entries whose capsules may collide.
-template <class Near>
-HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entries, const Near& near) {
+/// Near has near(a, b), called for each pair of entries whose capsules may collide; for others apart(a, b).
+template <class Near, class Apart>
+HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entries, const Near& near,
+                              const Apart& apart) {
   constexpr std::uint32_t at_once = SpaceTree::group;
   const float* const capsules = space.capsules.data();
   const auto test = [&](const Pair* pairs, std::uint32_t count) HWY_ATTR {
@@ -27,6 +28,8 @@ HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entr
     const auto of_j = [=](std::size_t k) { return capsules + std::size_t{pairs[k].j} * Capsules::fields; };
     const std::uint32_t may = may_collide(Capsules::of_rows(of_i), Capsules::of_rows(of_j));
     for_each_lane(may & lane_bits(count), [&](std::uint32_t k) { near(pairs[k].i, pairs[k].j); });
+    if constexpr (Apart::listens)
+      for_each_lane(~may & lane_bits(count), [&](std::uint32_t k) { apart(pairs[k].i, pairs[k].j); });
   };
   for (; entries.size() >= at_once; entries = entries.subspan(at_once)) test(entries.data(), at_once);
   if (entries.empty()) return;
@@ -36,22 +39,24 @@ HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entr
 }
 
 /// Reports the spheres that overlap of every two entries, but of two that are dense, and of blocks that
-/// follow one another along the chain, which are another search's.
+/// follow one another along the chain, which are another search's. Sink as for SpaceWalk.
+template <class Sink>
 class SpaceSearch {
  public:
   SpaceSearch(const ChainView& chain, const BlockTree& tree, const SpaceTree& space, BlockQueues& queues,
-              PairCollector::Lane& lane)
-      : space_(space), leaves_(chain, tree, queues, lane, nothing_) {}
+              PairCollector::Lane& lane, Sink& sink)
+      : space_(space), sink_(sink), leaves_(chain, tree, queues, lane, sink) {}
 
   bool skip(std::uint32_t a, std::uint32_t b) const { return space_.dense_node[a] && space_.dense_node[b]; }
 
   void take(std::span<const Pair> entries) {
     constexpr std::size_t row = 16;
     std::size_t found = 0;
-    for_each_near(space_, entries, [&](std::uint32_t a, std::uint32_t b) {
+    const auto near = [&](std::uint32_t a, std::uint32_t b) {
       meet(a, b);
       if (++found % row == 0) leaves_.make_room();
-    });
+    };
+    for_each_near(space_, entries, near, Apart{sink_});
   }
   void finish() { leaves_.flush(); }
 
@@ -59,16 +64,25 @@ class SpaceSearch {
   void meet(std::uint32_t a, std::uint32_t b) {
     if (space_.dense_entry[a] && space_.dense_entry[b]) return;
     const std::uint32_t one = space_.whole[a], other = space_.whole[b];
-    if (one - other + 1 <= 2) return;  // -1, 0 or 1
+    if (one - other + 1 <= 2) {  // -1, 0 or 1
+      if constexpr (Sink::listens) sink_.left_to_blocks(a, b);
+      return;
+    }
     if (one < other)
       leaves_.add(space_.block[a], space_.block[b]);
     else
       leaves_.add(space_.block[b], space_.block[a]);
   }
 
+  struct Apart {
+    static constexpr bool listens = Sink::listens;
+    Sink& sink;
+    void operator()(std::uint32_t a, std::uint32_t b) const { sink.capsules_apart(a, b); }
+  };
+
   const SpaceTree& space_;
-  const NoBlockEvidence nothing_{};
-  LeafPairs<NoBlockEvidence> leaves_;
+  Sink& sink_;
+  LeafPairs<std::remove_const_t<Sink>> leaves_;
 };
 
 }  // namespace catena::HWY_NAMESPACE

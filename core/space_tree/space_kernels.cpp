@@ -25,12 +25,16 @@ void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& cr
 
 void search_space_tree_here(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
                             std::uint32_t begin, std::uint32_t end, SpaceQueue& entry_queue,
-                            BlockQueues& block_queues, PairCollector::Lane& lane) {
-  SpaceSearch search(chain, tree, space, block_queues, lane);
-  SpaceWalk walk(space, entry_queue, search);
-  for (std::uint32_t a = begin; a < end && !lane.satisfied(); ++a) walk.node(a, false);
-  walk.finish();
-  search.finish();
+                            BlockQueues& block_queues, PairCollector::Lane& lane, SpaceEvidence* evidence) {
+  const auto run = [&](auto& sink) {
+    SpaceSearch search(chain, tree, space, block_queues, lane, sink);
+    SpaceWalk walk(space, entry_queue, search, sink);
+    for (std::uint32_t a = begin; a < end && !lane.satisfied(); ++a) walk.node(a, false);
+    walk.finish();
+    search.finish();
+  };
+  const NoSpaceEvidence nothing;
+  evidence != nullptr ? run(*evidence) : run(nothing);
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -54,8 +58,15 @@ void search_space_tree(const ChainView& chain, const BlockTree& tree, const Spac
   team.for_each_range(space.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
     const unsigned member = team.member();
     HWY_DYNAMIC_DISPATCH(search_space_tree_here)
-    (chain, tree, space, begin, end, entry_queues[member], block_queues[member], collector.lane(member));
+    (chain, tree, space, begin, end, entry_queues[member], block_queues[member], collector.lane(member),
+     nullptr);
   });
+}
+void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
+                       SpaceQueue& entry_queue, BlockQueues& block_queues, PairCollector::Lane& lane,
+                       SpaceEvidence& evidence) {
+  HWY_DYNAMIC_DISPATCH(search_space_tree_here)
+  (chain, tree, space, 0, space.nodes(), entry_queue, block_queues, lane, &evidence);
 }
 
 }  // namespace catena

@@ -6,6 +6,7 @@
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
+#include "catena/core/space_tree/space_evidence.h"
 #include "catena/core/space_tree/space_queue.h"
 #include "catena/core/space_tree/space_tree.h"
 
@@ -26,5 +27,11 @@ CATENA_API void build_space_tree(const ChainView& chain, BlockTree& tree, Crowdi
 CATENA_API void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
                                   std::span<SpaceQueue> entry_queues, std::span<BlockQueues> block_queues,
                                   PairCollector& collector, const Team& team);
+
+/// The same to the lane, by the caller alone, slower, and tells `evidence` of all those pairs, and of which
+/// it left to the search along the chain.
+CATENA_API void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
+                                  SpaceQueue& entry_queue, BlockQueues& block_queues,
+                                  PairCollector::Lane& lane, SpaceEvidence& evidence);
 
 }  // namespace catena

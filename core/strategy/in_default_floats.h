@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catena/core/default_floats.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/strategy/variant.h"
 
@@ -11,7 +12,7 @@ namespace catena {
 
 /// A variant as the registry gives it out: whatever the floating-point environment of its caller, it builds
 /// and finds in the default one. All else is passed on; a test holds that to every function of Variant.
-class InDefaultFloats final : public Variant, public KeepsAnswer {
+class InDefaultFloats final : public Variant, public KeepsAnswer, public EvidenceNodes {
  public:
   explicit InDefaultFloats(std::unique_ptr<Variant> variant)
       : variant_(std::move(variant)), keeper_(dynamic_cast<KeepsAnswer*>(variant_.get())) {}
@@ -42,6 +43,7 @@ class InDefaultFloats final : public Variant, public KeepsAnswer {
   Accounting evidence() const override { return variant_->evidence(); }
   ResidentSearch* resident() override { return variant_->resident(); }
 
+  void visit_evidence(BoundsVisitor& visitor) const override { visit_evidence_nodes(*variant_, visitor); }
   const Collisions& find_kept(const Chain& chain, const Request& request) override {
     const DefaultFloats floats;
     if (keeper_ != nullptr) return keeper_->find_kept(chain, request);

@@ -24,7 +24,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) final {
-    if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
+    check(chain);
     const auto times = device_->answer(
         chain.size(), request, result,
         [&](const ResidentAnswer& answer, StreamHandle stream) {
@@ -44,6 +44,14 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   }
 
  protected:
+  /// Throws std::logic_error unless it is of the size of that of the last build.
+  void check(const Chain& chain) const {
+    if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
+  }
+  /// That of the last build on the host; of no spheres where there was none.
+  const ChainView& host_chain() const { return host_chain_; }
+  void run_on_device(const Device::Work& work) const { device_->run(work); }
+
   virtual void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                               StreamHandle stream) = 0;
 
@@ -51,6 +59,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   void build_from(const Chain& chain, const Moved& moved) {
     built_.reset();
     timings_ = {};
+    host_chain_ = chain.view();
     const Stopwatch watch;
     chain_ = device_->to_device(chain.view(), moved);
     upload_ms_ = watch.ms();
@@ -69,7 +78,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   std::unique_ptr<Device> device_;
   Request request_;
   std::optional<std::uint32_t> built_;
-  ChainView chain_{};
+  ChainView chain_{}, host_chain_{};
   Timings timings_;
   double upload_ms_ = 0, build_start_ms_ = 0;
 };

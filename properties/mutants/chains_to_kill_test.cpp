@@ -112,6 +112,21 @@ Spheres mixed_scales(std::uint32_t n, std::uint32_t seed) {
   return spheres;
 }
 
+/// Large spheres, and so many specks on them that these are of a level of their own in a grid. They touch large
+/// ones in all directions, from all parts of cells.
+Spheres specks(std::uint32_t n, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto unit = [&] { return static_cast<float>(random() % 20001) / 10000 - 1; };
+  Spheres spheres;
+  Sphere large{};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (i % 8 == 0) spheres.push_back(large = {2 * unit(), 2 * unit(), 2 * unit(), 0.5f});
+    const float x = unit(), y = unit(), z = unit(), on = 0.53f / std::sqrt(x * x + y * y + z * z + 0x1p-20f);
+    spheres.push_back({large.x + on * x, large.y + on * y, large.z + on * z, 0.03f + unit() / 64});
+  }
+  return spheres;
+}
+
 /// Equal steps, so that arc lengths and windows meet exactly; every sphere reaches many others.
 Spheres ring(std::uint32_t n) {
   Spheres spheres;
@@ -187,6 +202,7 @@ ChainsToKill chains_to_kill() {
   add("points", Spheres(30, Sphere{0, 0, 0, 0}));
   result.small = result.chains.size();
 
+  add("specks", specks(600, 1));
   for (std::uint32_t n : {127u, 128u, 129u, 257u}) add("tangle", tangle(n, n));
   add("coincident", Spheres(200, Sphere{1, 2, 3, 1}));
   add("coincident", Spheres(400, Sphere{1, 2, 3, 0}));

@@ -1,46 +1,33 @@
 #include <algorithm>
 #include <limits>
 
-#include "catena/core/blocks/block_kernels.h"
-#include "catena/core/executor/host_search.h"
-#include "catena/core/space_tree/space_kernels.h"
-#include "catena/properties/mutants/mutant.h"
+#include "catena/properties/mutants/faulty_hybrid.h"
 
 // Bugs of a search by blocks in the order of space.
 namespace catena::properties {
 namespace {
 
-/// All blocks in the order of space, tampered with.
-class FaultySpace : public HostSearch {
-  void construct(const ChainView& chain) override {
-    build_block_tree(chain, tree_, team());
-    find_crowds(tree_, 0, crowding_, team());
-    space_.entries = 0;
-    if (crowding_.crowded_nodes() == 0) return;
-    build_space_tree(chain, tree_, crowding_, space_, 1e6, {&entry_queue_, 1}, team());
-    if (space_.entries == 0) throw std::runtime_error("the chain jumps everywhere");
-    tamper(tree_, space_);
+class FaultySpace : public FaultyHybrid {
+  void tamper(const ChainView&, Parts& parts) override {
+    if (parts.space.entries > 0) tamper(parts.space);
   }
-  void search(const ChainView& chain, PairCollector& collector) override {
-    search_uncrowded(chain, tree_, crowding_, {&block_queues_, 1}, collector, team());
-    if (space_.entries > 0)
-      search_space_tree(chain, tree_, space_, {&entry_queue_, 1}, {&block_queues_, 1}, collector, team());
-  }
-  virtual void tamper(BlockTree& tree, SpaceTree& space) = 0;
-
-  BlockTree tree_;
-  Crowding crowding_;
-  SpaceTree space_;
-  SpaceQueue entry_queue_;
-  BlockQueues block_queues_;
+  virtual void tamper(SpaceTree& space) = 0;
 };
 
+constexpr std::uint32_t group = SpaceTree::group;
+
+/// Where nothing is.
+void lose(SpaceTree& space, std::size_t level, std::uint32_t k) {
+  float* const box = space.boxes_of(level, k / group) + k % group;
+  for (std::uint32_t d = 0; d < 3; ++d) box[d * group] = std::numeric_limits<float>::infinity();
+}
+
 class BoxOfCentres final : public FaultySpace {
-  void tamper(BlockTree&, SpaceTree& space) override {
+  void tamper(SpaceTree& space) override {
     for (std::uint32_t k = 0; k < space.entries; ++k) {
-      float* const box = space.boxes_of(0, k / SpaceTree::group) + k % SpaceTree::group;
+      float* const box = space.boxes_of(0, k / group) + k % group;
       for (std::uint32_t d = 0; d < 3; ++d) {
-        float &low = box[d * SpaceTree::group], &high = box[(3 + d) * SpaceTree::group];
+        float &low = box[d * group], &high = box[(3 + d) * group];
         const float eighth = (high - low) / 8;
         low += eighth, high -= eighth;
       }
@@ -51,18 +38,22 @@ const RegisterMutant<BoxOfCentres> box_of_centres{"space-box-too-small",
                                                   "boxes that leave the thickness out"};
 
 class LastEntryLost final : public FaultySpace {
-  void tamper(BlockTree&, SpaceTree& space) override {
-    const std::uint32_t k = space.entries - 1;
-    float* const box = space.boxes_of(0, k / SpaceTree::group) + k % SpaceTree::group;
-    for (std::uint32_t d = 0; d < 3; ++d) box[d * SpaceTree::group] = std::numeric_limits<float>::infinity();
-  }
+  void tamper(SpaceTree& space) override { lose(space, 0, space.entries - 1); }
 };
 const RegisterMutant<LastEntryLost> last_entry{"last-block-not-sorted",
                                                "a sort that is handed one block too few"};
 
+class LastRowLost final : public FaultySpace {
+  void tamper(SpaceTree& space) override {
+    if (space.boxes.size() > 1) lose(space, 1, space.nodes() - 1);
+  }
+};
+const RegisterMutant<LastRowLost> last_row{"space-drops-its-last-row",
+                                           "sixteen at a time, and the last that are there forgotten"};
+
 /// Some blocks are taken to be dense, and the search by spheres was not told.
 class DenseWithoutGrid final : public FaultySpace {
-  void tamper(BlockTree&, SpaceTree& space) override {
+  void tamper(SpaceTree& space) override {
     std::fill(space.dense_entry.begin(), space.dense_entry.end(), std::uint8_t{1});
   }
 };

@@ -15,7 +15,7 @@ class Evidence final : public Property {
   bool applies_to(const Subject& subject) const override { return subject.exact(); }
 
   std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
-    if (variant.evidence() == Accounting::none) return std::nullopt;
+    if (!reference::has_evidence(variant, test.chain)) return std::nullopt;
     std::uint64_t proved = 0;
     const auto v = reference::verify_by_certificate(variant, test.chain, std::uint64_t{1} << 24, proved);
     if (v.verdict == reference::Verdict::refused) throw CapacityError(v.reason);

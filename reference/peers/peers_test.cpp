@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
@@ -10,6 +11,13 @@
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
 #include "catena/reference/testing/nasty.h"
+
+namespace catena {
+
+/// How gtest names a peer where it prints one, instead of its bytes.
+static void PrintTo(const VariantInfo& peer, std::ostream* out) { *out << peer.name; }
+
+}  // namespace catena
 
 namespace catena::reference {
 namespace {

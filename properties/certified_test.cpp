@@ -1,0 +1,20 @@
+#include "catena/properties/testing/certified.h"
+
+// Searches that go by cells, by several orders at once, or by what another chooses, prove their answers too.
+namespace catena::properties {
+namespace {
+
+TEST(Certified, AreGridAndHybridWhateverPartsItTakes) {
+  for (const char* name : {"Grid", "Hybrid", "Hybrid(crowd=0,dense=1e6)", "Hybrid(crowd=0,dense=0)",
+                           "Hybrid(crowd=2,dense=0.7)", "Hybrid(crowd=1,dense=2,threads=3)", "auto"})
+    expect_certified(name);
+}
+
+TEST(Certified, AreTheTwinsOfDevices) {
+  for (const char* name : {"DeviceGrid@host", "DeviceHybrid@host", "DeviceHybrid@host(crowd=1)",
+                           "DeviceHybrid@host(cells=1000000)"})
+    expect_certified(name);
+}
+
+}  // namespace
+}  // namespace catena::properties

@@ -1,0 +1,129 @@
+#include <cstdint>
+#include <limits>
+
+#include "catena/core/arithmetic/in_range.h"
+#include "catena/core/cells/told_search.h"
+#include "catena/core/executor/host_search.h"
+#include "catena/core/grid/grid_kernels.h"
+#include "catena/core/strategy/evidence_nodes.h"
+#include "catena/properties/mutants/mutant.h"
+
+// Bugs of a search by cells in levels: which cells it looks into.
+namespace catena::properties {
+namespace {
+
+/// Grid, its levels tampered with after the spheres were sorted.
+class FaultyCells : public HostSearch, public EvidenceNodes {
+ public:
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    if (built()) GridTrees(view_, grid_, view_.size).show(visitor);
+  }
+
+ private:
+  virtual void tamper(SphereGrid::Level& level) = 0;
+
+  void construct(const ChainView& chain) override {
+    view_ = chain;
+    build_grid(chain, grid_, {}, team());
+    for (SphereGrid::Level& level : grid_.levels) tamper(level);
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    search_grid(chain, grid_, {&queues_, 1}, collector, team());
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    const GridTrees trees(chain, grid_, chain.size);
+    GridEvidence evidence(chain, trees, sink);
+    search_grid(chain, grid_, queues_, lane, evidence);
+  }
+
+  ChainView view_{};
+  SphereGrid grid_;
+  GridQueues queues_;
+};
+
+class HalfWithoutCorner final : public FaultyCells {
+  void tamper(SphereGrid::Level& level) override { level.half[3] = level.half[2]; }
+};
+const RegisterMutant<HalfWithoutCorner> corner{"cells-forget-a-corner",
+                                               "a half neighbourhood, one row of it twice and one never"};
+
+class NeverCoarser final : public FaultyCells {
+  void tamper(SphereGrid::Level& level) override {
+    constexpr float nowhere = std::numeric_limits<float>::infinity();
+    level.centres.low = {nowhere, nowhere, nowhere};
+  }
+};
+const RegisterMutant<NeverCoarser> never{"cells-never-look-into-coarser",
+                                         "a finer level that is compared with itself alone"};
+
+class LevelOfItsFirst final : public FaultyCells {
+  void tamper(SphereGrid::Level& level) override { level.centres.high = level.centres.low; }
+};
+const RegisterMutant<LevelOfItsFirst> first{"cells-level-box-too-small",
+                                            "a level whose box holds its lowest corner"};
+
+class RowTwice final : public FaultyCells {
+  void tamper(SphereGrid::Level& level) override { level.rows[8] = level.rows[7]; }
+};
+const RegisterMutant<RowTwice> row{"cells-look-into-a-row-twice",
+                                   "a finer level that looks into eight rows of nine of a coarser one"};
+
+class OwnReach final : public FaultyCells {
+  void tamper(SphereGrid::Level& level) override { level.greatest = 0; }
+};
+const RegisterMutant<OwnReach> reach{"cells-reach-without-the-other",
+                                     "a look into coarser cells that forgets how large their spheres are"};
+
+/// DeviceGrid's twin, its cells tampered with after the spheres were placed.
+class FaultyHashedCells : public HostSearch, public EvidenceNodes {
+ public:
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(BoundsVisitor& visitor) const override {
+    if (built()) ToldSearch(view_, nullptr, placed_).show(visitor);
+  }
+
+ private:
+  virtual void tamper(PlacedCells& placed) = 0;
+
+  void construct(const ChainView& chain) override {
+    view_ = chain;
+    cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
+    placed_ = cells_.placed();
+    tamper(placed_);
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    LaneSink sink{collector.lane(0)};
+    with_tests_for<Robust>(chain, [&](auto tests) { placed_.search<decltype(tests)>(chain, sink); });
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    ToldSearch(chain, nullptr, placed_).search(lane, sink);
+  }
+
+  ChainView view_{};
+  HostSphereCells cells_;
+  PlacedCells placed_;
+};
+
+class HashedRowTwice final : public FaultyHashedCells {
+  void tamper(PlacedCells& placed) override { placed.table.step[8] = placed.table.step[7]; }
+};
+const RegisterMutant<HashedRowTwice> hashed{"hashed-cells-look-into-a-row-twice",
+                                            "eight rows of nine, and one of them twice"};
+
+/// Who is of the coarsest octave is not looked for.
+class CoarsestLost final : public FaultyHashedCells {
+  void tamper(PlacedCells& placed) override {
+    if (placed.cells.one_level()) return;
+    for (std::uint32_t& levels : placed.cells.state->levels)
+      if (levels != 0) {
+        levels &= levels - 1;
+        return;
+      }
+  }
+};
+const RegisterMutant<CoarsestLost> coarsest{"hashed-cells-forget-the-coarsest",
+                                            "levels counted from one, and the first is number nought"};
+
+}  // namespace
+}  // namespace catena::properties

@@ -1,0 +1,43 @@
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "catena/properties/mutants/faulty_hybrid.h"
+
+// Bugs of a search in parts: what one hands to another that does not take it.
+namespace catena::properties {
+namespace {
+
+/// A node goes over to the search in space after what is crowded was sorted.
+class LateCrowd final : public FaultyHybrid {
+ public:
+  LateCrowd() : FaultyHybrid({16, 1}) {}
+
+ private:
+  void tamper(const ChainView&, Parts& parts) override {
+    for (std::uint32_t node = parts.crowding.nodes(); node-- > 0;)
+      if (!parts.crowding.crowded(node)) return parts.crowding.crowd(node);
+  }
+};
+const RegisterMutant<LateCrowd> late{"crowd-handed-to-no-one",
+                                     "a crowded part that the search which takes them has not heard of"};
+
+/// All are dense, and the cells get all but a few.
+class FewTooFew final : public FaultyHybrid {
+ public:
+  FewTooFew() : FaultyHybrid({0, 0}) {}
+
+ private:
+  void tamper(const ChainView& chain, Parts& parts) override {
+    if (parts.dense_count < chain.size || chain.size < 2 * few) return;
+    std::vector<std::uint32_t> all(chain.size - few);
+    std::iota(all.begin(), all.end(), 0u);
+    build_grid(chain, parts.grid, all, Team());
+  }
+  static constexpr std::uint32_t few = BlockTree::block;
+};
+const RegisterMutant<FewTooFew> few{"last-dense-block-not-in-cells",
+                                    "a list of what is dense that is one block short"};
+
+}  // namespace
+}  // namespace catena::properties
