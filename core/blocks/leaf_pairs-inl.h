@@ -11,6 +11,8 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
+#include "catena/core/blocks/count_up-inl.h"
+#include "catena/core/blocks/exact_lanes-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/executor/pair_collector.h"
@@ -73,19 +75,20 @@ class LeafPairs {
       may &= next_;
     while (may != 0) {
       const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
-      row(a, p, b, of_b.squares(sa[p]));
+      row(a, p, sa[p], b, of_b);
       may &= ~std::uint64_t{0} << (block * p) << block;
     }
     if (hit_count_ > BlockQueues::hit_limit) hand_over();
   }
 
-  /// Sphere p of block a and those of block b.
-  HWY_INLINE void row(std::uint32_t a, std::uint32_t p, std::uint32_t b,
-                      const SphereLanes::Squares& squares) {
+  /// Sphere p of block a, and those of block b.
+  HWY_INLINE void row(std::uint32_t a, std::uint32_t p, const Sphere& sphere, std::uint32_t b,
+                      const SphereLanes& of_b) {
     const std::uint32_t i = tree_.index(a, p);
     // Who may be no neighbour: indices from `first` to the last; what fills up a block is beyond it.
     const std::uint64_t first = std::uint64_t{i} + window_ + 1;
     if (first >= chain_.size) return;
+    const SphereLanes::Squares squares = of_b.squares(sphere);
     const Flags<block> may = SphereLanes::may_overlap(squares),
                        certain = SphereLanes::overlap_for_certain(squares);
     const auto from = static_cast<std::uint32_t>(first);
@@ -95,7 +98,7 @@ class LeafPairs {
       const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, chain_.size - from));
       auto keep = hn::And(hn::RebindMask(bits, may.part[k]), wanted);
       const auto open = hn::AndNot(hn::RebindMask(bits, certain.part[k]), keep);
-      if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) keep = decide(i, j, keep, open);
+      if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) keep = decide(sphere, of_b, k, i, j, keep, open);
       hit_count_ += store_pairs(bits, i, j, keep, hits_ + hit_count_);
     }
   }
@@ -106,21 +109,29 @@ class LeafPairs {
     constexpr std::uint32_t width = Lanes8::width;
     if (HWY_UNLIKELY(first & BlockTree::copied))
       return hn::LoadU(Bits(), tree_.copied_from.data() + (first & ~BlockTree::copied) + k * width);
-    return hn::Iota(Bits(), first + static_cast<std::uint32_t>(k) * width);
+    return count_up(Bits(), first + static_cast<std::uint32_t>(k) * width);
   }
 
-  /// `keep` without those open that are neighbours, which often touch, or do not overlap.
-  HWY_NOINLINE hn::Mask<Bits> decide(std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
+  /// `keep`, of part k, without those open that do not overlap; those that are left to the last stage may be
+  /// left out as neighbours, which often touch.
+  HWY_NOINLINE hn::Mask<Bits> decide(const Sphere& sphere, const SphereLanes& of_b, std::size_t k,
+                                     std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
                                      hn::Mask<Bits> open) const {
+    constexpr std::size_t width = Lanes8::width;
     std::uint8_t undecided[8] = {}, kept[8] = {};
-    std::uint32_t other[Lanes8::width];
+    std::uint32_t other[width];
     hn::StoreMaskBits(Bits(), open, undecided);
     hn::StoreMaskBits(Bits(), keep, kept);
     hn::StoreU(j, Bits(), other);
-    for_each_lane(undecided[0], [&](std::uint32_t k) {
-      if (chain_.neighbours(i, other[k]) || !Robust::overlap(chain_.spheres[i], chain_.spheres[other[k]]))
-        kept[0] = static_cast<std::uint8_t>(kept[0] & ~(1u << k));
+    SphereRows rows;
+    of_b.store(rows);
+    const Told told = told_in_binary64(sphere, rows, std::uint32_t{undecided[0]} << (k * width));
+    std::uint32_t separate = undecided[0] & ~((told.overlap | told.open) >> (k * width));
+    for_each_lane(told.open >> (k * width), [&](std::uint32_t lane) {
+      if (chain_.neighbours(i, other[lane]) || !Robust::overlap(sphere, chain_.spheres[other[lane]]))
+        separate |= 1u << lane;
     });
+    kept[0] = static_cast<std::uint8_t>(kept[0] & ~separate);
     return hn::LoadMaskBits(Bits(), kept);
   }
 
@@ -139,9 +150,10 @@ class LeafPairs {
     const bool window = chain_.exclusion.rule == Exclusion::Rule::index_window;
     const std::uint64_t nearest = window ? std::uint64_t{chain_.exclusion.window} + 1 : 1;
     std::uint64_t bits = 0;
-    for (std::uint32_t p = 0; p < block; ++p)
-      for (std::uint32_t q = 0; q < block; ++q)
-        if (ahead + q >= p + nearest) bits |= std::uint64_t{1} << (block * p + q);
+    for (std::uint64_t p = 0; p < block; ++p) {
+      const std::uint64_t first = p + nearest > ahead ? p + nearest - ahead : 0;  // of q
+      if (first < block) bits |= (0xFFull << first & 0xFFull) << (block * p);
+    }
     return bits;
   }
 

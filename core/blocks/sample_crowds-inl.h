@@ -55,25 +55,61 @@ class NearBlocks {
   std::uint32_t count_ = 0;
 };
 
-/// Of every sixteen nodes that follow one another one is looked at: where it is crowded, or one of its blocks
-/// meets so many others that its spheres may be better met one by one, all are taken to be.
-inline void sample_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
-  constexpr std::uint32_t group = BlockTree::group, most_near = 24;
-  const std::uint32_t nodes = crowding.nodes();
-  const auto look = [&](std::uint32_t first) {
-    const std::uint32_t end = std::min(nodes, first + group), node = (first + end) / 2;
+/// Of a chain, looks at some nodes, each of which stands for sixteen that follow one another: where it is
+/// crowded, or one of its blocks meets so many others that its spheres may be better met one by one, all are
+/// taken to be.
+class CrowdSample {
+ public:
+  CrowdSample(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team)
+      : tree_(tree), limit_(limit), crowding_(crowding), team_(team) {}
+
+  /// Looks at every sixteenth node.
+  void all() const {
+    constexpr std::uint32_t groups_of_a_task = 16;
+    team_.for_each_range(groups(), groups_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t g = begin; g < end; ++g)
+        if (crowded(g))
+          for (std::uint32_t k = g * group; k < std::min(nodes(), (g + 1) * group); ++k) crowding_.crowd(k);
+    });
+  }
+
+  /// True when the chain's own order most likely serves all of it, so that looking at every sixteenth node
+  /// would cost more than it can save: most blocks go straight on, and of a few nodes none is crowded.
+  /// What is crowded all the same is met by the walk.
+  bool sparse() const {
+    constexpr std::uint32_t apart = 16;  // groups
+    std::uint32_t ordered = 0;
+    for (const std::uint16_t windows : tree_.ordered)
+      ordered += static_cast<std::uint32_t>(std::popcount(windows));
+    if (ordered < tree_.blocks / 2) return false;
+    for (std::uint32_t g = std::min(apart, groups()) / 2; g < groups(); g += apart)
+      if (crowded(g)) return false;
+    return true;
+  }
+  /// After the walk: it met so few that this stands.
+  bool stayed_sparse() const { return crowding_.pair_count() <= std::size_t{2} * nodes(); }
+
+ private:
+  static constexpr std::uint32_t group = BlockTree::group;
+
+  std::uint32_t nodes() const { return crowding_.nodes(); }
+  std::uint32_t groups() const { return (nodes() + group - 1) / group; }
+
+  /// The node in the middle of group g.
+  bool crowded(std::uint32_t g) const {
+    constexpr std::uint32_t most_near = 24;
+    const std::uint32_t first = g * group, node = (first + std::min(nodes(), first + group)) / 2;
     std::uint64_t met = 0;
-    const std::uint64_t most = std::uint64_t{limit} + 1;  // others, and itself
-    for_each_met(tree, node, [&](std::uint32_t) { return ++met <= most; });
-    if (met <= most && !NearBlocks(tree, node * group + tree.blocks_of(node) / 2, most_near).enough()) return;
-    for (std::uint32_t k = first; k < end; ++k) crowding.crowd(k);
-  };
-  constexpr std::uint32_t groups_of_a_task = 16;
-  team.for_each_range((nodes + group - 1) / group, groups_of_a_task,
-                      [&](std::uint32_t begin, std::uint32_t end) {
-                        for (std::uint32_t g = begin; g < end; ++g) look(g * group);
-                      });
-}
+    const std::uint64_t most = std::uint64_t{limit_} + 1;  // others, and itself
+    for_each_met(tree_, node, [&](std::uint32_t) { return ++met <= most; });
+    return met > most || NearBlocks(tree_, node * group + tree_.blocks_of(node) / 2, most_near).enough();
+  }
+
+  const BlockTree& tree_;
+  const std::uint32_t limit_;
+  Crowding& crowding_;
+  const Team& team_;
+};
 
 }  // namespace catena::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -36,21 +36,24 @@ class BlockSearch {
   }
 
   /// Every pair within nodes begin to end - 1, and from the last block of each to the next along the chain,
-  /// but those within a crowded node.
+  /// but those within a crowded node. To be finished.
   void run_nodes(const Crowding& crowding, std::uint32_t begin, std::uint32_t end) {
     along_the_chain(begin, end, [&](std::uint32_t k) { return crowding.dense(k); });
-    for (std::uint32_t k = begin; k + 1 < crowding.nodes() && k < end && !stop(); ++k)
+    for (std::uint32_t k = begin; crowding.some() && k + 1 < crowding.nodes() && k < end && !stop(); ++k)
       if (crowding.left_out({k, k + 1})) to_the_next(k, crowding.dense(k), crowding.dense(k + 1));
     for (std::uint32_t k = begin; k < end && !stop(); ++k)
-      if (!crowding.crowded(k)) within(k);
-    finish();
+      if (!crowding.some() || !crowding.crowded(k)) within(k);
   }
 
-  /// Every pair of these nodes, but of two crowded ones.
+  /// Every pair of these nodes, but of two crowded ones. To be finished.
   void run_pairs(const Crowding& crowding, std::span<const Pair> nodes) {
     for (const Pair& pair : nodes)
       if (!crowding.left_out(pair) && !stop()) met(pair.i, pair.j);
-    finish();
+  }
+
+  void finish() {
+    flush_rows();
+    leaves_.flush();
   }
 
   // What NodeWalk asks for.
@@ -161,11 +164,6 @@ class BlockSearch {
   void make_room() {
     if (queues_.rows_full()) flush_rows();
   }
-  void finish() {
-    flush_rows();
-    leaves_.flush();
-  }
-
   void flush_rows() {
     for (const BlockQueues::Row& r : queues_.rows()) {
       const std::uint32_t a = r.block;

@@ -11,11 +11,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// What a walk by several threads asks for.
+/// What a walk asks for.
 struct CrowdWalk {
   Crowding& crowding;
-  const Team& team;
-  void met(std::uint32_t a, std::uint32_t b) const { crowding.met(a, b, team.member()); }
+  const Team* team;  ///< null: one thread
+  void met(std::uint32_t a, std::uint32_t b) const {
+    crowding.met(a, b, team != nullptr ? team->member() : 0);
+  }
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
   bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
     return crowding.left_out_group(l, a, parent);
@@ -25,22 +27,36 @@ struct CrowdWalk {
 
 void find_crowds_here(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
   if (tree.blocks == 0) return;
-  sample_crowds(tree, limit, crowding, team);
-  const CrowdWalk walk{crowding, team};
+  const CrowdSample sample(tree, limit, crowding, team);
+  const bool sparse = sample.sparse();
+  if (!sparse) sample.all();
+  const CrowdWalk walk{crowding, team.size() == 1 ? nullptr : &team};
   if (team.size() == 1)
     NodeWalk(tree, walk, NoBlockEvidence{}).run();
   else
     NodeWalk(tree, walk, NoBlockEvidence{}, ByTeam{team}).run();
+  if (sparse && !sample.stayed_sparse()) sample.all();
 }
 
 void search_nodes_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                        std::uint32_t begin, std::uint32_t end, BlockQueues& queues,
                        PairCollector::Lane& lane) {
-  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run_nodes(crowding, begin, end);
+  BlockSearch<NoBlockEvidence> search(chain, tree, queues, lane, {});
+  search.run_nodes(crowding, begin, end);
+  search.finish();
 }
 void search_pairs_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                        std::span<const Pair> nodes, BlockQueues& queues, PairCollector::Lane& lane) {
-  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run_pairs(crowding, nodes);
+  BlockSearch<NoBlockEvidence> search(chain, tree, queues, lane, {});
+  search.run_pairs(crowding, nodes);
+  search.finish();
+}
+void search_alone_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                       BlockQueues& queues, PairCollector::Lane& lane) {
+  BlockSearch<NoBlockEvidence> search(chain, tree, queues, lane, {});
+  search.run_nodes(crowding, 0, crowding.nodes());
+  search.run_pairs(crowding, crowding.pairs().front());
+  search.finish();
 }
 
 void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
@@ -66,6 +82,7 @@ constexpr std::uint32_t nodes_of_a_task = 32, pairs_of_a_task = 64;
 HWY_EXPORT(find_crowds_here);
 HWY_EXPORT(search_nodes_here);
 HWY_EXPORT(search_pairs_here);
+HWY_EXPORT(search_alone_here);
 HWY_EXPORT(search_here);
 
 void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
@@ -75,6 +92,8 @@ void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding,
 }
 void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                       std::span<BlockQueues> queues, PairCollector& collector, const Team& team) {
+  if (team.size() == 1)
+    return HWY_DYNAMIC_DISPATCH(search_alone_here)(chain, tree, crowding, queues[0], collector.lane(0));
   team.for_each_range(crowding.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
     const unsigned member = team.member();
     HWY_DYNAMIC_DISPATCH(search_nodes_here)

@@ -7,6 +7,7 @@
 #endif
 
 #include "catena/core/blocks/capsules-inl.h"
+#include "catena/core/blocks/exact_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -59,6 +60,10 @@ class SphereLanes {
   }
   static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s) {
     return mul_add(s.q, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)) < s.t;
+  }
+
+  HWY_INLINE void store(SphereRows& rows) const {
+    x_.store(rows.x), y_.store(rows.y), z_.store(rows.z), radius_.store(rows.radius);
   }
 
  private:
