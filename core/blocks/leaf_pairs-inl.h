@@ -35,7 +35,14 @@ class LeafPairs {
     if (queues_.pairs_full()) flush();
   }
 
-  void flush() {
+  void flush() { scale_ != 1 ? flush_as<true>() : flush_as<false>(); }
+
+ private:
+  static constexpr std::uint32_t block = BlockTree::block;
+  using Bits = hn::RebindToUnsigned<Lanes8::Tag>;
+
+  template <bool scaled>
+  HWY_INLINE void flush_as() {
     const auto pairs = queues_.pairs();
     constexpr std::size_t ahead = 6;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -45,24 +52,33 @@ class LeafPairs {
           hwy::Prefetch(s), hwy::Prefetch(s + 4);
         }
       }
-      meet(pairs[k].i, pairs[k].j);
+      meet<scaled>(pairs[k].i, pairs[k].j);
     }
     queues_.clear_pairs();
     hand_over();
   }
 
- private:
-  static constexpr std::uint32_t block = BlockTree::block;
-  using Bits = hn::RebindToUnsigned<Lanes8::Tag>;
+  template <bool scaled>
+  HWY_INLINE SphereLanes lanes(const Sphere* spheres) const {
+    if constexpr (scaled) return SphereLanes(spheres, scale_);
+    return SphereLanes(spheres);
+  }
+  template <bool scaled>
+  HWY_INLINE Sphere one(const Sphere& s) const {
+    if constexpr (scaled) return {s.x * scale_, s.y * scale_, s.z * scale_, s.radius * scale_};
+    return s;
+  }
 
   /// Spheres of block a against those of block b; of a block with itself, each pair once. Most blocks that
   /// are met have no spheres that may overlap: what is certain, and who it is, is asked only where there are.
+  template <bool scaled>
   void meet(std::uint32_t a, std::uint32_t b) {
     const Sphere *const sa = tree_.spheres(chain_, a), *const sb = tree_.spheres(chain_, b);
     if constexpr (Sink::listens) account(a, b);
-    const SphereLanes of_b(sb);
+    const SphereLanes of_b = lanes<scaled>(sb);
     Flags<block> near[block];
-    for (std::uint32_t p = 0; p < block; ++p) near[p] = SphereLanes::may_overlap(of_b.squares(sa[p]));
+    for (std::uint32_t p = 0; p < block; ++p)
+      near[p] = SphereLanes::may_overlap(of_b.squares(one<scaled>(sa[p])));
     const auto any =
         ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
     if (any.none()) return;
@@ -75,7 +91,7 @@ class LeafPairs {
       may &= next_;
     while (may != 0) {
       const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
-      row(a, p, sa[p], b, of_b);
+      row(a, p, one<scaled>(sa[p]), b, of_b);
       may &= ~std::uint64_t{0} << (block * p) << block;
     }
     if (hit_count_ > BlockQueues::hit_limit) hand_over();
@@ -128,7 +144,8 @@ class LeafPairs {
     const Told told = told_in_binary64(sphere, rows, std::uint32_t{undecided[0]} << (k * width));
     std::uint32_t separate = undecided[0] & ~((told.overlap | told.open) >> (k * width));
     for_each_lane(told.open >> (k * width), [&](std::uint32_t lane) {
-      if (chain_.neighbours(i, other[lane]) || !Robust::overlap(sphere, chain_.spheres[other[lane]]))
+      if (chain_.neighbours(i, other[lane]) ||
+          !Robust::overlap(chain_.spheres[i], chain_.spheres[other[lane]]))
         separate |= 1u << lane;
     });
     kept[0] = static_cast<std::uint8_t>(kept[0] & ~separate);
@@ -174,6 +191,9 @@ class LeafPairs {
   const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
                               chain_.exclusion.rule == Exclusion::Rule::index_window;
   const std::uint32_t window_ = window_is_all_ ? chain_.exclusion.window : 0;
+  /// Not 1 where squares of the radii are too small for binary32: then all is looked at times this power of
+  /// two, which is exact, as the scale is at least 1 and the greatest number stays below 2^20.
+  const float scale_ = chain_.extent.greatest_radius < 0x1p-44f && tree_.scale > 1 ? tree_.scale : 1;
   /// Bit 8 p + q: sphere p of a block and q of the same one, or of the next along the chain, are to be
   /// compared: without neighbours, of which most of these pairs are.
   const std::uint64_t inside_ = wanted_from(0), next_ = wanted_from(block);

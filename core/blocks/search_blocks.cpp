@@ -25,9 +25,10 @@ struct CrowdWalk {
   bool stop() const { return false; }
 };
 
-void find_crowds_here(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
+void find_crowds_here(const ChainView& chain, const BlockTree& tree, std::uint32_t limit, Crowding& crowding,
+                      const Team& team) {
   if (tree.blocks == 0) return;
-  const CrowdSample sample(tree, limit, crowding, team);
+  const CrowdSample sample(chain, tree, limit, crowding, team);
   const bool sparse = sample.sparse();
   if (!sparse) sample.all();
   const CrowdWalk walk{crowding, team.size() == 1 ? nullptr : &team};
@@ -85,9 +86,10 @@ HWY_EXPORT(search_pairs_here);
 HWY_EXPORT(search_alone_here);
 HWY_EXPORT(search_here);
 
-void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
+void find_crowds(const ChainView& chain, const BlockTree& tree, std::uint32_t limit, Crowding& crowding,
+                 const Team& team) {
   crowding.reset(tree, limit, team.size());
-  HWY_DYNAMIC_DISPATCH(find_crowds_here)(tree, limit, crowding, team);
+  HWY_DYNAMIC_DISPATCH(find_crowds_here)(chain, tree, limit, crowding, team);
   crowding.all_dense();
 }
 void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,

@@ -49,6 +49,12 @@ class SphereLanes {
                            y_.part[k], z_.part[k], radius_.part[k]);
   }
 
+  /// The same, all numbers times a power of two.
+  HWY_INLINE SphereLanes(const Sphere* spheres, float scale) : SphereLanes(spheres) {
+    const Lanes8 by = Lanes8::all(scale);
+    x_ = x_ * by, y_ = y_ * by, z_ = z_ * by, radius_ = radius_ * by;
+  }
+
   HWY_INLINE Squares squares(const Sphere& s) const {
     const Lanes8 dx = x_ - Lanes8::all(s.x), dy = y_ - Lanes8::all(s.y), dz = z_ - Lanes8::all(s.z);
     const Lanes8 reach = radius_ + Lanes8::all(s.radius);
@@ -62,6 +68,13 @@ class SphereLanes {
     return mul_add(s.q, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)) < s.t;
   }
 
+  /// How many of the centres lie in a cube around that of `s`, which reaches so far to either side.
+  HWY_INLINE std::uint32_t centres_within(const Sphere& s, float reach) const {
+    const Lanes8 far = Lanes8::all(reach);
+    const Flags<8> within = (abs(x_ - Lanes8::all(s.x)) <= far) & (abs(y_ - Lanes8::all(s.y)) <= far) &
+                            (abs(z_ - Lanes8::all(s.z)) <= far);
+    return static_cast<std::uint32_t>(std::popcount(within.bits()));
+  }
   HWY_INLINE void store(SphereRows& rows) const {
     x_.store(rows.x), y_.store(rows.y), z_.store(rows.z), radius_.store(rows.radius);
   }

@@ -9,7 +9,7 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
   build_block_tree(chain, tree_, team);
-  find_crowds(tree_, settings_.crowd, crowding_, team);
+  find_crowds(chain, tree_, settings_.crowd, crowding_, team);
   space_.entries = 0;
   dense_.clear();
   dense_count_ = 0;

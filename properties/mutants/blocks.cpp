@@ -99,7 +99,7 @@ const RegisterMutant<BoxOfAxes> box{"node-box-too-small", "half sides that leave
 /// The last pair of nodes that met is lost.
 class LastRowLost final : public FaultyBlocks {
   void search(const ChainView& chain, PairCollector& collector) override {
-    find_crowds(tree(), 1u << 20, crowding_, team());
+    find_crowds(chain, tree(), 1u << 20, crowding_, team());
     if (auto& pairs = crowding_.pairs()[0]; !pairs.empty()) pairs.pop_back();
     search_uncrowded(chain, tree(), crowding_, queues(), collector, team());
   }
@@ -110,7 +110,7 @@ const RegisterMutant<LastRowLost> row{"queue-drops-its-last", "a queue emptied o
 /// Crowded nodes are left to a grid that is not there for pairs of them.
 class CrowdWithoutGrid final : public FaultyBlocks {
   void search(const ChainView& chain, PairCollector& collector) override {
-    find_crowds(tree(), 1, crowding_, team());
+    find_crowds(chain, tree(), 1, crowding_, team());
     search_uncrowded(chain, tree(), crowding_, queues(), collector, team());
   }
   Crowding crowding_;

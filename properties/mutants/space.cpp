@@ -14,7 +14,7 @@ namespace {
 class FaultySpace : public HostSearch {
   void construct(const ChainView& chain) override {
     build_block_tree(chain, tree_, team());
-    find_crowds(tree_, 0, crowding_, team());
+    find_crowds(chain, tree_, 0, crowding_, team());
     space_.entries = 0;
     if (crowding_.crowded_nodes() == 0) return;
     build_space_tree(chain, tree_, crowding_, space_, 1e6, {&entry_queue_, 1}, team());
