@@ -9,6 +9,7 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
   build_block_tree(chain, tree_, team);
+  if (!settings_.rows) tree_.forget_rows();
   find_crowds(chain, tree_, settings_.crowd, crowding_, team);
   space_.entries = 0;
   dense_.clear();

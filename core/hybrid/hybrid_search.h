@@ -25,6 +25,7 @@ class CATENA_API HybridSearch {
   struct Settings {
     std::uint32_t crowd;  ///< a node that meets more others is crowded
     double dense;         ///< a block is dense that costs more than so many times its spheres in cells
+    bool rows = true;     ///< nodes whose blocks follow one another are not searched within
   };
   /// What the last search met, by its stages; about what the time goes into.
   struct Work {
@@ -47,6 +48,8 @@ class CATENA_API HybridSearch {
   const Settings& settings() const { return settings_; }
   std::uint32_t nodes() const { return crowding_.nodes(); }
   std::uint32_t crowded_nodes() const { return crowding_.crowded_nodes(); }
+  /// Nodes in which, and from which to the next, nothing is searched, as their blocks follow one another.
+  std::uint32_t rows() const { return tree_.rows(); }
 
  private:
   Work met() const;  ///< since this was made
@@ -59,8 +62,8 @@ class CATENA_API HybridSearch {
   SpaceTree space_;
   SphereGrid grid_;
   std::vector<std::uint32_t> dense_before_;  ///< [node]: dense spheres of earlier ones
-  std::uint32_t dense_count_ = 0;     ///< spheres of dense blocks
-  LargeVector<std::uint32_t> dense_;  ///< they, ascending; empty where all are
+  std::uint32_t dense_count_ = 0;            ///< spheres of dense blocks
+  LargeVector<std::uint32_t> dense_;         ///< they, ascending; empty where all are
   // [member of the team]
   std::vector<BlockQueues> block_queues_;
   std::vector<SpaceQueue> entry_queues_;
