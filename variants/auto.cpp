@@ -10,10 +10,10 @@
 
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/frames/frame_search.h"
-#include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/plan/coarse_look.h"
 #include "catena/core/plan/part_look.h"
 #include "catena/core/plan/search_plan.h"
+#include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -33,12 +33,12 @@ class Auto final : public Variant, public KeepsAnswer {
 
   void build(const Chain& chain) override {
     contact_.reset();
-    begin(chain, [&] { frames_.begin(request_.frames_follow); });
+    begin(chain, false, [&] { frames_.begin(request_.frames_follow); });
   }
 
   void update(const Chain& chain, const Moved& moved) override {
     if (spheres_ != chain.size()) return build(chain);
-    begin(chain, [&] { way_ = frames_.update(chain, moved); });
+    begin(chain, true, [&] { way_ = frames_.update(chain, moved); });
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
@@ -98,14 +98,23 @@ class Auto final : public Variant, public KeepsAnswer {
   }
 
  private:
-  /// `see` looks at what the frame has in common with the last one, if there was one.
+  /// `see` looks at what the frame has in common with the last one, if there was one and this `updates` it.
   template <class See>
-  void begin(const Chain& chain, const See& see) {
-    const Stopwatch watch;
+  void begin(const Chain& chain, bool updates, const See& see) {
     spheres_.reset();
     built_ = false;
     way_ = FrameSearch::Way::full;
     plan_.emplace(chain.size(), request_, Machine::here(), omissions_, chain.view().extent);
+    if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
+      // A chain alone: choosing took less than it takes to look at the clock.
+      contact_.reset();
+      if (frames_count()) see();
+      build_searcher(chain);
+      spheres_ = chain.size();
+      timings_ = build_timings_ = searcher_->timings();
+      return;
+    }
+    const Stopwatch watch;
     if (plan_->look_first()) {
       if (contact_) contact_ = CoarseLook::look_near(chain.view(), request_.queries, *contact_);
       if (!contact_) contact_ = look_.look(chain.view(), request_.queries);

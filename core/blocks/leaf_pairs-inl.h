@@ -58,15 +58,15 @@ class LeafPairs {
     hand_over();
   }
 
-  template <bool scaled>
-  HWY_INLINE SphereLanes lanes(const Sphere* spheres) const {
-    if constexpr (scaled) return SphereLanes(spheres, scale_);
-    return SphereLanes(spheres);
+  /// What the spheres of these blocks are looked at times: 1 where scaling would lose a bit of one of them.
+  /// What grows, to below 2^20, loses none.
+  HWY_INLINE float scale_of(const Sphere* a, const Sphere* b) const {
+    if (scale_ > 1 || (SphereLanes(a).scale_exactly(scale_) && SphereLanes(b).scale_exactly(scale_)))
+      return scale_;
+    return 1;
   }
-  template <bool scaled>
-  HWY_INLINE Sphere one(const Sphere& s) const {
-    if constexpr (scaled) return {s.x * scale_, s.y * scale_, s.z * scale_, s.radius * scale_};
-    return s;
+  static HWY_INLINE Sphere scaled_sphere(const Sphere& s, float by) {
+    return {s.x * by, s.y * by, s.z * by, s.radius * by};
   }
 
   /// Spheres of block a against those of block b; of a block with itself, each pair once. Most blocks that
@@ -75,10 +75,11 @@ class LeafPairs {
   void meet(std::uint32_t a, std::uint32_t b) {
     const Sphere *const sa = tree_.spheres(chain_, a), *const sb = tree_.spheres(chain_, b);
     if constexpr (Sink::listens) account(a, b);
-    const SphereLanes of_b = lanes<scaled>(sb);
+    const float scale = scaled ? scale_of(sa, sb) : 1;
+    const auto of_a = [&](std::uint32_t p) { return scaled ? scaled_sphere(sa[p], scale) : sa[p]; };
+    const SphereLanes of_b = scaled ? SphereLanes(sb, scale) : SphereLanes(sb);
     Flags<block> near[block];
-    for (std::uint32_t p = 0; p < block; ++p)
-      near[p] = SphereLanes::may_overlap(of_b.squares(one<scaled>(sa[p])));
+    for (std::uint32_t p = 0; p < block; ++p) near[p] = SphereLanes::may_overlap(of_b.squares(of_a(p)));
     const auto any =
         ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
     if (any.none()) return;
@@ -91,7 +92,7 @@ class LeafPairs {
       may &= next_;
     while (may != 0) {
       const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
-      row(a, p, one<scaled>(sa[p]), b, of_b);
+      row(a, p, of_a(p), b, of_b);
       may &= ~std::uint64_t{0} << (block * p) << block;
     }
     if (hit_count_ > BlockQueues::hit_limit) hand_over();
@@ -191,9 +192,10 @@ class LeafPairs {
   const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
                               chain_.exclusion.rule == Exclusion::Rule::index_window;
   const std::uint32_t window_ = window_is_all_ ? chain_.exclusion.window : 0;
-  /// Not 1 where squares of the radii are too small for binary32: then all is looked at times this power of
-  /// two, which is exact, as the scale is at least 1 and the greatest number stays below 2^20.
-  const float scale_ = chain_.extent.greatest_radius < 0x1p-44f && tree_.scale > 1 ? tree_.scale : 1;
+  /// Not 1 where squares of radii or their sums leave binary32's range: then all is looked at times this
+  /// power of two, where that is exact.
+  const float scale_ = in_range(chain_.extent.greatest_radius) ? 1 : tree_.scale;
+  static bool in_range(float radius) { return radius == 0 || (radius > 0x1p-44f && radius < 0x1p58f); }
   /// Bit 8 p + q: sphere p of a block and q of the same one, or of the next along the chain, are to be
   /// compared: without neighbours, of which most of these pairs are.
   const std::uint64_t inside_ = wanted_from(0), next_ = wanted_from(block);

@@ -55,6 +55,13 @@ class SphereLanes {
     x_ = x_ * by, y_ = y_ * by, z_ = z_ * by, radius_ = radius_ * by;
   }
 
+  /// No number loses a bit times a power of two.
+  HWY_INLINE bool scale_exactly(float scale) const {
+    const Lanes8 by = Lanes8::all(scale), back = Lanes8::all(1 / scale);
+    const auto same = [&](const Lanes8& v) HWY_ATTR { return (v * by * back <= v) & (v <= v * by * back); };
+    return (same(x_) & same(y_) & same(z_) & same(radius_)).bits() == 0xFF;
+  }
+
   HWY_INLINE Squares squares(const Sphere& s) const {
     const Lanes8 dx = x_ - Lanes8::all(s.x), dy = y_ - Lanes8::all(s.y), dz = z_ - Lanes8::all(s.z);
     const Lanes8 reach = radius_ + Lanes8::all(s.radius);
