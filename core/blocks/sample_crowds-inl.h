@@ -85,11 +85,12 @@ inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& t
 /// What it costs to search a sphere, about, on one core with AVX-512, apart from the pairs that are found.
 /// Measured on chains of many kinds; a wrong figure costs time and changes no answer.
 struct SphereCost {
-  static constexpr double near_ns = 28, row_ns = 10, nodes_ns = 32;    ///< of a tree: two of each
+  static constexpr double near_ns = 28, row_ns = 4, nodes_ns = 32;     ///< of a tree: two of each
   static constexpr double cells_ns = 32, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
   static constexpr double tests = 1.5 / 16;  ///< a candidate, as cells end where vectors do not
 
-  /// In the chain's order, where a block meets so many, each of which pays one half.
+  /// In the chain's order, where a block meets so many, each of which pays one half. Of the nodes that meet a
+  /// block's own it meets four of ten by their boxes.
   static double in_tree(const NearBlocks& near) {
     constexpr double block = BlockTree::block, node = block * BlockTree::group;
     return (near.count() * near_ns / block + near.nodes() * (row_ns / block + nodes_ns / node)) / 2;
