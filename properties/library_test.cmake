@@ -1,5 +1,5 @@
-# cmake -DLIBRARY=libcatena.so -DNM=nm -DREADELF=readelf [-DSANITIZE=...] -P library_test.cmake
-# Prints what libcatena.so weighs, shows and needs. It shows names of catena alone, none of its arithmetic, and needs
+# cmake -DLIBRARY=libcatena.so -DNM=nm -DREADELF=readelf [-DLOG=.ninja_log] [-DSANITIZE=...] -P library_test.cmake
+# Prints what libcatena.so, the smallest build that is of use, weighs, took to compile, shows and needs. It shows names of catena alone, none of its arithmetic, and needs
 # nothing but the C++ runtime, Highway, oneTBB and, if built in, CUDA's.
 cmake_minimum_required(VERSION 3.25)
 
@@ -13,6 +13,29 @@ endfunction()
 
 file(SIZE ${LIBRARY} size)
 message("${LIBRARY}: ${size} bytes")
+
+# Begin and end in milliseconds, a time stamp, the object, a hash; the last line of an object is that of its last build.
+if(EXISTS "${LOG}")
+  file(STRINGS ${LOG} built REGEX "CMakeFiles/(catena|catena_cuda)\\.dir/.*\\.o\t")
+  foreach(line ${built})
+    string(REGEX MATCH "^([0-9]+)\t([0-9]+)\t[0-9]+\t([^\t]+)" line "${line}")
+    list(APPEND objects ${CMAKE_MATCH_3})
+    math(EXPR ms_${CMAKE_MATCH_3} "${CMAKE_MATCH_2} - ${CMAKE_MATCH_1}")
+  endforeach()
+  list(REMOVE_DUPLICATES objects)
+  list(LENGTH objects sources)
+  set(ms 0)
+  foreach(object ${objects})
+    math(EXPR ms "${ms} + ${ms_${object}}")
+  endforeach()
+  if(sources LESS 10 OR ms LESS 1)
+    message(FATAL_ERROR "${LOG} has ${sources} objects of the library, built in ${ms} ms: it is not the log of its build")
+  endif()
+  math(EXPR seconds "${ms} / 1000")
+  message("compiled in ${seconds} s, the times of its ${sources} sources added up, less where a cache knew some")
+else()
+  message("not built by Ninja, which would have kept how long that took")
+endif()
 
 lines_of(symbols ${NM} -D --defined-only ${LIBRARY})
 lines_of(readable ${NM} -DC --defined-only ${LIBRARY})

@@ -55,7 +55,7 @@ set_target_properties(catena_headers PROPERTIES CXX_VISIBILITY_PRESET hidden)  #
 add_dependencies(catena_tests catena_headers)
 
 add_test(NAME library.border COMMAND ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:catena> -DNM=${CMAKE_NM} -DREADELF=${CMAKE_READELF}
-         -DSANITIZE=${CATENA_SANITIZE} -P ${PROJECT_SOURCE_DIR}/properties/library_test.cmake)
+         -DLOG=${PROJECT_BINARY_DIR}/.ninja_log -DSANITIZE=${CATENA_SANITIZE} -P ${PROJECT_SOURCE_DIR}/properties/library_test.cmake)
 
 # An installed catena is found by another project, which adds README's one-file variant from outside.
 set(sanitize_flags "")

@@ -1,4 +1,5 @@
 #include "catena/core/blocks/block_kernels.h"
+#include "catena/core/blocks/told_rows.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
@@ -10,11 +11,15 @@ namespace {
 template <class Arithmetic>
 class ChainTree final : public Variant {
  public:
+  explicit ChainTree(const Parameters& parameters)
+      : rows_(skips_rows(parameters)) {}
+
   void build(const Chain& chain) override {
     const Stopwatch watch;
     built_ = false;
     view_ = chain.view();
     build_block_tree(view_, tree_, Team());
+    if (!rows_) tree_.forget_rows();
     spheres_ = chain.size();
     built_ = true;
     timings_.build_ms = watch.ms();
@@ -39,6 +44,11 @@ class ChainTree final : public Variant {
 
   Timings timings() const override { return timings_; }
 
+  Plan plan() const override {
+    if (!built_ || tree_.blocks == 0) return {};
+    return {told_rows(tree_.rows(), tree_.level[0].count)};
+  }
+
   std::vector<WorkDone> work() const override {
     return {{"block, sixteen blocks", queues_.rows_done() - rows_before_},
             {"eight spheres, eight", queues_.pairs_done() - pairs_before_}};
@@ -55,6 +65,7 @@ class ChainTree final : public Variant {
     timings_.find_ms = watch.ms();
   }
 
+  const bool rows_;
   BlockTree tree_;
   BlockQueues queues_;
   std::uint64_t rows_before_ = 0, pairs_before_ = 0;  // the last search
@@ -67,6 +78,7 @@ class ChainTree final : public Variant {
 const RegisterVariant<ChainTree, Robust> registered{
     {.name = "ChainTree",
      .summary = "capsules of 8 consecutive spheres, 16 a node, SIMD, sequential",
+     .parameters = {rows_parameter()},
      .has_tree = true}};
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "catena/core/blocks/told_rows.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/hybrid/hybrid_search.h"
 #include "catena/core/strategy/evidence_nodes.h"
@@ -16,12 +17,13 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   explicit Hybrid(const Parameters& parameters)
       : team_(parameters),
         search_({static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20)),
-                 parameters.real("dense", 0, 1e6)},
+                 parameters.real("dense", 0, 1e6), skips_rows(parameters)},
                 team_.size()) {}
 
   Plan plan() const override {
     const HybridSearch::Work work = search_.work();
-    return {{"order of space", search_.crowded_nodes() == 0,
+    return {told_rows(search_.rows(), search_.nodes()),
+            {"order of space", search_.crowded_nodes() == 0,
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                          search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
             {"grid of spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)}};
@@ -61,9 +63,10 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
 const RegisterVariant<Hybrid, Robust> registered{
     {.name = "Hybrid",
      .summary = "blocks of eight spheres in the chain's order or in that of space, Grid where much is near",
-     .parameters = {{"crowd", "16", "a node of 128 spheres that meets more others leaves the chain's order"},
+     .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others leaves the chain's order"},
                     {"dense", "1",
                      "a block that costs more than so many times its spheres in cells goes there"},
+                    rows_parameter(),
                     Team::threads_parameter()},
      .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6}}};
 

@@ -34,15 +34,22 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
 
   void build(const Chain& chain) override {
     contact_.reset();
-    begin(chain, [&] { frames_.begin(request_.frames_follow); });
+    begin(chain, false, [&] { frames_.begin(request_.frames_follow); });
   }
 
   void update(const Chain& chain, const Moved& moved) override {
     if (spheres_ != chain.size()) return build(chain);
-    begin(chain, [&] { way_ = frames_.update(chain, moved); });
+    begin(chain, true, [&] { way_ = frames_.update(chain, moved); });
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (built_ && spheres_ == chain.size() && !(frames_count() && frames_.expected())) {
+      // A chain alone: nothing is done besides, and the searcher's own times are the times.
+      search_here(chain, request, result);
+      const Timings own = searcher_->timings();
+      timings_ = plan_->on_device() ? own : Timings{build_timings_.build_ms, own.find_ms};
+      return;
+    }
     timed(chain, [&](const FullSearch& here, const FullSearch& other, double build_ms) {
       if (answered_by_contact(request))
         report_contact(chain, request, result);
@@ -107,14 +114,23 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   }
 
  private:
-  /// `see` looks at what the frame has in common with the last one, if there was one.
+  /// `see` looks at what the frame has in common with the last one, if there was one and this `updates` it.
   template <class See>
-  void begin(const Chain& chain, const See& see) {
-    const Stopwatch watch;
+  void begin(const Chain& chain, bool updates, const See& see) {
     spheres_.reset();
     built_ = false;
     way_ = FrameSearch::Way::full;
     plan_.emplace(chain.size(), request_, Machine::here(), omissions_, chain.view().extent);
+    if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
+      // A chain alone: choosing took less than it takes to look at the clock.
+      contact_.reset();
+      if (frames_count()) see();
+      build_searcher(chain);
+      spheres_ = chain.size();
+      timings_ = build_timings_ = searcher_->timings();
+      return;
+    }
+    const Stopwatch watch;
     if (plan_->look_first()) {
       if (contact_) contact_ = CoarseLook::look_near(chain.view(), request_.queries, *contact_);
       if (!contact_) contact_ = look_.look(chain.view(), request_.queries);

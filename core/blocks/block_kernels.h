@@ -16,7 +16,8 @@ CATENA_API void build_block_tree(const ChainView& chain, BlockTree& tree, const 
 
 /// Fills `crowding` with the pairs of nodes that met, but for those of two nodes that had met more than
 /// `limit` others before. O(limit * nodes) but for tests in upper levels.
-CATENA_API void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team);
+CATENA_API void find_crowds(const ChainView& chain, const BlockTree& tree, std::uint32_t limit,
+                            Crowding& crowding, const Team& team);
 
 /// Reports every colliding pair to the collector, once, but for those of spheres that are both in crowded
 /// nodes. As many lanes and queues as the team has members.

@@ -18,6 +18,8 @@ void make_room(BlockTree& tree) {
     if (l == tree.level.size()) tree.level.emplace_back();
     tree.level[l].count = count;
     tree.level[l].oriented.resize(std::size_t{groups(count)} * group * BlockTree::oriented_fields);
+    tree.level[l].in_a_row.resize(groups(count));
+    tree.level[l].with_the_next.resize(groups(count));
   }
   tree.level.resize(l);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -39,11 +40,43 @@ struct BlockTree {
   struct Level {
     std::uint32_t count = 0;      ///< nodes
     LargeVector<float> oriented;  ///< their boxes, groups of sixteen
+    /// Bit k of group g: along the longest axis of node 16 g + k its children follow one another, so that
+    /// none meets the next but one, or a later one.
+    LargeVector<std::uint16_t> in_a_row;
+    /// The same of the node's children together with those of the next node of this level. Never set for the
+    /// last of a group.
+    LargeVector<std::uint16_t> with_the_next;
     const float* at(std::uint32_t k) const {
       return oriented.data() + std::size_t{k / group} * group * oriented_fields;
     }
     float* at(std::uint32_t k) { return oriented.data() + std::size_t{k / group} * group * oriented_fields; }
   };
+
+  /// The children of node k of level l do not meet, but for those next to one another.
+  bool in_a_row(std::size_t l, std::uint32_t k) const {
+    return (level[l].in_a_row[k / group] >> k % group & 1) != 0;
+  }
+  /// No child of node k of level l meets one of node k + 1, but for the last of the one and the first of the
+  /// other.
+  bool with_the_next(std::size_t l, std::uint32_t k) const {
+    return (level[l].with_the_next[k / group] >> k % group & 1) != 0;
+  }
+
+  /// Every pair is searched as if no node were in a row.
+  void forget_rows() {
+    for (Level& l : level) {
+      l.in_a_row.assign(l.in_a_row.size(), 0);
+      l.with_the_next.assign(l.with_the_next.size(), 0);
+    }
+  }
+  /// Nodes of level 0 that are in a row.
+  std::uint32_t rows() const {
+    std::uint32_t count = 0;
+    if (!level.empty())
+      for (const std::uint16_t bits : level[0].in_a_row)
+        count += static_cast<std::uint32_t>(std::popcount(bits));
+    return count;
+  }
 
   float scale = 1;
   std::uint32_t blocks = 0;  ///< in the order of the chain

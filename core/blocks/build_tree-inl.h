@@ -8,6 +8,7 @@
 
 #include "catena/core/blocks/build_blocks-inl.h"
 #include "catena/core/blocks/oriented_boxes-inl.h"
+#include "catena/core/blocks/rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -18,6 +19,7 @@ template <class Sixteen>
 struct ChildrenOfNodes {
   static constexpr std::uint32_t group = BlockTree::group;
   alignas(64) float field[group][Sixteen::fields][group];
+  float past_the_last[group] = {};  ///< read by next_child, for no node
 
   /// From `nodes` groups of sixteen, one after the other.
   HWY_INLINE ChildrenOfNodes(const float* groups, std::uint32_t nodes, std::uint32_t children_of_last) {
@@ -41,6 +43,8 @@ struct ChildrenOfNodes {
     }
   }
   HWY_INLINE Sixteen child(std::uint32_t b) const { return Sixteen::load(field[b][0]); }
+  /// Child b of the next node; of the last lane's there is none.
+  HWY_INLINE Sixteen next_child(std::uint32_t b) const { return Sixteen::load(field[b][0] + 1); }
   HWY_INLINE Vectors centre(std::uint32_t b) const { return Vectors::load(field[b][0]); }
 };
 
@@ -67,9 +71,9 @@ HWY_INLINE OrientedBoxes guess(const ChildrenOfNodes<Sixteen>& children) {
   return result;
 }
 
-/// Moves the centres to the middle of the children and fits the half sides.
+/// Moves the centres to the middle of the children.
 template <class Sixteen>
-HWY_INLINE void fit(const ChildrenOfNodes<Sixteen>& children, OrientedBoxes& boxes) {
+HWY_INLINE void centre_on(const ChildrenOfNodes<Sixteen>& children, OrientedBoxes& boxes) {
   constexpr std::uint32_t group = BlockTree::group;
   Intervals all = intervals(children.child(0), boxes.centre, boxes.axis);
   for (std::uint32_t b = 1; b < group; ++b) {
@@ -79,23 +83,53 @@ HWY_INLINE void fit(const ChildrenOfNodes<Sixteen>& children, OrientedBoxes& box
   }
   for (int k = 0; k < 3; ++k)
     boxes.centre = plus(boxes.centre, Lanes16::all(0.5f) * (all.low[k] + all.high[k]), boxes.axis[k]);
-  // Measured again from the centres as they are stored.
-  const Lanes16 zero = Lanes16::all(0);
+}
+
+/// Bits of nodes whose children are in a row along the longest axis, and of those that are so together with
+/// the children of the next.
+struct RowBits {
+  std::uint16_t alone, with_the_next;
+};
+
+/// Fits the half sides to the children, measured again from the centres as they are stored, and tells rows.
+template <class Sixteen>
+HWY_INLINE RowBits fit(const ChildrenOfNodes<Sixteen>& children, std::uint32_t nodes,
+                       std::uint32_t children_of_last, OrientedBoxes& boxes) {
+  constexpr std::uint32_t group = BlockTree::group;
+  alignas(64) float size[group];
+  for (std::uint32_t k = 0; k < group; ++k)
+    size[k] = static_cast<float>(k + 1 < nodes ? group : children_of_last);
+  const Lanes16 zero = Lanes16::all(0), sizes = Lanes16::load(size);
   for (int k = 0; k < 3; ++k) boxes.half[k] = zero;
-  for (std::uint32_t b = 0; b < group; ++b) {
+  const auto take = [&](std::uint32_t b) HWY_ATTR {
     const Intervals child = intervals(children.child(b), boxes.centre, boxes.axis);
     for (int k = 0; k < 3; ++k) boxes.half[k] = max(boxes.half[k], max(child.high[k], zero - child.low[k]));
+    return Interval{child.low[0], child.high[0]};
+  };
+  Rows rows(take(0));
+  for (std::uint32_t b = 1; b < group; ++b) rows.add(take(b), sizes <= Lanes16::all(static_cast<float>(b)));
+  const std::uint32_t alone = rows.bits() & lane_bits(nodes);
+  if (alone == 0 || nodes < 2) return {static_cast<std::uint16_t>(alone), 0};
+  for (std::uint32_t b = 0; b < group; ++b) {
+    const Interval child = reach_of(children.next_child(b), boxes.centre).along(boxes.axis[0]);
+    if (b < 2)
+      rows.add(child, zero < zero);
+    else
+      rows.add_further(child);
   }
+  return {static_cast<std::uint16_t>(alone), static_cast<std::uint16_t>(rows.bits() & lane_bits(nodes - 1))};
 }
 
 /// The boxes of nodes first to first + 15 of level l, as far as there are so many.
 template <class Sixteen>
-HWY_INLINE void build_nodes(const float* children, std::uint32_t nodes, std::uint32_t children_of_last,
-                            float* to) {
+HWY_INLINE RowBits build_nodes(const float* children, std::uint32_t nodes, std::uint32_t children_of_last,
+                               float* to) {
   const ChildrenOfNodes<Sixteen> below(children, nodes, children_of_last);
   OrientedBoxes boxes = guess(below);
-  fit(below, boxes);
+  centre_on(below, boxes);
+  const RowBits rows = fit(below, nodes, children_of_last, boxes);
   boxes.store(to);
+  return rows;
 }
 
 /// The boxes of nodes begin to end - 1 of level l, both multiples of sixteen or the last, from their
@@ -106,10 +140,10 @@ HWY_INLINE void build_level(BlockTree& tree, std::size_t l, std::uint32_t begin,
   for (std::uint32_t k = begin; k < end; k += group) {
     const std::uint32_t nodes = std::min(group, level.count - k),
                         of_last = tree.children_of(l, k + nodes - 1);
-    if (l == 0)
-      build_nodes<Capsules>(tree.capsules_of(k), nodes, of_last, level.at(k));
-    else
-      build_nodes<OrientedBoxes>(tree.level[l - 1].at(k * group), nodes, of_last, level.at(k));
+    const RowBits rows =
+        l == 0 ? build_nodes<Capsules>(tree.capsules_of(k), nodes, of_last, level.at(k))
+               : build_nodes<OrientedBoxes>(tree.level[l - 1].at(k * group), nodes, of_last, level.at(k));
+    level.in_a_row[k / group] = rows.alone, level.with_the_next[k / group] = rows.with_the_next;
   }
 }
 

@@ -29,15 +29,23 @@ class Crowding {
           open_[l][k / BlockTree::group] += open_[l - 1][k];
     }
     partners_.assign(open_.empty() ? 0 : open_[0].size(), 0);
+    some_ = 0;
   }
 
   std::uint32_t nodes() const { return static_cast<std::uint32_t>(partners_.size()); }
   bool crowded(std::uint32_t node) const { return read(partners_[node]) > limit_; }
-  bool left_out(const Pair& nodes) const { return crowded(nodes.i) && crowded(nodes.j); }
-  std::uint32_t crowded_nodes() const { return open_.empty() ? 0 : nodes() - read(open_.back()[0]); }
+  /// At least one node is crowded; of most chains none is, and nothing else need be looked up.
+  bool some() const { return read(some_) != 0; }
+  bool left_out(const Pair& nodes) const { return some() && crowded(nodes.i) && crowded(nodes.j); }
+  std::uint32_t crowded_nodes() const { return some() ? nodes() - read(open_.back()[0]) : 0; }
   /// Nodes that met, in the order of each thread's walk; both may be crowded by now.
   std::span<const std::vector<Pair>> pairs() const { return pairs_; }
   std::span<std::vector<Pair>> pairs() { return pairs_; }
+  std::size_t pair_count() const {
+    std::size_t count = 0;
+    for (const auto& pairs : pairs_) count += pairs.size();
+    return count;
+  }
 
   /// Bit k: block k of a crowded node is dense: its pairs with other such blocks are left to a search that
   /// does not know of blocks. All are until something else is said.
@@ -54,7 +62,7 @@ class Crowding {
   /// To be called after the walk.
   void all_dense() {
     dense_.assign(nodes(), 0);
-    for (std::uint32_t k = 0; k < nodes(); ++k) dense_[k] = crowded(k) ? 0xFFFF : 0;
+    for (std::uint32_t k = 0; some() && k < nodes(); ++k) dense_[k] = crowded(k) ? 0xFFFF : 0;
   }
 
   /// Nodes a and b of level 0 meet, as a thread found.
@@ -63,22 +71,24 @@ class Crowding {
     for (const std::uint32_t k : {a, b})
       if (!crowded(k) && add(partners_[k], 1) == limit_) close(k);
   }
-  /// A node is crowded, as is known without a walk, before it begins.
+  /// A node is crowded, as is known without the walk, before it begins or after its end.
   void crowd(std::uint32_t node) {
+    if (crowded(node)) return;
     partners_[node] = limit_ + 1;
     close(node);
   }
   /// Every pair of a node below a and one below b is left out.
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const {
-    return read(open_[l][a]) == 0 && read(open_[l][b]) == 0;
+    return some() && read(open_[l][a]) == 0 && read(open_[l][b]) == 0;
   }
   /// Every pair of a node below a and one below a child of `parent` is.
   bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
-    return read(open_[l][a]) == 0 && read(open_[l + 1][parent]) == 0;
+    return some() && read(open_[l][a]) == 0 && read(open_[l + 1][parent]) == 0;
   }
 
  private:
   void close(std::uint32_t node) {
+    std::atomic_ref(some_).store(1, std::memory_order_relaxed);
     for (auto& level : open_) add(level[node], ~std::uint32_t{0}), node /= BlockTree::group;
   }
   static std::uint32_t read(const std::uint32_t& number) {
@@ -93,6 +103,7 @@ class Crowding {
   }
 
   std::uint32_t limit_ = 0;
+  std::uint32_t some_ = 0;               // 1: a node is crowded
   std::vector<std::uint32_t> partners_;  // of each node: others it met, counted to just above the limit
   std::vector<std::uint16_t> dense_;
   std::vector<std::vector<Pair>> pairs_;          // [thread]

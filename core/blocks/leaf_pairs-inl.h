@@ -11,6 +11,8 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
+#include "catena/core/blocks/count_up-inl.h"
+#include "catena/core/blocks/exact_lanes-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/executor/pair_collector.h"
@@ -33,7 +35,14 @@ class LeafPairs {
     if (queues_.pairs_full()) flush();
   }
 
-  void flush() {
+  void flush() { scale_ != 1 ? flush_as<true>() : flush_as<false>(); }
+
+ private:
+  static constexpr std::uint32_t block = BlockTree::block;
+  using Bits = hn::RebindToUnsigned<Lanes8::Tag>;
+
+  template <bool scaled>
+  HWY_INLINE void flush_as() {
     const auto pairs = queues_.pairs();
     constexpr std::size_t ahead = 6;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -43,24 +52,34 @@ class LeafPairs {
           hwy::Prefetch(s), hwy::Prefetch(s + 4);
         }
       }
-      meet(pairs[k].i, pairs[k].j);
+      meet<scaled>(pairs[k].i, pairs[k].j);
     }
     queues_.clear_pairs();
     hand_over();
   }
 
- private:
-  static constexpr std::uint32_t block = BlockTree::block;
-  using Bits = hn::RebindToUnsigned<Lanes8::Tag>;
+  /// What the spheres of these blocks are looked at times: 1 where scaling would lose a bit of one of them.
+  /// What grows, to below 2^20, loses none.
+  HWY_INLINE float scale_of(const Sphere* a, const Sphere* b) const {
+    if (scale_ > 1 || (SphereLanes(a).scale_exactly(scale_) && SphereLanes(b).scale_exactly(scale_)))
+      return scale_;
+    return 1;
+  }
+  static HWY_INLINE Sphere scaled_sphere(const Sphere& s, float by) {
+    return {s.x * by, s.y * by, s.z * by, s.radius * by};
+  }
 
   /// Spheres of block a against those of block b; of a block with itself, each pair once. Most blocks that
   /// are met have no spheres that may overlap: what is certain, and who it is, is asked only where there are.
+  template <bool scaled>
   void meet(std::uint32_t a, std::uint32_t b) {
     const Sphere *const sa = tree_.spheres(chain_, a), *const sb = tree_.spheres(chain_, b);
     if constexpr (Sink::listens) account(a, b);
-    const SphereLanes of_b(sb);
+    const float scale = scaled ? scale_of(sa, sb) : 1;
+    const auto of_a = [&](std::uint32_t p) { return scaled ? scaled_sphere(sa[p], scale) : sa[p]; };
+    const SphereLanes of_b = scaled ? SphereLanes(sb, scale) : SphereLanes(sb);
     Flags<block> near[block];
-    for (std::uint32_t p = 0; p < block; ++p) near[p] = SphereLanes::may_overlap(of_b.squares(sa[p]));
+    for (std::uint32_t p = 0; p < block; ++p) near[p] = SphereLanes::may_overlap(of_b.squares(of_a(p)));
     const auto any =
         ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
     if (any.none()) return;
@@ -73,19 +92,20 @@ class LeafPairs {
       may &= next_;
     while (may != 0) {
       const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
-      row(a, p, b, of_b.squares(sa[p]));
+      row(a, p, of_a(p), b, of_b);
       may &= ~std::uint64_t{0} << (block * p) << block;
     }
     if (hit_count_ > BlockQueues::hit_limit) hand_over();
   }
 
-  /// Sphere p of block a and those of block b.
-  HWY_INLINE void row(std::uint32_t a, std::uint32_t p, std::uint32_t b,
-                      const SphereLanes::Squares& squares) {
+  /// Sphere p of block a, and those of block b.
+  HWY_INLINE void row(std::uint32_t a, std::uint32_t p, const Sphere& sphere, std::uint32_t b,
+                      const SphereLanes& of_b) {
     const std::uint32_t i = tree_.index(a, p);
     // Who may be no neighbour: indices from `first` to the last; what fills up a block is beyond it.
     const std::uint64_t first = std::uint64_t{i} + window_ + 1;
     if (first >= chain_.size) return;
+    const SphereLanes::Squares squares = of_b.squares(sphere);
     const Flags<block> may = SphereLanes::may_overlap(squares),
                        certain = SphereLanes::overlap_for_certain(squares);
     const auto from = static_cast<std::uint32_t>(first);
@@ -95,7 +115,7 @@ class LeafPairs {
       const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, chain_.size - from));
       auto keep = hn::And(hn::RebindMask(bits, may.part[k]), wanted);
       const auto open = hn::AndNot(hn::RebindMask(bits, certain.part[k]), keep);
-      if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) keep = decide(i, j, keep, open);
+      if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) keep = decide(sphere, of_b, k, i, j, keep, open);
       hit_count_ += store_pairs(bits, i, j, keep, hits_ + hit_count_);
     }
   }
@@ -106,21 +126,30 @@ class LeafPairs {
     constexpr std::uint32_t width = Lanes8::width;
     if (HWY_UNLIKELY(first & BlockTree::copied))
       return hn::LoadU(Bits(), tree_.copied_from.data() + (first & ~BlockTree::copied) + k * width);
-    return hn::Iota(Bits(), first + static_cast<std::uint32_t>(k) * width);
+    return count_up(Bits(), first + static_cast<std::uint32_t>(k) * width);
   }
 
-  /// `keep` without those open that are neighbours, which often touch, or do not overlap.
-  HWY_NOINLINE hn::Mask<Bits> decide(std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
+  /// `keep`, of part k, without those open that do not overlap; those that are left to the last stage may be
+  /// left out as neighbours, which often touch.
+  HWY_NOINLINE hn::Mask<Bits> decide(const Sphere& sphere, const SphereLanes& of_b, std::size_t k,
+                                     std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
                                      hn::Mask<Bits> open) const {
+    constexpr std::size_t width = Lanes8::width;
     std::uint8_t undecided[8] = {}, kept[8] = {};
-    std::uint32_t other[Lanes8::width];
+    std::uint32_t other[width];
     hn::StoreMaskBits(Bits(), open, undecided);
     hn::StoreMaskBits(Bits(), keep, kept);
     hn::StoreU(j, Bits(), other);
-    for_each_lane(undecided[0], [&](std::uint32_t k) {
-      if (chain_.neighbours(i, other[k]) || !Robust::overlap(chain_.spheres[i], chain_.spheres[other[k]]))
-        kept[0] = static_cast<std::uint8_t>(kept[0] & ~(1u << k));
+    SphereRows rows;
+    of_b.store(rows);
+    const Told told = told_in_binary64(sphere, rows, std::uint32_t{undecided[0]} << (k * width));
+    std::uint32_t separate = undecided[0] & ~((told.overlap | told.open) >> (k * width));
+    for_each_lane(told.open >> (k * width), [&](std::uint32_t lane) {
+      if (chain_.neighbours(i, other[lane]) ||
+          !Robust::overlap(chain_.spheres[i], chain_.spheres[other[lane]]))
+        separate |= 1u << lane;
     });
+    kept[0] = static_cast<std::uint8_t>(kept[0] & ~separate);
     return hn::LoadMaskBits(Bits(), kept);
   }
 
@@ -139,9 +168,10 @@ class LeafPairs {
     const bool window = chain_.exclusion.rule == Exclusion::Rule::index_window;
     const std::uint64_t nearest = window ? std::uint64_t{chain_.exclusion.window} + 1 : 1;
     std::uint64_t bits = 0;
-    for (std::uint32_t p = 0; p < block; ++p)
-      for (std::uint32_t q = 0; q < block; ++q)
-        if (ahead + q >= p + nearest) bits |= std::uint64_t{1} << (block * p + q);
+    for (std::uint64_t p = 0; p < block; ++p) {
+      const std::uint64_t first = p + nearest > ahead ? p + nearest - ahead : 0;  // of q
+      if (first < block) bits |= (0xFFull << first & 0xFFull) << (block * p);
+    }
     return bits;
   }
 
@@ -162,6 +192,10 @@ class LeafPairs {
   const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
                               chain_.exclusion.rule == Exclusion::Rule::index_window;
   const std::uint32_t window_ = window_is_all_ ? chain_.exclusion.window : 0;
+  /// Not 1 where squares of radii or their sums leave binary32's range: then all is looked at times this
+  /// power of two, where that is exact.
+  const float scale_ = in_range(chain_.extent.greatest_radius) ? 1 : tree_.scale;
+  static bool in_range(float radius) { return radius == 0 || (radius > 0x1p-44f && radius < 0x1p58f); }
   /// Bit 8 p + q: sphere p of a block and q of the same one, or of the next along the chain, are to be
   /// compared: without neighbours, of which most of these pairs are.
   const std::uint64_t inside_ = wanted_from(0), next_ = wanted_from(block);

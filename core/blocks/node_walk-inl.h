@@ -48,10 +48,10 @@ struct ByTeam {
 };
 
 /// Goes down a tree. Met has met(a, b), called once for each pair a < b of nodes of level 0 that may have
-/// blocks that collide, with left_out(level, a, b) and left_out_group(level, a, k) which say that pairs below
-/// nodes a and b, or a and the children of k, are of no interest, and stop(), which ends the walk. Sink as
-/// for BlockSearch. Order has for_each(children, body), which goes through the children of a node above level
-/// 1.
+/// blocks that collide, but for a and a + 1 that are in a row where Sink does not listen, with
+/// left_out(level, a, b) and left_out_group(level, a, k) which say that pairs below nodes a and b, or a and
+/// the children of k, are of no interest, and stop(), which ends the walk. Sink as for BlockSearch. Order has
+/// for_each(children, body), which goes through the children of a node above level 1.
 template <class Met, class Sink, class Order = InTurn>
 class NodeWalk {
  public:
@@ -67,12 +67,26 @@ class NodeWalk {
   void within(std::size_t l, std::uint32_t k) {
     if (l == 0 || met_.stop() || met_.left_out(l, k, k)) return;
     const std::uint32_t begin = k * group, count = tree_.children_of(l, k);
+    if (!Sink::listens && tree_.in_a_row(l, k)) {
+      for_each_child(l, lane_bits(count), [&](std::uint32_t i) {
+        within(l - 1, begin + i);
+        if (i + 1 < count) to_the_next(l - 1, begin + i);
+      });
+      return;
+    }
     const Intervals reach = in_frame_of(tree_, l, k, l, k);
     const StoredIntervals single(reach);
     for_each_child(l, lane_bits(count), [&](std::uint32_t i) {
       within(l - 1, begin + i);
       against(l - 1, begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((2u << i) - 1));
     });
+  }
+
+  /// Those of a node below node a of level l with one below the next. In a row these are only the last below
+  /// the one and the first below the other.
+  void to_the_next(std::size_t l, std::uint32_t a) {
+    if (Sink::listens || !tree_.with_the_next(l, a)) return between(l, a, a + 1);
+    if (l > 0 && !met_.left_out(l, a, a + 1)) to_the_next(l - 1, a * group + group - 1);
   }
 
   /// Those of a node below node a of level l with one below node b > a.
@@ -117,7 +131,10 @@ class NodeWalk {
     for_each_lane(candidates & ~near, [&](std::uint32_t j) { sink_.nodes_apart(l, a, k * group + j); });
     for_each_lane(near, [&](std::uint32_t j) {
       sink_.nodes_near(l, a, k * group + j);
-      between(l, a, k * group + j);
+      if (k * group + j == a + 1)
+        to_the_next(l, a);
+      else
+        between(l, a, k * group + j);
     });
   }
 

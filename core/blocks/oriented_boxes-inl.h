@@ -45,32 +45,62 @@ struct OrientedBoxes {
   }
 };
 
+/// How far they reach along one.
+struct Interval {
+  Lanes16 low, high;
+};
+
 /// How far capsules reach along the axes, outward: what the radius has on top covers the rounding of the half
 /// axis's part, the rest that of the centre's, of the sums, and of axes a little longer than 1.
-HWY_INLINE Intervals intervals(const Capsules& c, const Vectors& centre, const Vectors (&axis)[3]) {
-  const Vectors t = c.centre - centre;
-  const Lanes16 radius = mul_add(sum_of_sides(t), Lanes16::all(centre_slack),
-                                 c.radius * Lanes16::all(1 + BlockTree::axes_slack));
-  Intervals result;
-  for (int k = 0; k < 3; ++k) {
-    const Lanes16 middle = dot(t, axis[k]), reach = abs(dot(c.half, axis[k])) + radius;
-    result.low[k] = middle - reach, result.high[k] = middle + reach;
+class CapsuleReach {
+ public:
+  HWY_INLINE CapsuleReach(const Capsules& c, const Vectors& centre)
+      : half_(c.half),
+        t_(c.centre - centre),
+        radius_(mul_add(sum_of_sides(t_), Lanes16::all(centre_slack),
+                        c.radius * Lanes16::all(1 + BlockTree::axes_slack))) {}
+  HWY_INLINE Interval along(const Vectors& axis) const {
+    const Lanes16 middle = dot(t_, axis), reach = abs(dot(half_, axis)) + radius_;
+    return {middle - reach, middle + reach};
   }
-  return result;
-}
+
+ private:
+  const Vectors half_, t_;
+  const Lanes16 radius_;
+};
 
 /// The same of boxes: see may_meet.
-HWY_INLINE Intervals intervals(const OrientedBoxes& b, const Vectors& centre, const Vectors (&axis)[3]) {
-  const Vectors t = b.centre - centre;
-  const Lanes16 slack =
-      mul_add(b.half[0] + b.half[1] + b.half[2], Lanes16::all(BlockTree::axes_slack),
-              mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny)));
+class BoxReach {
+ public:
+  HWY_INLINE BoxReach(const OrientedBoxes& b, const Vectors& centre)
+      : b_(b),
+        t_(b.centre - centre),
+        slack_(
+            mul_add(b.half[0] + b.half[1] + b.half[2], Lanes16::all(BlockTree::axes_slack),
+                    mul_add(sum_of_sides(t_), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny)))) {}
+  HWY_INLINE Interval along(const Vectors& axis) const {
+    const Lanes16 middle = dot(t_, axis);
+    Lanes16 reach = slack_;
+    for (int j = 0; j < 3; ++j) reach = mul_add(abs(dot(b_.axis[j], axis)), b_.half[j], reach);
+    return {middle - reach, middle + reach};
+  }
+
+ private:
+  const OrientedBoxes& b_;
+  const Vectors t_;
+  const Lanes16 slack_;
+};
+
+HWY_INLINE CapsuleReach reach_of(const Capsules& c, const Vectors& centre) { return {c, centre}; }
+HWY_INLINE BoxReach reach_of(const OrientedBoxes& b, const Vectors& centre) { return {b, centre}; }
+
+template <class Sixteen>
+HWY_INLINE Intervals intervals(const Sixteen& of, const Vectors& centre, const Vectors (&axis)[3]) {
+  const auto reach = reach_of(of, centre);
   Intervals result;
   for (int k = 0; k < 3; ++k) {
-    const Lanes16 middle = dot(t, axis[k]);
-    Lanes16 reach = slack;
-    for (int j = 0; j < 3; ++j) reach = mul_add(abs(dot(b.axis[j], axis[k])), b.half[j], reach);
-    result.low[k] = middle - reach, result.high[k] = middle + reach;
+    const Interval one = reach.along(axis[k]);
+    result.low[k] = one.low, result.high[k] = one.high;
   }
   return result;
 }
@@ -81,20 +111,6 @@ HWY_INLINE std::uint32_t meet(const Intervals& a, const Intervals& b) {
   const Flags<16> y = (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]);
   const Flags<16> z = (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
   return (x & y & z).bits();
-}
-
-/// Certain that of the first `count` none meets the next but one, or a later one: along the longest axis they
-/// follow one another, one way or the other.
-HWY_INLINE bool in_a_row(const Intervals& a, std::uint32_t count) {
-  if (count < 3) return true;
-  const auto& low = a.low[0];
-  const auto& high = a.high[0];
-  const Lanes16 low_1 = shifted(low, 0), high_1 = shifted(high, 0);
-  const Lanes16 low_2 = shifted(low_1, 0), high_2 = shifted(high_1, 0);
-  const std::uint32_t next = (1u << (count - 1)) - 1, next_but_one = next >> 1;
-  const std::uint32_t up = (high < low_2).bits() & next_but_one, rising = (low <= low_1).bits() & next;
-  const std::uint32_t down = (high_2 < low).bits() & next_but_one, falling = (high_1 <= high).bits() & next;
-  return (up == next_but_one && rising == next) || (down == next_but_one && falling == next);
 }
 
 /// Intervals of sixteen, kept to take single ones out.

@@ -30,27 +30,36 @@ class BlockSearch {
     if (tree_.blocks == 0) return;
     const std::uint32_t nodes = tree_.level[0].count;
     along_the_chain(0, nodes, [](std::uint32_t) { return 0u; });
-    for (std::uint32_t k = 0; k < nodes && !stop(); ++k) within(k);
+    for (std::uint32_t k = 0; k < nodes && !stop(); ++k) {
+      within(k);
+      if (!Sink::listens && tree_.with_the_next(0, k)) to_the_next(k, 0, 0);
+    }
     NodeWalk(tree_, *this, sink_).run();
     finish();
   }
 
   /// Every pair within nodes begin to end - 1, and from the last block of each to the next along the chain,
-  /// but those within a crowded node.
+  /// but those within a crowded node. To be finished.
   void run_nodes(const Crowding& crowding, std::uint32_t begin, std::uint32_t end) {
     along_the_chain(begin, end, [&](std::uint32_t k) { return crowding.dense(k); });
-    for (std::uint32_t k = begin; k + 1 < crowding.nodes() && k < end && !stop(); ++k)
-      if (crowding.left_out({k, k + 1})) to_the_next(k, crowding.dense(k), crowding.dense(k + 1));
-    for (std::uint32_t k = begin; k < end && !stop(); ++k)
-      if (!crowding.crowded(k)) within(k);
-    finish();
+    for (std::uint32_t k = begin; k < end && !stop(); ++k) {
+      if (!crowding.some() || !crowding.crowded(k)) within(k);
+      if (k + 1 < crowding.nodes() && crowding.left_out({k, k + 1}))
+        to_the_next(k, crowding.dense(k), crowding.dense(k + 1));
+      else if (!Sink::listens && tree_.with_the_next(0, k))
+        to_the_next(k, 0, 0);
+    }
   }
 
-  /// Every pair of these nodes, but of two crowded ones.
+  /// Every pair of these nodes, but of two crowded ones. To be finished.
   void run_pairs(const Crowding& crowding, std::span<const Pair> nodes) {
     for (const Pair& pair : nodes)
       if (!crowding.left_out(pair) && !stop()) met(pair.i, pair.j);
-    finish();
+  }
+
+  void finish() {
+    flush_rows();
+    leaves_.flush();
   }
 
   // What NodeWalk asks for.
@@ -86,7 +95,8 @@ class BlockSearch {
     }
   }
 
-  /// The last block of a crowded node and the first of the next, also crowded, unless both are dense.
+  /// The last block of a node and the first of the next, unless both are dense, where no other pair of the
+  /// two is to be met: they are in a row, or others meet what is crowded.
   void to_the_next(std::uint32_t node, std::uint32_t dense, std::uint32_t dense_next) {
     const std::uint32_t last = node * group + group - 1;
     if ((dense >> (group - 1) & dense_next & 1) != 0) return;
@@ -116,8 +126,8 @@ class BlockSearch {
   void within(std::uint32_t k) {
     constexpr std::uint32_t skip = 2;  // a block itself and the next
     const std::uint32_t begin = k * group, count = tree_.blocks_of(k);
+    if (!Sink::listens && tree_.in_a_row(0, k)) return;
     const Intervals reach = in_frame_of(tree_, 0, k, 0, k);
-    if (!Sink::listens && in_a_row(reach, count)) return;
     const StoredIntervals single(reach);
     for (std::uint32_t i = 0; i + skip < count; ++i)
       row(begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((1u << (i + skip)) - 1));
@@ -161,11 +171,6 @@ class BlockSearch {
   void make_room() {
     if (queues_.rows_full()) flush_rows();
   }
-  void finish() {
-    flush_rows();
-    leaves_.flush();
-  }
-
   void flush_rows() {
     for (const BlockQueues::Row& r : queues_.rows()) {
       const std::uint32_t a = r.block;

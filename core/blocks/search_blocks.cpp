@@ -11,11 +11,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// What a walk by several threads asks for.
+/// What a walk asks for.
 struct CrowdWalk {
   Crowding& crowding;
-  const Team& team;
-  void met(std::uint32_t a, std::uint32_t b) const { crowding.met(a, b, team.member()); }
+  const Team* team;  ///< null: one thread
+  void met(std::uint32_t a, std::uint32_t b) const {
+    crowding.met(a, b, team != nullptr ? team->member() : 0);
+  }
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
   bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
     return crowding.left_out_group(l, a, parent);
@@ -23,30 +25,50 @@ struct CrowdWalk {
   bool stop() const { return false; }
 };
 
-void find_crowds_here(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
+void find_crowds_here(const ChainView& chain, const BlockTree& tree, std::uint32_t limit, Crowding& crowding,
+                      const Team& team) {
   if (tree.blocks == 0) return;
-  sample_crowds(tree, limit, crowding, team);
-  const CrowdWalk walk{crowding, team};
+  const CrowdSample sample(chain, tree, limit, crowding, team);
+  const bool sparse = sample.sparse();
+  if (!sparse) sample.all();
+  const CrowdWalk walk{crowding, team.size() == 1 ? nullptr : &team};
   if (team.size() == 1)
     NodeWalk(tree, walk, NoBlockEvidence{}).run();
   else
     NodeWalk(tree, walk, NoBlockEvidence{}, ByTeam{team}).run();
+  if (sparse && !sample.stayed_sparse()) sample.all();
 }
 
 void search_nodes_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                        std::uint32_t begin, std::uint32_t end, BlockQueues& queues,
                        PairCollector::Lane& lane) {
-  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run_nodes(crowding, begin, end);
+  BlockSearch<NoBlockEvidence> search(chain, tree, queues, lane, {});
+  search.run_nodes(crowding, begin, end);
+  search.finish();
 }
 void search_pairs_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                        std::span<const Pair> nodes, BlockQueues& queues, PairCollector::Lane& lane) {
-  BlockSearch<NoBlockEvidence>(chain, tree, queues, lane, {}).run_pairs(crowding, nodes);
+  BlockSearch<NoBlockEvidence> search(chain, tree, queues, lane, {});
+  search.run_pairs(crowding, nodes);
+  search.finish();
+}
+void search_alone_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                       BlockQueues& queues, PairCollector::Lane& lane) {
+  BlockSearch<NoBlockEvidence> search(chain, tree, queues, lane, {});
+  search.run_nodes(crowding, 0, crowding.nodes());
+  search.run_pairs(crowding, crowding.pairs().front());
+  search.finish();
 }
 
-/// What a walk asks for whose pairs of nodes are known.
+/// What a walk asks for whose pairs of nodes are known, but for those in a row, which a search without evidence
+/// does not meet.
 struct KnownWalk {
+  const BlockTree& tree;
   const Crowding& crowding;
-  void met(std::uint32_t, std::uint32_t) const {}
+  std::vector<Pair>& in_a_row;
+  void met(std::uint32_t a, std::uint32_t b) const {
+    if (b == a + 1 && tree.with_the_next(0, a)) in_a_row.push_back({a, b});
+  }
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
   bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
     return crowding.left_out_group(l, a, parent);
@@ -57,11 +79,14 @@ struct KnownWalk {
 void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                            BlockQueues& queues, PairCollector::Lane& lane, const BlockEvidence& evidence) {
   if (tree.blocks == 0) return;
-  const KnownWalk walk{crowding};
+  std::vector<Pair> in_a_row;
+  const KnownWalk walk{tree, crowding, in_a_row};
   NodeWalk(tree, walk, evidence).run();
   BlockSearch<BlockEvidence> search(chain, tree, queues, lane, evidence);
   search.run_nodes(crowding, 0, crowding.nodes());
   for (const std::vector<Pair>& pairs : crowding.pairs()) search.run_pairs(crowding, pairs);
+  search.run_pairs(crowding, in_a_row);
+  search.finish();
 }
 
 void search_here(const ChainView& chain, const BlockTree& tree, BlockQueues& queues,
@@ -88,15 +113,19 @@ HWY_EXPORT(find_crowds_here);
 HWY_EXPORT(search_nodes_here);
 HWY_EXPORT(search_pairs_here);
 HWY_EXPORT(search_uncrowded_here);
+HWY_EXPORT(search_alone_here);
 HWY_EXPORT(search_here);
 
-void find_crowds(const BlockTree& tree, std::uint32_t limit, Crowding& crowding, const Team& team) {
+void find_crowds(const ChainView& chain, const BlockTree& tree, std::uint32_t limit, Crowding& crowding,
+                 const Team& team) {
   crowding.reset(tree, limit, team.size());
-  HWY_DYNAMIC_DISPATCH(find_crowds_here)(tree, limit, crowding, team);
+  HWY_DYNAMIC_DISPATCH(find_crowds_here)(chain, tree, limit, crowding, team);
   crowding.all_dense();
 }
 void search_uncrowded(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                       std::span<BlockQueues> queues, PairCollector& collector, const Team& team) {
+  if (team.size() == 1)
+    return HWY_DYNAMIC_DISPATCH(search_alone_here)(chain, tree, crowding, queues[0], collector.lane(0));
   team.for_each_range(crowding.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
     const unsigned member = team.member();
     HWY_DYNAMIC_DISPATCH(search_nodes_here)

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "catena/core/blocks/simd_targets.h"
+#include "catena/core/scenes/scene.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/forced_target.h"
 #include "catena/properties/generators/family.h"
@@ -25,7 +27,25 @@ struct Solved {
   reference::Answer right;
 };
 
-/// A chain of every family, and tangles about the limits of vectors, blocks and nodes.
+/// Spheres of which each has one that touches it to the last bit, or misses that by one or two: (3, 4, 0) k
+/// apart with radii that add up to 5 k, times `factor`, by which none, some or all of this stays exact.
+Chain near_ties(properties::Dice& dice, std::uint32_t pairs, float factor) {
+  std::vector<Sphere> first, second;
+  for (std::uint32_t p = 0; p < pairs; ++p) {
+    const int k = dice.between(1, 1000), own = dice.between(0, 5 * k);
+    const auto at = static_cast<float>(p % 64) * 0x1p14f;
+    const auto size = static_cast<float>(k);
+    float other = static_cast<float>(5 * k - own) * factor;
+    for (int ulp = dice.between(-2, 2); ulp != 0; ulp -= ulp > 0 ? 1 : -1)
+      other = std::nextafter(other, ulp > 0 ? INFINITY : 0.0f);
+    first.push_back({at * factor, 0, at * factor, static_cast<float>(own) * factor});
+    second.push_back({(at + 3 * size) * factor, 4 * size * factor, at * factor, other});
+  }
+  first.insert(first.end(), second.begin(), second.end());
+  return Chain(std::move(first));
+}
+
+/// A chain of every family, tangles about the limits of vectors, blocks and nodes, rows of nodes, and ties.
 std::vector<Solved> solved_chains() {
   std::vector<Solved> solved;
   const auto add = [&](const std::string& name, Chain chain) {
@@ -41,6 +61,12 @@ std::vector<Solved> solved_chains() {
     properties::Dice dice(++seed);
     add("tangle of " + std::to_string(n), Chain(properties::tangle(dice, n)));
   }
+  for (const char* scene : {"path1:n=6000", "path2:n=3000", "rod:n=4500"})
+    add(scene, SceneRegistry::instance().open(scene)->frame(0));
+  for (const float factor : {1.0f, 0x1p-140f, 0x1p-60f, 0x1p90f, 0.1f, 1e-12f, 1e25f}) {
+    properties::Dice dice(++seed);
+    add("ties times " + std::to_string(factor), near_ties(dice, 500, factor));
+  }
   return solved;
 }
 
@@ -53,8 +79,9 @@ TEST(SimdTargets, GiveTheExactPairsEachOfThem) {
   std::set<std::size_t> chosen;
   for (const std::int64_t target : targets) {
     const properties::ForcedTarget forced(target);
-    for (const char* name : {"ChainTree", "Grid", "Hybrid", "Hybrid(crowd=0)", "Hybrid(crowd=0,dense=0)",
-                             "Hybrid(crowd=0,dense=0.2)", "Hybrid(crowd=0,dense=1e6)"}) {
+    for (const char* name :
+         {"ChainTree", "ChainTree(rows=search)", "Grid", "Hybrid", "Hybrid(rows=search)", "Hybrid(crowd=0)",
+          "Hybrid(crowd=0,dense=0)", "Hybrid(crowd=0,dense=0.2)", "Hybrid(crowd=0,dense=1e6)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       for (const Solved& s : solved) {
         Collisions found;

@@ -7,6 +7,7 @@
 #endif
 
 #include "catena/core/blocks/capsules-inl.h"
+#include "catena/core/blocks/exact_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -48,6 +49,19 @@ class SphereLanes {
                            y_.part[k], z_.part[k], radius_.part[k]);
   }
 
+  /// The same, all numbers times a power of two.
+  HWY_INLINE SphereLanes(const Sphere* spheres, float scale) : SphereLanes(spheres) {
+    const Lanes8 by = Lanes8::all(scale);
+    x_ = x_ * by, y_ = y_ * by, z_ = z_ * by, radius_ = radius_ * by;
+  }
+
+  /// No number loses a bit times a power of two.
+  HWY_INLINE bool scale_exactly(float scale) const {
+    const Lanes8 by = Lanes8::all(scale), back = Lanes8::all(1 / scale);
+    const auto same = [&](const Lanes8& v) HWY_ATTR { return (v * by * back <= v) & (v <= v * by * back); };
+    return (same(x_) & same(y_) & same(z_) & same(radius_)).bits() == 0xFF;
+  }
+
   HWY_INLINE Squares squares(const Sphere& s) const {
     const Lanes8 dx = x_ - Lanes8::all(s.x), dy = y_ - Lanes8::all(s.y), dz = z_ - Lanes8::all(s.z);
     const Lanes8 reach = radius_ + Lanes8::all(s.radius);
@@ -59,6 +73,17 @@ class SphereLanes {
   }
   static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s) {
     return mul_add(s.q, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)) < s.t;
+  }
+
+  /// How many of the centres lie in a cube around that of `s`, which reaches so far to either side.
+  HWY_INLINE std::uint32_t centres_within(const Sphere& s, float reach) const {
+    const Lanes8 far = Lanes8::all(reach);
+    const Flags<8> within = (abs(x_ - Lanes8::all(s.x)) <= far) & (abs(y_ - Lanes8::all(s.y)) <= far) &
+                            (abs(z_ - Lanes8::all(s.z)) <= far);
+    return static_cast<std::uint32_t>(std::popcount(within.bits()));
+  }
+  HWY_INLINE void store(SphereRows& rows) const {
+    x_.store(rows.x), y_.store(rows.y), z_.store(rows.z), radius_.store(rows.radius);
   }
 
  private:

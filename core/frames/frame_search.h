@@ -45,6 +45,8 @@ class CATENA_API FrameSearch {
 
   /// A first frame. `follow`: others are expected.
   void begin(bool follow);
+  /// Others are, or one came: what is found now is of use later. Else a caller may search without telling.
+  bool expected() const { return frames_; }
   /// The next frame, and the way in which find will search it.
   Way update(const Chain& chain, const Moved& moved);
   /// `here` answers for this chain, `search` builds and answers for any other; `build_ms` is what building

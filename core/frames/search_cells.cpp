@@ -8,6 +8,7 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/compress-inl.h"
+#include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/frames/frame_kernels.h"
 
@@ -69,7 +70,7 @@ class CellSearch {
     auto met = hn::And(inside, hn::Ne(hn::And(words, bit), hn::Zero(bits)));
     if (count < width) met = hn::And(met, hn::FirstN(bits, count));
     const Kept<Bits> kept(met);
-    hn::StoreU(kept.compress(hn::Iota(bits, first)), bits, sphere_ + found_);
+    hn::StoreU(kept.compress(count_up(bits, first)), bits, sphere_ + found_);
     hn::StoreU(kept.compress(cell), bits, cell_ + found_);
     found_ += kept.size();
   }

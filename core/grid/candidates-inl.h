@@ -13,6 +13,7 @@
 #include <span>
 
 #include "catena/core/arithmetic/robust.h"
+#include "catena/core/blocks/exact_lanes-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/grid/grid_evidence.h"
 #include "catena/core/grid/grid_queues.h"
@@ -225,12 +226,22 @@ class Candidates {
     std::uint8_t open[8] = {}, kept[8] = {};
     hn::StoreMaskBits(Bits(), undecided, open);
     hn::StoreMaskBits(Bits(), keep, kept);
-    for (std::uint32_t byte = 0; byte < (lanes + 7) / 8; ++byte)
-      for (std::uint32_t bits = open[byte]; bits != 0; bits &= bits - 1) {
-        const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
-        if (!Robust::overlap(chain_.spheres[i], chain_.spheres[q_.candidates.index[c + 8 * byte + k]]))
-          kept[byte] = static_cast<std::uint8_t>(kept[byte] & ~(1u << k));
-      }
+    const Sphere& sphere = chain_.spheres[i];
+    SphereRows rows;
+    const CandidateFields& of = q_.candidates;
+    hn::Store(hn::LoadU(Tag(), of.x + c), Tag(), rows.x);
+    hn::Store(hn::LoadU(Tag(), of.y + c), Tag(), rows.y);
+    hn::Store(hn::LoadU(Tag(), of.z + c), Tag(), rows.z);
+    hn::Store(hn::LoadU(Tag(), of.radius + c), Tag(), rows.radius);
+    const std::uint32_t asked = open[0] | std::uint32_t{open[1]} << 8;
+    const Told told = told_in_binary64(sphere, rows, asked);
+    std::uint32_t separate = asked & ~(told.overlap | told.open);
+    for (std::uint32_t bits = told.open; bits != 0; bits &= bits - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
+      if (!Robust::overlap(sphere, chain_.spheres[of.index[c + k]])) separate |= 1u << k;
+    }
+    kept[0] = static_cast<std::uint8_t>(kept[0] & ~separate);
+    kept[1] = static_cast<std::uint8_t>(kept[1] & ~(separate >> 8));
     return hn::LoadMaskBits(Bits(), kept);
   }
 

@@ -14,7 +14,8 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
   build_block_tree(chain, parts_.tree, team);
-  find_crowds(parts_.tree, settings_.crowd, parts_.crowding, team);
+  if (!settings_.rows) parts_.tree.forget_rows();
+  find_crowds(chain, parts_.tree, settings_.crowd, parts_.crowding, team);
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;

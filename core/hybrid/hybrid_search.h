@@ -25,6 +25,7 @@ class CATENA_API HybridSearch {
   struct Settings {
     std::uint32_t crowd;  ///< a node that meets more others is crowded
     double dense;         ///< a block is dense that costs more than so many times its spheres in cells
+    bool rows = true;     ///< nodes whose blocks follow one another are not searched within
   };
   /// What the last search met, by its stages; about what the time goes into.
   struct Work {
@@ -51,6 +52,8 @@ class CATENA_API HybridSearch {
   const Settings& settings() const { return settings_; }
   std::uint32_t nodes() const { return parts_.crowding.nodes(); }
   std::uint32_t crowded_nodes() const { return parts_.crowding.crowded_nodes(); }
+  /// Nodes in which, and from which to the next, nothing is searched, as their blocks follow one another.
+  std::uint32_t rows() const { return parts_.tree.rows(); }
 
   /// What a build leaves for the searches; mutants spoil it.
   struct Parts {

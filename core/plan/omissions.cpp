@@ -7,8 +7,8 @@
 namespace catena {
 namespace {
 
-const std::array<OmissionInfo, 10>& table() {
-  static const std::array<OmissionInfo, 10> all{{
+const std::array<OmissionInfo, 11>& table() {
+  static const std::array<OmissionInfo, 11> all{{
       {Omission::hierarchy, "hierarchy", "hierarchy",
        "all pairs are compared instead, by the same exact test"},
       {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
@@ -19,6 +19,9 @@ const std::array<OmissionInfo, 10>& table() {
        "one colliding pair is the answer yes, whatever the others are"},
       {Omission::other_places, "other-places", "build before a look at the likeliest places",
        "a look answers yes alone, by a pair that the exact test found; without one all is searched"},
+      {Omission::straight, "straight", "search within straight stretches",
+       "along one axis each child of a node ends before the next but one begins, by intervals rounded "
+       "outward"},
       {Omission::unmoved, "unmoved", "search of an unmoved frame",
        "no bit of a sphere differs, so that no pair does"},
       {Omission::still_parts, "still-parts", "search of the parts that did not move",

@@ -17,6 +17,7 @@ enum class Omission {
   pair_list,
   after_hit,
   other_places,
+  straight,
   unmoved,
   still_parts,
   shifted,

@@ -7,6 +7,7 @@
 #include "catena/core/error.h"
 #include "catena/core/plan/coarse_look.h"
 #include "catena/core/plan/part_look.h"
+#include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/variant_name.h"
 
 namespace catena {
@@ -71,10 +72,20 @@ double SearchPlan::best_ms(const Machine::VariantCost& v, std::uint32_t n, const
 }
 
 std::string SearchPlan::variant_with_threads() const {
-  if (threads_ == 1) return variant();
+  const bool rows = !omissions_.may(Omission::straight) && by_blocks();
+  if (threads_ == 1 && !rows) return variant();
   VariantName name = VariantName::parse(variant());
-  name.stages.front().settings.push_back({"threads", std::to_string(threads_)});
+  auto& settings = name.stages.front().settings;
+  if (rows) settings.push_back({"rows", "search"});
+  if (threads_ > 1) settings.push_back({"threads", std::to_string(threads_)});
   return name.text();
+}
+
+bool SearchPlan::by_blocks() const {
+  const StrategyInfo* const info =
+      StrategyRegistry::instance().find_strategy(VariantName::parse(variant()).stages.front().strategy);
+  return info != nullptr &&
+         std::ranges::find(info->parameters, "rows", &ParameterInfo::name) != info->parameters.end();
 }
 
 Request::Want SearchPlan::searched_for(Request::Want asked) const {
@@ -135,12 +146,14 @@ Plan SearchPlan::steps() const {
   if (asked_ != any) return plan;
   plan.push_back({info_of(Omission::after_hit).step, want_ == any,
                   "one pair is the answer yes" + switched_off(omissions_, Omission::after_hit)});
-  plan.push_back({info_of(Omission::other_places).step, look_first_,
-                  (look_first_ ? fmt::format("a look at every {}th sphere first, {} of {}{}",
-                                             CoarseLook::stretch, n_ / CoarseLook::stretch, n_,
-                                             PartLook::pays(n_) ? fmt::format(", then at one of {} parts", PartLook::parts) : "")
-                               : fmt::format("{} spheres: a look pays from {} on", n_, CoarseLook::least)) +
-                      switched_off(omissions_, Omission::other_places)});
+  plan.push_back(
+      {info_of(Omission::other_places).step, look_first_,
+       (look_first_
+            ? fmt::format("a look at every {}th sphere first, {} of {}{}", CoarseLook::stretch,
+                          n_ / CoarseLook::stretch, n_,
+                          PartLook::pays(n_) ? fmt::format(", then at one of {} parts", PartLook::parts) : "")
+            : fmt::format("{} spheres: a look pays from {} on", n_, CoarseLook::least)) +
+           switched_off(omissions_, Omission::other_places)});
   return plan;
 }
 

@@ -44,6 +44,7 @@ class CATENA_API SearchPlan {
                                const Omissions& omissions);
   static double best_ms(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                         const Omissions& omissions);
+  bool by_blocks() const;  ///< the variant knows rows of blocks
   Decision hierarchy() const;
   Decision further_threads() const;
   Decision device() const;

@@ -6,12 +6,10 @@
 namespace catena {
 namespace {
 
-enum Kind { tiny, vast, wide, short_crowded, short_sparse };
+enum Kind { wide, short_crowded, short_sparse };
 
 const UnusualKind& info(Kind kind) {
-  static const std::array<UnusualKind, 5> all{{
-      {"aCPU2+Dual", "radii below 2^-46, whose squares binary32 does not hold"},
-      {"Grid", "radii above 2^59, whose squares binary32 does not hold"},
+  static const std::array<UnusualKind, 3> all{{
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another"},
       {"Grid", "at most 2,048 spheres, which fill a quarter of their box"},
       {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty, or of unlike radii"},
@@ -31,13 +29,11 @@ double fill(std::uint32_t n, const Extent& extent) {
 
 const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent) {
   // Measured over the registry's scenes: below, these take 0.3 to 0.9 of the usual variant's time.
-  constexpr double widest = 0x1p60, greatest = 0x1p59, least = 0x1p-46, crowded = 0.25;
+  constexpr double widest = 0x1p60, crowded = 0.25;
   constexpr std::uint32_t few = 2048;  // no node of 128 spheres can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
     if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius) return &info(wide);
     const bool full = fill(n, extent) > crowded, like = extent.greatest_radius <= 2 * extent.least_radius;
-    if (extent.greatest_radius < least) return full ? nullptr : &info(tiny);
-    if (extent.greatest_radius > greatest) return full ? nullptr : &info(vast);
     if (n <= few) return full && like ? &info(short_crowded) : &info(short_sparse);
   }
   return nullptr;

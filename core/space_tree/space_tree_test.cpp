@@ -23,7 +23,7 @@ struct Built {
     const Team alone;
     SpaceQueue queue;
     build_block_tree(chain, tree, alone);
-    find_crowds(tree, 0, crowding, alone);
+    find_crowds(chain, tree, 0, crowding, alone);
     if (crowding.crowded_nodes() > 0)
       build_space_tree(chain, tree, crowding, space, 1e6, {&queue, 1}, Team());
   }

@@ -8,6 +8,7 @@
 
 #include <span>
 
+#include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/space_tree/axis_boxes-inl.h"
 #include "catena/core/space_tree/space_evidence.h"
@@ -96,7 +97,7 @@ class SpaceWalk {
       std::uint8_t bytes[8] = {};
       std::memcpy(bytes, &some, sizeof some);
       const auto wanted = hn::LoadMaskBits(bits, bytes);
-      size_ += store_pairs(bits, i, hn::Iota(bits, first + k * width),
+      size_ += store_pairs(bits, i, count_up(bits, first + k * width),
                            hn::And(hn::RebindMask(bits, met.part[k]), wanted), queue_ + size_);
     }
   }

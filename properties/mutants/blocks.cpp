@@ -96,10 +96,57 @@ class BoxOfAxes final : public FaultyBlocks {
 };
 const RegisterMutant<BoxOfAxes> box{"node-box-too-small", "half sides that leave the thickness out"};
 
+/// A row of each node whose bits `row` says so of.
+class FaultyRows : public FaultyBlocks {
+  void tamper(const ChainView& chain, BlockTree& tree) override {
+    for (std::size_t l = 0; l < tree.level.size(); ++l)
+      for (std::uint32_t k = 0; k < tree.level[l].count; ++k) {
+        const auto bit = static_cast<std::uint16_t>(1u << k % BlockTree::group);
+        BlockTree::Level& level = tree.level[l];
+        if (row(chain, tree, l, k)) level.in_a_row[k / BlockTree::group] |= bit;
+        if (k + 1 < level.count && seam(tree, l, k)) level.with_the_next[k / BlockTree::group] |= bit;
+      }
+  }
+  virtual bool row(const ChainView&, const BlockTree&, std::size_t, std::uint32_t) const { return false; }
+  virtual bool seam(const BlockTree&, std::size_t, std::uint32_t) const { return false; }
+};
+
+/// Neighbouring blocks lie apart as a row's do, and the row comes back.
+class RowOfNeighbours final : public FaultyRows {
+  bool row(const ChainView& chain, const BlockTree& tree, std::size_t l, std::uint32_t k) const override {
+    if (l > 0) return false;
+    const std::uint32_t begin = k * BlockTree::group, count = tree.blocks_of(k);
+    for (std::uint32_t b = begin; b + 2 < begin + count; ++b) {
+      const Sphere &one = tree.spheres(chain, b)[0], &other = tree.spheres(chain, b + 2)[0];
+      const double x = double{other.x} - one.x, y = double{other.y} - one.y, z = double{other.z} - one.z;
+      if (x * x + y * y + z * z <= 4.0 * one.radius * one.radius) return false;
+    }
+    return true;
+  }
+};
+const RegisterMutant<RowOfNeighbours> back{"row-that-comes-back", "a row judged by the next but one alone"};
+
+/// A node that is in a row is taken to be so with whatever follows.
+class RowWithoutSeam final : public FaultyRows {
+  bool seam(const BlockTree& tree, std::size_t l, std::uint32_t k) const override {
+    return tree.in_a_row(l, k);
+  }
+};
+const RegisterMutant<RowWithoutSeam> unseen{"row-that-ends-unseen", "the next node is not looked at"};
+
+/// Of two nodes in a row the last block and the next one's first are never compared.
+class SeamLost final : public FaultyBlocks {
+  void tamper(const ChainView&, BlockTree& tree) override {
+    for (std::uint32_t g = 0; g < tree.level[0].count; ++g)
+      if (tree.with_the_next(0, g)) tree.ordered[g] |= 0x8000;
+  }
+};
+const RegisterMutant<SeamLost> seam{"seam-of-a-row-lost", "what only adjacent spheres may touch, unproved"};
+
 /// The last pair of nodes that met is lost.
 class LastRowLost final : public FaultyBlocks {
   void search(const ChainView& chain, PairCollector& collector) override {
-    find_crowds(tree(), 1u << 20, crowding_, team());
+    find_crowds(chain, tree(), 1u << 20, crowding_, team());
     if (auto& pairs = crowding_.pairs()[0]; !pairs.empty()) pairs.pop_back();
     search_uncrowded(chain, tree(), crowding_, queues(), collector, team());
   }
@@ -110,7 +157,7 @@ const RegisterMutant<LastRowLost> row{"queue-drops-its-last", "a queue emptied o
 /// Crowded nodes are left to a grid that is not there for pairs of them.
 class CrowdWithoutGrid final : public FaultyBlocks {
   void search(const ChainView& chain, PairCollector& collector) override {
-    find_crowds(tree(), 1, crowding_, team());
+    find_crowds(chain, tree(), 1, crowding_, team());
     search_uncrowded(chain, tree(), crowding_, queues(), collector, team());
   }
   Crowding crowding_;

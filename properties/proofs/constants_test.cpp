@@ -54,6 +54,11 @@ void expect_covered(const std::string& file, const std::string& script,
   }
 }
 
+TEST(Proofs, AreAboutTheConstantsOfTheLanes) {
+  expect_covered("core/blocks/exact_lanes-inl.h", "overlap_binary64.g",
+                 {{"binary64_slack = 1 + 10 * 0x1p-53;", "binary64_slack = 1 + 10u", "(1 + 10b-53)"}});
+}
+
 TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
   expect_covered("core/grid/bucket_map.h", "grid_cells.g",
                  {{"cell_slack = 0x1p-16;", "cell_slack = 2^-16", "(1 - 1b-16)"},
