@@ -2,39 +2,53 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace catena::ranks {
-namespace {
 
-struct Header {
-  SphereId first;
-  Strand strand;
-  std::uint32_t size, extra;
-};
-
-std::span<const IdPair> rows_of(std::span<const IdPair> extra, SphereId first, std::uint32_t size) {
-  const auto begin = std::ranges::lower_bound(extra, first, {}, &IdPair::i);
-  const auto end = std::ranges::lower_bound(begin, extra.end(), first + size, {}, &IdPair::i);
-  return {begin, end};
+void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks) {
+  std::vector<Strand> strands;
+  std::unordered_map<std::uint64_t, std::uint32_t> index;  // of a strand, by its number
+  std::vector<FarBlocks::Header> headers;
+  headers.reserve(blocks.size());
+  std::uint64_t spheres = 0;
+  for (const Block& block : blocks) {
+    const Strand& strand = part.piece(block).strand;
+    const auto [at, is_new] = index.try_emplace(strand.number, static_cast<std::uint32_t>(strands.size()));
+    if (is_new) strands.push_back(strand);
+    headers.push_back({part.id(block), at->second, block.size});
+    spheres += block.size;
+  }
+  out.put_list(strands).put_list(headers);
+  out.put(spheres);
+  for (const Block& block : blocks) out.put_all(part.spheres(block));
+  out.put(part.rule().kind == Exclusion::Rule::arc_window ? spheres : 0);
+  for (const Block& block : blocks) out.put_all(part.arcs(block));
 }
 
-}  // namespace
-
-void put_block(ByteWriter& out, const HeldPart& part, const Block& block, ExtraPairs extra) {
-  const SphereId first = part.id(block);
-  const auto rows =
-      extra == ExtraPairs::sent ? rows_of(part.extra(), first, block.size) : std::span<const IdPair>();
-  out.put(Header{first, part.piece(block).strand, block.size, static_cast<std::uint32_t>(rows.size())});
-  out.put_all(part.spheres(block)).put_all(part.arcs(block)).put_all(rows);
+FarBlocks::FarBlocks(ByteReader& in, const Rule& rule)
+    : strands_(in.get_list<Strand>()),
+      headers_(in.get_list<Header>()),
+      spheres_(in.get_list<Sphere>()),
+      arcs_(in.get_list<double>()) {
+  std::uint64_t spheres = 0;
+  for (const Header& header : headers_) {
+    if (header.size == 0 || header.size > Block::most || header.strand >= strands_.size())
+      throw std::logic_error("a message holds no blocks");
+    spheres += header.size;
+  }
+  const bool arcs = rule.kind == Exclusion::Rule::arc_window;
+  if (spheres != spheres_.size() || arcs_.size() != (arcs ? spheres : 0))
+    throw std::logic_error("a message holds no blocks");
 }
 
-FarBlock get_block(ByteReader& in, const Rule& rule) {
-  const auto header = in.get<Header>();
-  if (header.size == 0 || header.size > Block::most) throw std::logic_error("a message holds no block");
-  FarBlock block{header.first, header.strand, header.size, {}, {}, std::vector<IdPair>(header.extra)};
-  in.get_all(std::span(block.spheres).first(header.size));
-  if (rule.kind == Exclusion::Rule::arc_window) in.get_all(std::span(block.arcs).first(header.size));
-  in.get_all(std::span(block.extra));
+FarBlock FarBlocks::next() {
+  const Header& header = headers_.at(block_++);
+  FarBlock block{header.first, strands_[header.strand], header.size, {}, {}};
+  std::copy_n(spheres_.begin() + static_cast<std::ptrdiff_t>(sphere_), header.size, block.spheres.begin());
+  if (!arcs_.empty())
+    std::copy_n(arcs_.begin() + static_cast<std::ptrdiff_t>(sphere_), header.size, block.arcs.begin());
+  sphere_ += header.size;
   return block;
 }
 

@@ -14,15 +14,33 @@ struct FarBlock {
   std::uint32_t size;
   std::array<Sphere, Block::most> spheres;
   std::array<double, Block::most> arcs;  ///< under an arc window
-  std::vector<IdPair> extra;             ///< where they were sent: rows of these spheres
 
   Place place(std::uint32_t k) const { return {first + k, strand, arcs[k], spheres[k].radius}; }
 };
 
-enum class ExtraPairs { left_out, sent };
+/// Some blocks in one message: first all that is alike of many, then their spheres and arcs, each in a row.
+void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks);
 
-void put_block(ByteWriter& out, const HeldPart& part, const Block& block, ExtraPairs extra);
-/// What put_block wrote, on a rank of the same rule.
-FarBlock get_block(ByteReader& in, const Rule& rule);
+/// Reads what put_blocks wrote, on a rank of the same rule, block by block. The bytes must outlive it.
+class FarBlocks {
+ public:
+  FarBlocks(ByteReader& in, const Rule& rule);
+
+  std::size_t size() const { return headers_.size(); }
+  FarBlock next();
+
+ private:
+  struct Header {
+    SphereId first;
+    std::uint32_t strand, size;
+  };
+  friend void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks);
+
+  std::vector<Strand> strands_;
+  std::vector<Header> headers_;
+  std::vector<Sphere> spheres_;
+  std::vector<double> arcs_;
+  std::size_t block_ = 0, sphere_ = 0;
+};
 
 }  // namespace catena::ranks

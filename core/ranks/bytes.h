@@ -29,7 +29,7 @@ class ByteWriter {
     put(std::uint64_t{values.size()});
     return put_all(std::span<const Value>(values));
   }
-  std::size_t size() const { return bytes_.size(); }
+  void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
   Bytes take() { return std::move(bytes_); }
 
  private:

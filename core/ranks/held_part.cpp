@@ -4,8 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "catena/core/hierarchy/morton_grid.h"
-
 namespace catena::ranks {
 namespace {
 
@@ -33,6 +31,7 @@ std::vector<Pair> pairs_inside(const Part& part) {
 std::vector<std::uint32_t> piece_at_every(std::uint32_t stride, std::span<const Piece> pieces,
                                           std::uint32_t spheres) {
   std::vector<std::uint32_t> at;
+  at.reserve((spheres + stride - 1) / stride);
   std::uint32_t p = 0;
   for (std::uint32_t s = 0; s < spheres; s += stride) {
     while (s - pieces[p].begin >= pieces[p].size) ++p;
@@ -58,12 +57,6 @@ Chain chain_of(Part& part) {
 
 }  // namespace
 
-Box box_around(std::span<const Sphere> spheres) {
-  Box box = Box::around(spheres[0]);
-  for (const Sphere& s : spheres.subspan(1)) box.join(Box::around(s));
-  return box;
-}
-
 bool neighbours(const Rule& rule, const Place& a, const Place& b) {
   if (a.strand.first != b.strand.first) return false;
   const bool closed = a.strand.closed != 0;
@@ -80,26 +73,6 @@ HeldPart::HeldPart(Part part)
       extra_(std::move(part.extra)),
       piece_at_(piece_at_every(stride, pieces_, chain_.size())),
       misses_neighbours_(look_for_missed()) {}
-
-void HeldPart::cut_blocks() {
-  struct Keyed {
-    std::uint64_t code;
-    Block block;
-  };
-  std::vector<Keyed> keyed;
-  const MortonGrid grid(chain_.spheres());
-  for (std::uint32_t p = 0; p < pieces_.size(); ++p)
-    for (std::uint32_t done = 0; done < pieces_[p].size; done += Block::most) {
-      const Block block{p, pieces_[p].begin + done, std::min(Block::most, pieces_[p].size - done)};
-      keyed.push_back({grid.code(spheres(block)[block.size / 2]), block});
-    }
-  std::ranges::stable_sort(keyed, {}, &Keyed::code);
-  for (const Keyed& k : keyed) blocks_.push_back(k.block), codes_.push_back(k.code);
-  const auto blocks = static_cast<std::uint32_t>(blocks_.size());
-  boxes_.clear(blocks);
-  for (std::uint32_t b = 0; b < blocks; ++b) boxes_.set(b, box_around(spheres(blocks_[b])));
-  boxes_.refresh(0, blocks);
-}
 
 bool HeldPart::look_for_missed() const {
   if (std::ranges::any_of(pieces_,
@@ -121,9 +94,7 @@ std::span<const double> HeldPart::arcs(const Block& block) const {
 }
 
 Place HeldPart::place(std::uint32_t sphere) const {
-  std::uint32_t p = piece_at_[sphere / stride];
-  while (sphere - pieces_[p].begin >= pieces_[p].size) ++p;
-  const Piece& piece = pieces_[p];
+  const Piece& piece = piece_of(sphere);
   const double arc = rule_.kind == Exclusion::Rule::arc_window ? chain_.view().exclusion.arc[sphere] : 0;
   return {piece.first + (sphere - piece.begin), piece.strand, arc, chain_[sphere].radius};
 }

@@ -29,27 +29,22 @@ void for_each_pair(Variant& variant, const Chain& chain, SphereRange range, cons
 }
 
 /// Where the chain takes some neighbours for colliding.
-void search_and_sift(const HeldPart& part, Variant& variant, std::vector<std::uint64_t>& count,
-                     KeptPairs& kept) {
+std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& variant, KeptPairs& kept) {
+  std::vector<std::uint32_t> count(part.chain().size(), 0);
   for_each_pair(variant, part.chain(), {0, part.chain().size()}, [&](const Pair& pair) {
     const Place a = part.place(pair.i), b = part.place(pair.j);
     if (part.neighbours(a, b)) return;
     ++count[pair.i], ++count[pair.j];
     kept.add(a.id, b.id);
   });
-}
-
-void add(const HeldPart& part, const Collisions& found, std::vector<std::uint64_t>& count, KeptPairs& kept) {
-  for (std::size_t i = 0; i < found.count.size(); ++i) count[i] += found.count[i];
-  for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
-  kept.add_uncounted(found.pair_count - found.pairs.size());
+  return count;
 }
 
 }  // namespace
 
-void search_within(const HeldPart& part, Variant& variant, Request::Want want, std::uint64_t limit,
-                   std::vector<std::uint64_t>& count, KeptPairs& kept) {
-  if (part.misses_neighbours()) return search_and_sift(part, variant, count, kept);
+std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant, Request::Want want,
+                                         std::uint64_t limit, KeptPairs& kept) {
+  if (part.misses_neighbours()) return search_and_sift(part, variant, kept);
   Collisions found;
   Request request{.want = want, .pair_limit = limit};
   try {
@@ -58,10 +53,14 @@ void search_within(const HeldPart& part, Variant& variant, Request::Want want, s
     request.want = Request::Want::counts;
     variant.find(part.chain(), request, found);
   }
-  if (want == Request::Want::any)
+  if (want == Request::Want::any) {
     kept.add_uncounted(found.found ? 1 : 0);
-  else
-    add(part, found, count, kept);
+    return {};
+  }
+  kept.reserve(found.pairs.size());
+  for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
+  kept.add_uncounted(found.pair_count - found.pairs.size());
+  return std::move(found.count);
 }
 
 }  // namespace catena::ranks

@@ -1,0 +1,35 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "catena/core/hierarchy/box.h"
+#include "catena/core/ranks/part.h"
+
+namespace catena::ranks {
+
+/// Up to eight consecutive spheres of one piece: what ranks tell one another of.
+struct Block {
+  static constexpr std::uint32_t most = 8;
+  std::uint32_t piece, begin, size;
+};
+
+/// visit(block) for the blocks of some pieces, in their order: they are not kept, as most are needed once.
+template <class Visit>
+void for_each_block(std::span<const Piece> pieces, const Visit& visit) {
+  for (std::uint32_t p = 0; p < pieces.size(); ++p)
+    for (std::uint32_t done = 0; done < pieces[p].size; done += Block::most)
+      visit(Block{p, pieces[p].begin + done, std::min(Block::most, pieces[p].size - done)});
+}
+
+std::uint64_t blocks_of(std::span<const Piece> pieces);
+
+/// A box around all these spheres, at least one.
+Box box_around(std::span<const Sphere> spheres);
+
+/// The sphere that tells where a block is.
+inline const Sphere& middle_of(std::span<const Sphere> spheres, const Block& block) {
+  return spheres[block.begin + block.size / 2];
+}
+
+}  // namespace catena::ranks

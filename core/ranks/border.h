@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "catena/core/hierarchy/wide_box_tree.h"
+#include "catena/core/ranks/held_part.h"
+#include "catena/core/ranks/tops.h"
+
+namespace catena::ranks {
+
+/// The blocks of a part that may touch other ranks, as their boxes meet a top of one: a small part of a part that is
+/// compact in space. In the order of Morton codes, with a tree over their boxes.
+class Border {
+ public:
+  /// O(spheres), and O(b log b) for b blocks of the border.
+  Border(const HeldPart& part, const Tops& tops, unsigned ranks, unsigned own);
+
+  std::span<const Block> blocks() const { return blocks_; }
+  const WideBoxTree& boxes() const { return boxes_; }
+  /// The blocks that may touch this rank, ascending.
+  std::span<const std::uint32_t> near(unsigned rank) const { return near_[rank]; }
+
+ private:
+  void gather(const HeldPart& part, const ForeignTops& tops);
+
+  std::vector<Block> blocks_;
+  WideBoxTree boxes_;
+  std::vector<std::vector<std::uint32_t>> near_;  // [rank]
+};
+
+}  // namespace catena::ranks
