@@ -1,13 +1,9 @@
 #include "catena/core/ranks/across.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <map>
 
-#include "catena/core/arithmetic/robust.h"
-#include "catena/core/ranks/block_message.h"
-#include "catena/core/ranks/border.h"
+#include "catena/core/ranks/block_comparison.h"
 
 namespace catena::ranks {
 namespace {
@@ -45,83 +41,6 @@ class Source {
   std::map<unsigned, std::size_t> next_;  // [asker]: of the blocks near it, the first that it was not told of
 };
 
-/// Spheres of a block of another rank, by coordinates, for a test of one sphere against all at once.
-class FarLanes {
- public:
-  explicit FarLanes(const FarBlock& block) {
-    for (std::uint32_t k = 0; k < Block::most; ++k) {
-      const Sphere& s = block.spheres[std::min(k, block.size - 1)];
-      x_[k] = s.x, y_[k] = s.y, z_[k] = s.z, radius_[k] = s.radius;
-    }
-    all_ = (1u << block.size) - 1;
-  }
-  /// Bits of those that are not separate for certain.
-  std::uint32_t near(const Sphere& s) const {
-    std::array<std::uint32_t, Block::most> apart;
-    for (std::uint32_t k = 0; k < Block::most; ++k)
-      apart[k] = Robust::separate(s, Sphere{x_[k], y_[k], z_[k], radius_[k]});
-    std::uint32_t bits = 0;
-    for (std::uint32_t k = 0; k < Block::most; ++k) bits |= (apart[k] ^ 1u) << k;
-    return bits & all_;
-  }
-
- private:
-  std::array<float, Block::most> x_, y_, z_, radius_;
-  std::uint32_t all_;
-};
-
-/// Compares blocks of others with those of the border.
-class BlockComparison {
- public:
-  BlockComparison(const HeldPart& part, const Border& border, std::vector<Counted>& counted, KeptPairs& kept)
-      : part_(part), border_(border), counted_(counted), kept_(kept), own_(border.blocks().size()) {}
-
-  /// True when a sphere of the block touches one of the part's, neighbours too.
-  bool compare(const FarBlock& block) {
-    Collisions collisions{};
-    bool touching = false;
-    const FarLanes lanes(block);
-    const Box around = box_around(std::span(block.spheres).first(block.size));
-    border_.boxes().for_each_meeting(around, [&](std::uint32_t b) {
-      const Block& own = border_.blocks()[b];
-      for (std::uint32_t o = 0; o < own.size; ++o) {
-        const Sphere& sphere = part_.chain()[own.begin + o];
-        for (std::uint32_t near = lanes.near(sphere); near != 0; near &= near - 1) {
-          const auto k = static_cast<std::uint32_t>(std::countr_zero(near));
-          if (!Robust::overlap(sphere, block.spheres[k])) continue;
-          touching = true;
-          const Place here = part_.place(own.begin + o), there = block.place(k);
-          if (part_.neighbours(here, there)) continue;
-          ++own_[b][o], ++collisions[k];
-          kept_.add(here.id, there.id);
-        }
-      }
-    });
-    count(block.first, collisions);
-    return touching;
-  }
-
-  /// What was found of the part's own spheres.
-  void count_own() {
-    for (std::size_t b = 0; b < own_.size(); ++b) count(part_.id(border_.blocks()[b]), own_[b]);
-    own_.clear();
-  }
-
- private:
-  using Collisions = std::array<std::uint64_t, Block::most>;  // of the spheres of a block
-
-  void count(SphereId first, const Collisions& collisions) {
-    for (std::uint32_t k = 0; k < Block::most; ++k)
-      if (collisions[k] > 0) counted_.push_back({first + k, collisions[k]});
-  }
-
-  const HeldPart& part_;
-  const Border& border_;
-  std::vector<Counted>& counted_;
-  KeptPairs& kept_;
-  std::vector<Collisions> own_;  // [block of the border]
-};
-
 /// What a rank asks of one other.
 struct Question {
   unsigned rank;
@@ -133,8 +52,7 @@ struct Question {
 
 class Asker {
  public:
-  Asker(Communicator& ranks, const HeldPart& part, const Border& border, BlockComparison& comparison)
-      : part_(part), border_(border), comparison_(comparison) {
+  Asker(Communicator& ranks, const Border& border, BlockComparison& comparison) : comparison_(comparison) {
     for (unsigned other = 0; other < ranks.size(); ++other)
       if (other != ranks.rank() && asks(ranks.rank(), other) && !border.near(other).empty())
         questions_.push_back({other});
@@ -153,21 +71,23 @@ class Asker {
     return messages;
   }
 
-  void take(const Message& answer) {
-    Question& question = *std::ranges::find(questions_, answer.rank, &Question::rank);
-    ByteReader in(answer.bytes);
-    FarBlocks blocks(in, part_.rule());
-    for (std::size_t k = 0; k < blocks.size(); ++k)
-      work_.blocks_touching += comparison_.compare(blocks.next());
-    work_.blocks_asked += question.wanted.size();
-    question.wanted.clear();
-    question.all_boxes_seen = in.get<std::uint32_t>() != 0;
-    const auto boxes = in.get_list<BlockBox>();
-    work_.boxes_seen += boxes.size();
-    for (const auto& [block, box] : boxes) {
-      bool meets = false;
-      border_.boxes().for_each_meeting(box, [&](std::uint32_t) { meets = true; });
-      if (meets) question.wanted.push_back(block);
+  /// What was asked for, of all that were asked, and what to ask for next.
+  void take(const std::vector<Message>& answers) {
+    std::vector<ByteReader> in;
+    for (const Message& answer : answers) {
+      in.emplace_back(answer.bytes);
+      comparison_.take(in.back());
+    }
+    work_.blocks_touching += comparison_.compare();
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      Question& question = *std::ranges::find(questions_, answers[k].rank, &Question::rank);
+      work_.blocks_asked += question.wanted.size();
+      question.wanted.clear();
+      question.all_boxes_seen = in[k].get<std::uint32_t>() != 0;
+      const auto boxes = in[k].get_list<BlockBox>();
+      work_.boxes_seen += boxes.size();
+      for (const auto& [block, box] : boxes)
+        if (comparison_.expect(box)) question.wanted.push_back(block);
     }
   }
 
@@ -178,8 +98,6 @@ class Asker {
   AcrossWork& work() { return work_; }
 
  private:
-  const HeldPart& part_;
-  const Border& border_;
   BlockComparison& comparison_;
   std::vector<Question> questions_;
   AcrossWork work_;
@@ -199,7 +117,7 @@ AcrossWork search_across(Communicator& ranks, const HeldPart& part, const Tops& 
   const Border border(part, tops, ranks.size(), ranks.rank());
   BlockComparison comparison(part, border, counted, kept);
   Source source(part, border);
-  Asker asker(ranks, part, border, comparison);
+  Asker asker(ranks, border, comparison);
   for (;;) {
     const auto states = all_gather_value(ranks, State{asker.open(), kept.found() > 0});
     if (std::ranges::none_of(states, &State::open)) break;
@@ -209,10 +127,9 @@ AcrossWork search_across(Communicator& ranks, const HeldPart& part, const Tops& 
     for (Message& question : ranks.exchange(asker.questions(at_once))) answers.push_back(std::move(question));
     const auto allowance = std::max(1u, at_once / std::max(1u, static_cast<std::uint32_t>(answers.size())));
     for (Message& message : answers) message.bytes = source.answer(message.rank, message.bytes, allowance);
-    for (const Message& answer : ranks.exchange(std::move(answers))) asker.take(answer);
+    asker.take(ranks.exchange(std::move(answers)));
     asker.forget_answered();
   }
-  comparison.count_own();
   return asker.work();
 }
 

@@ -22,6 +22,20 @@ void for_each_block(std::span<const Piece> pieces, const Visit& visit) {
       visit(Block{p, pieces[p].begin + done, std::min(Block::most, pieces[p].size - done)});
 }
 
+/// visit(block) for one of every `step` blocks. O(pieces + blocks visited).
+template <class Visit>
+void for_some_blocks(std::span<const Piece> pieces, std::uint64_t step, const Visit& visit) {
+  std::uint64_t next = step / 2;  // from the first block of the piece on
+  for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+    const std::uint32_t blocks = (pieces[p].size + Block::most - 1) / Block::most;
+    for (; next < blocks; next += step) {
+      const auto done = static_cast<std::uint32_t>(next) * Block::most;
+      visit(Block{p, pieces[p].begin + done, std::min(Block::most, pieces[p].size - done)});
+    }
+    next -= blocks;
+  }
+}
+
 std::uint64_t blocks_of(std::span<const Piece> pieces);
 
 /// A box around all these spheres, at least one.

@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <span>
 #include <vector>
 
 #include "catena/core/ranks/bytes.h"
@@ -7,40 +7,41 @@
 
 namespace catena::ranks {
 
-/// A block of another rank.
-struct FarBlock {
-  SphereId first;
-  Strand strand;
-  std::uint32_t size;
-  std::array<Sphere, Block::most> spheres;
-  std::array<double, Block::most> arcs;  ///< under an arc window
-
-  Place place(std::uint32_t k) const { return {first + k, strand, arcs[k], spheres[k].radius}; }
-};
-
-/// Some blocks in one message: first all that is alike of many, then their spheres and arcs, each in a row.
+/// Some blocks in one message: first what is alike of many, then their spheres and arcs, each in a row.
 void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks);
 
-/// Reads what put_blocks wrote, on a rank of the same rule, block by block. The bytes must outlive it.
+/// Blocks of other ranks.
 class FarBlocks {
  public:
-  FarBlocks(ByteReader& in, const Rule& rule);
+  /// Adds what put_blocks wrote, on a rank of the same rule.
+  void take(ByteReader& in, const Rule& rule);
+  void clear();
 
-  std::size_t size() const { return headers_.size(); }
-  FarBlock next();
+  std::uint32_t blocks() const { return static_cast<std::uint32_t>(headers_.size()); }
+  const std::vector<Sphere>& spheres() const { return spheres_; }
+  std::uint32_t block_of(std::uint32_t sphere) const { return block_of_[sphere]; }
+  Place place(std::uint32_t sphere) const {
+    const Header& block = headers_[block_of_[sphere]];
+    return {block.first + (sphere - block.begin), strands_[block.strand], arcs_.empty() ? 0 : arcs_[sphere],
+            spheres_[sphere].radius};
+  }
 
  private:
-  struct Header {
+  struct Sent {
     SphereId first;
     std::uint32_t strand, size;
+  };
+  struct Header {
+    SphereId first;
+    std::uint32_t strand, begin;
   };
   friend void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks);
 
   std::vector<Strand> strands_;
   std::vector<Header> headers_;
+  std::vector<std::uint32_t> block_of_;  // [sphere]
   std::vector<Sphere> spheres_;
   std::vector<double> arcs_;
-  std::size_t block_ = 0, sphere_ = 0;
 };
 
 }  // namespace catena::ranks

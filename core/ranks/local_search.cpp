@@ -7,26 +7,8 @@
 namespace catena::ranks {
 namespace {
 
-/// Most pairs that are held at once only to look at them.
-constexpr std::uint64_t most_at_once = 1u << 22;
-
-/// visit(pair) for every pair of the part's chain whose first sphere is one of these. Where there are too
-/// many to be held at once, half the spheres are searched for at a time: rare, and as slow as it is often.
-template <class Visit>
-void for_each_pair(Variant& variant, const Chain& chain, SphereRange range, const Visit& visit) {
-  Collisions found;
-  const std::uint64_t limit =
-      range.size() > 1 ? std::max<std::uint64_t>(most_at_once, chain.size()) : std::uint64_t{chain.size()};
-  try {
-    variant.find(chain, {.want = Request::Want::pairs, .pair_limit = limit, .queries = range}, found);
-  } catch (const PairLimitExceeded&) {
-    const std::uint32_t middle = range.begin + range.size() / 2;
-    for_each_pair(variant, chain, {range.begin, middle}, visit);
-    for_each_pair(variant, chain, {middle, range.end}, visit);
-    return;
-  }
-  for (const Pair& pair : found.pairs) visit(pair);
-}
+/// Most pairs that are held at once only to look at them, so many or so many a sphere.
+constexpr std::uint64_t most_at_once = 1u << 22, pairs_a_sphere = 8;
 
 /// Where the chain takes some neighbours for colliding.
 std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& variant, KeptPairs& kept) {
@@ -41,6 +23,21 @@ std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& varian
 }
 
 }  // namespace
+
+void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
+                   const std::function<void(const Pair&)>& visit) {
+  Collisions found;
+  const std::uint64_t n = chain.size(), limit = range.size() > 1 ? std::max(most_at_once, pairs_a_sphere * n) : n;
+  try {
+    variant.find(chain, {.want = Request::Want::pairs, .pair_limit = limit, .queries = range}, found);
+  } catch (const PairLimitExceeded&) {
+    const std::uint32_t middle = range.begin + range.size() / 2;
+    for_each_pair(variant, chain, {range.begin, middle}, visit);
+    for_each_pair(variant, chain, {middle, range.end}, visit);
+    return;
+  }
+  for (const Pair& pair : found.pairs) visit(pair);
+}
 
 std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant, Request::Want want,
                                          std::uint64_t limit, KeptPairs& kept) {

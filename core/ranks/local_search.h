@@ -29,6 +29,11 @@ class KeptPairs {
   std::vector<IdPair> pairs_;
 };
 
+/// visit(pair) for every pair of the chain, for which the variant was built, whose first sphere is one of these. Where
+/// there are too many to be held at once, half the spheres are searched for at a time: rare, and as slow as it is often.
+void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
+                   const std::function<void(const Pair&)>& visit);
+
 /// What search_within asks of the variant for this.
 inline Request::Want asked_within(const HeldPart& part, Request::Want want) {
   return part.misses_neighbours() ? Request::Want::pairs : want;

@@ -35,16 +35,11 @@ class RankSearch {
   RankAnswer run(Part part) {
     enter(Phase::take_part);
     starts_ = starts_of(ranks_, part);
-    std::optional<Tops> tops;
-    if (ranks_.size() > 1) {
-      tops = Tops::of_all(ranks_, part.pieces, part.spheres);
-      enter(Phase::order);
-      work_.in_space = wants_space_order(part, *tops);
-      if (work_.in_space) {
-        enter(Phase::repartition);
-        part = part_in_space(ranks_, std::move(part));
-        tops = Tops::of_all(ranks_, part.pieces, part.spheres);
-      }
+    enter(Phase::order);
+    work_.in_space = wants_space_order(part);
+    if (work_.in_space) {
+      enter(Phase::repartition);
+      part = part_in_space(ranks_, std::move(part));
     }
     enter(Phase::build);
     part_.emplace(std::move(part));
@@ -52,16 +47,17 @@ class RankSearch {
     work_.blocks = blocks_of(part_->pieces());
     if (!options_.across_only) search_within_part();
     enter(Phase::across);
-    if (tops) search_across_ranks(*tops);
+    if (ranks_.size() > 1) search_across_ranks();
     return answer();
   }
 
  private:
   void enter(Phase phase) const { options_.entering(phase); }
 
-  bool wants_space_order(const Part& part, const Tops& tops) {
-    if (options_.order != Order::measured) return options_.order == Order::space;
-    work_.touching_share = touching_share(ranks_, part, tops);
+  bool wants_space_order(const Part& part) {
+    if (ranks_.size() == 1 || options_.order == Order::chain) return false;
+    if (options_.order == Order::space) return true;
+    work_.touching_share = touching_share(ranks_, part);
     return work_.touching_share > most_touching;
   }
 
@@ -78,9 +74,10 @@ class RankSearch {
     work_.pairs_within = kept_.found();
   }
 
-  void search_across_ranks(const Tops& tops) {
+  void search_across_ranks() {
     const AcrossOptions options{.stop_at_first = options_.request.want == Request::Want::any,
                                 .blocks_at_once = options_.blocks_at_once};
+    const Tops tops = Tops::of_all(ranks_, part_->pieces(), part_->chain().spheres());
     work_.across = search_across(ranks_, *part_, tops, options, counted_, kept_);
     work_.pairs_across = kept_.found() - work_.pairs_within;
   }

@@ -1,9 +1,12 @@
 #include "catena/core/ranks/space_order.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/ranks/bytes.h"
+#include "catena/core/ranks/tops.h"
 
 namespace catena::ranks {
 namespace {
@@ -47,12 +50,7 @@ class Blocks {
     constexpr std::uint64_t fewest = 1 << 12, most = 1 << 15;
     const std::uint64_t step = std::max<std::uint64_t>(1, blocks / std::clamp(blocks / 16, fewest, most));
     std::vector<Key> keys;
-    std::uint64_t left = step / 2;
-    for_each_block(part_.pieces, [&](const Block& block) {
-      if (left-- > 0) return;
-      keys.push_back(key(block));
-      left = step - 1;
-    });
+    for_some_blocks(part_.pieces, step, [&](const Block& block) { keys.push_back(key(block)); });
     std::ranges::sort(keys);
     return keys;
   }
@@ -141,13 +139,18 @@ std::span<const IdPair> rows_of(std::span<const IdPair> extra, SphereId first, s
   return {begin, end};
 }
 
-Bytes packed(const Part& part, const Share& share) {
+std::vector<IdPair> rows_of(const Part& part, const Share& share) {
   std::vector<IdPair> extra;
+  if (part.extra.empty()) return extra;
   for (const Run& run : share.runs) {
-    if (part.extra.empty()) break;
     const auto rows = rows_of(part.extra, run.first, run.size);
     extra.insert(extra.end(), rows.begin(), rows.end());
   }
+  return extra;
+}
+
+Bytes packed(const Part& part, const Share& share) {
+  const std::vector<IdPair> extra = rows_of(part, share);
   const bool arcs = !part.arcs.empty();
   ByteWriter out;
   out.reserve(4 * sizeof share.spheres + share.runs.size() * sizeof(Run) + extra.size() * sizeof(IdPair) +
@@ -161,69 +164,107 @@ Bytes packed(const Part& part, const Share& share) {
   return out.take();
 }
 
-/// Adds values that a message ends with.
+/// Moves what stays to the front.
 template <class Value>
-void append(ByteReader& in, std::uint64_t size, std::vector<Value>& values) {
-  values.resize(values.size() + size);
-  in.get_all(std::span(values).last(size));
+void keep(const Share& stays, std::vector<Value>& values) {
+  auto to = values.begin();
+  for (std::size_t k = 0; k < stays.runs.size(); ++k) {
+    const auto from = values.begin() + stays.begin[k];
+    to = std::move(from, from + static_cast<std::ptrdiff_t>(stays.runs[k].size), to);
+  }
+  values.erase(to, values.end());
 }
 
-/// A part of what came, by rising ranks and so by rising spheres.
-Part part_of(std::vector<Message> messages, const Rule& rule) {
-  Part part;
-  part.rule = rule;
+/// What a rank sent, and where it goes.
+struct Came {
+  unsigned rank;
+  ByteReader in;
+  std::vector<Run> runs{};
+  std::vector<IdPair> extra{};
   std::uint64_t spheres = 0;
-  for (const Message& message : messages) {
-    ByteReader in(message.bytes);
-    in.get_list<Run>(), in.get_list<IdPair>();
-    spheres += in.get<std::uint64_t>();
+};
+
+Came read(const Message& message) {
+  Came came{message.rank, ByteReader(message.bytes)};
+  came.runs = came.in.get_list<Run>();
+  came.extra = came.in.get_list<IdPair>();
+  came.spheres = came.in.get<std::uint64_t>();
+  return came;
+}
+
+/// Values that stayed, at the front, and those that came, which their messages go on with, by rising ranks.
+template <class Value>
+void join(std::vector<Value>& values, std::vector<Came>& all, unsigned own) {
+  std::uint64_t before = 0, stayed = values.size(), after = 0;
+  for (const Came& came : all) (came.rank < own ? before : after) += came.spheres;
+  const std::uint64_t size = before + stayed + after;
+  if (size > values.capacity()) {
+    values.reserve(size);
+    wish_large_pages(values.data(), size * sizeof(Value));
   }
-  part.spheres.reserve(spheres);
-  if (rule.kind == Exclusion::Rule::arc_window) part.arcs.reserve(spheres);
-  for (Message& message : messages) {
-    ByteReader in(message.bytes);
-    auto begin = static_cast<std::uint32_t>(part.spheres.size());
-    for (const Run& run : in.get_list<Run>()) {
-      const auto size = static_cast<std::uint32_t>(run.size);
-      Piece* const last = part.pieces.empty() ? nullptr : &part.pieces.back();
-      if (last != nullptr && last->first + last->size == run.first && last->strand.first == run.strand.first)
-        last->size += size;
-      else
-        part.pieces.push_back({run.first, begin, size, run.strand});
-      begin += size;
-    }
-    const auto extra = in.get_list<IdPair>();
-    part.extra.insert(part.extra.end(), extra.begin(), extra.end());
-    const auto size = in.get<std::uint64_t>();
-    append(in, size, part.spheres);
-    if (rule.kind == Exclusion::Rule::arc_window) append(in, size, part.arcs);
-    Bytes().swap(message.bytes);
+  values.resize(size);
+  const auto begin = values.begin();
+  if (before > 0)
+    std::move_backward(begin, begin + static_cast<std::ptrdiff_t>(stayed),
+                       begin + static_cast<std::ptrdiff_t>(before + stayed));
+  std::uint64_t at = 0;
+  for (Came& came : all) {
+    if (at == before) at += came.rank > own ? stayed : 0;
+    came.in.get_all(std::span(values).subspan(at, came.spheres));
+    at += came.spheres;
   }
+}
+
+/// Pieces of runs that follow one another: where one goes on with a strand it is the same piece.
+void append_pieces(const std::vector<Run>& runs, std::vector<Piece>& pieces) {
+  std::uint32_t begin = pieces.empty() ? 0 : pieces.back().begin + pieces.back().size;
+  for (const Run& run : runs) {
+    const auto size = static_cast<std::uint32_t>(run.size);
+    Piece* const last = pieces.empty() ? nullptr : &pieces.back();
+    if (last != nullptr && last->first + last->size == run.first && last->strand.first == run.strand.first)
+      last->size += size;
+    else
+      pieces.push_back({run.first, begin, size, run.strand});
+    begin += size;
+  }
+}
+
+/// The part of what stays and of what came, by rising ranks and so by rising spheres.
+void take_in(Part& part, const Share& stays, std::vector<Message> messages, unsigned own) {
+  std::vector<Came> all;
+  for (const Message& message : messages) all.push_back(read(message));
+  join(part.spheres, all, own);
+  if (part.rule.kind == Exclusion::Rule::arc_window) join(part.arcs, all, own);
+  part.pieces.clear();
+  bool stayed_done = false;
+  for (const Came& came : all) {
+    if (came.rank > own && !std::exchange(stayed_done, true)) append_pieces(stays.runs, part.pieces);
+    append_pieces(came.runs, part.pieces);
+    part.extra.insert(part.extra.end(), came.extra.begin(), came.extra.end());
+  }
+  if (!stayed_done) append_pieces(stays.runs, part.pieces);
   std::ranges::sort(part.extra);
-  return part;
 }
 
 }  // namespace
 
-double touching_share(Communicator& ranks, const Part& part, const Tops& tops) {
-  constexpr std::uint64_t of_all = 1 << 12, of_a_rank = 16;
+double touching_share(Communicator& ranks, const Part& part) {
+  constexpr std::uint64_t in_tops = 1 << 14, of_all = 1 << 12, of_a_rank = 16;
   const std::uint64_t blocks = blocks_of(part.pieces);
-  const std::uint64_t step = std::max<std::uint64_t>(1, blocks / std::max(of_a_rank, of_all / ranks.size()));
-  struct Share {
-    double touching, blocks;
-  } own{0, static_cast<double>(blocks)};
+  const Tops tops = Tops::of_all(ranks, part.pieces, part.spheres, std::max<std::uint64_t>(1, blocks / in_tops));
   const ForeignTops foreign(tops, ranks.rank());
-  std::uint64_t left = step / 2, looked_at = 0, touching = 0;
-  for_each_block(part.pieces, [&](const Block& block) {
-    if (left-- > 0) return;
-    left = step - 1;
+  const std::uint64_t step = std::max<std::uint64_t>(1, blocks / std::max(of_a_rank, of_all / ranks.size()));
+  std::uint64_t looked_at = 0, touching = 0;
+  for_some_blocks(part.pieces, step, [&](const Block& block) {
     ++looked_at;
     if (foreign.any())
       foreign.for_each_rank(box_around(std::span(part.spheres).subspan(block.begin, block.size)),
                             [&](unsigned) { ++touching; });
   });
+  struct Share {
+    double touching, blocks;
+  } own{0, static_cast<double>(blocks)}, all{0, 0};
   if (looked_at > 0) own.touching = own.blocks * static_cast<double>(touching) / static_cast<double>(looked_at);
-  Share all{0, 0};
   for (const Share& share : all_gather_value(ranks, own))
     all.touching += share.touching, all.blocks += share.blocks;
   return all.blocks == 0 ? 0 : all.touching / all.blocks;
@@ -232,19 +273,22 @@ double touching_share(Communicator& ranks, const Part& part, const Tops& tops) {
 Part part_in_space(Communicator& ranks, Part part) {
   const Where all = where_all_are(ranks, part);
   const MortonGrid grid(all.corners);
-  const Rule rule = part.rule;
   std::vector<Message> out;
+  Share stays;
   {
-    const Part own = std::move(part);
-    const Blocks blocks(own, grid);
-    const std::uint64_t own_blocks = blocks_of(own.pieces);
-    const std::vector<Key> chosen =
-        splitters(ranks, blocks.some_keys(own_blocks), own_blocks, all.blocks);
-    const std::vector<Share> shares = shares_of(own, blocks, chosen, ranks.size());
+    const Blocks blocks(part, grid);
+    const std::uint64_t own_blocks = blocks_of(part.pieces);
+    const std::vector<Key> chosen = splitters(ranks, blocks.some_keys(own_blocks), own_blocks, all.blocks);
+    std::vector<Share> shares = shares_of(part, blocks, chosen, ranks.size());
     for (unsigned rank = 0; rank < ranks.size(); ++rank)
-      if (shares[rank].spheres > 0) out.push_back({rank, packed(own, shares[rank])});
+      if (rank != ranks.rank() && shares[rank].spheres > 0) out.push_back({rank, packed(part, shares[rank])});
+    stays = std::move(shares[ranks.rank()]);
   }
-  return part_of(ranks.exchange(std::move(out)), rule);
+  part.extra = rows_of(part, stays);
+  keep(stays, part.spheres);
+  if (!part.arcs.empty()) keep(stays, part.arcs);
+  take_in(part, stays, ranks.exchange(std::move(out)), ranks.rank());
+  return part;
 }
 
 }  // namespace catena::ranks

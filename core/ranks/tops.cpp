@@ -30,13 +30,13 @@ int bits_an_axis(std::uint64_t blocks) {
   return bits;
 }
 
-Cubes cubes_of(std::span<const Piece> pieces, std::span<const Sphere> spheres) {
+Cubes cubes_of(std::span<const Piece> pieces, std::span<const Sphere> spheres, std::uint64_t step) {
   CentreCorners corners;
-  for_each_block(pieces, [&](const Block& block) { corners.take(middle_of(spheres, block)); });
+  for_some_blocks(pieces, step, [&](const Block& block) { corners.take(middle_of(spheres, block)); });
   const MortonGrid grid(corners);
-  const int bits = bits_an_axis(blocks_of(pieces));
+  const int bits = bits_an_axis(blocks_of(pieces) / step);
   std::vector<Box> boxes(std::size_t{1} << 3 * bits, nowhere());
-  for_each_block(pieces, [&](const Block& block) {
+  for_some_blocks(pieces, step, [&](const Block& block) {
     boxes[grid.code(middle_of(spheres, block)) >> 3 * (MortonGrid::bits - bits)].join(
         box_around(spheres.subspan(block.begin, block.size)));
   });
@@ -99,8 +99,9 @@ std::vector<Box> tops_of(const Cubes& cubes) {
 
 }  // namespace
 
-Tops Tops::of_all(Communicator& ranks, std::span<const Piece> pieces, std::span<const Sphere> spheres) {
-  const std::vector<Box> own = tops_of(cubes_of(pieces, spheres));
+Tops Tops::of_all(Communicator& ranks, std::span<const Piece> pieces, std::span<const Sphere> spheres,
+                   std::uint64_t step) {
+  const std::vector<Box> own = tops_of(cubes_of(pieces, spheres, step));
   return Tops(ranks.all_gather(ByteWriter().put_all(std::span<const Box>(own)).take()));
 }
 
