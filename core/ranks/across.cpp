@@ -107,14 +107,19 @@ struct State {
   std::uint32_t open, found;
 };
 
+Border border_of(Communicator& ranks, const HeldPart& part) {
+  const LargeVector<Box> boxes = boxes_of(part.pieces(), part.chain().spheres());
+  return Border(part, boxes, Tops::of_all(ranks, boxes), ranks.rank());
+}
+
 }  // namespace
 
-AcrossWork search_across(Communicator& ranks, const HeldPart& part, const Tops& tops,
-                         const AcrossOptions& options, std::vector<Counted>& counted, KeptPairs& kept) {
+AcrossWork search_across(Communicator& ranks, const HeldPart& part, const AcrossOptions& options,
+                         std::vector<Counted>& counted, KeptPairs& kept) {
   const auto own = static_cast<std::uint32_t>(blocks_of(part.pieces()));
   const std::uint32_t at_once =
       options.blocks_at_once > 0 ? options.blocks_at_once : std::max(1u << 14, own / 4);
-  const Border border(part, tops, ranks.size(), ranks.rank());
+  const Border border = border_of(ranks, part);
   BlockComparison comparison(part, border, counted, kept);
   Source source(part, border);
   Asker asker(ranks, border, comparison);

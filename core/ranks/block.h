@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/ranks/part.h"
 
@@ -40,6 +41,9 @@ std::uint64_t blocks_of(std::span<const Piece> pieces);
 
 /// A box around all these spheres, at least one.
 Box box_around(std::span<const Sphere> spheres);
+
+/// Of every block the box, in their order.
+LargeVector<Box> boxes_of(std::span<const Piece> pieces, std::span<const Sphere> spheres);
 
 /// The sphere that tells where a block is.
 inline const Sphere& middle_of(std::span<const Sphere> spheres, const Block& block) {

@@ -7,8 +7,8 @@
 namespace catena::ranks {
 namespace {
 
-/// So many spheres in one box are looked at before their blocks are.
-constexpr std::uint32_t stretch = 8 * Block::most;
+/// So many blocks in one box are looked at before each is.
+constexpr std::uint32_t stretch = 8;
 
 bool meets(const ForeignTops& tops, const Box& box) {
   bool meets = false;
@@ -18,9 +18,9 @@ bool meets(const ForeignTops& tops, const Box& box) {
 
 }  // namespace
 
-Border::Border(const HeldPart& part, const Tops& tops, unsigned ranks, unsigned own) : near_(ranks) {
+Border::Border(const HeldPart& part, std::span<const Box> boxes, const Tops& tops, unsigned own) : near_(tops.ranks()) {
   const ForeignTops foreign(tops, own);
-  if (foreign.any()) gather(part, foreign);
+  if (foreign.any()) gather(part, boxes, foreign);
   const auto blocks = static_cast<std::uint32_t>(blocks_.size());
   boxes_.clear(blocks);
   for (std::uint32_t b = 0; b < blocks; ++b) {
@@ -31,19 +31,24 @@ Border::Border(const HeldPart& part, const Tops& tops, unsigned ranks, unsigned 
   boxes_.refresh(0, blocks);
 }
 
-void Border::gather(const HeldPart& part, const ForeignTops& tops) {
-  const std::span<const Sphere> spheres = part.chain().spheres();
+void Border::gather(const HeldPart& part, std::span<const Box> boxes, const ForeignTops& tops) {
+  std::size_t first = 0;  // block of the piece
   for (std::uint32_t p = 0; p < part.pieces().size(); ++p) {
-    const auto [first, begin, size, strand] = part.pieces()[p];
-    for (std::uint32_t done = 0; done < size; done += stretch) {
-      const std::uint32_t end = std::min(size, done + stretch);
-      if (!meets(tops, box_around(spheres.subspan(begin + done, end - done)))) continue;
-      for (std::uint32_t at = done; at < end; at += Block::most) {
-        const Block block{p, begin + at, std::min(Block::most, end - at)};
-        if (meets(tops, box_around(part.spheres(block)))) blocks_.push_back(block);
+    const auto [id, begin, size, strand] = part.pieces()[p];
+    const std::uint32_t blocks = (size + Block::most - 1) / Block::most;
+    for (std::uint32_t b = 0; b < blocks; b += stretch) {
+      const auto near = boxes.subspan(first + b, std::min(stretch, blocks - b));
+      Box around = near[0];
+      for (const Box& box : near.subspan(1)) around.join(box);
+      if (!meets(tops, around)) continue;
+      for (std::uint32_t k = 0; k < near.size(); ++k) {
+        const std::uint32_t done = (b + k) * Block::most;
+        if (meets(tops, near[k])) blocks_.push_back({p, begin + done, std::min(Block::most, size - done)});
       }
     }
+    first += blocks;
   }
+  const std::span<const Sphere> spheres = part.chain().spheres();
   struct Keyed {
     std::uint64_t code;
     Block block;

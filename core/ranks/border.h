@@ -13,8 +13,8 @@ namespace catena::ranks {
 /// compact in space. In the order of Morton codes, with a tree over their boxes.
 class Border {
  public:
-  /// O(spheres), and O(b log b) for b blocks of the border.
-  Border(const HeldPart& part, const Tops& tops, unsigned ranks, unsigned own);
+  /// `boxes` are those of all blocks of the part. O(blocks), and O(b log b) for b blocks of the border.
+  Border(const HeldPart& part, std::span<const Box> boxes, const Tops& tops, unsigned own);
 
   std::span<const Block> blocks() const { return blocks_; }
   const WideBoxTree& boxes() const { return boxes_; }
@@ -22,7 +22,7 @@ class Border {
   std::span<const std::uint32_t> near(unsigned rank) const { return near_[rank]; }
 
  private:
-  void gather(const HeldPart& part, const ForeignTops& tops);
+  void gather(const HeldPart& part, std::span<const Box> boxes, const ForeignTops& tops);
 
   std::vector<Block> blocks_;
   WideBoxTree boxes_;

@@ -40,7 +40,19 @@ std::vector<std::uint32_t> piece_at_every(std::uint32_t stride, std::span<const 
   return at;
 }
 
-Chain chain_of(Part& part) {
+/// Whether the part as one open strand misses no neighbours: as its spheres ascend, those within an index window are no
+/// further apart here than in the whole chain. What it passes over besides, a few pairs where pieces part, is to be no
+/// more than there are spheres.
+bool will_do_as_one_strand(const Part& part) {
+  if (part.rule.kind != Exclusion::Rule::index_window || !part.extra.empty()) return false;
+  const std::uint64_t window = part.rule.window;
+  if (window > part.spheres.size() || part.pieces.size() * window * window > part.spheres.size()) return false;
+  const auto closed = [](const Piece& piece) { return piece.strand.closed != 0; };
+  return std::ranges::none_of(part.pieces, closed) && std::ranges::is_sorted(part.pieces, {}, &Piece::first);
+}
+
+Chain chain_of(Part& part, bool one_strand) {
+  if (one_strand) return Chain(std::move(part.spheres), {}, Exclusion::index(part.rule.window));
   Strands strands{{0}, {}};
   ArcLengths lengths{std::move(part.arcs), {}};
   for (const Piece& piece : part.pieces) {
@@ -69,10 +81,11 @@ bool neighbours(const Rule& rule, const Place& a, const Place& b) {
 HeldPart::HeldPart(Part part)
     : rule_(part.rule),
       pieces_(part.pieces),
-      chain_(chain_of(part)),
+      one_strand_(will_do_as_one_strand(part)),
+      chain_(chain_of(part, one_strand_)),
       extra_(std::move(part.extra)),
       piece_at_(piece_at_every(stride, pieces_, chain_.size())),
-      misses_neighbours_(look_for_missed()) {}
+      misses_neighbours_(!one_strand_ && look_for_missed()) {}
 
 bool HeldPart::look_for_missed() const {
   if (std::ranges::any_of(pieces_,

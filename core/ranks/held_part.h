@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,12 +26,23 @@ class HeldPart {
  public:
   explicit HeldPart(Part part);
 
-  /// The part's spheres as a chain whose strands are the pieces. It makes neighbours of none that are not;
-  /// those that it misses are of different pieces of a strand, or around the end of a closed one that is not
-  /// here whole.
+  /// The part's spheres as a chain. Its strands are the pieces, and it makes neighbours of none that are not; those that
+  /// it misses are of different pieces of a strand, or around the end of a closed one that is not here whole. Or, as its
+  /// search is quicker, it is one open strand that misses none, but passes over some: see for_each_passed.
   const Chain& chain() const { return chain_; }
   /// Whether it misses some.
   bool misses_neighbours() const { return misses_neighbours_; }
+  /// visit(i, j) for every i < j that the chain alone makes neighbours: those near one another in two pieces.
+  template <class Visit>
+  void for_each_passed(const Visit& visit) const {
+    if (!one_strand_) return;
+    for (std::size_t p = 1; p < pieces_.size(); ++p) {
+      const std::uint32_t begin = pieces_[p].begin, end = begin + pieces_[p].size;
+      for (std::uint32_t i = begin - std::min(begin, rule_.window); i < begin; ++i)
+        for (std::uint32_t j = begin; j < end && j - i <= rule_.window; ++j)
+          if (!neighbours(place(i), place(j))) visit(i, j);
+    }
+  }
 
   const Rule& rule() const { return rule_; }
   std::span<const Piece> pieces() const { return pieces_; }
@@ -63,6 +75,7 @@ class HeldPart {
 
   Rule rule_;
   std::vector<Piece> pieces_;
+  bool one_strand_;
   Chain chain_;
   std::vector<IdPair> extra_;
   static constexpr std::uint32_t stride = 8;

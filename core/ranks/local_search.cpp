@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
 
 namespace catena::ranks {
@@ -20,6 +21,16 @@ std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& varian
     kept.add(a.id, b.id);
   });
   return count;
+}
+
+/// What the chain takes for neighbours and the rule does not.
+void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint32_t>& count, KeptPairs& kept) {
+  part.for_each_passed([&](std::uint32_t i, std::uint32_t j) {
+    if (!Robust::overlap(part.chain()[i], part.chain()[j])) return;
+    if (want == Request::Want::any) return kept.add_uncounted(1);
+    ++count[i], ++count[j];
+    kept.add(part.id(i), part.id(j));
+  });
 }
 
 }  // namespace
@@ -52,12 +63,14 @@ std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant,
   }
   if (want == Request::Want::any) {
     kept.add_uncounted(found.found ? 1 : 0);
-    return {};
+  } else {
+    kept.reserve(found.pairs.size());
+    for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
+    kept.add_uncounted(found.pair_count - found.pairs.size());
   }
-  kept.reserve(found.pairs.size());
-  for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
-  kept.add_uncounted(found.pair_count - found.pairs.size());
-  return std::move(found.count);
+  std::vector<std::uint32_t> count = std::move(found.count);
+  add_passed(part, want, count, kept);
+  return count;
 }
 
 }  // namespace catena::ranks

@@ -77,8 +77,7 @@ class RankSearch {
   void search_across_ranks() {
     const AcrossOptions options{.stop_at_first = options_.request.want == Request::Want::any,
                                 .blocks_at_once = options_.blocks_at_once};
-    const Tops tops = Tops::of_all(ranks_, part_->pieces(), part_->chain().spheres());
-    work_.across = search_across(ranks_, *part_, tops, options, counted_, kept_);
+    work_.across = search_across(ranks_, *part_, options, counted_, kept_);
     work_.pairs_across = kept_.found() - work_.pairs_within;
   }
 

@@ -249,22 +249,24 @@ void take_in(Part& part, const Share& stays, std::vector<Message> messages, unsi
 }  // namespace
 
 double touching_share(Communicator& ranks, const Part& part) {
-  constexpr std::uint64_t in_tops = 1 << 14, of_all = 1 << 12, of_a_rank = 16;
+  constexpr std::uint64_t most = 1 << 12, of_all = 1 << 12, of_a_rank = 16;
   const std::uint64_t blocks = blocks_of(part.pieces);
-  const Tops tops = Tops::of_all(ranks, part.pieces, part.spheres, std::max<std::uint64_t>(1, blocks / in_tops));
-  const ForeignTops foreign(tops, ranks.rank());
-  const std::uint64_t step = std::max<std::uint64_t>(1, blocks / std::max(of_a_rank, of_all / ranks.size()));
-  std::uint64_t looked_at = 0, touching = 0;
-  for_some_blocks(part.pieces, step, [&](const Block& block) {
-    ++looked_at;
-    if (foreign.any())
-      foreign.for_each_rank(box_around(std::span(part.spheres).subspan(block.begin, block.size)),
-                            [&](unsigned) { ++touching; });
+  std::vector<Box> boxes;
+  for_some_blocks(part.pieces, std::max<std::uint64_t>(1, blocks / most), [&](const Block& block) {
+    boxes.push_back(box_around(std::span(part.spheres).subspan(block.begin, block.size)));
   });
+  const Tops tops = Tops::of_all(ranks, boxes);
+  const ForeignTops foreign(tops, ranks.rank());
+  const std::size_t step = std::max<std::size_t>(1, boxes.size() / std::max(of_a_rank, of_all / ranks.size()));
+  double looked_at = 0, touching = 0;
+  for (std::size_t b = step / 2; b < boxes.size(); b += step) {
+    ++looked_at;
+    if (foreign.any()) foreign.for_each_rank(boxes[b], [&](unsigned) { ++touching; });
+  }
   struct Share {
     double touching, blocks;
   } own{0, static_cast<double>(blocks)}, all{0, 0};
-  if (looked_at > 0) own.touching = own.blocks * static_cast<double>(touching) / static_cast<double>(looked_at);
+  if (looked_at > 0) own.touching = own.blocks * touching / looked_at;
   for (const Share& share : all_gather_value(ranks, own))
     all.touching += share.touching, all.blocks += share.blocks;
   return all.blocks == 0 ? 0 : all.touching / all.blocks;

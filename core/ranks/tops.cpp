@@ -5,14 +5,13 @@
 #include <cstring>
 #include <limits>
 
-#include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/ranks/bytes.h"
 
 namespace catena::ranks {
 namespace {
 
-/// The blocks of a part by the cubes of a grid that their middles are in, in the order of its Morton codes; cubes
-/// without blocks are left out. They take the place of sorted blocks.
+/// The blocks of a part by the cubes of a grid that their middles are in, in the order of Morton codes; cubes without
+/// blocks are left out. They take the place of sorted blocks.
 struct Cubes {
   std::vector<std::uint32_t> code;
   std::vector<Box> box;
@@ -23,27 +22,57 @@ constexpr Box nowhere() {
   return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 }
 
-/// About as many cubes as there are blocks, and no more than a cache holds.
-int bits_an_axis(std::uint64_t blocks) {
-  int bits = 3;
-  while (bits < 5 && (std::uint64_t{1} << 3 * bits) < blocks) ++bits;
-  return bits;
-}
+/// Cubes along each axis of a box that encloses all, 2^bits, from first to last along the longest.
+class CubeGrid {
+ public:
+  static constexpr int most_bits = 4;  // no more cubes than a cache holds
 
-Cubes cubes_of(std::span<const Piece> pieces, std::span<const Sphere> spheres, std::uint64_t step) {
-  CentreCorners corners;
-  for_some_blocks(pieces, step, [&](const Block& block) { corners.take(middle_of(spheres, block)); });
-  const MortonGrid grid(corners);
-  const int bits = bits_an_axis(blocks_of(pieces) / step);
-  std::vector<Box> boxes(std::size_t{1} << 3 * bits, nowhere());
-  for_some_blocks(pieces, step, [&](const Block& block) {
-    boxes[grid.code(middle_of(spheres, block)) >> 3 * (MortonGrid::bits - bits)].join(
-        box_around(spheres.subspan(block.begin, block.size)));
-  });
-  Cubes cubes;
-  for (std::uint32_t k = 0; k < boxes.size(); ++k)
-    if (boxes[k].low[0] <= boxes[k].high[0]) cubes.code.push_back(k), cubes.box.push_back(boxes[k]);
-  return cubes;
+  CubeGrid(const Box& all, std::size_t blocks) {
+    while (bits_ < most_bits && (std::size_t{1} << 3 * bits_) < blocks) ++bits_;
+    double side = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      low_[axis] = std::max(double{all.low[axis]}, -greatest);
+      side = std::max(side, std::min(double{all.high[axis]}, greatest) - low_[axis]);
+    }
+    if (side > 0) cubes_a_length_ = (1 << bits_) / side;
+  }
+  std::uint32_t size() const { return 1u << 3 * bits_; }
+  std::uint32_t cube(const Box& box) const {
+    std::uint32_t cube = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = ((double{box.low[axis]} + box.high[axis]) / 2 - low_[axis]) * cubes_a_length_;
+      const double within = at > 0 ? std::min(at, double((1 << bits_) - 1)) : 0;  // endless boxes lie anywhere
+      cube = cube << bits_ | static_cast<std::uint32_t>(within);
+    }
+    return cube;
+  }
+  /// The Morton code of a cube.
+  std::uint32_t code(std::uint32_t cube) const {
+    std::uint32_t code = 0;
+    for (int bit = bits_ - 1; bit >= 0; --bit)
+      for (int axis = 2; axis >= 0; --axis) code = code << 1 | (cube >> (axis * bits_ + bit) & 1);
+    return code;
+  }
+
+ private:
+  static constexpr double greatest = std::numeric_limits<float>::max();
+  int bits_ = 3;
+  double low_[3], cubes_a_length_ = 0;
+};
+
+Cubes cubes_of(std::span<const Box> blocks) {
+  Box all = nowhere();
+  for (const Box& box : blocks) all.join(box);
+  const CubeGrid grid(all, blocks.size());
+  std::vector<Box> cubes(grid.size(), nowhere());
+  for (const Box& box : blocks) cubes[grid.cube(box)].join(box);
+  std::vector<std::uint32_t> cube_of(grid.size());  // [Morton code]
+  for (std::uint32_t k = 0; k < grid.size(); ++k) cube_of[grid.code(k)] = k;
+  Cubes found;
+  for (std::uint32_t code = 0; code < grid.size(); ++code)
+    if (const Box& box = cubes[cube_of[code]]; box.low[0] <= box.high[0])
+      found.code.push_back(code), found.box.push_back(box);
+  return found;
 }
 
 /// Consecutive cubes.
@@ -99,9 +128,8 @@ std::vector<Box> tops_of(const Cubes& cubes) {
 
 }  // namespace
 
-Tops Tops::of_all(Communicator& ranks, std::span<const Piece> pieces, std::span<const Sphere> spheres,
-                   std::uint64_t step) {
-  const std::vector<Box> own = tops_of(cubes_of(pieces, spheres, step));
+Tops Tops::of_all(Communicator& ranks, std::span<const Box> boxes) {
+  const std::vector<Box> own = tops_of(cubes_of(boxes));
   return Tops(ranks.all_gather(ByteWriter().put_all(std::span<const Box>(own)).take()));
 }
 

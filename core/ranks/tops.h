@@ -15,10 +15,9 @@ class Tops {
  public:
   static constexpr std::uint32_t most = 64;
 
-  /// Every rank gives its own. O(blocks) time, O(ranks) memory. With a step of more than 1 one of so many blocks is looked
-  /// at: where a rank is, but not all that it may touch.
-  static Tops of_all(Communicator& ranks, std::span<const Piece> pieces, std::span<const Sphere> spheres,
-                     std::uint64_t step = 1);
+  /// Every rank gives its own, by the boxes of its blocks; for some of them they say where it is, but not all that it may
+  /// touch. O(blocks) time, O(ranks) memory.
+  static Tops of_all(Communicator& ranks, std::span<const Box> boxes);
 
   unsigned ranks() const { return static_cast<unsigned>(gathered_->size()); }
   std::uint32_t boxes_of(unsigned rank) const;
