@@ -26,24 +26,25 @@ class Source {
     for (const auto block : in.get_list<std::uint32_t>()) blocks.push_back(border_.blocks()[block]);
     ByteWriter out;
     put_blocks(out, part_, blocks);
-    const std::span<const std::uint32_t> near = border_.near(asker);
+    const std::span<const std::uint32_t> told = border_.told(asker);
     std::size_t& next = next_[asker];
     std::vector<BlockBox> boxes;
-    for (; next < near.size() && boxes.size() < most; ++next)
-      boxes.push_back({near[next], border_.boxes().box(near[next])});
-    out.put(std::uint32_t{next == near.size()}).put_list(boxes);
+    for (; next < told.size() && boxes.size() < most; ++next)
+      boxes.push_back({told[next], border_.boxes().box(told[next])});
+    out.put(std::uint32_t{next == told.size()}).put_list(boxes);
     return out.take();
   }
 
  private:
   const HeldPart& part_;
   const Border& border_;
-  std::map<unsigned, std::size_t> next_;  // [asker]: of the blocks near it, the first that it was not told of
+  std::map<unsigned, std::size_t> next_;  // [asker]: the first of its blocks that it was not told of
 };
 
 /// What a rank asks of one other.
 struct Question {
   unsigned rank;
+  std::uint32_t first_compared;         ///< of the asker's own blocks
   std::vector<std::uint32_t> wanted{};  ///< blocks of it
   bool all_boxes_seen = false;
 
@@ -54,8 +55,8 @@ class Asker {
  public:
   Asker(Communicator& ranks, const Border& border, BlockComparison& comparison) : comparison_(comparison) {
     for (unsigned other = 0; other < ranks.size(); ++other)
-      if (other != ranks.rank() && asks(ranks.rank(), other) && !border.near(other).empty())
-        questions_.push_back({other});
+      if (other != ranks.rank() && !border.near(other).empty())
+        questions_.push_back({other, border.first_compared(other)});
     work_.partners = questions_.size();
     work_.border = border.blocks().size();
   }
@@ -74,20 +75,23 @@ class Asker {
   /// What was asked for, of all that were asked, and what to ask for next.
   void take(const std::vector<Message>& answers) {
     std::vector<ByteReader> in;
+    const auto question_of = [&](const Message& answer) -> Question& {
+      return *std::ranges::lower_bound(questions_, answer.rank, {}, &Question::rank);
+    };
     for (const Message& answer : answers) {
       in.emplace_back(answer.bytes);
-      comparison_.take(in.back());
+      comparison_.take(in.back(), question_of(answer).first_compared);
     }
     work_.blocks_touching += comparison_.compare();
     for (std::size_t k = 0; k < answers.size(); ++k) {
-      Question& question = *std::ranges::find(questions_, answers[k].rank, &Question::rank);
+      Question& question = question_of(answers[k]);
       work_.blocks_asked += question.wanted.size();
       question.wanted.clear();
       question.all_boxes_seen = in[k].get<std::uint32_t>() != 0;
       const auto boxes = in[k].get_list<BlockBox>();
       work_.boxes_seen += boxes.size();
       for (const auto& [block, box] : boxes)
-        if (comparison_.expect(box)) question.wanted.push_back(block);
+        if (comparison_.expect(box, question.first_compared)) question.wanted.push_back(block);
     }
   }
 

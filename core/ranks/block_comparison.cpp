@@ -11,9 +11,10 @@ BlockComparison::BlockComparison(const HeldPart& part, const Border& border, std
                                  KeptPairs& kept)
     : part_(part), border_(border), counted_(counted), kept_(kept), expected_(border.blocks().size(), 0) {}
 
-bool BlockComparison::expect(const Box& box) {
+bool BlockComparison::expect(const Box& box, std::uint32_t first) {
   bool meets = false;
   border_.boxes().for_each_meeting(box, [&](std::uint32_t b) {
+    if (b < first) return;
     meets = true;
     if (expected_[b] == 0) expected_[b] = 1, near_.push_back(b);
   });
@@ -46,17 +47,19 @@ std::uint64_t BlockComparison::compare() {
 
 void BlockComparison::gather_own() {
   std::ranges::sort(near_);
-  own_.clear();
+  own_.clear(), own_block_.clear();
   for (const std::uint32_t b : near_) {
     const Block& block = border_.blocks()[b];
-    for (std::uint32_t k = 0; k < block.size; ++k) own_.push_back(block.begin + k);
+    for (std::uint32_t k = 0; k < block.size; ++k) own_.push_back(block.begin + k), own_block_.push_back(b);
     expected_[b] = 0;
   }
   near_.clear();
 }
 
 void BlockComparison::visit(std::uint32_t own, std::uint32_t far) {
-  touches_[far_.block_of(far)] = 1;
+  const std::uint32_t far_block = far_.block_of(far);
+  if (own_block_[own] < far_.mark(far_block)) return;  // the other rank's
+  touches_[far_block] = 1;
   const Place here = part_.place(own_[own]), there = far_.place(far);
   if (part_.neighbours(here, there)) return;
   ++collisions_[own], ++collisions_[own_.size() + far];

@@ -13,10 +13,11 @@ class BlockComparison {
  public:
   BlockComparison(const HeldPart& part, const Border& border, std::vector<Counted>& counted, KeptPairs& kept);
 
-  /// Whether a block with this box may touch one of the part's. Those that it may are compared with what comes next.
-  bool expect(const Box& box);
-  /// What came of those blocks.
-  void take(ByteReader& in) { far_.take(in, part_.rule()); }
+  /// Whether a block with this box may touch one of the border's from the `first` on. Those that it may are compared with
+  /// what comes next.
+  bool expect(const Box& box, std::uint32_t first);
+  /// What came of those blocks, by the same `first`.
+  void take(ByteReader& in, std::uint32_t first) { far_.take(in, part_.rule(), first); }
   /// Adds to `counted` and to `kept`; returns how many blocks that came have a sphere that touches one of the part's,
   /// neighbours too. What came is forgotten, and what was expected.
   std::uint64_t compare();
@@ -35,6 +36,7 @@ class BlockComparison {
   std::vector<std::uint32_t> near_;        // of those the blocks, then
   FarBlocks far_;
   std::vector<std::uint32_t> own_;         // their spheres
+  std::vector<std::uint32_t> own_block_;   // and of each the block
   std::vector<std::uint64_t> collisions_;  // [of own_, then of far_]
   std::vector<std::uint8_t> touches_;      // [block of far_]
   std::unique_ptr<Variant> search_;

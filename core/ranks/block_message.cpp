@@ -24,7 +24,7 @@ void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> bl
   for (const Block& block : blocks) out.put_all(part.arcs(block));
 }
 
-void FarBlocks::take(ByteReader& in, const Rule& rule) {
+void FarBlocks::take(ByteReader& in, const Rule& rule, std::uint32_t mark) {
   const auto strands = in.get_list<Strand>();
   const auto strands_before = static_cast<std::uint32_t>(strands_.size());
   strands_.insert(strands_.end(), strands.begin(), strands.end());
@@ -33,7 +33,7 @@ void FarBlocks::take(ByteReader& in, const Rule& rule) {
       throw std::logic_error("a message holds no blocks");
     const auto begin = static_cast<std::uint32_t>(block_of_.size());
     block_of_.insert(block_of_.end(), size, blocks());
-    headers_.push_back({first, strands_before + strand, begin});
+    headers_.push_back({first, strands_before + strand, begin, mark});
   }
   const auto spheres = in.get_list<Sphere>();
   spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());

@@ -13,13 +13,14 @@ void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> bl
 /// Blocks of other ranks.
 class FarBlocks {
  public:
-  /// Adds what put_blocks wrote, on a rank of the same rule.
-  void take(ByteReader& in, const Rule& rule);
+  /// Adds what put_blocks wrote, on a rank of the same rule, and a mark to each block.
+  void take(ByteReader& in, const Rule& rule, std::uint32_t mark);
   void clear();
 
   std::uint32_t blocks() const { return static_cast<std::uint32_t>(headers_.size()); }
   const std::vector<Sphere>& spheres() const { return spheres_; }
   std::uint32_t block_of(std::uint32_t sphere) const { return block_of_[sphere]; }
+  std::uint32_t mark(std::uint32_t block) const { return headers_[block].mark; }
   Place place(std::uint32_t sphere) const {
     const Header& block = headers_[block_of_[sphere]];
     return {block.first + (sphere - block.begin), strands_[block.strand], arcs_.empty() ? 0 : arcs_[sphere],
@@ -33,7 +34,7 @@ class FarBlocks {
   };
   struct Header {
     SphereId first;
-    std::uint32_t strand, begin;
+    std::uint32_t strand, begin, mark;
   };
   friend void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks);
 

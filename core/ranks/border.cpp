@@ -18,7 +18,8 @@ bool meets(const ForeignTops& tops, const Box& box) {
 
 }  // namespace
 
-Border::Border(const HeldPart& part, std::span<const Box> boxes, const Tops& tops, unsigned own) : near_(tops.ranks()) {
+Border::Border(const HeldPart& part, std::span<const Box> boxes, const Tops& tops, unsigned own)
+    : own_(own), near_(tops.ranks()) {
   const ForeignTops foreign(tops, own);
   if (foreign.any()) gather(part, boxes, foreign);
   const auto blocks = static_cast<std::uint32_t>(blocks_.size());

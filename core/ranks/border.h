@@ -20,10 +20,16 @@ class Border {
   const WideBoxTree& boxes() const { return boxes_; }
   /// The blocks that may touch this rank, ascending.
   std::span<const std::uint32_t> near(unsigned rank) const { return near_[rank]; }
+  /// Of those the ones that this rank tells of itself to one that is lower, which compares them; all, to a higher one.
+  std::span<const std::uint32_t> told(unsigned rank) const { return near(rank).first(rank < own_ ? half(rank) : near(rank).size()); }
+  /// The first block that this rank compares with those of another one.
+  std::uint32_t first_compared(unsigned rank) const { return rank < own_ ? near(rank)[half(rank)] : 0; }
 
  private:
+  std::size_t half(unsigned rank) const { return near_[rank].size() / 2; }
   void gather(const HeldPart& part, std::span<const Box> boxes, const ForeignTops& tops);
 
+  unsigned own_;
   std::vector<Block> blocks_;
   WideBoxTree boxes_;
   std::vector<std::vector<std::uint32_t>> near_;  // [rank]
