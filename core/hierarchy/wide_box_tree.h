@@ -33,6 +33,9 @@ class CATENA_API WideBoxTree {
     if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
   }
 
+  /// Whether any box meets this one.
+  bool meets(const Box& box) const { return !levels_.empty() && meets(levels_.size() - 1, 0, box); }
+
   /// Sixteen boxes, a coordinate after the other; an empty one has low above high.
   struct Group {
     std::array<std::array<float, fan>, 3> low, high;
@@ -70,6 +73,14 @@ class CATENA_API WideBoxTree {
       const std::uint32_t child = group * fan + static_cast<std::uint32_t>(std::countr_zero(bits));
       level == 0 ? visit(child) : descend(level - 1, child, box, visit);
     }
+  }
+
+  bool meets(std::size_t level, std::uint32_t group, const Box& box) const {
+    std::uint32_t bits = meeting(levels_[level][group], box);
+    if (level == 0) return bits != 0;
+    for (; bits != 0; bits &= bits - 1)
+      if (meets(level - 1, group * fan + static_cast<std::uint32_t>(std::countr_zero(bits)), box)) return true;
+    return false;
   }
 
   std::vector<std::vector<Group>> levels_;

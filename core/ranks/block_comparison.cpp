@@ -27,7 +27,7 @@ std::uint64_t BlockComparison::compare() {
   const auto own = static_cast<std::uint32_t>(own_.size());
   std::vector<Sphere> spheres;
   spheres.reserve(own_.size() + far_.spheres().size());
-  for (const std::uint32_t i : own_) spheres.push_back(part_.chain()[i]);
+  for (const Own& own_sphere : own_) spheres.push_back(part_.chain()[own_sphere.sphere]);
   spheres.insert(spheres.end(), far_.spheres().begin(), far_.spheres().end());
   collisions_.assign(spheres.size(), 0);
   touches_.assign(far_.blocks(), 0);
@@ -47,31 +47,33 @@ std::uint64_t BlockComparison::compare() {
 
 void BlockComparison::gather_own() {
   std::ranges::sort(near_);
-  own_.clear(), own_block_.clear();
+  own_.clear();
   for (const std::uint32_t b : near_) {
     const Block& block = border_.blocks()[b];
-    for (std::uint32_t k = 0; k < block.size; ++k) own_.push_back(block.begin + k), own_block_.push_back(b);
+    const SphereId first = part_.id(block);
+    for (std::uint32_t k = 0; k < block.size; ++k) own_.push_back({first + k, block.begin + k, b});
     expected_[b] = 0;
   }
   near_.clear();
 }
 
 void BlockComparison::visit(std::uint32_t own, std::uint32_t far) {
+  const auto [id, sphere, block] = own_[own];
   const std::uint32_t far_block = far_.block_of(far);
-  if (own_block_[own] < far_.mark(far_block)) return;  // the other rank's
+  if (block < far_.mark(far_block)) return;  // the other rank's
   touches_[far_block] = 1;
-  const Place here = part_.place(own_[own]), there = far_.place(far);
-  if (part_.neighbours(here, there)) return;
+  const SphereId far_id = far_.id(far);
+  if (part_.may_be_neighbours(id, far_id) && part_.neighbours(part_.place(sphere), far_.place(far))) return;
   ++collisions_[own], ++collisions_[own_.size() + far];
-  kept_.add(here.id, there.id);
+  kept_.add(id, far_id);
 }
 
 void BlockComparison::count_found() {
   for (std::size_t k = 0; k < own_.size(); ++k)
-    if (collisions_[k] > 0) counted_.push_back({part_.id(own_[k]), collisions_[k]});
+    if (collisions_[k] > 0) counted_.push_back({own_[k].id, collisions_[k]});
   for (std::uint32_t k = 0; k < far_.spheres().size(); ++k)
     if (const std::uint64_t found = collisions_[own_.size() + k]; found > 0)
-      counted_.push_back({far_.place(k).id, found});
+      counted_.push_back({far_.id(k), found});
 }
 
 }  // namespace catena::ranks

@@ -35,8 +35,11 @@ class BlockComparison {
   std::vector<std::uint8_t> expected_;     // [block of the border]
   std::vector<std::uint32_t> near_;        // of those the blocks, then
   FarBlocks far_;
-  std::vector<std::uint32_t> own_;         // their spheres
-  std::vector<std::uint32_t> own_block_;   // and of each the block
+  struct Own {
+    SphereId id;
+    std::uint32_t sphere, block;  // of the part, of the border
+  };
+  std::vector<Own> own_;                   // their spheres
   std::vector<std::uint64_t> collisions_;  // [of own_, then of far_]
   std::vector<std::uint8_t> touches_;      // [block of far_]
   std::unique_ptr<Variant> search_;

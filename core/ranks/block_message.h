@@ -21,9 +21,13 @@ class FarBlocks {
   const std::vector<Sphere>& spheres() const { return spheres_; }
   std::uint32_t block_of(std::uint32_t sphere) const { return block_of_[sphere]; }
   std::uint32_t mark(std::uint32_t block) const { return headers_[block].mark; }
+  SphereId id(std::uint32_t sphere) const {
+    const Header& block = headers_[block_of_[sphere]];
+    return block.first + (sphere - block.begin);
+  }
   Place place(std::uint32_t sphere) const {
     const Header& block = headers_[block_of_[sphere]];
-    return {block.first + (sphere - block.begin), strands_[block.strand], arcs_.empty() ? 0 : arcs_[sphere],
+    return {id(sphere), strands_[block.strand], arcs_.empty() ? 0 : arcs_[sphere],
             spheres_[sphere].radius};
   }
 

@@ -10,12 +10,6 @@ namespace {
 /// So many blocks in one box are looked at before each is.
 constexpr std::uint32_t stretch = 8;
 
-bool meets(const ForeignTops& tops, const Box& box) {
-  bool meets = false;
-  tops.for_each_rank(box, [&](unsigned) { meets = true; });
-  return meets;
-}
-
 }  // namespace
 
 Border::Border(const HeldPart& part, std::span<const Box> boxes, const Tops& tops, unsigned own)
@@ -41,27 +35,30 @@ void Border::gather(const HeldPart& part, std::span<const Box> boxes, const Fore
       const auto near = boxes.subspan(first + b, std::min(stretch, blocks - b));
       Box around = near[0];
       for (const Box& box : near.subspan(1)) around.join(box);
-      if (!meets(tops, around)) continue;
+      if (!tops.meet(around)) continue;
       for (std::uint32_t k = 0; k < near.size(); ++k) {
         const std::uint32_t done = (b + k) * Block::most;
-        if (meets(tops, near[k])) blocks_.push_back({p, begin + done, std::min(Block::most, size - done)});
+        if (tops.meet(near[k])) blocks_.push_back({p, begin + done, std::min(Block::most, size - done)});
       }
     }
     first += blocks;
   }
-  const std::span<const Sphere> spheres = part.chain().spheres();
-  struct Keyed {
-    std::uint64_t code;
-    Block block;
-  };
+  sort_in_space(part.chain().spheres());
+}
+
+void Border::sort_in_space(std::span<const Sphere> spheres) {
   CentreCorners corners;
   for (const Block& block : blocks_) corners.take(middle_of(spheres, block));
   const MortonGrid grid(corners);
-  std::vector<Keyed> keyed;
-  keyed.reserve(blocks_.size());
-  for (const Block& block : blocks_) keyed.push_back({grid.code(middle_of(spheres, block)), block});
-  std::ranges::stable_sort(keyed, {}, &Keyed::code);
-  std::ranges::transform(keyed, blocks_.begin(), &Keyed::block);
+  std::vector<std::uint64_t> keys;  // the upper half of a code, and the number of a block
+  keys.reserve(blocks_.size());
+  for (std::uint64_t b = 0; b < blocks_.size(); ++b)
+    keys.push_back(grid.code(middle_of(spheres, blocks_[b])) >> (3 * MortonGrid::bits - 32) << 32 | b);
+  std::ranges::sort(keys);
+  std::vector<Block> sorted;
+  sorted.reserve(blocks_.size());
+  for (const std::uint64_t key : keys) sorted.push_back(blocks_[static_cast<std::uint32_t>(key)]);
+  blocks_ = std::move(sorted);
 }
 
 }  // namespace catena::ranks

@@ -28,6 +28,7 @@ class Border {
  private:
   std::size_t half(unsigned rank) const { return near_[rank].size() / 2; }
   void gather(const HeldPart& part, std::span<const Box> boxes, const ForeignTops& tops);
+  void sort_in_space(std::span<const Sphere> spheres);
 
   unsigned own_;
   std::vector<Block> blocks_;

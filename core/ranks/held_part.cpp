@@ -7,6 +7,10 @@
 namespace catena::ranks {
 namespace {
 
+bool none_closed(std::span<const Piece> pieces) {
+  return std::ranges::none_of(pieces, [](const Piece& piece) { return piece.strand.closed != 0; });
+}
+
 bool whole(const Piece& piece) { return piece.size == piece.strand.size; }
 
 /// Both ends of an extra pair, where this part has both.
@@ -47,8 +51,7 @@ bool will_do_as_one_strand(const Part& part) {
   if (part.rule.kind != Exclusion::Rule::index_window || !part.extra.empty()) return false;
   const std::uint64_t window = part.rule.window;
   if (window > part.spheres.size() || part.pieces.size() * window * window > part.spheres.size()) return false;
-  const auto closed = [](const Piece& piece) { return piece.strand.closed != 0; };
-  return std::ranges::none_of(part.pieces, closed) && std::ranges::is_sorted(part.pieces, {}, &Piece::first);
+  return none_closed(part.pieces) && std::ranges::is_sorted(part.pieces, {}, &Piece::first);
 }
 
 Chain chain_of(Part& part, bool one_strand) {
@@ -85,7 +88,10 @@ HeldPart::HeldPart(Part part)
       chain_(chain_of(part, one_strand_)),
       extra_(std::move(part.extra)),
       piece_at_(piece_at_every(stride, pieces_, chain_.size())),
-      misses_neighbours_(!one_strand_ && look_for_missed()) {}
+      misses_neighbours_(!one_strand_ && look_for_missed()),
+      furthest_neighbour_(rule_.kind == Exclusion::Rule::index_window && extra_.empty() && none_closed(pieces_)
+                              ? rule_.window
+                              : ~SphereId{0}) {}
 
 bool HeldPart::look_for_missed() const {
   if (std::ranges::any_of(pieces_,

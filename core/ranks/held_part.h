@@ -62,6 +62,10 @@ class HeldPart {
     return piece.first + (sphere - piece.begin);
   }
   Place place(std::uint32_t sphere) const;
+  /// False where the rule makes neighbours of no spheres that are so far apart in number, one of them of this part.
+  bool may_be_neighbours(SphereId a, SphereId b) const {
+    return (a < b ? b - a : a - b) <= furthest_neighbour_;
+  }
   /// By the rule, or as an extra pair. `a` is of this part.
   bool neighbours(const Place& a, const Place& b) const;
 
@@ -81,6 +85,7 @@ class HeldPart {
   static constexpr std::uint32_t stride = 8;
   std::vector<std::uint32_t> piece_at_;  ///< [k]: of sphere stride * k
   bool misses_neighbours_;
+  SphereId furthest_neighbour_;  ///< in number
 };
 
 }  // namespace catena::ranks

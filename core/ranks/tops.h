@@ -36,6 +36,7 @@ class ForeignTops {
   ForeignTops(const Tops& tops, unsigned own);
 
   bool any() const { return !rank_.empty(); }
+  bool meet(const Box& box) const { return boxes_.meets(box); }
   /// visit(rank) for every other rank one of whose tops meets a box that is of this rank, by rising rank, each once.
   template <class Visit>
   void for_each_rank(const Box& box, const Visit& visit) const {
