@@ -11,6 +11,7 @@ ScalingPoint measure(const Chain& chain, unsigned ranks, const ScalingOptions& a
   std::vector<RankWork> work(ranks);
   std::vector<Traffic> traffic(ranks);
   std::vector<PhaseClock> clocks(ranks);
+  std::uint64_t pairs = 0;
   run_in_threads(ranks, [&](Communicator& communicator) {
     const unsigned rank = communicator.rank();
     const auto start = [&](unsigned r) {
@@ -22,10 +23,11 @@ ScalingPoint measure(const Chain& chain, unsigned ranks, const ScalingOptions& a
     else
       options.variant = asked.timed_variant;
     options.entering = [&clock = clocks[rank]](Phase phase) { clock.enter(phase); };
-    search(communicator, part_of(chain, start(rank), start(rank + 1)), options, work[rank]);
+    const RankAnswer answer = search(communicator, part_of(chain, start(rank), start(rank + 1)), options, work[rank]);
     traffic[rank] = communicator.traffic();
+    if (rank == 0) pairs = answer.pair_count;
   });
-  ScalingPoint point{.ranks = ranks, .in_space = work[0].in_space};
+  ScalingPoint point{.ranks = ranks, .in_space = work[0].in_space, .pairs = pairs};
   for (unsigned rank = 0; rank < ranks; ++rank) {
     const AcrossWork& across = work[rank].across;
     point.blocks += work[rank].blocks;
@@ -66,11 +68,16 @@ unsigned Scaling::stops_at() const {
   return first == points.end() ? 0 : first->ranks;
 }
 
+std::vector<unsigned> doubled_ranks(unsigned most) {
+  std::vector<unsigned> all;
+  for (unsigned ranks = 2; ranks <= most; ranks *= 2) all.push_back(ranks);
+  return all;
+}
+
 Scaling measure_scaling(const Chain& chain, const ScalingOptions& options) {
   Scaling scaling;
   scaling.timed = !options.timed_variant.empty();
-  for (unsigned ranks = scaling.timed ? 1 : 2; ranks <= options.most; ranks *= 2)
-    scaling.points.push_back(measure(chain, ranks, options));
+  for (const unsigned ranks : options.ranks) scaling.points.push_back(measure(chain, ranks, options));
   return scaling;
 }
 
@@ -104,6 +111,7 @@ nlohmann::ordered_json to_json(const Scaling& scaling) {
                               {"most_messages", p.most_messages},
                               {"pairs_across", p.pairs_across}});
     if (!scaling.timed) continue;
+    json["points"].back()["pairs"] = p.pairs;
     json["points"].back()["processor_ms"] = phases_to_json(p.all_ms);
     json["points"].back()["most_processor_ms"] = phases_to_json(p.most_ms);
   }

@@ -32,7 +32,9 @@ class ScalingCommand final : public Command {
     const Input input = open_input(input_, options_);
     show_warnings(input);
     const Chain chain = input.animation->frame(0);
-    const Scaling scaling = measure_scaling(chain, {.most = most_,
+    std::vector<unsigned> ranks = doubled_ranks(most_);
+    if (!timed_.empty()) ranks.insert(ranks.begin(), 1);
+    const Scaling scaling = measure_scaling(chain, {.ranks = ranks,
                                                     .order = order_ == "chain"   ? Order::chain
                                                              : order_ == "space" ? Order::space
                                                                                  : Order::measured,

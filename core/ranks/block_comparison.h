@@ -13,7 +13,7 @@ class BlockComparison {
  public:
   BlockComparison(const HeldPart& part, const Border& border, std::vector<Counted>& counted, KeptPairs& kept);
 
-  /// Whether a block with this box may touch one of the border's from the `first` on. Those that it may are compared with
+  /// Whether a block with this box may touch a sphere of the border's blocks from the `first` on. Those that it may are compared with
   /// what comes next.
   bool expect(const Box& box, std::uint32_t first);
   /// What came of those blocks, by the same `first`.

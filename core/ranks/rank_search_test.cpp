@@ -340,7 +340,7 @@ TEST(PartFile, RefusesWhatIsNoChain) {
 
 TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {
   for (const char* input : {"yarn:n=60000", "lattice:n=40000", "path2:n=60000"}) {
-    const Scaling scaling = measure_scaling(chain_of(input), {.most = 32});
+    const Scaling scaling = measure_scaling(chain_of(input), {.ranks = doubled_ranks(32)});
     ASSERT_EQ(scaling.points.size(), 5u);
     for (const ScalingPoint& p : scaling.points) {
       EXPECT_LE(p.blocks_asked, 2 * p.blocks_touching) << input << " on " << p.ranks;
@@ -349,8 +349,8 @@ TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {
     }
   }
   const Chain yarn = chain_of("yarn:n=60000");
-  EXPECT_LT(measure_scaling(yarn, {.most = 8, .order = Order::space}).points[2].blocks_asked,
-            measure_scaling(yarn, {.most = 8, .order = Order::chain}).points[2].blocks_asked / 2);
+  EXPECT_LT(measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::space}).points[2].blocks_asked,
+            measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::chain}).points[2].blocks_asked / 2);
 }
 
 }  // namespace

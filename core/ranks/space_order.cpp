@@ -70,17 +70,17 @@ std::vector<Key> splitters(Communicator& ranks, const std::vector<Key>& sorted, 
   std::vector<Key> samples;
   for (std::uint64_t at = step / 2; at < own_blocks; at += step)
     samples.push_back(sorted[at * sorted.size() / own_blocks]);
-  std::vector<Key> all;
-  const Gathered gathered = ranks.all_gather(ByteWriter().put_list(samples).take());
-  for (const Bytes& bytes : *gathered) {
-    const auto theirs = ByteReader(bytes).get_list<Key>();
+  // Rank 0 chooses, as all would have to sort the samples of all otherwise.
+  std::vector<Key> all, chosen;
+  for (const Message& message : ranks.exchange({{0, ByteWriter().put_list(samples).take()}})) {
+    const auto theirs = ByteReader(message.bytes).get_list<Key>();
     all.insert(all.end(), theirs.begin(), theirs.end());
   }
   std::ranges::sort(all);
-  std::vector<Key> chosen;
-  for (unsigned rank = 1; rank < ranks.size(); ++rank)
-    if (!all.empty()) chosen.push_back(all[all.size() * rank / ranks.size()]);
-  return chosen;
+  for (unsigned rank = 1; rank < ranks.size() && !all.empty(); ++rank)
+    chosen.push_back(all[all.size() * rank / ranks.size()]);
+  const Gathered told = ranks.all_gather(ranks.rank() == 0 ? ByteWriter().put_list(chosen).take() : Bytes());
+  return ByteReader(told->front()).get_list<Key>();
 }
 
 /// The rank that a key goes to; keys that follow one another mostly go to the same.

@@ -120,6 +120,27 @@ def updates(repetitions, noise):
     ]
 
 
+def rank_point(n, ranks, contacts):
+    """What a chain costs that is shared out: 100 ns a sphere, 5 us a block that is asked for, 0.2 us a rank, 30 us."""
+    blocks, asked = n // 8, round(contacts * (n / 8 / ranks) ** (2 / 3)) if ranks > 1 else 0
+    point = {
+        "ranks": ranks,
+        "order": "space" if ranks > 1 else "chain",
+        "blocks": blocks,
+        "most_spheres": n // ranks,
+        "most_rounds": 2,
+        "blocks_asked": ranks * asked,
+        "blocks_touching": round(ranks * asked * (0.8 if ranks < 64 else 0.4)),
+        "most_blocks_asked": asked,
+        "most_bytes": 150 * asked,
+        "most_messages": ranks - 1,
+    }
+    if ranks <= 64:
+        across = 5000 * asked + (200 * ranks + 30_000) * (ranks > 1)
+        point |= {"pairs": contacts * n, "most_processor_ms": {"within": 1e-4 * n / ranks, "across": 1e-6 * across}}
+    return point
+
+
 def run(**options):
     """A whole run file, as a Python value."""
     generator = numpy.random.default_rng(3)
@@ -285,6 +306,18 @@ def run(**options):
                     for k in (1, 8, 64)
                 ],
                 "rebuilt": "Hybrid",
+            },
+            "ranks": {
+                "searched_by": "Hybrid",
+                "chains": [
+                    {
+                        "input": f"{scene}:n={n}",
+                        "n": n,
+                        "points": [rank_point(n, ranks, contacts) for ranks in (1, 2, 4, 8, 16, 32, 64, 256)],
+                    }
+                    for scene, contacts in (("yarn", 4), ("hair", 1))
+                    for n in (64_000, 512_000)
+                ],
             },
             "counts": [
                 {
