@@ -45,10 +45,9 @@ struct Profile {
   std::uint64_t judged_moves = 0;           ///< pivots of each walk whose exponent is estimated
   struct RankChain {
     std::string input;
-    std::vector<unsigned> counted;  ///< more ranks, on which only what they exchange is counted
+    unsigned most;  ///< ranks
   };
   std::vector<RankChain> rank_chains;  ///< shared out among ranks
-  unsigned timed_ranks = 0;            ///< that are timed, 1, 2, 4 and so on up to so many
   std::vector<std::uint32_t> short_chains;  ///< n of path1 at which a hierarchy is weighed against all pairs
   bench::WorkloadSpec animation_input;      ///< no name: none
   std::uint32_t animation_step = 1;         ///< every so manieth frame

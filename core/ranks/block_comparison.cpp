@@ -14,7 +14,8 @@ BlockComparison::BlockComparison(const HeldPart& part, const Border& border, std
 bool BlockComparison::expect(const Box& box, std::uint32_t first) {
   bool meets = false;
   border_.boxes().for_each_meeting(box, [&](std::uint32_t b) {
-    if (b < first || !any_meets(part_.spheres(border_.blocks()[b]), box)) return;
+    if (b < first || (meets && expected_[b] != 0)) return;
+    if (!any_meets(part_.spheres(border_.blocks()[b]), box)) return;
     meets = true;
     if (expected_[b] == 0) expected_[b] = 1, near_.push_back(b);
   });

@@ -1,6 +1,7 @@
 #include "catena/core/ranks/border.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "catena/core/hierarchy/morton_grid.h"
 
@@ -19,11 +20,12 @@ Border::Border(const HeldPart& part, std::span<const Box> boxes, const Tops& top
   const auto blocks = static_cast<std::uint32_t>(blocks_.size());
   boxes_.clear(blocks);
   for (std::uint32_t b = 0; b < blocks; ++b) {
-    const Box box = box_around(part.spheres(blocks_[b]));
+    const Box box = boxes[box_at_[b]];
     boxes_.set(b, box);
     foreign.for_each_rank(box, [&](unsigned rank) { near_[rank].push_back(b); });
   }
   boxes_.refresh(0, blocks);
+  std::vector<std::uint32_t>().swap(box_at_);
 }
 
 void Border::gather(const HeldPart& part, std::span<const Box> boxes, const ForeignTops& tops) {
@@ -38,7 +40,9 @@ void Border::gather(const HeldPart& part, std::span<const Box> boxes, const Fore
       if (!tops.meet(around)) continue;
       for (std::uint32_t k = 0; k < near.size(); ++k) {
         const std::uint32_t done = (b + k) * Block::most;
-        if (tops.meet(near[k])) blocks_.push_back({p, begin + done, std::min(Block::most, size - done)});
+        if (!tops.meet(near[k])) continue;
+        blocks_.push_back({p, begin + done, std::min(Block::most, size - done)});
+        box_at_.push_back(static_cast<std::uint32_t>(first + b + k));
       }
     }
     first += blocks;
@@ -55,10 +59,14 @@ void Border::sort_in_space(std::span<const Sphere> spheres) {
   for (std::uint64_t b = 0; b < blocks_.size(); ++b)
     keys.push_back(grid.code(middle_of(spheres, blocks_[b])) >> (3 * MortonGrid::bits - 32) << 32 | b);
   std::ranges::sort(keys);
-  std::vector<Block> sorted;
-  sorted.reserve(blocks_.size());
-  for (const std::uint64_t key : keys) sorted.push_back(blocks_[static_cast<std::uint32_t>(key)]);
-  blocks_ = std::move(sorted);
+  const auto sort_alike = [&](auto& values) {
+    std::remove_reference_t<decltype(values)> sorted;
+    sorted.reserve(values.size());
+    for (const std::uint64_t key : keys) sorted.push_back(values[static_cast<std::uint32_t>(key)]);
+    values = std::move(sorted);
+  };
+  sort_alike(blocks_);
+  sort_alike(box_at_);
 }
 
 }  // namespace catena::ranks

@@ -32,6 +32,7 @@ class Border {
 
   unsigned own_;
   std::vector<Block> blocks_;
+  std::vector<std::uint32_t> box_at_;  // [block], while this is made: of all blocks' boxes
   WideBoxTree boxes_;
   std::vector<std::vector<std::uint32_t>> near_;  // [rank]
 };

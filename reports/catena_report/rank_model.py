@@ -6,20 +6,28 @@ import dataclasses
 import numpy
 import scipy.optimize
 
-FITTED = 64  # ranks
+FITTED = 256  # ranks
 LEAST = 4  # points that a law is fitted to
 EVER = 2**24  # ranks that are looked at for the best number of them
+THICKNESS = numpy.linspace(0, 6, 61)  # of shells that are tried, in blocks
+
+
+def shell(held, ranks, thickness):
+    """Blocks around a cube of `held` blocks, `thickness` of them deep, as far as other ranks are there: of R cubes in a
+    cube the share 1 - R^(-1/3) of all sides is a side of two.
+    """
+    return ((numpy.cbrt(held) + thickness) ** 3 - held) * (1 - numpy.cbrt(1 / ranks))
 
 
 @dataclasses.dataclass(frozen=True)
 class Law:
-    """asked = factor * held ** exponent, of blocks: of the rank that asks most, and an even share."""
+    """asked = factor * shell(held, R, thickness), of blocks: of the rank that asks most, and an even share."""
 
     factor: float
-    exponent: float
+    thickness: float
 
-    def asked(self, held):
-        return self.factor * held**self.exponent
+    def asked(self, held, ranks):
+        return float(self.factor * shell(held, ranks, self.thickness))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,8 +46,10 @@ class Model:
     error: float
 
     def ms(self, n, ranks):
-        asked = self.law.asked(self.blocks * n / ranks) if ranks > 1 else 0
-        return 1e-6 * (self.sphere_ns * n / ranks + self.asked_ns * asked + (self.rank_ns * ranks + self.fixed_ns) * (ranks > 1))
+        if ranks == 1:
+            return 1e-6 * self.sphere_ns * n
+        asked = self.law.asked(self.blocks * n / ranks, ranks)
+        return 1e-6 * (self.sphere_ns * n / ranks + self.asked_ns * asked + self.rank_ns * ranks + self.fixed_ns)
 
     def efficiency(self, n, ranks):
         return self.ms(n, 1) / (ranks * self.ms(n, ranks))
@@ -50,19 +60,11 @@ class Model:
 
     def half(self, n):
         """The most ranks, a power of two, of which no more than half is lost."""
-        fit = 1
-        for ranks in _doubled():
-            if self.efficiency(n, ranks) < 0.5:
-                break
-            fit = ranks
-        return fit
+        return max(ranks for ranks in _doubled() if self.efficiency(n, ranks) >= 0.5)
 
 
 def _doubled():
-    ranks = 1
-    while ranks <= EVER:
-        yield ranks
-        ranks *= 2
+    return [2**k for k in range(EVER.bit_length())]
 
 
 def busiest_ms(point):
@@ -72,13 +74,18 @@ def busiest_ms(point):
 
 
 def law(points):
-    """Of points that were timed, or None for too few."""
-    told = [p for p in points if p.get("most_processor_ms") and 1 < p["ranks"] <= FITTED and p["most_blocks_asked"] > 0]
+    """Of points of a scene that was shared out by space, or None for too few. The median of the factors, for the
+    thickness with which they differ least.
+    """
+    told = [p for p in points if p["order"] == "space" and p["ranks"] <= FITTED and p["most_blocks_asked"] > 0]
     if len(told) < LEAST:
         return None
-    held = numpy.log([p["blocks"] / p["ranks"] for p in told])
-    exponent, factor = numpy.polyfit(held, numpy.log([p["most_blocks_asked"] for p in told]), 1)
-    return Law(float(numpy.exp(factor)), float(exponent))
+    held = numpy.array([p["blocks"] / p["ranks"] for p in told])
+    ranks = numpy.array([p["ranks"] for p in told])
+    asked = numpy.array([p["most_blocks_asked"] for p in told])
+    factors = {t: numpy.log(asked / shell(held, ranks, t)) for t in THICKNESS[1:]}
+    thickness = min(factors, key=lambda t: numpy.std(factors[t]))
+    return Law(float(numpy.exp(numpy.median(factors[thickness]))), float(thickness))
 
 
 def model(chains):
@@ -90,7 +97,7 @@ def model(chains):
         for p in chain["points"]
         if p["ranks"] <= FITTED and busiest_ms(p)
     ]
-    if fitted_law is None or len(told) < 2 * LEAST:
+    if fitted_law is None or len(told) <= LEAST:
         return None
     rows = numpy.array([[n / ranks, asked, ranks * (ranks > 1), ranks > 1] for n, ranks, asked, _ in told], float)
     times = numpy.array([1e6 * ms for *_, ms in told])
@@ -108,7 +115,7 @@ def excess(point):
 def checked(chains, fitted):
     """[(n, ranks, asked by the law, asked as counted)] of the rank that asks most, beyond the ranks that were fitted."""
     return [
-        (chain["n"], p["ranks"], fitted.asked(p["blocks"] / p["ranks"]), p["most_blocks_asked"])
+        (chain["n"], p["ranks"], fitted.asked(p["blocks"] / p["ranks"], p["ranks"]), p["most_blocks_asked"])
         for chain in chains
         for p in chain["points"]
         if p["ranks"] > FITTED and p["most_blocks_asked"]

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "catena/bench/ranks/scaling.h"
 #include "catena/core/input/input.h"
 #include "catena/reports/section.h"
@@ -5,20 +7,30 @@
 namespace catena::reports {
 namespace {
 
-/// What ranks take of a search and have to tell one another, as threads of this process: times where they are few, and
-/// what is counted, which needs no cores of their own, up to thousands of them.
+constexpr unsigned most_timed = 256;  // threads of more wake one another for longer than they work
+
+/// So many ranks that a chain is shared out among, of those above `least` and up to `most`: doubled up to 64, then four
+/// times as many each.
+std::vector<unsigned> numbers_of_ranks(unsigned least, unsigned most) {
+  std::vector<unsigned> all;
+  for (unsigned ranks = 1; ranks <= most; ranks *= ranks < 64 ? 2 : 4)
+    if (ranks > least) all.push_back(ranks);
+  return all;
+}
+
+/// What ranks take of a search and have to tell one another, as threads of this process: the time that each computed, and
+/// what is counted, need no cores of their own.
 nlohmann::ordered_json ranks(const Profile& profile) {
   constexpr const char* variant = "Hybrid";
   auto chains = nlohmann::ordered_json::array();
-  for (const Profile::RankChain& asked : profile.rank_chains) {
-    const Chain chain = open_input(asked.input, {}).animation->frame(0);
-    std::vector<unsigned> few{1};
-    for (const unsigned ranks : catena::ranks::doubled_ranks(profile.timed_ranks)) few.push_back(ranks);
-    auto line = catena::ranks::to_json(
-        catena::ranks::measure_scaling(chain, {.ranks = few, .timed_variant = variant}));
-    const auto counted = catena::ranks::to_json(catena::ranks::measure_scaling(chain, {.ranks = asked.counted}));
-    for (const auto& point : counted["points"]) line["points"].push_back(point);
-    chains.push_back({{"input", asked.input}, {"n", chain.size()}, {"points", line["points"]}});
+  for (const auto& [input, most] : profile.rank_chains) {
+    const Chain chain = open_input(input, {}).animation->frame(0);
+    auto scaling = catena::ranks::measure_scaling(
+        chain, {.ranks = numbers_of_ranks(0, std::min(most, most_timed)), .timed_variant = variant});
+    auto points = catena::ranks::to_json(scaling)["points"];
+    scaling = catena::ranks::measure_scaling(chain, {.ranks = numbers_of_ranks(most_timed, most)});
+    for (const auto& point : catena::ranks::to_json(scaling)["points"]) points.push_back(point);
+    chains.push_back({{"input", input}, {"n", chain.size()}, {"points", std::move(points)}});
   }
   if (chains.empty()) return {};
   return {{"searched_by", variant}, {"chains", std::move(chains)}};

@@ -49,14 +49,14 @@ class Ranks(unittest.TestCase):
         for (scene, n), points in chains(self.value).items():
             series = panels[scene].series
             (drawn,) = (s for s in series if s.name == f"{scene}, {n:,}")
-            times = {p["ranks"]: sum(p["most_processor_ms"].values()) for p in points if "most_processor_ms" in p}
+            times = {p["ranks"]: sum(p["most_processor_ms"].values()) for p in points if p["ranks"] <= 256}
             self.assertEqual(dict(zip(drawn.x, drawn.y)), times)
             model = series[series.index(drawn) + 1]
             for ranks, ms in zip(model.x, model.y):
                 if ranks in times:
-                    self.assertAlmostEqual(ms / times[ranks], 1, delta=0.01)
+                    self.assertAlmostEqual(ms / times[ranks], 1, delta=0.02)
             shared = series[series.index(drawn) + 2]
-            self.assertEqual(shared.y, [times[1], times[1] / 4096])
+            self.assertEqual((shared.x, shared.y), ([1, 256], [times[1], times[1] / 256]))
 
     @recomputes("table:ranks-model")
     def test_the_model_is_what_the_runs_were_made_by(self):
@@ -64,24 +64,22 @@ class Ranks(unittest.TestCase):
         for scene, contacts in (("yarn", 4), ("hair", 1)):
             row = rows[scene]
             self.assertEqual(row[1].raw, contacts)
-            factor, exponent = row[2].text.split(" h^")
-            self.assertAlmostEqual(float(factor) / contacts, 1, delta=0.02)
-            self.assertEqual(exponent, "0.67")
-            for cell, made_by in zip(row[3:7], (100, 5000, 200, 30_000)):
-                self.assertAlmostEqual(cell.raw / made_by, 1, delta=0.02)
-            self.assertAlmostEqual(row[7].raw, 1, delta=0.01)
-            self.assertAlmostEqual(row[8].raw, 1, delta=0.05)
+            for cell, made_by in zip(row[2:8], (contacts, 2, 100, 5000, 2000, 30_000)):
+                self.assertAlmostEqual(cell.raw / made_by, 1, delta=0.05)
+            self.assertAlmostEqual(row[8].raw, 1, delta=0.01)
+            self.assertAlmostEqual(row[9].raw, 1, delta=0.05)
 
             def ms(n, ranks):
-                apart = (5000 * contacts * (n / 8 / ranks) ** (2 / 3) + 200 * ranks + 30_000) if ranks > 1 else 0
-                return 100 * n / ranks + apart
+                held = n / 8 / ranks
+                shell = contacts * ((held ** (1 / 3) + 2) ** 3 - held) * (1 - ranks ** (-1 / 3))
+                return 100 * n / ranks + (5000 * shell + 2000 * ranks + 30_000) * (ranks > 1)
 
             for at, n in enumerate((10**6, 10**9)):
                 powers = [2**k for k in range(25)]
                 best = min(powers, key=lambda ranks: ms(n, ranks))
                 kept = [ranks for ranks in powers if ms(n, 1) / ranks / ms(n, ranks) >= 0.5]
-                self.assertIn(row[9 + at].raw / max(kept), (0.5, 1, 2))
-                self.assertIn(row[11 + at].raw / best, (0.5, 1, 2))
+                self.assertIn(row[10 + at].raw / max(kept), (0.5, 1, 2))
+                self.assertIn(row[12 + at].raw / best, (0.5, 1, 2))
 
     @recomputes("table:ranks-counts")
     def test_every_count_is_shown(self):
@@ -91,35 +89,35 @@ class Ranks(unittest.TestCase):
             (f"{scene}, {n:,}", p)
             for (scene, n), points in chains(self.value).items()
             for p in points
-            if p["ranks"] in (2, 4, 16, 64, 256)
+            if p["ranks"] in (2, 16, 64, 256, 1024)
         ]
         self.assertEqual(len(rows), len(told))
         for row, (name, p) in zip(rows, told):
             self.assertEqual((row[0].text, row[1].raw, row[2].text), (name, p["ranks"], p["order"]))
             self.assertEqual([cell.raw for cell in row[3:8]], [p[key] for key in keys])
             self.assertEqual(row[8].raw, p["blocks_asked"] / p["blocks_touching"])
-            self.assertEqual(row[9].raw, sum(p["most_processor_ms"].values()) if p["ranks"] <= 64 else "")
+            self.assertEqual(row[9].raw, sum(p["most_processor_ms"].values()) if p["ranks"] <= 256 else "")
 
     def test_counts_beyond_what_was_fitted_check_the_law(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
             for p in chain["points"]:
-                if p["ranks"] == 256:
+                if p["ranks"] > 256:
                     p["most_blocks_asked"] *= 3
         rows = pages.Shown(pages.of(self.value)).tables["ranks-model"].rows
         for row in rows:
-            self.assertAlmostEqual(row[8].raw, 3, delta=0.1)
+            self.assertAlmostEqual(row[9].raw, 3, delta=0.15)
 
     def test_too_few_points_have_no_model(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
-            chain["points"] = chain["points"][:3]
+            chain["points"] = chain["points"][:2]
         shown = pages.Shown(pages.of(self.value))
-        self.assertNotIn("ranks-model", shown.tables)
-        self.assertIn("ranks-counts", shown.tables)
+        self.assertNotIn("ranks-model", set(shown.tables))
+        self.assertIn("ranks-counts", set(shown.tables))
         self.assertIsNone(rank_model.law([]))
 
     def test_without_data_there_is_no_section(self):
         del self.value["catena"]["ranks"]
-        self.assertNotIn("ranks-counts", pages.Shown(pages.of(self.value)).tables)
+        self.assertNotIn("ranks-counts", set(pages.Shown(pages.of(self.value)).tables))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from ..style import COLOURS, MARKERS, Look
 from ..table import Cell, Table
 
 AIM = 2  # times the blocks that truly touch another part
-SHOWN = (2, 4, 16, 64, 256, 1024, 4096)  # rows of the table of counts
+SHOWN = (2, 16, 64, 256, 1024, 4096)  # rows of the table of counts
 TOLD = (1e6, 1e9)  # spheres for which the model is told
 
 
@@ -40,11 +40,9 @@ def _by_scene(chains):
 
 def _told(found):
     return Prose(
-        "Under <code>mpirun</code> each process, a rank, holds a part of the chain, searches it by itself, and asks other"
-        " ranks for the blocks of eight spheres that may touch its own. Here the ranks are threads of one process, so that"
-        " thousands of them can be counted on any machine. Times are those that a rank's own thread computed:"
-        f" {found['searched_by']} within the parts, what is sent packed and unpacked; waiting, for other ranks or a network, is"
-        " not in them."
+        "Under <code>mpirun</code> each process, a rank, searches a part of the chain by itself and asks other ranks for the"
+        " blocks of eight spheres that may touch its own. Here ranks are threads of one process, and a time is what a rank's"
+        f" own thread computed, {found['searched_by']} within its part: waiting, and a network, are not in it."
     )
 
 
@@ -73,8 +71,13 @@ def _exchange(report, run, chains):
             over.series.append(
                 Series(_name(chain), [x for x, _ in seen], [y for _, y in seen], _look(chains, chain), chains=None)
             )
-    dense = Panel("over contact density", Axis("colliding pairs a sphere"), Axis("blocks asked for / blocks that touch"))
     longest = [max(mine, key=lambda chain: chain["n"]) for mine in _by_scene(chains).values()]
+    most = max((density(chain) or 0 for chain in longest), default=0)
+    dense = Panel(
+        "over contact density",
+        Axis("colliding pairs a sphere", range=(-0.1 * most, 1.2 * most) if most else None),
+        Axis("blocks asked for / blocks that touch"),
+    )
     for at, ranks in enumerate((4, 16, 64)):
         seen = sorted(
             (density(chain), rank_model.excess(p), chain["scene"])
@@ -130,7 +133,7 @@ def _times(report, run, chains, models):
                 Series(_name(chain), [x for x, _ in seen], [y for _, y in seen], look, line=False)
             )
             if model := models[scene]:
-                ranks = [2**k for k in range(0, 13)]
+                ranks = [2**k for k in range(0, 14)]
                 panel.series.append(
                     Series(
                         "model",
@@ -144,8 +147,8 @@ def _times(report, run, chains, models):
             panel.series.append(
                 Series(
                     "one rank's time shared out",
-                    [seen[0][0], 4096],
-                    [seen[0][1], seen[0][1] * seen[0][0] / 4096],
+                    [1, seen[-1][0]],
+                    [seen[0][1], seen[0][1] / seen[-1][0]],
                     Look("muted", dash="dot"),
                     markers=False,
                     legend=chain is mine[0] and not panels,
@@ -167,8 +170,8 @@ def _times_verdict(chains, models):
     best = {scene: model.best(n) for scene, model in models.items() if model}
     if not best:
         return "How long the busiest rank takes"
-    told = words.listed(f"{words.count(ranks)} ranks of {scene}" for scene, ranks in best.items())
-    return f"With {words.count(n)} spheres more ranks stop paying beyond {told}"
+    told = words.listed(f"{words.count(ranks)} ({scene})" for scene, ranks in best.items())
+    return f"By the model {words.count(n)} spheres are searched soonest by so many ranks: {told}; more are slower"
 
 
 def _model_table(report, run, chains, models):
@@ -182,10 +185,9 @@ def _model_table(report, run, chains, models):
             [
                 scene,
                 Cell(words.significant(density(mine[-1]), 3), density(mine[-1])),
-                f"{words.significant(model.law.factor, 3)} h^{model.law.exponent:.2f}",
                 *[
                     Cell(words.significant(value, 3), value)
-                    for value in (model.sphere_ns, model.asked_ns, model.rank_ns, model.fixed_ns, model.error)
+                    for value in (model.law.factor, model.law.thickness, model.sphere_ns, model.asked_ns, model.rank_ns, model.fixed_ns, model.error)
                 ],
                 Cell(words.significant(max(off), 3), max(off)) if off else "",
                 *[Cell(words.count(model.half(n)), model.half(n)) for n in TOLD],
@@ -195,13 +197,16 @@ def _model_table(report, run, chains, models):
     if not rows:
         return None
     return Table(f"ranks-model{report.key(run)}", "What ranks cost, as a model of n, the ranks R and the contacts", (
-        "A rank holds h = n / 8 R blocks and asks for a = c h^e of others; a surface has e = 2/3. The busiest takes"
-        " s n / R + b a + r R + f nanoseconds, s for each of its spheres, b for each block that it asks for, r for each rank"
-        " that there is, f once; one rank alone s n. Off: the median factor between the times and the model; and the largest"
-        f" between the blocks asked for by the law and as counted on more than {rank_model.FITTED} ranks. Half: the most"
-        " ranks of which no more than half is lost, so for a million and a billion spheres; best: those with the least time."
-    ), ["scene", "pairs a sphere", "a = c h^e", "s, ns", "b, ns", "r, ns", "f, ns", "times off", "counts off"]
-      + [f"{what}, {words.count(n)}" for what in ("half", "best") for n in TOLD], rows)
+        "A rank holds h = n / 8 R blocks, a cube of them, and asks for a shell around it: a ="
+        " c ((h^(1/3) + w)^3 - h) (1 - R^(-1/3)) blocks, the last factor being the share of its sides that others are behind."
+        " The busiest computes for s n / R + b a + r R + f nanoseconds: s for each of its spheres, b for each block that it"
+        " asks for, r for each rank that there is, f once; one rank alone for s n. Off: the median factor between the times"
+        " and the model; and the largest between the blocks asked for by the law and as counted on more than"
+        f" {rank_model.FITTED} ranks. Half: the most ranks of which no more than half is lost, with a million and with a"
+        " billion spheres; best: those with the least time, beyond which more are slower. Scenes that stay in chain order"
+        " have no shell, and are left out."
+    ), ["scene", "pairs a sphere", "c", "w, blocks", "s, ns", "b, ns", "r, ns", "f, ns", "times off", "counts off"]
+      + [f"{what}, n = {words.count(n)}" for what in ("half", "best") for n in TOLD], rows)
 
 
 def _counts(report, run, chains):
