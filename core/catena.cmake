@@ -64,7 +64,7 @@ endfunction()
 
 # The library. Everything is hidden but what says CATENA_API (core/export.h), the standard library's templates too, and
 # it calls its own functions: no other program's copy, compiled with other flags, takes their place.
-set(CATENA_LIBRARY_FOLDERS arithmetic blocks cells chain executor frames grid hierarchy hybrid parameters plan policies space_tree strategy)  # of core
+set(CATENA_LIBRARY_FOLDERS arithmetic blocks cells chain executor frames grid hierarchy hybrid parameters parts plan policies space_tree strategy)  # of core
 list(TRANSFORM CATENA_LIBRARY_FOLDERS PREPEND core/ OUTPUT_VARIABLE folders)
 catena_sources(library_sources ${folders} variants)
 add_library(catena SHARED ${library_sources})

@@ -11,9 +11,9 @@ namespace catena::cuda {
 Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Collisions& result,
                                   const Device::Search& search,
                                   const std::function<void(const ResidentState&)>& mend, const Stream& stream,
-                                  Staging& staging) {
+                                  Staging& staging, const CountsTo* counts) {
   try {
-    return fetch_all(n, request, result, search, mend, stream, staging);
+    return fetch_all(n, request, result, search, mend, stream, staging, counts);
   } catch (...) {  // what is left of an earlier search is no answer
     result.count.clear();
     std::vector<Pair>().swap(result.pairs);
@@ -24,7 +24,7 @@ Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Colli
 Device::Times DeviceAnswer::fetch_all(std::uint32_t n, const Request& request, Collisions& result,
                                       const Device::Search& search,
                                       const std::function<void(const ResidentState&)>& mend,
-                                      const Stream& stream, Staging& staging) {
+                                      const Stream& stream, Staging& staging, const CountsTo* counts) {
   ResidentAnswer answer = prepare(n, request, result, stream);
   Device::Times times;
   ResidentState state{};
@@ -50,8 +50,12 @@ Device::Times DeviceAnswer::fetch_all(std::uint32_t n, const Request& request, C
   if (request.want == Request::Want::any) return times;
   result.pair_count = state.found;
   const Stopwatch watch;
-  resize_large(result.count, n);
-  staging.to_host(result.count.data(), answer.count, n * sizeof *answer.count, stream);
+  if (counts == nullptr) {
+    resize_large(result.count, n);
+    staging.to_host(result.count.data(), answer.count, n * sizeof *answer.count, stream);
+  } else {
+    staging.to_host(counts->count.data(), answer.count + counts->first, counts->count.size_bytes(), stream);
+  }
   if (request.want == Request::Want::pairs) {
     resize_large(result.pairs, state.found);
     staging.to_host(result.pairs.data(), answer.pairs, state.found * sizeof(Pair), stream);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
+#include <vector>
 
 #include "catena/core/parameters/parameters.h"
 #include "catena/cuda/staging.h"
@@ -66,6 +68,45 @@ void Staging::to_device(void* device, const void* host, std::size_t bytes, cudaS
   }
 }
 
+void Staging::to_device(void* device, const void* host, std::size_t element,
+                        std::span<const SphereRange> ranges, cudaStream_t stream, const Seen& seen,
+                        std::size_t together) {
+  const auto multiple = [&](std::size_t count) { return std::max(together, count / together * together); };
+  const std::size_t at_once = multiple(1 << 12);  // elements that one core copies
+  const std::size_t most = multiple(chunk / element);
+  if (most * element > chunk) throw std::logic_error("Staging: too many elements are to be seen together");
+  std::size_t all = 0;
+  for (const SphereRange& range : ranges) all += range.size();
+  const bool pinned = pins(all * element);
+  std::vector<char> pageable(pinned ? 0 : std::min(most, all) * element);
+  std::vector<SphereRange> pieces;
+  std::size_t at = 0, next = 0, done = 0;  // in the device's array, in the ranges, and in the next of them
+  for (std::size_t k = 0; at < all; ++k) {
+    pieces.clear();
+    std::size_t size = 0;  // of these
+    while (size < most && next < ranges.size()) {
+      const std::size_t left = ranges[next].size() - done, part = std::min({left, most - size, at_once});
+      const auto begin = static_cast<std::uint32_t>(ranges[next].begin + done);
+      pieces.push_back({begin, begin + static_cast<std::uint32_t>(part)});
+      size += part, done += part;
+      if (part == left) ++next, done = 0;
+    }
+    char* const there = static_cast<char*>(device) + at * element;
+    const char* const from = static_cast<const char*>(host);
+    if (pinned) {
+      Chunk& of = *chunks_[k % chunks];
+      of.wait();
+      gather(of.memory(), from, element, pieces, seen);
+      of.move(there, of.memory(), size * element, cudaMemcpyHostToDevice, stream);
+    } else {
+      gather(pageable.data(), from, element, pieces, seen);
+      CATENA_CUDA(cudaMemcpyAsync(there, pageable.data(), size * element, cudaMemcpyHostToDevice, stream));
+      CATENA_CUDA(cudaStreamSynchronize(stream));  // before the memory is used again
+    }
+    at += size;
+  }
+}
+
 void Staging::to_host(void* host, const void* device, std::size_t bytes, cudaStream_t stream) {
   if (bytes == 0) return;
   if (!pins(bytes)) {
@@ -101,6 +142,21 @@ bool Staging::pins(std::size_t bytes) {
     refused_ = true;
   }
   return !refused_;
+}
+
+void Staging::gather(char* to, const char* from, std::size_t element, std::span<const SphereRange> ranges,
+                     const Seen& seen) const {
+  std::vector<std::size_t> at;
+  std::size_t size = 0;
+  for (const SphereRange& range : ranges) at.push_back(size), size += range.size() * element;
+  const auto all = static_cast<std::uint32_t>(ranges.size());
+  team_.for_each_range(all, std::max(1u, all / 64), [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const char* const of = from + ranges[k].begin * element;
+      std::memcpy(to + at[k], of, ranges[k].size() * element);
+      if (seen) seen(ranges[k].begin, ranges[k].size(), of);
+    }
+  });
 }
 
 void Staging::copy(char* to, const char* from, std::size_t bytes) const {

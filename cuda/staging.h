@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <span>
 
 #include "catena/core/executor/team.h"
+#include "catena/core/strategy/request.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/stream.h"
 
@@ -27,6 +30,13 @@ class Staging {
 
   /// On its way in the stream when this returns; the program's memory is its own again.
   void to_device(void* device, const void* host, std::size_t bytes, cudaStream_t stream);
+  /// Elements of an array that are being moved: from which on, how many, and where they can be read. Any core
+  /// calls it.
+  using Seen = std::function<void(std::size_t first, std::size_t count, const void* elements)>;
+  /// The same of ranges of an array of elements of that many bytes, which come one after the other. `seen`,
+  /// if any, is told of all, `together` at a time from the beginning of each range, or a multiple of so many.
+  void to_device(void* device, const void* host, std::size_t element, std::span<const SphereRange> ranges,
+                 cudaStream_t stream, const Seen& seen = {}, std::size_t together = 1);
   /// All of it is there when this returns.
   void to_host(void* host, const void* device, std::size_t bytes, cudaStream_t stream);
 
@@ -43,6 +53,8 @@ class Staging {
 
   bool pins(std::size_t bytes);
   void copy(char* to, const char* from, std::size_t bytes) const;
+  void gather(char* to, const char* from, std::size_t element, std::span<const SphereRange> ranges,
+              const Seen& seen) const;
 
   Team team_;
   std::array<std::unique_ptr<Chunk>, chunks> chunks_;

@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/sorted_pairs.h"
@@ -77,7 +77,8 @@ TEST_F(Device, PairBufferGrowsAndLosesNothing) {
   const Chain chain(
       std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));  // 4.5 million pairs, far past the first guess
   const auto exact = reference::find(chain);
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "DeviceGrid", "DeviceHybrid",
+                           "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     Collisions found;
     for (int round = 0; round < 2; ++round) {
@@ -88,21 +89,25 @@ TEST_F(Device, PairBufferGrowsAndLosesNothing) {
   }
 }
 
-/// Whatever the order in which blocks of threads come: sizes at the borders of blocks, teams and thread blocks.
+/// Whatever the order in which blocks of threads come: sizes at the borders of blocks, teams and thread
+/// blocks.
 TEST_F(Device, FindsTheSamePairsEveryTime) {
   const int rounds = 40;
   for (const char* kind : {"yarn", "mixed_radii", "path1"})
     for (const std::uint32_t n : {31u, 32u, 33u, 127u, 129u, 1023u, 1025u, 4097u, 20001u}) {
       const Chain chain = scene(std::string(kind) + ":n=" + std::to_string(n));
       const auto exact = reference::find(chain);
-      for (const char* name : {"DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0)", "DeviceHybrid(least=0,cells=0)",
-                               "DeviceHybrid(least=0,crowd=0)", "DeviceLBVH"}) {
+      for (const char* name :
+           {"DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0)", "DeviceHybrid(least=0,cells=0)",
+            "DeviceHybrid(least=0,crowd=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4,searches=3)",
+            "DeviceParts(parts=5,group=8,order=space)"}) {
         const auto variant = StrategyRegistry::instance().make(name);
         Collisions found;
         for (int round = 0; round < rounds; ++round) {
           variant->build(chain);
           variant->find(chain, {}, found);
-          ASSERT_TRUE(reference::compare(chain, exact, found).right()) << name << " on " << kind << ", n " << n;
+          ASSERT_TRUE(reference::compare(chain, exact, found).right())
+              << name << " on " << kind << ", n " << n;
         }
       }
     }
@@ -112,10 +117,13 @@ TEST_F(Device, MovesLargeChainsAndAnswersWhole) {
   // Beyond what the driver moves before memory is pinned for it, in parts of several chunks and a rest.
   std::vector<Sphere> spheres;
   for (int i = 0; i < 1'500'007; ++i)
-    spheres.push_back({static_cast<float>(i % 1000), static_cast<float>(i / 1000 % 40), static_cast<float>(i / 40'000), 0.55f});
+    spheres.push_back({static_cast<float>(i % 1000), static_cast<float>(i / 1000 % 40),
+                       static_cast<float>(i / 40'000), 0.55f});
   const Chain chain(spheres);
-  for (const char* name : {"DeviceGrid", "aGPU2+GPU2", "aCPU2+GPU2"}) {
-    const auto variant = StrategyRegistry::instance().make(name), host = StrategyRegistry::instance().make("Grid");
+  for (const char* name : {"DeviceGrid", "aGPU2+GPU2", "aCPU2+GPU2", "DeviceParts(memory=64)",
+                           "DeviceParts(memory=64,order=space)"}) {
+    const auto variant = StrategyRegistry::instance().make(name),
+               host = StrategyRegistry::instance().make("Grid");
     Collisions found, expected;
     for (int frame = 0; frame < 3; ++frame) {
       for (std::size_t i = 0; i < spheres.size(); i += 1 + i % 7) spheres[i].x += 0.25f;
@@ -133,7 +141,8 @@ TEST_F(Device, MovesLargeChainsAndAnswersWhole) {
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
   const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
   const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceHybrid",
+                           "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     variant->build(chain);
     Collisions found;
@@ -200,7 +209,9 @@ TEST_F(Device, EveryExclusionRuleTravels) {
        {Chain(spheres, strands, rule), Chain(spheres, strands, arcs), Chain(spheres, {}, arcs)}) {
     const auto exact = reference::find(chain);
     ASSERT_GT(exact.pair_count, 100u);
-    for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
+    for (const char* name :
+         {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceHybrid",
+          "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);
@@ -215,7 +226,9 @@ TEST_F(Device, AMillionSpheres) {
     const Chain chain = scene(input);
     const auto exact = reference::find(chain);
     ASSERT_EQ(exact.pair_count, 45u);
-    for (const char* name : {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2", "DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH"}) {
+    for (const char* name :
+         {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2", "DeviceGrid", "DeviceHybrid",
+          "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);

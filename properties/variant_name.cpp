@@ -33,7 +33,7 @@ std::vector<Subject> in_small_blocks(const std::vector<Subject>& subjects) {
   for (const Subject& subject : subjects)
     if (const auto name =
             with_settings(subject.info.name,
-                          {{"subtree", "6"}, {"block", "4"}, {"crowd", "0"}, {"frames", "always"}}))
+                          {{"subtree", "6"}, {"block", "4"}, {"crowd", "0"}, {"frames", "always"}, {"parts", "3"}, {"group", "4"}}))
       small.push_back(Subject::named(*name));
   return small;
 }

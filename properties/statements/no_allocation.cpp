@@ -19,7 +19,7 @@ class NoAllocation final : public Property {
   std::string name() const override { return "no allocation once warm"; }
   bool applies_to(const Subject& subject) const override {
     return Allocations::counter() != nullptr && !subject.info.on_device() && !subject.info.peer &&
-           !has_ranks(subject);
+           !shares_out(subject);
   }
 
   std::optional<std::string> check(const Subject& subject, Variant&, const Case& test) override {
@@ -37,12 +37,14 @@ class NoAllocation final : public Property {
   }
 
  private:
-  /// Ranks are threads however many there are, and what they tell one another is allocated.
-  static bool has_ranks(const Subject& subject) {
+  /// Ranks and parts are searched by threads however many there are, and what they tell one another is allocated.
+  static bool shares_out(const Subject& subject) {
     return std::ranges::any_of(VariantName::parse(subject.info.name).stages, [](const StageName& stage) {
       const StrategyInfo* const strategy = StrategyRegistry::instance().find_strategy(stage.strategy);
       return strategy != nullptr &&
-             std::ranges::find(strategy->parameters, "ranks", &ParameterInfo::name) != strategy->parameters.end();
+             std::ranges::any_of(strategy->parameters, [](const ParameterInfo& parameter) {
+               return parameter.name == "ranks" || parameter.name == "parts";
+             });
     });
   }
   /// A result of its own, so that no larger one of another chain has made the room.

@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/core/readers/chain_format.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/properties/generators/family.h"
+#include "catena/properties/generators/simplifications.h"
+#include "catena/properties/giants.h"
+#include "catena/properties/sorted_pairs.h"
+#include "catena/properties/suite.h"
+#include "catena/reference/reference.h"
+
+/// A search part after part is one more exact variant: every property on every family of chains, in few and
+/// many parts, of short and long groups, in chain order and by space, with parts that stay and parts that
+/// take turns.
+namespace catena::properties {
+namespace {
+
+class PartsProperties : public testing::TestWithParam<std::string> {};
+
+TEST_P(PartsProperties, HoldOnEveryFamily) {
+  Suite suite({Subject::named(GetParam())});
+  std::uint64_t seed = 2000;
+  for (const Family& family : FamilyRegistry::instance().families())
+    for (std::uint32_t round = 0; round < 2; ++round) {
+      Dice dice(++seed);
+      const Case test = Case::of(generate(family, dice, family.name == "sizes" && round == 0 ? 2400 : 48));
+      const auto finding = suite.check(test);
+      if (!finding) continue;
+      std::ostringstream text;
+      write_chain(text, shrink(test.chain, [&](const Chain& c) { return suite.repeats(*finding, c); }));
+      FAIL() << family.name << ", seed " << seed << ": " << finding->property << ": " << finding->what << '\n'
+             << text.str();
+    }
+  for (const Case& giant : giants())
+    if (const auto finding = suite.check_always(giant)) FAIL() << finding->property << ": " << finding->what;
+}
+
+INSTANTIATE_TEST_SUITE_P(Host, PartsProperties,
+                         testing::Values("Parts", "Parts(parts=1)", "Parts(parts=2,order=chain,group=1)",
+                                         "Parts(parts=3,order=space,group=1)",
+                                         "Parts(parts=7,order=space,group=3)",
+                                         "Parts(parts=5,order=chain,group=4,searches=8)",
+                                         "Parts(parts=11,group=2,searches=1)",
+                                         "Parts(parts=5,order=chain,group=1,searches=1)",
+                                         "Parts(parts=2,group=1,searches=1,room=24)"),
+                         [](const auto& of) { return fmt::format("Case{}", of.index); });
+
+Chain scene(const std::string& spec) {
+  const Input input = open_input(spec);
+  return input.animation->frame(input.animation->frames() / 2);
+}
+
+void expect_same(Collisions found, reference::Answer exact, const std::string& input) {
+  ASSERT_FALSE(exact.pairs.empty()) << input;
+  sort(found.pairs);
+  sort(exact.pairs);
+  EXPECT_EQ(found.pairs, exact.pairs) << input;
+  EXPECT_EQ(found.count, exact.count) << input;
+  EXPECT_EQ(found.pair_count, exact.pair_count) << input;
+}
+
+std::uint64_t step(const Variant& variant, const std::string& name) {
+  for (const WorkDone& done : variant.work())
+    if (done.step == name) return done.times;
+  ADD_FAILURE() << "no step " << name;
+  return 0;
+}
+
+/// What the parts are, and not only that they are right: paths stay in chain order with small halos, a ball
+/// of yarn is parted by space.
+TEST(Parts, ArePartedByWhatIsMeasured) {
+  struct Expected {
+    const char* input;
+    bool in_space;
+  };
+  for (const auto& [input, in_space] :
+       {Expected{"path1:n=40000", false}, Expected{"path2:n=40000", false}, Expected{"yarn:n=40000", true}}) {
+    const Chain chain = scene(input);
+    const auto variant = StrategyRegistry::instance().make("Parts(parts=4,searches=4)");
+    variant->build(chain);
+    Collisions found;
+    variant->find(chain, {}, found);
+    expect_same(found, reference::find(chain), input);
+    EXPECT_EQ(step(*variant, "parts"), 4u) << input;
+    EXPECT_EQ(step(*variant, "parted by space"), in_space) << input;
+    EXPECT_LT(step(*variant, "spheres in halos"), chain.size()) << input;
+    if (!in_space) {
+      EXPECT_LT(step(*variant, "spheres in halos"), chain.size() / 20) << input;
+    }
+  }
+}
+
+TEST(Parts, HaveAsManyAsTheRoomAsks) {
+  const Chain chain = scene("path1:n=100000");
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=10000)");
+  variant->build(chain);
+  Collisions found;
+  variant->find(chain, {}, found);
+  const auto exact = reference::find(chain);
+  ASSERT_FALSE(exact.pairs.empty());
+  expect_same(found, exact, "path1");
+  EXPECT_GE(step(*variant, "parts"), 10u);
+  EXPECT_GT(step(*variant, "spheres searched for pairs of two parts"), 0u);
+  variant->find(chain, {}, found);  // parts that took turns come again
+  expect_same(found, exact, "path1 again");
+}
+
+/// Half a path and then a ball of yarn that fills the room for pairs of two parts.
+TEST(Parts, ComeWithHalosWhereTooMuchTouchesOthers) {
+  std::vector<Sphere> spheres;
+  const Chain path = scene("path1:n=60000"), yarn = scene("yarn:n=6000");
+  for (const Sphere& s : path.spheres()) spheres.push_back(s);
+  for (const Sphere& s : yarn.spheres()) spheres.push_back({s.x + 1e4f, s.y, s.z, s.radius});
+  const Chain chain(spheres);
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=3000,searches=2)");
+  variant->build(chain);
+  Collisions found;
+  variant->find(chain, {}, found);
+  expect_same(found, reference::find(chain), "path and yarn");
+  EXPECT_GT(step(*variant, "spheres in halos"), 0u);
+}
+
+TEST(Parts, SayWhereThereIsNoRoom) {
+  const Chain chain(std::vector<Sphere>(5000, Sphere{1, 2, 3, 4}));  // each touches all others
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=1000)");
+  try {
+    variant->build(chain);
+    FAIL() << "parted what cannot be parted";
+  } catch (const CapacityError& error) {
+    EXPECT_NE(std::string(error.what()).find("memory of 1000 spheres"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Parts, CountPairsPastTheLimit) {
+  const Chain chain = scene("yarn:n=3000");
+  const auto exact = reference::find(chain);
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=4)");
+  variant->build(chain);
+  Collisions found;
+  try {
+    variant->find(chain, {.pair_limit = exact.pair_count / 4}, found);
+    FAIL() << "kept more pairs than the limit";
+  } catch (const PairLimitExceeded& exceeded) {
+    EXPECT_EQ(exceeded.found(), exact.pair_count);
+    EXPECT_TRUE(found.pairs.empty());
+  }
+  variant->find(chain, {.want = Request::Want::counts}, found);
+  EXPECT_EQ(found.count, exact.count);
+}
+
+}  // namespace
+}  // namespace catena::properties

@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/pair.h"
+#include "catena/core/parts/part_ranges.h"
+#include "catena/core/strategy/request.h"
+
+namespace catena::parts {
+
+/// The spheres of a part and of its halo as a chain of their own, in which exactly those are neighbours that
+/// are so in the whole: first what is of parts before it, then its own spheres, then the rest. A search for
+/// the pairs i < j whose i is of the part so finds each pair of the whole chain in one part, and every
+/// collision of its own spheres.
+class LocalChain {
+ public:
+  /// Consecutive spheres of one strand of the whole chain.
+  struct Piece {
+    std::uint32_t first;  ///< of the whole chain
+    std::uint32_t begin;  ///< of this one
+    std::uint32_t size;
+    std::uint32_t strand;  ///< of the whole chain
+    bool closed;           ///< all of a closed strand
+  };
+
+  /// O(ranges + size / 32 + p log p) for p pieces and those of their spheres that are neighbours across
+  /// pieces. Throws CapacityError for 2^31 spheres or more.
+  LocalChain(const Chain& whole, const PartRanges& part);
+
+  std::uint32_t size() const { return begin_.back(); }
+  SphereRange own() const { return own_; }
+  /// Spheres of the whole chain, in the order of this one.
+  std::span<const SphereRange> runs() const { return runs_; }
+  /// Where in this one each run begins.
+  std::uint32_t begin(std::size_t run) const { return begin_[run]; }
+  /// Each is a strand.
+  std::span<const Piece> pieces() const { return pieces_; }
+  /// Neighbours that no strand shows, i < j, each once, sorted.
+  std::span<const Pair> extra() const { return extra_; }
+  /// A single piece, open and without extra pairs: no table is needed to say who are neighbours.
+  bool is_one_open_strand() const { return pieces_.size() == 1 && !pieces_[0].closed && extra_.empty(); }
+
+  /// The number in the whole chain. O(1) where runs are not shorter than four spheres.
+  std::uint32_t id(std::uint32_t local) const {
+    std::uint32_t run = run_at_.empty() ? 0 : run_at_[local / stride];
+    while (begin_[run + 1] <= local) ++run;
+    return runs_[run].begin + (local - begin_[run]);
+  }
+
+ private:
+  static constexpr std::uint32_t stride = 32;
+  static constexpr std::size_t few = 8;  ///< runs that are found without a table
+  void take(const std::vector<SphereRange>& ranges);
+  void cut_pieces(const Chain& whole);
+
+  SphereRange own_;
+  std::vector<SphereRange> runs_;
+  std::vector<std::uint32_t> begin_{0};  ///< of each run, and the end
+  std::vector<std::uint32_t> run_at_;    ///< [k]: of sphere stride * k
+  std::vector<Piece> pieces_;
+  std::vector<Pair> extra_;
+};
+
+}  // namespace catena::parts

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/executor/team.h"
+#include "catena/core/parameters/parameters.h"
+#include "catena/core/parts/part_ranges.h"
+
+namespace catena::parts {
+
+/// How the groups of a chain are shared out.
+enum class Order {
+  measured,  ///< by space where halos in chain order have more than an eighth of the chain, and fewer so
+  chain,
+  space
+};
+
+struct PartitionOptions {
+  std::uint32_t group =
+      32;  ///< consecutive spheres that stay together, >= 1; by space an eighth of that, at least 1
+  Order order = Order::measured;
+};
+/// As a strategy's parameters `group` and `order` say.
+PartitionOptions partition_options(const Parameters& parameters);
+
+/// A chain parted for searches of one part at a time. Each sphere is a part's own once, so that the parts and
+/// their halos have each pair of the chain in a part of which a sphere of it is.
+struct Partition {
+  std::vector<PartRanges> parts;
+  bool in_space = false;
+
+  /// The greatest number of spheres in a part and its halo.
+  std::uint64_t greatest() const;
+  /// Spheres in all halos, as a share of all.
+  double halo_share() const;
+};
+
+/// Consecutive parts of about as many groups each, >= 1, without halos. O(parts).
+Partition cut_in_chain_order(std::uint32_t spheres, std::uint32_t parts, std::uint32_t group);
+
+/// Parts the chain into `parts` >= 1; by space some may be empty. In chain order O(n), and O(m log n) for m
+/// groups near another part; by space O(n log parts). Shared out by the team.
+Partition part_chain(const Chain& chain, std::uint32_t parts, const PartitionOptions& options,
+                     const Team& team);
+
+/// Whether chain order seems to tangle the parts, so that halos would be large: by a few groups of the
+/// chain. Only a guess.
+bool seems_tangled(const Chain& chain, std::uint32_t parts, std::uint32_t group, const Team& team);
+
+}  // namespace catena::parts
