@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -24,21 +24,19 @@ class World {
   /// `bring` is called under the lock with the box of this meeting, `close` by the last rank to come.
   template <class Bring, class Close>
   void meet(std::size_t& turn, const Bring& bring, const Close& close) {
-    const std::uint32_t this_one = meeting_.load();
     std::unique_lock lock(mutex_);
     Box& box = boxes_[turn % 2];
-    ++turn;
     bring(box);
-    if (++here_ < ranks_) {
-      lock.unlock();
-      meeting_.wait(this_one);  // and not for the lock, for which thousands of ranks would queue up
-      return;
+    if (++here_ == ranks_) {
+      here_ = 0;
+      ++meeting_;
+      close(box);
+      met_.notify_all();
+    } else {
+      const std::size_t this_one = meeting_;
+      met_.wait(lock, [&] { return meeting_ != this_one; });
     }
-    here_ = 0;
-    close(box);
-    ++meeting_;
-    lock.unlock();
-    meeting_.notify_all();
+    ++turn;
   }
 
   struct Box {
@@ -53,8 +51,9 @@ class World {
  private:
   const unsigned ranks_;
   std::mutex mutex_;
+  std::condition_variable met_;
   unsigned here_ = 0;
-  std::atomic<std::uint32_t> meeting_ = 0;
+  std::size_t meeting_ = 0;
   std::array<Box, 2> boxes_;
 };
 
