@@ -23,7 +23,8 @@ ScalingPoint measure(const Chain& chain, unsigned ranks, const ScalingOptions& a
     else
       options.variant = asked.timed_variant;
     options.entering = [&clock = clocks[rank]](Phase phase) { clock.enter(phase); };
-    const RankAnswer answer = search(communicator, part_of(chain, start(rank), start(rank + 1)), options, work[rank]);
+    const RankAnswer answer =
+        search(communicator, part_of(chain, start(rank), start(rank + 1)), options, work[rank]);
     traffic[rank] = communicator.traffic();
     if (rank == 0) pairs = answer.pair_count;
   });

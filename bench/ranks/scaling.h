@@ -23,15 +23,18 @@ struct ScalingPoint {
   std::uint64_t blocks_touching = 0;  ///< likewise: no exchange can do with fewer
   std::uint64_t most_blocks_asked = 0;
   std::uint64_t bytes = 0, most_bytes = 0, messages = 0, most_messages = 0;
-  std::uint64_t pairs_across = 0, pairs = 0;  ///< of those found, all; those across alone where nothing is timed
-  /// Processor time of each phase, of all ranks together and of the rank that took most; where times were asked for.
+  std::uint64_t pairs_across = 0,
+                pairs = 0;  ///< of those found, all; those across alone where nothing is timed
+  /// Processor time of each phase, of all ranks together and of the rank that took most; where times were
+  /// asked for.
   PhaseClock::Milliseconds all_ms{}, most_ms{};
 };
 
 struct ScalingOptions {
   std::vector<unsigned> ranks;  ///< each at least 1
   Order order = Order::measured;
-  /// Searches the parts, too, by this variant, and tells what each phase takes; empty: only what is exchanged is counted.
+  /// Searches the parts, too, by this variant, and tells what each phase takes; empty: only what is exchanged
+  /// is counted.
   std::string timed_variant{};
 };
 
@@ -51,8 +54,8 @@ struct Scaling {
 /// 2, 4, 8, ... up to `most`.
 std::vector<unsigned> doubled_ranks(unsigned most);
 
-/// Runs the sharing out and the exchange, and not the search within the parts unless times are asked for, on each of these
-/// numbers of ranks, which are threads of this process.
+/// Runs the sharing out and the exchange, and not the search within the parts unless times are asked for, on
+/// each of these numbers of ranks, which are threads of this process.
 Scaling measure_scaling(const Chain& chain, const ScalingOptions& options);
 
 nlohmann::ordered_json to_json(const Scaling& scaling);

@@ -23,7 +23,8 @@ class ScalingCommand final : public Command {
         ->check(CLI::IsMember({"measured", "chain", "space"}))
         ->capture_default_str();
     app.add_option("--timed", timed_,
-                   "Search the parts, too, by this variant, from one rank on, and tell with --json what each phase takes");
+                   "Search the parts, too, by this variant, from one rank on, and tell with --json what each "
+                   "phase takes");
     add_input_options(app, options_);
     app.add_flag("--json", json_, "One JSON object");
   }

@@ -6,8 +6,9 @@
 
 namespace catena {
 
-/// Who of many pairs that overlap are neighbours. Under an index window, where no strand is closed and there are no extra
-/// pairs, none are that are further apart in number, whatever strands they are of: that is told without a look at them.
+/// Who of many pairs that overlap are neighbours. Under an index window, where no strand is closed and there
+/// are no extra pairs, none are that are further apart in number, whatever strands they are of: that is told
+/// without a look at them.
 class WindowFilter {
  public:
   /// O(strands).
@@ -23,9 +24,10 @@ class WindowFilter {
   static std::uint32_t furthest(const ChainView& chain) {
     const ExclusionView& rule = chain.exclusion;
     const std::uint8_t* const flags = rule.strand_closed;
-    const bool closed = !rule.one_open_strand && std::find_if(flags, flags + chain.strand_count, is_set) !=
-                                                     flags + chain.strand_count;
-    const bool window_is_all = rule.rule == Exclusion::Rule::index_window && rule.extra_row == nullptr && !closed;
+    const bool closed = !rule.one_open_strand &&
+                        std::find_if(flags, flags + chain.strand_count, is_set) != flags + chain.strand_count;
+    const bool window_is_all =
+        rule.rule == Exclusion::Rule::index_window && rule.extra_row == nullptr && !closed;
     return window_is_all ? rule.window : ~0u;
   }
 

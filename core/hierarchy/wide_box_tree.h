@@ -12,8 +12,8 @@
 
 namespace catena {
 
-/// Boxes in a row, over sixteen of them a box, and so on to one: a tree without pointers, for what changes often or comes
-/// in an order of its own.
+/// Boxes in a row, over sixteen of them a box, and so on to one: a tree without pointers, for what changes
+/// often or comes in an order of its own.
 class CATENA_API WideBoxTree {
  public:
   static constexpr std::uint32_t fan = 16;
@@ -47,8 +47,8 @@ class CATENA_API WideBoxTree {
   void set(std::size_t level, std::uint32_t k, const Box& box);
   static Box around(const Group& group);
 
-  /// Bit k: box k meets this one. Four at a time, as every machine has vectors of that size; left to itself the compiler
-  /// takes one after the other, as it must not compare what may not be a number unasked.
+  /// Bit k: box k meets this one. Four at a time, as every machine has vectors of that size; left to itself
+  /// the compiler takes one after the other, as it must not compare what may not be a number unasked.
   static std::uint32_t meeting(const Group& g, const Box& box) {
     typedef float Floats __attribute__((vector_size(16)));
     typedef std::int32_t Bits __attribute__((vector_size(16)));
@@ -79,7 +79,8 @@ class CATENA_API WideBoxTree {
     std::uint32_t bits = meeting(levels_[level][group], box);
     if (level == 0) return bits != 0;
     for (; bits != 0; bits &= bits - 1)
-      if (meets(level - 1, group * fan + static_cast<std::uint32_t>(std::countr_zero(bits)), box)) return true;
+      if (meets(level - 1, group * fan + static_cast<std::uint32_t>(std::countr_zero(bits)), box))
+        return true;
     return false;
   }
 

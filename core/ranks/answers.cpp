@@ -40,7 +40,8 @@ struct CountShare {
 void share_out(std::vector<CountShare>& shares, std::span<const SphereId> starts, CountRun run) {
   while (!run.count.empty()) {
     const std::size_t owner = owner_of(starts, run.first);
-    const auto size = static_cast<std::size_t>(std::min<SphereId>(run.count.size(), starts[owner + 1] - run.first));
+    const auto size =
+        static_cast<std::size_t>(std::min<SphereId>(run.count.size(), starts[owner + 1] - run.first));
     shares[owner].runs.push_back({run.first, size});
     shares[owner].count.push_back(run.count.first(size));
     run = {run.first + size, run.count.subspan(size)};

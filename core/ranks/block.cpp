@@ -27,7 +27,7 @@ bool any_in(std::span<const Sphere> spheres, const Box& box) {
 #else
 namespace hn = hwy::HWY_NAMESPACE;
 constexpr hn::FixedTag<float, 4> four;
-using Four = hn::Vec<hn::FixedTag<float, 4>>;
+using Four = hn::Vec<hn::FixedTag<float, 4> >;
 
 /// The ends of a sphere along each axis, and something in the fourth lane.
 Four low_of(Four sphere) { return hn::Sub(sphere, hn::Broadcast<3>(sphere)); }
@@ -60,8 +60,7 @@ bool any_in(std::span<const Sphere> spheres, const Box& box) {
   const Four low = hn::LoadU(four, lows), high = hn::LoadU(four, highs);
   for (const Sphere& s : spheres) {
     const Four sphere = hn::LoadU(four, &s.x);
-    const auto meets =
-        hn::And(hn::Le(lower(low_of(sphere)), high), hn::Le(low, higher(high_of(sphere))));
+    const auto meets = hn::And(hn::Le(lower(low_of(sphere)), high), hn::Le(low, higher(high_of(sphere))));
     if (hn::AllTrue(four, meets)) return true;
   }
   return false;
@@ -77,7 +76,8 @@ bool any_meets(std::span<const Sphere> spheres, const Box& box) { return any_in(
 LargeVector<Box> boxes_of(std::span<const Piece> pieces, std::span<const Sphere> spheres) {
   LargeVector<Box> boxes(blocks_of(pieces));
   Box* to = boxes.data();
-  for_each_block(pieces, [&](const Block& block) { *to++ = around(spheres.subspan(block.begin, block.size)); });
+  for_each_block(pieces,
+                 [&](const Block& block) { *to++ = around(spheres.subspan(block.begin, block.size)); });
   return boxes;
 }
 

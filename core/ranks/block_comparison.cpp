@@ -32,8 +32,8 @@ std::uint64_t BlockComparison::compare() {
   spheres.insert(spheres.end(), far_.spheres().begin(), far_.spheres().end());
   collisions_.assign(spheres.size(), 0);
   touches_.assign(far_.blocks(), 0);
-  // As one open strand, whose search is the quickest. It passes over spheres that follow one another: two of this rank,
-  // two of others, and the last of the one with the first of the other.
+  // As one open strand, whose search is the quickest. It passes over spheres that follow one another: two of
+  // this rank, two of others, and the last of the one with the first of the other.
   const Chain chain(std::move(spheres), {}, Exclusion::index(1));
   if (!search_) search_ = StrategyRegistry::instance().make("Hybrid");
   search_->build(chain);

@@ -8,18 +8,19 @@
 
 namespace catena::ranks {
 
-/// Compares blocks of other ranks with those of the border whose boxes they meet: all of a round in one search.
+/// Compares blocks of other ranks with those of the border whose boxes they meet: all of a round in one
+/// search.
 class BlockComparison {
  public:
   BlockComparison(const HeldPart& part, const Border& border, std::vector<Counted>& counted, KeptPairs& kept);
 
-  /// Whether a block with this box may touch a sphere of the border's blocks from the `first` on. Those that it may are compared with
-  /// what comes next.
+  /// Whether a block with this box may touch a sphere of the border's blocks from the `first` on. Those that
+  /// it may are compared with what comes next.
   bool expect(const Box& box, std::uint32_t first);
   /// What came of those blocks, by the same `first`.
   void take(ByteReader& in, std::uint32_t first) { far_.take(in, part_.rule(), first); }
-  /// Adds to `counted` and to `kept`; returns how many blocks that came have a sphere that touches one of the part's,
-  /// neighbours too. What came is forgotten, and what was expected.
+  /// Adds to `counted` and to `kept`; returns how many blocks that came have a sphere that touches one of the
+  /// part's, neighbours too. What came is forgotten, and what was expected.
   std::uint64_t compare();
 
  private:
@@ -32,8 +33,8 @@ class BlockComparison {
   std::vector<Counted>& counted_;
   KeptPairs& kept_;
 
-  std::vector<std::uint8_t> expected_;     // [block of the border]
-  std::vector<std::uint32_t> near_;        // of those the blocks, then
+  std::vector<std::uint8_t> expected_;  // [block of the border]
+  std::vector<std::uint32_t> near_;     // of those the blocks, then
   FarBlocks far_;
   struct Own {
     SphereId id;

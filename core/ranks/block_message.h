@@ -27,8 +27,7 @@ class FarBlocks {
   }
   Place place(std::uint32_t sphere) const {
     const Header& block = headers_[block_of_[sphere]];
-    return {id(sphere), strands_[block.strand], arcs_.empty() ? 0 : arcs_[sphere],
-            spheres_[sphere].radius};
+    return {id(sphere), strands_[block.strand], arcs_.empty() ? 0 : arcs_[sphere], spheres_[sphere].radius};
   }
 
  private:

@@ -44,13 +44,14 @@ std::vector<std::uint32_t> piece_at_every(std::uint32_t stride, std::span<const 
   return at;
 }
 
-/// Whether the part as one open strand misses no neighbours: as its spheres ascend, those within an index window are no
-/// further apart here than in the whole chain. What it passes over besides, a few pairs where pieces part, is to be no
-/// more than there are spheres.
+/// Whether the part as one open strand misses no neighbours: as its spheres ascend, those within an index
+/// window are no further apart here than in the whole chain. What it passes over besides, a few pairs where
+/// pieces part, is to be no more than there are spheres.
 bool will_do_as_one_strand(const Part& part) {
   if (part.rule.kind != Exclusion::Rule::index_window || !part.extra.empty()) return false;
   const std::uint64_t window = part.rule.window;
-  if (window > part.spheres.size() || part.pieces.size() * window * window > part.spheres.size()) return false;
+  if (window > part.spheres.size() || part.pieces.size() * window * window > part.spheres.size())
+    return false;
   return none_closed(part.pieces) && std::ranges::is_sorted(part.pieces, {}, &Piece::first);
 }
 
@@ -89,7 +90,8 @@ HeldPart::HeldPart(Part part)
       extra_(std::move(part.extra)),
       piece_at_(piece_at_every(stride, pieces_, chain_.size())),
       misses_neighbours_(!one_strand_ && look_for_missed()),
-      furthest_neighbour_(rule_.kind == Exclusion::Rule::index_window && extra_.empty() && none_closed(pieces_)
+      furthest_neighbour_(rule_.kind == Exclusion::Rule::index_window && extra_.empty() &&
+                                  none_closed(pieces_)
                               ? rule_.window
                               : ~SphereId{0}) {}
 

@@ -26,9 +26,10 @@ class HeldPart {
  public:
   explicit HeldPart(Part part);
 
-  /// The part's spheres as a chain. Its strands are the pieces, and it makes neighbours of none that are not; those that
-  /// it misses are of different pieces of a strand, or around the end of a closed one that is not here whole. Or, as its
-  /// search is quicker, it is one open strand that misses none, but passes over some: see for_each_passed.
+  /// The part's spheres as a chain. Its strands are the pieces, and it makes neighbours of none that are not;
+  /// those that it misses are of different pieces of a strand, or around the end of a closed one that is not
+  /// here whole. Or, as its search is quicker, it is one open strand that misses none, but passes over some:
+  /// see for_each_passed.
   const Chain& chain() const { return chain_; }
   /// Whether it misses some.
   bool misses_neighbours() const { return misses_neighbours_; }
@@ -62,7 +63,8 @@ class HeldPart {
     return piece.first + (sphere - piece.begin);
   }
   Place place(std::uint32_t sphere) const;
-  /// False where the rule makes neighbours of no spheres that are so far apart in number, one of them of this part.
+  /// False where the rule makes neighbours of no spheres that are so far apart in number, one of them of this
+  /// part.
   bool may_be_neighbours(SphereId a, SphereId b) const {
     return (a < b ? b - a : a - b) <= furthest_neighbour_;
   }

@@ -24,7 +24,8 @@ std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& varian
 }
 
 /// What the chain takes for neighbours and the rule does not.
-void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint32_t>& count, KeptPairs& kept) {
+void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint32_t>& count,
+                KeptPairs& kept) {
   part.for_each_passed([&](std::uint32_t i, std::uint32_t j) {
     if (!Robust::overlap(part.chain()[i], part.chain()[j])) return;
     if (want == Request::Want::any) return kept.add_uncounted(1);
@@ -38,7 +39,8 @@ void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint3
 void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
                    const std::function<void(const Pair&)>& visit) {
   Collisions found;
-  const std::uint64_t n = chain.size(), limit = range.size() > 1 ? std::max(most_at_once, pairs_a_sphere * n) : n;
+  const std::uint64_t n = chain.size(),
+                      limit = range.size() > 1 ? std::max(most_at_once, pairs_a_sphere * n) : n;
   try {
     variant.find(chain, {.want = Request::Want::pairs, .pair_limit = limit, .queries = range}, found);
   } catch (const PairLimitExceeded&) {

@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "catena/core/strategy/variant.h"
 #include "catena/core/ranks/held_part.h"
+#include "catena/core/strategy/variant.h"
 
 namespace catena::ranks {
 
@@ -29,8 +29,9 @@ class KeptPairs {
   std::vector<IdPair> pairs_;
 };
 
-/// visit(pair) for every pair of the chain, for which the variant was built, whose first sphere is one of these. Where
-/// there are too many to be held at once, half the spheres are searched for at a time: rare, and as slow as it is often.
+/// visit(pair) for every pair of the chain, for which the variant was built, whose first sphere is one of
+/// these. Where there are too many to be held at once, half the spheres are searched for at a time: rare, and
+/// as slow as it is often.
 void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
                    const std::function<void(const Pair&)>& visit);
 
@@ -39,8 +40,9 @@ inline Request::Want asked_within(const HeldPart& part, Request::Want want) {
   return part.misses_neighbours() ? Request::Want::pairs : want;
 }
 
-/// What collides within a part, by a variant that was built for its chain: adds to `kept`, and returns the collisions of
-/// each sphere. For Want::any only whether something does: then kept.found() is not 0, and nothing is returned.
+/// What collides within a part, by a variant that was built for its chain: adds to `kept`, and returns the
+/// collisions of each sphere. For Want::any only whether something does: then kept.found() is not 0, and
+/// nothing is returned.
 std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant, Request::Want want,
                                          std::uint64_t limit, KeptPairs& kept);
 

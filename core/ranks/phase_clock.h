@@ -7,8 +7,8 @@
 
 namespace catena::ranks {
 
-/// How long each phase of a search took a rank, by the clock and of the processor: what its own thread computed, without
-/// waiting for others.
+/// How long each phase of a search took a rank, by the clock and of the processor: what its own thread
+/// computed, without waiting for others.
 class PhaseClock {
  public:
   static constexpr std::size_t phases = static_cast<std::size_t>(Phase::done) + 1;
@@ -31,8 +31,10 @@ class PhaseClock {
     static Now read() {
       timespec used{};
       clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-      const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now().time_since_epoch();
-      return {wall.count(), 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec)};
+      const std::chrono::duration<double, std::milli> wall =
+          std::chrono::steady_clock::now().time_since_epoch();
+      return {wall.count(),
+              1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec)};
     }
   };
 

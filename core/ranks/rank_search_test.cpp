@@ -349,8 +349,9 @@ TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {
     }
   }
   const Chain yarn = chain_of("yarn:n=60000");
-  EXPECT_LT(measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::space}).points[2].blocks_asked,
-            measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::chain}).points[2].blocks_asked / 2);
+  EXPECT_LT(
+      measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::space}).points[2].blocks_asked,
+      measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::chain}).points[2].blocks_asked / 2);
 }
 
 }  // namespace

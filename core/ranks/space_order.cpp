@@ -60,9 +60,9 @@ class Blocks {
   const MortonGrid& grid_;
 };
 
-/// Keys that part the blocks of all ranks into about even shares. Of a part of up to 4096 blocks all are looked at, and a
-/// share is off by no more than one step a rank; of a larger one a sample of s, by which it is off by about 1 / sqrt(s) of
-/// the part.
+/// Keys that part the blocks of all ranks into about even shares. Of a part of up to 4096 blocks all are
+/// looked at, and a share is off by no more than one step a rank; of a larger one a sample of s, by which it
+/// is off by about 1 / sqrt(s) of the part.
 std::vector<Key> splitters(Communicator& ranks, const std::vector<Key>& sorted, std::uint64_t own_blocks,
                            std::uint64_t all_blocks) {
   constexpr std::uint64_t samples_a_rank = 64;
@@ -257,7 +257,8 @@ double touching_share(Communicator& ranks, const Part& part) {
   });
   const Tops tops = Tops::of_all(ranks, boxes);
   const ForeignTops foreign(tops, ranks.rank());
-  const std::size_t step = std::max<std::size_t>(1, boxes.size() / std::max(of_a_rank, of_all / ranks.size()));
+  const std::size_t step =
+      std::max<std::size_t>(1, boxes.size() / std::max(of_a_rank, of_all / ranks.size()));
   double looked_at = 0, touching = 0;
   for (std::size_t b = step / 2; b < boxes.size(); b += step) {
     ++looked_at;

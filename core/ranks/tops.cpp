@@ -10,8 +10,8 @@
 namespace catena::ranks {
 namespace {
 
-/// The blocks of a part by the cubes of a grid that their middles are in, in the order of Morton codes; cubes without
-/// blocks are left out. They take the place of sorted blocks.
+/// The blocks of a part by the cubes of a grid that their middles are in, in the order of Morton codes; cubes
+/// without blocks are left out. They take the place of sorted blocks.
 struct Cubes {
   std::vector<std::uint32_t> code;
   std::vector<Box> box;
@@ -41,7 +41,8 @@ class CubeGrid {
     std::uint32_t cube = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double at = ((double{box.low[axis]} + box.high[axis]) / 2 - low_[axis]) * cubes_a_length_;
-      const double within = at > 0 ? std::min(at, double((1 << bits_) - 1)) : 0;  // endless boxes lie anywhere
+      const double within =
+          at > 0 ? std::min(at, double((1 << bits_) - 1)) : 0;  // endless boxes lie anywhere
       cube = cube << bits_ | static_cast<std::uint32_t>(within);
     }
     return cube;
@@ -99,8 +100,8 @@ std::uint32_t middle_of(const Cubes& cubes, const Range& range) {
   return static_cast<std::uint32_t>(second - begin);
 }
 
-/// One box around all, then the tops; nothing for no blocks. The largest is parted, where the highest bit of its cubes'
-/// codes changes, until there are as many.
+/// One box around all, then the tops; nothing for no blocks. The largest is parted, where the highest bit of
+/// its cubes' codes changes, until there are as many.
 std::vector<Box> tops_of(const Cubes& cubes) {
   if (cubes.box.empty()) return {};
   const auto smaller = [](const Range& a, const Range& b) { return a.size < b.size; };

@@ -9,14 +9,14 @@
 
 namespace catena::ranks {
 
-/// The tops of the trees of all ranks: up to 64 boxes a rank, each around blocks that are near in space, all blocks in
-/// one.
+/// The tops of the trees of all ranks: up to 64 boxes a rank, each around blocks that are near in space, all
+/// blocks in one.
 class Tops {
  public:
   static constexpr std::uint32_t most = 64;
 
-  /// Every rank gives its own, by the boxes of its blocks; for some of them they say where it is, but not all that it may
-  /// touch. O(blocks) time, O(ranks) memory.
+  /// Every rank gives its own, by the boxes of its blocks; for some of them they say where it is, but not all
+  /// that it may touch. O(blocks) time, O(ranks) memory.
   static Tops of_all(Communicator& ranks, std::span<const Box> boxes);
 
   unsigned ranks() const { return static_cast<unsigned>(gathered_->size()); }
@@ -27,7 +27,8 @@ class Tops {
 
  private:
   explicit Tops(Gathered gathered) : gathered_(std::move(gathered)) {}
-  Gathered gathered_;  ///< of each rank one box around all, then the others; nothing of a rank without spheres
+  Gathered
+      gathered_;  ///< of each rank one box around all, then the others; nothing of a rank without spheres
 };
 
 /// The tops of other ranks that one may meet, in one tree.
@@ -37,7 +38,8 @@ class ForeignTops {
 
   bool any() const { return !rank_.empty(); }
   bool meet(const Box& box) const { return boxes_.meets(box); }
-  /// visit(rank) for every other rank one of whose tops meets a box that is of this rank, by rising rank, each once.
+  /// visit(rank) for every other rank one of whose tops meets a box that is of this rank, by rising rank,
+  /// each once.
   template <class Visit>
   void for_each_rank(const Box& box, const Visit& visit) const {
     unsigned last = none;

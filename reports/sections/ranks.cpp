@@ -9,8 +9,8 @@ namespace {
 
 constexpr unsigned most_timed = 256;  // threads of more wake one another for longer than they work
 
-/// So many ranks that a chain is shared out among, of those above `least` and up to `most`: doubled up to 64, then four
-/// times as many each.
+/// So many ranks that a chain is shared out among, of those above `least` and up to `most`: doubled up to 64,
+/// then four times as many each.
 std::vector<unsigned> numbers_of_ranks(unsigned least, unsigned most) {
   std::vector<unsigned> all;
   for (unsigned ranks = 1; ranks <= most; ranks *= ranks < 64 ? 2 : 4)
@@ -18,8 +18,8 @@ std::vector<unsigned> numbers_of_ranks(unsigned least, unsigned most) {
   return all;
 }
 
-/// What ranks take of a search and have to tell one another, as threads of this process: the time that each computed, and
-/// what is counted, need no cores of their own.
+/// What ranks take of a search and have to tell one another, as threads of this process: the time that each
+/// computed, and what is counted, need no cores of their own.
 nlohmann::ordered_json ranks(const Profile& profile) {
   constexpr const char* variant = "Hybrid";
   auto chains = nlohmann::ordered_json::array();

@@ -56,8 +56,7 @@ class BenchCommand final : public Command {
   };
 
   template <class Search>
-  void search_once(Part own, const Search& search_in, const std::optional<PeriodicBox>& box,
-                   bool last) {
+  void search_once(Part own, const Search& search_in, const std::optional<PeriodicBox>& box, bool last) {
     clock_ = {};
     RankWork work;
     const Traffic before = ranks_.traffic();
