@@ -66,6 +66,8 @@ Profile quick() {
   p.judged_side = 30;
   p.judged_n = 32'000;
   p.judged_moves = 20'000;
+  p.rank_chains = {{"yarn:n=20000", 256},   {"yarn:n=100000", 4096},   {"hair:n=20000", 256},
+                   {"hair:n=100000", 1024}, {"lattice:n=100000", 256}, {"path2:n=100000", 256}};
   p.wants_inputs = over_n("path1", {10'000});
   append(p.wants_inputs, over_n("yarn", {5000}));
   p.coherent_inputs = over_n("path1", {10'000});
@@ -103,6 +105,9 @@ Profile full() {
   p.judged_side = 100;
   p.judged_n = 1'000'000;
   p.judged_moves = 2'000'000;
+  p.rank_chains = {{"yarn:n=30000", 1024},  {"yarn:n=300000", 4096}, {"yarn:n=3000000", 256},
+                   {"hair:n=30000", 1024},  {"hair:n=300000", 4096}, {"lattice:n=300000", 1024},
+                   {"path2:n=300000", 1024}};
   p.wants_inputs = over_n("path1", {10'000, 100'000});
   append(p.wants_inputs, over_n("yarn", {5000, 50'000}));
   append(p.wants_inputs, over_n("winding", {5000}));

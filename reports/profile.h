@@ -40,9 +40,14 @@ struct Profile {
   std::vector<bench::WorkloadSpec> wants_inputs, coherent_inputs;
   std::vector<std::string> planned_inputs;  ///< on which what auto leaves out is done all the same
   int judged_steps = 0;  ///< of the lattice walks that others counted; 0: nothing is judged from outside
-  std::uint32_t judged_side = 0;            ///< points along an axis of the chain whose pairs a formula knows
-  std::uint32_t judged_n = 0;               ///< spheres of the longest chain whose node pairs are counted
-  std::uint64_t judged_moves = 0;           ///< pivots of each walk whose exponent is estimated
+  std::uint32_t judged_side = 0;   ///< points along an axis of the chain whose pairs a formula knows
+  std::uint32_t judged_n = 0;      ///< spheres of the longest chain whose node pairs are counted
+  std::uint64_t judged_moves = 0;  ///< pivots of each walk whose exponent is estimated
+  struct RankChain {
+    std::string input;
+    unsigned most;  ///< ranks
+  };
+  std::vector<RankChain> rank_chains;       ///< shared out among ranks
   std::vector<std::uint32_t> short_chains;  ///< n of path1 at which a hierarchy is weighed against all pairs
   bench::WorkloadSpec animation_input;      ///< no name: none
   std::uint32_t animation_step = 1;         ///< every so manieth frame

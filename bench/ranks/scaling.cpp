@@ -7,19 +7,28 @@
 namespace catena::ranks {
 namespace {
 
-ScalingPoint measure(const Chain& chain, unsigned ranks, Order order) {
+ScalingPoint measure(const Chain& chain, unsigned ranks, const ScalingOptions& asked) {
   std::vector<RankWork> work(ranks);
   std::vector<Traffic> traffic(ranks);
-  const RankOptions options{.order = order, .request = {.want = Request::Want::counts}, .across_only = true};
+  std::vector<PhaseClock> clocks(ranks);
+  std::uint64_t pairs = 0;
   run_in_threads(ranks, [&](Communicator& communicator) {
     const unsigned rank = communicator.rank();
     const auto start = [&](unsigned r) {
       return static_cast<std::uint32_t>(even_start(chain.size(), ranks, r));
     };
-    search(communicator, part_of(chain, start(rank), start(rank + 1)), options, work[rank]);
+    RankOptions options{.order = asked.order, .request = {.want = Request::Want::counts}};
+    if (asked.timed_variant.empty())
+      options.across_only = true;
+    else
+      options.variant = asked.timed_variant;
+    options.entering = [&clock = clocks[rank]](Phase phase) { clock.enter(phase); };
+    const RankAnswer answer =
+        search(communicator, part_of(chain, start(rank), start(rank + 1)), options, work[rank]);
     traffic[rank] = communicator.traffic();
+    if (rank == 0) pairs = answer.pair_count;
   });
-  ScalingPoint point{.ranks = ranks, .in_space = work[0].in_space};
+  ScalingPoint point{.ranks = ranks, .in_space = work[0].in_space, .pairs = pairs};
   for (unsigned rank = 0; rank < ranks; ++rank) {
     const AcrossWork& across = work[rank].across;
     point.blocks += work[rank].blocks;
@@ -35,6 +44,10 @@ ScalingPoint measure(const Chain& chain, unsigned ranks, Order order) {
     point.messages += traffic[rank].messages;
     point.most_messages = std::max(point.most_messages, traffic[rank].messages);
     point.pairs_across += work[rank].pairs_across;
+    for (std::size_t k = 0; k < PhaseClock::phases; ++k) {
+      const double ms = clocks[rank].processor_ms()[k];
+      point.all_ms[k] += ms, point.most_ms[k] = std::max(point.most_ms[k], ms);
+    }
   }
   return point;
 }
@@ -56,16 +69,33 @@ unsigned Scaling::stops_at() const {
   return first == points.end() ? 0 : first->ranks;
 }
 
-Scaling measure_scaling(const Chain& chain, unsigned most, Order order) {
+std::vector<unsigned> doubled_ranks(unsigned most) {
+  std::vector<unsigned> all;
+  for (unsigned ranks = 2; ranks <= most; ranks *= 2) all.push_back(ranks);
+  return all;
+}
+
+Scaling measure_scaling(const Chain& chain, const ScalingOptions& options) {
   Scaling scaling;
-  for (unsigned ranks = 2; ranks <= most; ranks *= 2) scaling.points.push_back(measure(chain, ranks, order));
+  scaling.timed = !options.timed_variant.empty();
+  for (const unsigned ranks : options.ranks) scaling.points.push_back(measure(chain, ranks, options));
   return scaling;
 }
+
+namespace {
+
+nlohmann::ordered_json phases_to_json(const PhaseClock::Milliseconds& ms) {
+  nlohmann::ordered_json json;
+  for (std::size_t k = 0; k + 1 < PhaseClock::phases; ++k) json[name_of(static_cast<Phase>(k))] = ms[k];
+  return json;
+}
+
+}  // namespace
 
 nlohmann::ordered_json to_json(const Scaling& scaling) {
   nlohmann::ordered_json json;
   json["points"] = nlohmann::ordered_json::array();
-  for (const ScalingPoint& p : scaling.points)
+  for (const ScalingPoint& p : scaling.points) {
     json["points"].push_back({{"ranks", p.ranks},
                               {"order", p.in_space ? "space" : "chain"},
                               {"blocks", p.blocks},
@@ -81,6 +111,11 @@ nlohmann::ordered_json to_json(const Scaling& scaling) {
                               {"messages", p.messages},
                               {"most_messages", p.most_messages},
                               {"pairs_across", p.pairs_across}});
+    if (!scaling.timed) continue;
+    json["points"].back()["pairs"] = p.pairs;
+    json["points"].back()["processor_ms"] = phases_to_json(p.all_ms);
+    json["points"].back()["most_processor_ms"] = phases_to_json(p.most_ms);
+  }
   if (const auto law = scaling.surface())
     json["surface"] = {{"exponent", law->exponent}, {"low", law->low}, {"high", law->high}};
   json["stops_at"] = scaling.stops_at();

@@ -1,11 +1,12 @@
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "catena/bench/growth/growth.h"
 #include "catena/core/chain/chain.h"
-#include "catena/core/ranks/rank_search.h"
+#include "catena/core/ranks/phase_clock.h"
 
 namespace catena::ranks {
 
@@ -22,12 +23,25 @@ struct ScalingPoint {
   std::uint64_t blocks_touching = 0;  ///< likewise: no exchange can do with fewer
   std::uint64_t most_blocks_asked = 0;
   std::uint64_t bytes = 0, most_bytes = 0, messages = 0, most_messages = 0;
-  std::uint64_t pairs_across = 0;
+  std::uint64_t pairs_across = 0,
+                pairs = 0;  ///< of those found, all; those across alone where nothing is timed
+  /// Processor time of each phase, of all ranks together and of the rank that took most; where times were
+  /// asked for.
+  PhaseClock::Milliseconds all_ms{}, most_ms{};
+};
+
+struct ScalingOptions {
+  std::vector<unsigned> ranks;  ///< each at least 1
+  Order order = Order::measured;
+  /// Searches the parts, too, by this variant, and tells what each phase takes; empty: only what is exchanged
+  /// is counted.
+  std::string timed_variant{};
 };
 
 /// A chain shared out over ever more ranks.
 struct Scaling {
   std::vector<ScalingPoint> points;
+  bool timed = false;
 
   /// Blocks that a rank asks for ~ (blocks that it holds)^exponent, over the points shared out by space: 2/3
   /// for a surface. None for fewer than four of them.
@@ -37,9 +51,12 @@ struct Scaling {
   unsigned stops_at() const;
 };
 
-/// Runs the sharing out and the exchange, and not the search within the parts, on 2, 4, 8, ... ranks up to
-/// `most`, which are threads of this process.
-Scaling measure_scaling(const Chain& chain, unsigned most, Order order);
+/// 2, 4, 8, ... up to `most`.
+std::vector<unsigned> doubled_ranks(unsigned most);
+
+/// Runs the sharing out and the exchange, and not the search within the parts unless times are asked for, on
+/// each of these numbers of ranks, which are threads of this process.
+Scaling measure_scaling(const Chain& chain, const ScalingOptions& options);
 
 nlohmann::ordered_json to_json(const Scaling& scaling);
 

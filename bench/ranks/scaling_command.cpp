@@ -22,6 +22,9 @@ class ScalingCommand final : public Command {
     app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
         ->check(CLI::IsMember({"measured", "chain", "space"}))
         ->capture_default_str();
+    app.add_option("--timed", timed_,
+                   "Search the parts, too, by this variant, from one rank on, and tell with --json what each "
+                   "phase takes");
     add_input_options(app, options_);
     app.add_flag("--json", json_, "One JSON object");
   }
@@ -30,10 +33,13 @@ class ScalingCommand final : public Command {
     const Input input = open_input(input_, options_);
     show_warnings(input);
     const Chain chain = input.animation->frame(0);
-    const Scaling scaling = measure_scaling(chain, most_,
-                                            order_ == "chain"   ? Order::chain
-                                            : order_ == "space" ? Order::space
-                                                                : Order::measured);
+    std::vector<unsigned> ranks = doubled_ranks(most_);
+    if (!timed_.empty()) ranks.insert(ranks.begin(), 1);
+    const Scaling scaling = measure_scaling(chain, {.ranks = ranks,
+                                                    .order = order_ == "chain"   ? Order::chain
+                                                             : order_ == "space" ? Order::space
+                                                                                 : Order::measured,
+                                                    .timed_variant = timed_});
     if (json_) {
       nlohmann::ordered_json line{{"input", input_}, {"n", chain.size()}};
       line.update(to_json(scaling));
@@ -62,7 +68,7 @@ class ScalingCommand final : public Command {
   }
 
  private:
-  std::string input_, order_ = "measured";
+  std::string input_, order_ = "measured", timed_;
   unsigned most_ = 64;
   InputOptions options_;
   bool json_ = false;

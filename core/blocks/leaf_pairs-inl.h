@@ -15,6 +15,7 @@
 #include "catena/core/blocks/exact_lanes-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tests-inl.h"
+#include "catena/core/blocks/window_filter.h"
 #include "catena/core/executor/pair_collector.h"
 #include "hwy/cache_control.h"
 
@@ -157,7 +158,7 @@ class LeafPairs {
     std::span<Pair> hits(hits_, hit_count_);
     hit_count_ = 0;
     if (!window_is_all_) {
-      const auto neighbours = [&](const Pair& p) { return chain_.neighbours(p.i, p.j); };
+      const auto neighbours = [&](const Pair& p) { return filter_.neighbours(p); };
       hits = {hits.begin(), std::remove_if(hits.begin(), hits.end(), neighbours)};
     }
     lane_.collide(std::span<const Pair>(hits));
@@ -184,6 +185,7 @@ class LeafPairs {
   }
 
   const ChainView& chain_;
+  const WindowFilter filter_{chain_};
   const BlockTree& tree_;
   BlockQueues& queues_;
   PairCollector::Lane& lane_;

@@ -16,6 +16,7 @@
 #include "catena/core/blocks/exact_lanes-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/grid/grid_evidence.h"
+#include "catena/core/blocks/window_filter.h"
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/member_buckets-inl.h"
 #include "catena/core/grid/sphere_grid.h"
@@ -41,6 +42,7 @@ class Candidates {
 
   Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found, Sink& sink)
       : chain_(chain),
+        filter_(chain),
         from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         q_(queues),
         found_(found),
@@ -250,12 +252,13 @@ class Candidates {
     const std::span<Pair> hits(q_.hits.data(), hits_);
     hits_ = 0;
     if (window_is_all_) return found_.collide(hits);
-    const auto neighbours = [&](const Pair& p) { return chain_.neighbours(p.i, p.j); };
+    const auto neighbours = [&](const Pair& p) { return filter_.neighbours(p); };
     found_.collide(hits.first(
         static_cast<std::size_t>(std::remove_if(hits.begin(), hits.end(), neighbours) - hits.begin())));
   }
 
   const ChainView& chain_;
+  const WindowFilter filter_;
   const Places from_;
   GridQueues& q_;
   Found& found_;

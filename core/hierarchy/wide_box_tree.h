@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -11,8 +12,8 @@
 
 namespace catena {
 
-/// Boxes in a row, over sixteen of them a box, and so on to one: a tree without pointers, for what changes often or comes
-/// in an order of its own.
+/// Boxes in a row, over sixteen of them a box, and so on to one: a tree without pointers, for what changes
+/// often or comes in an order of its own.
 class CATENA_API WideBoxTree {
  public:
   static constexpr std::uint32_t fan = 16;
@@ -32,6 +33,9 @@ class CATENA_API WideBoxTree {
     if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
   }
 
+  /// Whether any box meets this one.
+  bool meets(const Box& box) const { return !levels_.empty() && meets(levels_.size() - 1, 0, box); }
+
   /// Sixteen boxes, a coordinate after the other; an empty one has low above high.
   struct Group {
     std::array<std::array<float, fan>, 3> low, high;
@@ -43,16 +47,24 @@ class CATENA_API WideBoxTree {
   void set(std::size_t level, std::uint32_t k, const Box& box);
   static Box around(const Group& group);
 
-  /// Bit k: box k meets this one. An axis at a time, as vectors take it.
+  /// Bit k: box k meets this one. Four at a time, as every machine has vectors of that size; left to itself
+  /// the compiler takes one after the other, as it must not compare what may not be a number unasked.
   static std::uint32_t meeting(const Group& g, const Box& box) {
-    std::array<std::uint32_t, fan> apart;  // an empty one, even from a box without end
-    for (std::uint32_t k = 0; k < fan; ++k) apart[k] = std::uint32_t{g.low[0][k] > g.high[0][k]};
-    for (int d = 0; d < 3; ++d)
-      for (std::uint32_t k = 0; k < fan; ++k)
-        apart[k] |= std::uint32_t{g.low[d][k] > box.high[d]} | std::uint32_t{box.low[d] > g.high[d][k]};
-    std::uint32_t bits = 0;
-    for (std::uint32_t k = 0; k < fan; ++k) bits |= (apart[k] ^ 1u) << k;
-    return bits;
+    typedef float Floats __attribute__((vector_size(16)));
+    typedef std::int32_t Bits __attribute__((vector_size(16)));
+    const auto four = [](const float* at) {
+      Floats floats;
+      std::memcpy(&floats, at, sizeof floats);
+      return floats;
+    };
+    Bits all{};
+    for (std::uint32_t k = 0; k < fan; k += 4) {
+      Bits meets = four(&g.low[0][k]) <= four(&g.high[0][k]);  // an empty one none, even a box without end
+      for (std::uint32_t d = 0; d < 3; ++d)
+        meets &= (four(&g.low[d][k]) <= box.high[d]) & (four(&g.high[d][k]) >= box.low[d]);
+      all |= meets & Bits{1 << k, 2 << k, 4 << k, 8 << k};
+    }
+    return static_cast<std::uint32_t>(all[0] | all[1] | all[2] | all[3]);
   }
 
   template <class Visit>
@@ -61,6 +73,15 @@ class CATENA_API WideBoxTree {
       const std::uint32_t child = group * fan + static_cast<std::uint32_t>(std::countr_zero(bits));
       level == 0 ? visit(child) : descend(level - 1, child, box, visit);
     }
+  }
+
+  bool meets(std::size_t level, std::uint32_t group, const Box& box) const {
+    std::uint32_t bits = meeting(levels_[level][group], box);
+    if (level == 0) return bits != 0;
+    for (; bits != 0; bits &= bits - 1)
+      if (meets(level - 1, group * fan + static_cast<std::uint32_t>(std::countr_zero(bits)), box))
+        return true;
+    return false;
   }
 
   std::vector<std::vector<Group>> levels_;

@@ -5,38 +5,39 @@
 #include "catena/core/ranks/communicator.h"
 #include "catena/core/ranks/held_part.h"
 #include "catena/core/ranks/local_search.h"
-#include "catena/core/ranks/tops.h"
 
 namespace catena::ranks {
 
-/// Collisions of a sphere that this rank found and another one may have more of.
+/// Collisions of a sphere, by the number that it has in the whole chain, of which there may be more.
 struct Counted {
   SphereId sphere;
   std::uint64_t collisions;
 };
 
 struct AcrossOptions {
-  bool stop_at_first = false;      ///< one pair will do
-  std::uint32_t blocks_at_once = 0;  ///< that a rank sends, and gets, in a round; 0: a quarter of its own, at least 2^14
+  bool stop_at_first = false;  ///< one pair will do
+  std::uint32_t blocks_at_once =
+      0;  ///< that a rank sends, and gets, in a round; 0: a quarter of its own, at least 2^14
 };
 
 /// What a search across ranks took of this one.
 struct AcrossWork {
-  std::uint64_t partners = 0;         ///< ranks that it asked
+  std::uint64_t partners = 0;  ///< ranks that it asked
   std::uint64_t rounds = 0;
+  std::uint64_t border = 0;           ///< its own blocks that touch the top of another rank
   std::uint64_t boxes_seen = 0;       ///< of blocks of others that touch its top
-  std::uint64_t blocks_asked = 0;     ///< whose boxes touch a block of its own
+  std::uint64_t blocks_asked = 0;     ///< whose boxes touch a sphere of its own
   std::uint64_t blocks_touching = 0;  ///< of these, those of which a sphere touches one of its own
 };
 
-/// Every pair that collides and whose spheres are held by two ranks, by one of the two. Of two ranks whose tops meet the
-/// one asks the other, in rounds: it gets the boxes of the blocks that touch its top, asks for the blocks whose boxes
-/// touch one of its own, and compares their spheres. A round brings no rank more, and takes none from it, than
-/// `blocks_at_once`. Adds to `count`, one a sphere of the part, to `kept`, and to `far` for spheres of others.
-AcrossWork search_across(Communicator& ranks, const HeldPart& part, const Tops& tops, const AcrossOptions& options,
-                         std::vector<std::uint64_t>& count, std::vector<Counted>& far, KeptPairs& kept);
-
-/// Which of two different ranks asks the other, so that each asks about half of those that it touches.
-inline bool asks(unsigned asker, unsigned other) { return ((asker ^ other) % 2 == 0) == (asker < other); }
+/// Every pair that collides and whose spheres are held by two ranks, by one of the two. All tell the tops of
+/// their trees. Of two ranks that may touch, each asks the other, so that both compare about half: the lower
+/// one about the first half of those blocks of the higher one that touch its top, the higher one on behalf of
+/// the second half. In rounds: it gets the boxes of the other's blocks that touch its top, asks for the
+/// blocks whose boxes touch a sphere of its own, and compares their spheres. A round brings no rank more, and
+/// takes none from it, than `blocks_at_once`. Adds to `counted`, for spheres of the part and of others, and
+/// to `kept`.
+AcrossWork search_across(Communicator& ranks, const HeldPart& part, const AcrossOptions& options,
+                         std::vector<Counted>& counted, KeptPairs& kept);
 
 }  // namespace catena::ranks

@@ -1,6 +1,7 @@
 #include "catena/core/ranks/answers.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "catena/core/ranks/bytes.h"
@@ -8,48 +9,102 @@
 namespace catena::ranks {
 namespace {
 
-/// Records to the ranks on which the spheres began that `sphere` names in them. O(records log ranks).
-template <class Record>
-std::vector<std::vector<Record>> returned(Communicator& ranks, std::span<const SphereId> starts,
-                                          std::vector<Record> records, SphereId Record::*sphere) {
-  const auto owner = [&](const Record& record) {
-    return static_cast<std::size_t>(std::ranges::upper_bound(starts, record.*sphere) - starts.begin()) - 1;
+std::size_t owner_of(std::span<const SphereId> starts, SphereId sphere) {
+  return static_cast<std::size_t>(std::ranges::upper_bound(starts, sphere) - starts.begin()) - 1;
+}
+
+/// What a rank is told of counts: runs in a row, then single spheres.
+struct CountShare {
+  struct Header {
+    SphereId first;
+    std::uint64_t size;
   };
-  std::vector<std::vector<Record>> shares(ranks.size());
-  {
-    std::vector<std::size_t> sizes(ranks.size(), 0);
-    for (const Record& record : records) ++sizes[owner(record)];
-    for (unsigned rank = 0; rank < ranks.size(); ++rank) shares[rank].reserve(sizes[rank]);
+  std::vector<Header> runs;
+  std::vector<std::span<const std::uint32_t>> count;
+  std::vector<Counted> more;
+
+  bool empty() const { return runs.empty() && more.empty(); }
+  Bytes packed() const {
+    ByteWriter out;
+    std::uint64_t spheres = 0;
+    for (const Header& run : runs) spheres += run.size;
+    out.reserve(3 * sizeof spheres + runs.size() * sizeof(Header) + spheres * sizeof(std::uint32_t) +
+                more.size() * sizeof(Counted));
+    out.put_list(runs);
+    for (const auto& of_run : count) out.put_all(of_run);
+    return out.put_list(more).take();
   }
-  for (const Record& record : records) shares[owner(record)].push_back(record);
-  std::vector<Record>().swap(records);
+};
+
+/// A run that goes on past a rank's spheres becomes several.
+void share_out(std::vector<CountShare>& shares, std::span<const SphereId> starts, CountRun run) {
+  while (!run.count.empty()) {
+    const std::size_t owner = owner_of(starts, run.first);
+    const auto size =
+        static_cast<std::size_t>(std::min<SphereId>(run.count.size(), starts[owner + 1] - run.first));
+    shares[owner].runs.push_back({run.first, size});
+    shares[owner].count.push_back(run.count.first(size));
+    run = {run.first + size, run.count.subspan(size)};
+  }
+}
+
+/// Adds what one rank said.
+void add(const Bytes& bytes, SphereId first, std::vector<std::uint64_t>& count) {
+  ByteReader in(bytes);
+  std::array<std::uint32_t, 1024> some;
+  for (const auto& [run, size] : in.get_list<CountShare::Header>()) {
+    std::uint64_t* to = count.data() + (run - first);
+    for (std::uint64_t left = size; left > 0;) {
+      const auto now = std::span(some).first(std::min<std::uint64_t>(left, some.size()));
+      in.get_all(now);
+      for (const std::uint32_t collisions : now) *to++ += collisions;
+      left -= now.size();
+    }
+  }
+  for (const auto& [sphere, collisions] : in.get_list<Counted>()) count[sphere - first] += collisions;
+}
+
+/// Pairs to the ranks on which their first spheres began.
+std::vector<Message> shares_of(std::vector<IdPair> pairs, std::span<const SphereId> starts, unsigned ranks) {
+  std::vector<std::uint64_t> sizes(ranks, 0);
+  for (const IdPair& pair : pairs) ++sizes[owner_of(starts, pair.i)];
+  std::vector<ByteWriter> shares(ranks);
+  for (unsigned rank = 0; rank < ranks; ++rank) {
+    if (sizes[rank] == 0) continue;
+    shares[rank].reserve(sizeof sizes[rank] + sizes[rank] * sizeof(IdPair));
+    shares[rank].put(sizes[rank]);
+  }
+  for (const IdPair& pair : pairs) shares[owner_of(starts, pair.i)].put(pair);
   std::vector<Message> out;
-  for (unsigned rank = 0; rank < ranks.size(); ++rank) {
-    if (!shares[rank].empty()) out.push_back({rank, ByteWriter().put_list(shares[rank]).take()});
-    std::vector<Record>().swap(shares[rank]);
-  }
-  std::vector<std::vector<Record>> lists;
-  for (Message& message : ranks.exchange(std::move(out))) {
-    lists.push_back(ByteReader(message.bytes).get_list<Record>());
-    Bytes().swap(message.bytes);
-  }
-  return lists;
+  for (unsigned rank = 0; rank < ranks; ++rank)
+    if (sizes[rank] > 0) out.push_back({rank, shares[rank].take()});
+  return out;
 }
 
 }  // namespace
 
 std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const SphereId> starts,
-                                         std::vector<Counted> counted) {
+                                         std::span<const CountRun> runs, std::span<const Counted> more) {
+  std::vector<CountShare> shares(ranks.size());
+  for (const CountRun& run : runs) share_out(shares, starts, run);
+  for (const Counted& counted : more) shares[owner_of(starts, counted.sphere)].more.push_back(counted);
+  std::vector<Message> out;
+  for (unsigned rank = 0; rank < ranks.size(); ++rank)
+    if (!shares[rank].empty()) out.push_back({rank, shares[rank].packed()});
+  shares.clear();
   const SphereId first = starts[ranks.rank()];
   std::vector<std::uint64_t> count(starts[ranks.rank() + 1] - first);
-  for (const auto& list : returned(ranks, starts, std::move(counted), &Counted::sphere))
-    for (const auto& [sphere, collisions] : list) count[sphere - first] += collisions;
+  for (const Message& message : ranks.exchange(std::move(out))) add(message.bytes, first, count);
   return count;
 }
 
 std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts,
                                  std::vector<IdPair> pairs) {
-  const auto lists = returned(ranks, starts, std::move(pairs), &IdPair::i);
+  std::vector<std::vector<IdPair>> lists;
+  for (Message& message : ranks.exchange(shares_of(std::move(pairs), starts, ranks.size()))) {
+    lists.push_back(ByteReader(message.bytes).get_list<IdPair>());
+    Bytes().swap(message.bytes);
+  }
   // Parted by the first sphere, which is one of this rank's, in no more parts than there are pairs: each has
   // a few.
   const SphereId first = starts[ranks.rank()], spheres = starts[ranks.rank() + 1] - first;

@@ -7,12 +7,20 @@
 
 namespace catena::ranks {
 
-/// Sends what was counted to the ranks that the spheres began on; returns the sums for those of this rank. Rank r began
-/// with the spheres starts[r], ..., starts[r + 1] - 1.
+/// Collisions of consecutive spheres.
+struct CountRun {
+  SphereId first;
+  std::span<const std::uint32_t> count;
+};
+
+/// Sends what was counted to the ranks that the spheres began on: of spheres in a row, and more of some.
+/// Returns the sums for those of this rank. Rank r began with the spheres starts[r], ..., starts[r + 1] - 1.
+/// O(spheres + runs log ranks).
 std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const SphereId> starts,
-                                         std::vector<Counted> counted);
+                                         std::span<const CountRun> runs, std::span<const Counted> more);
 
 /// Sends each pair to the rank that its first sphere began on; returns those of this rank, sorted.
-std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts, std::vector<IdPair> pairs);
+std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts,
+                                 std::vector<IdPair> pairs);
 
 }  // namespace catena::ranks

@@ -1,41 +1,51 @@
 #include "catena/core/ranks/block_message.h"
 
-#include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace catena::ranks {
-namespace {
 
-struct Header {
-  SphereId first;
-  Strand strand;
-  std::uint32_t size, extra;
-};
-
-std::span<const IdPair> rows_of(std::span<const IdPair> extra, SphereId first, std::uint32_t size) {
-  const auto begin = std::ranges::lower_bound(extra, first, {}, &IdPair::i);
-  const auto end = std::ranges::lower_bound(begin, extra.end(), first + size, {}, &IdPair::i);
-  return {begin, end};
+void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks) {
+  std::vector<Strand> strands;
+  std::unordered_map<std::uint64_t, std::uint32_t> index;  // of a strand, by its number
+  std::vector<FarBlocks::Sent> sent;
+  sent.reserve(blocks.size());
+  std::uint64_t spheres = 0;
+  for (const Block& block : blocks) {
+    const Strand& strand = part.piece(block).strand;
+    const auto [at, is_new] = index.try_emplace(strand.number, static_cast<std::uint32_t>(strands.size()));
+    if (is_new) strands.push_back(strand);
+    sent.push_back({part.id(block), at->second, block.size});
+    spheres += block.size;
+  }
+  out.put_list(strands).put_list(sent).put(spheres);
+  for (const Block& block : blocks) out.put_all(part.spheres(block));
+  out.put(part.rule().kind == Exclusion::Rule::arc_window ? spheres : 0);
+  for (const Block& block : blocks) out.put_all(part.arcs(block));
 }
 
-}  // namespace
-
-void put_block(ByteWriter& out, const HeldPart& part, const Block& block, ExtraPairs extra) {
-  const SphereId first = part.id(block);
-  const auto rows =
-      extra == ExtraPairs::sent ? rows_of(part.extra(), first, block.size) : std::span<const IdPair>();
-  out.put(Header{first, part.piece(block).strand, block.size, static_cast<std::uint32_t>(rows.size())});
-  out.put_all(part.spheres(block)).put_all(part.arcs(block)).put_all(rows);
+void FarBlocks::take(ByteReader& in, const Rule& rule, std::uint32_t mark) {
+  const auto strands = in.get_list<Strand>();
+  const auto strands_before = static_cast<std::uint32_t>(strands_.size());
+  strands_.insert(strands_.end(), strands.begin(), strands.end());
+  for (const auto& [first, strand, size] : in.get_list<Sent>()) {
+    if (size == 0 || size > Block::most || strand >= strands.size())
+      throw std::logic_error("a message holds no blocks");
+    const auto begin = static_cast<std::uint32_t>(block_of_.size());
+    block_of_.insert(block_of_.end(), size, blocks());
+    headers_.push_back({first, strands_before + strand, begin, mark});
+  }
+  const auto spheres = in.get_list<Sphere>();
+  spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
+  const auto arcs = in.get_list<double>();
+  arcs_.insert(arcs_.end(), arcs.begin(), arcs.end());
+  const bool with_arcs = rule.kind == Exclusion::Rule::arc_window;
+  if (spheres_.size() != block_of_.size() || arcs_.size() != (with_arcs ? spheres_.size() : 0))
+    throw std::logic_error("a message holds no blocks");
 }
 
-FarBlock get_block(ByteReader& in, const Rule& rule) {
-  const auto header = in.get<Header>();
-  if (header.size == 0 || header.size > Block::most) throw std::logic_error("a message holds no block");
-  FarBlock block{header.first, header.strand, header.size, {}, {}, std::vector<IdPair>(header.extra)};
-  in.get_all(std::span(block.spheres).first(header.size));
-  if (rule.kind == Exclusion::Rule::arc_window) in.get_all(std::span(block.arcs).first(header.size));
-  in.get_all(std::span(block.extra));
-  return block;
+void FarBlocks::clear() {
+  strands_.clear(), headers_.clear(), block_of_.clear(), spheres_.clear(), arcs_.clear();
 }
 
 }  // namespace catena::ranks

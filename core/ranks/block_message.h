@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <span>
 #include <vector>
 
 #include "catena/core/ranks/bytes.h"
@@ -7,22 +7,45 @@
 
 namespace catena::ranks {
 
-/// A block of another rank.
-struct FarBlock {
-  SphereId first;
-  Strand strand;
-  std::uint32_t size;
-  std::array<Sphere, Block::most> spheres;
-  std::array<double, Block::most> arcs;  ///< under an arc window
-  std::vector<IdPair> extra;             ///< where they were sent: rows of these spheres
+/// Some blocks in one message: first what is alike of many, then their spheres and arcs, each in a row.
+void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks);
 
-  Place place(std::uint32_t k) const { return {first + k, strand, arcs[k], spheres[k].radius}; }
+/// Blocks of other ranks.
+class FarBlocks {
+ public:
+  /// Adds what put_blocks wrote, on a rank of the same rule, and a mark to each block.
+  void take(ByteReader& in, const Rule& rule, std::uint32_t mark);
+  void clear();
+
+  std::uint32_t blocks() const { return static_cast<std::uint32_t>(headers_.size()); }
+  const std::vector<Sphere>& spheres() const { return spheres_; }
+  std::uint32_t block_of(std::uint32_t sphere) const { return block_of_[sphere]; }
+  std::uint32_t mark(std::uint32_t block) const { return headers_[block].mark; }
+  SphereId id(std::uint32_t sphere) const {
+    const Header& block = headers_[block_of_[sphere]];
+    return block.first + (sphere - block.begin);
+  }
+  Place place(std::uint32_t sphere) const {
+    const Header& block = headers_[block_of_[sphere]];
+    return {id(sphere), strands_[block.strand], arcs_.empty() ? 0 : arcs_[sphere], spheres_[sphere].radius};
+  }
+
+ private:
+  struct Sent {
+    SphereId first;
+    std::uint32_t strand, size;
+  };
+  struct Header {
+    SphereId first;
+    std::uint32_t strand, begin, mark;
+  };
+  friend void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> blocks);
+
+  std::vector<Strand> strands_;
+  std::vector<Header> headers_;
+  std::vector<std::uint32_t> block_of_;  // [sphere]
+  std::vector<Sphere> spheres_;
+  std::vector<double> arcs_;
 };
-
-enum class ExtraPairs { left_out, sent };
-
-void put_block(ByteWriter& out, const HeldPart& part, const Block& block, ExtraPairs extra);
-/// What put_block wrote, on a rank of the same rule.
-FarBlock get_block(ByteReader& in, const Rule& rule);
 
 }  // namespace catena::ranks

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/ranks/communicator.h"
 
 namespace catena::ranks {
@@ -29,7 +30,10 @@ class ByteWriter {
     put(std::uint64_t{values.size()});
     return put_all(std::span<const Value>(values));
   }
-  std::size_t size() const { return bytes_.size(); }
+  void reserve(std::size_t bytes) {
+    bytes_.reserve(bytes);
+    wish_large_pages(bytes_.data(), bytes);
+  }
   Bytes take() { return std::move(bytes_); }
 
  private:

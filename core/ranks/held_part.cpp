@@ -4,10 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "catena/core/hierarchy/morton_grid.h"
-
 namespace catena::ranks {
 namespace {
+
+bool none_closed(std::span<const Piece> pieces) {
+  return std::ranges::none_of(pieces, [](const Piece& piece) { return piece.strand.closed != 0; });
+}
 
 bool whole(const Piece& piece) { return piece.size == piece.strand.size; }
 
@@ -33,6 +35,7 @@ std::vector<Pair> pairs_inside(const Part& part) {
 std::vector<std::uint32_t> piece_at_every(std::uint32_t stride, std::span<const Piece> pieces,
                                           std::uint32_t spheres) {
   std::vector<std::uint32_t> at;
+  at.reserve((spheres + stride - 1) / stride);
   std::uint32_t p = 0;
   for (std::uint32_t s = 0; s < spheres; s += stride) {
     while (s - pieces[p].begin >= pieces[p].size) ++p;
@@ -41,7 +44,19 @@ std::vector<std::uint32_t> piece_at_every(std::uint32_t stride, std::span<const 
   return at;
 }
 
-Chain chain_of(Part& part) {
+/// Whether the part as one open strand misses no neighbours: as its spheres ascend, those within an index
+/// window are no further apart here than in the whole chain. What it passes over besides, a few pairs where
+/// pieces part, is to be no more than there are spheres.
+bool will_do_as_one_strand(const Part& part) {
+  if (part.rule.kind != Exclusion::Rule::index_window || !part.extra.empty()) return false;
+  const std::uint64_t window = part.rule.window;
+  if (window > part.spheres.size() || part.pieces.size() * window * window > part.spheres.size())
+    return false;
+  return none_closed(part.pieces) && std::ranges::is_sorted(part.pieces, {}, &Piece::first);
+}
+
+Chain chain_of(Part& part, bool one_strand) {
+  if (one_strand) return Chain(std::move(part.spheres), {}, Exclusion::index(part.rule.window));
   Strands strands{{0}, {}};
   ArcLengths lengths{std::move(part.arcs), {}};
   for (const Piece& piece : part.pieces) {
@@ -58,12 +73,6 @@ Chain chain_of(Part& part) {
 
 }  // namespace
 
-Box box_around(std::span<const Sphere> spheres) {
-  Box box = Box::around(spheres[0]);
-  for (const Sphere& s : spheres.subspan(1)) box.join(Box::around(s));
-  return box;
-}
-
 bool neighbours(const Rule& rule, const Place& a, const Place& b) {
   if (a.strand.first != b.strand.first) return false;
   const bool closed = a.strand.closed != 0;
@@ -76,30 +85,15 @@ bool neighbours(const Rule& rule, const Place& a, const Place& b) {
 HeldPart::HeldPart(Part part)
     : rule_(part.rule),
       pieces_(part.pieces),
-      chain_(chain_of(part)),
+      one_strand_(will_do_as_one_strand(part)),
+      chain_(chain_of(part, one_strand_)),
       extra_(std::move(part.extra)),
       piece_at_(piece_at_every(stride, pieces_, chain_.size())),
-      misses_neighbours_(look_for_missed()) {}
-
-void HeldPart::cut_blocks() {
-  struct Keyed {
-    std::uint64_t code;
-    Block block;
-  };
-  std::vector<Keyed> keyed;
-  const MortonGrid grid(chain_.spheres());
-  for (std::uint32_t p = 0; p < pieces_.size(); ++p)
-    for (std::uint32_t done = 0; done < pieces_[p].size; done += Block::most) {
-      const Block block{p, pieces_[p].begin + done, std::min(Block::most, pieces_[p].size - done)};
-      keyed.push_back({grid.code(spheres(block)[block.size / 2]), block});
-    }
-  std::ranges::stable_sort(keyed, {}, &Keyed::code);
-  for (const Keyed& k : keyed) blocks_.push_back(k.block), codes_.push_back(k.code);
-  const auto blocks = static_cast<std::uint32_t>(blocks_.size());
-  boxes_.clear(blocks);
-  for (std::uint32_t b = 0; b < blocks; ++b) boxes_.set(b, box_around(spheres(blocks_[b])));
-  boxes_.refresh(0, blocks);
-}
+      misses_neighbours_(!one_strand_ && look_for_missed()),
+      furthest_neighbour_(rule_.kind == Exclusion::Rule::index_window && extra_.empty() &&
+                                  none_closed(pieces_)
+                              ? rule_.window
+                              : ~SphereId{0}) {}
 
 bool HeldPart::look_for_missed() const {
   if (std::ranges::any_of(pieces_,
@@ -121,9 +115,7 @@ std::span<const double> HeldPart::arcs(const Block& block) const {
 }
 
 Place HeldPart::place(std::uint32_t sphere) const {
-  std::uint32_t p = piece_at_[sphere / stride];
-  while (sphere - pieces_[p].begin >= pieces_[p].size) ++p;
-  const Piece& piece = pieces_[p];
+  const Piece& piece = piece_of(sphere);
   const double arc = rule_.kind == Exclusion::Rule::arc_window ? chain_.view().exclusion.arc[sphere] : 0;
   return {piece.first + (sphere - piece.begin), piece.strand, arc, chain_[sphere].radius};
 }

@@ -1,9 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "catena/core/hierarchy/wide_box_tree.h"
+#include "catena/core/ranks/block.h"
 #include "catena/core/ranks/part.h"
 
 namespace catena::ranks {
@@ -20,33 +21,33 @@ struct Place {
 /// ExclusionView::neighbours, on numbers of the whole chain.
 bool neighbours(const Rule& rule, const Place& a, const Place& b);
 
-/// Up to eight consecutive spheres of one piece: what ranks tell one another of.
-struct Block {
-  static constexpr std::uint32_t most = 8;
-  std::uint32_t piece, begin, size;
-};
-
-/// A part made ready for search: as a chain of its own, cut into blocks, each in a box, with a tree over the
-/// boxes. Blocks come in order of Morton codes, so that the tree is one of space however the chain runs.
+/// A part made ready for search: as a chain of its own, whose spheres are found by their numbers here.
 class HeldPart {
  public:
   explicit HeldPart(Part part);
-  /// Makes blocks and boxes; none are there before, as a rank that is alone needs none.
-  void cut_blocks();
 
-  /// The part's spheres as a chain whose strands are the pieces. It makes neighbours of none that are not;
+  /// The part's spheres as a chain. Its strands are the pieces, and it makes neighbours of none that are not;
   /// those that it misses are of different pieces of a strand, or around the end of a closed one that is not
-  /// here whole.
+  /// here whole. Or, as its search is quicker, it is one open strand that misses none, but passes over some:
+  /// see for_each_passed.
   const Chain& chain() const { return chain_; }
   /// Whether it misses some.
   bool misses_neighbours() const { return misses_neighbours_; }
+  /// visit(i, j) for every i < j that the chain alone makes neighbours: those near one another in two pieces.
+  template <class Visit>
+  void for_each_passed(const Visit& visit) const {
+    if (!one_strand_) return;
+    for (std::size_t p = 1; p < pieces_.size(); ++p) {
+      const std::uint32_t begin = pieces_[p].begin, end = begin + pieces_[p].size;
+      for (std::uint32_t i = begin - std::min(begin, rule_.window); i < begin; ++i)
+        for (std::uint32_t j = begin; j < end && j - i <= rule_.window; ++j)
+          if (!neighbours(place(i), place(j))) visit(i, j);
+    }
+  }
 
   const Rule& rule() const { return rule_; }
   std::span<const Piece> pieces() const { return pieces_; }
   std::span<const IdPair> extra() const { return extra_; }
-  std::span<const Block> blocks() const { return blocks_; }
-  const WideBoxTree& boxes() const { return boxes_; }
-  std::span<const std::uint64_t> codes() const { return codes_; }  ///< of the blocks
 
   std::span<const Sphere> spheres(const Block& block) const {
     return chain_.spheres().subspan(block.begin, block.size);
@@ -57,27 +58,36 @@ class HeldPart {
   SphereId id(const Block& block) const { return piece(block).first + (block.begin - piece(block).begin); }
 
   /// The number of a sphere of this part in the whole chain. O(1) but for pieces of less than eight spheres.
-  SphereId id(std::uint32_t sphere) const { return place(sphere).id; }
+  SphereId id(std::uint32_t sphere) const {
+    const Piece& piece = piece_of(sphere);
+    return piece.first + (sphere - piece.begin);
+  }
   Place place(std::uint32_t sphere) const;
+  /// False where the rule makes neighbours of no spheres that are so far apart in number, one of them of this
+  /// part.
+  bool may_be_neighbours(SphereId a, SphereId b) const {
+    return (a < b ? b - a : a - b) <= furthest_neighbour_;
+  }
   /// By the rule, or as an extra pair. `a` is of this part.
   bool neighbours(const Place& a, const Place& b) const;
 
  private:
+  const Piece& piece_of(std::uint32_t sphere) const {
+    std::uint32_t p = piece_at_[sphere / stride];
+    while (sphere - pieces_[p].begin >= pieces_[p].size) ++p;
+    return pieces_[p];
+  }
   bool look_for_missed() const;
 
   Rule rule_;
   std::vector<Piece> pieces_;
+  bool one_strand_;
   Chain chain_;
   std::vector<IdPair> extra_;
   static constexpr std::uint32_t stride = 8;
   std::vector<std::uint32_t> piece_at_;  ///< [k]: of sphere stride * k
-  std::vector<Block> blocks_;
-  std::vector<std::uint64_t> codes_;
-  WideBoxTree boxes_;
   bool misses_neighbours_;
+  SphereId furthest_neighbour_;  ///< in number
 };
-
-/// A box around all these spheres, at least one.
-Box box_around(std::span<const Sphere> spheres);
 
 }  // namespace catena::ranks

@@ -2,21 +2,45 @@
 
 #include <algorithm>
 
+#include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
 
 namespace catena::ranks {
 namespace {
 
-/// Most pairs that are held at once only to look at them.
-constexpr std::uint64_t most_at_once = 1u << 22;
+/// Most pairs that are held at once only to look at them, so many or so many a sphere.
+constexpr std::uint64_t most_at_once = 1u << 22, pairs_a_sphere = 8;
 
-/// visit(pair) for every pair of the part's chain whose first sphere is one of these. Where there are too
-/// many to be held at once, half the spheres are searched for at a time: rare, and as slow as it is often.
-template <class Visit>
-void for_each_pair(Variant& variant, const Chain& chain, SphereRange range, const Visit& visit) {
+/// Where the chain takes some neighbours for colliding.
+std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& variant, KeptPairs& kept) {
+  std::vector<std::uint32_t> count(part.chain().size(), 0);
+  for_each_pair(variant, part.chain(), {0, part.chain().size()}, [&](const Pair& pair) {
+    const Place a = part.place(pair.i), b = part.place(pair.j);
+    if (part.neighbours(a, b)) return;
+    ++count[pair.i], ++count[pair.j];
+    kept.add(a.id, b.id);
+  });
+  return count;
+}
+
+/// What the chain takes for neighbours and the rule does not.
+void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint32_t>& count,
+                KeptPairs& kept) {
+  part.for_each_passed([&](std::uint32_t i, std::uint32_t j) {
+    if (!Robust::overlap(part.chain()[i], part.chain()[j])) return;
+    if (want == Request::Want::any) return kept.add_uncounted(1);
+    ++count[i], ++count[j];
+    kept.add(part.id(i), part.id(j));
+  });
+}
+
+}  // namespace
+
+void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
+                   const std::function<void(const Pair&)>& visit) {
   Collisions found;
-  const std::uint64_t limit =
-      range.size() > 1 ? std::max<std::uint64_t>(most_at_once, chain.size()) : std::uint64_t{chain.size()};
+  const std::uint64_t n = chain.size(),
+                      limit = range.size() > 1 ? std::max(most_at_once, pairs_a_sphere * n) : n;
   try {
     variant.find(chain, {.want = Request::Want::pairs, .pair_limit = limit, .queries = range}, found);
   } catch (const PairLimitExceeded&) {
@@ -28,28 +52,9 @@ void for_each_pair(Variant& variant, const Chain& chain, SphereRange range, cons
   for (const Pair& pair : found.pairs) visit(pair);
 }
 
-/// Where the chain takes some neighbours for colliding.
-void search_and_sift(const HeldPart& part, Variant& variant, std::vector<std::uint64_t>& count,
-                     KeptPairs& kept) {
-  for_each_pair(variant, part.chain(), {0, part.chain().size()}, [&](const Pair& pair) {
-    const Place a = part.place(pair.i), b = part.place(pair.j);
-    if (part.neighbours(a, b)) return;
-    ++count[pair.i], ++count[pair.j];
-    kept.add(a.id, b.id);
-  });
-}
-
-void add(const HeldPart& part, const Collisions& found, std::vector<std::uint64_t>& count, KeptPairs& kept) {
-  for (std::size_t i = 0; i < found.count.size(); ++i) count[i] += found.count[i];
-  for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
-  kept.add_uncounted(found.pair_count - found.pairs.size());
-}
-
-}  // namespace
-
-void search_within(const HeldPart& part, Variant& variant, Request::Want want, std::uint64_t limit,
-                   std::vector<std::uint64_t>& count, KeptPairs& kept) {
-  if (part.misses_neighbours()) return search_and_sift(part, variant, count, kept);
+std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant, Request::Want want,
+                                         std::uint64_t limit, KeptPairs& kept) {
+  if (part.misses_neighbours()) return search_and_sift(part, variant, kept);
   Collisions found;
   Request request{.want = want, .pair_limit = limit};
   try {
@@ -58,10 +63,16 @@ void search_within(const HeldPart& part, Variant& variant, Request::Want want, s
     request.want = Request::Want::counts;
     variant.find(part.chain(), request, found);
   }
-  if (want == Request::Want::any)
+  if (want == Request::Want::any) {
     kept.add_uncounted(found.found ? 1 : 0);
-  else
-    add(part, found, count, kept);
+  } else {
+    kept.reserve(found.pairs.size());
+    for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
+    kept.add_uncounted(found.pair_count - found.pairs.size());
+  }
+  std::vector<std::uint32_t> count = std::move(found.count);
+  add_passed(part, want, count, kept);
+  return count;
 }
 
 }  // namespace catena::ranks

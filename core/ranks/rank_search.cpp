@@ -35,41 +35,34 @@ class RankSearch {
   RankAnswer run(Part part) {
     enter(Phase::take_part);
     starts_ = starts_of(ranks_, part);
-    hold(std::move(part));
-    Tops tops = Tops::of_all(ranks_, *part_);
     enter(Phase::order);
-    if (wants_space_order(tops)) {
+    work_.in_space = wants_space_order(part);
+    if (work_.in_space) {
       enter(Phase::repartition);
-      hold(part_in_space(ranks_, *part_));
-      work_.in_space = true;
-      tops = Tops::of_all(ranks_, *part_);
+      part = part_in_space(ranks_, std::move(part));
     }
+    enter(Phase::build);
+    part_.emplace(std::move(part));
     work_.spheres = part_->chain().size();
-    work_.blocks = part_->blocks().size();
-    count_.resize(part_->chain().size());
+    work_.blocks = blocks_of(part_->pieces());
     if (!options_.across_only) search_within_part();
-    search_across_ranks(tops);
+    enter(Phase::across);
+    if (ranks_.size() > 1) search_across_ranks();
     return answer();
   }
 
  private:
   void enter(Phase phase) const { options_.entering(phase); }
 
-  void hold(Part part) {
-    part_.emplace(std::move(part));
-    if (ranks_.size() > 1) part_->cut_blocks();
-  }
-
-  bool wants_space_order(const Tops& tops) {
+  bool wants_space_order(const Part& part) {
     if (ranks_.size() == 1 || options_.order == Order::chain) return false;
     if (options_.order == Order::space) return true;
-    work_.touching_share = touching_share(ranks_, *part_, tops);
+    work_.touching_share = touching_share(ranks_, part);
     return work_.touching_share > most_touching;
   }
 
   void search_within_part() {
     const Request& request = options_.request;
-    enter(Phase::build);
     const auto variant = StrategyRegistry::instance().make(options_.variant);
     blaming(options_.variant, [&] {
       variant->prepare({.want = asked_within(*part_, request.want)});
@@ -77,15 +70,14 @@ class RankSearch {
     });
     enter(Phase::within);
     blaming(options_.variant,
-            [&] { search_within(*part_, *variant, request.want, request.pair_limit, count_, kept_); });
+            [&] { count_ = search_within(*part_, *variant, request.want, request.pair_limit, kept_); });
     work_.pairs_within = kept_.found();
   }
 
-  void search_across_ranks(const Tops& tops) {
-    enter(Phase::across);
+  void search_across_ranks() {
     const AcrossOptions options{.stop_at_first = options_.request.want == Request::Want::any,
                                 .blocks_at_once = options_.blocks_at_once};
-    work_.across = search_across(ranks_, *part_, tops, options, count_, far_, kept_);
+    work_.across = search_across(ranks_, *part_, options, counted_, kept_);
     work_.pairs_across = kept_.found() - work_.pairs_within;
   }
 
@@ -99,8 +91,7 @@ class RankSearch {
     if (options_.request.want == Request::Want::any) {
       answer.pair_count = 0;
     } else {
-      add_own_counts();
-      answer.count = return_counts(ranks_, starts_, std::move(far_));
+      answer.count = return_counts(ranks_, starts_, own_counts(), counted_);
       if (options_.request.want == Request::Want::pairs && answer.pair_count <= options_.request.pair_limit)
         answer.pairs = return_pairs(ranks_, starts_, kept_.take());
     }
@@ -108,12 +99,13 @@ class RankSearch {
     return answer;
   }
 
-  void add_own_counts() {
+  /// Of the pieces of the part.
+  std::vector<CountRun> own_counts() const {
+    std::vector<CountRun> runs;
+    if (count_.empty()) return runs;
     for (const Piece& piece : part_->pieces())
-      for (std::uint32_t k = 0; k < piece.size; ++k)
-        if (const std::uint64_t collisions = count_[piece.begin + k]; collisions > 0)
-          far_.push_back({piece.first + k, collisions});
-    std::vector<std::uint64_t>().swap(count_);
+      runs.push_back({piece.first, std::span(count_).subspan(piece.begin, piece.size)});
+    return runs;
   }
 
   Communicator& ranks_;
@@ -121,8 +113,8 @@ class RankSearch {
   RankWork& work_;
   std::vector<SphereId> starts_;  ///< of the parts as they came
   std::optional<HeldPart> part_;
-  std::vector<std::uint64_t> count_;  ///< of the spheres of part_
-  std::vector<Counted> far_;
+  std::vector<std::uint32_t> count_;  ///< within part_, of its spheres
+  std::vector<Counted> counted_;      ///< across ranks
   KeptPairs kept_;
 };
 

@@ -137,11 +137,23 @@ TEST(ReturnedAnswers, GoHomeByNumbersOf64Bits) {
   const SphereId start = SphereId{1} << 33;
   const std::vector<SphereId> starts{0, start, start, start + 10};
   run_in_threads(3, [&](Communicator& c) {
-    const auto count = c.rank() == 2 ? return_counts(c, std::vector<SphereId>{0, 0, 0, 10}, {{3, 5}, {9, 1}})
-                                     : return_counts(c, std::vector<SphereId>{0, 0, 0, 10}, {{3, 1}});
-    EXPECT_EQ(count.size(), c.rank() == 2 ? 10u : 0u);
+    const std::vector<SphereId> counted_from{start - 5, start, start, start + 10};
+    // Runs that end, begin and lie in the spheres of the last rank, and single ones.
+    const std::vector<std::uint32_t> across{7, 2, 3}, within{1};
+    std::vector<std::uint64_t> count;
+    if (c.rank() == 2)
+      count = return_counts(c, counted_from, std::vector<CountRun>{{start - 1, across}, {start + 3, within}},
+                            std::vector<Counted>{{start + 3, 5}, {start + 9, 1}});
+    else
+      count = return_counts(c, counted_from, {}, std::vector<Counted>{{start + 3, 1}, {start + 9, 1}});
+    if (c.rank() == 0) {
+      EXPECT_EQ(count, (std::vector<std::uint64_t>{0, 0, 0, 0, 7}));
+    }
+    if (c.rank() == 1) {
+      EXPECT_TRUE(count.empty());
+    }
     if (c.rank() == 2) {
-      EXPECT_EQ(count[3], 7u);
+      EXPECT_EQ(count, (std::vector<std::uint64_t>{2, 3, 0, 8, 0, 0, 0, 0, 0, 3}));
     }
     const auto pairs = return_pairs(c, starts, {{start + 2 - c.rank(), start + 7}, {5, start + 1}});
     if (c.rank() == 0) {
@@ -328,7 +340,7 @@ TEST(PartFile, RefusesWhatIsNoChain) {
 
 TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {
   for (const char* input : {"yarn:n=60000", "lattice:n=40000", "path2:n=60000"}) {
-    const Scaling scaling = measure_scaling(chain_of(input), 32, Order::measured);
+    const Scaling scaling = measure_scaling(chain_of(input), {.ranks = doubled_ranks(32)});
     ASSERT_EQ(scaling.points.size(), 5u);
     for (const ScalingPoint& p : scaling.points) {
       EXPECT_LE(p.blocks_asked, 2 * p.blocks_touching) << input << " on " << p.ranks;
@@ -337,8 +349,9 @@ TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {
     }
   }
   const Chain yarn = chain_of("yarn:n=60000");
-  EXPECT_LT(measure_scaling(yarn, 8, Order::space).points[2].blocks_asked,
-            measure_scaling(yarn, 8, Order::chain).points[2].blocks_asked / 2);
+  EXPECT_LT(
+      measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::space}).points[2].blocks_asked,
+      measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::chain}).points[2].blocks_asked / 2);
 }
 
 }  // namespace

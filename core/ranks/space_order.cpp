@@ -1,9 +1,12 @@
 #include "catena/core/ranks/space_order.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/hierarchy/morton_grid.h"
-#include "catena/core/ranks/block_message.h"
+#include "catena/core/ranks/bytes.h"
+#include "catena/core/ranks/tops.h"
 
 namespace catena::ranks {
 namespace {
@@ -21,9 +24,9 @@ struct Where {
   std::uint64_t blocks;
 };
 
-Where where_all_are(Communicator& ranks, const HeldPart& part) {
-  Where own{{}, part.blocks().size()};
-  for (const Sphere& s : part.chain().spheres()) own.corners.take(s);
+Where where_all_are(Communicator& ranks, const Part& part) {
+  Where own{{}, blocks_of(part.pieces)};
+  for_each_block(part.pieces, [&](const Block& block) { own.corners.take(middle_of(part.spheres, block)); });
   Where all{{}, 0};
   for (const Where& where : all_gather_value(ranks, own)) {
     all.corners.join(where.corners);
@@ -32,137 +35,263 @@ Where where_all_are(Communicator& ranks, const HeldPart& part) {
   return all;
 }
 
-/// A block and where it comes.
-struct Keyed {
-  Key key;
-  std::uint32_t block;
+/// The part of a rank, and how its blocks come in space.
+class Blocks {
+ public:
+  Blocks(const Part& part, const MortonGrid& grid) : part_(part), grid_(grid) {}
+
+  Key key(const Block& block) const {
+    const Piece& piece = part_.pieces[block.piece];
+    return {grid_.code(middle_of(part_.spheres, block)), piece.first + (block.begin - piece.begin)};
+  }
+
+  /// Of every so many blocks the key, sorted: about one in sixteen, but no fewer and no more than these.
+  std::vector<Key> some_keys(std::uint64_t blocks) const {
+    constexpr std::uint64_t fewest = 1 << 12, most = 1 << 15;
+    const std::uint64_t step = std::max<std::uint64_t>(1, blocks / std::clamp(blocks / 16, fewest, most));
+    std::vector<Key> keys;
+    for_some_blocks(part_.pieces, step, [&](const Block& block) { keys.push_back(key(block)); });
+    std::ranges::sort(keys);
+    return keys;
+  }
+
+ private:
+  const Part& part_;
+  const MortonGrid& grid_;
 };
 
-/// Keys that part the blocks of all ranks into even shares: those of every so many blocks, by which a share
-/// is off by no more than one step a rank.
-std::vector<Key> splitters(Communicator& ranks, const std::vector<Keyed>& sorted, std::uint64_t all_blocks) {
+/// Keys that part the blocks of all ranks into about even shares. Of a part of up to 4096 blocks all are
+/// looked at, and a share is off by no more than one step a rank; of a larger one a sample of s, by which it
+/// is off by about 1 / sqrt(s) of the part.
+std::vector<Key> splitters(Communicator& ranks, const std::vector<Key>& sorted, std::uint64_t own_blocks,
+                           std::uint64_t all_blocks) {
   constexpr std::uint64_t samples_a_rank = 64;
   const std::uint64_t step = std::max<std::uint64_t>(1, all_blocks / (samples_a_rank * ranks.size()));
   std::vector<Key> samples;
-  for (std::uint64_t at = step / 2; at < sorted.size(); at += step) samples.push_back(sorted[at].key);
-  std::vector<Key> all;
-  const Gathered gathered = ranks.all_gather(ByteWriter().put_list(samples).take());
-  for (const Bytes& bytes : *gathered) {
-    const auto theirs = ByteReader(bytes).get_list<Key>();
+  for (std::uint64_t at = step / 2; at < own_blocks; at += step)
+    samples.push_back(sorted[at * sorted.size() / own_blocks]);
+  // Rank 0 chooses, as all would have to sort the samples of all otherwise.
+  std::vector<Key> all, chosen;
+  for (const Message& message : ranks.exchange({{0, ByteWriter().put_list(samples).take()}})) {
+    const auto theirs = ByteReader(message.bytes).get_list<Key>();
     all.insert(all.end(), theirs.begin(), theirs.end());
   }
   std::ranges::sort(all);
-  std::vector<Key> chosen;
-  for (unsigned rank = 1; rank < ranks.size(); ++rank)
-    if (!all.empty()) chosen.push_back(all[all.size() * rank / ranks.size()]);
-  return chosen;
+  for (unsigned rank = 1; rank < ranks.size() && !all.empty(); ++rank)
+    chosen.push_back(all[all.size() * rank / ranks.size()]);
+  const Gathered told = ranks.all_gather(ranks.rank() == 0 ? ByteWriter().put_list(chosen).take() : Bytes());
+  return ByteReader(told->front()).get_list<Key>();
 }
 
-std::vector<Keyed> keyed_blocks(const HeldPart& part, const MortonGrid& grid) {
-  std::vector<Keyed> keyed;
-  for (std::uint32_t b = 0; b < part.blocks().size(); ++b) {
-    const Block& block = part.blocks()[b];
-    keyed.push_back({{grid.code(part.spheres(block)[block.size / 2]), part.id(block)}, b});
+/// The rank that a key goes to; keys that follow one another mostly go to the same.
+class Goal {
+ public:
+  explicit Goal(const std::vector<Key>& splitters) : splitters_(splitters) {}
+  unsigned of(const Key& key) {
+    if ((last_ > 0 && key < splitters_[last_ - 1]) || (last_ < splitters_.size() && key >= splitters_[last_]))
+      last_ = static_cast<std::size_t>(std::ranges::upper_bound(splitters_, key) - splitters_.begin());
+    return static_cast<unsigned>(last_);
   }
-  std::ranges::sort(keyed, {}, &Keyed::key);
-  return keyed;
-}
 
-std::vector<Message> shares_of(const HeldPart& part, const std::vector<Keyed>& sorted,
-                               const std::vector<Key>& splitters, unsigned ranks) {
-  std::vector<Message> shares;
-  auto at = sorted.begin();
-  for (unsigned rank = 0; rank < ranks && at != sorted.end(); ++rank) {
-    const auto end = rank < splitters.size()
-                         ? std::ranges::lower_bound(at, sorted.end(), splitters[rank], {}, &Keyed::key)
-                         : sorted.end();
-    ByteWriter out;
-    for (; at != end; ++at) put_block(out, part, part.blocks()[at->block], ExtraPairs::sent);
-    if (out.size() > 0) shares.push_back({rank, out.take()});
-  }
+ private:
+  const std::vector<Key>& splitters_;
+  std::size_t last_ = 0;
+};
+
+/// Blocks that follow one another on a strand and go to one rank.
+struct Run {
+  SphereId first;
+  std::uint64_t size;
+  Strand strand;
+};
+
+/// What goes to one rank: runs, and where they begin in the part.
+struct Share {
+  std::vector<Run> runs;
+  std::vector<std::uint32_t> begin;
+  std::uint64_t spheres = 0;
+};
+
+std::vector<Share> shares_of(const Part& part, const Blocks& blocks, const std::vector<Key>& splitters,
+                             unsigned ranks) {
+  std::vector<Share> shares(ranks);
+  Goal goal(splitters);
+  for_each_block(part.pieces, [&](const Block& block) {
+    const Key key = blocks.key(block);
+    Share& share = shares[goal.of(key)];
+    share.spheres += block.size;
+    const bool goes_on = block.begin > part.pieces[block.piece].begin && !share.runs.empty() &&
+                         share.runs.back().first + share.runs.back().size == key.first;
+    if (goes_on) {
+      share.runs.back().size += block.size;
+    } else {
+      share.runs.push_back({key.first, block.size, part.pieces[block.piece].strand});
+      share.begin.push_back(block.begin);
+    }
+  });
   return shares;
 }
 
-std::vector<FarBlock> blocks_in(std::vector<Message> messages, const Rule& rule) {
-  std::vector<FarBlock> blocks;
-  for (Message& message : messages) {
-    for (ByteReader in(message.bytes); !in.empty();) blocks.push_back(get_block(in, rule));
-    Bytes().swap(message.bytes);
-  }
-  return blocks;
+/// The rows of these spheres.
+std::span<const IdPair> rows_of(std::span<const IdPair> extra, SphereId first, std::uint64_t size) {
+  const auto begin = std::ranges::lower_bound(extra, first, {}, &IdPair::i);
+  const auto end = std::ranges::lower_bound(begin, extra.end(), first + size, {}, &IdPair::i);
+  return {begin, end};
 }
 
-/// Blocks that follow one another on a strand, by their numbers here.
-struct Run {
-  std::size_t begin, end;
-  Key key;
+std::vector<IdPair> rows_of(const Part& part, const Share& share) {
+  std::vector<IdPair> extra;
+  if (part.extra.empty()) return extra;
+  for (const Run& run : share.runs) {
+    const auto rows = rows_of(part.extra, run.first, run.size);
+    extra.insert(extra.end(), rows.begin(), rows.end());
+  }
+  return extra;
+}
+
+Bytes packed(const Part& part, const Share& share) {
+  const std::vector<IdPair> extra = rows_of(part, share);
+  const bool arcs = !part.arcs.empty();
+  ByteWriter out;
+  out.reserve(4 * sizeof share.spheres + share.runs.size() * sizeof(Run) + extra.size() * sizeof(IdPair) +
+              share.spheres * (sizeof(Sphere) + (arcs ? sizeof(double) : 0)));
+  out.put_list(share.runs).put_list(extra).put(share.spheres);
+  for (std::size_t k = 0; k < share.runs.size(); ++k)
+    out.put_all(std::span(part.spheres).subspan(share.begin[k], share.runs[k].size));
+  if (arcs)
+    for (std::size_t k = 0; k < share.runs.size(); ++k)
+      out.put_all(std::span(part.arcs).subspan(share.begin[k], share.runs[k].size));
+  return out.take();
+}
+
+/// Moves what stays to the front.
+template <class Value>
+void keep(const Share& stays, std::vector<Value>& values) {
+  auto to = values.begin();
+  for (std::size_t k = 0; k < stays.runs.size(); ++k) {
+    const auto from = values.begin() + stays.begin[k];
+    to = std::move(from, from + static_cast<std::ptrdiff_t>(stays.runs[k].size), to);
+  }
+  values.erase(to, values.end());
+}
+
+/// What a rank sent, and where it goes.
+struct Came {
+  unsigned rank;
+  ByteReader in;
+  std::vector<Run> runs{};
+  std::vector<IdPair> extra{};
+  std::uint64_t spheres = 0;
 };
 
-std::vector<Run> runs_in_space(const std::vector<FarBlock>& blocks, const MortonGrid& grid) {
-  std::vector<Run> runs;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const FarBlock& block = blocks[b];
-    const bool goes_on = b > 0 && blocks[b - 1].first + blocks[b - 1].size == block.first &&
-                         blocks[b - 1].strand.first == block.strand.first;
-    if (goes_on)
-      ++runs.back().end;
-    else
-      runs.push_back({b, b + 1, {grid.code(block.spheres[block.size / 2]), block.first}});
-  }
-  std::ranges::sort(runs, {}, &Run::key);
-  return runs;
+Came read(const Message& message) {
+  Came came{message.rank, ByteReader(message.bytes)};
+  came.runs = came.in.get_list<Run>();
+  came.extra = came.in.get_list<IdPair>();
+  came.spheres = came.in.get<std::uint64_t>();
+  return came;
 }
 
-Part part_of(std::vector<FarBlock> blocks, const Rule& rule, const MortonGrid& grid) {
-  std::ranges::sort(blocks, {}, &FarBlock::first);
-  Part part;
-  part.rule = rule;
-  for (const Run& run : runs_in_space(blocks, grid)) {
-    const auto begin = static_cast<std::uint32_t>(part.spheres.size());
-    for (const FarBlock& block : std::span(blocks).subspan(run.begin, run.end - run.begin)) {
-      part.spheres.insert(part.spheres.end(), block.spheres.begin(), block.spheres.begin() + block.size);
-      if (rule.kind == Exclusion::Rule::arc_window)
-        part.arcs.insert(part.arcs.end(), block.arcs.begin(), block.arcs.begin() + block.size);
-      part.extra.insert(part.extra.end(), block.extra.begin(), block.extra.end());
-    }
-    part.pieces.push_back({blocks[run.begin].first, begin,
-                           static_cast<std::uint32_t>(part.spheres.size()) - begin,
-                           blocks[run.begin].strand});
+/// Values that stayed, at the front, and those that came, which their messages go on with, by rising ranks.
+template <class Value>
+void join(std::vector<Value>& values, std::vector<Came>& all, unsigned own) {
+  std::uint64_t before = 0, stayed = values.size(), after = 0;
+  for (const Came& came : all) (came.rank < own ? before : after) += came.spheres;
+  const std::uint64_t size = before + stayed + after;
+  if (size > values.capacity()) {
+    values.reserve(size);
+    wish_large_pages(values.data(), size * sizeof(Value));
   }
+  values.resize(size);
+  const auto begin = values.begin();
+  if (before > 0)
+    std::move_backward(begin, begin + static_cast<std::ptrdiff_t>(stayed),
+                       begin + static_cast<std::ptrdiff_t>(before + stayed));
+  std::uint64_t at = 0;
+  for (Came& came : all) {
+    if (at == before) at += came.rank > own ? stayed : 0;
+    came.in.get_all(std::span(values).subspan(at, came.spheres));
+    at += came.spheres;
+  }
+}
+
+/// Pieces of runs that follow one another: where one goes on with a strand it is the same piece.
+void append_pieces(const std::vector<Run>& runs, std::vector<Piece>& pieces) {
+  std::uint32_t begin = pieces.empty() ? 0 : pieces.back().begin + pieces.back().size;
+  for (const Run& run : runs) {
+    const auto size = static_cast<std::uint32_t>(run.size);
+    Piece* const last = pieces.empty() ? nullptr : &pieces.back();
+    if (last != nullptr && last->first + last->size == run.first && last->strand.first == run.strand.first)
+      last->size += size;
+    else
+      pieces.push_back({run.first, begin, size, run.strand});
+    begin += size;
+  }
+}
+
+/// The part of what stays and of what came, by rising ranks and so by rising spheres.
+void take_in(Part& part, const Share& stays, std::vector<Message> messages, unsigned own) {
+  std::vector<Came> all;
+  for (const Message& message : messages) all.push_back(read(message));
+  join(part.spheres, all, own);
+  if (part.rule.kind == Exclusion::Rule::arc_window) join(part.arcs, all, own);
+  part.pieces.clear();
+  bool stayed_done = false;
+  for (const Came& came : all) {
+    if (came.rank > own && !std::exchange(stayed_done, true)) append_pieces(stays.runs, part.pieces);
+    append_pieces(came.runs, part.pieces);
+    part.extra.insert(part.extra.end(), came.extra.begin(), came.extra.end());
+  }
+  if (!stayed_done) append_pieces(stays.runs, part.pieces);
   std::ranges::sort(part.extra);
-  return part;
 }
 
 }  // namespace
 
-double touching_share(Communicator& ranks, const HeldPart& part, const Tops& tops) {
-  const std::size_t blocks = part.blocks().size();
-  const std::size_t looked_at =
-      std::max<std::size_t>(16, (std::size_t{1} << 22) / (Tops::most * ranks.size()));
-  const std::size_t step = std::max<std::size_t>(1, blocks / looked_at);
+double touching_share(Communicator& ranks, const Part& part) {
+  constexpr std::uint64_t most = 1 << 12, of_all = 1 << 12, of_a_rank = 16;
+  const std::uint64_t blocks = blocks_of(part.pieces);
+  std::vector<Box> boxes;
+  for_some_blocks(part.pieces, std::max<std::uint64_t>(1, blocks / most), [&](const Block& block) {
+    boxes.push_back(box_around(std::span(part.spheres).subspan(block.begin, block.size)));
+  });
+  const Tops tops = Tops::of_all(ranks, boxes);
+  const ForeignTops foreign(tops, ranks.rank());
+  const std::size_t step =
+      std::max<std::size_t>(1, boxes.size() / std::max(of_a_rank, of_all / ranks.size()));
+  double looked_at = 0, touching = 0;
+  for (std::size_t b = step / 2; b < boxes.size(); b += step) {
+    ++looked_at;
+    if (foreign.any()) foreign.for_each_rank(boxes[b], [&](unsigned) { ++touching; });
+  }
   struct Share {
     double touching, blocks;
-  } own{0, static_cast<double>(blocks)};
-  for (std::size_t b = step / 2; b < blocks; b += step) {
-    const Box box = part.boxes().box(static_cast<std::uint32_t>(b));
-    for (unsigned other = 0; other < ranks.size(); ++other)
-      if (other != ranks.rank() && tops.meets(other, box)) own.touching += static_cast<double>(step);
-  }
-  Share all{0, 0};
+  } own{0, static_cast<double>(blocks)}, all{0, 0};
+  if (looked_at > 0) own.touching = own.blocks * touching / looked_at;
   for (const Share& share : all_gather_value(ranks, own))
     all.touching += share.touching, all.blocks += share.blocks;
   return all.blocks == 0 ? 0 : all.touching / all.blocks;
 }
 
-Part part_in_space(Communicator& ranks, const HeldPart& part) {
+Part part_in_space(Communicator& ranks, Part part) {
   const Where all = where_all_are(ranks, part);
   const MortonGrid grid(all.corners);
-  std::vector<Message> shares;
+  std::vector<Message> out;
+  Share stays;
   {
-    const std::vector<Keyed> sorted = keyed_blocks(part, grid);
-    shares = shares_of(part, sorted, splitters(ranks, sorted, all.blocks), ranks.size());
+    const Blocks blocks(part, grid);
+    const std::uint64_t own_blocks = blocks_of(part.pieces);
+    const std::vector<Key> chosen = splitters(ranks, blocks.some_keys(own_blocks), own_blocks, all.blocks);
+    std::vector<Share> shares = shares_of(part, blocks, chosen, ranks.size());
+    for (unsigned rank = 0; rank < ranks.size(); ++rank)
+      if (rank != ranks.rank() && shares[rank].spheres > 0) out.push_back({rank, packed(part, shares[rank])});
+    stays = std::move(shares[ranks.rank()]);
   }
-  return part_of(blocks_in(ranks.exchange(std::move(shares)), part.rule()), part.rule(), grid);
+  part.extra = rows_of(part, stays);
+  keep(stays, part.spheres);
+  if (!part.arcs.empty()) keep(stays, part.arcs);
+  take_in(part, stays, ranks.exchange(std::move(out)), ranks.rank());
+  return part;
 }
 
 }  // namespace catena::ranks

@@ -120,6 +120,30 @@ def updates(repetitions, noise):
     ]
 
 
+def rank_point(n, ranks, contacts):
+    """What a chain costs that is shared out: a shell two blocks thick; 100 ns a sphere, 5 us a block that is asked for,
+    2 us a rank, 30 us.
+    """
+    blocks, held = n // 8, n / 8 / ranks
+    asked = round(contacts * ((held ** (1 / 3) + 2) ** 3 - held) * (1 - ranks ** (-1 / 3)))
+    across = 5000 * asked + (2000 * ranks + 30_000) * (ranks > 1)
+    point = {
+        "ranks": ranks,
+        "order": "space" if ranks > 1 else "chain",
+        "blocks": blocks,
+        "most_spheres": n // ranks,
+        "most_rounds": 2,
+        "blocks_asked": ranks * asked,
+        "blocks_touching": round(ranks * asked * (0.8 if ranks < 64 else 0.4)),
+        "most_blocks_asked": asked,
+        "most_bytes": 150 * asked,
+        "most_messages": ranks - 1,
+    }
+    if ranks > 256:
+        return point
+    return point | {"pairs": contacts * n, "most_processor_ms": {"within": 1e-4 * n / ranks, "across": 1e-6 * across}}
+
+
 def run(**options):
     """A whole run file, as a Python value."""
     generator = numpy.random.default_rng(3)
@@ -285,6 +309,18 @@ def run(**options):
                     for k in (1, 8, 64)
                 ],
                 "rebuilt": "Hybrid",
+            },
+            "ranks": {
+                "searched_by": "Hybrid",
+                "chains": [
+                    {
+                        "input": f"{scene}:n={n}",
+                        "n": n,
+                        "points": [rank_point(n, ranks, contacts) for ranks in (1, 2, 4, 8, 16, 32, 64, 256, 1024)],
+                    }
+                    for scene, contacts in (("yarn", 4), ("hair", 1))
+                    for n in (64_000, 512_000)
+                ],
             },
             "counts": [
                 {

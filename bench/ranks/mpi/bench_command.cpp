@@ -35,13 +35,15 @@ class BenchCommand final : public Command {
     options.entering = [this](Phase phase) { clock_.enter(phase); };
     together(ranks_, [&] {
       const RankInput input(ranks_, input_, search_.input(), open_shared);
-      const NamedPart part = input.part(0);
+      Part part = input.part(0).part;
       const std::optional<PeriodicBox> box = input.box(0);
       const auto search_in = [&](Part own, RankWork& work) {
         return search_frame(ranks_, input, 0, box, std::move(own), options, work);
       };
-      for (unsigned k = 0; k < repetitions_; ++k)
-        search_once(part.part, search_in, box, k + 1 == repetitions_);
+      for (unsigned k = 0; k < repetitions_; ++k) {
+        const bool last = k + 1 == repetitions_;  // then no copy is left to be held beside
+        search_once(last ? std::move(part) : Part(part), search_in, box, last);
+      }
     });
     return 0;
   }
@@ -54,11 +56,9 @@ class BenchCommand final : public Command {
   };
 
   template <class Search>
-  void search_once(const Part& part, const Search& search_in, const std::optional<PeriodicBox>& box,
-                   bool last) {
+  void search_once(Part own, const Search& search_in, const std::optional<PeriodicBox>& box, bool last) {
     clock_ = {};
     RankWork work;
-    Part own = part;
     const Traffic before = ranks_.traffic();
     ranks_.vote();  // all begin at once
     const auto began = std::chrono::steady_clock::now();

@@ -8,6 +8,7 @@
 #include <climits>
 #include <thread>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/one_line.h"
 
 namespace catena::ranks {
@@ -89,7 +90,10 @@ std::vector<Message> MpiCommunicator::deliver(std::vector<Message> out) {
   MPI_Alltoall(sent.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, world_);
   std::vector<Message> in;
   for (unsigned rank = 0; rank < size_; ++rank)
-    if (coming[rank] > 0) in.push_back({rank, rank == rank_ ? Bytes() : Bytes(coming[rank])});
+    if (coming[rank] > 0) {
+      in.push_back({rank, {}});
+      if (rank != rank_) resize_large(in.back().bytes, coming[rank]);
+    }
   vote();  // all have the memory, and none waits for another's
 
   std::vector<MPI_Request> requests;

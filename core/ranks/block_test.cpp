@@ -1,0 +1,85 @@
+#include "catena/core/ranks/block.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "catena/core/hierarchy/wide_box_tree.h"
+
+namespace catena::ranks {
+namespace {
+
+std::vector<Sphere> spheres_of(std::size_t n, std::mt19937& dice, float greatest) {
+  std::uniform_real_distribution<float> at(-greatest, greatest),
+      radius(0, greatest > 1e30f ? 1.9f * greatest : greatest / 8);
+  std::vector<Sphere> spheres;
+  for (std::size_t k = 0; k < n; ++k) spheres.push_back({at(dice), at(dice), at(dice), radius(dice)});
+  return spheres;
+}
+
+bool equal(const Box& a, const Box& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a.low[axis] != b.low[axis] || a.high[axis] != b.high[axis]) return false;
+  return true;
+}
+
+/// Bit for bit the box of their boxes, so that what was proved of these holds; also where they end at
+/// infinity.
+TEST(Block, BoxesAreThoseOfTheSpheres) {
+  std::mt19937 dice(3);
+  for (const float greatest : {1e-40f, 1e-3f, 1.0f, 1e20f, std::numeric_limits<float>::max() / 2.1f})
+    for (std::size_t n = 1; n <= 70; ++n) {
+      const std::vector<Sphere> spheres = spheres_of(n, dice, greatest);
+      Box box = Box::around(spheres[0]);
+      for (const Sphere& s : spheres) box.join(Box::around(s));
+      EXPECT_TRUE(equal(box_around(spheres), box)) << n << ' ' << greatest;
+      const Box other = Box::around(spheres_of(1, dice, greatest)[0]);
+      bool meets = false;
+      for (const Sphere& s : spheres) meets = meets || Box::around(s).meets(other);
+      EXPECT_EQ(any_meets(spheres, other), meets) << n << ' ' << greatest;
+    }
+}
+
+TEST(Block, EveryOneIsVisitedAndSomeEvenly) {
+  const Strand strand{0, 1000, 0, 0, 0};
+  const std::vector<Piece> pieces{
+      {0, 0, 17, strand}, {20, 17, 1, strand}, {30, 18, 64, strand}, {99, 82, 9, strand}};
+  std::vector<std::uint32_t> begins, seen;
+  for_each_block(pieces, [&](const Block& b) {
+    begins.push_back(b.begin);
+    for (std::uint32_t k = 0; k < b.size; ++k) seen.push_back(b.begin + k);
+    EXPECT_LE(b.begin + b.size, pieces[b.piece].begin + pieces[b.piece].size);
+  });
+  EXPECT_EQ(begins.size(), blocks_of(pieces));
+  ASSERT_EQ(seen.size(), 91u);
+  for (std::uint32_t k = 0; k < 91; ++k) EXPECT_EQ(seen[k], k);
+  for (const std::uint64_t step : {1u, 2u, 3u, 5u, 13u, 40u}) {
+    std::vector<std::uint32_t> some, expected;
+    for_some_blocks(pieces, step, [&](const Block& b) { some.push_back(b.begin); });
+    for (std::size_t k = step / 2; k < begins.size(); k += step) expected.push_back(begins[k]);
+    EXPECT_EQ(some, expected) << step;
+  }
+}
+
+TEST(WideBoxTree, SaysWhetherAnyBoxMeets) {
+  std::mt19937 dice(5);
+  for (const std::uint32_t boxes : {0u, 16u, 17u, 300u}) {
+    WideBoxTree tree;
+    tree.clear(boxes);
+    for (std::uint32_t k = 0; k < boxes; ++k) tree.set(k, Box::around(spheres_of(1, dice, 1)[0]));
+    tree.refresh(0, boxes);
+    std::uint32_t met = 0;
+    for (int round = 0; round < 200; ++round) {
+      const Box box = Box::around(spheres_of(1, dice, 1)[0]);
+      bool any = false;
+      tree.for_each_meeting(box, [&](std::uint32_t) { any = true; });
+      EXPECT_EQ(tree.meets(box), any);
+      met += any;
+    }
+    EXPECT_EQ(met > 0, boxes >= 16);
+  }
+}
+
+}  // namespace
+}  // namespace catena::ranks

@@ -1,0 +1,124 @@
+"""Ranks: what they exchange is shown beside what they must, and the model says what the runs say."""
+import unittest
+
+import made
+import pages
+from catena_report import rank_model, words
+from pages import recomputes
+
+
+def chains(value):
+    return {(c["input"].partition(":")[0], c["n"]): c["points"] for c in value["catena"]["ranks"]["chains"]}
+
+
+class Ranks(unittest.TestCase):
+    def setUp(self):
+        self.value = made.run()
+        self.shown = pages.Shown(pages.of(self.value))
+
+    @recomputes("figure:ranks-exchange")
+    def test_every_exchange_is_shown_beside_its_bound(self):
+        over, dense = self.shown.figures["ranks-exchange"].panels
+        drawn = {series.name: dict(zip(series.x, series.y)) for series in over.series}
+        for (scene, n), points in chains(self.value).items():
+            ratios = {p["ranks"]: p["blocks_asked"] / p["blocks_touching"] for p in points if p["blocks_touching"]}
+            self.assertEqual(drawn[f"{scene}, {n:,}"], ratios)
+        self.assertEqual(len(drawn), len(chains(self.value)))
+        self.assertEqual([line.at for panel in (over, dense) for line in panel.lines], [2, 2])
+        for series, ranks in zip(dense.series, (4, 16, 64)):
+            self.assertEqual(series.name, f"{ranks} ranks")
+            at = {4: "yarn", 1: "hair"}
+            for x, y in zip(series.x, series.y):
+                (point,) = (p for p in chains(self.value)[at[x], 512_000] if p["ranks"] == ranks)
+                self.assertEqual(y, point["blocks_asked"] / point["blocks_touching"])
+
+    def test_the_exchange_is_judged_by_its_worst(self):
+        title = self.shown.figures["ranks-exchange"].title
+        # Beyond twice the bound from 64 ranks on: of the longest chain each holds 512,000 / 64 spheres.
+        self.assertIn("while each holds more than 8,000 spheres", title)
+        worst = max(p["blocks_asked"] / p["blocks_touching"] for ps in chains(self.value).values() for p in ps if p["blocks_touching"])
+        self.assertIn(f"{words.significant(worst, 3)} times", title)
+        for chain in self.value["catena"]["ranks"]["chains"]:
+            for p in chain["points"]:
+                p["blocks_touching"] = p["blocks_asked"]
+        self.assertIn("at most 1.00 times", pages.Shown(pages.of(self.value)).figures["ranks-exchange"].title)
+
+    @recomputes("figure:ranks-times")
+    def test_every_time_is_shown_and_the_model_is_near(self):
+        panels = {panel.title: panel for panel in self.shown.figures["ranks-times"].panels}
+        for (scene, n), points in chains(self.value).items():
+            series = panels[scene].series
+            (drawn,) = (s for s in series if s.name == f"{scene}, {n:,}")
+            times = {p["ranks"]: sum(p["most_processor_ms"].values()) for p in points if p["ranks"] <= 256}
+            self.assertEqual(dict(zip(drawn.x, drawn.y)), times)
+            model = series[series.index(drawn) + 1]
+            for ranks, ms in zip(model.x, model.y):
+                if ranks in times:
+                    self.assertAlmostEqual(ms / times[ranks], 1, delta=0.02)
+            shared = series[series.index(drawn) + 2]
+            self.assertEqual((shared.x, shared.y), ([1, 256], [times[1], times[1] / 256]))
+
+    @recomputes("table:ranks-model")
+    def test_the_model_is_what_the_runs_were_made_by(self):
+        rows = {row[0].text: row for row in self.shown.tables["ranks-model"].rows}
+        for scene, contacts in (("yarn", 4), ("hair", 1)):
+            row = rows[scene]
+            self.assertEqual(row[1].raw, contacts)
+            for cell, made_by in zip(row[2:8], (contacts, 2, 100, 5000, 2000, 30_000)):
+                self.assertAlmostEqual(cell.raw / made_by, 1, delta=0.05)
+            self.assertAlmostEqual(row[8].raw, 1, delta=0.01)
+            self.assertAlmostEqual(row[9].raw, 1, delta=0.05)
+
+            def ms(n, ranks):
+                held = n / 8 / ranks
+                shell = contacts * ((held ** (1 / 3) + 2) ** 3 - held) * (1 - ranks ** (-1 / 3))
+                return 100 * n / ranks + (5000 * shell + 2000 * ranks + 30_000) * (ranks > 1)
+
+            for at, n in enumerate((10**6, 10**9)):
+                powers = [2**k for k in range(25)]
+                best = min(powers, key=lambda ranks: ms(n, ranks))
+                kept = [ranks for ranks in powers if ms(n, 1) / ranks / ms(n, ranks) >= 0.5]
+                self.assertIn(row[10 + at].raw / max(kept), (0.5, 1, 2))
+                self.assertIn(row[12 + at].raw / best, (0.5, 1, 2))
+
+    @recomputes("table:ranks-counts")
+    def test_every_count_is_shown(self):
+        rows = self.shown.tables["ranks-counts"].rows
+        keys = ("most_spheres", "most_blocks_asked", "most_bytes", "most_messages", "most_rounds")
+        told = [
+            (f"{scene}, {n:,}", p)
+            for (scene, n), points in chains(self.value).items()
+            for p in points
+            if p["ranks"] in (2, 16, 64, 256, 1024)
+        ]
+        self.assertEqual(len(rows), len(told))
+        for row, (name, p) in zip(rows, told):
+            self.assertEqual((row[0].text, row[1].raw, row[2].text), (name, p["ranks"], p["order"]))
+            self.assertEqual([cell.raw for cell in row[3:8]], [p[key] for key in keys])
+            self.assertEqual(row[8].raw, p["blocks_asked"] / p["blocks_touching"])
+            self.assertEqual(row[9].raw, sum(p["most_processor_ms"].values()) if p["ranks"] <= 256 else "")
+
+    def test_counts_beyond_what_was_fitted_check_the_law(self):
+        for chain in self.value["catena"]["ranks"]["chains"]:
+            for p in chain["points"]:
+                if p["ranks"] > 256:
+                    p["most_blocks_asked"] *= 3
+        rows = pages.Shown(pages.of(self.value)).tables["ranks-model"].rows
+        for row in rows:
+            self.assertAlmostEqual(row[9].raw, 3, delta=0.15)
+
+    def test_too_few_points_have_no_model(self):
+        for chain in self.value["catena"]["ranks"]["chains"]:
+            chain["points"] = chain["points"][:2]
+        shown = pages.Shown(pages.of(self.value))
+        self.assertNotIn("ranks-model", set(shown.tables))
+        self.assertIn("ranks-counts", set(shown.tables))
+        self.assertIsNone(rank_model.law([]))
+
+    def test_without_data_there_is_no_section(self):
+        del self.value["catena"]["ranks"]
+        self.assertNotIn("ranks-counts", set(pages.Shown(pages.of(self.value)).tables))
+
+
+if __name__ == "__main__":
+    unittest.main()
