@@ -50,6 +50,7 @@ Profile small_profile() {
   p.animation_step = 10;
   p.keyframe_sizes = {200};
   p.copy_bytes = 1 << 20;
+  p.rank_chains = {{"yarn:n=1000", 8}, {"hair:n=1000", 4}};
   return p;
 }
 
