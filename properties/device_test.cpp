@@ -113,7 +113,8 @@ TEST_F(Device, BlocksAndCellsHaveTheHostsBits) {
       const Chain chain = scene(input);
       const auto there = StrategyRegistry::instance().make(device), here = StrategyRegistry::instance().make(host);
       there->build(chain), here->build(chain);
-      EXPECT_TRUE(ShownBounds::of_evidence(*there).same_bits(ShownBounds::of_evidence(*here))) << device << ", " << input;
+      const auto difference = ShownBounds::of_evidence(*there).difference(ShownBounds::of_evidence(*here));
+      EXPECT_FALSE(difference) << device << ", " << input << ": " << *difference;
       Lines told, expected;
       Collisions shown, found, twins;
       there->find_with_evidence(chain, {}, shown, told);

@@ -1,5 +1,8 @@
 #include "catena/properties/shown_bounds.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "catena/core/strategy/evidence_nodes.h"
@@ -20,43 +23,60 @@ struct Numbers {
   }
 };
 
-class Collector final : public BoundsVisitor {
+}  // namespace
+
+class ShownBounds::Collector final : public BoundsVisitor {
  public:
-  Collector(std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges, std::vector<double>& numbers)
-      : edges_(edges), numbers_(numbers) {}
+  explicit Collector(std::vector<Edge>& edges) : edges_(edges) {}
   void edge(std::uint32_t parent_id, const AnyBound& parent, std::uint32_t child_id,
             const AnyBound& child) override {
-    edges_.push_back({parent_id, child_id});
+    std::vector<double>& numbers = edges_.emplace_back(Edge{parent_id, child_id, {}}).numbers;
     for (const AnyBound* bound : {&parent, &child}) {
-      numbers_.push_back(static_cast<double>(bound->index()));
-      std::visit(Numbers{numbers_}, *bound);
+      numbers.push_back(static_cast<double>(bound->index()));
+      std::visit(Numbers{numbers}, *bound);
     }
   }
 
  private:
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges_;
-  std::vector<double>& numbers_;
+  std::vector<Edge>& edges_;
 };
 
-}  // namespace
-
 ShownBounds::ShownBounds(const Variant& variant) {
-  Collector collector(edges_, numbers_);
+  Collector collector(edges_);
   variant.visit_bounds(collector);
-  std::ranges::sort(edges_);
+  sort();
 }
 
 ShownBounds ShownBounds::of_evidence(const Variant& variant) {
   ShownBounds shown;
-  Collector collector(shown.edges_, shown.numbers_);
+  Collector collector(shown.edges_);
   visit_evidence_nodes(variant, collector);
-  std::ranges::sort(shown.edges_);
+  shown.sort();
   return shown;
 }
 
-bool ShownBounds::same_bits(const ShownBounds& other) const {
-  return std::ranges::equal(numbers_, other.numbers_,
-                            [](double p, double q) { return p == q || (p != p && q != q); });
+void ShownBounds::sort() {
+  std::ranges::sort(edges_, {}, [](const Edge& edge) { return std::pair(edge.parent, edge.child); });
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> ShownBounds::edges() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ids;
+  for (const Edge& edge : edges_) ids.push_back({edge.parent, edge.child});
+  return ids;
+}
+
+std::optional<std::string> ShownBounds::difference(const ShownBounds& other) const {
+  if (edges_.size() != other.edges_.size())
+    return fmt::format("{} bounds below others instead of {}", other.edges_.size(), edges_.size());
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const Edge &a = edges_[k], &b = other.edges_[k];
+    const bool same = std::ranges::equal(a.numbers, b.numbers,
+                                         [](double p, double q) { return p == q || (p != p && q != q); });
+    if (a.parent != b.parent || a.child != b.child || !same)
+      return fmt::format("{} below {}: {:a}; {} below {}: {:a}", a.child, a.parent, fmt::join(a.numbers, " "),
+                         b.child, b.parent, fmt::join(b.numbers, " "));
+  }
+  return {};
 }
 
 }  // namespace catena::properties

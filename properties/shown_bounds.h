@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,15 +17,22 @@ class ShownBounds {
   static ShownBounds of_evidence(const Variant& variant);
 
   /// (parent id, child id), sorted: the shape of the tree.
-  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges() const { return edges_; }
-  /// The same bounds in the same order; NaN of a literal parent equals NaN.
-  bool same_bits(const ShownBounds& other) const;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;
+  /// The same bounds, in whatever order they were shown; NaN of a literal parent equals NaN.
+  bool same_bits(const ShownBounds& other) const { return !difference(other); }
+  /// Where the bounds are not the same, in words.
+  std::optional<std::string> difference(const ShownBounds& other) const;
 
  private:
+  struct Edge {
+    std::uint32_t parent, child;
+    std::vector<double> numbers;  ///< kind and numbers of both bounds
+  };
+  class Collector;
   ShownBounds() = default;
+  void sort();
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
-  std::vector<double> numbers_;  ///< kind and numbers of each bound, as shown
+  std::vector<Edge> edges_;  ///< sorted
 };
 
 }  // namespace catena::properties
