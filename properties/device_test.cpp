@@ -96,25 +96,29 @@ class Lines final : public EvidenceSink {
   std::vector<std::tuple<char, std::uint32_t, std::uint32_t>> lines_;
 };
 
-/// The blocks and cells that the device built say what the host's do: the same capsules, bit for bit, the same parts
-/// given up, the same partners, the same cells, and so the same lines; and the same pairs.
-TEST_F(Device, BlocksAndCellsHaveTheHostsBits) {
+/// The blocks and cells that the device built say what the host's do: the same parts given up, the same partners, the same
+/// cells, and so the same lines; and the same pairs. Cells have the same bits; capsules need not, as a device rounds once
+/// where the host rounds twice (mul_add), so that those of each are certified by themselves.
+TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
   struct Twins {
     const char *device, *host;
+    bool same_bits;
   };
-  for (const auto& [device, host] :
-       {Twins{"DeviceGrid", "DeviceGrid@host"}, Twins{"DeviceHybrid(least=0,cells=0)", "DeviceHybrid@host"},
-        Twins{"DeviceHybrid(least=0)", "DeviceHybrid@host(cells=4194304)"},
-        Twins{"DeviceHybrid(least=0,cells=0,crowd=1)", "DeviceHybrid@host(crowd=1)"},
-        Twins{"DeviceHybrid", "DeviceHybrid@host(least=524288)"}})
+  for (const auto& [device, host, same_bits] :
+       {Twins{"DeviceGrid", "DeviceGrid@host", true}, Twins{"DeviceHybrid(least=0,cells=0)", "DeviceHybrid@host", false},
+        Twins{"DeviceHybrid(least=0)", "DeviceHybrid@host(cells=4194304)", false},
+        Twins{"DeviceHybrid(least=0,cells=0,crowd=1)", "DeviceHybrid@host(crowd=1)", false},
+        Twins{"DeviceHybrid", "DeviceHybrid@host(least=524288)", true}})
     for (const char* input :
          {"path1:n=4000", "yarn:n=5000", "mixed_radii:n=3000", "hair:n=3000", "stretched:n=5000", "walk:n=20000",
           "coil:n=1200,offset=1e6", "points:n=3000", "cluster:n=2000", "rod:n=900,scale=1e30", "rod:n=1", "rod:n=33"}) {
       const Chain chain = scene(input);
       const auto there = StrategyRegistry::instance().make(device), here = StrategyRegistry::instance().make(host);
       there->build(chain), here->build(chain);
-      const auto difference = ShownBounds::of_evidence(*there).difference(ShownBounds::of_evidence(*here));
-      EXPECT_FALSE(difference) << device << ", " << input << ": " << *difference;
+      const ShownBounds built = ShownBounds::of_evidence(*there), twin = ShownBounds::of_evidence(*here);
+      EXPECT_EQ(built.edges(), twin.edges()) << device << ", " << input;
+      if (const auto difference = built.difference(twin); same_bits && difference)
+        ADD_FAILURE() << device << ", " << input << ": " << *difference;
       Lines told, expected;
       Collisions shown, found, twins;
       there->find_with_evidence(chain, {}, shown, told);
