@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <numeric>
+#include <string>
 
 #include "catena/bench/ranks/scaling.h"
 #include "catena/core/commands/command.h"
@@ -49,16 +51,21 @@ class ScalingCommand final : public Command {
     fmt::print(
         "{}: {} spheres; of a rank that has the most, and blocks asked for over blocks that truly touch\n",
         input_, chain.size());
-    fmt::print("{:>6} {:>6} {:>10} {:>9} {:>7} {:>8} {:>7} {:>12} {:>9}\n", "ranks", "order", "spheres",
-               "partners", "rounds", "blocks", "excess", "bytes", "messages");
+    const auto ms = [&](const std::string& text) {
+      return timed_.empty() ? "" : fmt::format(" {:>9}", text);
+    };
+    fmt::print("{:>6} {:>6} {:>10} {:>9} {:>7} {:>8} {:>7} {:>12} {:>9}{}\n", "ranks", "order", "spheres",
+               "partners", "rounds", "blocks", "excess", "bytes", "messages", ms("ms"));
     for (const ScalingPoint& p : scaling.points)
-      fmt::print("{:>6} {:>6} {:>10} {:>9} {:>7} {:>8} {:>7} {:>12} {:>9}\n", p.ranks,
+      fmt::print("{:>6} {:>6} {:>10} {:>9} {:>7} {:>8} {:>7} {:>12} {:>9}{}\n", p.ranks,
                  p.in_space ? "space" : "chain", p.most_spheres, p.most_partners, p.most_rounds,
                  p.most_blocks_asked,
                  p.blocks_touching == 0 ? "-"
                                         : fmt::format("{:.2f}", static_cast<double>(p.blocks_asked) /
                                                                     static_cast<double>(p.blocks_touching)),
-                 p.most_bytes, p.most_messages);
+                 p.most_bytes, p.most_messages, ms(fmt::format("{:.2f}", slowest_ms(p))));
+    if (!timed_.empty())
+      fmt::print("ms: processor time of the slowest rank in each phase, all phases together\n");
     if (const auto law = scaling.surface())
       fmt::print("blocks asked for grow as (blocks held)^{:.2f}, between {:.2f} and {:.2f}\n", law->exponent,
                  law->low, law->high);
@@ -68,6 +75,10 @@ class ScalingCommand final : public Command {
   }
 
  private:
+  static double slowest_ms(const ScalingPoint& p) {
+    return std::accumulate(p.most_ms.begin(), p.most_ms.end(), 0.0);
+  }
+
   std::string input_, order_ = "measured", timed_;
   unsigned most_ = 64;
   InputOptions options_;

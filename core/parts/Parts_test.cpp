@@ -1,17 +1,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
+#include <string>
 
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
-#include "catena/core/readers/chain_format.h"
 #include "catena/core/strategy/registry.h"
-#include "catena/properties/generators/family.h"
-#include "catena/properties/generators/simplifications.h"
-#include "catena/properties/giants.h"
 #include "catena/properties/sorted_pairs.h"
-#include "catena/properties/suite.h"
+#include "catena/properties/testing/every_family.h"
 #include "catena/reference/reference.h"
 
 /// A search part after part is one more exact variant: every property on every family of chains, in few and
@@ -22,23 +18,7 @@ namespace {
 
 class PartsProperties : public testing::TestWithParam<std::string> {};
 
-TEST_P(PartsProperties, HoldOnEveryFamily) {
-  Suite suite({Subject::named(GetParam())});
-  std::uint64_t seed = 2000;
-  for (const Family& family : FamilyRegistry::instance().families())
-    for (std::uint32_t round = 0; round < 2; ++round) {
-      Dice dice(++seed);
-      const Case test = Case::of(generate(family, dice, family.name == "sizes" && round == 0 ? 2400 : 48));
-      const auto finding = suite.check(test);
-      if (!finding) continue;
-      std::ostringstream text;
-      write_chain(text, shrink(test.chain, [&](const Chain& c) { return suite.repeats(*finding, c); }));
-      FAIL() << family.name << ", seed " << seed << ": " << finding->property << ": " << finding->what << '\n'
-             << text.str();
-    }
-  for (const Case& giant : giants())
-    if (const auto finding = suite.check_always(giant)) FAIL() << finding->property << ": " << finding->what;
-}
+TEST_P(PartsProperties, HoldOnEveryFamily) { expect_every_property(GetParam(), 2000, 2); }
 
 INSTANTIATE_TEST_SUITE_P(Host, PartsProperties,
                          testing::Values("Parts", "Parts(parts=1)", "Parts(parts=2,order=chain,group=1)",
