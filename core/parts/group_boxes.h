@@ -4,13 +4,14 @@
 
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/export.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/sphere.h"
 
 namespace catena::parts {
 
 /// A box around consecutive spheres, at least one, as the boxes of Box::around joined.
-Box box_around(std::span<const Sphere> spheres);
+CATENA_API Box box_around(std::span<const Sphere> spheres);
 
 /// Boxes around groups of `size` consecutive spheres, the last of which may be shorter.
 void enclose_groups(std::span<const Sphere> spheres, std::uint32_t size, Box* boxes);
