@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "catena/core/parts/parted_search.h"
@@ -27,12 +28,12 @@ std::uint32_t count_devices(const Parameters& parameters) {
 /// Spheres that each of some searches has room for on every device.
 std::uint64_t room(const Parameters& parameters, std::uint32_t devices, std::uint64_t searches) {
   std::uint64_t bytes = parameters.unsigned_integer("memory", 0, 1u << 30) << 20;
-  for (std::uint32_t k = 0; bytes == 0 || k < devices; ++k) {
+  if (bytes == 0) bytes = std::numeric_limits<std::uint64_t>::max();
+  for (std::uint32_t k = 0; k < devices; ++k) {
     const DeviceScope scope(Place::device(k));
     std::size_t free = 0, total = 0;
     CATENA_CUDA(cudaMemGetInfo(&free, &total));
-    const std::uint64_t most = free / 10 * 9;
-    bytes = bytes == 0 ? most : std::min<std::uint64_t>(bytes, most);
+    bytes = std::min<std::uint64_t>(bytes, free / 10 * 9);
   }
   return std::max<std::uint64_t>(1,
                                  std::min<std::uint64_t>(bytes / searches / bytes_a_sphere, (1u << 31) - 1));

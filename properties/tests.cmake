@@ -19,7 +19,8 @@ target_compile_options(catena_tests PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_
 target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
 if(TARGET catena_cuda)  # what a user's own resident search looks like, and a caller of one
   target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu
-                                      ${PROJECT_SOURCE_DIR}/properties/device_resident_test.cu)
+                                      ${PROJECT_SOURCE_DIR}/properties/device_resident_test.cu
+                                      ${PROJECT_SOURCE_DIR}/properties/device_memory_test.cu)
   catena_compile_cuda(catena_tests)
 endif()
 add_dependencies(catena_tests catena_cli)  # tests run the program too

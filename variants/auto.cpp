@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "catena/core/error.h"
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/frames/frame_search.h"
 #include "catena/core/plan/coarse_look.h"
@@ -174,29 +175,49 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     collector.finish();
   }
 
-  void build_searcher(const Chain& chain) {
-    searcher_ = &held();
-    searcher_->prepare(request_);
-    searcher_->build(chain);
-    built_ = true;
+  void build_searcher(const Chain& chain) { build_searcher(chain, request_); }
+  void build_searcher(const Chain& chain, const Request& request) {
+    with_room([&] {
+      built_ = false;
+      searcher_ = &held();
+      searcher_->prepare(request);
+      searcher_->build(chain);
+      built_ = true;
+    });
   }
 
   void search_here(const Chain& chain, const Request& request, Collisions& result) {
-    if (!built_) build_searcher(chain);
     Request wider = request;
     wider.want = plan_->searched_for(request.want);
     // A limit is for who asks for pairs.
     if (wider.want != request.want) wider.pair_limit = std::numeric_limits<std::uint64_t>::max();
-    searcher_->find(chain, wider, result);
+    with_room([&] {
+      if (!built_) build_searcher(chain);
+      searcher_->find(chain, wider, result);
+    });
     drop_unasked(request.want, result);
   }
   /// Of another chain; that of the last build is none any more.
   void search_other(const Chain& chain, const Request& request, Collisions& result) {
     built_ = false;
-    searcher_ = &held();
-    searcher_->prepare(request);
-    searcher_->build(chain);
-    searcher_->find(chain, request, result);
+    with_room([&] {
+      if (!built_) build_searcher(chain, request);
+      searcher_->find(chain, request, result);
+    });
+    built_ = false;
+  }
+
+  /// Where a device has no room for what is planned, again by what the plan has for that.
+  template <class Work>
+  void with_room(const Work& work) {
+    for (;;) try {
+        return work();
+      } catch (const CapacityError& none) {
+        const std::string gone = plan_->variant();
+        if (!plan_->give_way(none.what())) throw;
+        built_ = false;
+        std::erase_if(held_, [&](const Held& h) { return h.name == gone; });  // its memory is needed
+      }
   }
 
   /// What the plan chose, with its memory where it was chosen before.

@@ -88,6 +88,22 @@ bool SearchPlan::by_blocks() const {
          std::ranges::find(info->parameters, "rows", &ParameterInfo::name) != info->parameters.end();
 }
 
+bool SearchPlan::give_way(const std::string& why) {
+  static const std::string parts = "DeviceParts";
+  if (!on_device()) return false;
+  gave_way_ += fmt::format("; {}: {}", variant(), why);
+  const StrategyInfo* const info = StrategyRegistry::instance().find_strategy(parts);
+  if (in_parts_.empty() && info != nullptr && !(info->unavailable && info->unavailable())) {
+    in_parts_ = parts;
+    return true;
+  }
+  if (tree_ == nullptr && all_pairs_ == nullptr) return false;
+  in_parts_.clear();
+  chosen_ = tree_ != nullptr ? tree_ : all_pairs_;
+  threads_ = best_threads(*chosen_, n_, machine_, omissions_);
+  return true;
+}
+
 Request::Want SearchPlan::searched_for(Request::Want asked) const {
   if (asked == Request::Want::any && !omissions_.may(Omission::after_hit)) asked = Request::Want::counts;
   if (asked == Request::Want::counts && !omissions_.may(Omission::pair_list)) asked = Request::Want::pairs;
@@ -131,9 +147,10 @@ Decision SearchPlan::further_threads() const {
 
 Plan SearchPlan::steps() const {
   using enum Request::Want;
-  Plan plan{{"choice of variant", false,
-             variant_with_threads() + " by " + (kind_ != nullptr ? kind_->reason : machine_.source),
-             estimate_ms()}};
+  Plan plan{
+      {"choice of variant", false,
+       variant_with_threads() + " by " + (kind_ != nullptr ? kind_->reason : machine_.source) + gave_way_,
+       estimate_ms()}};
   plan.push_back(hierarchy());
   plan.push_back(device());
   plan.push_back(further_threads());

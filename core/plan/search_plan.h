@@ -21,7 +21,9 @@ class CATENA_API SearchPlan {
   SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions,
              const Extent& extent = Extent());
 
-  const std::string& variant() const { return kind_ != nullptr ? kind_->variant : chosen_->variant; }
+  const std::string& variant() const {
+    return !in_parts_.empty() ? in_parts_ : kind_ != nullptr ? kind_->variant : chosen_->variant;
+  }
   /// Host threads that it is to have; 1 where it knows none.
   unsigned threads() const { return threads_; }
   /// As StrategyRegistry::make takes it.
@@ -32,6 +34,9 @@ class CATENA_API SearchPlan {
   double estimate_ms() const { return chosen_->cost.ms(n_, threads_); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
   bool look_first() const { return look_first_; }
+  /// To be told when there is no room for what variant() does, and why: of a device, first a variant takes
+  /// its place that has the chain come in parts, then one of the host. False: there is no other.
+  bool give_way(const std::string& why);
   /// What is searched for where this is asked: more where an omission is switched off.
   Request::Want searched_for(Request::Want asked) const;
   Request::Want want() const { return want_; }  ///< of the request that was planned
@@ -56,6 +61,8 @@ class CATENA_API SearchPlan {
   Candidate tree_ = nullptr, all_pairs_ = nullptr,
             device_ = nullptr;  ///< cheapest of a kind; null: there is none
   Candidate chosen_ = nullptr;
+  std::string in_parts_;  ///< has the chain come in parts, as the chosen one had no room; empty: it has
+  std::string gave_way_;  ///< who had no room, and why
   const UnusualKind* kind_ = nullptr;  ///< of chain, for which another tree is quicker
   unsigned threads_ = 1;
   bool look_first_ = false;

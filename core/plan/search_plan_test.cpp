@@ -54,6 +54,23 @@ TEST(SearchPlan, LooksForADeviceOnlyWhereItWouldTakeIt) {
   EXPECT_EQ(looks, 2);
 }
 
+TEST(SearchPlan, ADeviceWithoutRoomGivesWayToTheHost) {
+  const Machine of = machine();
+  SearchPlan on_host(9000, {}, of, {}), on_device(11000, {}, of, {});
+  EXPECT_FALSE(on_host.give_way("no room"));
+  EXPECT_EQ(on_host.variant(), "tree");
+  bool once_in_parts = false;
+  while (on_device.on_device()) {
+    once_in_parts |= on_device.variant() == "DeviceParts";
+    ASSERT_TRUE(on_device.give_way("no room"));
+  }
+  EXPECT_EQ(on_device.variant(), "tree");
+  EXPECT_FALSE(on_device.give_way("no room"));
+  const std::string reason = on_device.steps().front().reason;
+  EXPECT_TRUE(reason.ends_with(once_in_parts ? "; device: no room; DeviceParts: no room" : "; device: no room"))
+      << reason;
+}
+
 TEST(SearchPlan, DoesWhatMayNotBeLeftOut) {
   EXPECT_EQ(chosen(5, {"hierarchy"}), "tree");
   EXPECT_EQ(chosen(5, {"device"}), "device");
