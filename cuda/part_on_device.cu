@@ -10,94 +10,12 @@
 #include "catena/cuda/device_answer.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/part_on_device.h"
+#include "catena/cuda/part_tables.cuh"
 #include "catena/cuda/staging.h"
 #include "catena/cuda/stream.h"
 
 namespace catena::cuda {
 namespace {
-
-/// The tables by which a device knows neighbours in a part.
-class PartTables {
- public:
-  /// On their way in the stream when this returns.
-  ExclusionView upload(const Chain& whole, const parts::LocalChain& part, Staging& staging,
-                       cudaStream_t stream) {
-    ExclusionView rule = whole.view().exclusion;
-    const ExclusionView of_whole = rule;
-    rule.one_open_strand = part.is_one_open_strand();
-    rule.strand_of = rule.strand_first = rule.extra_row = rule.extra = nullptr;
-    rule.strand_closed = nullptr;
-    rule.arc = rule.loop_length = nullptr;
-    if (rule.rule == Exclusion::Rule::arc_window) {
-      double* const there = arc_.reserve(part.size(), stream);
-      staging.to_device(there, of_whole.arc, sizeof(double), part.runs(), stream);
-      rule.arc = there;
-    }
-    if (rule.one_open_strand) return rule;
-    upload_strands(of_whole, part, rule, staging, stream);
-    if (!part.extra().empty()) upload_extra(part, rule, staging, stream);
-    CATENA_CUDA(cudaStreamSynchronize(stream));  // before the host's tables are written again
-    return rule;
-  }
-
- private:
-  void upload_strands(const ExclusionView& of_whole, const parts::LocalChain& part, ExclusionView& rule,
-                      Staging& staging, cudaStream_t stream) {
-    const std::span<const parts::LocalChain::Piece> pieces = part.pieces();
-    host_strand_of_.resize(part.size());
-    host_first_.assign(1, 0);
-    host_closed_.clear();
-    host_loop_.clear();
-    for (const parts::LocalChain::Piece& piece : pieces) {
-      host_first_.push_back(piece.begin + piece.size);
-      host_closed_.push_back(piece.closed);
-      if (rule.rule == Exclusion::Rule::arc_window) host_loop_.push_back(of_whole.loop_length[piece.strand]);
-    }
-    staging.team().for_each_range(
-        static_cast<std::uint32_t>(pieces.size()), at_once, [&](std::uint32_t begin, std::uint32_t end) {
-          for (std::uint32_t p = begin; p < end; ++p)
-            std::fill_n(host_strand_of_.begin() + pieces[p].begin, pieces[p].size, p);
-        });
-    rule.strand_of = staging.upload(strand_of_, host_strand_of_.data(), host_strand_of_.size(), stream);
-    rule.strand_first = staging.upload(first_, host_first_.data(), host_first_.size(), stream);
-    rule.strand_closed = staging.upload(closed_, host_closed_.data(), host_closed_.size(), stream);
-    if (!host_loop_.empty())
-      rule.loop_length = staging.upload(loop_, host_loop_.data(), host_loop_.size(), stream);
-  }
-
-  /// Partners of each sphere, both ways, as Topology has them; few spheres have any.
-  void upload_extra(const parts::LocalChain& part, ExclusionView& rule, Staging& staging,
-                    cudaStream_t stream) {
-    host_ends_.assign(part.extra().begin(), part.extra().end());
-    for (const Pair& pair : part.extra()) host_ends_.push_back({pair.j, pair.i});
-    std::sort(host_ends_.begin(), host_ends_.end(), [](const Pair& a, const Pair& b) { return a.i < b.i; });
-    host_extra_.clear();
-    for (const Pair& end : host_ends_) host_extra_.push_back(end.j);
-    host_row_.resize(part.size() + std::size_t{1});
-    const auto ends = static_cast<std::uint32_t>(host_ends_.size());
-    staging.team().for_each_range(ends + 1, at_once, [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t k = begin; k < end; ++k) {  // rows up to a sphere's begin where its first partner is
-        const std::size_t from = k == 0 ? 0 : host_ends_[k - 1].i + std::size_t{1},
-                          to = k == ends ? host_row_.size() : host_ends_[k].i + std::size_t{1};
-        std::fill(host_row_.begin() + static_cast<std::ptrdiff_t>(from),
-                  host_row_.begin() + static_cast<std::ptrdiff_t>(std::max(from, to)), k);
-      }
-    });
-    rule.extra_row = staging.upload(row_, host_row_.data(), host_row_.size(), stream);
-    rule.extra = staging.upload(extra_, host_extra_.data(), host_extra_.size(), stream);
-  }
-
-  static constexpr std::uint32_t at_once = 256;  ///< pieces or partners that one core takes
-
-  LargeVector<std::uint32_t> host_strand_of_, host_row_;
-  std::vector<std::uint32_t> host_first_, host_extra_;
-  std::vector<Pair> host_ends_;
-  std::vector<std::uint8_t> host_closed_;
-  std::vector<double> host_loop_;
-  DeviceBuffer<std::uint32_t> strand_of_, first_, row_, extra_;
-  DeviceBuffer<std::uint8_t> closed_;
-  DeviceBuffer<double> arc_, loop_;
-};
 
 class PartOnDevice final : public parts::PartSearch {
  public:
@@ -110,6 +28,7 @@ class PartOnDevice final : public parts::PartSearch {
     memory_.reset();
   }
 
+  parts::LocalChain::Neighbours knows() const override { return parts::LocalChain::Neighbours::by_number; }
   void build(const Chain& whole, const parts::LocalChain& part, const Request& request,
              const parts::BoxesWanted& boxes) override {
     const DeviceScope scope(place_);
@@ -118,7 +37,8 @@ class PartOnDevice final : public parts::PartSearch {
     Memory& m = *memory_;
     chain_ = whole.view();
     chain_.size = part.size();
-    chain_.strand_count = static_cast<std::uint32_t>(part.pieces().size());
+    chain_.strand_count =
+        static_cast<std::uint32_t>(part.by_number() ? part.runs().size() : part.pieces().size());
     chain_.extra_count = static_cast<std::uint32_t>(2 * part.extra().size());
     chain_.topology = 0;
     Sphere* const there = m.spheres.reserve(part.size(), m.stream);

@@ -19,9 +19,11 @@ Extent extent_of(const std::vector<Sphere>& spheres) {
   Sphere low = spheres[0], high = spheres[0];
   for (const Sphere& s : spheres) {
     low = {std::min(low.x, s.x), std::min(low.y, s.y), std::min(low.z, s.z), std::min(low.radius, s.radius)};
-    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z), std::max(high.radius, s.radius)};
+    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z),
+            std::max(high.radius, s.radius)};
   }
-  return {low.radius, high.radius, (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z),
+  return {low.radius, high.radius,
+          (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z),
           std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z, 0.0f})};
 }
 
@@ -56,14 +58,16 @@ Chain Chain::moved(std::vector<Sphere> spheres) const {
 
 ChainView Chain::view() const noexcept {
   const Topology& t = *topology_;
-  const bool one_open = strand_count() == 1 && t.strands.closed[0] == 0;
+  const bool one_open = strand_count() == 1 && t.strands.closed[0] == 0,
+             window_alone =
+                 one_open && t.exclusion.rule == Exclusion::Rule::index_window && t.extra_row.empty();
   return {spheres_.data(),
           size(),
           strand_count(),
           static_cast<std::uint32_t>(t.extra.size()),
-          {t.exclusion.rule, one_open, t.exclusion.window, t.exclusion.factor, t.strand_of.data(),
-           t.strands.first.data(), t.strands.closed.data(), t.arc.data(), t.loop_length.data(),
-           t.extra_row.empty() ? nullptr : t.extra_row.data(), t.extra.data()},
+          {t.exclusion.rule, one_open, window_alone, t.exclusion.window, t.exclusion.factor, nullptr,
+           t.strand_of.data(), t.strands.first.data(), t.strands.closed.data(), t.arc.data(),
+           t.loop_length.data(), t.extra_row.empty() ? nullptr : t.extra_row.data(), t.extra.data()},
           extent_,
           t.number};
 }

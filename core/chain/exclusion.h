@@ -25,15 +25,16 @@ struct CATENA_API Exclusion {
   static Exclusion arc(double f) { return {Rule::arc_window, 0, f, {}}; }
 };
 
-/// The index window: spheres so many steps apart on a strand of `size` spheres, around its end when that is closed.
+/// The index window: spheres so many steps apart on a strand of `size` spheres, around its end when that is
+/// closed.
 template <class Number>
 CATENA_HD bool within_index_window(Number steps, Number size, bool closed, Number window) {
   return steps <= window || (closed && size - steps <= window);
 }
 
 /// The arc window: spheres at these arc lengths of a strand, around its end when that is closed.
-CATENA_HD inline bool within_arc_window(double arc_i, double arc_j, bool closed, double loop_length, double factor,
-                                        float radius_i, float radius_j) {
+CATENA_HD inline bool within_arc_window(double arc_i, double arc_j, bool closed, double loop_length,
+                                        double factor, float radius_i, float radius_j) {
   const double ahead = arc_i < arc_j ? arc_j - arc_i : arc_i - arc_j;
   double nearest = ahead;
   if (closed && loop_length - ahead < ahead) nearest = loop_length - ahead;
@@ -45,8 +46,10 @@ CATENA_HD inline bool within_arc_window(double arc_i, double arc_j, bool closed,
 struct CATENA_API ExclusionView {
   Exclusion::Rule rule;
   bool one_open_strand;  ///< then strand_of, strand_first and strand_closed need not be read
+  bool window_alone;     ///< all there is to it is an index window on one open strand
   std::uint32_t window;
   double factor;
+  const std::uint32_t* id;  ///< n entries: number on the one open strand that all are of; nullptr: as here
   const std::uint32_t* strand_of;     ///< n entries: strand of a sphere
   const std::uint32_t* strand_first;  ///< strands + 1 offsets
   const std::uint8_t* strand_closed;  ///< one flag a strand
@@ -57,6 +60,7 @@ struct CATENA_API ExclusionView {
 
   /// True when i and j (i != j) are neighbours. O(1) but for extra pairs, which cost their number at i.
   CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j, float radius_i, float radius_j) const {
+    if (window_alone) return steps(i, j) <= window;
     std::uint32_t first = 0, size = 0;
     bool closed = false;
     if (!one_open_strand) {
@@ -71,8 +75,7 @@ struct CATENA_API ExclusionView {
       return true;
     }
     if (rule == Exclusion::Rule::index_window) {
-      const std::uint32_t steps = i < j ? j - i : i - j;
-      if (within_index_window(steps, size, closed, window)) return true;
+      if (within_index_window(steps(i, j), size, closed, window)) return true;
     }
     return extra_row != nullptr && listed(i, j);
   }
@@ -83,6 +86,10 @@ struct CATENA_API ExclusionView {
     // Read only where there is a loop.
     const double loop = closed ? loop_length[strand] : 0;
     return within_arc_window(arc[i], arc[j], closed, loop, factor, ri, rj);
+  }
+  CATENA_HD std::uint32_t steps(std::uint32_t i, std::uint32_t j) const {
+    if (id != nullptr) i = id[i], j = id[j];
+    return i < j ? j - i : i - j;
   }
   CATENA_HD bool listed(std::uint32_t i, std::uint32_t j) const {
     for (std::uint32_t k = extra_row[i]; k < extra_row[i + 1]; ++k)

@@ -14,6 +14,7 @@ class VariantSearch final : public PartSearch {
  public:
   explicit VariantSearch(const std::string& variant) : variant_(StrategyRegistry::instance().make(variant)) {}
 
+  LocalChain::Neighbours knows() const override { return LocalChain::Neighbours::in_pieces; }
   void build(const Chain& whole, const LocalChain& part, const Request& request,
              const BoxesWanted& boxes) override {
     chain_ = part_as_chain(whole, part);

@@ -3,10 +3,12 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/parts/group_boxes.h"
+#include "catena/core/parts/local_chain.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/sorted_pairs.h"
 #include "catena/properties/testing/every_family.h"
@@ -62,6 +64,38 @@ TEST(Parts, BoxesAreThoseOfTheSpheres) {
       }
     }
   }
+}
+
+/// As a device is told of them that knows neighbours by number: in a part whose spheres are not in the order
+/// of the chain, too.
+TEST(Parts, NumbersSayNeighboursAsTheWholeDoes) {
+  for (const std::uint32_t window : {1u, 2u, 5u}) {
+    const Chain whole(std::vector<Sphere>(400, Sphere{0, 0, 0, 1}), {}, Exclusion::index(window));
+    const parts::PartRanges ranges{.before = {{300, 310}, {350, 351}},
+                                   .own = {{3, 5}, {6, 140}},
+                                   .after = {{0, 2}, {141, 143}, {160, 161}}};
+    const parts::LocalChain part(whole, ranges, parts::LocalChain::Neighbours::by_number);
+    ASSERT_TRUE(part.by_number());
+    std::vector<std::uint32_t> id;
+    for (std::uint32_t k = 0; k < part.size(); ++k) id.push_back(part.id(k));
+    ExclusionView rule = whole.view().exclusion;
+    rule.id = id.data();
+    std::uint32_t neighbours = 0;
+    for (std::uint32_t i = 0; i < part.size(); ++i)
+      for (std::uint32_t j = 0; j < part.size(); ++j)
+        if (i != j) {
+          EXPECT_EQ(rule.neighbours(i, j, 1, 1), whole.neighbours(id[i], id[j])) << id[i] << ' ' << id[j];
+          neighbours += rule.neighbours(i, j, 1, 1);
+        }
+    EXPECT_GT(neighbours, part.size());
+  }
+  const Chain strands(std::vector<Sphere>(100, Sphere{0, 0, 0, 1}), {{0, 50, 100}, {0, 0}},
+                      Exclusion::index(1)),
+      joined(std::vector<Sphere>(100, Sphere{0, 0, 0, 1}), {},
+             {Exclusion::Rule::index_window, 1, 0, {Pair{3, 70}}});
+  for (const Chain* chain : {&strands, &joined})
+    EXPECT_FALSE(
+        parts::LocalChain(*chain, {.own = {{0, 100}}}, parts::LocalChain::Neighbours::by_number).by_number());
 }
 
 std::uint64_t step(const Variant& variant, const std::string& name) {

@@ -7,7 +7,9 @@
 
 namespace catena::parts {
 
-LocalChain::LocalChain(const Chain& whole, const PartRanges& part) {
+LocalChain::LocalChain(const Chain& whole, const PartRanges& part, Neighbours neighbours)
+    : by_number_(neighbours == Neighbours::by_number && whole.view().exclusion.one_open_strand &&
+                 whole.view().exclusion.extra_row == nullptr) {
   take(part.before);
   own_.begin = size();
   take(part.own);
@@ -18,6 +20,7 @@ LocalChain::LocalChain(const Chain& whole, const PartRanges& part) {
       while (begin_[run + 1] <= at) ++run;
       run_at_.push_back(run);
     }
+  if (by_number_) return;
   cut_pieces(whole);
   extra_ = neighbours_across(whole, pieces_);
 }

@@ -26,16 +26,26 @@ class CATENA_API LocalChain {
     bool closed;           ///< all of a closed strand
   };
 
+  /// How a search knows neighbours.
+  enum class Neighbours {
+    in_pieces,  ///< as strands, and extra pairs across these
+    by_number   ///< by their numbers in the whole chain, where that is one open strand without extra pairs
+  };
   /// O(ranges + size / 32 + p log p) for p pieces and those of their spheres that are neighbours across
-  /// pieces. Throws CapacityError for 2^31 spheres or more.
-  LocalChain(const Chain& whole, const PartRanges& part);
+  /// pieces, which are not looked for where numbers do. Throws CapacityError for 2^31 spheres or more.
+  LocalChain(const Chain& whole, const PartRanges& part, Neighbours neighbours = Neighbours::in_pieces);
 
   std::uint32_t size() const { return begin_.back(); }
   SphereRange own() const { return own_; }
   /// Spheres of the whole chain, in the order of this one.
   std::span<const SphereRange> runs() const { return runs_; }
-  /// Where in this one each run begins.
-  std::uint32_t begin(std::size_t run) const { return begin_[run]; }
+  /// Where in this one each run begins, and the last ends.
+  std::span<const std::uint32_t> begins() const { return begin_; }
+  /// [k]: the run of sphere stride * k. Empty where runs are few.
+  std::span<const std::uint32_t> run_at() const { return run_at_; }
+  static constexpr std::uint32_t stride = 32;
+  /// Two spheres are neighbours as their numbers say; then there are neither pieces nor extra pairs.
+  bool by_number() const { return by_number_; }
   /// Each is a strand.
   std::span<const Piece> pieces() const { return pieces_; }
   /// Neighbours that no strand shows, i < j, each once, sorted.
@@ -51,11 +61,11 @@ class CATENA_API LocalChain {
   }
 
  private:
-  static constexpr std::uint32_t stride = 32;
   static constexpr std::size_t few = 8;  ///< runs that are found without a table
   void take(const std::vector<SphereRange>& ranges);
   void cut_pieces(const Chain& whole);
 
+  bool by_number_;
   SphereRange own_;
   std::vector<SphereRange> runs_;
   std::vector<std::uint32_t> begin_{0};  ///< of each run, and the end

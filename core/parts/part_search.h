@@ -20,6 +20,8 @@ struct BoxesWanted {
 class PartSearch {
  public:
   virtual ~PartSearch() = default;
+  /// How it is to know neighbours.
+  virtual LocalChain::Neighbours knows() const = 0;
   /// Moves a part there and builds. Throws CapacityError where there is no room for it.
   virtual void build(const Chain& whole, const LocalChain& part, const Request& request,
                      const BoxesWanted& boxes) = 0;

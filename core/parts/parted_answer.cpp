@@ -71,10 +71,10 @@ void PartedAnswer::take_counts(const LocalChain& part, std::span<const std::uint
   if (there && all) return;
   for (std::size_t k = 0; k < part.runs().size(); ++k) {
     const SphereRange run = part.runs()[k];
-    const std::uint32_t begin = std::max(part.begin(k), own.begin),
-                        end = std::min(part.begin(k) + run.size(), own.end);
+    const std::uint32_t begin = std::max(part.begins()[k], own.begin),
+                        end = std::min(part.begins()[k] + run.size(), own.end);
     if (begin >= end) continue;
-    std::uint32_t* const to = result_->count.data() + run.begin + (begin - part.begin(k));
+    std::uint32_t* const to = result_->count.data() + run.begin + (begin - part.begins()[k]);
     if (!there) std::copy(count.begin() + (begin - own.begin), count.begin() + (end - own.begin), to);
     const auto first = static_cast<std::uint32_t>(to - result_->count.data());
     for (std::uint32_t i = 0; !all && i < end - begin; ++i)

@@ -107,7 +107,8 @@ void PartedSearch::set_parts(const Chain& chain, Partition partition) {
   const auto parts = static_cast<std::uint32_t>(partition.parts.size());
   std::vector<std::optional<LocalChain>> made(parts);
   team_.for_each_range(parts, 1, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t p = begin; p < end; ++p) made[p].emplace(chain, partition.parts[p]);
+    for (std::uint32_t p = begin; p < end; ++p)
+      made[p].emplace(chain, partition.parts[p], workers_[0].search->knows());
   });
   parts_.clear();
   for (auto& part : made) parts_.push_back(std::move(*part));
@@ -231,7 +232,7 @@ bool PartedSearch::find_touching(const Chain& chain) {
   PartRanges ranges;
   for (const std::uint32_t g : touching)
     append(ranges.own, {g * group_, std::min(g * group_ + group_, chain.size())});
-  between_.emplace(chain, ranges);
+  between_.emplace(chain, ranges, workers_[0].search->knows());
   return true;
 }
 
