@@ -88,13 +88,13 @@ __global__ void __launch_bounds__(threads)
   constexpr std::uint32_t kinds = static_cast<std::uint32_t>(Work::kinds);
   __shared__ struct { std::uint8_t block, work; } item[threads * kinds];
   __shared__ std::uint32_t items;
-  __shared__ PairStage::Shared shared;
+  __shared__ PairStage<threads>::Shared shared;
   await_previous();
   const DeviceWarp warp;
   const BlockComparison comparison(warp, chain, blocks);
   const std::uint32_t first = blockIdx.x * together, b = first + threadIdx.x;
   if (threadIdx.x == 0) items = 0;
-  PairStage stage(shared, answer, queries);
+  PairStage<threads> stage(shared, answer, queries);
   __syncthreads();
   if (threadIdx.x < together && b < blocks.blocks)
     comparison.plan(b, [&](Work work) {
@@ -219,7 +219,10 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
     blocks_.shape = shape_.reserve(n, stream);
     blocks_.id = id_.reserve(n, stream);
     blocks_.partners = partners_.reserve(n, stream);
-    blocks_.partner = partner_.reserve(CapsuleBlocks::most_partners * n, stream);
+    const std::size_t room = CapsuleBlocks::most_partners * n;
+    if (room > partner_.capacity())  // so that lists which are not full are copied whole
+      CATENA_CUDA(cudaMemsetAsync(partner_.reserve(room, stream), 0, room * sizeof(std::uint32_t), stream));
+    blocks_.partner = partner_.data();
     blocks_.met = met_.reserve(n, stream);
     State* const state = state_.reserve(1, stream);
     CATENA_CUDA(cudaMemsetAsync(state, 0, sizeof *state, stream));

@@ -15,15 +15,18 @@
 namespace catena::cuda {
 namespace {
 
+constexpr std::uint32_t threads = 128;
+using Queue = NearQueue<threads>;
+
 template <class Tests>
-__global__ void __launch_bounds__(128)
+__global__ void __launch_bounds__(threads)
     search_tree(const __grid_constant__ ChainView chain, const __grid_constant__ RopeTree tree,
                 const __grid_constant__ ResidentAnswer answer, SphereRange queries) {
-  __shared__ NearQueue::Shared shared;
-  NearQueue queue(shared, answer, queries);
+  __shared__ Queue::Shared shared;
+  Queue queue(shared, answer, queries);
   __syncthreads();
   const std::uint32_t leaf = blockIdx.x * blockDim.x + threadIdx.x;
-  const RopeSearch<Tests, NearQueue> search(chain, tree, queue);
+  const RopeSearch<Tests, Queue> search(chain, tree, queue);
   if (leaf < tree.leaves && !queue.satisfied()) search.run(leaf);
   queue.flush(search);
 }

@@ -9,8 +9,7 @@
 namespace catena::cuda {
 
 template <class Answer>
-__global__ void __launch_bounds__(256)
-    clear_counts(const __grid_constant__ Answer answer, std::uint32_t n) {
+__global__ void __launch_bounds__(256) clear_counts(const __grid_constant__ Answer answer, std::uint32_t n) {
   await_previous();
   if (blockIdx.x == 0 && threadIdx.x == 0) *answer.state = {};
   if (answer.count == nullptr) return;

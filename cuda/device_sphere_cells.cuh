@@ -134,20 +134,24 @@ __global__ void __launch_bounds__(256)
       [&](std::uint32_t i, const Placed& placed) { cells.put(placed.sphere, i, placed.at); });
 }
 
+/// Of a block that searches cells.
+constexpr unsigned search_threads = 128;
+using CellsQueue = NearQueue<search_threads>;
+
 /// Of spheres in one level; in the order of places, in which the threads of a warp look into the same cells.
 template <class Tests, bool equal_radii, class Members>
-__global__ void __launch_bounds__(128, 8)
+__global__ void __launch_bounds__(search_threads, 1024 / search_threads)
     search_one_level(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                      const __grid_constant__ Members members, const __grid_constant__ ResidentAnswer answer,
                      SphereRange queries) {
-  __shared__ NearQueue::Shared shared;
+  __shared__ CellsQueue::Shared shared;
   await_previous();
   const std::uint32_t places = cells.one_level() ? cells.places() : 0;
   if (places == 0) return;
-  NearQueue queue(shared, answer, queries);
+  CellsQueue queue(shared, answer, queries);
   __syncthreads();
-  const CellSearch<Tests, equal_radii, NearQueue> search(chain, cells, cells.table_for(members.expected()),
-                                                         queue);
+  const CellSearch<Tests, equal_radii, CellsQueue> search(chain, cells, cells.table_for(members.expected()),
+                                                          queue);
   const PlacedSpheres<equal_radii> placed(cells);
   for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x; first < places && !queue.satisfied();
        first += std::uint64_t{gridDim.x} * blockDim.x) {
@@ -160,17 +164,17 @@ __global__ void __launch_bounds__(128, 8)
 
 /// Of spheres that were sorted by octaves, in the order of the members.
 template <class Tests, class Members>
-__global__ void __launch_bounds__(128, 8)
+__global__ void __launch_bounds__(search_threads, 1024 / search_threads)
     search_octaves(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                    const __grid_constant__ Members members, const __grid_constant__ ResidentAnswer answer,
                    SphereRange queries) {
-  __shared__ NearQueue::Shared shared;
+  __shared__ CellsQueue::Shared shared;
   await_previous();
   if (cells.one_level()) return;
-  NearQueue queue(shared, answer, queries);
+  CellsQueue queue(shared, answer, queries);
   __syncthreads();
   const CellTable& table = cells.table_for(members.expected());
-  const CellSearch<Tests, false, NearQueue> search(chain, cells, table, queue);
+  const CellSearch<Tests, false, CellsQueue> search(chain, cells, table, queue);
   const std::uint32_t asked = members.asked();
   for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x; first < asked && !queue.satisfied();
        first += std::uint64_t{gridDim.x} * blockDim.x) {
@@ -243,8 +247,9 @@ class DeviceSphereCells {
   template <auto kernel>
   void search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
               cudaStream_t stream) const {
-    launch_next<kernel>(std::min((chain.size + 127) / 128, most_search_blocks), 128, stream, chain, cells_,
-                        members_, answer, request.queries.within(chain.size));
+    launch_next<kernel>(std::min((chain.size + search_threads - 1) / search_threads, most_search_blocks),
+                        search_threads, stream, chain, cells_, members_, answer,
+                        request.queries.within(chain.size));
   }
 
   std::uint32_t size_ = 0;  ///< of the chain

@@ -64,7 +64,8 @@ class BlocksOnHost {
     blocks_.partners = partners_.data(), blocks_.met = met_.data(), blocks_.partner = partner_.data();
     if (!device.in_cells || state_[0].places == 0) return;
     start_ = fetched_starts(device.buckets, device.table, stream);
-    ball_ = fetched(device.ball, state_[0].places, stream), id_ = fetched(device.id, state_[0].places, stream);
+    ball_ = fetched(device.ball, state_[0].places, stream),
+    id_ = fetched(device.id, state_[0].places, stream);
     blocks_.buckets = {nullptr, start_.data(), nullptr, nullptr};
     blocks_.ball = ball_.data(), blocks_.id = id_.data();
   }

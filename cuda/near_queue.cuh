@@ -6,18 +6,19 @@ namespace catena::cuda {
 
 /// The sink of a search in a kernel: gathers who is near, to decide it by all threads of the block alike, as
 /// threads find very different numbers of them. Each thread asks for one sphere at a time.
+template <std::uint32_t threads>
 class NearQueue {
  public:
-  static constexpr std::uint32_t room = 1280, most_threads = 128;
+  static constexpr std::uint32_t room = 10 * threads;
   struct Shared {
     struct Near {
       std::uint32_t at;
       std::uint16_t thread, level;
-    } near[room];                       ///< of a thread's sphere
-    std::uint32_t place[most_threads];  ///< by thread: whose are these
-    std::uint32_t met[most_threads];    ///< by thread: how many of these collided
+    } near[room];                  ///< of a thread's sphere
+    std::uint32_t place[threads];  ///< by thread: whose are these
+    std::uint32_t met[threads];    ///< by thread: how many of these collided
     std::uint32_t used;
-    PairStage::Shared pairs;
+    typename PairStage<threads>::Shared pairs;
   };
 
   /// By all threads of the block, which then synchronize.
@@ -36,9 +37,7 @@ class NearQueue {
     const LaneSum sum = LaneSum::of(own);
     if (sum.all == 0) return;
     shared_.place[threadIdx.x] = place;
-    std::uint32_t first = 0;
-    if (DeviceWarp::lane() == 0) first = atomicAdd(&shared_.used, sum.all);
-    first = __shfl_sync(DeviceWarp::all, first, 0);
+    const std::uint32_t first = DeviceWarp::add_once(&shared_.used, sum.all);
     std::uint32_t k = first + sum.before;
     if (first + sum.all <= room) {  // mostly: without the rare path in the loop
 #pragma unroll
@@ -70,19 +69,16 @@ class NearQueue {
     const std::uint32_t queued = min(shared_.used, room);
     for (std::uint32_t first = 0; first < queued; first += blockDim.x) {
       const std::uint32_t k = first + threadIdx.x;
-      bool collides = false;
-      std::uint32_t a = 0, b = 0;
+      Met met{0, 0, false};
       if (k < queued) {
-        const Shared::Near near = shared_.near[k];
-        const std::uint32_t place = shared_.place[near.thread];
-        if (search.collides(place, near.at, near.level)) {
-          collides = true;
-          a = search.sphere_at(place), b = search.sphere_at(near.at);
+        const typename Shared::Near near = shared_.near[k];
+        met = search.met(shared_.place[near.thread], near.at, near.level);
+        if (met.collide) {
           atomicAdd(&shared_.met[near.thread], 1u);
-          pairs_.count(b, 1);
+          pairs_.count(met.j, 1);
         }
       }
-      pairs_.keep_of_warp(collides, min(a, b), max(a, b));
+      pairs_.keep_of_warp(met.collide, min(met.i, met.j), max(met.i, met.j));
     }
     __syncthreads();
     if (const std::uint32_t met = shared_.met[threadIdx.x]; met != 0) {
@@ -105,15 +101,14 @@ class NearQueue {
       const std::uint32_t at = set.first + lowest_bit(set.bits);
       if (k < room) {
         put(k, at, level);
-      } else if (search.collides(place, at, level)) {
-        const std::uint32_t a = search.sphere_at(place), b = search.sphere_at(at);
-        pairs_.pair(min(a, b), max(a, b));
+      } else if (const Met met = search.met(place, at, level); met.collide) {
+        pairs_.pair(min(met.i, met.j), max(met.i, met.j));
       }
     }
   }
 
   Shared& shared_;
-  PairStage pairs_;
+  PairStage<threads> pairs_;
 };
 
 }  // namespace catena::cuda

@@ -9,9 +9,10 @@ namespace catena::cuda {
 
 /// Where the threads of a block gather pairs, each met once, before they go to the answer: one atomic
 /// operation on the answer's number for all of them. What finds no room here goes there at once.
+template <std::uint32_t threads>
 class PairStage {
  public:
-  static constexpr std::uint32_t room = 1024;
+  static constexpr std::uint32_t room = 8 * threads;
   struct Shared {
     Pair pairs[room];
     std::uint32_t used;        ///< pairs that came, those without room too, and those only to be counted
@@ -43,9 +44,7 @@ class PairStage {
     has = has && queries_.contains(i);
     const std::uint32_t having = __ballot_sync(DeviceWarp::all, has);
     if (having == 0) return;
-    std::uint32_t first = 0;
-    if (DeviceWarp::lane() == 0) first = atomicAdd(&shared_.used, __popc(having));
-    first = __shfl_sync(DeviceWarp::all, first, 0);
+    const std::uint32_t first = DeviceWarp::add_once(&shared_.used, __popc(having));
     if (has) keep(first + __popc(having & ((1u << DeviceWarp::lane()) - 1)), i, j);
   }
 

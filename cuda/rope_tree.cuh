@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "catena/core/cells/met.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/host_device.h"
@@ -109,8 +110,10 @@ class RopeSearch {
   }
 
   /// Of spheres: what NearQueue asks of places.
-  CATENA_HD bool collides(std::uint32_t a, std::uint32_t b, std::uint32_t) const {
-    return Tests::overlap(chain_.spheres[a], chain_.spheres[b]) && !chain_.neighbours(a, b);
+  CATENA_HD Met met(std::uint32_t a, std::uint32_t b, std::uint32_t) const {
+    const Sphere first = chain_.spheres[a], second = chain_.spheres[b];
+    return {a, b,
+            !chain_.exclusion.neighbours(a, b, first.radius, second.radius) && Tests::overlap(first, second)};
   }
   CATENA_HD std::uint32_t sphere_at(std::uint32_t i) const { return i; }
 

@@ -17,3 +17,6 @@ done
 compute-sanitizer "${options[@]}" "$catena" verify "${variants[@]}" \
   path1:n=1537 hair:n=1000 torus_knot:n=800 walk:n=900 coil:n=700,offset=1e6 coil:n=500,scale=1e-25 rod:n=0 rod:n=1 rod:n=385 \
   yarn:n=2000 mixed_radii:n=900,decades=6 coincident:n=300
+# And their evidence: what the device built is copied to the host.
+compute-sanitizer "${options[@]}" "$catena" verify --certify --variant DeviceGrid --variant "DeviceHybrid(least=0)" \
+  --variant "DeviceHybrid(least=0,cells=0,crowd=2)" --variant DeviceLBVH path1:n=1537 yarn:n=2000 mixed_radii:n=900,decades=6

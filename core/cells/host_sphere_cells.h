@@ -96,8 +96,8 @@ struct LaneSink {
   template <class Search>
   void near_too(const Search& search, std::uint32_t place, std::uint32_t level, PlaceSet set) {
     for (; set.bits != 0; set.bits &= set.bits - 1) {
-      const std::uint32_t at = set.first + lowest_bit(set.bits);
-      if (search.collides(place, at, level)) pair_of(search.sphere_at(place), search.sphere_at(at));
+      const Met met = search.met(place, set.first + lowest_bit(set.bits), level);
+      if (met.collide) pair_of(met.i, met.j);
     }
   }
   void pair(std::uint32_t i, std::uint32_t j) { lane.collide(i, j); }

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "catena/core/cells/bits.h"
+#include "catena/core/cells/met.h"
 #include "catena/core/cells/sphere_cells.h"
 
 namespace catena {
@@ -13,7 +14,7 @@ struct PlaceSet {
 
 /// Who may collide with the sphere at a place: of what comes after it in its own cell, of the thirteen cells
 /// of its level that come after that one, and of all 27 of each coarser level; so each pair is met once.
-/// Tells the sink, which asks collides() of each in its own time: sink.near(search, place, level, sets) by
+/// Tells the sink, which asks met() of each in its own time: sink.near(search, place, level, sets) by
 /// all threads of a warp together, `sets` an array of PlaceSet, and sink.near_too(search, place, level, set)
 /// by a thread alone. A sink that `listens`, which only one on the host does, is also told of each cell that
 /// a sphere looks into, sink.looks(i, level, bits), bit 3 r + 1 + x for that x further on in row r, and of
@@ -41,11 +42,15 @@ class CellSearch {
     }
   }
 
-  /// Whether the spheres at these places collide, the second in a cell of that level.
-  CATENA_HD bool collides(std::uint32_t place, std::uint32_t at, std::uint32_t level) const {
-    const Sphere s = placed_.sphere(place), other = placed_.sphere(at);
-    return Tests::overlap(s, other) && (cells_.one_level() || cells_.octaves.of(other.radius) == level) &&
-           !chain_.neighbours(placed_.index(place), placed_.index(at));
+  /// Of the spheres at these places, the second in a cell of that level, which they are and whether they
+  /// collide. Neighbours are known first: where tubes are drawn tightest they touch to the last bit, and that
+  /// is the dearest to decide.
+  CATENA_HD Met met(std::uint32_t place, std::uint32_t at, std::uint32_t level) const {
+    const auto a = placed_.at(place), b = placed_.at(at);
+    const bool of_level = equal_radii || cells_.one_level() || cells_.octaves.of(b.sphere.radius) == level;
+    return {a.index, b.index,
+            of_level && !chain_.exclusion.neighbours(a.index, b.index, a.sphere.radius, b.sphere.radius) &&
+                Tests::overlap(a.sphere, b.sphere)};
   }
   CATENA_HD std::uint32_t sphere_at(std::uint32_t place) const { return placed_.index(place); }
 
@@ -69,17 +74,18 @@ class CellSearch {
     const PointCell at = cells_.cell(of.sphere, of.level);
     const std::uint32_t bucket = table_.bucket(at, of.level);
     const float reach = cells_.reach(of.sphere, of.level), limit = reach * reach + 0x1p-20f;
-    PlaceSet found[rows - first_row];
+    Buckets::Run run[rows - first_row];  // all asked for before the first is waited for
     std::uint32_t longer = 0;
     sink_.converge();
     for (std::uint32_t r = first_row; r < rows; ++r) {
       Row row = this->row(r, of, at, bucket, limit);
       if constexpr (listens) tell_looks(r, of, bucket, row);
-      Buckets::Run run{0, 0};
-      if (row.cells > 0) run = take(r, of, row);
-      found[r - first_row] = {run.first, near(of, run)};
-      longer |= static_cast<std::uint32_t>(row.cells > 0 || run.end - run.first > batch) << r;
+      Buckets::Run& of_row = run[r - first_row] = {0, 0};
+      if (row.cells > 0) of_row = take(r, of, row);
+      longer |= static_cast<std::uint32_t>(row.cells > 0 || of_row.end - of_row.first > batch) << r;
     }
+    PlaceSet found[rows - first_row];
+    for (std::uint32_t k = 0; k < rows - first_row; ++k) found[k] = {run[k].first, near(of, run[k])};
     sink_.near(*this, of.place, of.level, found);
     if (!sink_.any(longer != 0)) return;
     for (; longer != 0; longer &= longer - 1) look_further(lowest_bit(longer), of, at, bucket, limit);

@@ -107,24 +107,37 @@ struct SphereCells {
 template <bool equal>
 class PlacedSpheres {
  public:
-  CATENA_HD explicit PlacedSpheres(const SphereCells& cells) : cells_(cells) {}
+  CATENA_HD explicit PlacedSpheres(const SphereCells& cells)
+      : cells_(cells), radius_(static_cast<float>(cells.octaves.greatest)) {}
+
+  struct Placed {
+    Sphere sphere;
+    std::uint32_t index;
+  };
+  CATENA_HD Placed at(std::uint32_t place) const {
+    const Sphere stored = cells_.sphere[place];
+    return {sphere(stored), equal ? index_in(stored) : cells_.index[place]};
+  }
   CATENA_HD Sphere sphere(std::uint32_t place) const { return sphere(cells_.sphere[place]); }
   /// Of what is stored at a place.
   CATENA_HD Sphere sphere(const Sphere& stored) const {
     Sphere s = stored;
-    if (equal) s.radius = static_cast<float>(cells_.octaves.greatest);
+    if (equal) s.radius = radius_;
     return s;
   }
   CATENA_HD std::uint32_t index(std::uint32_t place) const {
-    if (!equal) return cells_.index[place];
-    const float stored = cells_.sphere[place].radius;
-    std::uint32_t i;
-    std::memcpy(&i, &stored, sizeof i);
-    return i;
+    return equal ? index_in(cells_.sphere[place]) : cells_.index[place];
   }
 
  private:
+  CATENA_HD static std::uint32_t index_in(const Sphere& stored) {
+    std::uint32_t i;
+    std::memcpy(&i, &stored.radius, sizeof i);
+    return i;
+  }
+
   const SphereCells& cells_;
+  const float radius_;  ///< where all are equal
 };
 
 }  // namespace catena
