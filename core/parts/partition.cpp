@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/parts/group_boxes.h"
 #include "catena/core/parts/halos.h"
 #include "catena/core/parts/regions.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catena/core/arithmetic/robust.h"
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::ranks {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "catena/core/executor/large_vector.h"
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/tops.h"
