@@ -18,10 +18,8 @@ class Ranks final : public Variant {
       : ranks_(static_cast<unsigned>(parameters.unsigned_integer("ranks", 1, 4096))),
         blocks_at_once_(
             static_cast<std::uint32_t>(parameters.unsigned_integer("blocks_at_once", 0, 1u << 30))),
-        uneven_(parameters.choice("parts", {"even", "uneven"}) == "uneven") {
-    const std::string order = parameters.choice("order", {"measured", "chain", "space"});
-    order_ = order == "chain" ? Order::chain : order == "space" ? Order::space : Order::measured;
-  }
+        order_(parts::order_named(parameters.choice("order", parts::order_names()))),
+        uneven_(parameters.choice("parts", {"even", "uneven"}) == "uneven") {}
 
   void build(const Chain& chain) override { spheres_ = chain.size(), built_ = true; }
 
@@ -84,8 +82,8 @@ class Ranks final : public Variant {
 
   const unsigned ranks_;
   const std::uint32_t blocks_at_once_;
+  const Order order_;
   const bool uneven_;
-  Order order_ = Order::measured;
   std::uint32_t spheres_ = 0;
   bool built_ = false;
   Timings timings_;
