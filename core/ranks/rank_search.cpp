@@ -83,6 +83,8 @@ class RankSearch {
 
   RankAnswer answer() {
     enter(Phase::answers);
+    const std::vector<Piece> pieces = std::move(*part_).release_pieces();
+    part_.reset();  // its memory serves the answer
     RankAnswer answer;
     for (const std::uint64_t found : all_gather_value(ranks_, kept_.found())) answer.pair_count += found;
     answer.found = answer.pair_count > 0;
@@ -91,7 +93,8 @@ class RankSearch {
     if (options_.request.want == Request::Want::any) {
       answer.pair_count = 0;
     } else {
-      answer.count = return_counts(ranks_, starts_, own_counts(), counted_);
+      answer.count = return_counts(ranks_, starts_, own_counts(pieces), counted_);
+      std::vector<std::uint32_t>().swap(count_);
       if (options_.request.want == Request::Want::pairs && answer.pair_count <= options_.request.pair_limit)
         answer.pairs = return_pairs(ranks_, starts_, kept_.take());
     }
@@ -99,11 +102,10 @@ class RankSearch {
     return answer;
   }
 
-  /// Of the pieces of the part.
-  std::vector<CountRun> own_counts() const {
+  std::vector<CountRun> own_counts(const std::vector<Piece>& pieces) const {
     std::vector<CountRun> runs;
     if (count_.empty()) return runs;
-    for (const Piece& piece : part_->pieces())
+    for (const Piece& piece : pieces)
       runs.push_back({piece.first, std::span(count_).subspan(piece.begin, piece.size)});
     return runs;
   }
