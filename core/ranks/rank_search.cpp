@@ -39,7 +39,7 @@ class RankSearch {
     work_.in_space = wants_space_order(part);
     if (work_.in_space) {
       enter(Phase::repartition);
-      part = part_in_space(ranks_, std::move(part));
+      part = part_in_space(ranks_, std::move(part), options_.blocks_at_once);
     }
     enter(Phase::build);
     part_.emplace(std::move(part));
@@ -76,7 +76,8 @@ class RankSearch {
 
   void search_across_ranks() {
     const AcrossOptions options{.stop_at_first = options_.request.want == Request::Want::any,
-                                .blocks_at_once = options_.blocks_at_once};
+                                .blocks_at_once = options_.blocks_at_once,
+                                .meetings = options_.meetings};
     work_.across = search_across(ranks_, *part_, options, counted_, kept_);
     work_.pairs_across = kept_.found() - work_.pairs_within;
   }

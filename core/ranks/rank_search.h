@@ -25,7 +25,7 @@ struct RankOptions {
   std::string variant = "auto";  ///< that searches each part
   Order order = Order::measured;
   Request request{};                           ///< what is wanted, and the limit of pairs over all ranks
-  std::uint32_t blocks_at_once = 0;            ///< see AcrossOptions
+  std::uint32_t blocks_at_once = 0, meetings = AcrossOptions().meetings;  ///< see AcrossOptions
   bool across_only = false;  ///< only pairs of two ranks are searched for: to count what those take
   std::function<void(Phase)> entering = [](Phase) {};  ///< called as this rank comes to each phase
 };
