@@ -1,7 +1,6 @@
 #pragma once
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <span>
 
 #include "catena/core/hierarchy/box.h"
@@ -14,12 +13,7 @@ namespace box_around_detail {
 typedef float Four __attribute__((vector_size(16)));
 typedef std::int32_t Bits __attribute__((vector_size(16)));
 
-inline Four four(const Sphere& s) {
-  Four values;
-  static_assert(sizeof values == sizeof s);
-  std::memcpy(&values, &s, sizeof values);
-  return values;
-}
+inline Four four(const Sphere& s) { return std::bit_cast<Four>(s); }
 /// The rounded ends along each axis, and something in the fourth place.
 inline Four low_of(Four sphere) { return sphere - sphere[3]; }
 inline Four high_of(Four sphere) { return sphere + sphere[3]; }
@@ -51,16 +45,26 @@ inline Box box_around(std::span<const Sphere> spheres) {
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
-/// Whether the box around any of these spheres meets this one.
-inline bool any_meets(std::span<const Sphere> spheres, const Box& box) {
-  using namespace box_around_detail;
-  const Four lows{box.low[0], box.low[1], box.low[2], 0}, highs{box.high[0], box.high[1], box.high[2], 0};
-  for (const Sphere& s : spheres) {
+/// Says of spheres whether the boxes around them meet one box.
+class MeetsBox {
+ public:
+  explicit MeetsBox(const Box& box)
+      : low_{box.low[0], box.low[1], box.low[2], 0}, high_{box.high[0], box.high[1], box.high[2], 0} {}
+
+  bool operator()(const Sphere& s) const {
+    using namespace box_around_detail;
     const Four sphere = four(s);
-    const Bits meets = (moved_down(low_of(sphere)) <= highs) & (lows <= moved_up(high_of(sphere)));
-    if ((meets[0] & meets[1] & meets[2]) != 0) return true;
+    const Bits meets = (moved_down(low_of(sphere)) <= high_) & (low_ <= moved_up(high_of(sphere)));
+    return (meets[0] & meets[1] & meets[2]) != 0;
   }
-  return false;
-}
+  bool any_of(std::span<const Sphere> spheres) const {
+    for (const Sphere& s : spheres)
+      if ((*this)(s)) return true;
+    return false;
+  }
+
+ private:
+  box_around_detail::Four low_, high_;
+};
 
 }  // namespace catena

@@ -36,7 +36,7 @@ TEST(BoxAround, IsTheBoxOfTheBoxesOfTheSpheres) {
       const Box other = Box::around(spheres_of(1, dice, greatest)[0]);
       bool meets = false;
       for (const Sphere& s : spheres) meets = meets || Box::around(s).meets(other);
-      EXPECT_EQ(any_meets(spheres, other), meets) << n << ' ' << greatest;
+      EXPECT_EQ(MeetsBox(other).any_of(spheres), meets) << n << ' ' << greatest;
     }
 }
 

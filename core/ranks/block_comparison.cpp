@@ -18,8 +18,9 @@ BlockComparison::BlockComparison(const HeldPart& part, const Border& border, std
       own_count_(border.blocks().size() * Block::most, 0) {}
 
 bool BlockComparison::may_touch(const Box& box, std::uint32_t first) const {
+  const MeetsBox near(box);
   return border_.boxes().any_meeting(
-      box, [&](std::uint32_t b) { return b >= first && any_meets(part_.spheres(border_.blocks()[b]), box); });
+      box, [&](std::uint32_t b) { return b >= first && near.any_of(own_spheres(b)); });
 }
 
 std::uint64_t BlockComparison::compare() {
@@ -42,13 +43,14 @@ std::uint64_t BlockComparison::compare_block(std::uint32_t far_block) {
   const std::span<const Sphere> far = far_.spheres(far_block);
   const std::uint32_t begin = far_.begin(far_block), first = far_.mark(far_block);
   const Box box = box_around(far);
+  const MeetsBox near(box);
   std::uint64_t met = 0;
   border_.boxes().for_each_meeting(box, [&](std::uint32_t b) {
     ++met;
     if (b < first) return;  // the other rank's
-    const std::span<const Sphere> own = part_.spheres(border_.blocks()[b]);
+    const std::span<const Sphere> own = own_spheres(b);
     for (std::uint32_t k = 0; k < own.size(); ++k) {
-      if (!any_meets(own.subspan(k, 1), box)) continue;
+      if (!near(own[k])) continue;
       for (std::uint32_t j = 0; j < far.size(); ++j)
         if (Robust::overlap(own[k], far[j])) overlap(Slot{b} * Block::most + k, begin + j);
     }
@@ -87,7 +89,7 @@ void BlockComparison::search(std::span<const std::uint32_t> own_blocks, std::uin
   for (const std::uint32_t b : own_blocks)
     for (std::uint32_t k = 0; k < border_.blocks()[b].size; ++k) {
       slots.push_back(Slot{b} * Block::most + k);
-      spheres.push_back(sphere(slots.back()));
+      spheres.push_back(own_spheres(b)[k]);
     }
   const auto own = static_cast<std::uint32_t>(slots.size());
   spheres.insert(spheres.end(), far_.spheres().begin() + first_far, far_.spheres().end());

@@ -35,8 +35,8 @@ class BlockComparison {
   void search(std::span<const std::uint32_t> own_blocks, std::uint32_t first_far);
   void overlap(Slot own, std::uint32_t far);
   void count_found();
-  const Sphere& sphere(Slot own) const {
-    return part_.chain()[border_.blocks()[own / Block::most].begin + own % Block::most];
+  std::span<const Sphere> own_spheres(std::uint32_t block) const {
+    return part_.spheres(border_.blocks()[block]);
   }
 
   const HeldPart& part_;
