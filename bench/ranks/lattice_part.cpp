@@ -5,18 +5,36 @@
 #include <algorithm>
 #include <numeric>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/scenes/serpentine_path.h"
 
 namespace catena::ranks {
 
+namespace {
+
+/// Row by row, as one number of the cell alone changes along each: to divide for every sphere takes longer
+/// than all else.
+void fill(const bench::LatticeBox& box, SphereId begin, std::span<Sphere> spheres) {
+  const auto radius = static_cast<float>(box.reach / 2.0);
+  for (std::size_t k = 0; k < spheres.size();) {
+    const SphereId row = (begin + k) / box.side;
+    auto cell = serpentine_cell(begin + k, box.side);
+    const auto stop =
+        static_cast<std::size_t>(std::min<SphereId>(spheres.size(), (row + 1) * box.side - begin));
+    for (const std::uint64_t step = row % 2 == 0 ? 1 : ~std::uint64_t{0}; k < stop; ++k, cell[0] += step) {
+      const Vec3 p = serpentine_point(cell, box.side, box.face_centred);
+      spheres[k] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), radius};
+    }
+  }
+}
+
+}  // namespace
+
 Part lattice_part(const bench::LatticeBox& box, SphereId begin, SphereId end) {
   Part part;
-  for (SphereId i = begin; i < end; ++i) {
-    const Vec3 p = serpentine_point(serpentine_cell(i, box.side), box.side, box.face_centred);
-    part.spheres.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-                            static_cast<float>(box.reach / 2.0)});
-  }
+  resize_large(part.spheres, end - begin);
+  fill(box, begin, part.spheres);
   const SphereId strand_size = box.rods ? box.side : box.spheres();
   for (SphereId at = begin; at < end;) {
     const SphereId number = at / strand_size, stop = std::min(end, (number + 1) * strand_size);

@@ -22,7 +22,7 @@ class ScalingCommand final : public Command {
         ->check(CLI::Range(2, 4096))
         ->capture_default_str();
     app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
-        ->check(CLI::IsMember({"measured", "chain", "space"}))
+        ->check(CLI::IsMember(parts::order_names()))
         ->capture_default_str();
     app.add_option("--timed", timed_,
                    "Search the parts, too, by this variant, from one rank on, and tell with --json what each "
@@ -37,11 +37,8 @@ class ScalingCommand final : public Command {
     const Chain chain = input.animation->frame(0);
     std::vector<unsigned> ranks = doubled_ranks(most_);
     if (!timed_.empty()) ranks.insert(ranks.begin(), 1);
-    const Scaling scaling = measure_scaling(chain, {.ranks = ranks,
-                                                    .order = order_ == "chain"   ? Order::chain
-                                                             : order_ == "space" ? Order::space
-                                                                                 : Order::measured,
-                                                    .timed_variant = timed_});
+    const Scaling scaling = measure_scaling(
+        chain, {.ranks = ranks, .order = parts::order_named(order_), .timed_variant = timed_});
     if (json_) {
       nlohmann::ordered_json line{{"input", input_}, {"n", chain.size()}};
       line.update(to_json(scaling));
@@ -79,7 +76,7 @@ class ScalingCommand final : public Command {
     return std::accumulate(p.most_ms.begin(), p.most_ms.end(), 0.0);
   }
 
-  std::string input_, order_ = "measured", timed_;
+  std::string input_, order_ = parts::order_names().front(), timed_;
   unsigned most_ = 64;
   InputOptions options_;
   bool json_ = false;

@@ -33,8 +33,15 @@ class CATENA_API WideBoxTree {
     if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
   }
 
+  /// Whether test(k) holds for a box k that meets this one; those after it are not asked.
+  template <class Test>
+  bool any_meeting(const Box& box, const Test& test) const {
+    return !levels_.empty() && any(levels_.size() - 1, 0, box, test);
+  }
   /// Whether any box meets this one.
-  bool meets(const Box& box) const { return !levels_.empty() && meets(levels_.size() - 1, 0, box); }
+  bool meets(const Box& box) const {
+    return any_meeting(box, [](std::uint32_t) { return true; });
+  }
 
   /// Sixteen boxes, a coordinate after the other; an empty one has low above high.
   struct Group {
@@ -75,12 +82,12 @@ class CATENA_API WideBoxTree {
     }
   }
 
-  bool meets(std::size_t level, std::uint32_t group, const Box& box) const {
-    std::uint32_t bits = meeting(levels_[level][group], box);
-    if (level == 0) return bits != 0;
-    for (; bits != 0; bits &= bits - 1)
-      if (meets(level - 1, group * fan + static_cast<std::uint32_t>(std::countr_zero(bits)), box))
-        return true;
+  template <class Test>
+  bool any(std::size_t level, std::uint32_t group, const Box& box, const Test& test) const {
+    for (std::uint32_t bits = meeting(levels_[level][group], box); bits != 0; bits &= bits - 1) {
+      const std::uint32_t child = group * fan + static_cast<std::uint32_t>(std::countr_zero(bits));
+      if (level == 0 ? test(child) : any(level - 1, child, box, test)) return true;
+    }
     return false;
   }
 

@@ -12,7 +12,8 @@ namespace {
 /// Searches a part by a variant of the host, as a chain of its own.
 class VariantSearch final : public PartSearch {
  public:
-  explicit VariantSearch(const std::string& variant) : variant_(StrategyRegistry::instance().make(variant)) {}
+  explicit VariantSearch(std::string name)
+      : name_(std::move(name)), variant_(StrategyRegistry::instance().make(name_)) {}
 
   LocalChain::Neighbours knows() const override { return LocalChain::Neighbours::in_pieces; }
   void build(const Chain& whole, const LocalChain& part, const Request& request,

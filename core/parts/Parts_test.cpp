@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
-#include "catena/core/parts/group_boxes.h"
 #include "catena/core/parts/local_chain.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/sorted_pairs.h"
@@ -46,24 +44,6 @@ void expect_same(Collisions found, reference::Answer exact, const std::string& i
   EXPECT_EQ(found.pairs, exact.pairs) << input;
   EXPECT_EQ(found.count, exact.count) << input;
   EXPECT_EQ(found.pair_count, exact.pair_count) << input;
-}
-
-/// Bit for bit the box of their boxes, so that what was proved of these holds.
-TEST(Parts, BoxesAreThoseOfTheSpheres) {
-  for (const char* const input :
-       {"yarn:n=300", "coil:n=300,offset=1e6", "rod:n=300,scale=1e30", "hair:n=300,scale=1e-30"}) {
-    const Chain chain = scene(input);
-    for (std::size_t n = 1; n <= 70; ++n) {
-      const std::span<const Sphere> spheres = chain.spheres().subspan(n, n);
-      Box expected = Box::around(spheres[0]);
-      for (const Sphere& s : spheres) expected.join(Box::around(s));
-      const Box box = parts::box_around(spheres);
-      for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_EQ(box.low[axis], expected.low[axis]) << input << ' ' << n;
-        EXPECT_EQ(box.high[axis], expected.high[axis]) << input << ' ' << n;
-      }
-    }
-  }
 }
 
 /// As a device is told of them that knows neighbours by number: in a part whose spheres are not in the order

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/parts/group_boxes.h"
 #include "catena/core/parts/halos.h"
 #include "catena/core/parts/regions.h"
@@ -158,11 +159,8 @@ class BySpace {
 }  // namespace
 
 PartitionOptions partition_options(const Parameters& parameters) {
-  const std::string order = parameters.choice("order", {"measured", "chain", "space"});
   return {.group = static_cast<std::uint32_t>(parameters.unsigned_integer("group", 1, 1u << 12)),
-          .order = order == "chain"   ? Order::chain
-                   : order == "space" ? Order::space
-                                      : Order::measured};
+          .order = order_named(parameters.choice("order", order_names()))};
 }
 
 std::uint64_t Partition::greatest() const {

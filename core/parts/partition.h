@@ -6,21 +6,15 @@
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
 #include "catena/core/parameters/parameters.h"
+#include "catena/core/parts/order.h"
 #include "catena/core/parts/part_ranges.h"
 
 namespace catena::parts {
 
-/// How the groups of a chain are shared out.
-enum class Order {
-  measured,  ///< by space where halos in chain order have more than an eighth of the chain, and fewer so
-  chain,
-  space
-};
-
 struct PartitionOptions {
   std::uint32_t group =
       32;  ///< consecutive spheres that stay together, >= 1; by space an eighth of that, at least 1
-  Order order = Order::measured;
+  Order order = Order::measured;  ///< by space only where halos are smaller so
 };
 /// As a strategy's parameters `group` and `order` say.
 PartitionOptions partition_options(const Parameters& parameters);

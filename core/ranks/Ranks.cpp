@@ -18,10 +18,9 @@ class Ranks final : public Variant {
       : ranks_(static_cast<unsigned>(parameters.unsigned_integer("ranks", 1, 4096))),
         blocks_at_once_(
             static_cast<std::uint32_t>(parameters.unsigned_integer("blocks_at_once", 0, 1u << 30))),
-        uneven_(parameters.choice("parts", {"even", "uneven"}) == "uneven") {
-    const std::string order = parameters.choice("order", {"measured", "chain", "space"});
-    order_ = order == "chain" ? Order::chain : order == "space" ? Order::space : Order::measured;
-  }
+        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 30))),
+        order_(parts::order_named(parameters.choice("order", parts::order_names()))),
+        uneven_(parameters.choice("parts", {"even", "uneven"}) == "uneven") {}
 
   void build(const Chain& chain) override { spheres_ = chain.size(), built_ = true; }
 
@@ -29,8 +28,11 @@ class Ranks final : public Variant {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
     const Stopwatch watch;
     const SphereRange queries = request.queries.within(spheres_);
-    RankOptions options{
-        .variant = "auto", .order = order_, .request = request, .blocks_at_once = blocks_at_once_};
+    RankOptions options{.variant = "auto",
+                        .order = order_,
+                        .request = request,
+                        .blocks_at_once = blocks_at_once_,
+                        .meetings = meetings_};
     options.request.queries = {};
     if (queries != SphereRange{0, spheres_})  // parted from all pairs
       options.request.want = Request::Want::pairs,
@@ -83,9 +85,9 @@ class Ranks final : public Variant {
   }
 
   const unsigned ranks_;
-  const std::uint32_t blocks_at_once_;
+  const std::uint32_t blocks_at_once_, meetings_;
+  const Order order_;
   const bool uneven_;
-  Order order_ = Order::measured;
   std::uint32_t spheres_ = 0;
   bool built_ = false;
   Timings timings_;
@@ -97,12 +99,13 @@ struct RegisterRanks {
     StrategyRegistry::instance().add_variant(
         {.name = "Ranks",
          .summary = "parts of the chain on ranks, which are threads here, as mpirun has them in processes",
-         .parameters = {{"ranks", "3", "ranks that share the chain"},
-                        {"order", "measured",
-                         "spheres are shared out in chain order, by space, or as measured"},
-                        {"parts", "even", "even or uneven: every third is empty"},
-                        {"blocks_at_once", "0",
-                         "blocks that a rank sends in a round; 0: a quarter of its own"}}},
+         .parameters =
+             {{"ranks", "3", "ranks that share the chain"},
+              {"order", "measured", "spheres are shared out in chain order, by space, or as measured"},
+              {"parts", "even", "even or uneven: every third is empty"},
+              {"blocks_at_once", "0", "blocks that a rank sends in a round; 0: a quarter of its own"},
+              {"meetings", "32",
+               "blocks are compared one by one up to so many times their number, then searched for"}}},
         arithmetic_info<Robust>(), make_strategy<Ranks<Robust>, Variant>, true);
   }
 };

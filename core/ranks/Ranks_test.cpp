@@ -18,6 +18,8 @@ TEST_P(RanksProperties, HoldOnEveryFamily) { expect_every_property(GetParam(), 1
 INSTANTIATE_TEST_SUITE_P(Host, RanksProperties,
                          testing::Values("Ranks(ranks=1)", "Ranks(ranks=2,order=chain)", "Ranks(ranks=3)",
                                          "Ranks(ranks=3,order=space,blocks_at_once=1)",
+                                         "Ranks(ranks=4,order=space,meetings=0)",
+                                         "Ranks(ranks=3,order=chain,meetings=1)",
                                          "Ranks(ranks=7,order=space,parts=uneven)",
                                          "Ranks(ranks=5,order=chain,parts=uneven,blocks_at_once=2)",
                                          "Ranks(ranks=11,order=space)"),

@@ -91,7 +91,7 @@ class Asker {
       const auto boxes = in[k].get_list<BlockBox>();
       work_.boxes_seen += boxes.size();
       for (const auto& [block, box] : boxes)
-        if (comparison_.expect(box, question.first_compared)) question.wanted.push_back(block);
+        if (comparison_.may_touch(box, question.first_compared)) question.wanted.push_back(block);
     }
   }
 
@@ -120,11 +120,13 @@ Border border_of(Communicator& ranks, const HeldPart& part) {
 
 AcrossWork search_across(Communicator& ranks, const HeldPart& part, const AcrossOptions& options,
                          std::vector<Counted>& counted, KeptPairs& kept) {
-  const auto own = static_cast<std::uint32_t>(blocks_of(part.pieces()));
+  constexpr std::uint64_t fewest = 1u << 14, most = 1u << 26;  // far from what a chain holds
   const std::uint32_t at_once =
-      options.blocks_at_once > 0 ? options.blocks_at_once : std::max(1u << 14, own / 4);
+      options.blocks_at_once > 0
+          ? options.blocks_at_once
+          : static_cast<std::uint32_t>(std::clamp(blocks_of(part.pieces()) / 4, fewest, most));
   const Border border = border_of(ranks, part);
-  BlockComparison comparison(part, border, counted, kept);
+  BlockComparison comparison(part, border, options.meetings, counted, kept);
   Source source(part, border);
   Asker asker(ranks, border, comparison);
   for (;;) {

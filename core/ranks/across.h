@@ -16,8 +16,11 @@ struct Counted {
 
 struct AcrossOptions {
   bool stop_at_first = false;  ///< one pair will do
-  std::uint32_t blocks_at_once =
-      0;  ///< that a rank sends, and gets, in a round; 0: a quarter of its own, at least 2^14
+  /// That a rank sends, and gets, in a round; 0: a quarter of its own, at least 2^14 and at most 2^26.
+  std::uint32_t blocks_at_once = 0;
+  /// Of its own, so many times those of both sides, that blocks which came are compared with one after the
+  /// other; then those that are left are searched for together, which takes about as long.
+  std::uint32_t meetings = 32;
 };
 
 /// What a search across ranks took of this one.

@@ -48,7 +48,16 @@ void share_out(std::vector<CountShare>& shares, std::span<const SphereId> starts
   }
 }
 
-/// Adds what one rank said.
+/// Adds what a rank says to itself.
+void add(const CountShare& share, SphereId first, std::vector<std::uint64_t>& count) {
+  for (std::size_t k = 0; k < share.runs.size(); ++k) {
+    std::uint64_t* to = count.data() + (share.runs[k].first - first);
+    for (const std::uint32_t collisions : share.count[k]) *to++ += collisions;
+  }
+  for (const auto& [sphere, collisions] : share.more) count[sphere - first] += collisions;
+}
+
+/// Adds what another one said.
 void add(const Bytes& bytes, SphereId first, std::vector<std::uint64_t>& count) {
   ByteReader in(bytes);
   std::array<std::uint32_t, 1024> some;
@@ -88,13 +97,17 @@ std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const Sp
   std::vector<CountShare> shares(ranks.size());
   for (const CountRun& run : runs) share_out(shares, starts, run);
   for (const Counted& counted : more) shares[owner_of(starts, counted.sphere)].more.push_back(counted);
+  const unsigned own = ranks.rank();
   std::vector<Message> out;
   for (unsigned rank = 0; rank < ranks.size(); ++rank)
-    if (!shares[rank].empty()) out.push_back({rank, shares[rank].packed()});
-  shares.clear();
-  const SphereId first = starts[ranks.rank()];
-  std::vector<std::uint64_t> count(starts[ranks.rank() + 1] - first);
-  for (const Message& message : ranks.exchange(std::move(out))) add(message.bytes, first, count);
+    if (rank != own && !shares[rank].empty()) out.push_back({rank, shares[rank].packed()});
+  std::vector<Message> in = ranks.exchange(std::move(out));
+  std::vector<std::uint64_t> count(starts[own + 1] - starts[own]);
+  add(shares[own], starts[own], count);
+  for (Message& message : in) {
+    add(message.bytes, starts[own], count);
+    Bytes().swap(message.bytes);
+  }
   return count;
 }
 

@@ -39,12 +39,6 @@ void for_some_blocks(std::span<const Piece> pieces, std::uint64_t step, const Vi
 
 std::uint64_t blocks_of(std::span<const Piece> pieces);
 
-/// A box around all these spheres, at least one.
-Box box_around(std::span<const Sphere> spheres);
-
-/// Whether the box around any of these spheres meets this one.
-bool any_meets(std::span<const Sphere> spheres, const Box& box);
-
 /// Of every block the box, in their order.
 LargeVector<Box> boxes_of(std::span<const Piece> pieces, std::span<const Sphere> spheres);
 

@@ -3,78 +3,130 @@
 #include <algorithm>
 
 #include "catena/core/arithmetic/robust.h"
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::ranks {
 
-BlockComparison::BlockComparison(const HeldPart& part, const Border& border, std::vector<Counted>& counted,
-                                 KeptPairs& kept)
-    : part_(part), border_(border), counted_(counted), kept_(kept), expected_(border.blocks().size(), 0) {}
+BlockComparison::BlockComparison(const HeldPart& part, const Border& border, std::uint32_t meetings,
+                                 std::vector<Counted>& counted, KeptPairs& kept)
+    : part_(part),
+      border_(border),
+      meetings_(meetings),
+      counted_(counted),
+      kept_(kept),
+      own_count_(border.blocks().size() * Block::most, 0) {}
 
-bool BlockComparison::expect(const Box& box, std::uint32_t first) {
-  bool meets = false;
-  border_.boxes().for_each_meeting(box, [&](std::uint32_t b) {
-    if (b < first || (meets && expected_[b] != 0)) return;
-    if (!any_meets(part_.spheres(border_.blocks()[b]), box)) return;
-    meets = true;
-    if (expected_[b] == 0) expected_[b] = 1, near_.push_back(b);
-  });
-  return meets;
+bool BlockComparison::may_touch(const Box& box, std::uint32_t first) const {
+  const MeetsBox near(box);
+  return border_.boxes().any_meeting(
+      box, [&](std::uint32_t b) { return b >= first && near.any_of(own_spheres(b)); });
 }
 
 std::uint64_t BlockComparison::compare() {
   if (far_.blocks() == 0) return 0;
-  gather_own();
-  const auto own = static_cast<std::uint32_t>(own_.size());
-  std::vector<Sphere> spheres;
-  spheres.reserve(own_.size() + far_.spheres().size());
-  for (const Own& own_sphere : own_) spheres.push_back(part_.chain()[own_sphere.sphere]);
-  spheres.insert(spheres.end(), far_.spheres().begin(), far_.spheres().end());
-  collisions_.assign(spheres.size(), 0);
+  far_count_.assign(far_.spheres().size(), 0);
   touches_.assign(far_.blocks(), 0);
+  // No more is spent on one after the other than a search of all would take, so that both together take no
+  // more than twice what the better one does.
+  const std::uint64_t most = meetings_ * (std::uint64_t{far_.blocks()} + border_.blocks().size());
+  std::uint32_t block = 0;
+  for (std::uint64_t met = 0; block < far_.blocks() && met < most; ++block) met += compare_block(block);
+  if (block < far_.blocks()) search_from(block);
+  count_found();
+  far_.clear();
+  return static_cast<std::uint64_t>(std::ranges::count(touches_, 1));
+}
+
+/// Returns how many blocks of the border it met.
+std::uint64_t BlockComparison::compare_block(std::uint32_t far_block) {
+  const std::span<const Sphere> far = far_.spheres(far_block);
+  const std::uint32_t begin = far_.begin(far_block), first = far_.mark(far_block);
+  const Box box = box_around(far);
+  const MeetsBox near(box);
+  std::uint64_t met = 0;
+  border_.boxes().for_each_meeting(box, [&](std::uint32_t b) {
+    ++met;
+    if (b < first) return;  // the other rank's
+    const std::span<const Sphere> own = own_spheres(b);
+    for (std::uint32_t k = 0; k < own.size(); ++k) {
+      if (!near(own[k])) continue;
+      for (std::uint32_t j = 0; j < far.size(); ++j)
+        if (Robust::overlap(own[k], far[j])) overlap(Slot{b} * Block::most + k, begin + j);
+    }
+  });
+  return met;
+}
+
+/// All blocks that came from this one on. The border's are searched among some at a time, so that this takes
+/// no more memory than what came, and their number stays one of a chain.
+void BlockComparison::search_from(std::uint32_t far_block) {
+  const std::vector<std::uint32_t> own = own_blocks_for(far_block);
+  const std::size_t far = far_.spheres().size() - far_.begin(far_block);
+  constexpr std::size_t fewest = std::size_t{1} << 19;
+  const std::size_t at_once = std::max(fewest, far / Block::most);
+  for (std::size_t done = 0; done < own.size(); done += at_once)
+    search(std::span(own).subspan(done, std::min(at_once, own.size() - done)), far_.begin(far_block));
+}
+
+/// Those that may be near any of them.
+std::vector<std::uint32_t> BlockComparison::own_blocks_for(std::uint32_t far_block) const {
+  std::uint32_t first = far_.mark(far_block);
+  for (std::uint32_t f = far_block; f < far_.blocks(); ++f) first = std::min(first, far_.mark(f));
+  const Box around = box_around(std::span(far_.spheres()).subspan(far_.begin(far_block)));
+  std::vector<std::uint32_t> own;
+  border_.boxes().for_each_meeting(around, [&](std::uint32_t b) {
+    if (b >= first) own.push_back(b);
+  });
+  return own;
+}
+
+void BlockComparison::search(std::span<const std::uint32_t> own_blocks, std::uint32_t first_far) {
+  std::vector<Slot> slots;
+  std::vector<Sphere> spheres;
+  slots.reserve(own_blocks.size() * Block::most);
+  spheres.reserve(own_blocks.size() * Block::most + far_.spheres().size() - first_far);
+  for (const std::uint32_t b : own_blocks)
+    for (std::uint32_t k = 0; k < border_.blocks()[b].size; ++k) {
+      slots.push_back(Slot{b} * Block::most + k);
+      spheres.push_back(own_spheres(b)[k]);
+    }
+  const auto own = static_cast<std::uint32_t>(slots.size());
+  spheres.insert(spheres.end(), far_.spheres().begin() + first_far, far_.spheres().end());
   // As one open strand, whose search is the quickest. It passes over spheres that follow one another: two of
   // this rank, two of others, and the last of the one with the first of the other.
   const Chain chain(std::move(spheres), {}, Exclusion::index(1));
   if (!search_) search_ = StrategyRegistry::instance().make("Hybrid");
   search_->build(chain);
   for_each_pair(*search_, chain, {0, own}, [&](const Pair& pair) {
-    if (pair.j >= own) visit(pair.i, pair.j - own);
+    if (pair.j >= own) overlap(slots[pair.i], first_far + (pair.j - own));
   });
-  if (Robust::overlap(chain[own - 1], chain[own])) visit(own - 1, 0);
-  count_found();
-  far_.clear();
-  return static_cast<std::uint64_t>(std::ranges::count(touches_, 1));
+  if (Robust::overlap(chain[own - 1], chain[own])) overlap(slots.back(), first_far);
 }
 
-void BlockComparison::gather_own() {
-  std::ranges::sort(near_);
-  own_.clear();
-  for (const std::uint32_t b : near_) {
-    const Block& block = border_.blocks()[b];
-    const SphereId first = part_.id(block);
-    for (std::uint32_t k = 0; k < block.size; ++k) own_.push_back({first + k, block.begin + k, b});
-    expected_[b] = 0;
-  }
-  near_.clear();
-}
-
-void BlockComparison::visit(std::uint32_t own, std::uint32_t far) {
-  const auto [id, sphere, block] = own_[own];
+void BlockComparison::overlap(Slot own, std::uint32_t far) {
+  const auto b = static_cast<std::uint32_t>(own / Block::most);
   const std::uint32_t far_block = far_.block_of(far);
-  if (block < far_.mark(far_block)) return;  // the other rank's
+  if (b < far_.mark(far_block)) return;  // the other rank's
   touches_[far_block] = 1;
-  const SphereId far_id = far_.id(far);
-  if (part_.may_be_neighbours(id, far_id) && part_.neighbours(part_.place(sphere), far_.place(far))) return;
-  ++collisions_[own], ++collisions_[own_.size() + far];
+  const Block& block = border_.blocks()[b];
+  const auto k = static_cast<std::uint32_t>(own % Block::most);
+  const SphereId id = part_.id(block) + k, far_id = far_.id(far);
+  if (part_.may_be_neighbours(id, far_id) && part_.neighbours(part_.place(block.begin + k), far_.place(far)))
+    return;
+  ++own_count_[own], ++far_count_[far];
   kept_.add(id, far_id);
 }
 
 void BlockComparison::count_found() {
-  for (std::size_t k = 0; k < own_.size(); ++k)
-    if (collisions_[k] > 0) counted_.push_back({own_[k].id, collisions_[k]});
-  for (std::uint32_t k = 0; k < far_.spheres().size(); ++k)
-    if (const std::uint64_t found = collisions_[own_.size() + k]; found > 0)
-      counted_.push_back({far_.id(k), found});
+  for (Slot own = 0; own < own_count_.size(); ++own)
+    if (own_count_[own] > 0) {
+      counted_.push_back(
+          {part_.id(border_.blocks()[own / Block::most]) + own % Block::most, own_count_[own]});
+      own_count_[own] = 0;
+    }
+  for (std::uint32_t far = 0; far < far_count_.size(); ++far)
+    if (far_count_[far] > 0) counted_.push_back({far_.id(far), far_count_[far]});
 }
 
 }  // namespace catena::ranks

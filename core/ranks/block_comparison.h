@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -8,41 +9,45 @@
 
 namespace catena::ranks {
 
-/// Compares blocks of other ranks with those of the border whose boxes they meet: all of a round in one
-/// search.
+/// Compares blocks of other ranks with those of the border whose boxes they meet: one after the other, or,
+/// where they meet too many, all that is left of a round in one search.
 class BlockComparison {
  public:
-  BlockComparison(const HeldPart& part, const Border& border, std::vector<Counted>& counted, KeptPairs& kept);
+  /// `meetings`: see AcrossOptions.
+  BlockComparison(const HeldPart& part, const Border& border, std::uint32_t meetings,
+                  std::vector<Counted>& counted, KeptPairs& kept);
 
-  /// Whether a block with this box may touch a sphere of the border's blocks from the `first` on. Those that
-  /// it may are compared with what comes next.
-  bool expect(const Box& box, std::uint32_t first);
+  /// Whether a block with this box may touch a sphere of the border's blocks from the `first` on.
+  bool may_touch(const Box& box, std::uint32_t first) const;
   /// What came of those blocks, by the same `first`.
   void take(ByteReader& in, std::uint32_t first) { far_.take(in, part_.rule(), first); }
   /// Adds to `counted` and to `kept`; returns how many blocks that came have a sphere that touches one of the
-  /// part's, neighbours too. What came is forgotten, and what was expected.
+  /// part's, neighbours too. What came is forgotten.
   std::uint64_t compare();
 
  private:
-  void gather_own();
-  void visit(std::uint32_t own, std::uint32_t far);
+  /// A sphere of the border: eight times the number of its block there, and where it is in that.
+  using Slot = std::uint64_t;
+
+  std::uint64_t compare_block(std::uint32_t far_block);
+  void search_from(std::uint32_t far_block);
+  std::vector<std::uint32_t> own_blocks_for(std::uint32_t far_block) const;
+  void search(std::span<const std::uint32_t> own_blocks, std::uint32_t first_far);
+  void overlap(Slot own, std::uint32_t far);
   void count_found();
+  std::span<const Sphere> own_spheres(std::uint32_t block) const {
+    return part_.spheres(border_.blocks()[block]);
+  }
 
   const HeldPart& part_;
   const Border& border_;
+  const std::uint32_t meetings_;
   std::vector<Counted>& counted_;
   KeptPairs& kept_;
 
-  std::vector<std::uint8_t> expected_;  // [block of the border]
-  std::vector<std::uint32_t> near_;     // of those the blocks, then
   FarBlocks far_;
-  struct Own {
-    SphereId id;
-    std::uint32_t sphere, block;  // of the part, of the border
-  };
-  std::vector<Own> own_;                   // their spheres
-  std::vector<std::uint64_t> collisions_;  // [of own_, then of far_]
-  std::vector<std::uint8_t> touches_;      // [block of far_]
+  std::vector<std::uint32_t> own_count_, far_count_;  // [slot] and [sphere of far_]: of this round
+  std::vector<std::uint8_t> touches_;                 // [block of far_]
   std::unique_ptr<Variant> search_;
 };
 

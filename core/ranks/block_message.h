@@ -19,6 +19,11 @@ class FarBlocks {
 
   std::uint32_t blocks() const { return static_cast<std::uint32_t>(headers_.size()); }
   const std::vector<Sphere>& spheres() const { return spheres_; }
+  std::uint32_t begin(std::uint32_t block) const { return headers_[block].begin; }  ///< its first sphere
+  std::span<const Sphere> spheres(std::uint32_t block) const {
+    const std::size_t end = block + 1 < blocks() ? begin(block + 1) : spheres_.size();
+    return std::span(spheres_).subspan(begin(block), end - begin(block));
+  }
   std::uint32_t block_of(std::uint32_t sphere) const { return block_of_[sphere]; }
   std::uint32_t mark(std::uint32_t block) const { return headers_[block].mark; }
   SphereId id(std::uint32_t sphere) const {

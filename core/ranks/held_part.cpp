@@ -88,7 +88,8 @@ HeldPart::HeldPart(Part part)
       one_strand_(will_do_as_one_strand(part)),
       chain_(chain_of(part, one_strand_)),
       extra_(std::move(part.extra)),
-      piece_at_(piece_at_every(stride, pieces_, chain_.size())),
+      piece_at_(pieces_.size() > few ? piece_at_every(stride, pieces_, chain_.size())
+                                     : std::vector<std::uint32_t>()),
       misses_neighbours_(!one_strand_ && look_for_missed()),
       furthest_neighbour_(rule_.kind == Exclusion::Rule::index_window && extra_.empty() &&
                                   none_closed(pieces_)

@@ -47,6 +47,8 @@ class HeldPart {
 
   const Rule& rule() const { return rule_; }
   std::span<const Piece> pieces() const { return pieces_; }
+  /// Those of a part that is not needed any more, whose memory is given back with the rest of it.
+  std::vector<Piece> release_pieces() && { return std::move(pieces_); }
   std::span<const IdPair> extra() const { return extra_; }
 
   std::span<const Sphere> spheres(const Block& block) const {
@@ -73,7 +75,7 @@ class HeldPart {
 
  private:
   const Piece& piece_of(std::uint32_t sphere) const {
-    std::uint32_t p = piece_at_[sphere / stride];
+    std::uint32_t p = piece_at_.empty() ? 0 : piece_at_[sphere / stride];
     while (sphere - pieces_[p].begin >= pieces_[p].size) ++p;
     return pieces_[p];
   }
@@ -85,6 +87,7 @@ class HeldPart {
   Chain chain_;
   std::vector<IdPair> extra_;
   static constexpr std::uint32_t stride = 8;
+  static constexpr std::size_t few = 8;  ///< pieces that are found without a table
   std::vector<std::uint32_t> piece_at_;  ///< [k]: of sphere stride * k
   bool misses_neighbours_;
   SphereId furthest_neighbour_;  ///< in number

@@ -24,9 +24,10 @@ std::vector<std::string> get_texts(ByteReader& in) {
   return texts;
 }
 
+/// All but the spheres.
 Bytes packed(const NamedPart& named) {
   ByteWriter out;
-  out.put(named.part.rule).put_list(named.part.spheres).put_list(named.part.pieces);
+  out.put(named.part.rule).put_list(named.part.pieces);
   out.put_list(named.part.arcs).put_list(named.part.extra);
   put_texts(out, named.names.labels);
   put_texts(out, named.names.strands);
@@ -37,7 +38,6 @@ NamedPart unpacked(const Bytes& bytes) {
   ByteReader in(bytes);
   NamedPart named;
   named.part.rule = in.get<Rule>();
-  named.part.spheres = in.get_list<Sphere>();
   named.part.pieces = in.get_list<Piece>();
   named.part.arcs = in.get_list<double>();
   named.part.extra = in.get_list<IdPair>();
@@ -77,18 +77,37 @@ NamedPart named_part_of(const Chain& chain, const Labels& labels, std::uint32_t 
 }
 
 NamedPart scatter(Communicator& ranks, const std::function<NamedPart(unsigned rank)>& cut) {
+  constexpr std::uint64_t at_once = 1 << 20;  // spheres
   NamedPart own;
   for (unsigned rank = 1; rank < ranks.size(); ++rank) {
+    NamedPart theirs;
     std::vector<Message> out;
-    if (ranks.rank() == 0) out.push_back({rank, packed(cut(rank))});
+    if (ranks.rank() == 0) {
+      theirs = cut(rank);
+      out.push_back({rank, packed(theirs)});
+    }
     for (const Message& message : ranks.exchange(std::move(out))) own = unpacked(message.bytes);
+    const std::uint64_t size = all_gather_value(ranks, std::uint64_t{theirs.part.spheres.size()}).front();
+    if (ranks.rank() == rank) resize_large(own.part.spheres, size);
+    for (std::uint64_t done = 0; done < size; done += at_once) {
+      const std::uint64_t now = std::min(at_once, size - done);
+      out.clear();
+      if (ranks.rank() == 0)
+        out.push_back(
+            {rank,
+             ByteWriter().put_all(std::span<const Sphere>(theirs.part.spheres).subspan(done, now)).take()});
+      for (const Message& message : ranks.exchange(std::move(out)))
+        ByteReader(message.bytes).get_all(std::span(own.part.spheres).subspan(done, now));
+    }
   }
   if (ranks.rank() == 0) own = cut(0);
   return own;
 }
 
-Directory::Directory(const NamedPart& part)
-    : spheres_(part.part.spheres), pieces_(part.part.pieces), names_(part.names) {}
+Directory::Directory(const NamedPart& part, bool with_spheres)
+    : spheres_(with_spheres ? part.part.spheres : std::vector<Sphere>()),
+      pieces_(part.part.pieces),
+      names_(part.names) {}
 
 Described Directory::at(SphereId id) const {
   const auto piece = std::ranges::upper_bound(pieces_, id, {}, &Piece::first) - 1;
@@ -97,7 +116,7 @@ Described Directory::at(SphereId id) const {
   return {{id, names_.labels.empty() ? std::to_string(id) : names_.labels[k],
            names_.strands.empty() ? std::to_string(piece->strand.number) : names_.strands[p],
            id - piece->strand.first},
-          spheres_[k]};
+          spheres_.empty() ? Sphere{} : spheres_[k]};
 }
 
 std::vector<Described> Directory::of(Communicator& ranks, const std::vector<SphereId>& starts,

@@ -24,7 +24,8 @@ struct NamedPart {
 /// A part with its names, where the input has some.
 NamedPart named_part_of(const Chain& chain, const Labels& labels, std::uint32_t first, std::uint32_t end);
 
-/// Rank 0 cuts the part of each rank and sends it, one after the other, so that it holds one besides its own.
+/// Rank 0 cuts the part of each rank and sends it, one after the other, the spheres some at a time: it holds one
+/// part besides its own, and no rank holds one twice.
 NamedPart scatter(Communicator& ranks, const std::function<NamedPart(unsigned rank)>& cut);
 
 /// A sphere as answers name it, and where it is.
@@ -36,9 +37,11 @@ struct Described {
 /// What answers say of the spheres that a rank began with; other ranks ask for it.
 class Directory {
  public:
-  explicit Directory(const NamedPart& part);
+  /// `with_spheres`: it also tells where they are, which takes a copy of all.
+  Directory(const NamedPart& part, bool with_spheres);
 
-  Described at(SphereId id) const;  ///< of this rank
+  /// Of this rank; its sphere is 0 where they are not told.
+  Described at(SphereId id) const;
   /// Of any ranks, in the order of `ids`. All ranks call it. O(ids log ids).
   std::vector<Described> of(Communicator& ranks, const std::vector<SphereId>& starts, std::vector<SphereId> ids) const;
 

@@ -41,6 +41,8 @@ struct Rule {
 };
 
 /// The spheres of a chain that one rank holds, fewer than 2^31, with all that is needed to say who their neighbours are.
+/// Not a parts::LocalChain, which is ranges of a chain that is here whole, with a halo, and so leaves the spheres where
+/// they are and numbers them by 32 bits: here nothing else of the chain is known, and the strands are told with it.
 struct Part {
   Rule rule;
   std::vector<Sphere> spheres;

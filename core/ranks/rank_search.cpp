@@ -39,7 +39,7 @@ class RankSearch {
     work_.in_space = wants_space_order(part);
     if (work_.in_space) {
       enter(Phase::repartition);
-      part = part_in_space(ranks_, std::move(part));
+      part = part_in_space(ranks_, std::move(part), options_.blocks_at_once);
     }
     enter(Phase::build);
     part_.emplace(std::move(part));
@@ -76,13 +76,16 @@ class RankSearch {
 
   void search_across_ranks() {
     const AcrossOptions options{.stop_at_first = options_.request.want == Request::Want::any,
-                                .blocks_at_once = options_.blocks_at_once};
+                                .blocks_at_once = options_.blocks_at_once,
+                                .meetings = options_.meetings};
     work_.across = search_across(ranks_, *part_, options, counted_, kept_);
     work_.pairs_across = kept_.found() - work_.pairs_within;
   }
 
   RankAnswer answer() {
     enter(Phase::answers);
+    const std::vector<Piece> pieces = std::move(*part_).release_pieces();
+    part_.reset();  // its memory serves the answer
     RankAnswer answer;
     for (const std::uint64_t found : all_gather_value(ranks_, kept_.found())) answer.pair_count += found;
     answer.found = answer.pair_count > 0;
@@ -91,7 +94,8 @@ class RankSearch {
     if (options_.request.want == Request::Want::any) {
       answer.pair_count = 0;
     } else {
-      answer.count = return_counts(ranks_, starts_, own_counts(), counted_);
+      answer.count = return_counts(ranks_, starts_, own_counts(pieces), counted_);
+      std::vector<std::uint32_t>().swap(count_);
       if (options_.request.want == Request::Want::pairs && answer.pair_count <= options_.request.pair_limit)
         answer.pairs = return_pairs(ranks_, starts_, kept_.take());
     }
@@ -99,11 +103,10 @@ class RankSearch {
     return answer;
   }
 
-  /// Of the pieces of the part.
-  std::vector<CountRun> own_counts() const {
+  std::vector<CountRun> own_counts(const std::vector<Piece>& pieces) const {
     std::vector<CountRun> runs;
     if (count_.empty()) return runs;
-    for (const Piece& piece : part_->pieces())
+    for (const Piece& piece : pieces)
       runs.push_back({piece.first, std::span(count_).subspan(piece.begin, piece.size)});
     return runs;
   }

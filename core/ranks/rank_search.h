@@ -7,18 +7,15 @@
 #include <vector>
 
 #include "catena/core/strategy/request.h"
+#include "catena/core/parts/order.h"
 #include "catena/core/ranks/across.h"
 #include "catena/core/ranks/communicator.h"
 #include "catena/core/ranks/part.h"
 
 namespace catena::ranks {
 
-/// How the spheres are shared out for the search.
-enum class Order {
-  measured,  ///< by space where more than an eighth of the blocks touch another rank in chain order
-  chain,     ///< as the parts come
-  space
-};
+/// How the spheres are shared out for the search; in chain order: as the parts come.
+using parts::Order;
 
 /// The steps of a search, in their order.
 enum class Phase { take_part, order, repartition, build, within, across, answers, done };
@@ -28,7 +25,7 @@ struct RankOptions {
   std::string variant = "auto";  ///< that searches each part
   Order order = Order::measured;
   Request request{};                           ///< what is wanted, and the limit of pairs over all ranks
-  std::uint32_t blocks_at_once = 0;            ///< see AcrossOptions
+  std::uint32_t blocks_at_once = 0, meetings = AcrossOptions().meetings;  ///< see AcrossOptions
   bool across_only = false;  ///< only pairs of two ranks are searched for: to count what those take
   std::function<void(Phase)> entering = [](Phase) {};  ///< called as this rank comes to each phase
 };

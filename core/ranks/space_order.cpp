@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "catena/core/executor/large_vector.h"
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/ranks/bytes.h"
+#include "catena/core/ranks/move_shares.h"
 #include "catena/core/ranks/tops.h"
 
 namespace catena::ranks {
@@ -98,20 +99,6 @@ class Goal {
   std::size_t last_ = 0;
 };
 
-/// Blocks that follow one another on a strand and go to one rank.
-struct Run {
-  SphereId first;
-  std::uint64_t size;
-  Strand strand;
-};
-
-/// What goes to one rank: runs, and where they begin in the part.
-struct Share {
-  std::vector<Run> runs;
-  std::vector<std::uint32_t> begin;
-  std::uint64_t spheres = 0;
-};
-
 std::vector<Share> shares_of(const Part& part, const Blocks& blocks, const std::vector<Key>& splitters,
                              unsigned ranks) {
   std::vector<Share> shares(ranks);
@@ -119,7 +106,6 @@ std::vector<Share> shares_of(const Part& part, const Blocks& blocks, const std::
   for_each_block(part.pieces, [&](const Block& block) {
     const Key key = blocks.key(block);
     Share& share = shares[goal.of(key)];
-    share.spheres += block.size;
     const bool goes_on = block.begin > part.pieces[block.piece].begin && !share.runs.empty() &&
                          share.runs.back().first + share.runs.back().size == key.first;
     if (goes_on) {
@@ -149,70 +135,9 @@ std::vector<IdPair> rows_of(const Part& part, const Share& share) {
   return extra;
 }
 
+/// What a rank tells another of its share, but for what each sphere has.
 Bytes packed(const Part& part, const Share& share) {
-  const std::vector<IdPair> extra = rows_of(part, share);
-  const bool arcs = !part.arcs.empty();
-  ByteWriter out;
-  out.reserve(4 * sizeof share.spheres + share.runs.size() * sizeof(Run) + extra.size() * sizeof(IdPair) +
-              share.spheres * (sizeof(Sphere) + (arcs ? sizeof(double) : 0)));
-  out.put_list(share.runs).put_list(extra).put(share.spheres);
-  for (std::size_t k = 0; k < share.runs.size(); ++k)
-    out.put_all(std::span(part.spheres).subspan(share.begin[k], share.runs[k].size));
-  if (arcs)
-    for (std::size_t k = 0; k < share.runs.size(); ++k)
-      out.put_all(std::span(part.arcs).subspan(share.begin[k], share.runs[k].size));
-  return out.take();
-}
-
-/// Moves what stays to the front.
-template <class Value>
-void keep(const Share& stays, std::vector<Value>& values) {
-  auto to = values.begin();
-  for (std::size_t k = 0; k < stays.runs.size(); ++k) {
-    const auto from = values.begin() + stays.begin[k];
-    to = std::move(from, from + static_cast<std::ptrdiff_t>(stays.runs[k].size), to);
-  }
-  values.erase(to, values.end());
-}
-
-/// What a rank sent, and where it goes.
-struct Came {
-  unsigned rank;
-  ByteReader in;
-  std::vector<Run> runs{};
-  std::vector<IdPair> extra{};
-  std::uint64_t spheres = 0;
-};
-
-Came read(const Message& message) {
-  Came came{message.rank, ByteReader(message.bytes)};
-  came.runs = came.in.get_list<Run>();
-  came.extra = came.in.get_list<IdPair>();
-  came.spheres = came.in.get<std::uint64_t>();
-  return came;
-}
-
-/// Values that stayed, at the front, and those that came, which their messages go on with, by rising ranks.
-template <class Value>
-void join(std::vector<Value>& values, std::vector<Came>& all, unsigned own) {
-  std::uint64_t before = 0, stayed = values.size(), after = 0;
-  for (const Came& came : all) (came.rank < own ? before : after) += came.spheres;
-  const std::uint64_t size = before + stayed + after;
-  if (size > values.capacity()) {
-    values.reserve(size);
-    wish_large_pages(values.data(), size * sizeof(Value));
-  }
-  values.resize(size);
-  const auto begin = values.begin();
-  if (before > 0)
-    std::move_backward(begin, begin + static_cast<std::ptrdiff_t>(stayed),
-                       begin + static_cast<std::ptrdiff_t>(before + stayed));
-  std::uint64_t at = 0;
-  for (Came& came : all) {
-    if (at == before) at += came.rank > own ? stayed : 0;
-    came.in.get_all(std::span(values).subspan(at, came.spheres));
-    at += came.spheres;
-  }
+  return ByteWriter().put_list(share.runs).put_list(rows_of(part, share)).take();
 }
 
 /// Pieces of runs that follow one another: where one goes on with a strand it is the same piece.
@@ -229,21 +154,30 @@ void append_pieces(const std::vector<Run>& runs, std::vector<Piece>& pieces) {
   }
 }
 
-/// The part of what stays and of what came, by rising ranks and so by rising spheres.
-void take_in(Part& part, const Share& stays, std::vector<Message> messages, unsigned own) {
-  std::vector<Came> all;
-  for (const Message& message : messages) all.push_back(read(message));
-  join(part.spheres, all, own);
-  if (part.rule.kind == Exclusion::Rule::arc_window) join(part.arcs, all, own);
+/// What the part is of when its spheres have moved: what stays and what comes, by rising ranks and so by
+/// rising spheres.
+void take_over(Part& part, const Share& stays, std::vector<IdPair> extra,
+               const std::vector<Message>& messages, unsigned own) {
   part.pieces.clear();
+  part.extra = std::move(extra);
   bool stayed_done = false;
-  for (const Came& came : all) {
-    if (came.rank > own && !std::exchange(stayed_done, true)) append_pieces(stays.runs, part.pieces);
-    append_pieces(came.runs, part.pieces);
-    part.extra.insert(part.extra.end(), came.extra.begin(), came.extra.end());
+  for (const Message& message : messages) {
+    if (message.rank > own && !std::exchange(stayed_done, true)) append_pieces(stays.runs, part.pieces);
+    ByteReader in(message.bytes);
+    append_pieces(in.get_list<Run>(), part.pieces);
+    const auto theirs = in.get_list<IdPair>();
+    part.extra.insert(part.extra.end(), theirs.begin(), theirs.end());
   }
   if (!stayed_done) append_pieces(stays.runs, part.pieces);
   std::ranges::sort(part.extra);
+}
+
+/// The most that any rank takes to send its blocks, so many at a time; 0: a sixteenth of them, at least 2^14.
+std::uint64_t rounds_of(Communicator& ranks, std::uint64_t blocks, std::uint64_t blocks_at_once) {
+  constexpr std::uint64_t fewest = 1 << 14, rounds = 16;
+  const std::uint64_t at_once =
+      blocks_at_once > 0 ? blocks_at_once : std::max(fewest, (blocks + rounds - 1) / rounds);
+  return std::ranges::max(all_gather_value(ranks, (blocks + at_once - 1) / at_once));
 }
 
 }  // namespace
@@ -264,33 +198,33 @@ double touching_share(Communicator& ranks, const Part& part) {
     ++looked_at;
     if (foreign.any()) foreign.for_each_rank(boxes[b], [&](unsigned) { ++touching; });
   }
-  struct Share {
+  struct Count {
     double touching, blocks;
   } own{0, static_cast<double>(blocks)}, all{0, 0};
   if (looked_at > 0) own.touching = own.blocks * touching / looked_at;
-  for (const Share& share : all_gather_value(ranks, own))
-    all.touching += share.touching, all.blocks += share.blocks;
+  for (const Count& count : all_gather_value(ranks, own))
+    all.touching += count.touching, all.blocks += count.blocks;
   return all.blocks == 0 ? 0 : all.touching / all.blocks;
 }
 
-Part part_in_space(Communicator& ranks, Part part) {
+Part part_in_space(Communicator& ranks, Part part, std::uint32_t blocks_at_once) {
   const Where all = where_all_are(ranks, part);
   const MortonGrid grid(all.corners);
-  std::vector<Message> out;
-  Share stays;
+  const std::uint64_t own_blocks = blocks_of(part.pieces);
+  std::vector<Share> shares;
   {
     const Blocks blocks(part, grid);
-    const std::uint64_t own_blocks = blocks_of(part.pieces);
     const std::vector<Key> chosen = splitters(ranks, blocks.some_keys(own_blocks), own_blocks, all.blocks);
-    std::vector<Share> shares = shares_of(part, blocks, chosen, ranks.size());
-    for (unsigned rank = 0; rank < ranks.size(); ++rank)
-      if (rank != ranks.rank() && shares[rank].spheres > 0) out.push_back({rank, packed(part, shares[rank])});
-    stays = std::move(shares[ranks.rank()]);
+    shares = shares_of(part, blocks, chosen, ranks.size());
   }
-  part.extra = rows_of(part, stays);
-  keep(stays, part.spheres);
-  if (!part.arcs.empty()) keep(stays, part.arcs);
-  take_in(part, stays, ranks.exchange(std::move(out)), ranks.rank());
+  std::vector<Message> out;
+  for (unsigned rank = 0; rank < ranks.size(); ++rank)
+    if (rank != ranks.rank() && !shares[rank].runs.empty()) out.push_back({rank, packed(part, shares[rank])});
+  const Share& stays = shares[ranks.rank()];
+  take_over(part, stays, rows_of(part, stays), ranks.exchange(std::move(out)), ranks.rank());
+  const std::uint64_t rounds = rounds_of(ranks, own_blocks, blocks_at_once);
+  move_shares(ranks, shares, rounds, part.spheres);
+  if (part.rule.kind == Exclusion::Rule::arc_window) move_shares(ranks, shares, rounds, part.arcs);
   return part;
 }
 

@@ -11,7 +11,8 @@ double touching_share(Communicator& ranks, const Part& part);
 /// Parts the spheres of all ranks anew: each rank gets blocks that are near in space, about as many as the
 /// others, by their Morton codes (a sample sort, without the sorting: what a rank gets stays in the order of
 /// the chain). Consecutive blocks that meet on a rank become one piece again, so that a tube stays a tube.
-/// O(part) time, and memory for what is sent and for what comes; what stays is moved within the part's own.
-Part part_in_space(Communicator& ranks, Part part);
+/// O(part) time. In rounds, of which none takes from a rank more than `blocks_at_once`; 0: a sixteenth of its
+/// own, at least 2^14. Memory for one round besides the part's own.
+Part part_in_space(Communicator& ranks, Part part, std::uint32_t blocks_at_once = 0);
 
 }  // namespace catena::ranks

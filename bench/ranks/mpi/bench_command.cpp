@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
+#include "catena/core/ranks/mpi/phase_peaks.h"
 #include "catena/core/ranks/mpi/rank_options.h"
 #include "catena/core/ranks/mpi/shared_input.h"
 #include "catena/core/ranks/phase_clock.h"
@@ -32,7 +32,10 @@ class BenchCommand final : public Command {
 
   int run() override {
     RankOptions options = search_.of({.want = Request::Want::counts});
-    options.entering = [this](Phase phase) { clock_.enter(phase); };
+    options.entering = [this](Phase phase) {
+      clock_.enter(phase);
+      peaks_.enter(phase);
+    };
     together(ranks_, [&] {
       const RankInput input(ranks_, input_, search_.input(), open_shared);
       Part part = input.part(0).part;
@@ -79,13 +82,12 @@ class BenchCommand final : public Command {
   void say(const RankAnswer& answer, const RankWork& work, const std::optional<PeriodicBox>& box,
            std::uint64_t bytes, std::uint64_t messages) {
     struct Share {
-      std::uint64_t spheres, asked, touching, rounds, bytes, messages, peak_kib;
+      std::uint64_t spheres, asked, touching, rounds, bytes, messages;
+      PhasePeaks::Kib peak_kib;
     };
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto shares = all_gather_value(
-        ranks_, Share{work.spheres, work.across.blocks_asked, work.across.blocks_touching, work.across.rounds,
-                      bytes, messages, static_cast<std::uint64_t>(usage.ru_maxrss)});
+    const auto shares =
+        all_gather_value(ranks_, Share{work.spheres, work.across.blocks_asked, work.across.blocks_touching,
+                                       work.across.rounds, bytes, messages, peaks_.kib()});
     if (ranks_.rank() != 0) return;
     nlohmann::ordered_json line{{"input", input_},
                                 {"n", answer.starts.back()},
@@ -98,6 +100,10 @@ class BenchCommand final : public Command {
     line["whole_ms"] = median([](const Times& t) { return t.whole; });
     for (std::size_t k = 0; k + 1 < PhaseClock::phases; ++k)
       line["phases_ms"][name_of(static_cast<Phase>(k))] = median([k](const Times& t) { return t.ms[k]; });
+    for (std::size_t k = 0; k + 1 < PhasePeaks::phases; ++k) {
+      const auto& most = std::ranges::max(shares, {}, [k](const Share& s) { return s.peak_kib[k]; });
+      line["phases_peak_kib"][name_of(static_cast<Phase>(k))] = most.peak_kib[k];
+    }
     for (const Share& s : shares)
       line["of_ranks"].push_back({{"spheres", s.spheres},
                                   {"blocks_asked", s.asked},
@@ -105,7 +111,7 @@ class BenchCommand final : public Command {
                                   {"rounds", s.rounds},
                                   {"bytes", s.bytes},
                                   {"messages", s.messages},
-                                  {"peak_kib", s.peak_kib}});
+                                  {"peak_kib", std::ranges::max(s.peak_kib)}});
     fmt::print("{}\n", json_line(line));
   }
 
@@ -122,6 +128,7 @@ class BenchCommand final : public Command {
   unsigned repetitions_ = 5;
   SearchOptions search_;
   PhaseClock clock_;
+  PhasePeaks peaks_;
   std::vector<Times> times_;
 };
 

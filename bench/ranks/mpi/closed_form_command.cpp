@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "catena/bench/closed_form/lattice_options.h"
@@ -8,6 +9,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
+#include "catena/core/ranks/mpi/phase_peaks.h"
 #include "catena/core/ranks/mpi/rank_options.h"
 
 namespace catena::ranks {
@@ -25,7 +27,9 @@ class ClosedFormCommand final : public Command {
   int run() override {
     const Request request = lattice_.request();
     const bench::LatticeBox& box = lattice_.box;
-    const RankOptions options = search_.of(request);
+    RankOptions options = search_.of(request);
+    PhasePeaks peaks;
+    options.entering = [&](Phase phase) { peaks.enter(phase); };
     std::string wrong;
     together(ranks_, [&] {
       const auto start = [&](unsigned rank) { return even_start(box.spheres(), ranks_.size(), rank); };
@@ -41,20 +45,27 @@ class ClosedFormCommand final : public Command {
       const Gathered faults = ranks_.all_gather(ByteWriter().put_all(std::span<const char>(wrong)).take());
       for (const Bytes& fault : *faults)
         if (wrong.empty()) wrong.assign(reinterpret_cast<const char*>(fault.data()), fault.size());
-      if (ranks_.rank() == 0) say(answer, work, wrong);
+      PhasePeaks::Kib most{};
+      for (const PhasePeaks::Kib& kib : all_gather_value(ranks_, peaks.kib()))
+        for (std::size_t k = 0; k < kib.size(); ++k) most[k] = std::max(most[k], kib[k]);
+      if (ranks_.rank() == 0) say(answer, work, wrong, most);
     });
     return wrong.empty() ? 0 : 1;
   }
 
  private:
-  void say(const RankAnswer& answer, const RankWork& work, const std::string& wrong) const {
+  /// `most`: of the rank that held the most, in each phase.
+  void say(const RankAnswer& answer, const RankWork& work, const std::string& wrong,
+           const PhasePeaks::Kib& most) const {
     const bench::LatticeBox& box = lattice_.box;
     const char* const order = work.in_space ? "space" : "chain";
     if (lattice_.json) {
-      const nlohmann::ordered_json line{{"input", box.scene()},       {"n", answer.starts.back()},
-                                        {"ranks", ranks_.size()},     {"order", order},
-                                        {"pairs", answer.pair_count}, {"closed_form", box.pairs()},
-                                        {"ties", box.ties()},         {"fault", wrong}};
+      nlohmann::ordered_json line{{"input", box.scene()},       {"n", answer.starts.back()},
+                                  {"ranks", ranks_.size()},     {"order", order},
+                                  {"pairs", answer.pair_count}, {"closed_form", box.pairs()},
+                                  {"ties", box.ties()},         {"fault", wrong}};
+      for (std::size_t k = 0; k + 1 < PhasePeaks::phases; ++k)
+        line["phases_peak_kib"][name_of(static_cast<Phase>(k))] = most[k];
       fmt::print("{}\n", line.dump());
       return;
     }

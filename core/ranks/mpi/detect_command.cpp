@@ -68,12 +68,12 @@ class DetectCommand final : public Command {
     if (!tables_.counts.empty()) open(counts, tables_.counts, AnswerTables::count_columns());
     for (std::uint32_t f = first; f < last; ++f) {
       NamedPart part = input.part(f);
-      const Directory directory = pairs || counts ? Directory(part) : Directory({});
+      const NamedPart none;
+      const Directory directory(pairs || counts ? part : none, tables_.depth || tables_.margin);
       clock_ = {};
       RankWork work;
       const std::optional<PeriodicBox> box = input.box(f);
-      const RankAnswer answer =
-          search_frame(ranks_, input, f, box, std::move(part.part), options, work);
+      const RankAnswer answer = search_frame(ranks_, input, f, box, std::move(part.part), options, work);
       if (request_.want == Request::Want::pairs && answer.pair_count > request_.pair_limit) {
         too_many.emplace(answer.pair_count, request_.pair_limit);
         return;

@@ -10,7 +10,7 @@ void SearchOptions::add_to(CLI::App& app) {
   app.add_option("--variant", variant_, "How each rank finds the pairs of its part; exact; see catena list")
       ->capture_default_str();
   app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
-      ->check(CLI::IsMember({"measured", "chain", "space"}))
+      ->check(CLI::IsMember(parts::order_names()))
       ->capture_default_str();
 }
 
@@ -19,11 +19,7 @@ void SearchOptions::add_input_to(CLI::App& app) { add_input_options(app, input_)
 RankOptions SearchOptions::of(Request request) const {
   if (!StrategyRegistry::instance().describe(variant_).exact)
     throw InputError("ranks decide exactly; name a variant that is exact, not " + variant_);
-  return {.variant = variant_,
-          .order = order_ == "chain"   ? Order::chain
-                   : order_ == "space" ? Order::space
-                                       : Order::measured,
-          .request = request};
+  return {.variant = variant_, .order = parts::order_named(order_), .request = request};
 }
 
 }  // namespace catena::ranks

@@ -19,7 +19,7 @@ class SearchOptions {
   const InputOptions& input() const { return input_; }
 
  private:
-  std::string variant_ = "auto", order_ = "measured";
+  std::string variant_ = "auto", order_ = parts::order_names().front();
   InputOptions input_{.takes_box = true};
 };
 

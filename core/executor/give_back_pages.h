@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace catena {
+
+/// Gives the memory of so many bytes back to the system, as far as it is whole pages; what was there is lost,
+/// and what is read there is 0 until it is written. For arrays that are emptied from their beginning while
+/// others are filled.
+inline void give_back_pages(void* begin, std::size_t bytes) {
+#if defined(__linux__)
+  constexpr std::uintptr_t page = 4096;
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page,
+             end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
+  if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
+#else
+  static_cast<void>(begin), static_cast<void>(bytes);
+#endif
+}
+
+}  // namespace catena
