@@ -26,7 +26,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
             {"order of space", search_.crowded_nodes() == 0,
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                          search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
-            {"grid of spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)}};
+            {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)}};
   }
 
   std::vector<WorkDone> work() const override {
@@ -34,6 +34,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
     return {{"block, sixteen blocks", work.rows},
             {"two blocks in space", work.entries},
             {"eight spheres, eight", work.near},
+            {"sixteen spheres, sixteen", work.sixteens},
             {"sphere, vector of spheres", work.tests}};
   }
 
