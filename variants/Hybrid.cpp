@@ -10,7 +10,7 @@ namespace catena {
 namespace {
 
 /// Hybrid: blocks of eight spheres in the chain's order where that says what is near, in the order of space
-/// where it does not, and single spheres in cells where much is near; see HybridSearch.
+/// where it does not, and single spheres where much is near; see HybridSearch.
 template <class Arithmetic>
 class Hybrid final : public HostSearch, public EvidenceNodes {
  public:
@@ -63,10 +63,10 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
 
 const RegisterVariant<Hybrid, Robust> registered{
     {.name = "Hybrid",
-     .summary = "blocks of eight spheres in the chain's order or in that of space, Grid where much is near",
+     .summary = "blocks of eight spheres in the chain's order or in that of space, single ones where much is near",
      .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others leaves the chain's order"},
                     {"dense", "1",
-                     "a block that costs more than so many times its spheres in cells goes there"},
+                     "a block that costs more than so many times its spheres one by one is parted into them"},
                     rows_parameter(),
                     Team::threads_parameter()},
      .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6}}};

@@ -6,15 +6,16 @@
 namespace catena {
 namespace {
 
-/// SphereTree: single spheres along a space-filling curve by classes of size, sixteen a node, in boxes; those of a
-/// node that another's box meets against vectors of the other's.
+/// SphereTree: single spheres along a space-filling curve by classes of size, sixteen a node, in boxes; those
+/// of a node that another's box meets against vectors of the other's.
 template <class Arithmetic>
 class SpheresInSpace final : public HostSearch, public EvidenceNodes {
  public:
   explicit SpheresInSpace(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {}
 
   std::vector<WorkDone> work() const override {
-    return {{"node, node", nodes_done() - nodes_before_}, {"sphere, sixteen spheres", tests_done() - tests_before_}};
+    return {{"node, node", nodes_done() - nodes_before_},
+            {"sphere, sixteen spheres", tests_done() - tests_before_}};
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }

@@ -27,7 +27,8 @@ inline constexpr std::uint32_t sphere_lanes = hn::MaxLanes(SphereTag());
 struct Verdict {
   hn::Mask<SphereTag> may, certain;
 };
-/// Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. A NaN overlaps nothing.
+/// Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. A NaN overlaps
+/// nothing.
 HWY_INLINE Verdict may_overlap(hn::Vec<SphereTag> dx, hn::Vec<SphereTag> dy, hn::Vec<SphereTag> dz,
                                hn::Vec<SphereTag> reach) {
   const SphereTag tag;
@@ -36,13 +37,15 @@ HWY_INLINE Verdict may_overlap(hn::Vec<SphereTag> dx, hn::Vec<SphereTag> dy, hn:
   return {hn::Le(q, hn::MulAdd(t, slack, floor)), hn::Lt(hn::MulAdd(q, slack, floor), t)};
 }
 
-/// A vector of spheres: x y z radius, each so many numbers behind the one before, and their indices. What is no
-/// sphere has no x (NaN).
+/// A vector of spheres: x y z radius, each so many numbers behind the one before, and their indices. What is
+/// no sphere has no x (NaN).
 struct VectorOfSpheres {
   const float* fields;
   std::uint32_t stride;
   const std::uint32_t* index;
-  HWY_INLINE hn::Vec<SphereTag> field(std::uint32_t f) const { return hn::LoadU(SphereTag(), fields + f * stride); }
+  HWY_INLINE hn::Vec<SphereTag> field(std::uint32_t f) const {
+    return hn::LoadU(SphereTag(), fields + f * stride);
+  }
 };
 
 /// Decides which spheres of a vector collide with one, and hands over those that are no neighbours to Found's
@@ -67,12 +70,14 @@ class VectorHits {
     store(i, sphere, others, hn::RebindMask(Bits(), verdict.may), verdict);
   }
   /// Against those whose bits are set.
-  HWY_INLINE void test(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others, std::uint32_t lanes) {
+  HWY_INLINE void test(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others,
+                       std::uint32_t lanes) {
     const auto some = static_cast<std::uint16_t>(lanes);
     std::uint8_t bytes[8] = {};
     std::memcpy(bytes, &some, sizeof some);
     const Verdict verdict = compare(sphere, others);
-    store(i, sphere, others, hn::And(hn::RebindMask(Bits(), verdict.may), hn::LoadMaskBits(Bits(), bytes)), verdict);
+    store(i, sphere, others, hn::And(hn::RebindMask(Bits(), verdict.may), hn::LoadMaskBits(Bits(), bytes)),
+          verdict);
   }
 
   /// Hands over what is left.
@@ -88,12 +93,13 @@ class VectorHits {
  private:
   static HWY_INLINE Verdict compare(const Sphere& s, const VectorOfSpheres& others) {
     const SphereTag tag;
-    return may_overlap(hn::Sub(others.field(0), hn::Set(tag, s.x)), hn::Sub(others.field(1), hn::Set(tag, s.y)),
-                       hn::Sub(others.field(2), hn::Set(tag, s.z)), hn::Add(others.field(3), hn::Set(tag, s.radius)));
+    return may_overlap(
+        hn::Sub(others.field(0), hn::Set(tag, s.x)), hn::Sub(others.field(1), hn::Set(tag, s.y)),
+        hn::Sub(others.field(2), hn::Set(tag, s.z)), hn::Add(others.field(3), hn::Set(tag, s.radius)));
   }
 
-  HWY_INLINE void store(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others, hn::Mask<Bits> keep,
-                        const Verdict& verdict) {
+  HWY_INLINE void store(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others,
+                        hn::Mask<Bits> keep, const Verdict& verdict) {
     // |j - i| > window is one comparison of what wraps, and never true of i itself.
     const auto j = hn::LoadU(Bits(), others.index);
     keep = hn::And(keep, hn::Gt(hn::Sub(j, hn::Set(Bits(), i - window_)), hn::Set(Bits(), 2 * window_)));

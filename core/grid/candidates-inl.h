@@ -28,8 +28,8 @@ struct Run {
   std::uint32_t first, end;
 };
 
-/// Found is as for VectorHits, and has satisfied(), true when nothing more is asked for. Sink has the members of
-/// GridEvidence; NoGridEvidence costs nothing.
+/// Found is as for VectorHits, and has satisfied(), true when nothing more is asked for. Sink has the members
+/// of GridEvidence; NoGridEvidence costs nothing.
 template <class Found, class Sink>
 class Candidates {
  public:

@@ -4,12 +4,13 @@
 
 namespace catena {
 
-/// Hilbert's curve through the cubes of space: two that follow one another on it share a face, where Morton's leaps, so
-/// that stretches of it are about half as wide in sum.
+/// Hilbert's curve through the cubes of space: two that follow one another on it share a face, where Morton's
+/// leaps, so that stretches of it are about half as wide in sum.
 class HilbertCurve {
  public:
-  /// The place on the curve, below 8^levels, of the cube that has this Morton code (x the highest bit of three), at most
-  /// 10 levels deep. A bijection; the first half of the levels gives the first half of the place.
+  /// The place on the curve, below 8^levels, of the cube that has this Morton code (x the highest bit of
+  /// three), at most 10 levels deep. A bijection; the first half of the levels gives the first half of the
+  /// place.
   static constexpr std::uint32_t place(std::uint32_t morton, int levels) {
     std::uint32_t state = 0, result = 0;
     for (int shift = 3 * (levels - 1); shift >= 0; shift -= 3) {
@@ -21,8 +22,8 @@ class HilbertCurve {
   }
 
  private:
-  // After Hamilton 2006: within a cube the curve enters at a corner and leaves along an axis; eight corners and three
-  // axes make 24 states.
+  // After Hamilton 2006: within a cube the curve enters at a corner and leaves along an axis; eight corners
+  // and three axes make 24 states.
   static constexpr std::uint32_t axes = 3, corners = 8;
 
   static constexpr std::uint32_t turned_left(std::uint32_t bits, std::uint32_t by) {
@@ -30,7 +31,9 @@ class HilbertCurve {
     return (bits << by | bits >> (axes - by)) & (corners - 1);
   }
   static constexpr std::uint32_t gray(std::uint32_t place) { return place ^ place >> 1; }
-  static constexpr std::uint32_t entry(std::uint32_t place) { return place == 0 ? 0 : gray((place - 1) & ~1u); }
+  static constexpr std::uint32_t entry(std::uint32_t place) {
+    return place == 0 ? 0 : gray((place - 1) & ~1u);
+  }
   static constexpr std::uint32_t ones_below(std::uint32_t bits) {
     std::uint32_t ones = 0;
     for (; bits & 1; bits >>= 1) ++ones;

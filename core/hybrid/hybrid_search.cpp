@@ -1,19 +1,24 @@
 #include "catena/core/hybrid/hybrid_search.h"
 
 #include <algorithm>
-#include <atomic>
+#include <mutex>
 #include <numeric>
 #include <optional>
 
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/grid/grid_evidence.h"
+#include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/hybrid/crowd_evidence.h"
 #include "catena/core/space_tree/space_evidence.h"
 
 namespace catena {
 
 HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
-    : settings_(settings), block_queues_(threads), entry_queues_(threads), grid_queues_(threads), sphere_queues_(threads) {}
+    : settings_(settings),
+      block_queues_(threads),
+      entry_queues_(threads),
+      grid_queues_(threads),
+      sphere_queues_(threads) {}
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
   parts_.space.entries = 0;
@@ -30,7 +35,7 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     if (parts_.crowding.crowded_nodes() > 0) build_in_space(chain, team);
   }
   if (parts_.dense_count == 0) return;
-  parts_.in_cells = about_equal_radii(chain, team);
+  parts_.in_cells = cells_fit(chain, team);
   if (parts_.in_cells)
     build_grid(chain, parts_.grid, dense_, team);
   else
@@ -96,7 +101,8 @@ void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::L
   search_uncrowded(chain, parts_.tree, parts_.crowding, block_queues_[0], lane,
                    BlockEvidence(chain, parts_.tree, uncrowded));
   if (nodes.spheres)
-    search_sphere_tree(chain, parts_.spheres, sphere_queues_[0], lane, SphereEvidence(chain, *nodes.spheres, sink));
+    search_sphere_tree(chain, parts_.spheres, sphere_queues_[0], lane,
+                       SphereEvidence(chain, *nodes.spheres, sink));
   if (!nodes.cells) return;
   GridEvidence cells(chain, *nodes.cells, sink);
   search_grid(chain, parts_.grid, grid_queues_[0], lane, cells);
@@ -138,25 +144,38 @@ void HybridSearch::gather_dense(const Team& team) {
   });
 }
 
-/// Cells have one width, which serves spheres of a factor of 2; a few smaller ones cost little in it, but one that
-/// is much greater makes it too wide for all others.
-bool HybridSearch::about_equal_radii(const ChainView& chain, const Team& team) const {
+/// Cells have one width, which serves spheres of a factor of 2; a few smaller ones cost little in it, but one
+/// that is much greater makes it too wide for all others. And they are worth it where the chain's box has so
+/// few that they lie in memory as they do in space.
+bool HybridSearch::cells_fit(const ChainView& chain, const Team& team) const {
   constexpr std::uint32_t few = 64, spheres_of_a_task = 1 << 14;  // one in so many
   const auto radius = [&](std::uint32_t k) { return chain.spheres[dense_.empty() ? k : dense_[k]].radius; };
-  std::atomic<float> greatest = 0;
-  std::atomic<std::uint32_t> small = 0;
-  const auto for_each_task = [&](const auto& body) { team.for_each_range(parts_.dense_count, spheres_of_a_task, body); };
-  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
+  std::mutex joining;
+  float greatest = 0;
+  CentreCorners corners;
+  std::uint32_t small = 0;
+  team.for_each_range(parts_.dense_count, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
     float own = 0;
     for (std::uint32_t k = begin; k < end; ++k) own = std::max(own, radius(k));
-    for (float so_far = greatest; so_far < own && !greatest.compare_exchange_weak(so_far, own);) {}
+    const std::lock_guard lock(joining);
+    greatest = std::max(greatest, own);
   });
-  for_each_task([&](std::uint32_t begin, std::uint32_t end) {
+  team.for_each_range(parts_.dense_count, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
     std::uint32_t own = 0;
     for (std::uint32_t k = begin; k < end; ++k) own += radius(k) < greatest / 2;
+    const std::lock_guard lock(joining);
     small += own;
   });
-  return small <= parts_.dense_count / few;
+  if (small > parts_.dense_count / few) return false;
+  team.for_each_range(chain.size, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    CentreCorners own;
+    for (std::uint32_t i = begin; i < end; ++i) own.take(chain.spheres[i]);
+    const std::lock_guard lock(joining);
+    corners.join(own);
+  });
+  const CentreBox box{{corners.low.x, corners.low.y, corners.low.z},
+                      {corners.high.x, corners.high.y, corners.high.z}};
+  return !map_buckets(greatest, box, parts_.dense_count).wraps;
 }
 
 HybridSearch::Work HybridSearch::met() const {

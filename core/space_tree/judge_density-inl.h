@@ -18,9 +18,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// True when most of some crowded blocks, taken all along the chain, meet so many others that no order of blocks
-/// would do: then a second search for the rest is not worth its while. `block_ns` is what a search of their
-/// spheres one by one costs a block.
+/// True when most of some crowded blocks, taken all along the chain, meet so many others that no order of
+/// blocks would do: then a second search for the rest is not worth its while. `block_ns` is what a search of
+/// their spheres one by one costs a block.
 inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double block_ns) {
   constexpr std::uint32_t samples = 32, others = samples / 2, group = BlockTree::group;
   const double search_ns = block_ns - SpaceCost::build_ns;
@@ -55,10 +55,10 @@ class SpaceSample {
   SpaceCost cost_;
 };
 
-/// Looks at one node of sixteen, and judges all by it; where most are dense after all, all are. `block_ns` as for
-/// mostly_dense.
-inline void judge_density(SpaceTree& space, Crowding& crowding, std::span<SpaceQueue> queues,
-                          double block_ns, const Team& team) {
+/// Looks at one node of sixteen, and judges all by it; where most are dense after all, all are. `block_ns` as
+/// for mostly_dense.
+inline void judge_density(SpaceTree& space, Crowding& crowding, std::span<SpaceQueue> queues, double block_ns,
+                          const Team& team) {
   constexpr std::uint32_t group = SpaceTree::group, judged_at_once = 16, judged_by_a_task = 8,
                           nodes_of_a_task = 64;
   for (std::uint32_t node = 0; node < crowding.nodes(); ++node) crowding.dense(node) = 0;

@@ -22,8 +22,8 @@ struct SpaceCost {
   }
 };
 
-/// What it costs, about, to search a sphere of those in crowded nodes by itself: in cells where their radii come in
-/// one octave, as one in 128 tells, and else in the order of space.
+/// What it costs, about, to search a sphere of those in crowded nodes by itself: in cells where their radii
+/// come in one octave, as one in 128 tells, and else in the order of space.
 double single_spheres_ns(const ChainView& chain, const BlockTree& tree, const Crowding& crowding);
 
 }  // namespace catena

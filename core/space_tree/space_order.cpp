@@ -12,9 +12,10 @@
 namespace catena {
 namespace {
 
-// An entry is a class, a place on the curve of so many bits an axis and the number of a box, which takes half of it.
+// An entry is a class, a place on the curve of so many bits an axis and the number of a box, which takes half
+// of it.
 constexpr int bits = 9, classes = 32;
-constexpr float step = 8;  // from class to class
+constexpr float step = 8;    // from class to class
 constexpr int deepest = 12;  // 2^(9 * 13) a side, more than binary32 has
 
 /// What is sorted: by the number of each the middle, or twice that, and the size.
@@ -63,7 +64,8 @@ struct SpaceOrder::Sort {
     team.for_each_range(static_cast<std::uint32_t>(some.size()), entries_of_a_task,
                         [&](std::uint32_t begin, std::uint32_t end) {
                           for (std::uint64_t& entry : some.subspan(begin, end - begin))
-                            entry = key(cubes, of, number(entry), by_class ? all.greatest : 0) << 32 | number(entry);
+                            entry = key(cubes, of, number(entry), by_class ? all.greatest : 0) << 32 |
+                                    number(entry);
                         });
     sort_keys(some, team);
     if (depth > 0) refine(of, some, depth - 1, team);
@@ -113,8 +115,7 @@ struct SpaceOrder::Sort {
     }
     team.for_each_range(static_cast<std::uint32_t>(cubes.size()), 1,
                         [&](std::uint32_t begin, std::uint32_t end) {
-                          for (std::uint32_t k = begin; k < end; ++k)
-                            run(of, cubes[k], false, depth, team);
+                          for (std::uint32_t k = begin; k < end; ++k) run(of, cubes[k], false, depth, team);
                         });
   }
 };

@@ -16,9 +16,9 @@ struct BoxRows {
   std::uint32_t size;
 };
 
-/// Sorts boxes or spheres in space: by class of size, a factor of 8 each and the greatest first, and in a class
-/// along Hilbert's curve through the cubes of the box of their middles, 512 a side, and of cubes with many of
-/// them. Equal ones keep their order. The same for any team.
+/// Sorts boxes or spheres in space: by class of size, a factor of 8 each and the greatest first, and in a
+/// class along Hilbert's curve through the cubes of the box of their middles, 512 a side, and of cubes with
+/// many of them. Equal ones keep their order. The same for any team.
 class CATENA_API SpaceOrder {
  public:
   SpaceOrder();

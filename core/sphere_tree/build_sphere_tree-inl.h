@@ -21,7 +21,8 @@ namespace catena::HWY_NAMESPACE {
 
 class SphereBuild {
  public:
-  SphereBuild(const ChainView& chain, SphereTree& tree, const Team& team) : chain_(chain), tree_(tree), team_(team) {}
+  SphereBuild(const ChainView& chain, SphereTree& tree, const Team& team)
+      : chain_(chain), tree_(tree), team_(team) {}
 
   void run(std::span<const std::uint32_t> only) {
     tree_.spheres = only.empty() ? chain_.size : static_cast<std::uint32_t>(only.size());
@@ -29,9 +30,10 @@ class SphereBuild {
     make_room();
     constexpr std::uint32_t nodes_of_a_task = 64 * group;
     const auto for_each = [&](std::uint32_t count, const auto& body) {
-      team_.for_each_range((count + group - 1) / group, nodes_of_a_task / group, [&](std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t k = begin * group; k < end * group; ++k) body(k);
-      });
+      team_.for_each_range((count + group - 1) / group, nodes_of_a_task / group,
+                           [&](std::uint32_t begin, std::uint32_t end) {
+                             for (std::uint32_t k = begin * group; k < end * group; ++k) body(k);
+                           });
     };
     for_each(tree_.nodes(), [&](std::uint32_t node) { lay_out(node); });
     for (std::size_t l = 1; l < tree_.boxes.size(); ++l)
@@ -73,7 +75,8 @@ class SphereBuild {
       box[d * group] = least(neg_mul_add(abs(low), outward, low));
       box[(3 + d) * group] = -least(neg_mul_add(abs(high), outward, Lanes16::all(0) - high));
     }
-    for (std::uint32_t k = tree_.spheres - first; k < group; ++k) to[k] = std::numeric_limits<float>::quiet_NaN();
+    for (std::uint32_t k = tree_.spheres - first; k < group; ++k)
+      to[k] = std::numeric_limits<float>::quiet_NaN();
   }
 
   static HWY_INLINE float least(const Lanes16& v) {

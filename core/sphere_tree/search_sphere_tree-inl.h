@@ -1,4 +1,5 @@
-// The colliding pairs of a SphereTree: boxes of nodes, then spheres against the other node's box, then spheres.
+// The colliding pairs of a SphereTree: boxes of nodes, then spheres against the other node's box, then
+// spheres.
 #if defined(CATENA_CORE_SPHERE_TREE_SEARCH_SPHERE_TREE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_SPHERE_TREE_SEARCH_SPHERE_TREE_INL_H
 #undef CATENA_CORE_SPHERE_TREE_SEARCH_SPHERE_TREE_INL_H
@@ -22,16 +23,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Boxes around the spheres of a node. Rounding is monotone: an end that is apart from that of a box belongs to a
-/// sphere that is.
+/// Boxes around the spheres of a node. Rounding is monotone: an end that is apart from that of a box belongs
+/// to a sphere that is.
 HWY_INLINE AxisBoxes boxes_of_spheres(const float* fields) {
   const Vectors at = Vectors::load(fields);
   const Lanes16 radius = Lanes16::load(fields + 3 * SphereTree::group);
   return {{at.x - radius, at.y - radius, at.z - radius}, {at.x + radius, at.y + radius, at.z + radius}};
 }
 
-/// Found is as for VectorHits, and has satisfied(), true when nothing more is asked for. Sink has the members of
-/// SphereEvidence; NoSphereEvidence costs nothing.
+/// Found is as for VectorHits, and has satisfied(), true when nothing more is asked for. Sink has the members
+/// of SphereEvidence; NoSphereEvidence costs nothing.
 template <class Found, class Sink>
 class SphereSearch {
  public:
@@ -64,7 +65,8 @@ class SphereSearch {
   void down(std::size_t l, std::uint32_t g, std::uint32_t a, const AxisBoxes& box) {
     // Of nodes later ones, and of nodes above them those that may hold some.
     const std::uint32_t first = g * group, from = l == 0 ? a + 1 : a >> 4 * l;
-    const std::uint32_t later = lane_bits(tree_.count(l) - first) & ~(from > first ? lane_bits(from - first) : 0);
+    const std::uint32_t later =
+        lane_bits(tree_.count(l) - first) & ~(from > first ? lane_bits(from - first) : 0);
     const std::uint32_t met = later & meet(box, AxisBoxes::load(tree_.boxes_of(l, g))).bits();
     if constexpr (Sink::listens)
       for_each_lane(later & ~met, [&](std::uint32_t k) { sink_.nodes_apart(a, l, first + k); });
@@ -83,8 +85,8 @@ class SphereSearch {
     q_.tests_done += count - 1;
   }
 
-  /// Node a with those that are queued. Those of the one that the other's box meets are tested against all of the
-  /// other: from the side that has fewer.
+  /// Node a with those that are queued. Those of the one that the other's box meets are tested against all of
+  /// the other: from the side that has fewer.
   void meet_nodes(std::uint32_t a, const AxisBoxes& box) {
     const AxisBoxes spheres = boxes_of_spheres(tree_.fields_of(a));
     for (std::size_t k = 0; k < nodes_; ++k) {
@@ -94,9 +96,8 @@ class SphereSearch {
       const bool from_a = std::popcount(mine) <= std::popcount(theirs);
       const std::uint32_t node = from_a ? a : b, other = from_a ? b : a, lanes = from_a ? mine : theirs;
       if constexpr (Sink::listens)
-        for_each_lane(there(node) & ~lanes, [&](std::uint32_t p) {
-          sink_.sphere_apart(tree_.index[node * group + p], other);
-        });
+        for_each_lane(there(node) & ~lanes,
+                      [&](std::uint32_t p) { sink_.sphere_apart(tree_.index[node * group + p], other); });
       if (lanes == 0) continue;
       add_tests(node, lanes, other);
       if (tests_ > SphereQueues::test_limit) work_off();
@@ -131,7 +132,8 @@ class SphereSearch {
     const Sphere sphere{own[0], own[group], own[2 * group], own[3 * group]};
     const std::uint32_t i = tree_.index[place];
     if constexpr (Sink::listens)
-      for_each_lane(lanes & there(node), [&](std::uint32_t k) { sink_.compared(i, tree_.index[node * group + k]); });
+      for_each_lane(lanes & there(node),
+                    [&](std::uint32_t k) { sink_.compared(i, tree_.index[node * group + k]); });
     for (std::uint32_t k = 0; k < group; k += sphere_lanes) {
       const VectorOfSpheres others{tree_.fields_of(node) + k, group, tree_.index.data() + node * group + k};
       if constexpr (some)

@@ -16,8 +16,9 @@ void build_sphere_tree_here(const ChainView& chain, SphereTree& tree, std::span<
   SphereBuild(chain, tree, team).run(only);
 }
 
-void search_sphere_tree_here(const ChainView& chain, const SphereTree& tree, std::uint32_t begin, std::uint32_t end,
-                             SphereQueues& queues, PairCollector::Lane& lane, const SphereEvidence* evidence) {
+void search_sphere_tree_here(const ChainView& chain, const SphereTree& tree, std::uint32_t begin,
+                             std::uint32_t end, SphereQueues& queues, PairCollector::Lane& lane,
+                             const SphereEvidence* evidence) {
   const auto run = [&](const auto& sink) { SphereSearch(chain, tree, queues, lane, sink).run(begin, end); };
   evidence != nullptr ? run(*evidence) : run(NoSphereEvidence{});
 }

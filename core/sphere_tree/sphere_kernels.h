@@ -10,15 +10,16 @@
 
 namespace catena {
 
-/// Sorts the spheres of a chain, or `only` those of these ascending indices where it is not empty, and encloses them
-/// in nodes. O(n log n); does not allocate when n has not grown, in a team of one.
-CATENA_API void build_sphere_tree(const ChainView& chain, SphereTree& tree, std::span<const std::uint32_t> only,
-                                  const Team& team);
+/// Sorts the spheres of a chain, or `only` those of these ascending indices where it is not empty, and
+/// encloses them in nodes. O(n log n); does not allocate when n has not grown, in a team of one.
+CATENA_API void build_sphere_tree(const ChainView& chain, SphereTree& tree,
+                                  std::span<const std::uint32_t> only, const Team& team);
 
-/// Reports every colliding pair of the tree's spheres to the collector, once. As many lanes and queues as the team
-/// has members.
-CATENA_API void search_sphere_tree(const ChainView& chain, const SphereTree& tree, std::span<SphereQueues> queues,
-                                   PairCollector& collector, const Team& team);
+/// Reports every colliding pair of the tree's spheres to the collector, once. As many lanes and queues as the
+/// team has members.
+CATENA_API void search_sphere_tree(const ChainView& chain, const SphereTree& tree,
+                                   std::span<SphereQueues> queues, PairCollector& collector,
+                                   const Team& team);
 
 /// The same to the lane, by the caller alone, slower, and tells `evidence` of all pairs of those spheres.
 CATENA_API void search_sphere_tree(const ChainView& chain, const SphereTree& tree, SphereQueues& queues,

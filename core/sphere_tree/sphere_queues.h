@@ -6,8 +6,8 @@
 
 namespace catena {
 
-/// What a search of a SphereTree works on: nodes that a node's box meets, tests of a sphere against a node, and the
-/// pairs that a test leaves. Flat lists instead of nested loops, whose ends are hard to foretell.
+/// What a search of a SphereTree works on: nodes that a node's box meets, tests of a sphere against a node,
+/// and the pairs that a test leaves. Flat lists instead of nested loops, whose ends are hard to foretell.
 struct SphereQueues {
   static constexpr std::size_t group = 16;  ///< that much may be added at once, past a limit
   static constexpr std::size_t node_limit = 48, test_limit = 256, hit_limit = 1024;

@@ -7,12 +7,14 @@
 
 namespace catena {
 
-/// Single spheres in the order of space, for where much is near, or radii are mixed: sorted by class of size and
-/// along a space-filling curve, sixteen that follow one another a node, in boxes along the axes of space; sixteen
-/// nodes the next, and so on. A place in that order is a *place*. 22 bytes a sphere, and 8 that the sort takes.
+/// Single spheres in the order of space, for where much is near, or radii are mixed: sorted by class of size
+/// and along a space-filling curve, sixteen that follow one another a node, in boxes along the axes of space;
+/// sixteen nodes the next, and so on. A place in that order is a *place*. 22 bytes a sphere, and 8 that the
+/// sort takes.
 struct SphereTree {
   static constexpr std::uint32_t group = 16;
-  /// Fields of a node's spheres: x y z radius; what fills the last node up has no x (NaN), which meets nothing.
+  /// Fields of a node's spheres: x y z radius; what fills the last node up has no x (NaN), which meets
+  /// nothing.
   static constexpr std::uint32_t sphere_fields = 4;
   /// Fields of sixteen boxes: low x y z, high x y z.
   static constexpr std::uint32_t box_fields = 6;
@@ -31,7 +33,9 @@ struct SphereTree {
     for (; level > 0; --level) count = (count + group - 1) / group;
     return count;
   }
-  const float* fields_of(std::uint32_t node) const { return fields.data() + std::size_t{node} * group * sphere_fields; }
+  const float* fields_of(std::uint32_t node) const {
+    return fields.data() + std::size_t{node} * group * sphere_fields;
+  }
   float* fields_of(std::uint32_t node) { return fields.data() + std::size_t{node} * group * sphere_fields; }
   const float* boxes_of(std::size_t level, std::uint32_t g) const {
     return boxes[level].data() + std::size_t{g} * group * box_fields;

@@ -20,11 +20,13 @@ float field(const SphereTree& tree, std::size_t level, std::uint32_t k, std::uin
   return tree.boxes_of(level, k / SphereTree::group)[f * SphereTree::group + k % SphereTree::group];
 }
 
-/// Exactly, as a sum of two binary32 numbers is with a third in binary64 but for its rounding, which is monotone.
+/// Exactly, as a sum of two binary32 numbers is with a third in binary64 but for its rounding, which is
+/// monotone.
 bool holds(const SphereTree& tree, std::uint32_t node, const Sphere& s) {
   const double at[3] = {s.x, s.y, s.z};
   for (std::uint32_t d = 0; d < 3; ++d)
-    if (at[d] - field(tree, 0, node, d) < s.radius || field(tree, 0, node, 3 + d) - at[d] < s.radius) return false;
+    if (at[d] - field(tree, 0, node, d) < s.radius || field(tree, 0, node, 3 + d) - at[d] < s.radius)
+      return false;
   return true;
 }
 
@@ -68,14 +70,17 @@ TEST(SphereTree, IsTheSameForAnyTeam) {
   std::vector<Sphere> spheres;
   for (std::uint32_t k = 0; k < 60'000; ++k) {
     const float wide = dice.one_in(3) ? 0.01f : 100.0f;
-    spheres.push_back({wide * dice.symmetric(), wide * dice.symmetric(), wide * dice.symmetric(), 0.01f * wide});
+    spheres.push_back(
+        {wide * dice.symmetric(), wide * dice.symmetric(), wide * dice.symmetric(), 0.01f * wide});
   }
   const Chain chain(std::move(spheres));
   SphereTree one, several;
   build_sphere_tree(chain.view(), one, {}, Team());
-  build_sphere_tree(chain.view(), several, {}, Team(Parameters("test", {Team::threads_parameter()}, "threads=3")));
+  build_sphere_tree(chain.view(), several, {},
+                    Team(Parameters("test", {Team::threads_parameter()}, "threads=3")));
   EXPECT_TRUE(std::ranges::equal(one.index, several.index));
-  for (std::size_t l = 0; l < one.boxes.size(); ++l) EXPECT_TRUE(std::ranges::equal(one.boxes[l], several.boxes[l]));
+  for (std::size_t l = 0; l < one.boxes.size(); ++l)
+    EXPECT_TRUE(std::ranges::equal(one.boxes[l], several.boxes[l]));
 }
 
 }  // namespace

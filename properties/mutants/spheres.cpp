@@ -64,8 +64,8 @@ class LastNodeLost final : public FaultySpheres {
     for (std::uint32_t d = 0; d < 3; ++d) box[d * group] = std::numeric_limits<float>::infinity();
   }
 };
-const RegisterMutant<LastNodeLost> last_node{"sphere-tree-drops-its-last-node",
-                                             "sixteen boxes at a time, and the last that are there forgotten"};
+const RegisterMutant<LastNodeLost> last_node{
+    "sphere-tree-drops-its-last-node", "sixteen boxes at a time, and the last that are there forgotten"};
 
 /// What fills a node up begins one too early.
 class LastSphereLost final : public FaultySpheres {
@@ -85,8 +85,9 @@ class CopiesMeet final : public FaultySpheres {
     for (std::uint32_t k = last % group + 1; k < group; ++k) fields[k] = fields[last % group];
   }
 };
-const RegisterMutant<CopiesMeet> copies{"sphere-tree-meets-its-filling",
-                                        "a last node filled up with copies, which overlap what the last sphere does"};
+const RegisterMutant<CopiesMeet> copies{
+    "sphere-tree-meets-its-filling",
+    "a last node filled up with copies, which overlap what the last sphere does"};
 
 }  // namespace
 }  // namespace catena::properties
