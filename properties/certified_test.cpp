@@ -5,8 +5,9 @@ namespace catena::properties {
 namespace {
 
 TEST(Certified, AreGridAndHybridWhateverPartsItTakes) {
-  for (const char* name : {"Grid", "Hybrid", "Hybrid(crowd=0,dense=1e6)", "Hybrid(crowd=0,dense=0)",
-                           "Hybrid(crowd=2,dense=0.7)", "Hybrid(crowd=1,dense=2,threads=3)", "auto"})
+  for (const char* name :
+       {"Grid", "SphereTree", "Hybrid", "Hybrid(crowd=0,dense=1e6)", "Hybrid(crowd=0,dense=0)",
+        "Hybrid(crowd=2,dense=0.7)", "Hybrid(crowd=1,dense=2,threads=3)", "auto"})
     expect_certified(name);
 }
 

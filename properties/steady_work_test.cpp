@@ -21,8 +21,9 @@ constexpr std::uint32_t n = 20'000;
 /// About nanoseconds on one core.
 double cost(const HybridSearch::Work& work) {
   return 4.0 * n + 25.0 * static_cast<double>(work.rows) + 8.0 * static_cast<double>(work.entries) +
-         25.0 * static_cast<double>(work.near) + 6.0 * static_cast<double>(work.tests) +
-         6.0 * static_cast<double>(work.crowded) + 8.0 * static_cast<double>(work.dense);
+         25.0 * static_cast<double>(work.near) + 20.0 * static_cast<double>(work.sixteens) +
+         6.0 * static_cast<double>(work.tests) + 6.0 * static_cast<double>(work.crowded) +
+         8.0 * static_cast<double>(work.dense);
 }
 
 HybridSearch::Work work_of(const Chain& chain, const HybridSearch::Settings& settings) {
@@ -106,6 +107,46 @@ TEST(SteadyWork, OverThePitchOfACoil) {
     return Chain(std::move(spheres));
   };
   EXPECT_LT(greatest_jump(coil, 0.05, 0.12, crowded), most);
+  EXPECT_TRUE(crowded);
+}
+
+/// Radii of a ball drawn from a range, where one width of cells serves no more from some ratio on.
+TEST(SteadyWork, OverTheRangeOfRadii) {
+  bool crowded;
+  const auto drawn = [](double ratio) {
+    std::vector<Sphere> spheres = ball(0.5, 0.5);
+    Random random(3);
+    for (Sphere& s : spheres) s.radius *= static_cast<float>(std::pow(ratio, -random.unit()));
+    return Chain(std::move(spheres));
+  };
+  EXPECT_LT(greatest_jump(drawn, 1, 100, crowded), most);
+  EXPECT_TRUE(crowded);
+}
+
+TEST(SteadyWork, OverTheDensityOfPoints) {
+  bool crowded;
+  const auto points = [](double side) {
+    Random random(4);
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const auto at = [&] { return static_cast<float>(side * random.unit()); };
+      spheres.push_back({at(), at(), at(), 0.5f});
+    }
+    return Chain(std::move(spheres));
+  };
+  EXPECT_LT(greatest_jump(points, 15, 600, crowded), most);
+  EXPECT_TRUE(crowded);
+}
+
+/// A winding path whose steps become longer, until blocks are no capsules any more.
+TEST(SteadyWork, OverTheStepOfATangle) {
+  bool crowded;
+  const auto stretched = [](double step) {
+    std::vector<Sphere> spheres = ball(0.5, 0.5);
+    for (Sphere& s : spheres) s.radius /= static_cast<float>(step);
+    return Chain(std::move(spheres));
+  };
+  EXPECT_LT(greatest_jump(stretched, 0.5, 20, crowded), most);
   EXPECT_TRUE(crowded);
 }
 

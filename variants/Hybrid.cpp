@@ -10,7 +10,7 @@ namespace catena {
 namespace {
 
 /// Hybrid: blocks of eight spheres in the chain's order where that says what is near, in the order of space
-/// where it does not, and single spheres in cells where much is near; see HybridSearch.
+/// where it does not, and single spheres where much is near; see HybridSearch.
 template <class Arithmetic>
 class Hybrid final : public HostSearch, public EvidenceNodes {
  public:
@@ -26,7 +26,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
             {"order of space", search_.crowded_nodes() == 0,
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                          search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
-            {"grid of spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)}};
+            {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)}};
   }
 
   std::vector<WorkDone> work() const override {
@@ -34,6 +34,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
     return {{"block, sixteen blocks", work.rows},
             {"two blocks in space", work.entries},
             {"eight spheres, eight", work.near},
+            {"sixteen spheres, sixteen", work.sixteens},
             {"sphere, vector of spheres", work.tests}};
   }
 
@@ -62,10 +63,10 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
 
 const RegisterVariant<Hybrid, Robust> registered{
     {.name = "Hybrid",
-     .summary = "blocks of eight spheres in the chain's order or in that of space, Grid where much is near",
+     .summary = "blocks of eight spheres in the chain's order or in that of space, single ones where much is near",
      .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others leaves the chain's order"},
                     {"dense", "1",
-                     "a block that costs more than so many times its spheres in cells goes there"},
+                     "a block that costs more than so many times its spheres one by one is parted into them"},
                     rows_parameter(),
                     Team::threads_parameter()},
      .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6}}};

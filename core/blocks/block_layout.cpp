@@ -48,6 +48,15 @@ float block_scale(const Extent& extent) {
   return std::ldexp(1.0f, std::clamp(19 - std::ilogb(greatest), -126, 127));
 }
 
+std::uint32_t count_blocks(const ChainView& chain) {
+  const auto blocks = [](std::uint32_t spheres) { return spheres / block + (spheres % block != 0); };
+  if (chain.strand_count == 1) return blocks(chain.size);
+  std::uint32_t count = 0;
+  const std::uint32_t* const first = chain.exclusion.strand_first;
+  for (std::uint32_t s = 0; s < chain.strand_count; ++s) count += blocks(first[s + 1] - first[s]);
+  return count;
+}
+
 void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
   tree.scale = block_scale(chain.extent);
   tree.first.clear(), tree.copies.clear(), tree.copied_from.clear();

@@ -7,6 +7,9 @@ namespace catena {
 /// holds it; 1 for a chain of zeros.
 float block_scale(const Extent& extent);
 
+/// The blocks that lay_out_blocks makes. O(strands).
+std::uint32_t count_blocks(const ChainView& chain);
+
 /// More blocks behind a tree's, of copied spheres. Several threads may fill them.
 class CopiedBlocks {
  public:

@@ -7,15 +7,11 @@
 #endif
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
 
-#include "catena/core/arithmetic/robust.h"
-#include "catena/core/blocks/exact_lanes-inl.h"
-#include "catena/core/blocks/store_pairs-inl.h"
-#include "catena/core/blocks/window_filter.h"
+#include "catena/core/blocks/vector_hits-inl.h"
 #include "catena/core/grid/grid_evidence.h"
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/member_buckets-inl.h"
@@ -32,26 +28,18 @@ struct Run {
   std::uint32_t first, end;
 };
 
-/// Found has collide(pairs), which takes pairs of spheres that overlap and are no neighbours, each once, the
-/// lower index first; and satisfied(), true when nothing more is asked for. Sink has the members of
-/// GridEvidence; NoGridEvidence costs nothing.
+/// Found is as for VectorHits, and has satisfied(), true when nothing more is asked for. Sink has the members
+/// of GridEvidence; NoGridEvidence costs nothing.
 template <class Found, class Sink>
 class Candidates {
  public:
   static constexpr std::uint32_t part = 1024;  ///< candidates at a time where a neighbourhood is too crowded
 
   Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found, Sink& sink)
-      : chain_(chain),
-        filter_(chain),
-        from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
+      : from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         q_(queues),
-        found_(found),
-        sink_(sink) {
-    const ExclusionView& rule = chain.exclusion;
-    const bool window = rule.rule == Exclusion::Rule::index_window && rule.one_open_strand;
-    window_ = window ? std::min(rule.window, chain.size) : 0;
-    window_is_all_ = window && rule.extra_row == nullptr;
-  }
+        sink_(sink),
+        hits_(chain, queues.hits, found) {}
 
   /// False when so many candidates and spheres are too many for the queues.
   HWY_INLINE bool make_room(std::uint32_t candidates, std::uint32_t spheres) {
@@ -71,7 +59,7 @@ class Candidates {
 
   void finish() {
     start_over();
-    flush();
+    hits_.flush();
   }
 
   /// The first spheres of these runs will be asked for, or one alone.
@@ -163,9 +151,9 @@ class Candidates {
   }
 
  private:
-  using Tag = hn::CappedTag<float, GridQueues::most_lanes>;
+  using Tag = SphereTag;
   using Bits = hn::RebindToUnsigned<Tag>;
-  static constexpr std::uint32_t lanes = hn::MaxLanes(Tag());
+  static constexpr std::uint32_t lanes = sphere_lanes;
   static constexpr std::uint32_t at_once = 4;  // tests that are written without asking
 
   struct Places {
@@ -173,45 +161,18 @@ class Candidates {
     const std::uint32_t* index;
   };
 
-  struct Verdict {
-    hn::Mask<Tag> may, certain;
-  };
-  /// Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. No number is a NaN
-  /// but where there is no candidate.
-  static HWY_INLINE Verdict may_overlap(hn::Vec<Tag> dx, hn::Vec<Tag> dy, hn::Vec<Tag> dz,
-                                        hn::Vec<Tag> reach) {
-    const auto slack = hn::Set(Tag(), 1 + 12 * 0x1p-24f), floor = hn::Set(Tag(), 0x1p-120f);
-    const auto q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), t = hn::Mul(reach, reach);
-    return {hn::Le(q, hn::MulAdd(t, slack, floor)), hn::Lt(hn::MulAdd(q, slack, floor), t)};
-  }
-
   HWY_NOINLINE void work_off() {
     const Places from =
         from_;  // a copy: what is stored below might be this object, for all the compiler knows
     const GridQueues::Test* const tests = q_.tests.data();
-    Pair* const found = q_.hits.data();
     const CandidateFields& of = q_.candidates;
-    const std::uint32_t window = window_, count = tests_;
-    std::uint32_t hits = hits_;
+    const std::uint32_t count = tests_;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t p = tests[k].place, c = tests[k].candidate;
       if constexpr (Sink::listens) tell(from.index[p], c);
-      const auto dx = hn::Sub(hn::LoadU(Tag(), of.x + c), hn::Set(Tag(), from.x[p]));
-      const auto dy = hn::Sub(hn::LoadU(Tag(), of.y + c), hn::Set(Tag(), from.y[p]));
-      const auto dz = hn::Sub(hn::LoadU(Tag(), of.z + c), hn::Set(Tag(), from.z[p]));
-      const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), from.radius[p]));
-      const auto [may, certain] = may_overlap(dx, dy, dz, reach);
-      // Spheres are met once, so j is not i; and |j - i| > window is one comparison of what wraps.
-      const std::uint32_t i = from.index[p];
-      const auto j = hn::LoadU(Bits(), of.index + c);
-      const auto far = hn::Gt(hn::Sub(j, hn::Set(Bits(), i - window)), hn::Set(Bits(), 2 * window));
-      auto keep = hn::And(hn::RebindMask(Bits(), may), far);
-      const auto undecided = hn::AndNot(hn::RebindMask(Bits(), certain), keep);
-      if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) keep = decide(i, c, keep, undecided);
-      hits += store_pairs(Bits(), i, j, keep, found + hits);
-      if (HWY_UNLIKELY(hits >= GridQueues::hit_limit)) hits_ = hits, flush(), hits = 0;
+      hits_.test(from.index[p], {from.x[p], from.y[p], from.z[p], from.radius[p]},
+                 {of.x + c, CandidateFields::size, of.index + c});
     }
-    hits_ = hits;
     q_.tests_done += count;
     tests_ = 0;
   }
@@ -222,50 +183,11 @@ class Candidates {
       if (!std::isnan(q_.candidates.x[k])) sink_.compared(i, q_.candidates.index[k]);
   }
 
-  /// `keep` without those undecided that do not overlap.
-  HWY_NOINLINE hn::Mask<Bits> decide(std::uint32_t i, std::uint32_t c, hn::Mask<Bits> keep,
-                                     hn::Mask<Bits> undecided) {
-    std::uint8_t open[8] = {}, kept[8] = {};
-    hn::StoreMaskBits(Bits(), undecided, open);
-    hn::StoreMaskBits(Bits(), keep, kept);
-    const Sphere& sphere = chain_.spheres[i];
-    SphereRows rows;
-    const CandidateFields& of = q_.candidates;
-    hn::Store(hn::LoadU(Tag(), of.x + c), Tag(), rows.x);
-    hn::Store(hn::LoadU(Tag(), of.y + c), Tag(), rows.y);
-    hn::Store(hn::LoadU(Tag(), of.z + c), Tag(), rows.z);
-    hn::Store(hn::LoadU(Tag(), of.radius + c), Tag(), rows.radius);
-    const std::uint32_t asked = open[0] | std::uint32_t{open[1]} << 8;
-    const Told told = told_in_binary64(sphere, rows, asked);
-    std::uint32_t separate = asked & ~(told.overlap | told.open);
-    for (std::uint32_t bits = told.open; bits != 0; bits &= bits - 1) {
-      const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
-      if (!Robust::overlap(sphere, chain_.spheres[of.index[c + k]])) separate |= 1u << k;
-    }
-    kept[0] = static_cast<std::uint8_t>(kept[0] & ~separate);
-    kept[1] = static_cast<std::uint8_t>(kept[1] & ~(separate >> 8));
-    return hn::LoadMaskBits(Bits(), kept);
-  }
-
-  /// Reports the hits that are no neighbours.
-  HWY_NOINLINE void flush() {
-    const std::span<Pair> hits(q_.hits.data(), hits_);
-    hits_ = 0;
-    if (window_is_all_) return found_.collide(hits);
-    const auto neighbours = [&](const Pair& p) { return filter_.neighbours(p); };
-    found_.collide(hits.first(
-        static_cast<std::size_t>(std::remove_if(hits.begin(), hits.end(), neighbours) - hits.begin())));
-  }
-
-  const ChainView& chain_;
-  const WindowFilter filter_;
   const Places from_;
   GridQueues& q_;
-  Found& found_;
   Sink& sink_;
-  std::uint32_t window_;
-  bool window_is_all_;  // it decides alone who is a neighbour
-  std::uint32_t size_ = 0, end_ = 0, tests_ = 0, hits_ = 0;
+  VectorHits<Found> hits_;
+  std::uint32_t size_ = 0, end_ = 0, tests_ = 0;
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -11,8 +11,9 @@ namespace catena {
 struct CandidateFields {
   /// Not a multiple of 1,024, for the fields must not lie on the same lines of the cache.
   static constexpr std::uint32_t room = 2048, size = room + 48;
-  alignas(64) float x[size], y[size], z[size], radius[size];
+  alignas(64) float x[size], y[size], z[size], radius[size];  ///< side by side: `size` numbers from x to y
   alignas(64) std::uint32_t index[size];
+  static_assert(size * sizeof(float) % 64 == 0, "a field begins where the one before it ends");
 };
 
 /// What a search of a SphereGrid works on: candidates side by side, which stay in the first cache; a flat

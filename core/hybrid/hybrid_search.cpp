@@ -1,25 +1,53 @@
 #include "catena/core/hybrid/hybrid_search.h"
 
+#include <algorithm>
+#include <mutex>
 #include <numeric>
 #include <optional>
 
+#include "catena/core/blocks/block_layout.h"
 #include "catena/core/grid/grid_evidence.h"
+#include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/hybrid/crowd_evidence.h"
 #include "catena/core/space_tree/space_evidence.h"
 
 namespace catena {
 
 HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
-    : settings_(settings), block_queues_(threads), entry_queues_(threads), grid_queues_(threads) {}
+    : settings_(settings),
+      block_queues_(threads),
+      entry_queues_(threads),
+      grid_queues_(threads),
+      sphere_queues_(threads) {}
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
-  build_block_tree(chain, parts_.tree, team);
-  if (!settings_.rows) parts_.tree.forget_rows();
-  find_crowds(chain, parts_.tree, settings_.crowd, parts_.crowding, team);
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;
-  if (parts_.crowding.crowded_nodes() == 0) return;
+  if (unfilled(chain)) {
+    parts_.tree.clear();
+    parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
+    parts_.dense_count = chain.size;
+  } else {
+    build_block_tree(chain, parts_.tree, team);
+    if (!settings_.rows) parts_.tree.forget_rows();
+    find_crowds(chain, parts_.tree, settings_.crowd, parts_.crowding, team);
+    if (parts_.crowding.crowded_nodes() > 0) build_in_space(chain, team);
+  }
+  if (parts_.dense_count == 0) return;
+  parts_.in_cells = cells_fit(chain, team);
+  if (parts_.in_cells)
+    build_grid(chain, parts_.grid, dense_, team);
+  else
+    build_sphere_tree(chain, parts_.spheres, dense_, team);
+}
+
+/// Strands are so short that their blocks would be half empty, or more.
+bool HybridSearch::unfilled(const ChainView& chain) {
+  return chain.strand_count > 1 && std::uint64_t{count_blocks(chain)} * (BlockTree::block / 2) >= chain.size;
+}
+
+void HybridSearch::build_in_space(const ChainView& chain, const Team& team) {
   build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, settings_.dense, entry_queues_, team);
   if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
     parts_.dense_count = chain.size;  // their list need not be made
@@ -27,7 +55,6 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     gather_dense(team);
     parts_.dense_count = static_cast<std::uint32_t>(dense_.size());
   }
-  if (parts_.dense_count > 0) build_grid(chain, parts_.grid, dense_, team);
 }
 
 void HybridSearch::search(const ChainView& chain, PairCollector& collector, const Team& team) {
@@ -35,20 +62,29 @@ void HybridSearch::search(const ChainView& chain, PairCollector& collector, cons
   search_uncrowded(chain, parts_.tree, parts_.crowding, block_queues_, collector, team);
   if (parts_.space.entries > 0)
     search_space_tree(chain, parts_.tree, parts_.space, entry_queues_, block_queues_, collector, team);
-  if (parts_.dense_count > 0) search_grid(chain, parts_.grid, grid_queues_, collector, team);
+  if (parts_.dense_count == 0) return;
+  if (parts_.in_cells)
+    search_grid(chain, parts_.grid, grid_queues_, collector, team);
+  else
+    search_sphere_tree(chain, parts_.spheres, sphere_queues_, collector, team);
 }
 
-/// The nodes of each of the three searches that there is.
+/// The nodes of each of the searches that there is.
 struct HybridSearch::Evidence {
   CrowdNodes chain;
   std::optional<SpaceNodes> space;
   std::optional<GridTrees> cells;
+  std::optional<SphereNodes> spheres;
 
   Evidence(const ChainView& view, const HybridSearch& of) : chain(view, of.parts_.tree, of.parts_.crowding) {
     std::uint32_t next = chain.end_id();
     if (of.parts_.space.entries > 0)
       next = space.emplace(view, of.parts_.tree, of.parts_.space, next).end_id();
-    if (of.parts_.dense_count > 0) cells.emplace(view, of.parts_.grid, next);
+    if (of.parts_.dense_count == 0) return;
+    if (of.parts_.in_cells)
+      cells.emplace(view, of.parts_.grid, next);
+    else
+      spheres.emplace(of.parts_.spheres, next);
   }
 };
 
@@ -64,6 +100,9 @@ void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::L
   CrowdSink uncrowded(nodes.chain, space ? &*space : nullptr, sink);
   search_uncrowded(chain, parts_.tree, parts_.crowding, block_queues_[0], lane,
                    BlockEvidence(chain, parts_.tree, uncrowded));
+  if (nodes.spheres)
+    search_sphere_tree(chain, parts_.spheres, sphere_queues_[0], lane,
+                       SphereEvidence(chain, *nodes.spheres, sink));
   if (!nodes.cells) return;
   GridEvidence cells(chain, *nodes.cells, sink);
   search_grid(chain, parts_.grid, grid_queues_[0], lane, cells);
@@ -74,6 +113,7 @@ void HybridSearch::show_evidence(const ChainView& chain, BoundsVisitor& visitor)
   nodes.chain.show(visitor);
   if (nodes.space) nodes.space->show(visitor);
   if (nodes.cells) nodes.cells->show(visitor);
+  if (nodes.spheres) nodes.spheres->show(visitor);
 }
 
 void HybridSearch::gather_dense(const Team& team) {
@@ -104,6 +144,40 @@ void HybridSearch::gather_dense(const Team& team) {
   });
 }
 
+/// Cells have one width, which serves spheres of a factor of 2; a few smaller ones cost little in it, but one
+/// that is much greater makes it too wide for all others. And they are worth it where the chain's box has so
+/// few that they lie in memory as they do in space.
+bool HybridSearch::cells_fit(const ChainView& chain, const Team& team) const {
+  constexpr std::uint32_t few = 64, spheres_of_a_task = 1 << 14;  // one in so many
+  const auto radius = [&](std::uint32_t k) { return chain.spheres[dense_.empty() ? k : dense_[k]].radius; };
+  std::mutex joining;
+  float greatest = 0;
+  CentreCorners corners;
+  std::uint32_t small = 0;
+  team.for_each_range(parts_.dense_count, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    float own = 0;
+    for (std::uint32_t k = begin; k < end; ++k) own = std::max(own, radius(k));
+    const std::lock_guard lock(joining);
+    greatest = std::max(greatest, own);
+  });
+  team.for_each_range(parts_.dense_count, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    std::uint32_t own = 0;
+    for (std::uint32_t k = begin; k < end; ++k) own += radius(k) < greatest / 2;
+    const std::lock_guard lock(joining);
+    small += own;
+  });
+  if (small > parts_.dense_count / few) return false;
+  team.for_each_range(chain.size, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+    CentreCorners own;
+    for (std::uint32_t i = begin; i < end; ++i) own.take(chain.spheres[i]);
+    const std::lock_guard lock(joining);
+    corners.join(own);
+  });
+  const CentreBox box{{corners.low.x, corners.low.y, corners.low.z},
+                      {corners.high.x, corners.high.y, corners.high.z}};
+  return !map_buckets(greatest, box, parts_.dense_count).wraps;
+}
+
 HybridSearch::Work HybridSearch::met() const {
   Work work;
   for (const BlockQueues& queues : block_queues_) {
@@ -112,13 +186,15 @@ HybridSearch::Work HybridSearch::met() const {
   }
   for (const SpaceQueue& queue : entry_queues_) work.entries += queue.done;
   for (const GridQueues& queues : grid_queues_) work.tests += queues.tests_done;
+  for (const SphereQueues& queues : sphere_queues_)
+    work.tests += queues.tests_done, work.sixteens += queues.nodes_done;
   return work;
 }
 
 HybridSearch::Work HybridSearch::work() const {
   Work work = met();
   work.rows -= before_.rows, work.near -= before_.near;
-  work.entries -= before_.entries, work.tests -= before_.tests;
+  work.entries -= before_.entries, work.tests -= before_.tests, work.sixteens -= before_.sixteens;
   work.crowded = std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block;
   work.dense = parts_.dense_count;
   return work;

@@ -8,15 +8,18 @@
 #include "catena/core/export.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/space_tree/space_kernels.h"
+#include "catena/core/sphere_tree/sphere_kernels.h"
 
 namespace catena {
 
 /// A search that takes, part by part of the chain, the cheapest of three:
 /// - the chain's own order: a BlockTree, where nodes of 128 spheres meet few others;
 /// - the order of space: a SpaceTree of the blocks of nodes that meet more, the *crowded* ones;
-/// - single spheres in cells: a SphereGrid of those blocks among them that have so much near them that most
-/// of
-///   their eight spheres must be looked at anyway, the *dense* ones.
+/// - single spheres: of those blocks among them that have so much near them that most of their eight spheres
+/// must
+///   be looked at anyway, the *dense* ones; in cells, a SphereGrid, where their radii are about the same and
+///   the chain fills its box, and else in the order of space, a SphereTree. So are all spheres of strands too
+///   short for blocks.
 /// Pairs of two dense blocks are the third one's, those of two other crowded nodes the second one's, the rest
 /// the first one's, so that each is met once. What is crowded or dense is told by a look at some nodes and
 /// blocks, and where it is about even both ways cost about the same.
@@ -32,6 +35,7 @@ class CATENA_API HybridSearch {
     std::uint64_t rows = 0;                ///< a block against sixteen, in the chain's order
     std::uint64_t entries = 0;             ///< two blocks in the order of space
     std::uint64_t near = 0;                ///< eight spheres against eight
+    std::uint64_t sixteens = 0;            ///< sixteen spheres, in a box, and as many in another
     std::uint64_t tests = 0;               ///< a sphere against a vector of others
     std::uint64_t crowded = 0, dense = 0;  ///< spheres of the last build's, at most
   };
@@ -45,7 +49,7 @@ class CATENA_API HybridSearch {
   void search(const ChainView& chain, PairCollector& collector, const Team& team);
   /// The same to one lane, by the caller alone, slower; every pair is accounted for to the sink, once.
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink);
-  /// The nodes that it names: three trees, of the chain's order, of the order of space and of cells.
+  /// The nodes that it names: trees of the chain's order, of the order of space and of single spheres.
   void show_evidence(const ChainView& chain, BoundsVisitor& visitor) const;
 
   Work work() const;
@@ -60,15 +64,20 @@ class CATENA_API HybridSearch {
     BlockTree tree;
     Crowding crowding;
     SpaceTree space;
-    SphereGrid grid;
+    SphereGrid grid;                ///< of dense blocks' spheres
+    SphereTree spheres;             ///< of them, instead
     std::uint32_t dense_count = 0;  ///< spheres of dense blocks
+    bool in_cells = false;          ///< they are in the grid
   };
   Parts& parts() { return parts_; }
 
  private:
   struct Evidence;
   Work met() const;  ///< since this was made
+  static bool unfilled(const ChainView& chain);
+  void build_in_space(const ChainView& chain, const Team& team);
   void gather_dense(const Team& team);
+  bool cells_fit(const ChainView& chain, const Team& team) const;
 
   const Settings settings_;
   Work before_;  ///< met before the last search
@@ -79,6 +88,7 @@ class CATENA_API HybridSearch {
   std::vector<BlockQueues> block_queues_;
   std::vector<SpaceQueue> entry_queues_;
   std::vector<GridQueues> grid_queues_;
+  std::vector<SphereQueues> sphere_queues_;
 };
 
 }  // namespace catena

@@ -18,11 +18,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// True when nearly all of some crowded blocks, taken all along the chain, meet so many others that no order
-/// of blocks would do.
-inline bool dense_everywhere(const BlockTree& tree, const Crowding& crowding, double sphere_ns) {
-  constexpr std::uint32_t samples = 32, others = samples / 8, group = BlockTree::group;
-  const double search_ns = BlockTree::block * sphere_ns - SpaceCost::build_ns;
+/// True when most of some crowded blocks, taken all along the chain, meet so many others that no order of
+/// blocks would do: then a second search for the rest is not worth its while. `block_ns` is what a search of
+/// their spheres one by one costs a block.
+inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double block_ns) {
+  constexpr std::uint32_t samples = 32, others = samples / 2, group = BlockTree::group;
+  const double search_ns = block_ns - SpaceCost::build_ns;
   const auto enough =
       static_cast<std::uint32_t>(std::max(0.0, 2 * search_ns * SpaceCost::near_share / SpaceCost::near_ns));
   const std::uint32_t step = std::max(1u, crowding.crowded_nodes() / samples);
@@ -54,17 +55,17 @@ class SpaceSample {
   SpaceCost cost_;
 };
 
-/// Looks at one node of sixteen, and judges all by it; where most are dense, a second search for the rest is
-/// not worth its while. `sphere_ns` is what the other search costs a sphere.
-inline void judge_density(SpaceTree& space, Crowding& crowding, std::span<SpaceQueue> queues,
-                          double sphere_ns, const Team& team) {
+/// Looks at one node of sixteen, and judges all by it; where most are dense after all, all are. `block_ns` as
+/// for mostly_dense.
+inline void judge_density(SpaceTree& space, Crowding& crowding, std::span<SpaceQueue> queues, double block_ns,
+                          const Team& team) {
   constexpr std::uint32_t group = SpaceTree::group, judged_at_once = 16, judged_by_a_task = 8,
                           nodes_of_a_task = 64;
   for (std::uint32_t node = 0; node < crowding.nodes(); ++node) crowding.dense(node) = 0;
   std::atomic<std::uint32_t> dense = 0;
   const auto judge = [&](std::uint32_t first) {
     const std::uint32_t end = std::min(space.nodes(), first + judged_at_once);
-    SpaceSample sample(space, sphere_ns * BlockTree::block * group);
+    SpaceSample sample(space, block_ns * group);
     const NoSpaceEvidence nothing;
     SpaceWalk walk(space, queues[team.member()], sample, nothing);
     walk.node((first + end) / 2, true);

@@ -22,8 +22,8 @@ struct SpaceCost {
   }
 };
 
-/// What it costs to search a sphere in a SphereGrid, about, of those in crowded nodes: the more the more
-/// octaves their radii come in, as one in 128 tells.
-double grid_ns(const ChainView& chain, const BlockTree& tree, const Crowding& crowding);
+/// What it costs, about, to search a sphere of those in crowded nodes by itself: in cells where their radii
+/// come in one octave, as one in 128 tells, and else in the order of space.
+double single_spheres_ns(const ChainView& chain, const BlockTree& tree, const Crowding& crowding);
 
 }  // namespace catena

@@ -15,12 +15,13 @@ namespace catena::HWY_NAMESPACE {
 void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
                            double dense, std::span<SpaceQueue> queues, const Team& team) {
   space.entries = 0;
-  const double sphere_ns = dense * grid_ns(chain, tree, crowding);
-  if (dense_everywhere(tree, crowding, sphere_ns)) return;
+  // Short strands leave blocks unfilled.
+  const double block_ns = dense * single_spheres_ns(chain, tree, crowding) * chain.size / tree.blocks;
+  if (mostly_dense(tree, crowding, block_ns)) return;
   SpaceBuild build(chain, tree, crowding, space, team);
   if (!build.collect()) return;
   build.build();
-  judge_density(space, crowding, queues, sphere_ns, team);
+  judge_density(space, crowding, queues, block_ns, team);
 }
 
 void search_space_tree_here(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 
+#include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
 
@@ -14,9 +16,9 @@ struct BoxRows {
   std::uint32_t size;
 };
 
-/// Sorts boxes in space: by class of size, a factor of 4 each and the greatest first, and in a class along
-/// a curve (Morton's) through the cubes of the box of their middles, 512 a side, and of cubes with many of
-/// them. Equal ones keep their order. The same for any team.
+/// Sorts boxes or spheres in space: by class of size, a factor of 8 each and the greatest first, and in a
+/// class along Hilbert's curve through the cubes of the box of their middles, 512 a side, and of cubes with
+/// many of them. Equal ones keep their order. The same for any team.
 class CATENA_API SpaceOrder {
  public:
   SpaceOrder();
@@ -26,7 +28,9 @@ class CATENA_API SpaceOrder {
 
   /// O(n log n); does not allocate when n has not grown, in a team of one.
   void sort(const BoxRows& boxes, const Team& team);
-  /// The number of the box that comes to this place.
+  /// Spheres of a chain, or `only` those of these indices, by their centres and radii.
+  void sort(const ChainView& chain, std::span<const std::uint32_t> only, const Team& team);
+  /// The number of the box, or the index of the sphere, that comes to this place.
   std::uint32_t operator[](std::size_t place) const;
 
  private:

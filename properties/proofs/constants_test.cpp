@@ -43,7 +43,8 @@ TEST(Proofs, AreAboutTheConstantsOfTheCode) {
       EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(range), std::string::npos) << script;
 }
 
-/// Of each: as a file of the code declares it, as the proof says that it covers it, and as its formulas have it.
+/// Of each: as a file of the code declares it, as the proof says that it covers it, and as its formulas have
+/// it.
 void expect_covered(const std::string& file, const std::string& script,
                     std::initializer_list<std::array<const char*, 3>> constants) {
   const std::string code = text_of(file), proof = text_of("properties/proofs/" + script);
@@ -126,8 +127,9 @@ TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
                 "centre_slack = 16u"},
         Covered{"tests-inl.h", "overlap_slack = 1 + 12 * 0x1p-24f", "overlap_binary32.g",
                 "binary32_slack = 1 + 12u"},
-        Covered{"tests-inl.h", "overlap_floor = 0x1p-120f", "overlap_binary32.g",
-                "underflow_floor = 2^-120"}}) {
+        Covered{"tests-inl.h", "overlap_floor = 0x1p-120f", "overlap_binary32.g", "underflow_floor = 2^-120"},
+        Covered{"vector_hits-inl.h", "slack = hn::Set(tag, 1 + 12 * 0x1p-24f)", "overlap_binary32.g",
+                "binary32_slack = 1 + 12u"}}) {
     EXPECT_NE(text_of("core/blocks/" + c.file).find(c.declared), std::string::npos)
         << c.file << " no longer says " << c.declared;
     EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)

@@ -1,0 +1,156 @@
+// The colliding pairs of a SphereTree: boxes of nodes, then spheres against the other node's box, then
+// spheres.
+#if defined(CATENA_CORE_SPHERE_TREE_SEARCH_SPHERE_TREE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_SPHERE_TREE_SEARCH_SPHERE_TREE_INL_H
+#undef CATENA_CORE_SPHERE_TREE_SEARCH_SPHERE_TREE_INL_H
+#else
+#define CATENA_CORE_SPHERE_TREE_SEARCH_SPHERE_TREE_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "catena/core/blocks/compress-inl.h"
+#include "catena/core/blocks/count_up-inl.h"
+#include "catena/core/blocks/vector_hits-inl.h"
+#include "catena/core/space_tree/axis_boxes-inl.h"
+#include "catena/core/sphere_tree/sphere_evidence.h"
+#include "catena/core/sphere_tree/sphere_queues.h"
+#include "catena/core/sphere_tree/sphere_tree.h"
+#include "hwy/cache_control.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Boxes around the spheres of a node. Rounding is monotone: an end that is apart from that of a box belongs
+/// to a sphere that is.
+HWY_INLINE AxisBoxes boxes_of_spheres(const float* fields) {
+  const Vectors at = Vectors::load(fields);
+  const Lanes16 radius = Lanes16::load(fields + 3 * SphereTree::group);
+  return {{at.x - radius, at.y - radius, at.z - radius}, {at.x + radius, at.y + radius, at.z + radius}};
+}
+
+/// Found is as for VectorHits, and has satisfied(), true when nothing more is asked for. Sink has the members
+/// of SphereEvidence; NoSphereEvidence costs nothing.
+template <class Found, class Sink>
+class SphereSearch {
+ public:
+  SphereSearch(const ChainView& chain, const SphereTree& tree, SphereQueues& queues, Found& found, Sink& sink)
+      : tree_(tree), q_(queues), found_(found), sink_(sink), hits_(chain, queues.hits, found) {}
+
+  /// Pairs within nodes begin to end - 1, and of these with later ones.
+  void run(std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t a = begin; a < end && !found_.satisfied(); ++a) {
+      const AxisBoxes box = box_of(a);
+      within(a);
+      down(tree_.boxes.size() - 1, 0, a, box);
+      meet_nodes(a, box);
+    }
+    work_off();
+    hits_.flush();
+  }
+
+ private:
+  static constexpr std::uint32_t group = SphereTree::group;
+  using Bits = hn::RebindToUnsigned<SphereTag>;
+
+  HWY_INLINE AxisBoxes box_of(std::uint32_t node) const {
+    return AxisBoxes::all(tree_.boxes_of(0, node / group), node % group);
+  }
+  /// Those of a node that are spheres.
+  std::uint32_t there(std::uint32_t node) const { return lane_bits(tree_.spheres - node * group); }
+
+  /// Node a, in `box`, with later ones below group g of level l.
+  void down(std::size_t l, std::uint32_t g, std::uint32_t a, const AxisBoxes& box) {
+    // Of nodes later ones, and of nodes above them those that may hold some.
+    const std::uint32_t first = g * group, from = l == 0 ? a + 1 : a >> 4 * l;
+    const std::uint32_t later =
+        lane_bits(tree_.count(l) - first) & ~(from > first ? lane_bits(from - first) : 0);
+    const std::uint32_t met = later & meet(box, AxisBoxes::load(tree_.boxes_of(l, g))).bits();
+    if constexpr (Sink::listens)
+      for_each_lane(later & ~met, [&](std::uint32_t k) { sink_.nodes_apart(a, l, first + k); });
+    if (l > 0) return for_each_lane(met, [&](std::uint32_t k) { down(l - 1, first + k, a, box); });
+    for_each_lane(met, [&](std::uint32_t k) {
+      const float* const fields = tree_.fields_of(first + k);
+      for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f) hwy::Prefetch(fields + f * group);
+      q_.nodes[nodes_++] = first + k;
+    });
+    if (nodes_ > SphereQueues::node_limit) meet_nodes(a, box);
+  }
+
+  void within(std::uint32_t a) {
+    const std::uint32_t count = std::min(group, tree_.spheres - a * group);
+    for (std::uint32_t p = 0; p + 1 < count; ++p) test<true>(a * group + p, a, 0xFFFFu & ~lane_bits(p + 1));
+    q_.tests_done += count - 1;
+  }
+
+  /// Node a with those that are queued. Those of the one that the other's box meets are tested against all of
+  /// the other: from the side that has fewer.
+  void meet_nodes(std::uint32_t a, const AxisBoxes& box) {
+    const AxisBoxes spheres = boxes_of_spheres(tree_.fields_of(a));
+    for (std::size_t k = 0; k < nodes_; ++k) {
+      const std::uint32_t b = q_.nodes[k];
+      const std::uint32_t mine = meet(spheres, box_of(b)).bits(),
+                          theirs = meet(boxes_of_spheres(tree_.fields_of(b)), box).bits();
+      const bool from_a = std::popcount(mine) <= std::popcount(theirs);
+      const std::uint32_t node = from_a ? a : b, other = from_a ? b : a, lanes = from_a ? mine : theirs;
+      if constexpr (Sink::listens)
+        for_each_lane(there(node) & ~lanes,
+                      [&](std::uint32_t p) { sink_.sphere_apart(tree_.index[node * group + p], other); });
+      if (lanes == 0) continue;
+      add_tests(node, lanes, other);
+      if (tests_ > SphereQueues::test_limit) work_off();
+    }
+    q_.nodes_done += nodes_;
+    nodes_ = 0;
+  }
+
+  HWY_INLINE void add_tests(std::uint32_t node, std::uint32_t lanes, std::uint32_t other) {
+    const Bits bits;
+    for (std::uint32_t k = 0; k < group; k += sphere_lanes) {
+      const auto some = static_cast<std::uint16_t>(lanes >> k);
+      std::uint8_t bytes[8] = {};
+      std::memcpy(bytes, &some, sizeof some);
+      const Kept<Bits> kept(hn::LoadMaskBits(bits, bytes));
+      hn::StoreInterleaved2(kept.compress(count_up(bits, node * group + k)), hn::Set(bits, other), bits,
+                            &q_.tests[tests_].place);
+      tests_ += kept.size();
+    }
+  }
+
+  HWY_NOINLINE void work_off() {
+    for (std::size_t k = 0; k < tests_; ++k) test<false>(q_.tests[k].place, q_.tests[k].node, 0xFFFF);
+    q_.tests_done += tests_;
+    tests_ = 0;
+  }
+
+  /// The sphere at a place against those of a node, all or `some` whose bits are set.
+  template <bool some>
+  HWY_INLINE void test(std::uint32_t place, std::uint32_t node, std::uint32_t lanes) {
+    const float* const own = tree_.fields_of(place / group) + place % group;
+    const Sphere sphere{own[0], own[group], own[2 * group], own[3 * group]};
+    const std::uint32_t i = tree_.index[place];
+    if constexpr (Sink::listens)
+      for_each_lane(lanes & there(node),
+                    [&](std::uint32_t k) { sink_.compared(i, tree_.index[node * group + k]); });
+    for (std::uint32_t k = 0; k < group; k += sphere_lanes) {
+      const VectorOfSpheres others{tree_.fields_of(node) + k, group, tree_.index.data() + node * group + k};
+      if constexpr (some)
+        hits_.test(i, sphere, others, lanes >> k);
+      else
+        hits_.test(i, sphere, others);
+    }
+  }
+
+  const SphereTree& tree_;
+  SphereQueues& q_;
+  Found& found_;
+  Sink& sink_;
+  VectorHits<Found> hits_;
+  std::size_t nodes_ = 0, tests_ = 0;
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "catena/core/pair.h"
+
+namespace catena {
+
+/// What a search of a SphereTree works on: nodes that a node's box meets, tests of a sphere against a node,
+/// and the pairs that a test leaves. Flat lists instead of nested loops, whose ends are hard to foretell.
+struct SphereQueues {
+  static constexpr std::size_t group = 16;  ///< that much may be added at once, past a limit
+  static constexpr std::size_t node_limit = 48, test_limit = 256, hit_limit = 1024;
+
+  struct Test {
+    std::uint32_t place;  ///< of the sphere
+    std::uint32_t node;   ///< all of whose spheres it is tested against
+  };
+
+  std::uint64_t nodes_done = 0, tests_done = 0;  ///< since this was made
+  std::vector<std::uint32_t> nodes = std::vector<std::uint32_t>(node_limit + group);
+  /// A vector that is stored may pass the last.
+  std::vector<Test> tests = std::vector<Test>(test_limit + 2 * group);
+  std::vector<Pair> hits = std::vector<Pair>(hit_limit + group);
+};
+
+}  // namespace catena

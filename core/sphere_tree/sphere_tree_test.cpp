@@ -1,0 +1,87 @@
+#include "catena/core/sphere_tree/sphere_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/sphere_tree/sphere_kernels.h"
+#include "catena/properties/generators/dice.h"
+#include "catena/properties/generators/family.h"
+
+namespace catena {
+namespace {
+
+float field(const SphereTree& tree, std::size_t level, std::uint32_t k, std::uint32_t f) {
+  return tree.boxes_of(level, k / SphereTree::group)[f * SphereTree::group + k % SphereTree::group];
+}
+
+/// Exactly, as a sum of two binary32 numbers is with a third in binary64 but for its rounding, which is
+/// monotone.
+bool holds(const SphereTree& tree, std::uint32_t node, const Sphere& s) {
+  const double at[3] = {s.x, s.y, s.z};
+  for (std::uint32_t d = 0; d < 3; ++d)
+    if (at[d] - field(tree, 0, node, d) < s.radius || field(tree, 0, node, 3 + d) - at[d] < s.radius)
+      return false;
+  return true;
+}
+
+void expect_sound(const Chain& chain, const SphereTree& tree, const std::string& what) {
+  constexpr std::uint32_t group = SphereTree::group;
+  ASSERT_EQ(tree.spheres, chain.size()) << what;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t place = 0; place < tree.spheres; ++place) {
+    const std::uint32_t i = tree.index[place];
+    all.push_back(i);
+    const float* const own = tree.fields_of(place / group) + place % group;
+    EXPECT_EQ((Sphere{own[0], own[group], own[2 * group], own[3 * group]}), chain.spheres()[i]) << what;
+    EXPECT_TRUE(holds(tree, place / group, chain.spheres()[i])) << what << ": sphere " << i;
+  }
+  for (std::uint32_t place = tree.spheres; place < tree.nodes() * group; ++place)
+    EXPECT_TRUE(std::isnan(tree.fields_of(place / group)[place % group])) << what;
+  std::ranges::sort(all);
+  for (std::uint32_t i = 0; i < tree.spheres; ++i) ASSERT_EQ(all[i], i) << what;
+  for (std::size_t l = 1; l < tree.boxes.size(); ++l)
+    for (std::uint32_t k = 0; k < tree.count(l - 1); ++k)
+      for (std::uint32_t d = 0; d < 3; ++d) {
+        EXPECT_LE(field(tree, l, k / group, d), field(tree, l - 1, k, d)) << what;
+        EXPECT_GE(field(tree, l, k / group, 3 + d), field(tree, l - 1, k, 3 + d)) << what;
+      }
+}
+
+TEST(SphereTree, HoldsEachSphereOnceAndInItsBoxes) {
+  std::uint64_t seed = 40;
+  for (const properties::Family& family : properties::FamilyRegistry::instance().families())
+    for (const std::uint32_t size : {0u, 1u, 16u, 17u, 257u, 3000u}) {
+      properties::Dice dice(++seed);
+      const Chain chain = properties::generate(family, dice, size);
+      SphereTree tree;
+      build_sphere_tree(chain.view(), tree, {}, Team());
+      expect_sound(chain, tree, family.name);
+    }
+}
+
+TEST(SphereTree, IsTheSameForAnyTeam) {
+  properties::Dice dice(8);
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < 60'000; ++k) {
+    const float wide = dice.one_in(3) ? 0.01f : 100.0f;
+    spheres.push_back(
+        {wide * dice.symmetric(), wide * dice.symmetric(), wide * dice.symmetric(), 0.01f * wide});
+  }
+  const Chain chain(std::move(spheres));
+  SphereTree one, several;
+  build_sphere_tree(chain.view(), one, {}, Team());
+  build_sphere_tree(chain.view(), several, {},
+                    Team(Parameters("test", {Team::threads_parameter()}, "threads=3")));
+  EXPECT_TRUE(std::ranges::equal(one.index, several.index));
+  for (std::size_t l = 0; l < one.boxes.size(); ++l)
+    EXPECT_TRUE(std::ranges::equal(one.boxes[l], several.boxes[l]));
+}
+
+}  // namespace
+}  // namespace catena
