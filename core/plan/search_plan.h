@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "catena/core/chain/chain_view.h"
@@ -40,9 +41,15 @@ class CATENA_API SearchPlan {
 
  private:
   using Candidate = const Machine::VariantCost*;
+  /// What a variant would take with as many threads as pay.
+  struct Offer {
+    Candidate of = nullptr;
+    unsigned threads = 1;
+    double ms = std::numeric_limits<double>::infinity();
+  };
   static unsigned best_threads(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                                const Omissions& omissions);
-  static double best_ms(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
+  static Offer offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                         const Omissions& omissions);
   bool by_blocks() const;  ///< the variant knows rows of blocks
   Decision hierarchy() const;
