@@ -12,8 +12,7 @@
 #include <limits>
 #include <span>
 
-#include "catena/core/arithmetic/robust.h"
-#include "catena/core/blocks/exact_lanes-inl.h"
+#include "catena/core/blocks/open_pairs-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/window_filter.h"
 #include "catena/core/grid/grid_evidence.h"
@@ -44,6 +43,7 @@ class Candidates {
       : chain_(chain),
         filter_(chain),
         from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
+        slack_((1 + 12 * 0x1p-24f) * grid.doubt),
         q_(queues),
         found_(found),
         sink_(sink) {
@@ -71,6 +71,7 @@ class Candidates {
 
   void finish() {
     start_over();
+    decide();
     flush();
   }
 
@@ -129,7 +130,7 @@ class Candidates {
       const auto dy = beside(of.y + c, box.centres.low[1], box.centres.high[1]);
       const auto dz = beside(of.z + c, box.centres.low[2], box.centres.high[2]);
       const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), box.radius));
-      if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach).may)) return false;
+      if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach, slack_).may)) return false;
     }
     return true;
   }
@@ -178,9 +179,9 @@ class Candidates {
   };
   /// Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. No number is a NaN
   /// but where there is no candidate.
-  static HWY_INLINE Verdict may_overlap(hn::Vec<Tag> dx, hn::Vec<Tag> dy, hn::Vec<Tag> dz,
-                                        hn::Vec<Tag> reach) {
-    const auto slack = hn::Set(Tag(), 1 + 12 * 0x1p-24f), floor = hn::Set(Tag(), 0x1p-120f);
+  static HWY_INLINE Verdict may_overlap(hn::Vec<Tag> dx, hn::Vec<Tag> dy, hn::Vec<Tag> dz, hn::Vec<Tag> reach,
+                                        float slack_of) {
+    const auto slack = hn::Set(Tag(), slack_of), floor = hn::Set(Tag(), 0x1p-120f);
     const auto q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), t = hn::Mul(reach, reach);
     return {hn::Le(q, hn::MulAdd(t, slack, floor)), hn::Lt(hn::MulAdd(q, slack, floor), t)};
   }
@@ -192,6 +193,7 @@ class Candidates {
     Pair* const found = q_.hits.data();
     const CandidateFields& of = q_.candidates;
     const std::uint32_t window = window_, count = tests_;
+    const float slack = slack_;
     std::uint32_t hits = hits_;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t p = tests[k].place, c = tests[k].candidate;
@@ -200,14 +202,18 @@ class Candidates {
       const auto dy = hn::Sub(hn::LoadU(Tag(), of.y + c), hn::Set(Tag(), from.y[p]));
       const auto dz = hn::Sub(hn::LoadU(Tag(), of.z + c), hn::Set(Tag(), from.z[p]));
       const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), from.radius[p]));
-      const auto [may, certain] = may_overlap(dx, dy, dz, reach);
+      const auto [may, certain] = may_overlap(dx, dy, dz, reach, slack);
       // Spheres are met once, so j is not i; and |j - i| > window is one comparison of what wraps.
       const std::uint32_t i = from.index[p];
       const auto j = hn::LoadU(Bits(), of.index + c);
       const auto far = hn::Gt(hn::Sub(j, hn::Set(Bits(), i - window)), hn::Set(Bits(), 2 * window));
       auto keep = hn::And(hn::RebindMask(Bits(), may), far);
       const auto undecided = hn::AndNot(hn::RebindMask(Bits(), certain), keep);
-      if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) keep = decide(i, c, keep, undecided);
+      if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) {
+        open_.add(Bits(), i, j, undecided);
+        keep = hn::AndNot(undecided, keep);
+        if (open_.full()) decide();
+      }
       hits += store_pairs(Bits(), i, j, keep, found + hits);
       if (HWY_UNLIKELY(hits >= GridQueues::hit_limit)) hits_ = hits, flush(), hits = 0;
     }
@@ -222,35 +228,16 @@ class Candidates {
       if (!std::isnan(q_.candidates.x[k])) sink_.compared(i, q_.candidates.index[k]);
   }
 
-  /// `keep` without those undecided that do not overlap.
-  HWY_NOINLINE hn::Mask<Bits> decide(std::uint32_t i, std::uint32_t c, hn::Mask<Bits> keep,
-                                     hn::Mask<Bits> undecided) {
-    std::uint8_t open[8] = {}, kept[8] = {};
-    hn::StoreMaskBits(Bits(), undecided, open);
-    hn::StoreMaskBits(Bits(), keep, kept);
-    const Sphere& sphere = chain_.spheres[i];
-    SphereRows rows;
-    const CandidateFields& of = q_.candidates;
-    hn::Store(hn::LoadU(Tag(), of.x + c), Tag(), rows.x);
-    hn::Store(hn::LoadU(Tag(), of.y + c), Tag(), rows.y);
-    hn::Store(hn::LoadU(Tag(), of.z + c), Tag(), rows.z);
-    hn::Store(hn::LoadU(Tag(), of.radius + c), Tag(), rows.radius);
-    const std::uint32_t asked = open[0] | std::uint32_t{open[1]} << 8;
-    const Told told = told_in_binary64(sphere, rows, asked);
-    std::uint32_t separate = asked & ~(told.overlap | told.open);
-    for (std::uint32_t bits = told.open; bits != 0; bits &= bits - 1) {
-      const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
-      if (!Robust::overlap(sphere, chain_.spheres[of.index[c + k]])) separate |= 1u << k;
-    }
-    kept[0] = static_cast<std::uint8_t>(kept[0] & ~separate);
-    kept[1] = static_cast<std::uint8_t>(kept[1] & ~(separate >> 8));
-    return hn::LoadMaskBits(Bits(), kept);
+  HWY_NOINLINE void decide() {
+    q_.open_done += open_.size();
+    report(open_.decide());
   }
-
-  /// Reports the hits that are no neighbours.
   HWY_NOINLINE void flush() {
-    const std::span<Pair> hits(q_.hits.data(), hits_);
+    report({q_.hits.data(), hits_});
     hits_ = 0;
+  }
+  /// Reports those that are no neighbours.
+  void report(std::span<Pair> hits) {
     if (window_is_all_) return found_.collide(hits);
     const auto neighbours = [&](const Pair& p) { return filter_.neighbours(p); };
     found_.collide(hits.first(
@@ -260,6 +247,8 @@ class Candidates {
   const ChainView& chain_;
   const WindowFilter filter_;
   const Places from_;
+  const float slack_;
+  OpenPairs open_{chain_};
   GridQueues& q_;
   Found& found_;
   Sink& sink_;

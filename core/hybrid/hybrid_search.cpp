@@ -13,6 +13,7 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
     : settings_(settings), block_queues_(threads), entry_queues_(threads), grid_queues_(threads) {}
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
+  parts_.tree.doubt = parts_.grid.doubt = settings_.doubt;
   build_block_tree(chain, parts_.tree, team);
   if (!settings_.rows) parts_.tree.forget_rows();
   find_crowds(chain, parts_.tree, settings_.crowd, parts_.crowding, team);
@@ -109,16 +110,18 @@ HybridSearch::Work HybridSearch::met() const {
   for (const BlockQueues& queues : block_queues_) {
     work.rows += queues.rows_done();
     work.near += queues.pairs_done();
+    work.open += queues.open_done();
   }
   for (const SpaceQueue& queue : entry_queues_) work.entries += queue.done;
-  for (const GridQueues& queues : grid_queues_) work.tests += queues.tests_done;
+  for (const GridQueues& queues : grid_queues_)
+    work.tests += queues.tests_done, work.open += queues.open_done;
   return work;
 }
 
 HybridSearch::Work HybridSearch::work() const {
   Work work = met();
   work.rows -= before_.rows, work.near -= before_.near;
-  work.entries -= before_.entries, work.tests -= before_.tests;
+  work.entries -= before_.entries, work.tests -= before_.tests, work.open -= before_.open;
   work.crowded = std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block;
   work.dense = parts_.dense_count;
   return work;

@@ -73,20 +73,22 @@ SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v, std::uint3
 }
 
 std::string SearchPlan::variant_with_threads() const {
-  const bool rows = !omissions_.may(Omission::straight) && by_blocks();
-  if (threads_ == 1 && !rows) return variant();
+  const bool rows = !omissions_.may(Omission::straight) && knows("rows"),
+             exact = !omissions_.may(Omission::exact) && knows("exact");
+  if (threads_ == 1 && !rows && !exact) return variant();
   VariantName name = VariantName::parse(variant());
   auto& settings = name.stages.front().settings;
   if (rows) settings.push_back({"rows", "search"});
+  if (exact) settings.push_back({"exact", "all"});
   if (threads_ > 1) settings.push_back({"threads", std::to_string(threads_)});
   return name.text();
 }
 
-bool SearchPlan::by_blocks() const {
+bool SearchPlan::knows(const char* parameter) const {
   const StrategyInfo* const info =
       StrategyRegistry::instance().find_strategy(VariantName::parse(variant()).stages.front().strategy);
   return info != nullptr &&
-         std::ranges::find(info->parameters, "rows", &ParameterInfo::name) != info->parameters.end();
+         std::ranges::find(info->parameters, parameter, &ParameterInfo::name) != info->parameters.end();
 }
 
 Request::Want SearchPlan::searched_for(Request::Want asked) const {

@@ -51,7 +51,7 @@ class CATENA_API SearchPlan {
                                const Omissions& omissions);
   static Offer offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                         const Omissions& omissions);
-  bool by_blocks() const;  ///< the variant knows rows of blocks
+  bool knows(const char* parameter) const;  ///< the variant does
   Decision hierarchy() const;
   Decision further_threads() const;
   Decision device() const;
