@@ -14,10 +14,6 @@
 #include "catena/core/error.h"
 #include "catena/properties/float_environment.h"
 
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
-
 namespace catena {
 namespace {
 

@@ -66,7 +66,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
 const RegisterVariant<Hybrid, Robust> registered{
     {.name = "Hybrid",
      .summary = "blocks of eight spheres in the chain's order or in that of space, Grid where much is near",
-     .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others leaves the chain's order"},
+     .parameters = {{"crowd", "64", "a node of 128 spheres that meets more others leaves the chain's order"},
                     {"dense", "1",
                      "a block that costs more than so many times its spheres in cells goes there"},
                     rows_parameter(),

@@ -46,9 +46,7 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
   if (chosen.of == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
   tree_ = tree.of, all_pairs_ = all_pairs.of, device_ = device.of, chosen_ = chosen.of;
   threads_ = chosen.threads;
-  constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
-  if (chosen_ == tree_ && threads_ <= few_threads && omissions.may(Omission::threads))
-    if (kind_ = UnusualKind::of(n, extent); kind_ != nullptr) threads_ = 1;
+  kind_ = unusual_kind(extent);
   want_ = searched_for(asked_);
   look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
 }
@@ -66,6 +64,12 @@ unsigned SearchPlan::best_threads(const Machine::VariantCost& v, std::uint32_t n
   return best;
 }
 
+const UnusualKind* SearchPlan::unusual_kind(const Extent& extent) const {
+  constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
+  const bool may = chosen_ == tree_ && threads_ <= few_threads && omissions_.may(Omission::threads);
+  return may ? UnusualKind::of(n_, extent) : nullptr;
+}
+
 SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                                        const Omissions& omissions) {
   const unsigned threads = best_threads(v, n, machine, omissions);
@@ -75,12 +79,12 @@ SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v, std::uint3
 std::string SearchPlan::variant_with_threads() const {
   const bool rows = !omissions_.may(Omission::straight) && knows("rows"),
              exact = !omissions_.may(Omission::exact) && knows("exact");
-  if (threads_ == 1 && !rows && !exact) return variant();
+  if (threads() == 1 && !rows && !exact) return variant();
   VariantName name = VariantName::parse(variant());
   auto& settings = name.stages.front().settings;
   if (rows) settings.push_back({"rows", "search"});
   if (exact) settings.push_back({"exact", "all"});
-  if (threads_ > 1) settings.push_back({"threads", std::to_string(threads_)});
+  if (threads() > 1) settings.push_back({"threads", std::to_string(threads())});
   return name.text();
 }
 
@@ -124,12 +128,12 @@ Decision SearchPlan::further_threads() const {
   const std::string step = info_of(Omission::threads).step;
   if (chosen_->cost.serial >= 1 || kind_ != nullptr) return {step, true, variant() + " is taken with one"};
   if (machine_.cores == 1) return {step, true, "there is one core"};
-  const unsigned other = threads_ > 1 ? 1 : 2;
-  return {step, threads_ == 1,
-          fmt::format("{}, {}; {} cores", priced(*chosen_, n_, threads_), priced(*chosen_, n_, other),
+  const unsigned other = threads() > 1 ? 1 : 2;
+  return {step, threads() == 1,
+          fmt::format("{}, {}; {} cores", priced(*chosen_, n_, threads()), priced(*chosen_, n_, other),
                       machine_.cores) +
               switched_off(omissions_, Omission::threads),
-          chosen_->cost.ms(n_, std::max(threads_, 2u))};
+          chosen_->cost.ms(n_, std::max(threads(), 2u))};
 }
 
 Plan SearchPlan::steps() const {

@@ -22,15 +22,20 @@ class CATENA_API SearchPlan {
   SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions,
              const Extent& extent = Extent());
 
+  /// It would be no other for this chain and request, as far as neither is of another kind.
+  bool holds_for(std::uint32_t n, const Request& request, const Extent& extent) const {
+    return n == n_ && request.want == asked_ && kind_ == unusual_kind(extent);
+  }
+
   const std::string& variant() const { return kind_ != nullptr ? kind_->variant : chosen_->variant; }
   /// Host threads that it is to have; 1 where it knows none.
-  unsigned threads() const { return threads_; }
+  unsigned threads() const { return kind_ != nullptr ? 1 : threads_; }
   /// As StrategyRegistry::make takes it.
   std::string variant_with_threads() const;
   bool on_device() const { return chosen_->on_device; }
   bool all_pairs() const { return chosen_->all_pairs; }
   /// About what build and find take.
-  double estimate_ms() const { return chosen_->cost.ms(n_, threads_); }
+  double estimate_ms() const { return chosen_->cost.ms(n_, threads()); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
   bool look_first() const { return look_first_; }
   /// What is searched for where this is asked: more where an omission is switched off.
@@ -51,6 +56,7 @@ class CATENA_API SearchPlan {
                                const Omissions& omissions);
   static Offer offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                         const Omissions& omissions);
+  const UnusualKind* unusual_kind(const Extent& extent) const;
   bool knows(const char* parameter) const;  ///< the variant does
   Decision hierarchy() const;
   Decision further_threads() const;
@@ -64,7 +70,7 @@ class CATENA_API SearchPlan {
             device_ = nullptr;  ///< cheapest of a kind; null: there is none
   Candidate chosen_ = nullptr;
   const UnusualKind* kind_ = nullptr;  ///< of chain, for which another tree is quicker
-  unsigned threads_ = 1;
+  unsigned threads_ = 1;               ///< of what was chosen; with a kind one
   bool look_first_ = false;
 };
 
