@@ -31,7 +31,7 @@ TEST(Regret, HoldsAutoAgainstTheQuickestOfTheOthers) {
 
 TEST(Regret, SaysWhyAnInputIsLeftOut) {
   const std::vector<VariantInfo> one{registry().describe("Hybrid")};
-  EXPECT_NE(regret({"coincident:n=30000"}, one, little()).left_out.find("overlap"), std::string::npos);
+  EXPECT_NE(regret({"winding:n=300000"}, one, little()).left_out.find("overlap"), std::string::npos);
   EXPECT_FALSE(regret({"yarn:n=30"}, {}, little()).left_out.empty());
 }
 

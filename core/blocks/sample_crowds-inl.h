@@ -133,7 +133,7 @@ class CrowdSample {
     return true;
   }
   /// After the walk: it met so few that this stands.
-  bool stayed_sparse() const { return crowding_.pair_count() <= std::size_t{2} * nodes(); }
+  bool stayed_sparse() const { return crowding_.pair_count() <= std::size_t{4} * nodes(); }
 
  private:
   static constexpr std::uint32_t group = BlockTree::group;
