@@ -34,6 +34,15 @@ TEST(DefaultFloats, StandOnlyWhereNothingIsStrange) {
     EXPECT_EQ(std::fegetround(), rounding) << "the caller's comes back";
   }
   EXPECT_TRUE(DefaultFloats::stands());
+#ifdef __SSE__
+  for (const unsigned flushed : {0x8000u, 0x0040u}) {  // results alone, operands alone
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before | flushed);
+    const bool stands = DefaultFloats::stands();
+    _mm_setcsr(before);
+    EXPECT_FALSE(stands) << flushed;
+  }
+#endif
 }
 
 /// With subnormal numbers read as zero this radius is not negative, and this arc has no length.

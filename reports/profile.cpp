@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "catena/bench/regret/regret.h"
 #include "catena/core/error.h"
 
 namespace catena::reports {
@@ -72,6 +73,8 @@ Profile quick() {
   append(p.wants_inputs, over_n("yarn", {5000}));
   p.coherent_inputs = over_n("path1", {10'000});
   p.planned_inputs = {"path1:n=20", "path1:n=10000", "yarn:n=10000"};
+  p.regret_inputs = over_n("path1", {4, 16, 100});
+  append(p.regret_inputs, bench::all_scenes(1000));
   p.short_chains = {10, 30, 100, 300, 1000, 3000};
   p.animation_input = {"path1:n=5000"};
   p.animation_step = 2;
@@ -113,6 +116,7 @@ Profile full() {
   append(p.wants_inputs, over_n("winding", {5000}));
   p.coherent_inputs = over_n("path1", {10'000, 100'000});
   append(p.coherent_inputs, over_n("path2", {100'000}));
+  for (const std::uint32_t n : {30'000, 1'000'000}) append(p.regret_inputs, bench::all_scenes(n));
   p.short_chains = {10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
   p.animation_input = {"path1:n=20000"};
   p.animation_step = 1;

@@ -38,7 +38,8 @@ struct Profile {
   std::vector<std::string> examine_settings;  ///< of rod, path1 and yarn
   std::vector<bench::WorkloadSpec> shown;     ///< in the viewer; all frames: ten of them
   std::vector<bench::WorkloadSpec> wants_inputs, coherent_inputs;
-  std::vector<std::string> planned_inputs;  ///< on which what auto leaves out is done all the same
+  std::vector<bench::WorkloadSpec> regret_inputs;  ///< on which auto is held against the quickest variant
+  std::vector<std::string> planned_inputs;         ///< on which what auto leaves out is done all the same
   int judged_steps = 0;  ///< of the lattice walks that others counted; 0: nothing is judged from outside
   std::uint32_t judged_side = 0;   ///< points along an axis of the chain whose pairs a formula knows
   std::uint32_t judged_n = 0;      ///< spheres of the longest chain whose node pairs are counted

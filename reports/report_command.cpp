@@ -203,10 +203,10 @@ class ReportCommand final : public Command {
     profile.tubes.clear(), profile.tube_spacings.clear(), profile.examine_settings.clear();
     profile.short_chains.clear(), profile.coherent_inputs.clear(), profile.shown.clear();
     profile.animation_input = {};
-    profile.wants_inputs.clear();
+    profile.wants_inputs.clear(), profile.regret_inputs.clear();
     for (const auto& scene : scenes_) {
       const bench::WorkloadSpec one{scene, false, input_};
-      profile.wants_inputs.push_back(one);
+      profile.wants_inputs.push_back(one), profile.regret_inputs.push_back(one);
       const auto animation = open_input(scene, input_).animation;
       const bool moves = animation->frames() > 1;
       if (animation->frame(0).size() <= most_shown) profile.shown.push_back({scene, moves, input_});

@@ -45,6 +45,7 @@ Profile small_profile() {
   p.examine_settings = {"n=200"};
   p.shown = {{"path1:n=200", true}, {"far:n=500,exponent=22"}, {"hair:n=200"}};
   p.wants_inputs = p.coherent_inputs = {bench::WorkloadSpec{"path1:n=200"}, in_box};
+  p.regret_inputs = {bench::WorkloadSpec{"path1:n=16"}, bench::WorkloadSpec{"yarn:n=300"}, in_box};
   p.short_chains = {10, 100};
   p.animation_input = {"path1:n=200"};
   p.animation_step = 10;

@@ -1,4 +1,5 @@
 #include "catena/core/blocks/block_kernels.h"
+#include "catena/core/blocks/told_exact.h"
 #include "catena/core/blocks/told_rows.h"
 #include "catena/core/strategy/register.h"
 
@@ -11,8 +12,9 @@ namespace {
 template <class Arithmetic>
 class ChainTree final : public Variant {
  public:
-  explicit ChainTree(const Parameters& parameters)
-      : rows_(skips_rows(parameters)) {}
+  explicit ChainTree(const Parameters& parameters) : rows_(skips_rows(parameters)) {
+    tree_.doubt = doubt_of(parameters);
+  }
 
   void build(const Chain& chain) override {
     const Stopwatch watch;
@@ -46,12 +48,14 @@ class ChainTree final : public Variant {
 
   Plan plan() const override {
     if (!built_ || tree_.blocks == 0) return {};
-    return {told_rows(tree_.rows(), tree_.level[0].count)};
+    return {told_rows(tree_.rows(), tree_.level[0].count),
+            told_exact(queues_.open_done() - open_before_, tree_.doubt)};
   }
 
   std::vector<WorkDone> work() const override {
     return {{"block, sixteen blocks", queues_.rows_done() - rows_before_},
-            {"eight spheres, eight", queues_.pairs_done() - pairs_before_}};
+            {"eight spheres, eight", queues_.pairs_done() - pairs_before_},
+            {"pair of spheres, beyond binary32", queues_.open_done() - open_before_}};
   }
 
  private:
@@ -60,6 +64,7 @@ class ChainTree final : public Variant {
     const Stopwatch watch;
     PairCollector collector(spheres_, request, result);
     rows_before_ = queues_.rows_done(), pairs_before_ = queues_.pairs_done();
+    open_before_ = queues_.open_done();
     search_blocks(chain.view(), tree_, queues_, collector.lane(0), evidence);
     collector.finish();
     timings_.find_ms = watch.ms();
@@ -68,7 +73,7 @@ class ChainTree final : public Variant {
   const bool rows_;
   BlockTree tree_;
   BlockQueues queues_;
-  std::uint64_t rows_before_ = 0, pairs_before_ = 0;  // the last search
+  std::uint64_t rows_before_ = 0, pairs_before_ = 0, open_before_ = 0;  // the last search
   ChainView view_{};
   std::uint32_t spheres_ = 0;
   bool built_ = false;
@@ -78,7 +83,7 @@ class ChainTree final : public Variant {
 const RegisterVariant<ChainTree, Robust> registered{
     {.name = "ChainTree",
      .summary = "capsules of 8 consecutive spheres, 16 a node, SIMD, sequential",
-     .parameters = {rows_parameter()},
+     .parameters = {rows_parameter(), exact_parameter()},
      .has_tree = true}};
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "catena/core/blocks/told_exact.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/strategy/evidence_nodes.h"
@@ -11,10 +12,15 @@ namespace {
 template <class Arithmetic>
 class Grid final : public HostSearch, public EvidenceNodes {
  public:
-  explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {}
+  explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {
+    grid_.doubt = doubt_of(parameters);
+  }
+
+  Plan plan() const override { return {told_exact(done().open - before_.open, grid_.doubt)}; }
 
   std::vector<WorkDone> work() const override {
-    return {{"sphere, vector of spheres", tests_done() - tests_before_}};
+    return {{"sphere, vector of spheres", done().tests - before_.tests},
+            {"pair of spheres, beyond binary32", done().open - before_.open}};
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
@@ -28,7 +34,7 @@ class Grid final : public HostSearch, public EvidenceNodes {
     build_grid(chain, grid_, {}, team_);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
-    tests_before_ = tests_done();
+    before_ = done();
     search_grid(chain, grid_, queues_, collector, team_);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
@@ -38,23 +44,26 @@ class Grid final : public HostSearch, public EvidenceNodes {
   }
   const Team& team() const override { return team_; }
 
-  std::uint64_t tests_done() const {
-    std::uint64_t tests = 0;
-    for (const GridQueues& queues : queues_) tests += queues.tests_done;
-    return tests;
+  struct Done {
+    std::uint64_t tests = 0, open = 0;
+  };
+  Done done() const {
+    Done all;
+    for (const GridQueues& queues : queues_) all.tests += queues.tests_done, all.open += queues.open_done;
+    return all;
   }
 
   const Team team_;
   ChainView view_{};  // of the last build
   SphereGrid grid_;
   std::vector<GridQueues> queues_;  // [member of the team]
-  std::uint64_t tests_before_ = 0;  // the last search
+  Done before_;                     // the last search
 };
 
 const RegisterVariant<Grid, Robust> registered{
     {.name = "Grid",
      .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD",
-     .parameters = {Team::threads_parameter()}}};
+     .parameters = {exact_parameter(), Team::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "catena/core/blocks/told_exact.h"
 #include "catena/core/blocks/told_rows.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/hybrid/hybrid_search.h"
@@ -17,7 +18,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   explicit Hybrid(const Parameters& parameters)
       : team_(parameters),
         search_({static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20)),
-                 parameters.real("dense", 0, 1e6), skips_rows(parameters)},
+                 parameters.real("dense", 0, 1e6), skips_rows(parameters), doubt_of(parameters)},
                 team_.size()) {}
 
   Plan plan() const override {
@@ -26,16 +27,15 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
             {"order of space", search_.crowded_nodes() == 0,
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                          search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
-            {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)}};
+            {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)},
+            told_exact(work.open, search_.settings().doubt)};
   }
 
   std::vector<WorkDone> work() const override {
     const HybridSearch::Work work = search_.work();
-    return {{"block, sixteen blocks", work.rows},
-            {"two blocks in space", work.entries},
-            {"eight spheres, eight", work.near},
-            {"sixteen spheres, sixteen", work.sixteens},
-            {"sphere, vector of spheres", work.tests}};
+    return {{"block, sixteen blocks", work.rows},      {"two blocks in space", work.entries},
+            {"eight spheres, eight", work.near},       {"sixteen spheres, sixteen", work.sixteens},
+            {"sphere, vector of spheres", work.tests}, {"pair of spheres, beyond binary32", work.open}};
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
@@ -63,11 +63,13 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
 
 const RegisterVariant<Hybrid, Robust> registered{
     {.name = "Hybrid",
-     .summary = "blocks of eight spheres in the chain's order or in that of space, single ones where much is near",
-     .parameters = {{"crowd", "32", "a node of 128 spheres that meets more others leaves the chain's order"},
+     .summary =
+         "blocks of eight spheres in the chain's order or in that of space, single ones where much is near",
+     .parameters = {{"crowd", "64", "a node of 128 spheres that meets more others leaves the chain's order"},
                     {"dense", "1",
                      "a block that costs more than so many times its spheres one by one is parted into them"},
                     rows_parameter(),
+                    exact_parameter(),
                     Team::threads_parameter()},
      .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6}}};
 

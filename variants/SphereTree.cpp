@@ -1,3 +1,4 @@
+#include "catena/core/blocks/told_exact.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
 #include "catena/core/strategy/evidence_nodes.h"
@@ -11,11 +12,16 @@ namespace {
 template <class Arithmetic>
 class SpheresInSpace final : public HostSearch, public EvidenceNodes {
  public:
-  explicit SpheresInSpace(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {}
+  explicit SpheresInSpace(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {
+    tree_.doubt = doubt_of(parameters);
+  }
 
+  Plan plan() const override { return {told_exact(done().open - before_.open, tree_.doubt)}; }
   std::vector<WorkDone> work() const override {
-    return {{"node, node", nodes_done() - nodes_before_},
-            {"sphere, sixteen spheres", tests_done() - tests_before_}};
+    const Done all = done();
+    return {{"node, node", all.nodes - before_.nodes},
+            {"sphere, sixteen spheres", all.tests - before_.tests},
+            {"pair of spheres, beyond binary32", all.open - before_.open}};
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
@@ -29,7 +35,7 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
     build_sphere_tree(chain, tree_, {}, team_);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
-    nodes_before_ = nodes_done(), tests_before_ = tests_done();
+    before_ = done();
     search_sphere_tree(chain, tree_, queues_, collector, team_);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
@@ -38,28 +44,27 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   }
   const Team& team() const override { return team_; }
 
-  std::uint64_t nodes_done() const {
-    std::uint64_t nodes = 0;
-    for (const SphereQueues& queues : queues_) nodes += queues.nodes_done;
-    return nodes;
-  }
-  std::uint64_t tests_done() const {
-    std::uint64_t tests = 0;
-    for (const SphereQueues& queues : queues_) tests += queues.tests_done;
-    return tests;
+  struct Done {
+    std::uint64_t nodes = 0, tests = 0, open = 0;
+  };
+  Done done() const {
+    Done all;
+    for (const SphereQueues& queues : queues_)
+      all.nodes += queues.nodes_done, all.tests += queues.tests_done, all.open += queues.open_done;
+    return all;
   }
 
   const Team team_;
   std::uint32_t spheres_ = 0;  // of the last build
   SphereTree tree_;
-  std::vector<SphereQueues> queues_;                   // [member of the team]
-  std::uint64_t nodes_before_ = 0, tests_before_ = 0;  // the last search
+  std::vector<SphereQueues> queues_;  // [member of the team]
+  Done before_;                       // the last search
 };
 
 const RegisterVariant<SpheresInSpace, Robust> registered{
     {.name = "SphereTree",
      .summary = "single spheres in the order of space, sixteen a node, SIMD",
-     .parameters = {Team::threads_parameter()}}};
+     .parameters = {exact_parameter(), Team::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

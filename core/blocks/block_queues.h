@@ -47,9 +47,13 @@ class BlockQueues {
   static constexpr std::size_t hit_limit = 448;
   Pair* hits() { return hits_.data(); }
 
+  /// Pairs of spheres that binary32 left open.
+  void add_open(std::size_t pairs) { open_done_ += pairs; }
+
   /// Rows and pairs looked into since this was made.
   std::uint64_t rows_done() const { return rows_done_; }
   std::uint64_t pairs_done() const { return pairs_done_; }
+  std::uint64_t open_done() const { return open_done_; }
 
  private:
   static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024,
@@ -58,7 +62,7 @@ class BlockQueues {
   std::vector<Row> rows_;
   std::vector<Pair> pairs_, hits_;
   std::size_t row_count_ = 0, pair_count_ = 0;
-  std::uint64_t rows_done_ = 0, pairs_done_ = 0;
+  std::uint64_t rows_done_ = 0, pairs_done_ = 0, open_done_ = 0;
 };
 
 }  // namespace catena

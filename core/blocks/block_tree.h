@@ -85,6 +85,8 @@ struct BlockTree {
   }
 
   float scale = 1;
+  /// Binary32 tells of two spheres where it is right by so many times the slack that is proved; 1, or more.
+  float doubt = 1;
   std::uint32_t blocks = 0;  ///< in the order of the chain
   /// Where a block's spheres are: the index of the first, or `copied` + eight times its number among the
   /// copies.

@@ -1,4 +1,4 @@
-// What binary64 tells of a sphere and several others that binary32 leaves open: stage 2 of Robust, and what
+// What binary64 tells of several pairs of spheres that binary32 leaves open: stage 2 of Robust, and what
 // of stage 3 is free of rounding.
 #if defined(CATENA_CORE_BLOCKS_EXACT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_EXACT_LANES_INL_H
@@ -17,12 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Up to sixteen spheres, one number after another.
-struct SphereRows {
-  alignas(64) float x[16], y[16], z[16], radius[16];
-};
-
-/// Bit k: sphere k of the rows overlaps or touches; it is not told, and another must decide.
+/// Bit k: pair k overlaps or touches; it is not told, and another must decide.
 struct Told {
   std::uint32_t overlap = 0, open = 0;
 };
@@ -47,39 +42,44 @@ struct ExactLanes {
   }
 };
 
-/// Tells of a sphere and those of the rows whose bits are set in `asked`. Binary64 neither overflows nor
-/// underflows here.
-HWY_INLINE Told told_in_binary64(const Sphere& sphere, const SphereRows& rows, std::uint32_t asked) {
-  using D = hn::CappedTag<double, 8>;
+using PairTag = hn::CappedTag<double, 8>;
+constexpr std::size_t pair_lanes = hn::MaxLanes(PairTag());
+
+/// Tells of `pair_lanes` spheres and as many others, lane by lane. Binary64 neither overflows nor underflows
+/// here.
+HWY_INLINE Told told_in_binary64(const Sphere* some, const Sphere* others) {
+  using D = PairTag;
   using Half = hn::Rebind<float, D>;
-  constexpr std::uint32_t lanes = hn::MaxLanes(D()), all = (1u << lanes) - 1;
   constexpr double binary64_slack = 1 + 10 * 0x1p-53;
   const auto slack = hn::Set(D(), binary64_slack);
-  Told told;
-  for (std::uint32_t begin = 0; begin < 16 && asked >> begin != 0; begin += lanes) {
-    if ((asked >> begin & all) == 0) continue;
-    const auto sum = [&](const float* row, float own) HWY_ATTR {
-      const hn::Mask<D> yes = hn::Eq(hn::Zero(D()), hn::Zero(D()));
-      return ExactLanes<D>{hn::PromoteTo(D(), hn::Load(Half(), row + begin)), yes} +
-             ExactLanes<D>{hn::Set(D(), double{own}), yes};
-    };
-    const ExactLanes<D> q =
-        sum(rows.x, -sphere.x).square() + sum(rows.y, -sphere.y).square() + sum(rows.z, -sphere.z).square();
-    const ExactLanes<D> t = sum(rows.radius, sphere.radius).square();
-    const auto exact = hn::And(q.exact, t.exact);
-    const auto overlap =
-        hn::Or(hn::Lt(hn::Mul(q.value, slack), t.value), hn::And(exact, hn::Le(q.value, t.value)));
-    const auto separate =
-        hn::Or(hn::Lt(hn::Mul(t.value, slack), q.value), hn::And(exact, hn::Lt(t.value, q.value)));
-    const auto bits = [&](hn::Mask<D> mask) HWY_ATTR {
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(D(), mask, bytes);
-      return (bytes[0] & asked >> begin & all) << begin;
-    };
-    told.overlap |= bits(overlap);
-    told.open |= bits(hn::Not(hn::Or(overlap, separate)));
-  }
-  return told;
+  struct Wide {
+    hn::Vec<D> x, y, z, radius;
+    explicit HWY_INLINE Wide(const Sphere* spheres) {
+      hn::Vec<Half> fx, fy, fz, fr;
+      hn::LoadInterleaved4(Half(), reinterpret_cast<const float*>(spheres), fx, fy, fz, fr);
+      x = hn::PromoteTo(D(), fx), y = hn::PromoteTo(D(), fy), z = hn::PromoteTo(D(), fz);
+      radius = hn::PromoteTo(D(), fr);
+    }
+  };
+  const Wide a(some), b(others);
+  const auto sum = [](hn::Vec<D> one, hn::Vec<D> other) HWY_ATTR {
+    const hn::Mask<D> yes = hn::Eq(hn::Zero(D()), hn::Zero(D()));
+    return ExactLanes<D>{one, yes} + ExactLanes<D>{other, yes};
+  };
+  const ExactLanes<D> q =
+      sum(b.x, hn::Neg(a.x)).square() + sum(b.y, hn::Neg(a.y)).square() + sum(b.z, hn::Neg(a.z)).square();
+  const ExactLanes<D> t = sum(b.radius, a.radius).square();
+  const auto exact = hn::And(q.exact, t.exact);
+  const auto overlap =
+      hn::Or(hn::Lt(hn::Mul(q.value, slack), t.value), hn::And(exact, hn::Le(q.value, t.value)));
+  const auto separate =
+      hn::Or(hn::Lt(hn::Mul(t.value, slack), q.value), hn::And(exact, hn::Lt(t.value, q.value)));
+  const auto bits = [](hn::Mask<D> mask) HWY_ATTR {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(D(), mask, bytes);
+    return bytes[0] & ((1u << pair_lanes) - 1);
+  };
+  return {bits(overlap), bits(hn::Not(hn::Or(overlap, separate)))};
 }
 
 }  // namespace catena::HWY_NAMESPACE

@@ -9,10 +9,9 @@
 #include <algorithm>
 #include <span>
 
-#include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
 #include "catena/core/blocks/count_up-inl.h"
-#include "catena/core/blocks/exact_lanes-inl.h"
+#include "catena/core/blocks/open_pairs-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/blocks/window_filter.h"
@@ -56,6 +55,7 @@ class LeafPairs {
       meet<scaled>(pairs[k].i, pairs[k].j);
     }
     queues_.clear_pairs();
+    decide();
     hand_over();
   }
 
@@ -80,7 +80,8 @@ class LeafPairs {
     const auto of_a = [&](std::uint32_t p) { return scaled ? scaled_sphere(sa[p], scale) : sa[p]; };
     const SphereLanes of_b = scaled ? SphereLanes(sb, scale) : SphereLanes(sb);
     Flags<block> near[block];
-    for (std::uint32_t p = 0; p < block; ++p) near[p] = SphereLanes::may_overlap(of_b.squares(of_a(p)));
+    for (std::uint32_t p = 0; p < block; ++p)
+      near[p] = SphereLanes::may_overlap(of_b.squares(of_a(p)), slack_);
     const auto any =
         ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
     if (any.none()) return;
@@ -97,6 +98,7 @@ class LeafPairs {
       may &= ~std::uint64_t{0} << (block * p) << block;
     }
     if (hit_count_ > BlockQueues::hit_limit) hand_over();
+    if (open_.full()) decide();
   }
 
   /// Sphere p of block a, and those of block b.
@@ -107,8 +109,8 @@ class LeafPairs {
     const std::uint64_t first = std::uint64_t{i} + window_ + 1;
     if (first >= chain_.size) return;
     const SphereLanes::Squares squares = of_b.squares(sphere);
-    const Flags<block> may = SphereLanes::may_overlap(squares),
-                       certain = SphereLanes::overlap_for_certain(squares);
+    const Flags<block> may = SphereLanes::may_overlap(squares, slack_),
+                       certain = SphereLanes::overlap_for_certain(squares, slack_);
     const auto from = static_cast<std::uint32_t>(first);
     for (std::size_t k = 0; k < Lanes8::parts; ++k) {
       const Bits bits;
@@ -116,7 +118,10 @@ class LeafPairs {
       const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, chain_.size - from));
       auto keep = hn::And(hn::RebindMask(bits, may.part[k]), wanted);
       const auto open = hn::AndNot(hn::RebindMask(bits, certain.part[k]), keep);
-      if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) keep = decide(sphere, of_b, k, i, j, keep, open);
+      if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) {
+        open_.add(bits, i, j, open);
+        keep = hn::AndNot(open, keep);
+      }
       hit_count_ += store_pairs(bits, i, j, keep, hits_ + hit_count_);
     }
   }
@@ -130,33 +135,15 @@ class LeafPairs {
     return count_up(Bits(), first + static_cast<std::uint32_t>(k) * width);
   }
 
-  /// `keep`, of part k, without those open that do not overlap; those that are left to the last stage may be
-  /// left out as neighbours, which often touch.
-  HWY_NOINLINE hn::Mask<Bits> decide(const Sphere& sphere, const SphereLanes& of_b, std::size_t k,
-                                     std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
-                                     hn::Mask<Bits> open) const {
-    constexpr std::size_t width = Lanes8::width;
-    std::uint8_t undecided[8] = {}, kept[8] = {};
-    std::uint32_t other[width];
-    hn::StoreMaskBits(Bits(), open, undecided);
-    hn::StoreMaskBits(Bits(), keep, kept);
-    hn::StoreU(j, Bits(), other);
-    SphereRows rows;
-    of_b.store(rows);
-    const Told told = told_in_binary64(sphere, rows, std::uint32_t{undecided[0]} << (k * width));
-    std::uint32_t separate = undecided[0] & ~((told.overlap | told.open) >> (k * width));
-    for_each_lane(told.open >> (k * width), [&](std::uint32_t lane) {
-      if (chain_.neighbours(i, other[lane]) ||
-          !Robust::overlap(chain_.spheres[i], chain_.spheres[other[lane]]))
-        separate |= 1u << lane;
-    });
-    kept[0] = static_cast<std::uint8_t>(kept[0] & ~separate);
-    return hn::LoadMaskBits(Bits(), kept);
+  HWY_NOINLINE void decide() {
+    queues_.add_open(open_.size());
+    report(open_.decide());
   }
-
   void hand_over() {
-    std::span<Pair> hits(hits_, hit_count_);
+    report({hits_, hit_count_});
     hit_count_ = 0;
+  }
+  void report(std::span<Pair> hits) {
     if (!window_is_all_) {
       const auto neighbours = [&](const Pair& p) { return filter_.neighbours(p); };
       hits = {hits.begin(), std::remove_if(hits.begin(), hits.end(), neighbours)};
@@ -201,6 +188,8 @@ class LeafPairs {
   /// Bit 8 p + q: sphere p of a block and q of the same one, or of the next along the chain, are to be
   /// compared: without neighbours, of which most of these pairs are.
   const std::uint64_t inside_ = wanted_from(0), next_ = wanted_from(block);
+  const float slack_ = SphereLanes::overlap_slack * tree_.doubt;
+  OpenPairs open_{chain_};
   Pair* const hits_ = queues_.hits();
   std::size_t hit_count_ = 0;
 };

@@ -7,7 +7,6 @@
 #endif
 
 #include "catena/core/blocks/capsules-inl.h"
-#include "catena/core/blocks/exact_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -68,11 +67,11 @@ class SphereLanes {
     return {mul_add(dx, dx, mul_add(dy, dy, dz * dz)), reach * reach};
   }
   /// Not less, rather than at most: a NaN of two infinities is neither, and may overlap.
-  static HWY_INLINE Flags<8> may_overlap(const Squares& s) {
-    return not_less(mul_add(s.t, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)), s.q);
+  static HWY_INLINE Flags<8> may_overlap(const Squares& s, float slack = overlap_slack) {
+    return not_less(mul_add(s.t, Lanes8::all(slack), Lanes8::all(overlap_floor)), s.q);
   }
-  static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s) {
-    return mul_add(s.q, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)) < s.t;
+  static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s, float slack = overlap_slack) {
+    return mul_add(s.q, Lanes8::all(slack), Lanes8::all(overlap_floor)) < s.t;
   }
 
   /// How many of the centres lie in a cube around that of `s`, which reaches so far to either side.
@@ -82,12 +81,11 @@ class SphereLanes {
                             (abs(z_ - Lanes8::all(s.z)) <= far);
     return static_cast<std::uint32_t>(std::popcount(within.bits()));
   }
-  HWY_INLINE void store(SphereRows& rows) const {
-    x_.store(rows.x), y_.store(rows.y), z_.store(rows.z), radius_.store(rows.radius);
-  }
+
+  static constexpr float overlap_slack = 1 + 12 * 0x1p-24f;
 
  private:
-  static constexpr float overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;
+  static constexpr float overlap_floor = 0x1p-120f;
   Lanes8 x_, y_, z_, radius_;
 };
 

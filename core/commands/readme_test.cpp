@@ -95,7 +95,7 @@ TEST_F(Readme, EveryKeyOfEveryLineOfJsonIsDocumented) {
         "verify lattice:n=2000 --variant bGPU2@host+CPU2", "examine rod:n=50",
         "stability --n 60 --variant CPU1/literal --variant aCPU2+CPU2", "errors --n 60",
         "enumerate --walks 3", "closed-form --side 4", "growth path1 --n 32000 --variant Necklace",
-        "knots --n 16", "pivot --n 512 --moves 1000 --exponent", "pivot --n 90 --moves 64 --at-once", "scaling yarn:n=3000 --ranks 16"}) {
+        "regret path1:n=16 --variant CPU1 --seconds 0.01", "knots --n 16", "pivot --n 512 --moves 1000 --exponent", "pivot --n 90 --moves 64 --at-once", "scaling yarn:n=3000 --ranks 16"}) {
     const ProgramOutcome r = run(run_line + " --json");
     ASSERT_LT(r.code, 2) << run_line << ": " << r.output;
     const std::string command = run_line.substr(0, run_line.find(' ')), said = documented(command);

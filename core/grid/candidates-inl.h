@@ -39,7 +39,7 @@ class Candidates {
       : from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         q_(queues),
         sink_(sink),
-        hits_(chain, queues.hits, found) {}
+        hits_(chain, queues.hits, grid.doubt, queues.open_done, found) {}
 
   /// False when so many candidates and spheres are too many for the queues.
   HWY_INLINE bool make_room(std::uint32_t candidates, std::uint32_t spheres) {
@@ -59,7 +59,7 @@ class Candidates {
 
   void finish() {
     start_over();
-    hits_.flush();
+    hits_.finish();
   }
 
   /// The first spheres of these runs will be asked for, or one alone.
@@ -117,7 +117,7 @@ class Candidates {
       const auto dy = beside(of.y + c, box.centres.low[1], box.centres.high[1]);
       const auto dz = beside(of.z + c, box.centres.low[2], box.centres.high[2]);
       const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), box.radius));
-      if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach).may)) return false;
+      if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach, slack_).may)) return false;
     }
     return true;
   }

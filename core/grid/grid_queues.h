@@ -32,6 +32,7 @@ struct GridQueues {
   };
 
   std::uint64_t tests_done = 0;  ///< since this was made
+  std::uint64_t open_done = 0;   ///< pairs that binary32 left open, likewise
   CandidateFields candidates{};
   std::vector<Test> tests = std::vector<Test>(test_limit + test_room);
   std::vector<Pair> hits = std::vector<Pair>(hit_limit + most_lanes);

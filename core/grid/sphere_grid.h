@@ -27,6 +27,7 @@ struct SphereGrid {
     std::size_t starts;  ///< where its part of `start` begins: buckets + 1 places, each where a bucket starts
   };
 
+  float doubt = 1;  ///< as BlockTree::doubt
   std::vector<Level> levels;
   LargeVector<std::uint32_t> start;
   LargeVector<float> x, y, z, radius;  ///< by place

@@ -21,6 +21,7 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
       sphere_queues_(threads) {}
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
+  parts_.tree.doubt = parts_.grid.doubt = parts_.spheres.doubt = settings_.doubt;
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;
@@ -183,18 +184,23 @@ HybridSearch::Work HybridSearch::met() const {
   for (const BlockQueues& queues : block_queues_) {
     work.rows += queues.rows_done();
     work.near += queues.pairs_done();
+    work.open += queues.open_done();
   }
   for (const SpaceQueue& queue : entry_queues_) work.entries += queue.done;
-  for (const GridQueues& queues : grid_queues_) work.tests += queues.tests_done;
-  for (const SphereQueues& queues : sphere_queues_)
-    work.tests += queues.tests_done, work.sixteens += queues.nodes_done;
+  for (const GridQueues& queues : grid_queues_)
+    work.tests += queues.tests_done, work.open += queues.open_done;
+  for (const SphereQueues& queues : sphere_queues_) {
+    work.tests += queues.tests_done, work.open += queues.open_done;
+    work.sixteens += queues.nodes_done;
+  }
   return work;
 }
 
 HybridSearch::Work HybridSearch::work() const {
   Work work = met();
   work.rows -= before_.rows, work.near -= before_.near;
-  work.entries -= before_.entries, work.tests -= before_.tests, work.sixteens -= before_.sixteens;
+  work.entries -= before_.entries, work.tests -= before_.tests, work.open -= before_.open;
+  work.sixteens -= before_.sixteens;
   work.crowded = std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block;
   work.dense = parts_.dense_count;
   return work;

@@ -29,6 +29,7 @@ class CATENA_API HybridSearch {
     std::uint32_t crowd;  ///< a node that meets more others is crowded
     double dense;         ///< a block is dense that costs more than so many times its spheres in cells
     bool rows = true;     ///< nodes whose blocks follow one another are not searched within
+    float doubt = 1;      ///< see BlockTree
   };
   /// What the last search met, by its stages; about what the time goes into.
   struct Work {
@@ -37,6 +38,7 @@ class CATENA_API HybridSearch {
     std::uint64_t near = 0;                ///< eight spheres against eight
     std::uint64_t sixteens = 0;            ///< sixteen spheres, in a box, and as many in another
     std::uint64_t tests = 0;               ///< a sphere against a vector of others
+    std::uint64_t open = 0;                ///< pairs of spheres that binary32 left open
     std::uint64_t crowded = 0, dense = 0;  ///< spheres of the last build's, at most
   };
 

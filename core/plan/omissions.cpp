@@ -7,8 +7,8 @@
 namespace catena {
 namespace {
 
-const std::array<OmissionInfo, 11>& table() {
-  static const std::array<OmissionInfo, 11> all{{
+const std::array<OmissionInfo, 12>& table() {
+  static const std::array<OmissionInfo, 12> all{{
       {Omission::hierarchy, "hierarchy", "hierarchy",
        "all pairs are compared instead, by the same exact test"},
       {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
@@ -22,6 +22,9 @@ const std::array<OmissionInfo, 11>& table() {
       {Omission::straight, "straight", "search within straight stretches",
        "along one axis each child of a node ends before the next but one begins, by intervals rounded "
        "outward"},
+      {Omission::exact, "exact", "exact stage where binary32 is certain",
+       "outside of a band of rounding, whose width is proved, both have the same sign: "
+       "properties/proofs/overlap_binary32.g; pair by pair, so that no margin of the scene is asked for"},
       {Omission::unmoved, "unmoved", "search of an unmoved frame",
        "no bit of a sphere differs, so that no pair does"},
       {Omission::still_parts, "still-parts", "search of the parts that did not move",

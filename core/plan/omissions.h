@@ -18,6 +18,7 @@ enum class Omission {
   after_hit,
   other_places,
   straight,
+  exact,
   unmoved,
   still_parts,
   shifted,

@@ -28,28 +28,25 @@ std::string switched_off(const Omissions& omissions, Omission omission) {
 SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& machine,
                        const Omissions& omissions, const Extent& extent)
     : n_(n), asked_(request.want), want_(request.want), machine_(machine), omissions_(omissions) {
-  const auto ms = [&](Candidate v) { return best_ms(*v, n, machine, omissions); };
-  const auto offer = [&](Candidate& best, const Machine::VariantCost& v) {
-    if (best == nullptr || ms(&v) < ms(best)) best = &v;
-  };
-  for (const Machine::VariantCost& v : machine.costs)
-    offer(v.on_device ? device_ : v.all_pairs ? all_pairs_ : tree_, v);
-  chosen_ = tree_;
-  if (chosen_ == nullptr ||
-      (all_pairs_ != nullptr && omissions.may(Omission::hierarchy) && ms(all_pairs_) < ms(chosen_)))
-    chosen_ = all_pairs_;
-  if (device_ != nullptr &&
-      (chosen_ == nullptr || !omissions.may(Omission::device) || ms(device_) < ms(chosen_))) {
-    if (device_->unavailable && device_->unavailable())
-      device_ = nullptr;
-    else
-      chosen_ = device_;
+  Offer tree, all_pairs, device;  // the cheapest of each kind
+  for (const Machine::VariantCost& v : machine.costs) {
+    Offer& best = v.on_device ? device : v.all_pairs ? all_pairs : tree;
+    if (const Offer offer = offer_of(v, n, machine, omissions); offer.ms < best.ms) best = offer;
   }
-  if (chosen_ == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
-  threads_ = best_threads(*chosen_, n, machine, omissions);
-  constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
-  if (chosen_ == tree_ && threads_ <= few_threads && omissions.may(Omission::threads))
-    if (kind_ = UnusualKind::of(n, extent); kind_ != nullptr) threads_ = 1;
+  Offer chosen = tree;
+  if (tree.of == nullptr || (omissions.may(Omission::hierarchy) && all_pairs.ms < tree.ms))
+    chosen = all_pairs;
+  if (device.of != nullptr &&
+      (chosen.of == nullptr || !omissions.may(Omission::device) || device.ms < chosen.ms)) {
+    if (device.of->unavailable && device.of->unavailable())
+      device.of = nullptr;
+    else
+      chosen = device;
+  }
+  if (chosen.of == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
+  tree_ = tree.of, all_pairs_ = all_pairs.of, device_ = device.of, chosen_ = chosen.of;
+  threads_ = chosen.threads;
+  kind_ = unusual_kind(extent);
   want_ = searched_for(asked_);
   look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
 }
@@ -59,6 +56,7 @@ unsigned SearchPlan::best_threads(const Machine::VariantCost& v, std::uint32_t n
                                   const Omissions& omissions) {
   if (v.cost.serial >= 1) return 1;
   if (!omissions.may(Omission::threads)) return machine.cores;
+  if (v.cost.sphere_ns * n <= v.cost.team_us * 1e3) return 1;  // no number of them saves a team's cost
   unsigned best = 1;
   for (unsigned k = 2; k / 2 < machine.cores; k *= 2)
     if (const unsigned threads = std::min(k, machine.cores); v.cost.ms(n, threads) < 0.9 * v.cost.ms(n, best))
@@ -66,26 +64,35 @@ unsigned SearchPlan::best_threads(const Machine::VariantCost& v, std::uint32_t n
   return best;
 }
 
-double SearchPlan::best_ms(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
-                           const Omissions& omissions) {
-  return v.cost.ms(n, best_threads(v, n, machine, omissions));
+const UnusualKind* SearchPlan::unusual_kind(const Extent& extent) const {
+  constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
+  const bool may = chosen_ == tree_ && threads_ <= few_threads && omissions_.may(Omission::threads);
+  return may ? UnusualKind::of(n_, extent) : nullptr;
+}
+
+SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
+                                       const Omissions& omissions) {
+  const unsigned threads = best_threads(v, n, machine, omissions);
+  return {&v, threads, v.cost.ms(n, threads)};
 }
 
 std::string SearchPlan::variant_with_threads() const {
-  const bool rows = !omissions_.may(Omission::straight) && by_blocks();
-  if (threads_ == 1 && !rows) return variant();
+  const bool rows = !omissions_.may(Omission::straight) && knows("rows"),
+             exact = !omissions_.may(Omission::exact) && knows("exact");
+  if (threads() == 1 && !rows && !exact) return variant();
   VariantName name = VariantName::parse(variant());
   auto& settings = name.stages.front().settings;
   if (rows) settings.push_back({"rows", "search"});
-  if (threads_ > 1) settings.push_back({"threads", std::to_string(threads_)});
+  if (exact) settings.push_back({"exact", "all"});
+  if (threads() > 1) settings.push_back({"threads", std::to_string(threads())});
   return name.text();
 }
 
-bool SearchPlan::by_blocks() const {
+bool SearchPlan::knows(const char* parameter) const {
   const StrategyInfo* const info =
       StrategyRegistry::instance().find_strategy(VariantName::parse(variant()).stages.front().strategy);
   return info != nullptr &&
-         std::ranges::find(info->parameters, "rows", &ParameterInfo::name) != info->parameters.end();
+         std::ranges::find(info->parameters, parameter, &ParameterInfo::name) != info->parameters.end();
 }
 
 bool SearchPlan::give_way(const std::string& why) {
@@ -137,12 +144,12 @@ Decision SearchPlan::further_threads() const {
   const std::string step = info_of(Omission::threads).step;
   if (chosen_->cost.serial >= 1 || kind_ != nullptr) return {step, true, variant() + " is taken with one"};
   if (machine_.cores == 1) return {step, true, "there is one core"};
-  const unsigned other = threads_ > 1 ? 1 : 2;
-  return {step, threads_ == 1,
-          fmt::format("{}, {}; {} cores", priced(*chosen_, n_, threads_), priced(*chosen_, n_, other),
+  const unsigned other = threads() > 1 ? 1 : 2;
+  return {step, threads() == 1,
+          fmt::format("{}, {}; {} cores", priced(*chosen_, n_, threads()), priced(*chosen_, n_, other),
                       machine_.cores) +
               switched_off(omissions_, Omission::threads),
-          chosen_->cost.ms(n_, std::max(threads_, 2u))};
+          chosen_->cost.ms(n_, std::max(threads(), 2u))};
 }
 
 Plan SearchPlan::steps() const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "catena/core/chain/chain_view.h"
@@ -21,17 +22,22 @@ class CATENA_API SearchPlan {
   SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions,
              const Extent& extent = Extent());
 
+  /// It would be no other for this chain and request, as far as neither is of another kind.
+  bool holds_for(std::uint32_t n, const Request& request, const Extent& extent) const {
+    return n == n_ && request.want == asked_ && kind_ == unusual_kind(extent);
+  }
+
   const std::string& variant() const {
     return !in_parts_.empty() ? in_parts_ : kind_ != nullptr ? kind_->variant : chosen_->variant;
   }
   /// Host threads that it is to have; 1 where it knows none.
-  unsigned threads() const { return threads_; }
+  unsigned threads() const { return kind_ != nullptr ? 1 : threads_; }
   /// As StrategyRegistry::make takes it.
   std::string variant_with_threads() const;
   bool on_device() const { return chosen_->on_device; }
   bool all_pairs() const { return chosen_->all_pairs; }
   /// About what build and find take.
-  double estimate_ms() const { return chosen_->cost.ms(n_, threads_); }
+  double estimate_ms() const { return chosen_->cost.ms(n_, threads()); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
   bool look_first() const { return look_first_; }
   /// To be told when there is no room for what variant() does, and why: of a device, first a variant takes
@@ -45,11 +51,18 @@ class CATENA_API SearchPlan {
 
  private:
   using Candidate = const Machine::VariantCost*;
+  /// What a variant would take with as many threads as pay.
+  struct Offer {
+    Candidate of = nullptr;
+    unsigned threads = 1;
+    double ms = std::numeric_limits<double>::infinity();
+  };
   static unsigned best_threads(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                                const Omissions& omissions);
-  static double best_ms(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
+  static Offer offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                         const Omissions& omissions);
-  bool by_blocks() const;  ///< the variant knows rows of blocks
+  const UnusualKind* unusual_kind(const Extent& extent) const;
+  bool knows(const char* parameter) const;  ///< the variant does
   Decision hierarchy() const;
   Decision further_threads() const;
   Decision device() const;
@@ -64,7 +77,7 @@ class CATENA_API SearchPlan {
   std::string in_parts_;  ///< has the chain come in parts, as the chosen one had no room; empty: it has
   std::string gave_way_;  ///< who had no room, and why
   const UnusualKind* kind_ = nullptr;  ///< of chain, for which another tree is quicker
-  unsigned threads_ = 1;
+  unsigned threads_ = 1;               ///< of what was chosen; with a kind one
   bool look_first_ = false;
 };
 

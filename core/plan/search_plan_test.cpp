@@ -81,6 +81,21 @@ TEST(SearchPlan, DoesWhatMayNotBeLeftOut) {
   EXPECT_THROW(chosen(5, {}, Machine{}), CapacityError);
 }
 
+TEST(SearchPlan, HoldsForChainsThatWouldBePlannedAlike) {
+  const Machine of = Machine::built_in();
+  const auto extent = [](const char* input) { return open_input(input).animation->frame(0).view().extent; };
+  const Extent crowded = extent("yarn:n=1000"), sparse = extent("path1:n=1000"),
+               wide = extent("cluster:n=1000");
+  for (const Extent& first : {crowded, sparse, wide, Extent()}) {
+    const SearchPlan plan(1000, {}, of, {}, first);
+    for (const Extent& other : {crowded, sparse, wide, Extent()})
+      EXPECT_EQ(plan.holds_for(1000, {}, other),
+                plan.variant() == SearchPlan(1000, {}, of, {}, other).variant());
+    EXPECT_FALSE(plan.holds_for(1001, {}, first));
+    EXPECT_FALSE(plan.holds_for(1000, {Want::any}, first));
+  }
+}
+
 /// One search that knows threads, of which half the work can be shared out.
 Machine sixteen_cores() {
   Machine of = machine();
@@ -130,8 +145,9 @@ TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {
 
 TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   std::vector<std::string> taken;
-  for (const char* input : {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30",
-                            "cluster:n=700,shells=140", "cluster:n=700,shells=30", "subnormal:n=700"}) {
+  for (const char* input :
+       {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30", "cluster:n=700,shells=140",
+        "cluster:n=700,shells=30", "subnormal:n=700", "hair:n=3000,radius=1e-41"}) {
     const Chain chain = open_input(input).animation->frame(0);
     const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent);
     ASSERT_NE(kind, nullptr) << input;
@@ -155,6 +171,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[0], "Grid");
   EXPECT_EQ(taken[1], "ChainTree");
   EXPECT_EQ(taken[2], "aCPU2+Dual");
+  EXPECT_EQ(taken[5], "Grid");
   for (const char* usual :
        {"yarn:n=3000", "mixed_radii:n=3000,decades=6", "points:n=3000,share=0.7",
         "lattice:n=3000,scale=1e-30", "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {

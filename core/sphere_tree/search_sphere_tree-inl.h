@@ -37,7 +37,7 @@ template <class Found, class Sink>
 class SphereSearch {
  public:
   SphereSearch(const ChainView& chain, const SphereTree& tree, SphereQueues& queues, Found& found, Sink& sink)
-      : tree_(tree), q_(queues), found_(found), sink_(sink), hits_(chain, queues.hits, found) {}
+      : tree_(tree), q_(queues), found_(found), sink_(sink), hits_(chain, queues.hits, tree.doubt, queues.open_done, found) {}
 
   /// Pairs within nodes begin to end - 1, and of these with later ones.
   void run(std::uint32_t begin, std::uint32_t end) {
@@ -48,7 +48,7 @@ class SphereSearch {
       meet_nodes(a, box);
     }
     work_off();
-    hits_.flush();
+    hits_.finish();
   }
 
  private:

@@ -18,6 +18,7 @@ struct SphereQueues {
   };
 
   std::uint64_t nodes_done = 0, tests_done = 0;  ///< since this was made
+  std::uint64_t open_done = 0;                   ///< pairs that binary32 left open, likewise
   std::vector<std::uint32_t> nodes = std::vector<std::uint32_t>(node_limit + group);
   /// A vector that is stored may pass the last.
   std::vector<Test> tests = std::vector<Test>(test_limit + 2 * group);

@@ -19,6 +19,7 @@ struct SphereTree {
   /// Fields of sixteen boxes: low x y z, high x y z.
   static constexpr std::uint32_t box_fields = 6;
 
+  float doubt = 1;  ///< as BlockTree::doubt
   std::uint32_t spheres = 0;
   LargeVector<float> fields;         ///< of each node's spheres, sixteen numbers a field
   LargeVector<std::uint32_t> index;  ///< [place]: of the sphere in the chain

@@ -39,5 +39,26 @@ class FewTooFew final : public FaultyHybrid {
 const RegisterMutant<FewTooFew> few{"last-dense-block-not-in-cells",
                                     "a list of what is dense that is one block short"};
 
+/// Settings with more doubt than there is, or less.
+class Trusting : public FaultyHybrid {
+ public:
+  explicit Trusting(double dense) : FaultyHybrid({0, dense, true, 1 - 0x1p-20f}) {}
+
+ private:
+  void tamper(const ChainView&, Parts&) override {}
+};
+class TrustsBlocks final : public Trusting {
+ public:
+  TrustsBlocks() : Trusting(never) {}
+};
+const RegisterMutant<TrustsBlocks> trusts_blocks{
+    "exact-stage-left-out", "what is within rounding of touching decided without the exact stage, by blocks"};
+class TrustsCells final : public Trusting {
+ public:
+  TrustsCells() : Trusting(0) {}
+};
+const RegisterMutant<TrustsCells> trusts_cells{
+    "exact-stage-left-out-in-cells", "what is within rounding of touching decided without the exact stage"};
+
 }  // namespace
 }  // namespace catena::properties

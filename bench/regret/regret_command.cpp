@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "catena/bench/regret/regret.h"
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/input_options.h"
+#include "catena/core/commands/json_line.h"
+#include "catena/core/commands/progress.h"
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena::bench {
+namespace {
+
+/// `catena regret`: what the choice of auto costs beside the quickest single variant.
+class RegretCommand final : public Command {
+ public:
+  void configure(CLI::App& app) override {
+    app.add_option("INPUT", inputs_, "Scenes and files; none: every scene at each --n");
+    app.add_option("--n", sizes_,
+                   "Spheres of the scenes; repeatable; without INPUT only (default 1000, 30000)")
+        ->type_name("N")
+        ->allow_extra_args(false)
+        ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100'000'000}));
+    app.add_option("--variant", variants_,
+                   "Hold auto against this one; repeatable (default: every one of the host)")
+        ->type_name("V")
+        ->allow_extra_args(false);
+    app.add_option("--seconds", effort_.seconds, "About so long for each input, twice")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-3, 1e6));
+    app.add_option("--rounds", effort_.rounds, "Samples of each, at most")
+        ->capture_default_str()
+        ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
+    add_input_options(app, input_);
+    app.add_flag("--json", json_, "One JSON object a line for each input");
+    app.footer(
+        "Times are the processor's where auto takes one thread of the host, and wall times where it does "
+        "not.");
+  }
+
+  int run() override {
+    if (!inputs_.empty() && !sizes_.empty())
+      throw InputError(
+          "--n sizes the scenes when no input is named; write scene:n=N for a scene of your own");
+    const std::vector<WorkloadSpec> specs = asked();
+    std::vector<VariantInfo> others;
+    for (const std::string& name : variants_) others.push_back(StrategyRegistry::instance().describe(name));
+    if (variants_.empty()) others = regret_variants(StrategyRegistry::instance().variants());
+    std::size_t width = 5;
+    for (const WorkloadSpec& spec : specs) width = std::max(width, label_of(spec).size());
+    if (!json_)
+      fmt::print("{:<{}}  {:<22} {:<22} {:>11} {:>11} {:>6}\n", "input", width, "auto took", "quickest",
+                 "auto, ms", "quickest", "ratio");
+    Progress progress(specs.size());
+    std::vector<double> ratios;
+    for (const WorkloadSpec& spec : specs) {
+      progress.step(spec.input);
+      const Regret found = regret(spec, others, effort_);
+      progress.clear();
+      if (!found.left_out.empty()) {
+        fmt::print(stderr, "catena regret: {} is left out: {}\n", found.input, found.left_out);
+        continue;
+      }
+      ratios.push_back(found.ratio());
+      if (json_)
+        fmt::print("{}\n", json_line(to_json(found)));
+      else
+        print(found, width);
+      std::fflush(stdout);
+    }
+    if (!json_ && !ratios.empty()) summarize(ratios);
+    return 0;
+  }
+
+ private:
+  std::vector<WorkloadSpec> asked() const {
+    std::vector<WorkloadSpec> specs;
+    for (const std::string& input : inputs_) specs.push_back({input, false, input_});
+    if (!inputs_.empty()) return specs;
+    for (const std::uint32_t n : sizes_.empty() ? std::vector<std::uint32_t>{1000, 30'000} : sizes_)
+      for (WorkloadSpec& spec : all_scenes(n)) specs.push_back(std::move(spec));
+    return specs;
+  }
+
+  static void print(const Regret& r, std::size_t width) {
+    fmt::print("{:<{}}  {:<22} {:<22} {:>11.4g} {:>11.4g} {:>6.3f}{}\n", r.input, width, r.chosen, r.best,
+               r.auto_median(), r.best_median(), r.ratio(), r.processor ? "" : " by the wall clock");
+  }
+  static void summarize(std::vector<double> ratios) {
+    double logs = 0;
+    for (const double ratio : ratios) logs += std::log(ratio);
+    fmt::print("geometric mean {:.3f}, the most {:.3f}; above 1.05: {} of {}\n",
+               std::exp(logs / static_cast<double>(ratios.size())), *std::ranges::max_element(ratios),
+               std::ranges::count_if(ratios, [](double ratio) { return ratio > 1.05; }), ratios.size());
+  }
+
+  std::vector<std::string> inputs_, variants_;
+  std::vector<std::uint32_t> sizes_;
+  RegretEffort effort_;
+  InputOptions input_{.takes_box = true};
+  bool json_ = false;
+};
+
+const RegisterCommand<RegretCommand> registered{
+    "regret", "What the choice of auto costs beside the quickest single variant, input by input"};
+
+}  // namespace
+}  // namespace catena::bench
