@@ -74,16 +74,20 @@ void add(const Bytes& bytes, SphereId first, std::vector<std::uint64_t>& count) 
 }
 
 /// Pairs to the ranks on which their first spheres began.
-std::vector<Message> shares_of(std::vector<IdPair> pairs, std::span<const SphereId> starts, unsigned ranks) {
+std::vector<Message> shares_of(PairLists pairs, std::span<const SphereId> starts, unsigned ranks) {
   std::vector<std::uint64_t> sizes(ranks, 0);
-  for (const IdPair& pair : pairs) ++sizes[owner_of(starts, pair.i)];
+  for (const auto& list : pairs)
+    for (const IdPair& pair : list) ++sizes[owner_of(starts, pair.i)];
   std::vector<ByteWriter> shares(ranks);
   for (unsigned rank = 0; rank < ranks; ++rank) {
     if (sizes[rank] == 0) continue;
     shares[rank].reserve(sizeof sizes[rank] + sizes[rank] * sizeof(IdPair));
     shares[rank].put(sizes[rank]);
   }
-  for (const IdPair& pair : pairs) shares[owner_of(starts, pair.i)].put(pair);
+  for (auto& list : pairs) {
+    for (const IdPair& pair : list) shares[owner_of(starts, pair.i)].put(pair);
+    std::vector<IdPair>().swap(list);
+  }
   std::vector<Message> out;
   for (unsigned rank = 0; rank < ranks; ++rank)
     if (sizes[rank] > 0) out.push_back({rank, shares[rank].take()});
@@ -111,8 +115,7 @@ std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const Sp
   return count;
 }
 
-std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts,
-                                 std::vector<IdPair> pairs) {
+std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts, PairLists pairs) {
   std::vector<std::vector<IdPair>> lists;
   for (Message& message : ranks.exchange(shares_of(std::move(pairs), starts, ranks.size()))) {
     lists.push_back(ByteReader(message.bytes).get_list<IdPair>());

@@ -4,6 +4,7 @@
 
 #include "catena/core/ranks/across.h"
 #include "catena/core/ranks/communicator.h"
+#include "catena/core/ranks/local_search.h"
 
 namespace catena::ranks {
 
@@ -21,6 +22,6 @@ std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const Sp
 
 /// Sends each pair to the rank that its first sphere began on; returns those of this rank, sorted.
 std::vector<IdPair> return_pairs(Communicator& ranks, std::span<const SphereId> starts,
-                                 std::vector<IdPair> pairs);
+                                 PairLists pairs);
 
 }  // namespace catena::ranks

@@ -66,7 +66,7 @@ std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant,
   if (want == Request::Want::any) {
     kept.add_uncounted(found.found ? 1 : 0);
   } else {
-    kept.reserve(found.pairs.size());
+    if (!found.pairs.empty()) kept.reserve(found.pairs.size());
     for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
     kept.add_uncounted(found.pair_count - found.pairs.size());
   }

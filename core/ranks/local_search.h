@@ -6,6 +6,9 @@
 
 namespace catena::ranks {
 
+/// Pairs in several lists, which none has to copy that grows.
+using PairLists = std::vector<std::vector<IdPair>>;
+
 /// Pairs that a rank found, of which it keeps no more than a limit; all are counted.
 class KeptPairs {
  public:
@@ -13,20 +16,26 @@ class KeptPairs {
   explicit KeptPairs(std::uint64_t limit) : limit_(limit) {}
   void add(SphereId a, SphereId b) {
     ++found_;
-    if (found_ <= limit_)
-      pairs_.push_back({std::min(a, b), std::max(a, b)});
-    else if (!pairs_.empty())
-      std::vector<IdPair>().swap(pairs_);
+    if (found_ <= limit_) {
+      if (lists_.empty() || lists_.back().size() == lists_.back().capacity()) reserve(std::min(found_, most));
+      lists_.back().push_back({std::min(a, b), std::max(a, b)});
+    } else if (!lists_.empty()) {
+      PairLists().swap(lists_);
+    }
   }
-  void reserve(std::uint64_t more) { pairs_.reserve(pairs_.size() + std::min(more, limit_)); }
+  /// Room for so many that come next.
+  void reserve(std::uint64_t more) {
+    if (limit_ > 0) lists_.emplace_back().reserve(std::max(fewest, std::min(more, limit_)));
+  }
   void add_uncounted(std::uint64_t pairs) { found_ += pairs; }
   std::uint64_t found() const { return found_; }
-  std::vector<IdPair> take() { return std::move(pairs_); }
+  PairLists take() { return std::move(lists_); }
 
  private:
+  static constexpr std::uint64_t fewest = 64, most = 1 << 20;  // of a list, unless more are told to come
   const std::uint64_t limit_;
   std::uint64_t found_ = 0;
-  std::vector<IdPair> pairs_;
+  PairLists lists_;
 };
 
 /// visit(pair) for every pair of the chain, for which the variant was built, whose first sphere is one of

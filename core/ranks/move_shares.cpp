@@ -76,8 +76,9 @@ void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::uin
       out.push_back({rank, bytes.take()});
     }
     for_each_until(end, shares[own], gone[own], [&](std::uint64_t begin, std::uint64_t n) {
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(begin), n,
-                  values.begin() + static_cast<std::ptrdiff_t>(stay));
+      if (stay < begin)
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(begin), n,
+                    values.begin() + static_cast<std::ptrdiff_t>(stay));
       stay += n;
     });
     give_back_pages(values.data() + stay, (end - stay) * sizeof(Value));

@@ -155,7 +155,7 @@ TEST(ReturnedAnswers, GoHomeByNumbersOf64Bits) {
     if (c.rank() == 2) {
       EXPECT_EQ(count, (std::vector<std::uint64_t>{2, 3, 0, 8, 0, 0, 0, 0, 0, 3}));
     }
-    const auto pairs = return_pairs(c, starts, {{start + 2 - c.rank(), start + 7}, {5, start + 1}});
+    const auto pairs = return_pairs(c, starts, PairLists{{{start + 2 - c.rank(), start + 7}}, {}, {{5, start + 1}}});
     if (c.rank() == 0) {
       EXPECT_EQ(pairs, (std::vector<IdPair>{{5, start + 1}, {5, start + 1}, {5, start + 1}}));
     }
