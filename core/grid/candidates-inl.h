@@ -43,6 +43,7 @@ class Candidates {
       : chain_(chain),
         filter_(chain),
         from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
+        equal_radii_(grid.equal_radii),
         slack_((1 + 12 * 0x1p-24f) * grid.doubt),
         q_(queues),
         found_(found),
@@ -90,6 +91,7 @@ class Candidates {
   template <class Runs>
   HWY_INLINE std::uint32_t gather(const Runs& runs) {
     const Places from = from_;
+    const bool equal = equal_radii_;
     CandidateFields& to = q_.candidates;
     std::uint32_t size = size_;
     for (const Run& run : runs) {
@@ -100,7 +102,7 @@ class Candidates {
         hn::StoreU(hn::LoadU(Tag(), from.x + at), Tag(), to.x + size + k);
         hn::StoreU(hn::LoadU(Tag(), from.y + at), Tag(), to.y + size + k);
         hn::StoreU(hn::LoadU(Tag(), from.z + at), Tag(), to.z + size + k);
-        hn::StoreU(hn::LoadU(Tag(), from.radius + at), Tag(), to.radius + size + k);
+        if (!equal) hn::StoreU(hn::LoadU(Tag(), from.radius + at), Tag(), to.radius + size + k);
         hn::StoreU(hn::LoadU(Bits(), from.index + at), Bits(), to.index + size + k);
         k += lanes;
       } while (HWY_UNLIKELY(k < count));
@@ -129,7 +131,8 @@ class Candidates {
       const auto dx = beside(of.x + c, box.centres.low[0], box.centres.high[0]);
       const auto dy = beside(of.y + c, box.centres.low[1], box.centres.high[1]);
       const auto dz = beside(of.z + c, box.centres.low[2], box.centres.high[2]);
-      const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), box.radius));
+      const auto radius = equal_radii_ ? hn::Set(Tag(), box.radius) : hn::LoadU(Tag(), of.radius + c);
+      const auto reach = hn::Add(radius, hn::Set(Tag(), box.radius));
       if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach, slack_).may)) return false;
     }
     return true;
@@ -186,7 +189,11 @@ class Candidates {
     return {hn::Le(q, hn::MulAdd(t, slack, floor)), hn::Lt(hn::MulAdd(q, slack, floor), t)};
   }
 
-  HWY_NOINLINE void work_off() {
+  void work_off() { equal_radii_ ? work_off_with<true>() : work_off_with<false>(); }
+
+  /// The reach of all pairs is one, where radii are equal.
+  template <bool equal_radii>
+  HWY_NOINLINE void work_off_with() {
     const Places from =
         from_;  // a copy: what is stored below might be this object, for all the compiler knows
     const GridQueues::Test* const tests = q_.tests.data();
@@ -195,13 +202,16 @@ class Candidates {
     const std::uint32_t window = window_, count = tests_;
     const float slack = slack_;
     std::uint32_t hits = hits_;
+    const float diameter = equal_radii && count > 0 ? from.radius[0] + from.radius[0] : 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t p = tests[k].place, c = tests[k].candidate;
       if constexpr (Sink::listens) tell(from.index[p], c);
       const auto dx = hn::Sub(hn::LoadU(Tag(), of.x + c), hn::Set(Tag(), from.x[p]));
       const auto dy = hn::Sub(hn::LoadU(Tag(), of.y + c), hn::Set(Tag(), from.y[p]));
       const auto dz = hn::Sub(hn::LoadU(Tag(), of.z + c), hn::Set(Tag(), from.z[p]));
-      const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), from.radius[p]));
+      const auto reach = equal_radii
+                             ? hn::Set(Tag(), diameter)
+                             : hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), from.radius[p]));
       const auto [may, certain] = may_overlap(dx, dy, dz, reach, slack);
       // Spheres are met once, so j is not i; and |j - i| > window is one comparison of what wraps.
       const std::uint32_t i = from.index[p];
@@ -247,6 +257,7 @@ class Candidates {
   const ChainView& chain_;
   const WindowFilter filter_;
   const Places from_;
+  const bool equal_radii_;
   const float slack_;
   OpenPairs open_{chain_};
   GridQueues& q_;

@@ -14,6 +14,7 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
   parts_.tree.doubt = parts_.grid.doubt = settings_.doubt;
+  parts_.grid.each_radius = settings_.each_radius;
   build_block_tree(chain, parts_.tree, team);
   if (!settings_.rows) parts_.tree.forget_rows();
   find_crowds(chain, parts_.tree, settings_.crowd, parts_.crowding, team);

@@ -60,5 +60,17 @@ class TrustsCells final : public Trusting {
 const RegisterMutant<TrustsCells> trusts_cells{
     "exact-stage-left-out-in-cells", "what is within rounding of touching decided without the exact stage"};
 
+class OneRadius final : public FaultyHybrid {
+ public:
+  OneRadius() : FaultyHybrid({0, 0}) {}
+
+ private:
+  void tamper(const ChainView&, Parts& parts) override {
+    parts.grid.equal_radii = parts.grid.levels.size() == 1;  // as cells of one width suggest
+  }
+};
+const RegisterMutant<OneRadius> one_radius{"radii-taken-for-equal",
+                                           "one radius read for all where they differ a little"};
+
 }  // namespace
 }  // namespace catena::properties
