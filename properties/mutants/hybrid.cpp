@@ -39,7 +39,7 @@ class FewTooFew final : public FaultyHybrid {
 const RegisterMutant<FewTooFew> few{"last-dense-block-not-in-cells",
                                     "a list of what is dense that is one block short"};
 
-/// Settings with more doubt than there is, or less.
+/// Takes binary32 at its word within the band of rounding too.
 class Trusting : public FaultyHybrid {
  public:
   explicit Trusting(double dense) : FaultyHybrid({0, dense, true, 1 - 0x1p-20f}) {}
