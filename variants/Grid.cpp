@@ -1,6 +1,7 @@
 #include "catena/core/blocks/told_exact.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/grid/told_radii.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
 
@@ -14,9 +15,12 @@ class Grid final : public HostSearch, public EvidenceNodes {
  public:
   explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {
     grid_.doubt = doubt_of(parameters);
+    grid_.each_radius = reads_each_radius(parameters);
   }
 
-  Plan plan() const override { return {told_exact(done().open - before_.open, grid_.doubt)}; }
+  Plan plan() const override {
+    return {told_radii(grid_.equal_radii), told_exact(done().open - before_.open, grid_.doubt)};
+  }
 
   std::vector<WorkDone> work() const override {
     return {{"sphere, vector of spheres", done().tests - before_.tests},
@@ -63,7 +67,7 @@ class Grid final : public HostSearch, public EvidenceNodes {
 const RegisterVariant<Grid, Robust> registered{
     {.name = "Grid",
      .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD",
-     .parameters = {exact_parameter(), Team::threads_parameter()}}};
+     .parameters = {exact_parameter(), radii_parameter(), Team::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

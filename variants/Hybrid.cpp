@@ -3,6 +3,7 @@
 #include "catena/core/blocks/told_exact.h"
 #include "catena/core/blocks/told_rows.h"
 #include "catena/core/executor/host_search.h"
+#include "catena/core/grid/told_radii.h"
 #include "catena/core/hybrid/hybrid_search.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
@@ -18,7 +19,8 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   explicit Hybrid(const Parameters& parameters)
       : team_(parameters),
         search_({static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20)),
-                 parameters.real("dense", 0, 1e6), skips_rows(parameters), doubt_of(parameters)},
+                 parameters.real("dense", 0, 1e6), skips_rows(parameters), doubt_of(parameters),
+                 reads_each_radius(parameters)},
                 team_.size()) {}
 
   Plan plan() const override {
@@ -28,6 +30,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                          search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
             {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)},
+            told_radii(search_.equal_radii()),
             told_exact(work.open, search_.settings().doubt)};
   }
 
@@ -70,6 +73,7 @@ const RegisterVariant<Hybrid, Robust> registered{
                      "a block that costs more than so many times its spheres one by one is parted into them"},
                     rows_parameter(),
                     exact_parameter(),
+                    radii_parameter(),
                     Team::threads_parameter()},
      .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6}}};
 

@@ -72,9 +72,11 @@ class VectorHits {
     window_is_all_ = window && rule.extra_row == nullptr;
   }
 
-  /// Sphere i, which may be among the others and is then not met, against all of them.
+  /// Sphere i, which may be among the others and is then not met, against all of them; of equal radii theirs
+  /// are not read.
+  template <bool equal_radii = false>
   HWY_INLINE void test(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others) {
-    const Verdict verdict = compare(sphere, others);
+    const Verdict verdict = compare<equal_radii>(sphere, others);
     store(i, others, hn::RebindMask(Bits(), verdict.may), verdict);
   }
   /// Against those whose bits are set.
@@ -83,7 +85,7 @@ class VectorHits {
     const auto some = static_cast<std::uint16_t>(lanes);
     std::uint8_t bytes[8] = {};
     std::memcpy(bytes, &some, sizeof some);
-    const Verdict verdict = compare(sphere, others);
+    const Verdict verdict = compare<false>(sphere, others);
     store(i, others, hn::And(hn::RebindMask(Bits(), verdict.may), hn::LoadMaskBits(Bits(), bytes)), verdict);
   }
 
@@ -94,12 +96,14 @@ class VectorHits {
   }
 
  private:
+  template <bool equal_radii>
   HWY_INLINE Verdict compare(const Sphere& s, const VectorOfSpheres& others) const {
     const SphereTag tag;
+    const auto reach =
+        equal_radii ? hn::Set(tag, s.radius + s.radius) : hn::Add(others.field(3), hn::Set(tag, s.radius));
     return may_overlap(hn::Sub(others.field(0), hn::Set(tag, s.x)),
                        hn::Sub(others.field(1), hn::Set(tag, s.y)),
-                       hn::Sub(others.field(2), hn::Set(tag, s.z)),
-                       hn::Add(others.field(3), hn::Set(tag, s.radius)), slack_);
+                       hn::Sub(others.field(2), hn::Set(tag, s.z)), reach, slack_);
   }
 
   HWY_INLINE void store(std::uint32_t i, const VectorOfSpheres& others, hn::Mask<Bits> keep,

@@ -37,6 +37,8 @@ class Candidates {
 
   Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found, Sink& sink)
       : from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
+        equal_radii_(grid.equal_radii),
+        slack_((1 + 12 * 0x1p-24f) * grid.doubt),
         q_(queues),
         sink_(sink),
         hits_(chain, queues.hits, grid.doubt, queues.open_done, found) {}
@@ -77,6 +79,7 @@ class Candidates {
   template <class Runs>
   HWY_INLINE std::uint32_t gather(const Runs& runs) {
     const Places from = from_;
+    const bool equal = equal_radii_;
     CandidateFields& to = q_.candidates;
     std::uint32_t size = size_;
     for (const Run& run : runs) {
@@ -87,7 +90,7 @@ class Candidates {
         hn::StoreU(hn::LoadU(Tag(), from.x + at), Tag(), to.x + size + k);
         hn::StoreU(hn::LoadU(Tag(), from.y + at), Tag(), to.y + size + k);
         hn::StoreU(hn::LoadU(Tag(), from.z + at), Tag(), to.z + size + k);
-        hn::StoreU(hn::LoadU(Tag(), from.radius + at), Tag(), to.radius + size + k);
+        if (!equal) hn::StoreU(hn::LoadU(Tag(), from.radius + at), Tag(), to.radius + size + k);
         hn::StoreU(hn::LoadU(Bits(), from.index + at), Bits(), to.index + size + k);
         k += lanes;
       } while (HWY_UNLIKELY(k < count));
@@ -116,7 +119,8 @@ class Candidates {
       const auto dx = beside(of.x + c, box.centres.low[0], box.centres.high[0]);
       const auto dy = beside(of.y + c, box.centres.low[1], box.centres.high[1]);
       const auto dz = beside(of.z + c, box.centres.low[2], box.centres.high[2]);
-      const auto reach = hn::Add(hn::LoadU(Tag(), of.radius + c), hn::Set(Tag(), box.radius));
+      const auto radius = equal_radii_ ? hn::Set(Tag(), box.radius) : hn::LoadU(Tag(), of.radius + c);
+      const auto reach = hn::Add(radius, hn::Set(Tag(), box.radius));
       if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach, slack_).may)) return false;
     }
     return true;
@@ -161,17 +165,22 @@ class Candidates {
     const std::uint32_t* index;
   };
 
-  HWY_NOINLINE void work_off() {
+  void work_off() { equal_radii_ ? work_off_with<true>() : work_off_with<false>(); }
+
+  template <bool equal_radii>
+  HWY_NOINLINE void work_off_with() {
     const Places from =
         from_;  // a copy: what is stored below might be this object, for all the compiler knows
     const GridQueues::Test* const tests = q_.tests.data();
     const CandidateFields& of = q_.candidates;
     const std::uint32_t count = tests_;
+    const float radius = equal_radii && count > 0 ? from.radius[0] : 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t p = tests[k].place, c = tests[k].candidate;
       if constexpr (Sink::listens) tell(from.index[p], c);
-      hits_.test(from.index[p], {from.x[p], from.y[p], from.z[p], from.radius[p]},
-                 {of.x + c, CandidateFields::size, of.index + c});
+      hits_.template test<equal_radii>(
+          from.index[p], {from.x[p], from.y[p], from.z[p], equal_radii ? radius : from.radius[p]},
+          {of.x + c, CandidateFields::size, of.index + c});
     }
     q_.tests_done += count;
     tests_ = 0;
@@ -184,6 +193,8 @@ class Candidates {
   }
 
   const Places from_;
+  const bool equal_radii_;
+  const float slack_;
   GridQueues& q_;
   Sink& sink_;
   VectorHits<Found> hits_;

@@ -16,6 +16,9 @@ namespace catena::HWY_NAMESPACE {
 
 void build_grid_here(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only,
                      const Team& team) {
+  // Of a chain whose extent is not known the greatest is 0.
+  grid.equal_radii = !grid.each_radius && chain.extent.greatest_radius > 0 &&
+                     chain.extent.least_radius == chain.extent.greatest_radius;
   const CentreBox box = box_of_centres(chain, team);
   sort_by_octave(chain, only, grid, team);
   LevelForming(chain, only, box, grid, team).form();

@@ -27,7 +27,9 @@ struct SphereGrid {
     std::size_t starts;  ///< where its part of `start` begins: buckets + 1 places, each where a bucket starts
   };
 
-  float doubt = 1;  ///< as BlockTree::doubt
+  float doubt = 1;           ///< as BlockTree::doubt
+  bool each_radius = false;  ///< radii are read one by one even where they are equal
+  bool equal_radii = false;  ///< all are the same number, of the build; a search reads one
   std::vector<Level> levels;
   LargeVector<std::uint32_t> start;
   LargeVector<float> x, y, z, radius;  ///< by place

@@ -22,6 +22,7 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
   parts_.tree.doubt = parts_.grid.doubt = parts_.spheres.doubt = settings_.doubt;
+  parts_.grid.each_radius = settings_.each_radius;
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;

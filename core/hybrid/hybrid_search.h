@@ -26,10 +26,11 @@ namespace catena {
 class CATENA_API HybridSearch {
  public:
   struct Settings {
-    std::uint32_t crowd;  ///< a node that meets more others is crowded
-    double dense;         ///< a block is dense that costs more than so many times its spheres in cells
-    bool rows = true;     ///< nodes whose blocks follow one another are not searched within
-    float doubt = 1;      ///< see BlockTree
+    std::uint32_t crowd;       ///< a node that meets more others is crowded
+    double dense;              ///< a block is dense that costs more than so many times its spheres in cells
+    bool rows = true;          ///< nodes whose blocks follow one another are not searched within
+    float doubt = 1;           ///< see BlockTree
+    bool each_radius = false;  ///< see SphereGrid
   };
   /// What the last search met, by its stages; about what the time goes into.
   struct Work {
@@ -60,6 +61,9 @@ class CATENA_API HybridSearch {
   std::uint32_t crowded_nodes() const { return parts_.crowding.crowded_nodes(); }
   /// Nodes in which, and from which to the next, nothing is searched, as their blocks follow one another.
   std::uint32_t rows() const { return parts_.tree.rows(); }
+
+  /// The search in cells reads one radius for all.
+  bool equal_radii() const { return parts_.dense_count > 0 && parts_.in_cells && parts_.grid.equal_radii; }
 
   /// What a build leaves for the searches; mutants spoil it.
   struct Parts {

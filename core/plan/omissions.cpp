@@ -7,8 +7,8 @@
 namespace catena {
 namespace {
 
-const std::array<OmissionInfo, 12>& table() {
-  static const std::array<OmissionInfo, 12> all{{
+const std::array<OmissionInfo, 13>& table() {
+  static const std::array<OmissionInfo, 13> all{{
       {Omission::hierarchy, "hierarchy", "hierarchy",
        "all pairs are compared instead, by the same exact test"},
       {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
@@ -25,6 +25,9 @@ const std::array<OmissionInfo, 12>& table() {
       {Omission::exact, "exact", "exact stage where binary32 is certain",
        "outside of a band of rounding, whose width is proved, both have the same sign: "
        "properties/proofs/overlap_binary32.g; pair by pair, so that no margin of the scene is asked for"},
+      {Omission::radii, "radii", "radius of each sphere in cells",
+       "the least radius of the chain and the greatest are one number, as all were seen to be when they were "
+       "checked"},
       {Omission::unmoved, "unmoved", "search of an unmoved frame",
        "no bit of a sphere differs, so that no pair does"},
       {Omission::still_parts, "still-parts", "search of the parts that did not move",

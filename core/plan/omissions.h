@@ -19,6 +19,7 @@ enum class Omission {
   other_places,
   straight,
   exact,
+  radii,
   unmoved,
   still_parts,
   shifted,

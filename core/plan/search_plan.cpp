@@ -78,12 +78,14 @@ SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v, std::uint3
 
 std::string SearchPlan::variant_with_threads() const {
   const bool rows = !omissions_.may(Omission::straight) && knows("rows"),
-             exact = !omissions_.may(Omission::exact) && knows("exact");
-  if (threads() == 1 && !rows && !exact) return variant();
+             exact = !omissions_.may(Omission::exact) && knows("exact"),
+             radii = !omissions_.may(Omission::radii) && knows("radii");
+  if (threads() == 1 && !rows && !exact && !radii) return variant();
   VariantName name = VariantName::parse(variant());
   auto& settings = name.stages.front().settings;
   if (rows) settings.push_back({"rows", "search"});
   if (exact) settings.push_back({"exact", "all"});
+  if (radii) settings.push_back({"radii", "each"});
   if (threads() > 1) settings.push_back({"threads", std::to_string(threads())});
   return name.text();
 }

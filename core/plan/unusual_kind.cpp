@@ -7,13 +7,11 @@
 namespace catena {
 namespace {
 
-enum Kind { wide, short_wide, subnormal, short_crowded, short_sparse };
+enum Kind { wide, subnormal, short_crowded, short_sparse };
 
 const UnusualKind& info(Kind kind) {
-  static const std::array<UnusualKind, 5> all{{
+  static const std::array<UnusualKind, 4> all{{
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another"},
-      {"SweepAndPrune",
-       "at most 2,048 spheres, of radii of which one is more than 2^60 times another and covers many"},
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
       {"Grid", "at most 2,048 spheres, which fill a quarter of their box"},
       {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty, or of unlike radii"},
@@ -36,11 +34,9 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent) {
   constexpr double widest = 0x1p60, crowded = 0.25;
   constexpr std::uint32_t few = 2048;  // no node of 128 spheres can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
-    const bool full = fill(n, extent) > crowded;
-    if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius)
-      return &info(n <= few && full ? short_wide : wide);
+    if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius) return &info(wide);
     if (extent.greatest_radius < std::numeric_limits<float>::min()) return &info(subnormal);
-    const bool like = extent.greatest_radius <= 2 * extent.least_radius;
+    const bool full = fill(n, extent) > crowded, like = extent.greatest_radius <= 2 * extent.least_radius;
     if (n <= few) return full && like ? &info(short_crowded) : &info(short_sparse);
   }
   return nullptr;

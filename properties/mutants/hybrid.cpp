@@ -39,7 +39,7 @@ class FewTooFew final : public FaultyHybrid {
 const RegisterMutant<FewTooFew> few{"last-dense-block-not-in-cells",
                                     "a list of what is dense that is one block short"};
 
-/// Settings with more doubt than there is, or less.
+/// Takes binary32 at its word within the band of rounding too.
 class Trusting : public FaultyHybrid {
  public:
   explicit Trusting(double dense) : FaultyHybrid({0, dense, true, 1 - 0x1p-20f}) {}
@@ -59,6 +59,18 @@ class TrustsCells final : public Trusting {
 };
 const RegisterMutant<TrustsCells> trusts_cells{
     "exact-stage-left-out-in-cells", "what is within rounding of touching decided without the exact stage"};
+
+class OneRadius final : public FaultyHybrid {
+ public:
+  OneRadius() : FaultyHybrid({0, 0}) {}
+
+ private:
+  void tamper(const ChainView&, Parts& parts) override {
+    parts.grid.equal_radii = parts.grid.levels.size() == 1;  // as cells of one width suggest
+  }
+};
+const RegisterMutant<OneRadius> one_radius{"radii-taken-for-equal",
+                                           "one radius read for all where they differ a little"};
 
 }  // namespace
 }  // namespace catena::properties

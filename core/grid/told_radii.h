@@ -1,0 +1,15 @@
+#pragma once
+#include "catena/core/export.h"
+#include "catena/core/parameters/parameters.h"
+#include "catena/core/strategy/plan.h"
+
+namespace catena {
+
+/// What a search in cells says of the radii, whether it read one for all.
+CATENA_API Decision told_radii(bool equal);
+
+/// "radii": once or each; see SphereGrid::each_radius.
+CATENA_API ParameterInfo radii_parameter();
+CATENA_API bool reads_each_radius(const Parameters& parameters);
+
+}  // namespace catena
