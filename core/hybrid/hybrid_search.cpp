@@ -7,7 +7,6 @@
 
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/grid/grid_evidence.h"
-#include "catena/core/hierarchy/morton_grid.h"
 #include "catena/core/hybrid/crowd_evidence.h"
 #include "catena/core/space_tree/space_evidence.h"
 
@@ -147,14 +146,12 @@ void HybridSearch::gather_dense(const Team& team) {
 }
 
 /// Cells have one width, which serves spheres of a factor of 2; a few smaller ones cost little in it, but one
-/// that is much greater makes it too wide for all others. And they are worth it where the chain's box has so
-/// few that they lie in memory as they do in space.
+/// that is much greater makes it too wide for all others.
 bool HybridSearch::cells_fit(const ChainView& chain, const Team& team) const {
   constexpr std::uint32_t few = 64, spheres_of_a_task = 1 << 14;  // one in so many
   const auto radius = [&](std::uint32_t k) { return chain.spheres[dense_.empty() ? k : dense_[k]].radius; };
   std::mutex joining;
   float greatest = 0;
-  CentreCorners corners;
   std::uint32_t small = 0;
   team.for_each_range(parts_.dense_count, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
     float own = 0;
@@ -168,16 +165,7 @@ bool HybridSearch::cells_fit(const ChainView& chain, const Team& team) const {
     const std::lock_guard lock(joining);
     small += own;
   });
-  if (small > parts_.dense_count / few) return false;
-  team.for_each_range(chain.size, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
-    CentreCorners own;
-    for (std::uint32_t i = begin; i < end; ++i) own.take(chain.spheres[i]);
-    const std::lock_guard lock(joining);
-    corners.join(own);
-  });
-  const CentreBox box{{corners.low.x, corners.low.y, corners.low.z},
-                      {corners.high.x, corners.high.y, corners.high.z}};
-  return !map_buckets(greatest, box, parts_.dense_count).wraps;
+  return small <= parts_.dense_count / few;
 }
 
 HybridSearch::Work HybridSearch::met() const {

@@ -22,7 +22,8 @@ namespace catena::HWY_NAMESPACE {
 /// blocks would do: then a second search for the rest is not worth its while. `block_ns` is what a search of
 /// their spheres one by one costs a block.
 inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double block_ns) {
-  constexpr std::uint32_t samples = 32, others = samples / 2, group = BlockTree::group;
+  constexpr std::uint32_t group = BlockTree::group;
+  const std::uint32_t samples = std::min(32u, crowding.crowded_nodes()), others = samples / 2;
   const double search_ns = block_ns - SpaceCost::build_ns;
   const auto enough =
       static_cast<std::uint32_t>(std::max(0.0, 2 * search_ns * SpaceCost::near_share / SpaceCost::near_ns));
