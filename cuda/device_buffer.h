@@ -20,7 +20,14 @@ class DeviceBuffer {
  public:
   DeviceBuffer() = default;
   ~DeviceBuffer() {
-    if (data_ != nullptr) cudaFree(data_);
+    if (data_ == nullptr) return;
+    int current = 0;
+    cudaGetDevice(&current);
+    cudaSetDevice(device_);
+    // To free memory of a pool waits for nobody, and where a later buffer found no room work is under way.
+    cudaDeviceSynchronize();
+    cudaFree(data_);
+    cudaSetDevice(current);
   }
   DeviceBuffer(const DeviceBuffer&) = delete;
   DeviceBuffer& operator=(const DeviceBuffer&) = delete;
@@ -30,6 +37,7 @@ class DeviceBuffer {
   T* reserve(std::size_t n, cudaStream_t stream) {
     if (n <= capacity_) return data_;
     release(stream);
+    CATENA_CUDA(cudaGetDevice(&device_));
     const cudaError_t code = cudaMallocAsync(&data_, n * sizeof(T), stream);
     if (code == cudaErrorMemoryAllocation) {
       cudaGetLastError();
@@ -58,6 +66,7 @@ class DeviceBuffer {
 
   T* data_ = nullptr;
   std::size_t capacity_ = 0;
+  int device_ = 0;
 };
 
 }  // namespace catena::cuda

@@ -24,6 +24,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using SphereTag = hn::CappedTag<float, 16>;
 inline constexpr std::uint32_t sphere_lanes = hn::MaxLanes(SphereTag());
 
+inline constexpr float sphere_slack = 1 + 12 * 0x1p-24f;  ///< of Robust's stage 1
+
 struct Verdict {
   hn::Mask<SphereTag> may, certain;
 };
@@ -60,7 +62,7 @@ class VectorHits {
   VectorHits(const ChainView& chain, std::span<Pair> room, float doubt, std::uint64_t& open_done,
              Found& found)
       : filter_(chain),
-        slack_((1 + 12 * 0x1p-24f) * doubt),
+        slack_(sphere_slack * doubt),
         room_(room),
         limit_(room.size() - sphere_lanes),
         found_(found),

@@ -38,7 +38,7 @@ class Candidates {
   Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found, Sink& sink)
       : from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         equal_radii_(grid.equal_radii),
-        slack_((1 + 12 * 0x1p-24f) * grid.doubt),
+        slack_(sphere_slack * grid.doubt),
         q_(queues),
         sink_(sink),
         hits_(chain, queues.hits, grid.doubt, queues.open_done, found) {}

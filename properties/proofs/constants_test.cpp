@@ -128,7 +128,7 @@ TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
         Covered{"tests-inl.h", "overlap_slack = 1 + 12 * 0x1p-24f", "overlap_binary32.g",
                 "binary32_slack = 1 + 12u"},
         Covered{"tests-inl.h", "overlap_floor = 0x1p-120f", "overlap_binary32.g", "underflow_floor = 2^-120"},
-        Covered{"vector_hits-inl.h", "slack = hn::Set(tag, 1 + 12 * 0x1p-24f)", "overlap_binary32.g",
+        Covered{"vector_hits-inl.h", "sphere_slack = 1 + 12 * 0x1p-24f", "overlap_binary32.g",
                 "binary32_slack = 1 + 12u"}}) {
     EXPECT_NE(text_of("core/blocks/" + c.file).find(c.declared), std::string::npos)
         << c.file << " no longer says " << c.declared;
