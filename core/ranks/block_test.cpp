@@ -5,17 +5,12 @@
 #include <random>
 
 #include "catena/core/hierarchy/wide_box_tree.h"
+#include "catena/properties/testing/random_spheres.h"
 
 namespace catena::ranks {
 namespace {
 
-std::vector<Sphere> spheres_of(std::size_t n, std::mt19937& dice, float greatest) {
-  std::uniform_real_distribution<float> at(-greatest, greatest),
-      radius(0, greatest > 1e30f ? 1.9f * greatest : greatest / 8);
-  std::vector<Sphere> spheres;
-  for (std::size_t k = 0; k < n; ++k) spheres.push_back({at(dice), at(dice), at(dice), radius(dice)});
-  return spheres;
-}
+using properties::random_spheres;
 
 TEST(Block, EveryOneIsVisitedAndSomeEvenly) {
   const Strand strand{0, 1000, 0, 0, 0};
@@ -43,11 +38,11 @@ TEST(WideBoxTree, SaysWhetherAnyBoxMeets) {
   for (const std::uint32_t boxes : {0u, 16u, 17u, 300u}) {
     WideBoxTree tree;
     tree.clear(boxes);
-    for (std::uint32_t k = 0; k < boxes; ++k) tree.set(k, Box::around(spheres_of(1, dice, 1)[0]));
+    for (std::uint32_t k = 0; k < boxes; ++k) tree.set(k, Box::around(random_spheres(1, dice, 1)[0]));
     tree.refresh(0, boxes);
     std::uint32_t met = 0;
     for (int round = 0; round < 200; ++round) {
-      const Box box = Box::around(spheres_of(1, dice, 1)[0]);
+      const Box box = Box::around(random_spheres(1, dice, 1)[0]);
       bool any = false;
       tree.for_each_meeting(box, [&](std::uint32_t) { any = true; });
       EXPECT_EQ(tree.meets(box), any);
