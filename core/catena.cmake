@@ -44,14 +44,24 @@ endif()
 # #include.
 set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <optional> <string> <vector> <fmt/format.h>)
 
-# The file of a command is mostly the option parser, which takes the sanitizers longer to compile than all algorithms.
+# The file of a command is mostly the option parser, which takes longer to compile than all algorithms: these files are
+# one target, for which the parser is read once. It is linked last, so that what is in other files, too, is their better
+# code.
+set(CATENA_OPTIMIZE_COMMANDS $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 if(CATENA_SANITIZE)
-  foreach(folder core reference properties bench reports)
-    file(GLOB_RECURSE commands CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_command.cpp ${PROJECT_SOURCE_DIR}/${folder}/*_option*.cpp)
-    list(APPEND parsing ${commands})
-  endforeach()
-  set_source_files_properties(${parsing} ${PROJECT_SOURCE_DIR}/core/main.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+  set(CATENA_OPTIMIZE_COMMANDS -O0)
 endif()
+set_source_files_properties(${PROJECT_SOURCE_DIR}/core/main.cpp ${PROJECT_SOURCE_DIR}/reports/report_command.cpp PROPERTIES
+  COMPILE_OPTIONS "${CATENA_OPTIMIZE_COMMANDS}" SKIP_PRECOMPILE_HEADERS ON)
+# catena_take_commands(LIST): takes the files of commands off this list of files, for the target catena_commands.
+function(catena_take_commands list)
+  set(commands ${${list}})
+  set(others ${${list}})
+  list(FILTER commands INCLUDE REGEX "_(command|option)s?\\.cpp$")
+  list(FILTER others EXCLUDE REGEX "_(command|option)s?\\.cpp$")
+  set_property(GLOBAL APPEND PROPERTY CATENA_COMMANDS ${commands})
+  set(${list} ${others} PARENT_SCOPE)
+endfunction()
 
 # catena_sources(OUT FOLDER...): the .cpp files below these folders, but for tests, other projects, main.cpp and what needs
 # Google Benchmark or MPI.
@@ -71,7 +81,7 @@ add_library(catena SHARED ${library_sources})
 add_library(catena::catena ALIAS catena)
 set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0 EXPORT_NAME catena
   CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${PROJECT_SOURCE_DIR}/core/exports.map)
-target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt-header-only hwy::hwy hwy::hwy_contrib TBB::tbb)
+target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt hwy::hwy hwy::hwy_contrib TBB::tbb)
 target_link_options(catena PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/core/exports.map LINKER:-Bsymbolic-functions)
 if(NOT CATENA_SANITIZE)
   target_link_options(catena PRIVATE LINKER:--no-undefined)  # nothing of the program is missed
@@ -109,6 +119,7 @@ target_link_libraries(catena_program PUBLIC catena catena_options fmt::fmt)
 function(catena_part folder)
   catena_sources(sources ${folder})
   list(REMOVE_ITEM sources ${library_sources})
+  catena_take_commands(sources)
   add_library(catena_part_${folder} OBJECT ${sources})
   target_link_libraries(catena_part_${folder} PUBLIC catena_options fmt::fmt ${ARGN})
   target_precompile_headers(catena_part_${folder} PRIVATE ${CATENA_PRECOMPILED})
@@ -144,6 +155,13 @@ include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
 catena_part(properties)
 catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen hwy::hwy)
 include(${PROJECT_SOURCE_DIR}/core/ranks/ranks.cmake)
+get_property(commands GLOBAL PROPERTY CATENA_COMMANDS)
+add_library(catena_commands OBJECT ${commands})
+target_link_libraries(catena_commands PRIVATE catena_options fmt::fmt CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen
+  Boost::headers hwy::hwy ${CATENA_MPI_LIBRARY})
+target_compile_options(catena_commands PRIVATE ${CATENA_OPTIMIZE_COMMANDS})
+target_precompile_headers(catena_commands PRIVATE ${CATENA_PRECOMPILED} <CLI/CLI.hpp> <nlohmann/json.hpp>)
+target_link_libraries(catena_program PRIVATE catena_commands)
 
 add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)
 add_executable(catena::program ALIAS catena_cli)
