@@ -19,7 +19,8 @@ template <class Arithmetic>
 class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
  public:
   explicit DeviceGrid(const Parameters& parameters)
-      : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))) {}
+      : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))),
+        binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
@@ -51,7 +52,7 @@ class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
     const auto stream = static_cast<cudaStream_t>(handle);
     SphereCells::State* const state = state_.reserve(1, stream);
     CATENA_CUDA(cudaMemsetAsync(state, 0, sizeof *state, stream));
-    cells_.enqueue_build(chain, {chain.size}, state, stream);
+    cells_.enqueue_build(chain, {chain.size}, binned_, state, stream);
   }
 
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
@@ -63,6 +64,7 @@ class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
     in_range_ = in_range<Arithmetic>(chain);
   }
 
+  const std::uint64_t binned_;
   DeviceBuffer<SphereCells::State> state_;
   DeviceSphereCells<AllSpheres> cells_;
   bool in_range_ = false;  ///< of the last search
@@ -72,7 +74,7 @@ const RegisterVariant<DeviceGrid, Robust> registered{
     {.name = "DeviceGrid",
      .summary = "spheres in hashed cells, an octave of radii a level",
      .place = Place::device(),
-     .parameters = with_device({}),
+     .parameters = with_device({binned_parameter()}),
      .unavailable = unavailable}};
 
 }  // namespace

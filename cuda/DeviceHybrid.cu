@@ -141,7 +141,8 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
         least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
-        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))) {}
+        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))),
+        binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
@@ -188,7 +189,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
       launch_next<meet_blocks>(std::min(up(n, BlockMeetings::together), most_blocks), BlockMeetings::threads,
                                stream, blocks_);
     }
-    cells_.enqueue_build(chain, {blocks_, chain.size}, &state_.data()->cells, stream);
+    cells_.enqueue_build(chain, {blocks_, chain.size}, binned_, &state_.data()->cells, stream);
   }
 
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
@@ -241,6 +242,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
   const std::uint32_t meetings_;
+  const std::uint64_t binned_;
   CapsuleBlocks blocks_{};
   DeviceBlockNodes nodes_;
   DeviceBuffer<State> state_;
@@ -262,7 +264,8 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
          with_device({{"crowd", "8", "a block that meets more others is left to the grid"},
                       {"least", "524288", "chains of fewer spheres are left to the grid"},
                       {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
-                      {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}),
+                      {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
+                      binned_parameter()}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7},
      .unavailable = unavailable}};
 

@@ -3,70 +3,21 @@
 
 #include "catena/core/cells/search_cells.h"
 #include "catena/core/strategy/request.h"
+#include "catena/cuda/cell_bins.cuh"
 #include "catena/cuda/device_buckets.cuh"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/launch.cuh"
+#include "catena/cuda/members.cuh"
 #include "catena/cuda/near_queue.cuh"
 
 namespace catena::cuda {
-
-/// Which spheres of a chain a DeviceSphereCells sorts, asked on the device: of members.asked() numbers k that
-/// come in an order of its own, sphere members.sphere(k) where members.takes(k); about members.expected() of
-/// them, and not one unless members.any().
-struct AllSpheres {
-  std::uint32_t size;
-  __device__ bool any() const { return true; }
-  __device__ std::uint32_t asked() const { return size; }
-  __device__ std::uint32_t sphere(std::uint32_t k) const { return k; }
-  __device__ bool takes(std::uint32_t) const { return true; }
-  __device__ std::uint32_t expected() const { return size; }
-};
-
-/// The calling thread's share of 0 .. count - 1.
-template <class Body>
-__device__ void for_each_of_mine(std::uint32_t count, const Body& body) {
-  for (std::uint64_t k = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; k < count;
-       k += std::uint64_t{gridDim.x} * blockDim.x)
-    body(static_cast<std::uint32_t>(k));
-}
-/// The same for members, some at a time: of each first get(sphere), then use(sphere, what it got), so that
-/// what the first ones read is on its way together.
-template <class Members, class Get, class Use>
-__device__ void for_members_together(const Members& members, const Get& get, const Use& use) {
-  constexpr std::uint32_t together = 4;
-  const std::uint64_t asked = members.asked(), step = std::uint64_t{gridDim.x} * blockDim.x;
-  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; first < asked;
-       first += together * step) {
-    std::uint32_t sphere[together];
-    decltype(get(0u)) got[together];
-    bool in[together];
-#pragma unroll
-    for (std::uint32_t k = 0; k < together; ++k) {
-      const std::uint64_t at = first + k * step;
-      in[k] = at < asked && members.takes(static_cast<std::uint32_t>(at));
-      sphere[k] = in[k] ? members.sphere(static_cast<std::uint32_t>(at)) : 0;
-    }
-#pragma unroll
-    for (std::uint32_t k = 0; k < together; ++k)
-      if (in[k]) got[k] = get(sphere[k]);
-#pragma unroll
-    for (std::uint32_t k = 0; k < together; ++k)
-      if (in[k]) use(sphere[k], got[k]);
-  }
-}
-template <class Members, class Body>
-__device__ void for_each_member(const Members& members, const Body& body) {
-  for_each_of_mine(members.asked(), [&](std::uint32_t k) {
-    if (members.takes(k)) body(members.sphere(k));
-  });
-}
 
 template <class Members>
 __global__ void __launch_bounds__(256)
     enter_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                 const __grid_constant__ Members members) {
   await_previous();
-  if (!members.any()) return;
+  if (!members.any() || cells.state->in_bins != 0) return;
   const CellTable& table = cells.table_for(members.expected());
   for_members_together(
       members,
@@ -106,7 +57,7 @@ struct CellChunks {
   SphereCells cells;
   Members members;
   __device__ std::uint32_t operator()() const {
-    const bool needed = octaves ? cells.many_together() : members.any();
+    const bool needed = octaves ? cells.many_together() : members.any() && cells.state->in_bins == 0;
     return needed ? Buckets::chunks(cells.table_for(members.expected())) : 0;
   }
   __device__ float* square_sum() const {
@@ -119,7 +70,7 @@ __global__ void __launch_bounds__(256)
     place_in_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                    const __grid_constant__ Members members) {
   await_previous();
-  if (!members.any()) return;
+  if (!members.any() || (cells.state->in_bins != 0 && cells.one_level())) return;
   const CellTable& table = cells.table_for(members.expected());
   struct Placed {
     Sphere sphere;
@@ -194,9 +145,9 @@ __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
 template <class Members>
 class DeviceSphereCells {
  public:
-  /// `state` is 0 when the work begins.
-  void enqueue_build(const ChainView& chain, const Members& members, SphereCells::State* state,
-                     cudaStream_t stream) {
+  /// Chains of at least `binned` spheres go through bins. `state` is 0 when the work begins.
+  void enqueue_build(const ChainView& chain, const Members& members, std::uint64_t binned,
+                     SphereCells::State* state, cudaStream_t stream) {
     members_ = members;
     cells_ = SphereCells::of(chain.extent);
     const std::uint32_t n = size_ = chain.size;
@@ -209,6 +160,7 @@ class DeviceSphereCells {
     cells_.sphere = sphere_.data();
     cells_.state = state;
     if (n == 0) return;
+    if (n >= binned && n <= most_binned) bins_.enqueue(chain, cells_, members_, stream);
     const unsigned blocks = std::min((n + 255) / 256, most_blocks);
     launch_next<enter_cells<Members>>(blocks, 256, stream, chain, cells_, members_);
     allocate<false>(stream);
@@ -237,6 +189,7 @@ class DeviceSphereCells {
  private:
   static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
   static constexpr std::uint32_t most_search_blocks = 4224;
+  static constexpr std::uint32_t most_binned = 1u << 29;  ///< more need the memory for themselves
 
   template <bool octaves>
   void allocate(cudaStream_t stream) const {
@@ -256,6 +209,7 @@ class DeviceSphereCells {
   Members members_{};
   SphereCells cells_{};
   DeviceBuckets buckets_;
+  DeviceCellBins bins_;
   DeviceBuffer<std::uint32_t> index_;
   DeviceBuffer<Sphere> sphere_;
 };

@@ -36,24 +36,35 @@ __device__ inline void await_previous() {
 
 /// Like launch_blocks, of a kernel that begins with await_previous() and comes next after another kernel: its
 /// start overlaps that one's end, where the code is of an architecture that can wait.
+/// Each block has `shared` bytes of memory of a size that is known only here.
 template <auto kernel, class... Arguments>
-void launch_next(unsigned blocks, unsigned threads, cudaStream_t stream, const Arguments&... arguments) {
+void launch_next_sharing(unsigned blocks, unsigned threads, std::size_t shared, cudaStream_t stream,
+                         const Arguments&... arguments) {
   static const bool can_wait = [] {
     cudaFuncAttributes attributes{};
     CATENA_CUDA(cudaFuncGetAttributes(&attributes, kernel));
     return attributes.ptxVersion >= 90;
   }();
   if (blocks == 0) return;
+  constexpr std::size_t without_asking = 32 << 10;  // with what a kernel has of a fixed size, at most 48 KiB
+  if (shared > without_asking)
+    CATENA_CUDA(
+        cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(shared)));
   cudaLaunchAttribute overlap{};
   overlap.id = cudaLaunchAttributeProgrammaticStreamSerialization;
   overlap.val.programmaticStreamSerializationAllowed = 1;
   cudaLaunchConfig_t config{};
   config.gridDim = blocks;
   config.blockDim = threads;
+  config.dynamicSmemBytes = shared;
   config.stream = stream;
   config.attrs = &overlap;
   config.numAttrs = can_wait ? 1 : 0;
   CATENA_CUDA(cudaLaunchKernelEx(&config, kernel, arguments...));
+}
+template <auto kernel, class... Arguments>
+void launch_next(unsigned blocks, unsigned threads, cudaStream_t stream, const Arguments&... arguments) {
+  launch_next_sharing<kernel>(blocks, threads, 0, stream, arguments...);
 }
 
 }  // namespace catena::cuda

@@ -105,7 +105,8 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
     bool same_bits;
   };
   for (const auto& [device, host, same_bits] :
-       {Twins{"DeviceGrid", "DeviceGrid@host", true}, Twins{"DeviceHybrid(least=0,cells=0)", "DeviceHybrid@host", false},
+       {Twins{"DeviceGrid", "DeviceGrid@host", true}, Twins{"DeviceGrid(binned=0)", "DeviceGrid@host", true},
+        Twins{"DeviceHybrid(least=0,cells=0)", "DeviceHybrid@host", false},
         Twins{"DeviceHybrid(least=0)", "DeviceHybrid@host(cells=4194304)", false},
         Twins{"DeviceHybrid(least=0,cells=0,crowd=1)", "DeviceHybrid@host(crowd=1)", false},
         Twins{"DeviceHybrid", "DeviceHybrid@host(least=524288)", false}})
@@ -133,7 +134,8 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
 }
 
 TEST_F(Device, IsCertifiedByWhatItBuilt) {
-  for (const char* name : {"DeviceGrid", "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(least=0)", "DeviceHybrid", "DeviceLBVH"})
+  for (const char* name : {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(least=0)", "DeviceHybrid",
+                           "DeviceLBVH"})
     expect_certified(name);
 }
 
@@ -162,8 +164,8 @@ TEST_F(Device, FindsTheSamePairsEveryTime) {
       const Chain chain = scene(std::string(kind) + ":n=" + std::to_string(n));
       const auto exact = reference::find(chain);
       for (const char* name :
-           {"DeviceGrid", "DeviceHybrid", "DeviceHybrid(least=0)", "DeviceHybrid(least=0,cells=0)",
-            "DeviceHybrid(least=0,crowd=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4,searches=3)",
+           {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid", "DeviceHybrid(least=0)", "DeviceHybrid(least=0,cells=0)",
+            "DeviceHybrid(least=0,crowd=0)", "DeviceHybrid(least=0,cells=0,crowd=1,binned=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4,searches=3)",
             "DeviceParts(parts=5,group=8,order=space)"}) {
         const auto variant = StrategyRegistry::instance().make(name);
         Collisions found;
@@ -205,7 +207,7 @@ TEST_F(Device, MovesLargeChainsAndAnswersWhole) {
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
   const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
   const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceHybrid",
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid",
                            "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     variant->build(chain);
@@ -274,7 +276,7 @@ TEST_F(Device, EveryExclusionRuleTravels) {
     const auto exact = reference::find(chain);
     ASSERT_GT(exact.pair_count, 100u);
     for (const char* name :
-         {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceHybrid",
+         {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid",
           "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;

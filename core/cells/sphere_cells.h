@@ -23,6 +23,7 @@ struct SphereCells {
   struct State {
     std::uint32_t places[2];   ///< spheres that were sorted: in one level, and by octaves
     std::uint32_t by_octaves;  ///< not 0: they were
+    std::uint32_t in_bins;     ///< not 0: in one level they were sorted by bins, and have their places
     float together;            ///< sum of the squares of all buckets' numbers of spheres, in one level
     std::uint32_t levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k
   };
@@ -88,13 +89,21 @@ struct SphereCells {
     put(s, i, place_of(in, s, i));
   }
   CATENA_HD void put(const Sphere& s, std::uint32_t i, std::uint32_t at) const {
+    put({sphere, index}, s, i, at);
+  }
+  /// The same in other memory, to be copied here later.
+  struct Memory {
+    Sphere* sphere;
+    std::uint32_t* index;
+  };
+  CATENA_HD void put(const Memory& to, const Sphere& s, std::uint32_t i, std::uint32_t at) const {
     if (octaves.equal) {
       Sphere with_index = s;
       std::memcpy(&with_index.radius, &i, sizeof i);
-      sphere[at] = with_index;
+      to.sphere[at] = with_index;
     } else {
-      index[at] = i;
-      sphere[at] = s;
+      to.index[at] = i;
+      to.sphere[at] = s;
     }
   }
   CATENA_HD std::uint32_t place_of(const CellTable& in, const Sphere& s, std::uint32_t i) const {

@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+
+namespace catena::cuda {
+
+/// Which spheres of a chain a DeviceSphereCells sorts, asked on the device: of members.asked() numbers k that
+/// come in an order of its own, sphere members.sphere(k) where members.takes(k); about members.expected() of
+/// them, and not one unless members.any().
+struct AllSpheres {
+  std::uint32_t size;
+  __device__ bool any() const { return true; }
+  __device__ std::uint32_t asked() const { return size; }
+  __device__ std::uint32_t sphere(std::uint32_t k) const { return k; }
+  __device__ bool takes(std::uint32_t) const { return true; }
+  __device__ std::uint32_t expected() const { return size; }
+};
+
+/// The calling thread's share of 0 .. count - 1.
+template <class Body>
+__device__ void for_each_of_mine(std::uint32_t count, const Body& body) {
+  for (std::uint64_t k = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; k < count;
+       k += std::uint64_t{gridDim.x} * blockDim.x)
+    body(static_cast<std::uint32_t>(k));
+}
+/// The same for members, some at a time: of each first get(sphere), then use(sphere, what it got), so that
+/// what the first ones read is on its way together.
+template <class Members, class Get, class Use>
+__device__ void for_members_together(const Members& members, const Get& get, const Use& use) {
+  constexpr std::uint32_t together = 4;
+  const std::uint64_t asked = members.asked(), step = std::uint64_t{gridDim.x} * blockDim.x;
+  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; first < asked;
+       first += together * step) {
+    std::uint32_t sphere[together];
+    decltype(get(0u)) got[together];
+    bool in[together];
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k) {
+      const std::uint64_t at = first + k * step;
+      in[k] = at < asked && members.takes(static_cast<std::uint32_t>(at));
+      sphere[k] = in[k] ? members.sphere(static_cast<std::uint32_t>(at)) : 0;
+    }
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k)
+      if (in[k]) got[k] = get(sphere[k]);
+#pragma unroll
+    for (std::uint32_t k = 0; k < together; ++k)
+      if (in[k]) use(sphere[k], got[k]);
+  }
+}
+template <class Members, class Body>
+__device__ void for_each_member(const Members& members, const Body& body) {
+  for_each_of_mine(members.asked(), [&](std::uint32_t k) {
+    if (members.takes(k)) body(members.sphere(k));
+  });
+}
+
+}  // namespace catena::cuda
