@@ -50,9 +50,9 @@ set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <opti
 set(CATENA_OPTIMIZE_COMMANDS $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 if(CATENA_SANITIZE)
   set(CATENA_OPTIMIZE_COMMANDS -O0)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/core/main.cpp ${PROJECT_SOURCE_DIR}/reports/report_command.cpp PROPERTIES
+    COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
 endif()
-set_source_files_properties(${PROJECT_SOURCE_DIR}/core/main.cpp ${PROJECT_SOURCE_DIR}/reports/report_command.cpp PROPERTIES
-  COMPILE_OPTIONS "${CATENA_OPTIMIZE_COMMANDS}" SKIP_PRECOMPILE_HEADERS ON)
 # catena_take_commands(LIST): takes the files of commands off this list of files, for the target catena_commands.
 function(catena_take_commands list)
   set(commands ${${list}})
