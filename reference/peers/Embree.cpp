@@ -81,9 +81,10 @@ class Embree final : public Peer {
   }
 
   void offer(const ChainView&, const Candidates& candidates) override {
-    Offered offered{candidates, {}};
+    Offered offered(candidates);
     one_thread_.execute([&] { rtcCollide(scene_.get(), scene_.get(), collide, &offered); });
     require();
+    offered.decide();
   }
 
   void commit(const ChainView& chain) {
@@ -129,19 +130,35 @@ class Embree final : public Peer {
     return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest) - 1) : 1;
   }
 
-  /// Embree may call from several threads at once, by its manual.
-  struct Offered {
-    const Candidates& candidates;
-    std::mutex mutex;
+  /// What Embree found, kept until there is enough to be worth the change of arithmetic.
+  class Offered {
+   public:
+    explicit Offered(const Candidates& candidates) : candidates_(candidates) { pairs_.reserve(most); }
+
+    /// A pair comes from both ends. Embree may call from several threads at once, by its manual.
+    void take(std::span<const RTCCollision> collisions) {
+      const std::lock_guard lock(mutex_);
+      for (const RTCCollision& met : collisions)
+        if (met.primID0 < met.primID1) pairs_.push_back({met.primID0, met.primID1});
+      if (pairs_.size() >= most) decide();
+    }
+    void decide() {
+      const UsualArithmetic usual;
+      for (const Pair& pair : pairs_) {
+        if (candidates_.enough()) break;
+        candidates_(pair.i, pair.j);
+      }
+      pairs_.clear();
+    }
+
+   private:
+    static constexpr std::size_t most = 4096;
+    const Candidates& candidates_;
+    std::vector<Pair> pairs_;
+    std::mutex mutex_;
   };
-  /// A pair comes from both ends.
   static void collide(void* to, RTCCollision* collisions, unsigned count) {
-    auto& offered = *static_cast<Offered*>(to);
-    const std::lock_guard lock(offered.mutex);
-    const UsualArithmetic usual;
-    for (unsigned k = 0; k < count && !offered.candidates.enough(); ++k)
-      if (collisions[k].primID0 < collisions[k].primID1)
-        offered.candidates(collisions[k].primID0, collisions[k].primID1);
+    static_cast<Offered*>(to)->take({collisions, count});
   }
 
   tbb::task_arena one_thread_{1};

@@ -19,7 +19,7 @@ class Candidates {
   Candidates(const ChainView& chain, PairCollector::Lane& lane) : chain_(chain), lane_(lane) {}
   void operator()(std::uint32_t a, std::uint32_t b) const {
     const auto [i, j] = std::minmax(a, b);
-    if (Robust::overlap(chain_.spheres[i], chain_.spheres[j]) && !chain_.neighbours(i, j))
+    if (!chain_.neighbours(i, j) && Robust::overlap(chain_.spheres[i], chain_.spheres[j]))
       lane_.collide(i, j);
   }
   bool enough() const { return lane_.satisfied(); }
