@@ -77,7 +77,7 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   });
   by_list_ = true;
   remember(chain);
-  compared_ = list_->inner_size();
+  compared_ = list_->open_size();
   // The first use of a list brings it into the cache, and is no measure of the next ones.
   if (fresh) return;
   if (pruned)

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "catena/core/error.h"
-#include "catena/core/frames/count_pairs.h"
-#include "catena/core/frames/near_pairs.h"
 
 namespace catena {
 
@@ -33,6 +31,7 @@ bool KeptList::make(const Chain& chain, float skin, float inner_skin, std::uint6
   } catch (const PairLimitExceeded&) {
     return false;
   }
+  give_places();
   skin_ = skin;
   inner_skin_ = inner_skin;
   pruned_ = false;
@@ -44,27 +43,47 @@ bool KeptList::holds(const Chain& chain) const {
   return made_ && chain.size() == thick_.size() && all_within(chain.spheres(), thick_.spheres());
 }
 
-bool KeptList::inner_holds(std::span<const Sphere> now) const {
-  return pruned_ && all_near(now, pruned_at_, inner_skin_);
+void KeptList::give_places() {
+  constexpr std::uint32_t none = 0xFFFFFFFF;
+  place_of_.assign(thick_.size(), none);
+  sphere_at_.resize(thick_.size());
+  std::uint32_t places = 0;
+  const auto place = [&](std::uint32_t i) {
+    if (place_of_[i] == none) sphere_at_[places] = i, place_of_[i] = places++;
+    return place_of_[i];
+  };
+  for (Pair& p : near_.pairs) p = {place(p.i), place(p.j)};
+  sphere_at_.resize(places);
+  size_ = near_.pairs.size();
+  near_.pairs.resize(size_ + 7);
 }
 
-void KeptList::prune(std::span<const Sphere> now) {
-  pruned_at_.assign(now.begin(), now.end());
-  part_pairs(now, near_.pairs, inner_skin_, settled_, inner_);
-  settled_counts_.assign(now.size(), 0);
-  count_pairs(settled_, settled_counts_);
-  pruned_ = true;
+bool KeptList::inner_holds(std::span<const Sphere> here) const {
+  return pruned_ && all_near(here, pruned_at_, inner_skin_);
 }
 
 bool KeptList::find(std::span<const Sphere> now, std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts,
                     bool stand) {
-  const bool stale = !inner_holds(now);
-  if (stale) prune(now), stand = false;
-  const std::size_t settled = settled_.size();
-  if (!stand) pairs.assign(settled_.begin(), settled_.end());
-  find_colliding(now, inner_, settled, pairs);
-  counts.assign(settled_counts_.begin(), settled_counts_.end());
-  count_pairs(std::span(pairs).subspan(settled), counts);
+  const std::span<const Pair> near = std::span(near_.pairs).first(size_);
+  here_.resize(sphere_at_.size());
+  for (std::size_t k = 0; k < here_.size(); ++k) here_[k] = now[sphere_at_[k]];
+  if (!stand || !pruned_) {
+    collide_.assign((size_ + 7) / 8, 0);
+    standing_.clear(size_);
+    pairs.clear();
+    counts.assign(now.size(), 0);
+    pruned_ = false;
+  }
+  const bool stale = !inner_holds(here_);
+  if (stale) {
+    part_pairs(here_, near, inner_skin_, collide_, changed_, open_);
+    pruned_at_ = here_;
+    pruned_ = true;
+  } else {
+    compare_open(here_, open_, changed_);
+    for (const std::uint32_t k : changed_) collide_[k / 8] ^= static_cast<std::uint8_t>(1u << (k % 8));
+  }
+  standing_.exchange(changed_, near, sphere_at_, pairs, counts);
   return stale;
 }
 

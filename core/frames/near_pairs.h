@@ -1,8 +1,9 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <span>
-#include <vector>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 #include "catena/core/sphere.h"
 
@@ -21,15 +22,21 @@ inline Sphere thinner(Sphere s, float skin) { return {s.x, s.y, s.z, s.radius - 
 /// skin thinner, within it: its radius may have grown or shrunk.
 bool all_near(std::span<const Sphere> now, std::span<const Sphere> before, float skin);
 
-/// Parts pairs by what can become of them while all_near holds: fills `collide` with those whose thinner
-/// spheres overlap for certain, for what contains them then overlaps; `open` with those of which neither that
-/// nor that the thicker ones are separate is certain. No sphere of a pair that is left out can touch the
-/// other.
-void part_pairs(std::span<const Sphere> spheres, std::span<const Pair> pairs, float skin,
-                std::vector<Pair>& collide, std::vector<Pair>& open);
+/// Pairs that are compared frame after frame.
+struct OpenPairs {
+  LargeVector<Pair> pairs;           ///< the first `size`, and room for eight more
+  LargeVector<std::uint32_t> state;  ///< the same; 2 k + 1 where it collides and else 2 k: pair k of all
+  std::size_t size = 0;
+};
 
-/// Leaves in `found` the first `keep` that are there, followed by those of the pairs that collide, exactly.
-void find_colliding(std::span<const Sphere> spheres, std::span<const Pair> pairs, std::size_t keep,
-                    std::vector<Pair>& found);
+/// Compares all pairs, exactly; seven more may be read. Bit k % 8 of collide[k / 8] says whether pair k does, and before whether it
+/// did; fills `changed` with those of which that is not the same. Fills `open` with the pairs whose state may
+/// change while all_near holds: of no other is it certain that the spheres, by a skin thinner, overlap, for
+/// then what contains them does, or that they are separate by a skin thicker.
+void part_pairs(std::span<const Sphere> spheres, std::span<const Pair> pairs, float skin,
+                std::span<std::uint8_t> collide, LargeVector<std::uint32_t>& changed, OpenPairs& open);
+
+/// Compares open pairs, exactly, and sets their states; fills `changed` with the k of those that changed.
+void compare_open(std::span<const Sphere> spheres, OpenPairs& open, LargeVector<std::uint32_t>& changed);
 
 }  // namespace catena
