@@ -135,14 +135,13 @@ TEST(ListPolicy, TakesALongerLifeWhereARebuildIsDearer) {
   for (ListPolicy* policy : {&cheap, &dear}) {
     for (int k = 0; k < 3; ++k) policy->searched(20);
     policy->rebuilt(policy == &cheap ? 5 : 50, 0.01);
-    policy->used(4, 0.1, 1000, 800);
+    policy->used(4);
   }
   EXPECT_LT(cheap.life(), dear.life());
   EXPECT_GE(cheap.life(), ListPolicy::shortest);
   EXPECT_LE(dear.life(), ListPolicy::longest);
   EXPECT_TRUE(dear.pays());
-  dear.used(40, 0.1, 1000, 800);
-  for (int k = 0; k < 20; ++k) dear.used(40, 0.1, 1000, 800);
+  for (int k = 0; k < 21; ++k) dear.used(40);
   EXPECT_FALSE(dear.pays()) << "where it costs more than a full search";
 }
 

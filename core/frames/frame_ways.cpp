@@ -163,6 +163,7 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
     const bool pays = always_ || policy_.use_pays();
     if (pays) waits_ = 0;
     if (pays && list_->holds(chain)) return Way::kept_list;
+    if (pays) policy_.ended(list_->skin());
     list_->drop();
     if (!pays) wait_ = wait_after(waits_++);
   }
@@ -170,7 +171,7 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   move_ = greatest_move(row_.spheres(), chain.spheres());
   const double thickest = chain.view().extent.greatest_radius;
   constexpr double life_in_tests = 3;
-  skin_ = std::max(move_ * (always_ ? life_in_tests : policy_.life()) * 1.05, thickest * 0x1p-10);
+  skin_ = std::max(always_ ? move_ * life_in_tests : policy_.skin_for(move_), thickest * 0x1p-10);
   constexpr double inner_life = 4;  // frames at least; steps by chance part as the root of their number
   inner_skin_ = std::min(inner_life * move_, skin_ / 2);
   const bool sensible = std::isfinite(skin_) && skin_ > 0 && skin_ < 1e30;

@@ -9,10 +9,11 @@ namespace catena {
 /// When a kept list pays, how thick its skin is, and so how long it lives: from what was measured. Chooses
 /// between ways to the same answer, and decides nothing else.
 ///
-/// A list that is to live k frames in which spheres move by v each needs a skin of k v, and the thicker it is
-/// the more pairs it holds: a frame costs `use` + `growth` k, and its share of pruning. With one rebuild, the
-/// mean of k frames is
-///     (rebuild + (k - 1) use) / k + growth k,   least where k = sqrt((rebuild - use) / growth).
+/// A list that is to live k frames in which spheres move by v each needs a skin of k v where they all go
+/// straight on, and less where they go to and fro: how long lists lived says so. The thicker it is the more
+/// pairs it holds, which are compared when it is pruned: a frame costs `use`, and `growth` k + `prune` as its
+/// share of that. With one rebuild, the mean of k frames is
+///     (rebuild + (k - 1) use) / k + growth k + prune,   least where k = sqrt((rebuild - use) / growth).
 class CATENA_API ListPolicy {
  public:
   static constexpr double shortest = 2, longest = 64;  ///< lives, frames
@@ -28,20 +29,27 @@ class CATENA_API ListPolicy {
     // The first ones touch memory for the first time, too.
     rebuild_ms_ = blend(rebuild_ms_, made_ < cold_searches ? std::min(ms, 2 * full_ms_) : ms);
     move_ = move, ++made_;
-    uses_ = 0;
+    uses_ = 0, lived_ = 1;
   }
-  /// A frame was answered by a list with this skin; `near` of its pairs, `found` of which collide.
-  void used(double ms, double skin, double near, double found) {
-    const double pair_ms = ms / (near + 1);
-    growth_ms_ = skin > 0 ? pair_ms * std::max(0.0, near - found) / skin * move_ : 0;
-    use_ms_ = blend(use_ms_, std::max(0.0, ms - growth_ms_ * (move_ > 0 ? skin / move_ : 0)));
-    ++uses_;
+  /// A frame was answered by the list, which was not pruned.
+  void used(double ms) {
+    use_ms_ = blend(use_ms_, ms);
+    ++uses_, ++lived_;
   }
-  /// A frame was answered after the inner list was pruned again.
-  void pruned(double ms) {
+  /// A frame was answered after the list, of this skin, was pruned: of its `near` pairs `found` collide, and
+  /// the others are there for the skin.
+  void pruned(double ms, double skin, double near, double found) {
+    const double frames = uses_ + 1;
+    uses_ = 0, ++lived_;
     if (prunes_++ == 0) return;  // it touches memory for the first time
-    prune_ms_ = blend(prune_ms_, std::max(0.0, ms - use_ms_) / (uses_ + 1));
-    uses_ = 0;
+    const double extra = std::max(0.0, ms - use_ms_) / frames,
+                 of_skin = extra * std::max(0.0, near - found) / (near + 1);
+    prune_ms_ = blend(prune_ms_, extra - of_skin);
+    growth_ms_ = skin > 0 ? blend(growth_ms_, of_skin / skin * move_ / straying_) : growth_ms_;
+  }
+  /// The list is left, as a sphere has left its thick one.
+  void ended(double skin) {
+    if (move_ > 0 && skin > 0) straying_ = std::max(1.0, blend(straying_, lived_ * move_ / skin));
   }
   void forget() { *this = {}; }
 
@@ -50,6 +58,8 @@ class CATENA_API ListPolicy {
     const double saved = rebuild_ms() - use_ms(), growth = growth_ms_ > 0 ? growth_ms_ : full_ms_ / 50;
     return saved > 0 && growth > 0 ? std::clamp(std::sqrt(saved / growth), shortest, longest) : shortest;
   }
+  /// The skin that it takes, of spheres that move by so much a frame at most.
+  double skin_for(double move) const { return move * life() / straying_ * 1.05; }
   /// What a frame costs on average by lists of that life.
   double mean_ms() const {
     const double k = life();
@@ -70,8 +80,10 @@ class CATENA_API ListPolicy {
   double use_ms() const { return use_ms_ > 0 ? use_ms_ : full_ms_ / 4; }
 
   double full_ms_ = 0, rebuild_ms_ = 0, use_ms_ = 0, growth_ms_ = 0, move_ = 0;
-  double prune_ms_ = 0;                          ///< of a frame, on average
-  unsigned made_ = 0, searches_ = 0, prunes_ = 0, uses_ = 0;  ///< uses since the list was pruned
+  double prune_ms_ = 0;  ///< of a frame, on average
+  double straying_ = 1;  ///< frames that a list lives, of those it would if all went straight on
+  unsigned made_ = 0, searches_ = 0, prunes_ = 0;
+  unsigned uses_ = 0, lived_ = 0;  ///< since the list was pruned; since it was made
 };
 
 }  // namespace catena

@@ -61,21 +61,49 @@ HWY_INLINE bool all_of(std::span<const Sphere> now, std::span<const Sphere> othe
   return true;
 }
 
-/// Calls take(k, a, b, lanes) for each eight pairs from k on, with their spheres, of which `lanes` are heeded:
-/// copied side by side a good while before they are loaded as vectors, so that loads need not wait for stores.
+/// Of a pair, or eight of them side by side: how far b's centre is from a's, and the sum of the radii.
+struct Apart {
+  float x, y, z, reach;
+};
+struct EightApart {
+  Lanes8 square, reach;
+  explicit HWY_INLINE EightApart(const Apart* pairs) {
+    Lanes8 x, y, z;
+    for (std::size_t k = 0; k < parts; ++k)
+      hn::LoadInterleaved4(Reals(), &pairs[k * width].x, x.part[k], y.part[k], z.part[k], reach.part[k]);
+    square = mul_add(z, z, mul_add(y, y, x * x));
+  }
+};
+
+HWY_INLINE void set_apart(const Sphere& a, const Sphere& b, Apart& to) {
+  const hn::CappedTag<float, 4> four;
+  alignas(16) static constexpr float signs[] = {-0.0f, -0.0f, -0.0f, 0.0f};
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(four)) {
+    const auto minus_b = hn::Xor(hn::LoadU(four, &b.x + k), hn::Load(four, signs + k));
+    hn::Store(hn::Add(hn::LoadU(four, &a.x + k), minus_b), four, &to.x + k);
+  }
+}
+
+/// Calls take(k, apart, lanes) for each eight pairs from k on, of which `lanes` are heeded: set side by side
+/// a good while before they are loaded as vectors, so that loads need not wait for stores.
 template <class Take>
 HWY_INLINE void for_each_eight(std::span<const Sphere> spheres, std::span<const Pair> pairs,
                                const Take& take) {
-  // Both together no more than a page: what is stored then never looks like what is loaded.
   constexpr std::size_t room = 128;
-  alignas(64) Sphere a[room] = {}, b[room] = {};
+  alignas(64) Apart apart[room] = {};
   for (std::size_t begin = 0; begin < pairs.size(); begin += room) {
     const std::size_t size = std::min(room, pairs.size() - begin);
     const Pair* some = &pairs[begin];
-    for (std::size_t k = 0; k < size; ++k) a[k] = spheres[some[k].i], b[k] = spheres[some[k].j];
-    for (std::size_t k = 0; k < size; k += at_once) take(begin + k, Eight(a + k), Eight(b + k), size - k);
+    for (std::size_t k = 0; k < size; ++k) set_apart(spheres[some[k].i], spheres[some[k].j], apart[k]);
+    for (std::size_t k = 0; k < size; k += at_once) take(begin + k, EightApart(apart + k), size - k);
   }
 }
+
+/// The sum of two radii has an error of u = 2^-24 of it, that of the radii by a skin thicker or thinner,
+/// which are rounded first, of 2 u of the radii and the skins, and the skins, which are added to the sum
+/// here, of as much: 16 u of the sum cover all, with the skins where they are added; where they are taken off
+/// they are less than the radii, or no overlap is certain.
+constexpr float reach_slack = 0x1p-20f;
 
 /// What is stored in a vector one after the other, by eight at a time. Leaves room for eight more.
 template <class T>
@@ -110,10 +138,8 @@ HWY_INLINE Flags<8> unlike(const Flags<8>& a, const Flags<8>& b) {
 
 /// Those of eight pairs that collide. `exact` decides what these are not certain of, which is rare.
 template <class Exact>
-HWY_INLINE Flags<8> colliding(const Lanes8& q, const Eight& a, const Eight& b, const Flags<8>& heeded,
-                              const Exact& exact) {
-  const Lanes8 reach = a.radius + b.radius;
-  const Squares squares{q, reach * reach};
+HWY_INLINE Flags<8> colliding(const EightApart& apart, const Flags<8>& heeded, const Exact& exact) {
+  const Squares squares{apart.square, apart.reach * apart.reach};
   const auto certain = SphereLanes::overlap_for_certain(squares) & heeded;
   const auto undecided = without(SphereLanes::may_overlap(squares) & heeded, certain);
   if (HWY_LIKELY(undecided.none())) return certain;
@@ -137,10 +163,13 @@ HWY_INLINE std::size_t for_kept(const Flags<8>& keep, const Store& store) {
 
 }  // namespace
 
-bool all_within_here(std::span<const Sphere> now, std::span<const Sphere> thick) {
+bool all_within_here(std::span<const Sphere> now, float skin, std::span<const Sphere> thick) {
   return all_of(
-      now, thick, [](const Eight& a, const Eight& b) { return fits(square(a, b), b.radius - a.radius); },
-      [](const Sphere& a, const Sphere& b) { return within(a, b); });
+      now, thick,
+      [skin](const Eight& a, const Eight& b) {
+        return fits(square(a, b), b.radius - (a.radius + Lanes8::all(skin)));
+      },
+      [skin](const Sphere& a, const Sphere& b) { return within(thicker(a, skin), b); });
 }
 
 bool all_near_here(std::span<const Sphere> now, std::span<const Sphere> before, float skin) {
@@ -160,15 +189,15 @@ void part_pairs_here(std::span<const Sphere> spheres, std::span<const Pair> pair
   const Bits bits;
   Growing<std::uint32_t> changes(changed), states(open.state);
   Growing<Pair> opens(open.pairs);
-  const Lanes8 s = Lanes8::all(skin), zero = Lanes8::all(0);
-  for_each_eight(spheres, pairs, [&](std::size_t k, const Eight& a, const Eight& b, std::size_t lanes) {
+  const Lanes8 skins = Lanes8::all(2 * skin), slack = Lanes8::all(reach_slack);
+  for_each_eight(spheres, pairs, [&](std::size_t k, const EightApart& apart, std::size_t lanes) {
     const auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
-    const Lanes8 q = square(a, b), thin_a = a.radius - s, thin_b = b.radius - s, close = thin_a + thin_b;
-    const Lanes8 far = (a.radius + s) + (b.radius + s);
-    const auto settled = (zero <= thin_a) & (zero <= thin_b) &
-                         SphereLanes::overlap_for_certain(Squares{q, close * close});
-    const auto left = without(SphereLanes::may_overlap(Squares{q, far * far}) & heeded, settled);
-    const auto now = colliding(q, a, b, heeded, [&](std::uint32_t lane) {
+    const Lanes8 close = (apart.reach - skins) - apart.reach * slack, sum = apart.reach + skins,
+                 far = sum + sum * slack;
+    const auto settled =
+        (Lanes8::all(0) <= close) & SphereLanes::overlap_for_certain(Squares{apart.square, close * close});
+    const auto left = without(SphereLanes::may_overlap(Squares{apart.square, far * far}) & heeded, settled);
+    const auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
       return Robust::overlap(spheres[pairs[k + lane].i], spheres[pairs[k + lane].j]);
     });
     const auto change = unlike(now, flags_of(collide[k / at_once]));
@@ -182,14 +211,15 @@ void part_pairs_here(std::span<const Sphere> spheres, std::span<const Pair> pair
     }));
     Pair* const to_pairs = opens.end();
     std::uint32_t* const to_states = states.end();
-    const std::size_t more = for_kept(left, [&](std::size_t part, const Kept<Bits>& kept, std::size_t before) {
-      hn::Vec<Bits> i, j;
-      hn::LoadInterleaved2(bits, &pairs.data()[k + part * width].i, i, j);
-      hn::StoreInterleaved2(kept.compress(i), kept.compress(j), bits, &to_pairs[before].i);
-      const auto collides = hn::IfThenElseZero(hn::RebindMask(bits, now.part[part]), hn::Set(bits, 1u));
-      hn::StoreU(kept.compress(hn::Or(hn::Add(number(part), number(part)), collides)), bits,
-                 to_states + before);
-    });
+    const std::size_t more =
+        for_kept(left, [&](std::size_t part, const Kept<Bits>& kept, std::size_t before) {
+          hn::Vec<Bits> i, j;
+          hn::LoadInterleaved2(bits, &pairs.data()[k + part * width].i, i, j);
+          hn::StoreInterleaved2(kept.compress(i), kept.compress(j), bits, &to_pairs[before].i);
+          const auto collides = hn::IfThenElseZero(hn::RebindMask(bits, now.part[part]), hn::Set(bits, 1u));
+          hn::StoreU(kept.compress(hn::Or(hn::Add(number(part), number(part)), collides)), bits,
+                     to_states + before);
+        });
     opens.grow(more), states.grow(more);
   });
   opens.end(), states.end();
@@ -203,9 +233,9 @@ void compare_open_here(std::span<const Sphere> spheres, OpenPairs& open,
   const auto one = hn::Set(bits, 1u);
   Growing<std::uint32_t> changes(changed);
   const std::span<const Pair> pairs(open.pairs.data(), open.size);
-  for_each_eight(spheres, pairs, [&](std::size_t k, const Eight& a, const Eight& b, std::size_t lanes) {
+  for_each_eight(spheres, pairs, [&](std::size_t k, const EightApart& apart, std::size_t lanes) {
     const auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
-    const auto now = colliding(square(a, b), a, b, heeded, [&](std::uint32_t lane) {
+    const auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
       return Robust::overlap(spheres[pairs[k + lane].i], spheres[pairs[k + lane].j]);
     });
     std::uint32_t* const state = &open.state[k];
@@ -235,8 +265,8 @@ HWY_EXPORT(all_near_here);
 HWY_EXPORT(part_pairs_here);
 HWY_EXPORT(compare_open_here);
 
-bool all_within(std::span<const Sphere> now, std::span<const Sphere> thick) {
-  return HWY_DYNAMIC_DISPATCH(all_within_here)(now, thick);
+bool all_within(std::span<const Sphere> now, float skin, std::span<const Sphere> thick) {
+  return HWY_DYNAMIC_DISPATCH(all_within_here)(now, skin, thick);
 }
 bool all_near(std::span<const Sphere> now, std::span<const Sphere> before, float skin) {
   return HWY_DYNAMIC_DISPATCH(all_near_here)(now, before, skin);

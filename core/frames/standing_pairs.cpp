@@ -38,8 +38,7 @@ void StandingPairs::exchange(std::span<const std::uint32_t> changed, std::span<c
     put(come_[n], std::exchange(at_[go_[n]], nowhere));
   }
   pairs.resize(stood + (come - same)), who_.resize(pairs.size());
-  for (std::size_t n = same; n < come; ++n)
-    put(come_[n], static_cast<std::uint32_t>(stood + (n - same)));
+  for (std::size_t n = same; n < come; ++n) put(come_[n], static_cast<std::uint32_t>(stood + (n - same)));
   for (std::size_t n = same; n < go; ++n) {
     uncount(go_[n]);
     // The last one takes its place.
