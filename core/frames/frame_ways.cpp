@@ -138,6 +138,8 @@ std::int64_t FrameSearch::farthest_shift(const Chain& chain) const {
 FrameSearch::Way FrameSearch::go_shifted(std::int64_t s) {
   shift_ = s;
   least_ms(static_cast<double>(std::max(shift_, -shift_)) / RunTree::run + 2);
+  // Shifts seldom come alone: what a run takes by the tree is worth knowing.
+  if (!run_.measured && !always_) by_cells_ = false;
   return Way::shifted;
 }
 
