@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <stdexcept>
 
 #include "catena/core/input/input.h"
@@ -96,6 +97,24 @@ TEST(FrameSearch, GoesTheWayThatAFrameAllows) {
   ASSERT_EQ(frames.plan().size(), 1u);
   EXPECT_TRUE(frames.plan()[0].left_out);
   EXPECT_NE(frames.plan()[0].reason.find("3000"), std::string::npos);
+}
+
+TEST(FrameSearch, FollowsSpheresThatGoToAndFroAndOtherFramesBetween) {
+  Frames frames(yarn());
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> by(-0.02f, 0.02f);
+  for (int k = 0; k < 60; ++k) {
+    std::vector<Sphere> spheres = frames.spheres();
+    if (k % 15 == 14) {  // the answer is another's meanwhile
+      for (std::size_t i = 100; i < 120; ++i) spheres[i].x += 0.3f;
+      EXPECT_EQ(frames.next(spheres), Way::parts) << k;
+      continue;
+    }
+    for (Sphere& s : spheres)
+      s.x += by(random), s.y += by(random), s.z += by(random), s.radius += by(random) / 8;
+    EXPECT_EQ(frames.next(spheres), Way::kept_list) << k;
+  }
+  EXPECT_LT(frames.searches(), 40u) << "lists are used";
 }
 
 TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
