@@ -81,10 +81,10 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   // The first use of a list brings it into the cache, and is no measure of the next ones.
   if (fresh) return;
   if (pruned)
-    policy_.pruned(watch.ms(), list_->skin(), static_cast<double>(list_->size()),
+    policy_.pruned(watch.ms() + holds_ms_, list_->skin(), static_cast<double>(list_->size()),
                    static_cast<double>(answer_.pairs().size()));
   else
-    policy_.used(watch.ms());
+    policy_.used(watch.ms() + holds_ms_);
 }
 
 /// Moves the row on to this frame, and the answer with it.

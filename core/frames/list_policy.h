@@ -31,9 +31,10 @@ class CATENA_API ListPolicy {
     move_ = move, ++made_;
     uses_ = 0, lived_ = 1;
   }
-  /// A frame was answered by the list, which was not pruned.
+  /// A frame was answered by the list, which was not pruned. One that took very long, as something else ran,
+  /// is no measure of the next: a list that is given up is not measured any more.
   void used(double ms) {
-    use_ms_ = blend(use_ms_, ms);
+    use_ms_ = blend(use_ms(), std::min(ms, 2 * use_ms()));
     ++uses_, ++lived_;
   }
   /// A frame was answered after the list, of this skin, was pruned: of its `near` pairs `found` collide, and
@@ -42,7 +43,7 @@ class CATENA_API ListPolicy {
     const double frames = uses_ + 1;
     uses_ = 0, ++lived_;
     if (prunes_++ == 0) return;  // it touches memory for the first time
-    const double extra = std::max(0.0, ms - use_ms_) / frames,
+    const double extra = std::clamp(ms - use_ms(), 0.0, full_ms_) / frames,
                  of_skin = extra * std::max(0.0, near - found) / (near + 1);
     prune_ms_ = blend(prune_ms_, extra - of_skin);
     growth_ms_ = skin > 0 ? blend(growth_ms_, of_skin / skin * move_ / straying_) : growth_ms_;
