@@ -62,7 +62,7 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
     const Stopwatch watch;
     list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_own_pairs, search);
     by_list_ = false;
-    policy_.rebuilt(watch.ms(), move_);
+    policy_.rebuilt(watch.ms(), move_, skin_);
   }
   if (!list_->made()) {
     wait_ = wait_after(waits_++);
@@ -81,7 +81,7 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   // The first use of a list brings it into the cache, and is no measure of the next ones.
   if (fresh) return;
   if (pruned)
-    policy_.pruned(watch.ms() + holds_ms_, list_->skin(), static_cast<double>(list_->size()),
+    policy_.pruned(watch.ms() + holds_ms_, static_cast<double>(list_->size()),
                    static_cast<double>(answer_.pairs().size()));
   else
     policy_.used(watch.ms() + holds_ms_);

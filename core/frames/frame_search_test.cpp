@@ -153,15 +153,17 @@ TEST(ListPolicy, TakesALongerLifeWhereARebuildIsDearer) {
   ListPolicy cheap, dear;
   for (ListPolicy* policy : {&cheap, &dear}) {
     for (int k = 0; k < 3; ++k) policy->searched(20);
-    policy->rebuilt(policy == &cheap ? 5 : 50, 0.01);
+    policy->rebuilt(policy == &cheap ? 5 : 50, 0.01, 0.1);
     policy->used(4);
   }
   EXPECT_LT(cheap.life(), dear.life());
   EXPECT_GE(cheap.life(), ListPolicy::shortest);
   EXPECT_LE(dear.life(), ListPolicy::longest);
-  EXPECT_TRUE(dear.pays());
+  EXPECT_LE(dear.skin_for(0.01, 0.5), 0.2) << "twice the last one";
+  EXPECT_LE(dear.skin_for(0.01, 0.05), 0.05);
+  EXPECT_TRUE(dear.pays(0.3, 0.01));
   for (int k = 0; k < 21; ++k) dear.used(40);
-  EXPECT_FALSE(dear.pays()) << "where it costs more than a full search";
+  EXPECT_FALSE(dear.pays(0.3, 0.01)) << "where it costs more than a full search";
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
     const bool holds = pays && list_->holds(chain);
     holds_ms_ = watch.ms();
     if (holds) return Way::kept_list;
-    if (pays) policy_.ended(list_->skin());
+    if (pays) policy_.ended();
     list_->drop();
     if (!pays) wait_ = wait_after(waits_++);
   }
@@ -189,11 +189,11 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   // A skin that is thick beside most spheres would make a list of very many pairs, however thick the rest is.
   const double thick = always_ ? thickest : middling_radius(chain.spheres());
   constexpr double life_in_tests = 3;
-  skin_ = std::max(always_ ? move_ * life_in_tests : policy_.skin_for(move_), thickest * 0x1p-10);
+  skin_ = std::max(always_ ? move_ * life_in_tests : policy_.skin_for(move_, thick), thickest * 0x1p-10);
   constexpr double inner_life = 4;  // frames at least; steps by chance part as the root of their number
   inner_skin_ = std::min(inner_life * move_, skin_ / 2);
   const bool sensible = std::isfinite(skin_) && skin_ > 0 && skin_ < 1e30;
-  if (sensible && (always_ || (skin_ <= thick && policy_.pays()))) return Way::kept_list;
+  if (sensible && (always_ || (skin_ <= thick && policy_.pays(skin_, move_)))) return Way::kept_list;
   wait_ = wait_after(waits_++);
   return std::nullopt;
 }
