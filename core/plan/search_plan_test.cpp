@@ -67,7 +67,8 @@ TEST(SearchPlan, ADeviceWithoutRoomGivesWayToTheHost) {
   EXPECT_EQ(on_device.variant(), "tree");
   EXPECT_FALSE(on_device.give_way("no room"));
   const std::string reason = on_device.steps().front().reason;
-  EXPECT_TRUE(reason.ends_with(once_in_parts ? "; device: no room; DeviceParts: no room" : "; device: no room"))
+  EXPECT_TRUE(
+      reason.ends_with(once_in_parts ? "; device: no room; DeviceParts: no room" : "; device: no room"))
       << reason;
 }
 
@@ -172,9 +173,9 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[1], "ChainTree");
   EXPECT_EQ(taken[2], "aCPU2+Dual");
   EXPECT_EQ(taken[5], "Grid");
-  for (const char* usual :
-       {"yarn:n=3000", "mixed_radii:n=3000,decades=6", "points:n=3000,share=0.7",
-        "lattice:n=3000,scale=1e-30", "cluster:n=700,shells=140", "cluster:n=30000", "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
+  for (const char* usual : {"yarn:n=3000", "mixed_radii:n=3000,decades=6", "points:n=3000,share=0.7",
+                            "lattice:n=3000,scale=1e-30", "cluster:n=700,shells=140", "cluster:n=30000",
+                            "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
     const Chain chain = open_input(usual).animation->frame(0);
     EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr) << usual;
   }
