@@ -122,8 +122,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     built_ = false;
     way_ = FrameSearch::Way::full;
     const Extent extent = chain.view().extent;
-    if (!plan_ || !plan_->holds_for(chain.size(), request_, extent))
-      plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent);
+    if (!plan_ || !plan_->holds_for(chain.size(), request_, extent, chain.spheres()))
+      plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres());
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
       // A chain alone: choosing took less than it takes to look at the clock.
       contact_.reset();

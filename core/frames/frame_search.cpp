@@ -62,7 +62,7 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
     const Stopwatch watch;
     list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_own_pairs, search);
     by_list_ = false;
-    policy_.rebuilt(watch.ms(), move_);
+    policy_.rebuilt(watch.ms(), move_, skin_);
   }
   if (!list_->made()) {
     wait_ = wait_after(waits_++);
@@ -77,14 +77,14 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   });
   by_list_ = true;
   remember(chain);
-  compared_ = list_->inner_size();
+  compared_ = list_->open_size();
   // The first use of a list brings it into the cache, and is no measure of the next ones.
   if (fresh) return;
   if (pruned)
-    policy_.pruned(watch.ms());
+    policy_.pruned(watch.ms() + holds_ms_, static_cast<double>(list_->size()),
+                   static_cast<double>(answer_.pairs().size()));
   else
-    policy_.used(watch.ms(), list_->skin(), static_cast<double>(list_->size()),
-                 static_cast<double>(answer_.pairs().size()));
+    policy_.used(watch.ms() + holds_ms_);
 }
 
 /// Moves the row on to this frame, and the answer with it.

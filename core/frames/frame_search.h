@@ -111,6 +111,7 @@ class CATENA_API FrameSearch {
   std::unique_ptr<KeptList> list_;
   ListPolicy policy_;
   bool by_list_ = false;                  ///< answer_ is as the list's last find left it
+  double holds_ms_ = 0;                   ///< what it took to see that the list holds
   double move_ = 0;                       ///< of a frame, at most
   double skin_ = 0, inner_skin_ = 0;      ///< wanted of the next list
   std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay

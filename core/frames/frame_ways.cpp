@@ -1,10 +1,12 @@
 #include "catena/core/frames/frame_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "catena/core/frames/frame_difference.h"
+#include "catena/core/strategy/timings.h"
 
 // Which way a frame is searched: what it has in common with the last one, and what that saves.
 namespace catena {
@@ -22,6 +24,15 @@ double greatest_move(std::span<const Sphere> before, std::span<const Sphere> now
     growth = std::max(growth, now[i].radius - before[i].radius);
   }
   return std::sqrt(double{square}) + growth;
+}
+
+/// One that about as many spheres exceed as do not, by some of them; for planning.
+float middling_radius(std::span<const Sphere> spheres) {
+  std::array<float, 61> some{};  // a prime: no period of the chain hides what there is
+  for (std::size_t k = 0; k < some.size(); ++k)
+    some[k] = spheres[k * (spheres.size() - 1) / (some.size() - 1)].radius;
+  std::ranges::nth_element(some, some.begin() + some.size() / 2);
+  return some[some.size() / 2];
 }
 
 }  // namespace
@@ -138,6 +149,8 @@ std::int64_t FrameSearch::farthest_shift(const Chain& chain) const {
 FrameSearch::Way FrameSearch::go_shifted(std::int64_t s) {
   shift_ = s;
   least_ms(static_cast<double>(std::max(shift_, -shift_)) / RunTree::run + 2);
+  // Shifts seldom come alone: what a run takes by the tree is worth knowing.
+  if (!run_.measured && !always_) by_cells_ = false;
   return Way::shifted;
 }
 
@@ -162,19 +175,25 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   if (list_->made()) {
     const bool pays = always_ || policy_.use_pays();
     if (pays) waits_ = 0;
-    if (pays && list_->holds(chain)) return Way::kept_list;
+    const Stopwatch watch;
+    const bool holds = pays && list_->holds(chain);
+    holds_ms_ = watch.ms();
+    if (holds) return Way::kept_list;
+    if (pays) policy_.ended();
     list_->drop();
     if (!pays) wait_ = wait_after(waits_++);
   }
   if (wait_ > 0 && !always_) return --wait_, std::nullopt;
   move_ = greatest_move(row_.spheres(), chain.spheres());
   const double thickest = chain.view().extent.greatest_radius;
+  // A skin that is thick beside most spheres would make a list of very many pairs, however thick the rest is.
+  const double thick = always_ ? thickest : middling_radius(chain.spheres());
   constexpr double life_in_tests = 3;
-  skin_ = std::max(move_ * (always_ ? life_in_tests : policy_.life()) * 1.05, thickest * 0x1p-10);
+  skin_ = std::max(always_ ? move_ * life_in_tests : policy_.skin_for(move_, thick), thickest * 0x1p-10);
   constexpr double inner_life = 4;  // frames at least; steps by chance part as the root of their number
   inner_skin_ = std::min(inner_life * move_, skin_ / 2);
   const bool sensible = std::isfinite(skin_) && skin_ > 0 && skin_ < 1e30;
-  if (sensible && (always_ || (skin_ <= thickest && policy_.pays()))) return Way::kept_list;
+  if (sensible && (always_ || (skin_ <= thick && policy_.pays(skin_, move_)))) return Way::kept_list;
   wait_ = wait_after(waits_++);
   return std::nullopt;
 }

@@ -9,6 +9,7 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/compress-inl.h"
+#include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/frames/near_pairs.h"
 #include "catena/core/frames/within.h"
@@ -60,67 +61,115 @@ HWY_INLINE bool all_of(std::span<const Sphere> now, std::span<const Sphere> othe
   return true;
 }
 
-/// Pairs with their spheres, copied side by side a good while before they are loaded as vectors, so that
-/// loads need not wait for stores: take(pairs, a, b, lanes) for each eight of them, of which `lanes` are
-/// heeded.
+/// Of a pair, or eight of them side by side: how far b's centre is from a's, and the sum of the radii.
+struct Apart {
+  float x, y, z, reach;
+};
+struct EightApart {
+  Lanes8 square, reach;
+  explicit HWY_INLINE EightApart(const Apart* pairs) {
+    Lanes8 x, y, z;
+    for (std::size_t k = 0; k < parts; ++k)
+      hn::LoadInterleaved4(Reals(), &pairs[k * width].x, x.part[k], y.part[k], z.part[k], reach.part[k]);
+    square = mul_add(z, z, mul_add(y, y, x * x));
+  }
+};
+
+HWY_INLINE void set_apart(const Sphere& a, const Sphere& b, Apart& to) {
+  const hn::CappedTag<float, 4> four;
+  alignas(16) static constexpr float signs[] = {-0.0f, -0.0f, -0.0f, 0.0f};
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(four)) {
+    const auto minus_b = hn::Xor(hn::LoadU(four, &b.x + k), hn::Load(four, signs + k));
+    hn::Store(hn::Add(hn::LoadU(four, &a.x + k), minus_b), four, &to.x + k);
+  }
+}
+
+/// Calls take(k, apart, lanes) for each eight pairs from k on, of which `lanes` are heeded: set side by side
+/// a good while before they are loaded as vectors, so that loads need not wait for stores.
 template <class Take>
 HWY_INLINE void for_each_eight(std::span<const Sphere> spheres, std::span<const Pair> pairs,
                                const Take& take) {
-  constexpr std::size_t room = 256;
-  alignas(64) Sphere a[room] = {}, b[room] = {};
-  Pair rest[room] = {};
+  constexpr std::size_t room = 128;
+  alignas(64) Apart apart[room] = {};
   for (std::size_t begin = 0; begin < pairs.size(); begin += room) {
     const std::size_t size = std::min(room, pairs.size() - begin);
     const Pair* some = &pairs[begin];
-    for (std::size_t k = 0; k < size; ++k) a[k] = spheres[some[k].i], b[k] = spheres[some[k].j];
-    if (size < room) some = std::copy(some, some + size, rest) - size;  // eight of which may be read
-    for (std::size_t k = 0; k < size; k += at_once) take(some + k, Eight(a + k), Eight(b + k), size - k);
+    for (std::size_t k = 0; k < size; ++k) set_apart(spheres[some[k].i], spheres[some[k].j], apart[k]);
+    for (std::size_t k = 0; k < size; k += at_once) take(begin + k, EightApart(apart + k), size - k);
   }
 }
 
-/// Stores the pairs that are kept at `to`, side by side; returns their number. May write eight of them.
-HWY_INLINE std::size_t store_kept(const Pair* pairs, const Flags<8>& keep, std::size_t lanes, Pair* to) {
-  const Bits bits;
-  std::size_t size = 0;
-  for (std::size_t k = 0; k < parts && k * width < lanes; ++k) {
-    auto wanted = hn::RebindMask(bits, keep.part[k]);
-    if (HWY_UNLIKELY(lanes < (k + 1) * width)) wanted = hn::And(wanted, hn::FirstN(bits, lanes - k * width));
-    const Kept<Bits> kept(wanted);
-    hn::Vec<Bits> i, j;
-    hn::LoadInterleaved2(bits, &pairs[k * width].i, i, j);
-    hn::StoreInterleaved2(kept.compress(i), kept.compress(j), bits, &to[size].i);
-    size += kept.size();
-  }
-  return size;
-}
+/// The sum of two radii has an error of u = 2^-24 of it, that of the radii by a skin thicker or thinner,
+/// which are rounded first, of 2 u of the radii and the skins, and the skins, which are added to the sum
+/// here, of as much: 16 u of the sum cover all, with the skins where they are added; where they are taken off
+/// they are less than the radii, or no overlap is certain.
+constexpr float reach_slack = 0x1p-20f;
 
-/// The first that are not of the second.
+/// What is stored in a vector one after the other, by eight at a time. Leaves room for eight more.
+template <class T>
+class Growing {
+ public:
+  explicit Growing(LargeVector<T>& all) : all_(all) { all_.resize(all_.capacity()); }
+  HWY_INLINE T* end() {
+    if (HWY_UNLIKELY(size_ + 2 * at_once > all_.size())) all_.resize(2 * all_.size() + 1024);
+    return all_.data() + size_;
+  }
+  HWY_INLINE void grow(std::size_t by) { size_ += by; }
+  std::size_t size() const { return size_; }
+
+ private:
+  LargeVector<T>& all_;
+  std::size_t size_ = 0;
+};
+
+/// Which of eight there are.
+HWY_INLINE Flags<8> flags_of(std::uint32_t bits) {
+  return Flags<8>::from([&](std::size_t k) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits >> (k * width))};
+    return hn::LoadMaskBits(Reals(), bytes);
+  });
+}
 HWY_INLINE Flags<8> without(const Flags<8>& all, const Flags<8>& these) {
   return Flags<8>::from([&](std::size_t k) { return hn::AndNot(these.part[k], all.part[k]); });
 }
+HWY_INLINE Flags<8> unlike(const Flags<8>& a, const Flags<8>& b) {
+  return Flags<8>::from([&](std::size_t k) { return hn::Xor(a.part[k], b.part[k]); });
+}
 
-/// The first pairs of a vector and what is stored behind them, where what was there need not be cleared.
-class Growing {
- public:
-  Growing(std::vector<Pair>& pairs, std::size_t keep) : pairs_(pairs), size_(keep) {}
-  ~Growing() { pairs_.resize(size_); }
-  Pair* end() {
-    if (size_ + 2 * at_once > pairs_.size()) pairs_.resize(2 * pairs_.size() + 1024);
-    return pairs_.data() + size_;
+/// Those of eight pairs that collide. `exact` decides what these are not certain of, which is rare.
+template <class Exact>
+HWY_INLINE Flags<8> colliding(const EightApart& apart, const Flags<8>& heeded, const Exact& exact) {
+  const Squares squares{apart.square, apart.reach * apart.reach};
+  const auto certain = SphereLanes::overlap_for_certain(squares) & heeded;
+  const auto undecided = without(SphereLanes::may_overlap(squares) & heeded, certain);
+  if (HWY_LIKELY(undecided.none())) return certain;
+  std::uint32_t decided = 0;
+  for_each_lane(undecided.bits(), [&](std::uint32_t k) { decided |= std::uint32_t{exact(k)} << k; });
+  return certain | flags_of(decided);
+}
+
+/// Calls store(part, kept, before) for each vector of eight, with those of its lanes that are kept and how
+/// many were kept before it; returns how many are in all.
+template <class Store>
+HWY_INLINE std::size_t for_kept(const Flags<8>& keep, const Store& store) {
+  std::size_t before = 0;
+  for (std::size_t k = 0; k < parts; ++k) {
+    const Kept<Bits> kept(hn::RebindMask(Bits(), keep.part[k]));
+    store(k, kept, before);
+    before += kept.size();
   }
-  void grow(std::size_t by) { size_ += by; }
-
- private:
-  std::vector<Pair>& pairs_;
-  std::size_t size_;
-};
+  return before;
+}
 
 }  // namespace
 
-bool all_within_here(std::span<const Sphere> now, std::span<const Sphere> thick) {
+bool all_within_here(std::span<const Sphere> now, float skin, std::span<const Sphere> thick) {
   return all_of(
-      now, thick, [](const Eight& a, const Eight& b) { return fits(square(a, b), b.radius - a.radius); },
-      [](const Sphere& a, const Sphere& b) { return within(a, b); });
+      now, thick,
+      [skin](const Eight& a, const Eight& b) {
+        return fits(square(a, b), b.radius - (a.radius + Lanes8::all(skin)));
+      },
+      [skin](const Sphere& a, const Sphere& b) { return within(thicker(a, skin), b); });
 }
 
 bool all_near_here(std::span<const Sphere> now, std::span<const Sphere> before, float skin) {
@@ -136,38 +185,73 @@ bool all_near_here(std::span<const Sphere> now, std::span<const Sphere> before, 
 }
 
 void part_pairs_here(std::span<const Sphere> spheres, std::span<const Pair> pairs, float skin,
-                     std::vector<Pair>& collide, std::vector<Pair>& open) {
-  Growing sure(collide, 0), unsure(open, 0);
-  for_each_eight(spheres, pairs, [&](const Pair* some, const Eight& a, const Eight& b, std::size_t lanes) {
-    const Lanes8 s = Lanes8::all(skin), q = square(a, b), zero = Lanes8::all(0);
-    const Lanes8 thin_a = a.radius - s, thin_b = b.radius - s, close = thin_a + thin_b;
-    const Lanes8 far = (a.radius + s) + (b.radius + s);
-    const auto certain =
-        (zero <= thin_a) & (zero <= thin_b) & SphereLanes::overlap_for_certain(Squares{q, close * close});
-    sure.grow(store_kept(some, certain, lanes, sure.end()));
-    const auto may = SphereLanes::may_overlap(Squares{q, far * far});
-    unsure.grow(store_kept(some, without(may, certain), lanes, unsure.end()));
+                     std::span<std::uint8_t> collide, LargeVector<std::uint32_t>& changed, OpenPairs& open) {
+  const Bits bits;
+  Growing<std::uint32_t> changes(changed), states(open.state);
+  Growing<Pair> opens(open.pairs);
+  const Lanes8 skins = Lanes8::all(2 * skin), slack = Lanes8::all(reach_slack);
+  for_each_eight(spheres, pairs, [&](std::size_t k, const EightApart& apart, std::size_t lanes) {
+    const auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
+    const Lanes8 close = (apart.reach - skins) - apart.reach * slack, sum = apart.reach + skins,
+                 far = sum + sum * slack;
+    const auto settled =
+        (Lanes8::all(0) <= close) & SphereLanes::overlap_for_certain(Squares{apart.square, close * close});
+    const auto left = without(SphereLanes::may_overlap(Squares{apart.square, far * far}) & heeded, settled);
+    const auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
+      return Robust::overlap(spheres[pairs[k + lane].i], spheres[pairs[k + lane].j]);
+    });
+    const auto change = unlike(now, flags_of(collide[k / at_once]));
+    collide[k / at_once] = static_cast<std::uint8_t>(now.bits());
+    const auto number = [&](std::size_t part) {
+      return count_up(bits, static_cast<std::uint32_t>(k + part * width));
+    };
+    std::uint32_t* const to = changes.end();
+    changes.grow(for_kept(change, [&](std::size_t part, const Kept<Bits>& kept, std::size_t before) {
+      hn::StoreU(kept.compress(number(part)), bits, to + before);
+    }));
+    Pair* const to_pairs = opens.end();
+    std::uint32_t* const to_states = states.end();
+    const std::size_t more =
+        for_kept(left, [&](std::size_t part, const Kept<Bits>& kept, std::size_t before) {
+          hn::Vec<Bits> i, j;
+          hn::LoadInterleaved2(bits, &pairs.data()[k + part * width].i, i, j);
+          hn::StoreInterleaved2(kept.compress(i), kept.compress(j), bits, &to_pairs[before].i);
+          const auto collides = hn::IfThenElseZero(hn::RebindMask(bits, now.part[part]), hn::Set(bits, 1u));
+          hn::StoreU(kept.compress(hn::Or(hn::Add(number(part), number(part)), collides)), bits,
+                     to_states + before);
+        });
+    opens.grow(more), states.grow(more);
   });
+  opens.end(), states.end();
+  open.size = opens.size();
+  changed.resize(changes.size());
 }
 
-void find_colliding_here(std::span<const Sphere> spheres, std::span<const Pair> pairs, std::size_t keep,
-                         std::vector<Pair>& found) {
-  std::vector<Pair> open;  // rare, and so without memory as a rule
-  {
-    Growing growing(found, keep);
-    for_each_eight(spheres, pairs, [&](const Pair* some, const Eight& a, const Eight& b, std::size_t lanes) {
-      const Lanes8 reach = a.radius + b.radius;
-      const Squares squares{square(a, b), reach * reach};
-      const auto certain = SphereLanes::overlap_for_certain(squares);
-      growing.grow(store_kept(some, certain, lanes, growing.end()));
-      const auto undecided = without(SphereLanes::may_overlap(squares), certain);
-      if (HWY_LIKELY(undecided.none())) return;
-      Pair left[at_once + width];
-      open.insert(open.end(), left, left + store_kept(some, undecided, lanes, left));
+void compare_open_here(std::span<const Sphere> spheres, OpenPairs& open,
+                       LargeVector<std::uint32_t>& changed) {
+  const Bits bits;
+  const auto one = hn::Set(bits, 1u);
+  Growing<std::uint32_t> changes(changed);
+  const std::span<const Pair> pairs(open.pairs.data(), open.size);
+  for_each_eight(spheres, pairs, [&](std::size_t k, const EightApart& apart, std::size_t lanes) {
+    const auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
+    const auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
+      return Robust::overlap(spheres[pairs[k + lane].i], spheres[pairs[k + lane].j]);
     });
-  }
-  for (const Pair& p : open)
-    if (Robust::overlap(spheres[p.i], spheres[p.j])) found.push_back(p);
+    std::uint32_t* const state = &open.state[k];
+    const auto before = Flags<8>::from([&](std::size_t part) {
+      return hn::RebindMask(Reals(), hn::TestBit(hn::LoadU(bits, state + part * width), one));
+    });
+    const auto change = unlike(now, before) & heeded;
+    std::uint32_t* const to = changes.end();
+    changes.grow(for_kept(change, [&](std::size_t part, const Kept<Bits>& kept, std::size_t others) {
+      const auto of = hn::LoadU(bits, state + part * width);
+      hn::StoreU(kept.compress(hn::ShiftRight<1>(of)), bits, to + others);
+      const auto turned = hn::IfThenElseZero(hn::RebindMask(bits, change.part[part]), one);
+      hn::StoreU(hn::Xor(of, turned), bits, state + part * width);
+    }));
+  });
+  changed.resize(changes.size());
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -179,21 +263,20 @@ namespace catena {
 HWY_EXPORT(all_within_here);
 HWY_EXPORT(all_near_here);
 HWY_EXPORT(part_pairs_here);
-HWY_EXPORT(find_colliding_here);
+HWY_EXPORT(compare_open_here);
 
-bool all_within(std::span<const Sphere> now, std::span<const Sphere> thick) {
-  return HWY_DYNAMIC_DISPATCH(all_within_here)(now, thick);
+bool all_within(std::span<const Sphere> now, float skin, std::span<const Sphere> thick) {
+  return HWY_DYNAMIC_DISPATCH(all_within_here)(now, skin, thick);
 }
 bool all_near(std::span<const Sphere> now, std::span<const Sphere> before, float skin) {
   return HWY_DYNAMIC_DISPATCH(all_near_here)(now, before, skin);
 }
 void part_pairs(std::span<const Sphere> spheres, std::span<const Pair> pairs, float skin,
-                std::vector<Pair>& collide, std::vector<Pair>& open) {
-  HWY_DYNAMIC_DISPATCH(part_pairs_here)(spheres, pairs, skin, collide, open);
+                std::span<std::uint8_t> collide, LargeVector<std::uint32_t>& changed, OpenPairs& open) {
+  HWY_DYNAMIC_DISPATCH(part_pairs_here)(spheres, pairs, skin, collide, changed, open);
 }
-void find_colliding(std::span<const Sphere> spheres, std::span<const Pair> pairs, std::size_t keep,
-                    std::vector<Pair>& found) {
-  HWY_DYNAMIC_DISPATCH(find_colliding_here)(spheres, pairs, keep, found);
+void compare_open(std::span<const Sphere> spheres, OpenPairs& open, LargeVector<std::uint32_t>& changed) {
+  HWY_DYNAMIC_DISPATCH(compare_open_here)(spheres, open, changed);
 }
 
 }  // namespace catena

@@ -27,11 +27,6 @@ Box WideBoxTree::box(std::uint32_t k) const {
   return box;
 }
 
-void WideBoxTree::set(std::size_t level, std::uint32_t k, const Box& box) {
-  Group& g = levels_[level][k / fan];
-  for (int d = 0; d < 3; ++d) g.low[d][k % fan] = box.low[d], g.high[d][k % fan] = box.high[d];
-}
-
 Box WideBoxTree::around(const Group& group) {
   Box box;
   for (int d = 0; d < 3; ++d) {

@@ -51,7 +51,10 @@ class CATENA_API WideBoxTree {
   std::span<const std::vector<Group>> levels() const { return levels_; }
 
  private:
-  void set(std::size_t level, std::uint32_t k, const Box& box);
+  void set(std::size_t level, std::uint32_t k, const Box& box) {
+    Group& g = levels_[level][k / fan];
+    for (std::uint32_t d = 0; d < 3; ++d) g.low[d][k % fan] = box.low[d], g.high[d][k % fan] = box.high[d];
+  }
   static Box around(const Group& group);
 
   /// Bit k: box k meets this one. Four at a time, as every machine has vectors of that size; left to itself

@@ -26,7 +26,7 @@ std::string switched_off(const Omissions& omissions, Omission omission) {
 }  // namespace
 
 SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& machine,
-                       const Omissions& omissions, const Extent& extent)
+                       const Omissions& omissions, const Extent& extent, std::span<const Sphere> spheres)
     : n_(n), asked_(request.want), want_(request.want), machine_(machine), omissions_(omissions) {
   Offer tree, all_pairs, device;  // the cheapest of each kind
   for (const Machine::VariantCost& v : machine.costs) {
@@ -46,7 +46,7 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
   if (chosen.of == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
   tree_ = tree.of, all_pairs_ = all_pairs.of, device_ = device.of, chosen_ = chosen.of;
   threads_ = chosen.threads;
-  kind_ = unusual_kind(extent);
+  kind_ = unusual_kind(extent, spheres);
   want_ = searched_for(asked_);
   look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
 }
@@ -64,10 +64,10 @@ unsigned SearchPlan::best_threads(const Machine::VariantCost& v, std::uint32_t n
   return best;
 }
 
-const UnusualKind* SearchPlan::unusual_kind(const Extent& extent) const {
+const UnusualKind* SearchPlan::unusual_kind(const Extent& extent, std::span<const Sphere> spheres) const {
   constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
   const bool may = chosen_ == tree_ && threads_ <= few_threads && omissions_.may(Omission::threads);
-  return may ? UnusualKind::of(n_, extent) : nullptr;
+  return may ? UnusualKind::of(n_, extent, spheres) : nullptr;
 }
 
 SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
@@ -185,7 +185,8 @@ Plan SearchPlan::steps() const {
 
 Plan plan(const ChainView& chain, const Request& request, const Machine& machine,
           const Omissions& omissions) {
-  return SearchPlan(chain.size, request, machine, omissions, chain.extent).steps();
+  return SearchPlan(chain.size, request, machine, omissions, chain.extent, {chain.spheres, chain.size})
+      .steps();
 }
 
 }  // namespace catena

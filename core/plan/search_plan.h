@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "catena/core/chain/chain_view.h"
@@ -17,14 +18,15 @@ namespace catena {
 /// few numbers and takes no memory; the words are made when they are asked for.
 class CATENA_API SearchPlan {
  public:
-  /// `machine` must outlive this. `extent` of a chain that is not known: {}. Throws CapacityError when the
-  /// machine has the cost of no variant.
+  /// `machine` must outlive this. `extent` and `spheres` of a chain that is not known: {}. Throws
+  /// CapacityError when the machine has the cost of no variant.
   SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions,
-             const Extent& extent = Extent());
+             const Extent& extent = Extent(), std::span<const Sphere> spheres = {});
 
   /// It would be no other for this chain and request, as far as neither is of another kind.
-  bool holds_for(std::uint32_t n, const Request& request, const Extent& extent) const {
-    return n == n_ && request.want == asked_ && kind_ == unusual_kind(extent);
+  bool holds_for(std::uint32_t n, const Request& request, const Extent& extent,
+                 std::span<const Sphere> spheres = {}) const {
+    return n == n_ && request.want == asked_ && kind_ == unusual_kind(extent, spheres);
   }
 
   const std::string& variant() const {
@@ -61,7 +63,7 @@ class CATENA_API SearchPlan {
                                const Omissions& omissions);
   static Offer offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
                         const Omissions& omissions);
-  const UnusualKind* unusual_kind(const Extent& extent) const;
+  const UnusualKind* unusual_kind(const Extent& extent, std::span<const Sphere> spheres) const;
   bool knows(const char* parameter) const;  ///< the variant does
   Decision hierarchy() const;
   Decision further_threads() const;

@@ -67,7 +67,8 @@ TEST(SearchPlan, ADeviceWithoutRoomGivesWayToTheHost) {
   EXPECT_EQ(on_device.variant(), "tree");
   EXPECT_FALSE(on_device.give_way("no room"));
   const std::string reason = on_device.steps().front().reason;
-  EXPECT_TRUE(reason.ends_with(once_in_parts ? "; device: no room; DeviceParts: no room" : "; device: no room"))
+  EXPECT_TRUE(
+      reason.ends_with(once_in_parts ? "; device: no room; DeviceParts: no room" : "; device: no room"))
       << reason;
 }
 
@@ -146,10 +147,10 @@ TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {
 TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   std::vector<std::string> taken;
   for (const char* input :
-       {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30", "cluster:n=700,shells=140",
-        "cluster:n=700,shells=30", "subnormal:n=700", "hair:n=3000,radius=1e-41"}) {
+       {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30", "mixed_radii:n=700,decades=60",
+        "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "hair:n=3000,radius=1e-41"}) {
     const Chain chain = open_input(input).animation->frame(0);
-    const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent);
+    const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
     ASSERT_NE(kind, nullptr) << input;
     taken.push_back(kind->variant);
     const auto all = StrategyRegistry::instance().make("CPU1");
@@ -172,13 +173,19 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[1], "ChainTree");
   EXPECT_EQ(taken[2], "aCPU2+Dual");
   EXPECT_EQ(taken[5], "Grid");
-  for (const char* usual :
-       {"yarn:n=3000", "mixed_radii:n=3000,decades=6", "points:n=3000,share=0.7",
-        "lattice:n=3000,scale=1e-30", "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
+  for (const char* usual : {"yarn:n=3000", "mixed_radii:n=3000,decades=6", "points:n=3000,share=0.7",
+                            "lattice:n=3000,scale=1e-30", "cluster:n=700,shells=140", "cluster:n=30000",
+                            "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
     const Chain chain = open_input(usual).animation->frame(0);
-    EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent), nullptr) << usual;
+    EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr) << usual;
   }
-  EXPECT_EQ(UnusualKind::of(100, Extent()), nullptr) << "nothing is known";
+  // One speck among crowded spheres does not make the chain's order the better one.
+  auto spheres = open_input("yarn:n=3000").animation->frame(0);
+  std::vector<Sphere> specked(spheres.spheres().begin(), spheres.spheres().end());
+  specked[1000].radius = 1e-25f;
+  const Chain chain(specked);
+  EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr);
+  EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
 }
 
 TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "catena/core/hierarchy/box.h"
+
 namespace catena {
 namespace {
 
@@ -11,7 +13,7 @@ enum Kind { wide, subnormal, short_crowded, short_sparse };
 
 const UnusualKind& info(Kind kind) {
   static const std::array<UnusualKind, 4> all{{
-      {"aCPU2+Dual", "radii of which one is more than 2^60 times another"},
+      {"aCPU2+Dual", "radii of which one is more than 2^60 times another, in a chain whose parts lie apart"},
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
       {"Grid", "at most 2,048 spheres, which fill a quarter of their box"},
       {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty, or of unlike radii"},
@@ -27,14 +29,32 @@ double fill(std::uint32_t n, const Extent& extent) {
   return n / (cells * cells * cells);
 }
 
+/// Most parts of the chain meet none but those beside them, by some spheres of each: then a tree in the
+/// chain's order tells them apart, however unlike they are.
+bool parts_lie_apart(std::span<const Sphere> spheres) {
+  constexpr std::size_t parts = 16, some = 16;
+  if (spheres.empty()) return false;
+  std::array<Box, parts> boxes;
+  for (std::size_t k = 0; k < parts; ++k)
+    for (std::size_t s = 0; s < some; ++s) {
+      const Box box = Box::around(spheres[(k * some + s) * spheres.size() / (parts * some)]);
+      s == 0 ? void(boxes[k] = box) : boxes[k].join(box);
+    }
+  std::size_t meet = 0, all = 0;
+  for (std::size_t a = 0; a < parts; ++a)
+    for (std::size_t b = a + 2; b < parts; ++b) meet += boxes[a].meets(boxes[b]), ++all;
+  return 2 * meet < all;
+}
+
 }  // namespace
 
-const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent) {
+const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres) {
   // Measured over the registry's scenes: below, these take 0.3 to 0.9 of the usual variant's time.
   constexpr double widest = 0x1p60, crowded = 0.25;
   constexpr std::uint32_t few = 2048;  // no node of 128 spheres can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
-    if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius) return &info(wide);
+    if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius)
+      return parts_lie_apart(spheres) ? &info(wide) : nullptr;
     if (extent.greatest_radius < std::numeric_limits<float>::min()) return &info(subnormal);
     const bool full = fill(n, extent) > crowded, like = extent.greatest_radius <= 2 * extent.least_radius;
     if (n <= few) return full && like ? &info(short_crowded) : &info(short_sparse);

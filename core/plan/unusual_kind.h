@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "catena/core/chain/chain_view.h"
@@ -8,13 +9,15 @@
 namespace catena {
 
 /// A kind of chain for which another variant is quicker than the one that is quickest for most, told by what
-/// is known since its numbers were checked: nothing is read again. Every variant gives the same answer.
+/// is known since its numbers were checked, and where radii are very unlike by some spheres, which say
+/// whether its order follows its place in space. Every variant gives the same answer.
 struct CATENA_API UnusualKind {
   std::string variant;  ///< the quicker one
   std::string reason;   ///< with which figure decides
 
-  /// Null for a usual chain, and where the extent is not known, {}.
-  static const UnusualKind* of(std::uint32_t n, const Extent& extent);
+  /// Null for a usual chain, and where the extent is not known, {}. `spheres`: all of them, or none where
+  /// they are not known. O(1).
+  static const UnusualKind* of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres);
 };
 
 }  // namespace catena

@@ -54,17 +54,17 @@ class WithSearch final : public FaultyFrames {
 const std::vector<ParameterInfo> frames_parameter{{"frames", "always", "used always"}};
 
 class CheckedSometimes final : public KeptList {
-  bool holds(const Chain& chain) const override {
+  bool holds(const Chain& chain) override {
     return KeptList::holds(chain) || (made() && ++calls_ % 4 != 0 && chain.size() == thick().size());
   }
-  mutable unsigned calls_ = 0;
+  unsigned calls_ = 0;
 };
 const RegisterMutant<WithList<CheckedSometimes>> sometimes{
     "skin-checked-every-fourth-frame", "molecular dynamics' fixed rebuild interval ('dangerous builds')",
     frames_parameter};
 
 class RoundedDown final : public KeptList {
-  bool holds(const Chain& chain) const override {
+  bool holds(const Chain& chain) override {
     if (!made() || chain.size() != thick().size()) return false;
     for (std::uint32_t i = 0; i < chain.size(); ++i) {
       const Sphere &a = chain[i], &b = thick()[i];
@@ -79,7 +79,7 @@ const RegisterMutant<WithList<RoundedDown>> down{
     frames_parameter};
 
 class GrowthForgotten final : public KeptList {
-  bool holds(const Chain& chain) const override {
+  bool holds(const Chain& chain) override {
     if (!made() || chain.size() != thick().size()) return false;
     for (std::uint32_t i = 0; i < chain.size(); ++i) {
       const Sphere &a = chain[i], &b = thick()[i];
@@ -92,7 +92,7 @@ const RegisterMutant<WithList<GrowthForgotten>> growth{
     "growth-forgotten", "a skin for what moves alone, where radii grow", frames_parameter};
 
 class InnerListNeverPruned final : public KeptList {
-  bool inner_holds(std::span<const Sphere> now) const override { return now.size() == pruned_at().size(); }
+  bool inner_holds(std::span<const Sphere>, std::span<const Sphere>) const override { return true; }
 };
 const RegisterMutant<WithList<InnerListNeverPruned>> never_pruned{
     "inner-list-never-pruned-again",
@@ -100,17 +100,29 @@ const RegisterMutant<WithList<InnerListNeverPruned>> never_pruned{
     frames_parameter};
 
 class ShrinkingForgotten final : public KeptList {
-  bool inner_holds(std::span<const Sphere> now) const override {
-    return KeptList::inner_holds(now) ||
-           (now.size() == pruned_at().size() &&
-            std::ranges::equal(now, pruned_at(), [](const Sphere& a, const Sphere& b) {
-              return a.x == b.x && a.y == b.y && a.z == b.z && a.radius <= b.radius;
-            }));
+  bool inner_holds(std::span<const Sphere> here, std::span<const Sphere> before) const override {
+    return KeptList::inner_holds(here, before) ||
+           std::ranges::equal(here, before, [](const Sphere& a, const Sphere& b) {
+             return a.x == b.x && a.y == b.y && a.z == b.z && a.radius <= b.radius;
+           });
   }
 };
 const RegisterMutant<WithList<ShrinkingForgotten>> shrinking{
     "shrinking-forgotten", "pairs that touched deeply are taken to touch for good, where radii shrink",
     frames_parameter};
+
+class OuterForInner final : public KeptList {
+  bool inner_within(std::span<const Sphere>) const override { return true; }
+};
+const RegisterMutant<WithList<OuterForInner>> outer_for_inner{
+    "outer-skin-taken-for-held",
+    "a list pruned at the edge of its skin is used until the inner skin ends, too", frames_parameter};
+
+class OneSkinForTwo final : public KeptList {
+  float open_skin() const override { return KeptList::open_skin() / 2; }
+};
+const RegisterMutant<WithList<OneSkinForTwo>> one_skin{
+    "inner-list-of-one-skin", "pairs are settled as if one of two spheres moved alone", frames_parameter};
 
 template <class Cells>
 class WithCells final : public FaultyFrames {
