@@ -99,10 +99,8 @@ HWY_INLINE void for_each_eight(std::span<const Sphere> spheres, std::span<const 
   }
 }
 
-/// The sum of two radii has an error of u = 2^-24 of it, that of the radii by a skin thicker or thinner,
-/// which are rounded first, of 2 u of the radii and the skins, and the skins, which are added to the sum
-/// here, of as much: 16 u of the sum cover all, with the skins where they are added; where they are taken off
-/// they are less than the radii, or no overlap is certain.
+/// Of a sum of radii, with the skins where they are added: outweighs what is rounded here and was when each
+/// sphere was found within its skin (properties/proofs/open_pairs.g).
 constexpr float reach_slack = 0x1p-20f;
 
 /// What is stored in a vector one after the other, by eight at a time. Leaves room for eight more.

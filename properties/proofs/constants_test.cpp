@@ -66,6 +66,11 @@ TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
                   {"far_cell = 0x1p25;", "far_cell = 2^25", "|V| <= 33554433"}});
 }
 
+TEST(Proofs, AreAboutTheConstantsOfKeptLists) {
+  expect_covered("core/frames/near_pairs.cpp", "open_pairs.g",
+                 {{"reach_slack = 0x1p-20f;", "reach_slack = 2^-20", "1b-20"}});
+}
+
 TEST(Proofs, AreAboutTheConstantsOfTheCells) {
   struct Covered {
     std::string file, declared, script, covered;  ///< as above, of core/cells/
