@@ -57,13 +57,14 @@ void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::spa
   std::vector<std::uint64_t> next = places_of(coming);
   std::vector<std::uint64_t> ends = next;
   for (unsigned rank = 0; rank < ranks.size(); ++rank) ends[rank] += coming[rank];
-  std::vector<Value> all, packed;
+  std::vector<Value> all;
   resize_large(all, ends.back());
+  LargeVector<Value> packed;
   std::vector<Gone> gone(ranks.size());
   std::uint64_t begin = 0;
   for (std::uint64_t round = 1; round <= rounds; ++round) {
     const std::uint64_t end = values.size() * round / rounds;
-    if (packed.size() < end - begin) resize_large(packed, end - begin);
+    packed.resize(std::max<std::size_t>(packed.size(), end - begin));
     std::vector<Outgoing> out;
     Value* to = packed.data();
     for (unsigned rank = 0; rank < ranks.size(); ++rank) {
