@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "catena/core/arithmetic/robust.h"
+#include "catena/core/blocks/meeting-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/frames/frame_kernels.h"
-#include "catena/core/hierarchy/meeting-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {

@@ -6,9 +6,9 @@
 // After foreach_target.h:
 #include <algorithm>
 
+#include "catena/core/blocks/meeting-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/hierarchy/box_around.h"
-#include "catena/core/hierarchy/meeting-inl.h"
 #include "catena/core/ranks/meet_border.h"
 #include "hwy/cache_control.h"
 

@@ -1,9 +1,9 @@
 // Which boxes of a WideBoxTree meet one, sixteen at a time.
-#if defined(CATENA_CORE_HIERARCHY_MEETING_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef CATENA_CORE_HIERARCHY_MEETING_INL_H
-#undef CATENA_CORE_HIERARCHY_MEETING_INL_H
+#if defined(CATENA_CORE_BLOCKS_MEETING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_MEETING_INL_H
+#undef CATENA_CORE_BLOCKS_MEETING_INL_H
 #else
-#define CATENA_CORE_HIERARCHY_MEETING_INL_H
+#define CATENA_CORE_BLOCKS_MEETING_INL_H
 #endif
 
 #include "catena/core/blocks/lanes-inl.h"
