@@ -13,16 +13,13 @@ struct Blocks {
   std::vector<Box> box;
 };
 
-/// Those of the part that meet the region of another rank.
-Blocks blocks_near_others(Communicator& ranks, const HeldPart& part, Regions& regions) {
-  const std::span<const Sphere> spheres = part.chain().spheres();
-  const LargeVector<Box> stretches = boxes_of_stretches(part.pieces(), spheres);
-  Box all = nowhere();
-  for (const Box& box : stretches) all.join(box);
-  regions = Regions::of_all(ranks, all);
+/// Those of the part that may touch another rank, by tops around all that each holds.
+Blocks blocks_near_others(Communicator& ranks, const HeldPart& part) {
+  const LargeVector<Box> stretches = boxes_of_stretches(part.pieces(), part.chain().spheres());
+  const ForeignTops foreign(Tops::of_all(ranks, stretches), ranks.rank());
   std::vector<std::uint8_t> near;
   near.reserve(stretches.size());
-  for (const Box& box : stretches) near.push_back(regions.may_touch_others(box));
+  for (const Box& box : stretches) near.push_back(foreign.meet(box));
   Blocks found;
   const auto most = static_cast<std::size_t>(std::ranges::count(near, 1)) * stretch;
   found.block.reserve(most), found.box.reserve(most);
@@ -30,7 +27,7 @@ Blocks blocks_near_others(Communicator& ranks, const HeldPart& part, Regions& re
   for_each_block(part.pieces(), [&](const Block& block) {
     if (near[b++ / stretch] == 0) return;
     const Box box = box_around(part.spheres(block));
-    if (regions.may_touch_others(box)) found.block.push_back(block), found.box.push_back(box);
+    if (foreign.meet(box)) found.block.push_back(block), found.box.push_back(box);
   });
   return found;
 }
@@ -72,9 +69,9 @@ std::vector<std::uint64_t> order_in_space(std::span<const Sphere> spheres, const
 }  // namespace
 
 Border::Border(Communicator& ranks, const HeldPart& part) : own_(ranks.rank()), near_(ranks.size()) {
-  Regions regions;
-  const Blocks blocks = blocks_near_others(ranks, part, regions);
-  const ForeignTops foreign(Tops::of_all(ranks, blocks.box), regions);
+  const Blocks blocks = blocks_near_others(ranks, part);
+  // What touches a block of this rank is near this rank, too: tops around such blocks alone are finer.
+  const ForeignTops foreign(Tops::of_all(ranks, blocks.box), ranks.rank());
   const NearRanks near = ranks_near(blocks, foreign);
   const auto size = static_cast<std::uint32_t>(near.block.size());
   blocks_.reserve(size);

@@ -1,7 +1,6 @@
 #include "catena/core/ranks/space_order.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "catena/core/hierarchy/box_around.h"
@@ -202,13 +201,8 @@ double touching_share(Communicator& ranks, const Part& part) {
   for_some_blocks(part.pieces, std::max<std::uint64_t>(1, blocks / most), [&](const Block& block) {
     boxes.push_back(box_around(std::span(part.spheres).subspan(block.begin, block.size)));
   });
-  Box all_of_them = nowhere();
-  for (const Box& box : boxes) all_of_them.join(box);
-  const Regions regions = Regions::of_all(ranks, all_of_them);
-  std::vector<Box> near;
-  std::ranges::copy_if(boxes, std::back_inserter(near),
-                       [&](const Box& box) { return regions.may_touch_others(box); });
-  const ForeignTops foreign(Tops::of_all(ranks, near), regions);
+  const Tops tops = Tops::of_all(ranks, boxes);
+  const ForeignTops foreign(tops, ranks.rank());
   const std::size_t step =
       std::max<std::size_t>(1, boxes.size() / std::max(of_a_rank, of_all / ranks.size()));
   double looked_at = 0, touching = 0;

@@ -17,6 +17,11 @@ struct Cubes {
   std::vector<Box> box;
 };
 
+constexpr Box nowhere() {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+}
+
 /// Cubes along each axis of a box that encloses all, 2^bits, from first to last along the longest.
 class CubeGrid {
  public:
@@ -66,7 +71,7 @@ Cubes cubes_of(std::span<const Box> blocks) {
   for (std::uint32_t k = 0; k < grid.size(); ++k) cube_of[grid.code(k)] = k;
   Cubes found;
   for (std::uint32_t code = 0; code < grid.size(); ++code)
-    if (const Box& box = cubes[cube_of[code]]; is_somewhere(box))
+    if (const Box& box = cubes[cube_of[code]]; box.low[0] <= box.high[0])
       found.code.push_back(code), found.box.push_back(box);
   return found;
 }
@@ -95,13 +100,13 @@ std::uint32_t middle_of(const Cubes& cubes, const Range& range) {
   return static_cast<std::uint32_t>(second - begin);
 }
 
-/// Nothing for no blocks. The largest top is parted, where the highest bit of its cubes' codes changes, until
-/// there are as many.
+/// One box around all, then the tops; nothing for no blocks. The largest is parted, where the highest bit of
+/// its cubes' codes changes, until there are as many.
 std::vector<Box> tops_of(const Cubes& cubes) {
   if (cubes.box.empty()) return {};
   const auto smaller = [](const Range& a, const Range& b) { return a.size < b.size; };
   std::vector<Range> ranges{range_of(cubes, 0, static_cast<std::uint32_t>(cubes.box.size()))}, single;
-  std::vector<Box> tops;
+  std::vector<Box> tops{ranges[0].box};
   while (!ranges.empty() && ranges.size() + single.size() < Tops::most) {
     std::ranges::pop_heap(ranges, smaller);
     const Range largest = ranges.back();
@@ -130,21 +135,31 @@ Tops Tops::of_all(Communicator& ranks, std::span<const Box> boxes) {
 }
 
 std::uint32_t Tops::boxes_of(unsigned rank) const {
-  return static_cast<std::uint32_t>((*gathered_)[rank].size() / sizeof(Box));
+  const std::size_t boxes = (*gathered_)[rank].size() / sizeof(Box);
+  return boxes == 0 ? 0 : static_cast<std::uint32_t>(boxes - 1);
 }
 
 Box Tops::box(unsigned rank, std::uint32_t k) const {
   Box box;
-  std::memcpy(&box, (*gathered_)[rank].data() + k * sizeof box, sizeof box);
+  std::memcpy(&box, (*gathered_)[rank].data() + (k + 1) * sizeof box, sizeof box);
   return box;
 }
 
-ForeignTops::ForeignTops(const Tops& tops, const Regions& regions) {
+Box Tops::around(unsigned rank) const {
+  Box box;
+  std::memcpy(&box, (*gathered_)[rank].data(), sizeof box);
+  return box;
+}
+
+ForeignTops::ForeignTops(const Tops& tops, unsigned own) {
+  if (tops.boxes_of(own) == 0) return;
+  const Box around = tops.around(own);
   std::vector<Box> boxes;
-  for (const unsigned rank : regions.neighbours())
+  for (unsigned rank = 0; rank < tops.ranks(); ++rank) {
+    if (rank == own || tops.boxes_of(rank) == 0 || !tops.around(rank).meets(around)) continue;
     for (std::uint32_t k = 0; k < tops.boxes_of(rank); ++k)
-      if (const Box box = tops.box(rank, k); box.meets(regions.own()))
-        boxes.push_back(box), rank_.push_back(rank);
+      if (const Box box = tops.box(rank, k); box.meets(around)) boxes.push_back(box), rank_.push_back(rank);
+  }
   const auto size = static_cast<std::uint32_t>(boxes.size());
   boxes_.clear(size);
   for (std::uint32_t k = 0; k < size; ++k) boxes_.set(k, boxes[k]);

@@ -6,36 +6,38 @@
 #include "catena/core/hierarchy/wide_box_tree.h"
 #include "catena/core/ranks/block.h"
 #include "catena/core/ranks/communicator.h"
-#include "catena/core/ranks/regions.h"
 
 namespace catena::ranks {
 
-/// The tops of the trees of all ranks: up to 64 boxes a rank, each around blocks that are near in space. Of
-/// the blocks that meet another rank's region, as no other may touch one of its blocks: so the fewer they
-/// are, the finer are the boxes.
+/// The tops of the trees of all ranks: up to 64 boxes a rank, each around blocks that are near in space, all
+/// blocks in one.
 class Tops {
  public:
   static constexpr std::uint32_t most = 64;
 
-  /// Every rank gives its own, by the boxes of those blocks; by those of some of them they say about where it
-  /// is. O(blocks) time, O(ranks) memory.
+  /// Every rank gives its own, by the boxes of its blocks; for some of them they say where it is, but not all
+  /// that it may touch. O(blocks) time, O(ranks) memory.
   static Tops of_all(Communicator& ranks, std::span<const Box> boxes);
 
   unsigned ranks() const { return static_cast<unsigned>(gathered_->size()); }
   std::uint32_t boxes_of(unsigned rank) const;
   Box box(unsigned rank, std::uint32_t k) const;
+  /// Around all that the rank holds, of which there is something.
+  Box around(unsigned rank) const;
 
  private:
   explicit Tops(Gathered gathered) : gathered_(std::move(gathered)) {}
-  Gathered gathered_;
+  Gathered
+      gathered_;  ///< of each rank one box around all, then the others; nothing of a rank without spheres
 };
 
 /// The tops of other ranks that one may meet, in one tree.
 class ForeignTops {
  public:
-  ForeignTops(const Tops& tops, const Regions& regions);
+  ForeignTops(const Tops& tops, unsigned own);
 
   bool any() const { return !rank_.empty(); }
+  bool meet(const Box& box) const { return boxes_.meets(box); }
   /// visit(rank) for every other rank one of whose tops meets a box that is of this rank, by rising rank,
   /// each once.
   template <class Visit>

@@ -17,28 +17,30 @@ using ranks::Bytes;
 using ranks::ByteWriter;
 using ranks::Phase;
 
-/// The exchange begins with what each rank tells of its region, then of its tops.
-constexpr unsigned regions = 1, tops = 2;
-
-class RegionShort final : public FaultyRanks {
-  void spoil_gathered(Phase phase, unsigned time, Bytes& bytes) const override {
-    if (phase != Phase::across || time != regions) return;
-    Box box = ByteReader(bytes).get<Box>();
-    for (int axis = 0; axis < 3; ++axis) box.high[axis] = box.low[axis] / 2 + box.high[axis] / 2;
-    bytes = ByteWriter().put(box).take();
-  }
-};
-const RegisterMutant<RegionShort> region{"region-of-a-rank-too-small",
-                                         "a box around some of what a rank holds", FaultyRanks::parameters()};
-
+/// The exchange begins with tops of all that each rank holds, then of what is near others; both begin with
+/// one box around all.
+template <unsigned which>
 class TopLeftOut final : public FaultyRanks {
   void spoil_gathered(Phase phase, unsigned time, Bytes& bytes) const override {
-    if (phase == Phase::across && time == tops)
-      bytes.resize(bytes.size() - std::min(bytes.size(), sizeof(Box)));
+    if (phase == Phase::across && time == which && bytes.size() > 2 * sizeof(Box))
+      bytes.resize(bytes.size() - sizeof(Box));
   }
 };
-const RegisterMutant<TopLeftOut> top{"last-top-of-a-rank-left-out", "a loop over tops that ends too soon",
-                                     FaultyRanks::parameters()};
+const RegisterMutant<TopLeftOut<1>> of_all{"last-top-of-a-rank-left-out",
+                                           "a loop over tops that ends too soon", FaultyRanks::parameters()};
+const RegisterMutant<TopLeftOut<2>> of_near{"last-top-of-a-border-left-out",
+                                            "a loop over tops that ends too soon", FaultyRanks::parameters()};
+
+class AroundTooSmall final : public FaultyRanks {
+  void spoil_gathered(Phase phase, unsigned time, Bytes& bytes) const override {
+    if (phase != Phase::across || time != 1 || bytes.empty()) return;
+    Box box = ByteReader(bytes).get<Box>();
+    for (int axis = 0; axis < 3; ++axis) box.high[axis] = box.low[axis] / 2 + box.high[axis] / 2;
+    std::memcpy(bytes.data(), &box, sizeof box);
+  }
+};
+const RegisterMutant<AroundTooSmall> around{
+    "box-around-a-rank-too-small", "a box around some of what a rank holds", FaultyRanks::parameters()};
 
 /// A question: how many blocks are taken at most, and the blocks that are wanted. Questions and answers take
 /// turns.
