@@ -20,16 +20,16 @@ using ranks::Phase;
 /// The exchange begins with tops of all that each rank holds, then of what is near others; both begin with
 /// one box around all.
 template <unsigned which>
-class TopLeftOut final : public FaultyRanks {
+class TopsLeftOut final : public FaultyRanks {
   void spoil_gathered(Phase phase, unsigned time, Bytes& bytes) const override {
     if (phase == Phase::across && time == which && bytes.size() > 2 * sizeof(Box))
-      bytes.resize(bytes.size() - sizeof(Box));
+      bytes.resize(2 * sizeof(Box));
   }
 };
-const RegisterMutant<TopLeftOut<1>> of_all{"last-top-of-a-rank-left-out",
-                                           "a loop over tops that ends too soon", FaultyRanks::parameters()};
-const RegisterMutant<TopLeftOut<2>> of_near{"last-top-of-a-border-left-out",
-                                            "a loop over tops that ends too soon", FaultyRanks::parameters()};
+const RegisterMutant<TopsLeftOut<1>> of_all{
+    "tops-of-a-rank-left-out", "a loop over tops that ends after the first", FaultyRanks::parameters()};
+const RegisterMutant<TopsLeftOut<2>> of_near{
+    "tops-of-a-border-left-out", "a loop over tops that ends after the first", FaultyRanks::parameters()};
 
 class AroundTooSmall final : public FaultyRanks {
   void spoil_gathered(Phase phase, unsigned time, Bytes& bytes) const override {
