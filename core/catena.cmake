@@ -135,7 +135,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIE
   "CATENA_COMMIT_HEADER=\"${commit_header}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\""
   OBJECT_DEPENDS ${commit_header})
 
-catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen Boost::headers)
+catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen Boost::headers hwy::hwy)
 # What some readers need. Without it they refuse their files with the reason.
 find_package(ZLIB QUIET)
 if(ZLIB_FOUND)

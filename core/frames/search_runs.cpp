@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "catena/core/arithmetic/robust.h"
+#include "catena/core/blocks/meeting-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/frames/frame_kernels.h"
 
@@ -35,16 +36,6 @@ class RunSearch {
 
  private:
   static constexpr std::uint32_t fan = WideBoxTree::fan, run_ = RunTree::run;
-
-  /// Bit k: box k meets this one; an empty one none. Not less, rather than at most: what is no number meets.
-  static HWY_INLINE std::uint32_t meeting(const WideBoxTree::Group& g, const Box& box) {
-    const auto axis = [&](int d) {
-      return not_less(Lanes16::all(box.high[d]), Lanes16::load(g.low[d].data())) &
-             not_less(Lanes16::load(g.high[d].data()), Lanes16::all(box.low[d]));
-    };
-    const auto filled = not_less(Lanes16::load(g.high[0].data()), Lanes16::load(g.low[0].data()));
-    return ((axis(0) & axis(1)) & (axis(2) & filled)).bits();
-  }
 
   void descend(std::size_t level, std::uint32_t group, const Box& around) {
     if (level == 0) return meet_group(group);

@@ -111,11 +111,6 @@ struct State {
   std::uint32_t open, found;
 };
 
-Border border_of(Communicator& ranks, const HeldPart& part) {
-  const LargeVector<Box> boxes = boxes_of(part.pieces(), part.chain().spheres());
-  return Border(part, boxes, Tops::of_all(ranks, boxes), ranks.rank());
-}
-
 }  // namespace
 
 AcrossWork search_across(Communicator& ranks, const HeldPart& part, const AcrossOptions& options,
@@ -125,7 +120,7 @@ AcrossWork search_across(Communicator& ranks, const HeldPart& part, const Across
       options.blocks_at_once > 0
           ? options.blocks_at_once
           : static_cast<std::uint32_t>(std::clamp(blocks_of(part.pieces()) / 4, fewest, most));
-  const Border border = border_of(ranks, part);
+  const Border border(ranks, part);
   BlockComparison comparison(part, border, options.meetings, counted, kept);
   Source source(part, border);
   Asker asker(ranks, border, comparison);

@@ -39,8 +39,10 @@ void for_some_blocks(std::span<const Piece> pieces, std::uint64_t step, const Vi
 
 std::uint64_t blocks_of(std::span<const Piece> pieces);
 
-/// Of every block the box, in their order.
-LargeVector<Box> boxes_of(std::span<const Piece> pieces, std::span<const Sphere> spheres);
+/// Blocks of a part that follow one another, eight but for the last, are a stretch: of each the box around
+/// its spheres.
+constexpr std::uint32_t stretch = 8;
+LargeVector<Box> boxes_of_stretches(std::span<const Piece> pieces, std::span<const Sphere> spheres);
 
 /// The sphere that tells where a block is.
 inline const Sphere& middle_of(std::span<const Sphere> spheres, const Block& block) {

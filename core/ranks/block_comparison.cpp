@@ -1,6 +1,7 @@
 #include "catena/core/ranks/block_comparison.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/hierarchy/box_around.h"
@@ -17,12 +18,6 @@ BlockComparison::BlockComparison(const HeldPart& part, const Border& border, std
       kept_(kept),
       own_count_(border.blocks().size() * Block::most, 0) {}
 
-bool BlockComparison::may_touch(const Box& box, std::uint32_t first) const {
-  const MeetsBox near(box);
-  return border_.boxes().any_meeting(
-      box, [&](std::uint32_t b) { return b >= first && near.any_of(own_spheres(b)); });
-}
-
 std::uint64_t BlockComparison::compare() {
   if (far_.blocks() == 0) return 0;
   far_count_.assign(far_.spheres().size(), 0);
@@ -30,32 +25,27 @@ std::uint64_t BlockComparison::compare() {
   // No more is spent on one after the other than a search of all would take, so that both together take no
   // more than twice what the better one does.
   const std::uint64_t most = meetings_ * (std::uint64_t{far_.blocks()} + border_.blocks().size());
+  constexpr std::uint64_t at_once = 1 << 16;  // meetings are kept no longer than a cache keeps them
   std::uint32_t block = 0;
-  for (std::uint64_t met = 0; block < far_.blocks() && met < most; ++block) met += compare_block(block);
+  for (std::uint64_t met = 0; block < far_.blocks() && met < most;) {
+    near_.clear();
+    met += meet_border(part_, border_, far_, std::min(at_once, most - met), block, near_);
+    for (const Meeting& meeting : near_) decide(meeting);
+  }
   if (block < far_.blocks()) search_from(block);
   count_found();
   far_.clear();
   return static_cast<std::uint64_t>(std::ranges::count(touches_, 1));
 }
 
-/// Returns how many blocks of the border it met.
-std::uint64_t BlockComparison::compare_block(std::uint32_t far_block) {
-  const std::span<const Sphere> far = far_.spheres(far_block);
-  const std::uint32_t begin = far_.begin(far_block), first = far_.mark(far_block);
-  const Box box = box_around(far);
-  const MeetsBox near(box);
-  std::uint64_t met = 0;
-  border_.boxes().for_each_meeting(box, [&](std::uint32_t b) {
-    ++met;
-    if (b < first) return;  // the other rank's
-    const std::span<const Sphere> own = own_spheres(b);
-    for (std::uint32_t k = 0; k < own.size(); ++k) {
-      if (!near(own[k])) continue;
-      for (std::uint32_t j = 0; j < far.size(); ++j)
-        if (Robust::overlap(own[k], far[j])) overlap(Slot{b} * Block::most + k, begin + j);
-    }
-  });
-  return met;
+void BlockComparison::decide(const Meeting& meeting) {
+  const std::span<const Sphere> own = own_spheres(meeting.own_block), far = far_.spheres(meeting.far_block);
+  const std::uint32_t begin = far_.begin(meeting.far_block);
+  for (std::uint64_t bits = meeting.may_touch; bits != 0; bits &= bits - 1) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+    const std::uint32_t k = bit / Block::most, f = bit % Block::most;
+    if (Robust::overlap(own[k], far[f])) overlap(Slot{meeting.own_block} * Block::most + k, begin + f);
+  }
 }
 
 /// All blocks that came from this one on. The border's are searched among some at a time, so that this takes

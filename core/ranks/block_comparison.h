@@ -6,6 +6,7 @@
 #include "catena/core/ranks/across.h"
 #include "catena/core/ranks/block_message.h"
 #include "catena/core/ranks/border.h"
+#include "catena/core/ranks/meet_border.h"
 
 namespace catena::ranks {
 
@@ -18,7 +19,9 @@ class BlockComparison {
                   std::vector<Counted>& counted, KeptPairs& kept);
 
   /// Whether a block with this box may touch a sphere of the border's blocks from the `first` on.
-  bool may_touch(const Box& box, std::uint32_t first) const;
+  bool may_touch(const Box& box, std::uint32_t first) const {
+    return may_touch_border(part_, border_, box, first);
+  }
   /// What came of those blocks, by the same `first`.
   void take(ByteReader& in, std::uint32_t first) { far_.take(in, part_.rule(), first); }
   /// Adds to `counted` and to `kept`; returns how many blocks that came have a sphere that touches one of the
@@ -29,7 +32,7 @@ class BlockComparison {
   /// A sphere of the border: eight times the number of its block there, and where it is in that.
   using Slot = std::uint64_t;
 
-  std::uint64_t compare_block(std::uint32_t far_block);
+  void decide(const Meeting& meeting);
   void search_from(std::uint32_t far_block);
   std::vector<std::uint32_t> own_blocks_for(std::uint32_t far_block) const;
   void search(std::span<const std::uint32_t> own_blocks, std::uint32_t first_far);
@@ -48,6 +51,7 @@ class BlockComparison {
   FarBlocks far_;
   std::vector<std::uint32_t> own_count_, far_count_;  // [slot] and [sphere of far_]: of this round
   std::vector<std::uint8_t> touches_;                 // [block of far_]
+  std::vector<Meeting> near_;
   std::unique_ptr<Variant> search_;
 };
 

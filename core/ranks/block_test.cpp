@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/hierarchy/wide_box_tree.h"
 #include "catena/properties/testing/random_spheres.h"
 
@@ -30,6 +31,35 @@ TEST(Block, EveryOneIsVisitedAndSomeEvenly) {
     for_some_blocks(pieces, step, [&](const Block& b) { some.push_back(b.begin); });
     for (std::size_t k = step / 2; k < begins.size(); k += step) expected.push_back(begins[k]);
     EXPECT_EQ(some, expected) << step;
+  }
+}
+
+TEST(Block, AStretchIsAroundItsBlocks) {
+  std::mt19937 dice(3);
+  const Strand strand{0, 1000, 0, 0, 0};
+  for (const std::uint32_t blocks : {0u, 1u, 7u, 8u, 9u, 40u}) {
+    std::vector<Piece> pieces;
+    std::uint32_t spheres = 0;
+    for (std::uint32_t k = 0; k < blocks; ++k) {
+      const std::uint32_t size = 1 + dice() % Block::most;  // a block a piece
+      pieces.push_back({2 * spheres, spheres, size, strand}), spheres += size;
+    }
+    const std::vector<Sphere> all = random_spheres(spheres, dice, 1);
+    const LargeVector<Box> boxes = boxes_of_stretches(pieces, all);
+    ASSERT_EQ(boxes.size(), (blocks + stretch - 1) / stretch);
+    std::vector<std::vector<Sphere>> of_stretch(boxes.size());
+    std::uint32_t b = 0;
+    for_each_block(pieces, [&](const Block& block) {
+      auto& of_this = of_stretch[b++ / stretch];
+      of_this.insert(of_this.end(), all.begin() + block.begin, all.begin() + block.begin + block.size);
+    });
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      const Box exact = box_around(of_stretch[k]);
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(boxes[k].low[axis], exact.low[axis]) << blocks << ' ' << k;
+        EXPECT_EQ(boxes[k].high[axis], exact.high[axis]) << blocks << ' ' << k;
+      }
+    }
   }
 }
 

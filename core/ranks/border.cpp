@@ -1,72 +1,89 @@
 #include "catena/core/ranks/border.h"
 
 #include <algorithm>
-#include <type_traits>
 
+#include "catena/core/hierarchy/box_around.h"
 #include "catena/core/hierarchy/morton_grid.h"
 
 namespace catena::ranks {
 namespace {
 
-/// So many blocks in one box are looked at before each is.
-constexpr std::uint32_t stretch = 8;
+struct Blocks {
+  std::vector<Block> block;
+  std::vector<Box> box;
+};
+
+/// Those of the part that may touch another rank, by tops around all that each holds.
+Blocks blocks_near_others(Communicator& ranks, const HeldPart& part) {
+  const LargeVector<Box> stretches = boxes_of_stretches(part.pieces(), part.chain().spheres());
+  const ForeignTops foreign(Tops::of_all(ranks, stretches), ranks.rank());
+  std::vector<std::uint8_t> near;
+  near.reserve(stretches.size());
+  for (const Box& box : stretches) near.push_back(foreign.meet(box));
+  Blocks found;
+  const auto most = static_cast<std::size_t>(std::ranges::count(near, 1)) * stretch;
+  found.block.reserve(most), found.box.reserve(most);
+  std::uint64_t b = 0;
+  for_each_block(part.pieces(), [&](const Block& block) {
+    if (near[b++ / stretch] == 0) return;
+    const Box box = box_around(part.spheres(block));
+    if (foreign.meet(box)) found.block.push_back(block), found.box.push_back(box);
+  });
+  return found;
+}
+
+/// The ranks that each of some blocks may touch.
+struct NearRanks {
+  std::vector<std::uint32_t> block;  ///< that may touch one
+  std::vector<std::size_t> first;    ///< in `rank`, of each of these; and the end
+  std::vector<unsigned> rank;        ///< ascending for each block
+};
+
+NearRanks ranks_near(const Blocks& blocks, const ForeignTops& tops) {
+  NearRanks near;
+  for (std::uint32_t k = 0; tops.any() && k < blocks.box.size(); ++k) {
+    const std::size_t before = near.rank.size();
+    tops.for_each_rank(blocks.box[k], [&](unsigned rank) { near.rank.push_back(rank); });
+    if (near.rank.size() > before) near.block.push_back(k), near.first.push_back(before);
+  }
+  near.first.push_back(near.rank.size());
+  return near;
+}
+
+/// Places among these blocks, in the order of Morton codes.
+std::vector<std::uint64_t> order_in_space(std::span<const Sphere> spheres, const Blocks& blocks,
+                                          std::span<const std::uint32_t> these) {
+  CentreCorners corners;
+  for (const std::uint32_t k : these) corners.take(middle_of(spheres, blocks.block[k]));
+  const MortonGrid grid(corners);
+  std::vector<std::uint64_t> keys;  // the upper half of a code, and the place
+  keys.reserve(these.size());
+  for (std::uint64_t at = 0; at < these.size(); ++at) {
+    const std::uint64_t code = grid.code(middle_of(spheres, blocks.block[these[at]]));
+    keys.push_back(code >> (3 * MortonGrid::bits - 32) << 32 | at);
+  }
+  std::ranges::sort(keys);
+  return keys;
+}
 
 }  // namespace
 
-Border::Border(const HeldPart& part, std::span<const Box> boxes, const Tops& tops, unsigned own)
-    : own_(own), near_(tops.ranks()) {
-  const ForeignTops foreign(tops, own);
-  if (foreign.any()) gather(part, boxes, foreign);
-  const auto blocks = static_cast<std::uint32_t>(blocks_.size());
-  boxes_.clear(blocks);
-  for (std::uint32_t b = 0; b < blocks; ++b) {
-    const Box box = boxes[box_at_[b]];
-    boxes_.set(b, box);
-    foreign.for_each_rank(box, [&](unsigned rank) { near_[rank].push_back(b); });
+Border::Border(Communicator& ranks, const HeldPart& part) : own_(ranks.rank()), near_(ranks.size()) {
+  const Blocks blocks = blocks_near_others(ranks, part);
+  // What touches a block of this rank is near this rank, too: tops around such blocks alone are finer.
+  const ForeignTops foreign(Tops::of_all(ranks, blocks.box), ranks.rank());
+  const NearRanks near = ranks_near(blocks, foreign);
+  const auto size = static_cast<std::uint32_t>(near.block.size());
+  blocks_.reserve(size);
+  boxes_.clear(size);
+  for (const std::uint64_t key : order_in_space(part.chain().spheres(), blocks, near.block)) {
+    const auto at = static_cast<std::uint32_t>(key);
+    const auto b = static_cast<std::uint32_t>(blocks_.size());
+    blocks_.push_back(blocks.block[near.block[at]]);
+    boxes_.set(b, blocks.box[near.block[at]]);
+    for (std::size_t k = near.first[at]; k < near.first[at + 1]; ++k) near_[near.rank[k]].push_back(b);
   }
-  boxes_.refresh(0, blocks);
-  std::vector<std::uint32_t>().swap(box_at_);
-}
-
-void Border::gather(const HeldPart& part, std::span<const Box> boxes, const ForeignTops& tops) {
-  std::size_t first = 0;  // block of the piece
-  for (std::uint32_t p = 0; p < part.pieces().size(); ++p) {
-    const auto [id, begin, size, strand] = part.pieces()[p];
-    const std::uint32_t blocks = (size + Block::most - 1) / Block::most;
-    for (std::uint32_t b = 0; b < blocks; b += stretch) {
-      const auto near = boxes.subspan(first + b, std::min(stretch, blocks - b));
-      Box around = near[0];
-      for (const Box& box : near.subspan(1)) around.join(box);
-      if (!tops.meet(around)) continue;
-      for (std::uint32_t k = 0; k < near.size(); ++k) {
-        const std::uint32_t done = (b + k) * Block::most;
-        if (!tops.meet(near[k])) continue;
-        blocks_.push_back({p, begin + done, std::min(Block::most, size - done)});
-        box_at_.push_back(static_cast<std::uint32_t>(first + b + k));
-      }
-    }
-    first += blocks;
-  }
-  sort_in_space(part.chain().spheres());
-}
-
-void Border::sort_in_space(std::span<const Sphere> spheres) {
-  CentreCorners corners;
-  for (const Block& block : blocks_) corners.take(middle_of(spheres, block));
-  const MortonGrid grid(corners);
-  std::vector<std::uint64_t> keys;  // the upper half of a code, and the number of a block
-  keys.reserve(blocks_.size());
-  for (std::uint64_t b = 0; b < blocks_.size(); ++b)
-    keys.push_back(grid.code(middle_of(spheres, blocks_[b])) >> (3 * MortonGrid::bits - 32) << 32 | b);
-  std::ranges::sort(keys);
-  const auto sort_alike = [&](auto& values) {
-    std::remove_reference_t<decltype(values)> sorted;
-    sorted.reserve(values.size());
-    for (const std::uint64_t key : keys) sorted.push_back(values[static_cast<std::uint32_t>(key)]);
-    values = std::move(sorted);
-  };
-  sort_alike(blocks_);
-  sort_alike(box_at_);
+  boxes_.refresh(0, size);
 }
 
 }  // namespace catena::ranks

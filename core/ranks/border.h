@@ -13,8 +13,8 @@ namespace catena::ranks {
 /// that is compact in space. In the order of Morton codes, with a tree over their boxes.
 class Border {
  public:
-  /// `boxes` are those of all blocks of the part. O(blocks), and O(b log b) for b blocks of the border.
-  Border(const HeldPart& part, std::span<const Box> boxes, const Tops& tops, unsigned own);
+  /// All ranks call it. O(blocks), and O(b log b) for b blocks of the border.
+  Border(Communicator& ranks, const HeldPart& part);
 
   std::span<const Block> blocks() const { return blocks_; }
   const WideBoxTree& boxes() const { return boxes_; }
@@ -30,12 +30,9 @@ class Border {
 
  private:
   std::size_t half(unsigned rank) const { return near_[rank].size() / 2; }
-  void gather(const HeldPart& part, std::span<const Box> boxes, const ForeignTops& tops);
-  void sort_in_space(std::span<const Sphere> spheres);
 
   unsigned own_;
   std::vector<Block> blocks_;
-  std::vector<std::uint32_t> box_at_;  // [block], while this is made: of all blocks' boxes
   WideBoxTree boxes_;
   std::vector<std::vector<std::uint32_t>> near_;  // [rank]
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,15 @@ struct Message {
   unsigned rank;
   Bytes bytes;
 };
+
+/// Bytes to a rank, which stay where they are.
+struct Outgoing {
+  unsigned rank;
+  std::span<const std::byte> bytes;
+};
+
+/// Where so many bytes of a rank are to come.
+using Destination = std::function<std::byte*(unsigned rank, std::size_t bytes)>;
 
 /// What each rank gave, in the order of the ranks.
 using Gathered = std::shared_ptr<const std::vector<Bytes>>;
@@ -61,6 +71,15 @@ class Communicator {
     return deliver(std::move(out));
   }
 
+  /// As exchange, but to other ranks only, and each message comes to the place that is told for it, by rising rank. What
+  /// is sent may be overwritten afterwards. No memory but the caller's.
+  void exchange_in_place(std::span<const Outgoing> out, const Destination& to) {
+    vote();
+    ++traffic_.steps;
+    for (const Outgoing& message : out) traffic_.bytes += message.bytes.size(), ++traffic_.messages;
+    transfer(out, to);
+  }
+
   /// Throws RankFailed when a rank has failed.
   virtual void vote() = 0;
 
@@ -73,6 +92,7 @@ class Communicator {
  protected:
   virtual Gathered gather(Bytes own) = 0;
   virtual std::vector<Message> deliver(std::vector<Message> out) = 0;
+  virtual void transfer(std::span<const Outgoing> out, const Destination& to) = 0;
 
  private:
   Traffic traffic_;

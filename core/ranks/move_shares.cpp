@@ -1,11 +1,12 @@
 #include "catena/core/ranks/move_shares.h"
 
 #include <algorithm>
-#include <span>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
 
 #include "catena/core/executor/give_back_pages.h"
 #include "catena/core/executor/large_vector.h"
-#include "catena/core/ranks/bytes.h"
 
 namespace catena::ranks {
 namespace {
@@ -30,74 +31,64 @@ void for_each_until(std::uint64_t end, const Share& share, Gone& gone, const Vis
   }
 }
 
-/// Appends them, and gives back what they took.
+/// Copies what is left of a share before this place of the part, and returns where it ends.
 template <class Value>
-void move_to(std::vector<Value>& all, std::vector<Bytes>& came) {
-  for (Bytes& bytes : came) {
-    const std::size_t at = all.size();
-    all.resize(at + bytes.size() / sizeof(Value));
-    ByteReader(bytes).get_all(std::span(all).subspan(at));
-    Bytes().swap(bytes);
-  }
+Value* copy_until(std::uint64_t end, const Share& share, Gone& gone, const std::vector<Value>& values,
+                  Value* to) {
+  for_each_until(end, share, gone, [&](std::uint64_t begin, std::uint64_t size) {
+    to = std::copy_n(values.data() + begin, size, to);
+  });
+  return to;
 }
-template <class Value>
-void move_to(std::vector<Value>& all, std::vector<Value>& values) {
-  constexpr std::size_t at_once = std::size_t{1} << 18;
-  for (std::size_t done = 0; done < values.size(); done += at_once) {
-    const auto some = std::span(values).subspan(done, std::min(at_once, values.size() - done));
-    all.insert(all.end(), some.begin(), some.end());
-    give_back_pages(some.data(), some.size_bytes());
-  }
+
+/// Where what comes of each rank, and what stays, begins.
+std::vector<std::uint64_t> places_of(std::span<const std::uint64_t> coming) {
+  std::vector<std::uint64_t> first(coming.size());
+  std::exclusive_scan(coming.begin(), coming.end(), first.begin(), std::uint64_t{0});
+  return first;
 }
 
 }  // namespace
 
 template <class Value>
-void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::uint64_t rounds,
-                 std::vector<Value>& values) {
+void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::span<const std::uint64_t> coming,
+                 std::uint64_t rounds, std::vector<Value>& values) {
   const unsigned own = ranks.rank();
+  std::vector<std::uint64_t> next = places_of(coming);
+  std::vector<std::uint64_t> ends = next;
+  for (unsigned rank = 0; rank < ranks.size(); ++rank) ends[rank] += coming[rank];
+  std::vector<Value> all;
+  resize_large(all, ends.back());
+  LargeVector<Value> packed;
   std::vector<Gone> gone(ranks.size());
-  std::vector<std::vector<Bytes>> came(ranks.size());
-  std::size_t stay = 0;  // so many do, moved to the front
+  std::uint64_t begin = 0;
   for (std::uint64_t round = 1; round <= rounds; ++round) {
     const std::uint64_t end = values.size() * round / rounds;
-    std::vector<Message> out;
+    packed.resize(std::max<std::size_t>(packed.size(), end - begin));
+    std::vector<Outgoing> out;
+    Value* to = packed.data();
     for (unsigned rank = 0; rank < ranks.size(); ++rank) {
       if (rank == own) continue;
-      std::uint64_t going = 0;
-      Gone ahead = gone[rank];
-      for_each_until(end, shares[rank], ahead, [&](std::uint64_t, std::uint64_t n) { going += n; });
-      if (going == 0) continue;
-      ByteWriter bytes;
-      bytes.reserve(going * sizeof(Value));
-      for_each_until(end, shares[rank], gone[rank], [&](std::uint64_t begin, std::uint64_t n) {
-        bytes.put_all(std::span<const Value>(values).subspan(begin, n));
-      });
-      out.push_back({rank, bytes.take()});
+      Value* const from = std::exchange(to, copy_until(end, shares[rank], gone[rank], values, to));
+      if (to > from) out.push_back({rank, std::as_bytes(std::span<const Value>(from, to))});
     }
-    for_each_until(end, shares[own], gone[own], [&](std::uint64_t begin, std::uint64_t n) {
-      if (stay < begin)
-        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(begin), n,
-                    values.begin() + static_cast<std::ptrdiff_t>(stay));
-      stay += n;
+    Value* const stay = all.data() + next[own];
+    next[own] += static_cast<std::uint64_t>(copy_until(end, shares[own], gone[own], values, stay) - stay);
+    give_back_pages(values.data() + begin, (end - begin) * sizeof(Value));
+    begin = end;
+    ranks.exchange_in_place(out, [&](unsigned rank, std::size_t bytes) {
+      const std::uint64_t at = next[rank];
+      next[rank] += bytes / sizeof(Value);
+      if (next[rank] > ends[rank]) throw std::logic_error("more comes of a rank than was told");
+      return reinterpret_cast<std::byte*>(all.data() + at);
     });
-    give_back_pages(values.data() + stay, (end - stay) * sizeof(Value));
-    for (Message& message : ranks.exchange(std::move(out)))
-      came[message.rank].push_back(std::move(message.bytes));
   }
-  values.resize(stay);
-  std::size_t size = stay;
-  for (const auto& of_rank : came)
-    for (const Bytes& bytes : of_rank) size += bytes.size() / sizeof(Value);
-  std::vector<Value> all;
-  all.reserve(size);
-  wish_large_pages(all.data(), size * sizeof(Value));
-  for (unsigned rank = 0; rank < ranks.size(); ++rank)
-    rank == own ? move_to(all, values) : move_to(all, came[rank]);
   values = std::move(all);
 }
 
-template void move_shares(Communicator&, const std::vector<Share>&, std::uint64_t, std::vector<Sphere>&);
-template void move_shares(Communicator&, const std::vector<Share>&, std::uint64_t, std::vector<double>&);
+template void move_shares(Communicator&, const std::vector<Share>&, std::span<const std::uint64_t>,
+                          std::uint64_t, std::vector<Sphere>&);
+template void move_shares(Communicator&, const std::vector<Share>&, std::span<const std::uint64_t>,
+                          std::uint64_t, std::vector<double>&);
 
 }  // namespace catena::ranks

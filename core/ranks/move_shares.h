@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "catena/core/ranks/communicator.h"
@@ -21,11 +22,11 @@ struct Share {
 };
 
 /// Of what each sphere of a part has one, each rank's share to it, and in their place what the others send:
-/// by rising ranks, this one's own among them. In so many rounds, the same on all ranks, each of which brings
-/// about as much as it takes: so no more is held than before and after, and what is on its way in one. All
-/// ranks call it.
+/// by rising ranks, this one's own among them. `coming`: how many come of each rank, of this one how many
+/// stay. In so many rounds, the same on all ranks: what is on its way is no more than one of them brings.
+/// Besides it takes the memory of the new values, while that of the old ones is given back. All ranks call it.
 template <class Value>
-void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::uint64_t rounds,
-                 std::vector<Value>& values);
+void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::span<const std::uint64_t> coming,
+                 std::uint64_t rounds, std::vector<Value>& values);
 
 }  // namespace catena::ranks

@@ -154,22 +154,34 @@ void append_pieces(const std::vector<Run>& runs, std::vector<Piece>& pieces) {
   }
 }
 
+std::uint64_t spheres_of(const std::vector<Run>& runs) {
+  std::uint64_t spheres = 0;
+  for (const Run& run : runs) spheres += run.size;
+  return spheres;
+}
+
 /// What the part is of when its spheres have moved: what stays and what comes, by rising ranks and so by
-/// rising spheres.
-void take_over(Part& part, const Share& stays, std::vector<IdPair> extra,
-               const std::vector<Message>& messages, unsigned own) {
+/// rising spheres. Returns how many come of each rank, of this one how many stay.
+std::vector<std::uint64_t> take_over(Part& part, const Share& stays, std::vector<IdPair> extra,
+                                     const std::vector<Message>& messages, const Communicator& ranks) {
   part.pieces.clear();
   part.extra = std::move(extra);
+  std::vector<std::uint64_t> coming(ranks.size(), 0);
+  const auto take = [&](unsigned rank, const std::vector<Run>& runs) {
+    append_pieces(runs, part.pieces);
+    coming[rank] = spheres_of(runs);
+  };
   bool stayed_done = false;
   for (const Message& message : messages) {
-    if (message.rank > own && !std::exchange(stayed_done, true)) append_pieces(stays.runs, part.pieces);
+    if (message.rank > ranks.rank() && !std::exchange(stayed_done, true)) take(ranks.rank(), stays.runs);
     ByteReader in(message.bytes);
-    append_pieces(in.get_list<Run>(), part.pieces);
+    take(message.rank, in.get_list<Run>());
     const auto theirs = in.get_list<IdPair>();
     part.extra.insert(part.extra.end(), theirs.begin(), theirs.end());
   }
-  if (!stayed_done) append_pieces(stays.runs, part.pieces);
+  if (!stayed_done) take(ranks.rank(), stays.runs);
   std::ranges::sort(part.extra);
+  return coming;
 }
 
 /// The most that any rank takes to send its blocks, so many at a time; 0: a sixteenth of them, at least 2^14.
@@ -221,10 +233,11 @@ Part part_in_space(Communicator& ranks, Part part, std::uint32_t blocks_at_once)
   for (unsigned rank = 0; rank < ranks.size(); ++rank)
     if (rank != ranks.rank() && !shares[rank].runs.empty()) out.push_back({rank, packed(part, shares[rank])});
   const Share& stays = shares[ranks.rank()];
-  take_over(part, stays, rows_of(part, stays), ranks.exchange(std::move(out)), ranks.rank());
+  const std::vector<std::uint64_t> coming =
+      take_over(part, stays, rows_of(part, stays), ranks.exchange(std::move(out)), ranks);
   const std::uint64_t rounds = rounds_of(ranks, own_blocks, blocks_at_once);
-  move_shares(ranks, shares, rounds, part.spheres);
-  if (part.rule.kind == Exclusion::Rule::arc_window) move_shares(ranks, shares, rounds, part.arcs);
+  move_shares(ranks, shares, coming, rounds, part.spheres);
+  if (part.rule.kind == Exclusion::Rule::arc_window) move_shares(ranks, shares, coming, rounds, part.arcs);
   return part;
 }
 

@@ -12,7 +12,7 @@ double touching_share(Communicator& ranks, const Part& part);
 /// others, by their Morton codes (a sample sort, without the sorting: what a rank gets stays in the order of
 /// the chain). Consecutive blocks that meet on a rank become one piece again, so that a tube stays a tube.
 /// O(part) time. In rounds, of which none takes from a rank more than `blocks_at_once`; 0: a sixteenth of its
-/// own, at least 2^14. Memory for one round besides the part's own.
+/// own, at least 2^14. Memory: twice the part's spheres, and one round.
 Part part_in_space(Communicator& ranks, Part part, std::uint32_t blocks_at_once = 0);
 
 }  // namespace catena::ranks

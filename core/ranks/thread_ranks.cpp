@@ -17,7 +17,7 @@ namespace {
 class World {
  public:
   explicit World(unsigned ranks) : ranks_(ranks) {
-    for (Box& box : boxes_) box.given.resize(ranks), box.inbox.resize(ranks);
+    for (Box& box : boxes_) box.given.resize(ranks), box.inbox.resize(ranks), box.lent.resize(ranks);
   }
   unsigned ranks() const { return ranks_; }
 
@@ -43,6 +43,7 @@ class World {
     std::vector<Bytes> given;                 // [rank]
     Gathered gathered;                        // all of `given`
     std::vector<std::vector<Message>> inbox;  // [rank]
+    std::vector<std::vector<Outgoing>> lent;  // [rank]: what is read where it lies, and from whom
     std::optional<unsigned> failed;           // the first rank that did, and what it said
     std::string failure;
   };
@@ -99,6 +100,20 @@ class ThreadRank final : public Communicator {
     std::vector<Message> in = std::exchange(world_.box_of_last(turn_).inbox[rank_], {});
     std::ranges::sort(in, {}, &Message::rank);
     return in;
+  }
+
+  void transfer(std::span<const Outgoing> out, const Destination& to) override {
+    world_.meet(
+        turn_,
+        [&](World::Box& box) {
+          for (const Outgoing& message : out)
+            if (!message.bytes.empty()) box.lent[message.rank].push_back({rank_, message.bytes});
+        },
+        [](World::Box&) {});
+    std::vector<Outgoing> in = std::exchange(world_.box_of_last(turn_).lent[rank_], {});
+    std::ranges::sort(in, {}, &Outgoing::rank);
+    for (const auto& [rank, bytes] : in) std::ranges::copy(bytes, to(rank, bytes.size()));
+    vote();  // all have read
   }
 
   World& world_;

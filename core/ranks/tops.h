@@ -15,7 +15,7 @@ class Tops {
  public:
   static constexpr std::uint32_t most = 64;
 
-  /// Every rank gives its own, by the boxes of its blocks; for some of them they say where it is, but not all
+  /// Every rank gives its own, by boxes around blocks; for some of them they say where it is, but not all
   /// that it may touch. O(blocks) time, O(ranks) memory.
   static Tops of_all(Communicator& ranks, std::span<const Box> boxes);
 

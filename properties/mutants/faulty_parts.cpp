@@ -3,32 +3,14 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "catena/core/error.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/parts/part_as_chain.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/mutants/asked_of_all.h"
 
 namespace catena::properties {
-namespace {
 
 using parts::LocalChain;
-
-/// What was asked for of all pairs.
-void answer(const Request& request, Collisions& result) {
-  std::vector<std::uint32_t>& count = result.count;
-  for (std::uint32_t i = 0; i < count.size(); ++i)
-    if (!request.queries.contains(i)) count[i] = 0;
-  std::erase_if(result.pairs, [&](const Pair& pair) { return !request.queries.contains(pair.i); });
-  result.pair_count = result.pairs.size();
-  result.found = result.pair_count > 0;
-  if (request.want != Request::Want::pairs) result.pairs.clear();
-  if (request.want == Request::Want::any) count.clear(), result.pair_count = 0;
-  if (request.want != Request::Want::pairs || result.pair_count <= request.pair_limit) return;
-  result.pairs.clear();
-  throw PairLimitExceeded(result.pair_count, request.pair_limit);
-}
-
-}  // namespace
 
 void FaultyParts::find(const Chain& chain, const Request& request, Collisions& result) {
   if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
@@ -39,7 +21,7 @@ void FaultyParts::find(const Chain& chain, const Request& request, Collisions& r
     spoil(ranges);
     search(chain, LocalChain(chain, ranges), result);
   }
-  answer(request, result);
+  leave_what_was_asked(request, result);
 }
 
 void FaultyParts::search(const Chain& chain, const LocalChain& part, Collisions& result) {

@@ -14,6 +14,7 @@
 #include "catena/properties/mutants/chains_to_kill.h"
 #include "catena/core/strategy/register.h"
 #include "catena/properties/mutants/faulty_parts.h"
+#include "catena/properties/mutants/faulty_ranks.h"
 #include "catena/properties/mutants/faulty_tree.h"
 #include "catena/properties/property.h"
 
@@ -139,7 +140,10 @@ TEST(Mutants, WithoutABugTheirBasePasses) {
   registry.add_variant(
       {.name = "FaultyParts", .summary = "no mutant", .parameters = FaultyParts::parameters()},
       arithmetic_info<Robust>(), make_strategy<FaultyParts, Variant>, true);
-  for (const char* const base : {"FaultyTree", "FaultyParts"}) expect_passes_everything(Subject::named(base));
+  registry.add_variant(
+      {.name = "FaultyRanks", .summary = "no mutant", .parameters = FaultyRanks::parameters()},
+      arithmetic_info<Robust>(), make_strategy<FaultyRanks, Variant>, true);
+  for (const char* const base : {"FaultyTree", "FaultyParts", "FaultyRanks"}) expect_passes_everything(Subject::named(base));
 }
 
 TEST(Mutants, AllDie) {

@@ -18,6 +18,33 @@ constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a message; MPI c
 constexpr auto patience = std::chrono::seconds(5);
 constexpr int tag = 0;
 
+/// Messages on their way, in pieces.
+class Transfers {
+ public:
+  explicit Transfers(MPI_Comm world) : world_(world) {}
+  void receive(unsigned rank, std::byte* to, std::size_t bytes) {
+    in_pieces(bytes, [&](std::size_t done, int piece, MPI_Request* request) {
+      MPI_Irecv(to + done, piece, MPI_BYTE, static_cast<int>(rank), tag, world_, request);
+    });
+  }
+  void send(unsigned rank, std::span<const std::byte> bytes) {
+    in_pieces(bytes.size(), [&](std::size_t done, int piece, MPI_Request* request) {
+      MPI_Isend(bytes.data() + done, piece, MPI_BYTE, static_cast<int>(rank), tag, world_, request);
+    });
+  }
+  void wait() { MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
+
+ private:
+  template <class Begin>
+  void in_pieces(std::size_t bytes, const Begin& begin) {
+    for (std::size_t done = 0; done < bytes; done += most_bytes)
+      begin(done, static_cast<int>(std::min(most_bytes, bytes - done)), &requests_.emplace_back());
+  }
+
+  const MPI_Comm world_;
+  std::vector<MPI_Request> requests_;
+};
+
 }  // namespace
 
 MpiCommunicator::MpiCommunicator(MPI_Comm world, int standard_error)
@@ -84,10 +111,16 @@ Gathered MpiCommunicator::gather(Bytes own) {
   return parts;
 }
 
-std::vector<Message> MpiCommunicator::deliver(std::vector<Message> out) {
-  std::vector<std::uint64_t> sent(size_), coming(size_);
-  for (const Message& message : out) sent[message.rank] = message.bytes.size();
+std::vector<std::uint64_t> MpiCommunicator::told_sizes(const std::vector<std::uint64_t>& sent) {
+  std::vector<std::uint64_t> coming(size_);
   MPI_Alltoall(sent.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, world_);
+  return coming;
+}
+
+std::vector<Message> MpiCommunicator::deliver(std::vector<Message> out) {
+  std::vector<std::uint64_t> sent(size_);
+  for (const Message& message : out) sent[message.rank] = message.bytes.size();
+  const std::vector<std::uint64_t> coming = told_sizes(sent);
   std::vector<Message> in;
   for (unsigned rank = 0; rank < size_; ++rank)
     if (coming[rank] > 0) {
@@ -96,25 +129,33 @@ std::vector<Message> MpiCommunicator::deliver(std::vector<Message> out) {
     }
   vote();  // all have the memory, and none waits for another's
 
-  std::vector<MPI_Request> requests;
-  const auto in_pieces = [&](Message& message, auto transfer, auto* at) {
-    for (std::size_t done = 0; done < message.bytes.size(); done += most_bytes) {
-      const auto piece = static_cast<int>(std::min(most_bytes, message.bytes.size() - done));
-      requests.emplace_back();
-      transfer(at + done, piece, MPI_BYTE, static_cast<int>(message.rank), tag, world_, &requests.back());
-    }
-  };
+  Transfers transfers(world_);
   for (Message& message : in)
-    if (message.rank != rank_) in_pieces(message, MPI_Irecv, message.bytes.data());
+    if (message.rank != rank_) transfers.receive(message.rank, message.bytes.data(), message.bytes.size());
   for (Message& message : out) {
     if (message.rank != rank_) {
-      in_pieces(message, MPI_Isend, message.bytes.data());
+      transfers.send(message.rank, message.bytes);
     } else if (!message.bytes.empty()) {
       std::ranges::find(in, rank_, &Message::rank)->bytes = std::move(message.bytes);
     }
   }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  transfers.wait();
   return in;
+}
+
+void MpiCommunicator::transfer(std::span<const Outgoing> out, const Destination& to) {
+  std::vector<std::uint64_t> sent(size_);
+  for (const Outgoing& message : out) sent[message.rank] = message.bytes.size();
+  const std::vector<std::uint64_t> coming = told_sizes(sent);
+  std::vector<std::byte*> places(size_);
+  for (unsigned rank = 0; rank < size_; ++rank)
+    if (coming[rank] > 0) places[rank] = to(rank, coming[rank]);
+  vote();  // all have the memory
+
+  Transfers transfers(world_);
+  for (unsigned rank = 0; rank < size_; ++rank) transfers.receive(rank, places[rank], coming[rank]);
+  for (const Outgoing& message : out) transfers.send(message.rank, message.bytes);
+  transfers.wait();
 }
 
 }  // namespace catena::ranks

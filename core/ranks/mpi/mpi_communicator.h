@@ -16,13 +16,16 @@ class MpiCommunicator final : public Communicator {
   unsigned size() const override { return size_; }
 
   void vote() override;
-  /// Where the others do not come to a vote within seconds, as they are deep in a search of their own, this rank says
-  /// why it failed itself, and ends them all.
+  /// Where the others do not come to a vote within seconds, as they are deep in a search of their own, this
+  /// rank says why it failed itself, and ends them all.
   std::string fail(const std::string& what) override;
 
  private:
   Gathered gather(Bytes own) override;
   std::vector<Message> deliver(std::vector<Message> out) override;
+  void transfer(std::span<const Outgoing> out, const Destination& to) override;
+  /// How many bytes come from each rank, by what each sends to others.
+  std::vector<std::uint64_t> told_sizes(const std::vector<std::uint64_t>& sent);
   /// The words of the first rank that failed.
   std::string words_of(int failed, std::string own);
 

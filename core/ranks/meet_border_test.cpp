@@ -1,0 +1,110 @@
+#include "catena/core/ranks/meet_border.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "catena/core/arithmetic/robust.h"
+#include "catena/core/blocks/simd_targets.h"
+#include "catena/core/hierarchy/box_around.h"
+#include "catena/core/ranks/thread_ranks.h"
+#include "catena/properties/forced_target.h"
+#include "hwy/highway.h"
+
+namespace catena::ranks {
+namespace {
+
+/// Pieces of one to thirty spheres, so that most blocks are not full, of very unlike radii, some of them such
+/// as no square is a number.
+Part pieces_anywhere(std::mt19937& dice, std::uint32_t pieces, SphereId first) {
+  std::uniform_real_distribution<float> at(0, 10), radius(-6, 0);
+  Part part;
+  for (std::uint32_t p = 0; p < pieces; ++p) {
+    const std::uint32_t size = 1 + dice() % 30;
+    part.pieces.push_back(
+        {first, static_cast<std::uint32_t>(part.spheres.size()), size, {first, size, 0, 0, first}});
+    const float scale = p % 11 == 10 ? 0x1p100f : 1;
+    for (std::uint32_t k = 0; k < size; ++k)
+      part.spheres.push_back(
+          {at(dice) * scale, at(dice) * scale, at(dice) * scale, std::exp2(radius(dice)) * scale});
+    first += size + 1;
+  }
+  return part;
+}
+
+/// Every pair of a block that came and of one of the border: none that overlaps is missed, and what is left
+/// out is of those that the other rank compares.
+void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks& far, std::uint64_t most) {
+  std::vector<Meeting> meetings;
+  std::uint64_t met = 0;
+  for (std::uint32_t next = 0; next < far.blocks();) {
+    const std::uint32_t before = next;
+    met += meet_border(part, border, far, most, next, meetings);
+    ASSERT_GT(next, before);
+  }
+  std::set<std::tuple<std::uint32_t, std::uint32_t, int>> may;
+  for (const Meeting& m : meetings) {
+    EXPECT_GE(m.own_block, far.mark(m.far_block));
+    for (int bit = 0; bit < 64; ++bit)
+      if (m.may_touch >> bit & 1) {
+        EXPECT_LT(bit / 8u, border.blocks()[m.own_block].size);
+        EXPECT_LT(bit % 8u, far.spheres(m.far_block).size());
+        EXPECT_TRUE(may.insert({m.far_block, m.own_block, bit}).second);
+      }
+  }
+  std::size_t overlaps = 0, all = 0;
+  std::uint64_t boxes = 0;
+  for (std::uint32_t f = 0; f < far.blocks(); ++f)
+    for (std::uint32_t b = 0; b < border.blocks().size(); ++b) {
+      const auto own = part.spheres(border.blocks()[b]), theirs = far.spheres(f);
+      const Box box = box_around(theirs);
+      boxes += border.boxes().box(b).meets(box);
+      all += own.size() * theirs.size();
+      bool touches = false;
+      for (std::size_t k = 0; k < own.size(); ++k)
+        for (std::size_t j = 0; j < theirs.size(); ++j)
+          if (Robust::overlap(own[k], theirs[j])) {
+            touches = true;
+            if (b < far.mark(f)) continue;
+            ++overlaps;
+            EXPECT_TRUE(may.contains({f, b, static_cast<int>(8 * k + j)})) << f << ' ' << b;
+          }
+      EXPECT_EQ(may_touch_border(part, border, box, b), [&] {
+        for (std::uint32_t c = b; c < border.blocks().size(); ++c)
+          for (const Sphere& s : part.spheres(border.blocks()[c]))
+            if (border.boxes().box(c).meets(box) && MeetsBox(box)(s)) return true;
+        return false;
+      }());
+      if (touches) {
+        EXPECT_TRUE(may_touch_border(part, border, box, b));
+      }
+    }
+  EXPECT_GT(overlaps, 0u);
+  EXPECT_LT(may.size(), all / 20);  // those whose squares are no numbers among them
+  EXPECT_EQ(met, boxes);
+}
+
+TEST(MeetBorder, MissesNothingOnAnyInstructionSet) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    const properties::ForcedTarget forced(target);
+    run_in_threads(2, [](Communicator& ranks) {
+      std::mt19937 dice(7 + ranks.rank());
+      const HeldPart part(pieces_anywhere(dice, 23, SphereId{ranks.rank()} << 32));
+      const Border border(ranks, part);
+      ASSERT_GT(border.blocks().size(), 20u);
+      ByteWriter out;
+      put_blocks(out, part, border.blocks());
+      for (const Message& message : ranks.exchange({{1 - ranks.rank(), out.take()}}))
+        for (const std::uint32_t mark : {0u, 9u}) {
+          FarBlocks far;
+          ByteReader in(message.bytes);
+          far.take(in, part.rule(), mark);
+          for (const std::uint64_t most : {1u, 40u, 1u << 20}) expect_all_met(part, border, far, most);
+        }
+    });
+  }
+}
+
+}  // namespace
+}  // namespace catena::ranks
