@@ -66,8 +66,8 @@ class NearBlocks {
 /// of those in a cube around it that is three of its diameters wide; told no further than just past `enough`.
 inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& tree, std::uint32_t b,
                                       std::uint32_t enough) {
-  constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
-  const Sphere& middle = tree.spheres(chain, b)[block / 2];
+  constexpr std::uint32_t group = BlockTree::group;
+  const Sphere& middle = tree.spheres(chain, b)[tree.size_of(b) / 2];
   const float reach = 3 * middle.radius;
   Capsules cube = Capsules::all(tree.capsules_of(b / group), b % group);
   cube.radius = cube.radius + Lanes16::all(reach * tree.scale);
@@ -75,7 +75,9 @@ inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& t
   for_each_met(tree, b / group, [&](std::uint32_t node) {
     const std::uint32_t near = may_collide(cube, Capsules::load(tree.capsules_of(node)));
     for_each_lane(near & lane_bits(tree.blocks_of(node)), [&](std::uint32_t k) {
-      count += SphereLanes(tree.spheres(chain, node * group + k)).centres_within(middle, reach);
+      const std::uint32_t other = node * group + k;
+      const std::uint32_t within = SphereLanes(tree.spheres(chain, other)).centres_within(middle, reach);
+      count += static_cast<std::uint32_t>(std::popcount(within & lane_bits(tree.size_of(other))));
     });
     return count <= 2 * enough;
   });

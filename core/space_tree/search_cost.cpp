@@ -15,7 +15,8 @@ double single_spheres_ns(const ChainView& chain, const BlockTree& tree, const Cr
   for (std::uint32_t node = 0; node < crowding.nodes(); ++node) {
     if (!crowding.crowded(node)) continue;
     // Not the same of all blocks: radii may come by turns.
-    const float radius = tree.spheres(chain, node * BlockTree::group)[node % BlockTree::block].radius;
+    const std::uint32_t b = node * BlockTree::group;
+    const float radius = tree.spheres(chain, b)[node % tree.size_of(b)].radius;
     const double share = greatest > 0 ? double{radius} / greatest : 1;
     const int below = share > 0 ? -std::ilogb(share) : static_cast<int>(octave.size()) - 1;
     ++octave[static_cast<std::size_t>(std::clamp(below, 0, static_cast<int>(octave.size()) - 1))];
