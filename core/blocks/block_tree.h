@@ -108,6 +108,10 @@ struct BlockTree {
     const std::uint32_t left = blocks - g * group;
     return left < group ? left : group;
   }
+  /// A block of node g for samples, at another place in each, so that no period of the chain's is met.
+  std::uint32_t some_block_of(std::uint32_t g) const {
+    return g * group + (g * 0x9E3779B1u >> 28) % blocks_of(g);
+  }
   /// Children of node k of level l.
   std::uint32_t children_of(std::size_t l, std::uint32_t k) const {
     if (l == 0) return blocks_of(k);

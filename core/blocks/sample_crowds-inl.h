@@ -151,7 +151,7 @@ class CrowdSample {
     const std::uint64_t most = std::uint64_t{limit_} + 1;  // others, and itself
     for_each_met(tree_, node, [&](std::uint32_t) { return ++met <= most; });
     if (met > most) return true;
-    const std::uint32_t b = node * group + tree_.blocks_of(node) / 2;
+    const std::uint32_t b = tree_.some_block_of(node);
     const NearBlocks near(tree_, b, plenty);
     const double ns = SphereCost::in_tree(near);
     if (near.enough() || ns <= SphereCost::in_cells(0)) return near.enough();
