@@ -60,7 +60,10 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     const bool one = chain.strand_count == 1;
     std::uint32_t at = one ? 0 : chain.exclusion.strand_first[s];
     const std::uint32_t end = one ? chain.size : chain.exclusion.strand_first[s + 1];
-    for (; at < end; at += block) set_block(tree, b++, at, std::min(end - at, block));
+    const std::uint32_t full = (end - at) / block;
+    for (std::uint32_t k = 0; k < full; ++k) tree.first[b + k] = at + k * block;
+    b += full, at += full * block;
+    if (at < end) set_block(tree, b++, at, end - at);
   }
   for (std::uint32_t k = 0; k < 2 * block && chain.size > 0; ++k)
     tree.tail[k] = chain.spheres[std::min(BlockTree::tail_first(chain.size) + k, chain.size - 1)];

@@ -55,7 +55,8 @@ const RegisterMutant<BlockReadsOn> reads_on{"block-that-reads-on",
 /// The last sphere of a strand is in no block.
 class BlockOneShort final : public FaultyBlocks {
   void tamper(const ChainView&, BlockTree& tree) override {
-    for (std::uint32_t b = 0; b < tree.blocks; ++b) --tree.filled[b];
+    for (std::uint32_t b = 0; b < tree.blocks; ++b)
+      if (tree.first[b] & BlockTree::unfilled) --tree.filled[b];
   }
 };
 const RegisterMutant<BlockOneShort> one_short{"block-one-short",
