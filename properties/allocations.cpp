@@ -7,4 +7,9 @@ Allocations::Read& Allocations::counter() {
   return read;
 }
 
+Allocations::Read& Allocations::held() {
+  static Read read = nullptr;
+  return read;
+}
+
 }  // namespace catena::properties

@@ -8,6 +8,8 @@ namespace catena::properties {
 struct Allocations {
   using Read = std::uint64_t (*)();
   static Read& counter();
+  /// Likewise the bytes that it was given and has not given back, on this thread.
+  static Read& held();
 };
 
 }  // namespace catena::properties

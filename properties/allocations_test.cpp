@@ -1,6 +1,7 @@
 #include "catena/properties/allocations.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +12,7 @@
 /// The test program counts its allocations, for the property "no allocation once warm".
 namespace {
 
-thread_local std::uint64_t calls = 0;
+thread_local std::uint64_t calls = 0, bytes = 0;
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++calls;
@@ -20,11 +21,18 @@ void* counted(std::size_t size, std::size_t alignment) {
                      ? std::malloc(size)
                      : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
+  bytes += malloc_usable_size(memory);
   return memory;
+}
+
+void give_back(void* memory) noexcept {
+  if (memory != nullptr) bytes -= malloc_usable_size(memory);
+  std::free(memory);
 }
 
 const bool counting = [] {
   catena::properties::Allocations::counter() = [] { return calls; };
+  catena::properties::Allocations::held() = [] { return bytes; };
   return true;
 }();
 
@@ -43,11 +51,11 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     return nullptr;
   }
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { give_back(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { give_back(memory); }
 
 namespace catena::properties {
 namespace {

@@ -26,20 +26,14 @@ void make_room(BlockTree& tree) {
 
 }  // namespace
 
-CopiedBlocks::CopiedBlocks(const ChainView& chain, BlockTree& tree, std::uint32_t count)
-    : chain_(chain), tree_(tree), first_(tree.first.size()), copy_(tree.copies.size()) {
-  tree.first.resize(first_ + count);
-  tree.copies.resize(copy_ + std::size_t{count} * block);
-  tree.copied_from.resize(tree.copies.size());
+void make_room_for_blocks(BlockTree& tree, std::uint32_t count) {
+  tree.first.resize(count);
+  tree.filled.resize(count);
 }
 
-void CopiedBlocks::fill(std::uint32_t k, std::uint32_t begin, std::uint32_t size) {
-  const std::size_t to = copy_ + std::size_t{k} * block;
-  tree_.first[first_ + k] = BlockTree::copied | static_cast<std::uint32_t>(to);
-  for (std::uint32_t s = 0; s < block; ++s) {
-    tree_.copies[to + s] = chain_.spheres[begin + std::min(s, size - 1)];
-    tree_.copied_from[to + s] = s < size ? begin + s : BlockTree::no_sphere;
-  }
+void set_block(BlockTree& tree, std::uint32_t b, std::uint32_t begin, std::uint32_t size) {
+  tree.first[b] = size < block ? begin | BlockTree::unfilled : begin;
+  tree.filled[b] = static_cast<std::uint8_t>(size);
 }
 
 float block_scale(const Extent& extent) {
@@ -59,18 +53,20 @@ std::uint32_t count_blocks(const ChainView& chain) {
 
 void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
   tree.scale = block_scale(chain.extent);
-  tree.first.clear(), tree.copies.clear(), tree.copied_from.clear();
+  tree.blocks = count_blocks(chain);
+  make_room_for_blocks(tree, tree.blocks);
+  std::uint32_t b = 0;
   for (std::uint32_t s = 0; s < chain.strand_count; ++s) {
     const bool one = chain.strand_count == 1;
     std::uint32_t at = one ? 0 : chain.exclusion.strand_first[s];
     const std::uint32_t end = one ? chain.size : chain.exclusion.strand_first[s + 1];
     const std::uint32_t full = (end - at) / block;
-    const std::size_t begin = tree.first.size();
-    tree.first.resize(begin + full);
-    for (std::uint32_t k = 0; k < full; ++k, at += block) tree.first[begin + k] = at;
-    if (at < end) CopiedBlocks(chain, tree, 1).fill(0, at, end - at);
+    for (std::uint32_t k = 0; k < full; ++k) tree.first[b + k] = at + k * block;
+    b += full, at += full * block;
+    if (at < end) set_block(tree, b++, at, end - at);
   }
-  tree.blocks = static_cast<std::uint32_t>(tree.first.size());
+  for (std::uint32_t k = 0; k < 2 * block && chain.size > 0; ++k)
+    tree.tail[k] = chain.spheres[std::min(BlockTree::tail_first(chain.size) + k, chain.size - 1)];
   make_room(tree);
 }
 

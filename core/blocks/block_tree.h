@@ -12,15 +12,14 @@ namespace catena {
 
 /// A tree over *blocks* of eight spheres, laid out for sixteen things a test. A block lies in a capsule;
 /// sixteen blocks are a node, which lies in a box along axes of its own; sixteen nodes are a node of the next
-/// level. A block holds eight consecutive spheres of one strand; the last of a strand holds copies of what is
-/// left.
+/// level. A block holds eight consecutive spheres of one strand; the last of a strand, what is left.
 ///
 /// Numbers are those of the chain times `scale`, a power of two, which brings the greatest to 2^19 .. 2^20:
 /// no product overflows, and what underflows is less than the `tiny` that every bound and test has on top.
 struct BlockTree {
   static constexpr std::uint32_t block = 8;   ///< spheres of a block
   static constexpr std::uint32_t group = 16;  ///< blocks of a node, children of an inner node
-  static constexpr std::uint32_t copied = 0x80000000u;
+  static constexpr std::uint32_t unfilled = 0x80000000u;
 
   /// Slack of capsules and tests, relative to the lengths they have to do with, and absolute.
   /// properties/proofs/ has what is needed of it.
@@ -65,7 +64,7 @@ struct BlockTree {
   /// A tree of no spheres.
   void clear() {
     blocks = 0;
-    first.clear(), level.clear();
+    first.clear(), filled.clear(), level.clear();
   }
 
   /// Every pair is searched as if no node were in a row.
@@ -88,12 +87,11 @@ struct BlockTree {
   /// Binary32 tells of two spheres where it is right by so many times the slack that is proved; 1, or more.
   float doubt = 1;
   std::uint32_t blocks = 0;  ///< in the order of the chain
-  /// Where a block's spheres are: the index of the first, or `copied` + eight times its number among the
-  /// copies.
+  /// [block]: the index of its first sphere, and `unfilled` where it has fewer than eight.
   LargeVector<std::uint32_t> first;
-  LargeVector<Sphere> copies;              ///< eight a copied block; the last sphere repeated to fill up
-  LargeVector<std::uint32_t> copied_from;  ///< index of each copy; no_sphere for what fills up
-  LargeVector<float> capsules;             ///< groups of sixteen
+  LargeVector<std::uint8_t> filled;  ///< [block]: the spheres of one that is unfilled
+  Sphere tail[2 * block];            ///< the chain's from tail_first() on, and what no block has
+  LargeVector<float> capsules;       ///< groups of sixteen
   /// Bit k of group g: in block 16 g + k and the next no two spheres collide that are not next to one
   /// another.
   LargeVector<std::uint16_t> ordered;
@@ -110,6 +108,10 @@ struct BlockTree {
     const std::uint32_t left = blocks - g * group;
     return left < group ? left : group;
   }
+  /// A block of node g for samples, at another place in each, so that no period of the chain's is met.
+  std::uint32_t some_block_of(std::uint32_t g) const {
+    return g * group + (g * 0x9E3779B1u >> 28) % blocks_of(g);
+  }
   /// Children of node k of level l.
   std::uint32_t children_of(std::size_t l, std::uint32_t k) const {
     if (l == 0) return blocks_of(k);
@@ -117,14 +119,23 @@ struct BlockTree {
     return left < group ? left : group;
   }
 
-  /// The eight spheres of a block; those that fill up a short block repeat its last.
+  /// The spheres of a block.
+  std::uint32_t size_of(std::uint32_t b) const { return first[b] & unfilled ? filled[b] : block; }
+  std::uint32_t begin_of(std::uint32_t b) const { return first[b] & ~unfilled; }
+  std::uint32_t end_of(std::uint32_t b) const { return begin_of(b) + size_of(b); }
+
+  /// Eight spheres, of which the first size_of(b) are those of a block.
   const Sphere* spheres(const ChainView& chain, std::uint32_t b) const {
-    return first[b] & copied ? copies.data() + (first[b] & ~copied) : chain.spheres + first[b];
+    const std::uint32_t i = begin_of(b);
+    if ((first[b] & unfilled) == 0 || i + block <= chain.size) return chain.spheres + i;
+    return tail + (i - tail_first(chain.size));
   }
   /// The index of sphere k of a block, or no_sphere.
   std::uint32_t index(std::uint32_t b, std::uint32_t k) const {
-    return first[b] & copied ? copied_from[(first[b] & ~copied) + k] : first[b] + k;
+    return k < size_of(b) ? begin_of(b) + k : no_sphere;
   }
+  /// From here on eight spheres may be more than a chain of so many has.
+  static std::uint32_t tail_first(std::uint32_t spheres) { return spheres < block ? 0 : spheres - block; }
 };
 
 }  // namespace catena

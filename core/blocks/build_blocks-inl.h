@@ -11,18 +11,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
+/// The spheres of a block; the last of one that is unfilled, repeated.
+HWY_INLINE void copy_block(const ChainView& chain, const BlockTree& tree, std::uint32_t b, Sphere* to) {
+  std::memcpy(to, tree.spheres(chain, b), sizeof(Sphere) * BlockTree::block);
+  for (std::uint32_t k = tree.size_of(b); k < BlockTree::block; ++k) to[k] = to[k - 1];
+}
+
 /// The spheres of the sixteen blocks of node g, and of the next one, block after block; in the chain itself
 /// where they lie there so, else in `copy`. Past the tree's last block that one is repeated.
 HWY_INLINE const Sphere* consecutive_blocks(const ChainView& chain, const BlockTree& tree, std::uint32_t g,
                                             Sphere* copy) {
   constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
   const std::uint32_t begin = g * group, next = begin + group;
-  if (next < tree.blocks && !(tree.first[begin] & BlockTree::copied) &&
+  // The next is filled then, as its bit is not set; and all before it are, as they end there.
+  if (next < tree.blocks && !(tree.first[begin] & BlockTree::unfilled) &&
       tree.first[next] == tree.first[begin] + group * block)
     return chain.spheres + tree.first[begin];
   for (std::uint32_t k = 0; k <= group; ++k)
-    std::memcpy(copy + k * block, tree.spheres(chain, begin + k < tree.blocks ? begin + k : tree.blocks - 1),
-                sizeof(Sphere) * block);
+    copy_block(chain, tree, begin + k < tree.blocks ? begin + k : tree.blocks - 1, copy + k * block);
   return copy;
 }
 
@@ -42,7 +48,7 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
   if (!in_one_run || chain.strand_count > 1) {
     for (std::uint32_t k = 0; k < group; ++k) {
       const std::uint32_t b = begin + k;
-      const bool joined = b + 1 < tree.blocks && !(tree.first[b] & BlockTree::copied) &&
+      const bool joined = b + 1 < tree.blocks && !(tree.first[b] & BlockTree::unfilled) &&
                           tree.first[b + 1] == tree.first[b] + block &&
                           (chain.strand_count == 1 || chain.exclusion.strand_of[tree.first[b]] ==
                                                           chain.exclusion.strand_of[tree.first[b + 1]]);

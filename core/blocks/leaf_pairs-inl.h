@@ -87,10 +87,10 @@ class LeafPairs {
     if (any.none()) return;
     std::uint64_t may = 0;
     for (std::uint32_t p = 0; p < block; ++p) may |= std::uint64_t{near[p].bits()} << (block * p);
+    if (tree_.first[a] & BlockTree::unfilled) may &= (std::uint64_t{1} << block * tree_.filled[a]) - 1;
     if (a == b)
       may &= inside_;
-    else if (window_is_all_ && tree_.first[b] == tree_.first[a] + block &&
-             !(tree_.first[b] & BlockTree::copied))
+    else if (window_is_all_ && tree_.first[b] == tree_.first[a] + block)
       may &= next_;
     while (may != 0) {
       const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
@@ -105,17 +105,18 @@ class LeafPairs {
   HWY_INLINE void row(std::uint32_t a, std::uint32_t p, const Sphere& sphere, std::uint32_t b,
                       const SphereLanes& of_b) {
     const std::uint32_t i = tree_.index(a, p);
-    // Who may be no neighbour: indices from `first` to the last; what fills up a block is beyond it.
+    // Who may be no neighbour: indices from `first` to the end of the block.
     const std::uint64_t first = std::uint64_t{i} + window_ + 1;
-    if (first >= chain_.size) return;
+    const std::uint32_t begin = tree_.begin_of(b), end = tree_.end_of(b);
+    if (first >= end) return;
     const SphereLanes::Squares squares = of_b.squares(sphere);
     const Flags<block> may = SphereLanes::may_overlap(squares, slack_),
                        certain = SphereLanes::overlap_for_certain(squares, slack_);
     const auto from = static_cast<std::uint32_t>(first);
     for (std::size_t k = 0; k < Lanes8::parts; ++k) {
       const Bits bits;
-      const auto j = indices(b, k);
-      const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, chain_.size - from));
+      const auto j = count_up(bits, begin + static_cast<std::uint32_t>(k * Lanes8::width));
+      const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, end - from));
       auto keep = hn::And(hn::RebindMask(bits, may.part[k]), wanted);
       const auto open = hn::AndNot(hn::RebindMask(bits, certain.part[k]), keep);
       if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) {
@@ -124,15 +125,6 @@ class LeafPairs {
       }
       hit_count_ += store_pairs(bits, i, j, keep, hits_ + hit_count_);
     }
-  }
-
-  /// Indices of the spheres of part k of a block; no_sphere for what fills it up.
-  HWY_INLINE hn::Vec<Bits> indices(std::uint32_t b, std::size_t k) const {
-    const std::uint32_t first = tree_.first[b];
-    constexpr std::uint32_t width = Lanes8::width;
-    if (HWY_UNLIKELY(first & BlockTree::copied))
-      return hn::LoadU(Bits(), tree_.copied_from.data() + (first & ~BlockTree::copied) + k * width);
-    return count_up(Bits(), first + static_cast<std::uint32_t>(k) * width);
   }
 
   HWY_NOINLINE void decide() {
@@ -165,10 +157,10 @@ class LeafPairs {
 
   /// Tells the sink of every pair that is compared.
   void account(std::uint32_t a, std::uint32_t b) {
-    for (std::uint32_t p = 0; p < block; ++p)
-      for (std::uint32_t q = a == b ? p + 1 : 0; q < block; ++q)
-        if (tree_.index(a, p) != BlockTree::no_sphere && tree_.index(b, q) != BlockTree::no_sphere)
-          sink_.compared(tree_.index(a, p), tree_.index(b, q));
+    const std::uint32_t size_a = tree_.size_of(a), size_b = tree_.size_of(b);
+    for (std::uint32_t p = 0; p < size_a; ++p)
+      for (std::uint32_t q = a == b ? p + 1 : 0; q < size_b; ++q)
+        sink_.compared(tree_.index(a, p), tree_.index(b, q));
   }
 
   const ChainView& chain_;

@@ -66,8 +66,8 @@ class NearBlocks {
 /// of those in a cube around it that is three of its diameters wide; told no further than just past `enough`.
 inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& tree, std::uint32_t b,
                                       std::uint32_t enough) {
-  constexpr std::uint32_t group = BlockTree::group, block = BlockTree::block;
-  const Sphere& middle = tree.spheres(chain, b)[block / 2];
+  constexpr std::uint32_t group = BlockTree::group;
+  const Sphere& middle = tree.spheres(chain, b)[tree.size_of(b) / 2];
   const float reach = 3 * middle.radius;
   Capsules cube = Capsules::all(tree.capsules_of(b / group), b % group);
   cube.radius = cube.radius + Lanes16::all(reach * tree.scale);
@@ -75,7 +75,9 @@ inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& t
   for_each_met(tree, b / group, [&](std::uint32_t node) {
     const std::uint32_t near = may_collide(cube, Capsules::load(tree.capsules_of(node)));
     for_each_lane(near & lane_bits(tree.blocks_of(node)), [&](std::uint32_t k) {
-      count += SphereLanes(tree.spheres(chain, node * group + k)).centres_within(middle, reach);
+      const std::uint32_t other = node * group + k;
+      const std::uint32_t within = SphereLanes(tree.spheres(chain, other)).centres_within(middle, reach);
+      count += static_cast<std::uint32_t>(std::popcount(within & lane_bits(tree.size_of(other))));
     });
     return count <= 2 * enough;
   });
@@ -149,7 +151,7 @@ class CrowdSample {
     const std::uint64_t most = std::uint64_t{limit_} + 1;  // others, and itself
     for_each_met(tree_, node, [&](std::uint32_t) { return ++met <= most; });
     if (met > most) return true;
-    const std::uint32_t b = node * group + tree_.blocks_of(node) / 2;
+    const std::uint32_t b = tree_.some_block_of(node);
     const NearBlocks near(tree_, b, plenty);
     const double ns = SphereCost::in_tree(near);
     if (near.enough() || ns <= SphereCost::in_cells(0)) return near.enough();

@@ -8,6 +8,7 @@
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/grid/grid_evidence.h"
 #include "catena/core/hybrid/crowd_evidence.h"
+#include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_evidence.h"
 
 namespace catena {
@@ -29,6 +30,7 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     parts_.tree.clear();
     parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
     parts_.dense_count = chain.size;
+    if (chain.size > 0) parts_.in_cells = single_spheres(chain).in_cells;
   } else {
     build_block_tree(chain, parts_.tree, team);
     if (!settings_.rows) parts_.tree.forget_rows();
@@ -36,7 +38,7 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     if (parts_.crowding.crowded_nodes() > 0) build_in_space(chain, team);
   }
   if (parts_.dense_count == 0) return;
-  parts_.in_cells = cells_fit(chain, team);
+  parts_.in_cells = parts_.in_cells && cells_fit(chain, team);
   if (parts_.in_cells)
     build_grid(chain, parts_.grid, dense_, team);
   else
@@ -49,7 +51,10 @@ bool HybridSearch::unfilled(const ChainView& chain) {
 }
 
 void HybridSearch::build_in_space(const ChainView& chain, const Team& team) {
-  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, settings_.dense, entry_queues_, team);
+  const SingleSpheres single = single_spheres(chain, parts_.tree, parts_.crowding);
+  parts_.in_cells = single.in_cells;
+  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, settings_.dense * single.ns,
+                   entry_queues_, team);
   if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
     parts_.dense_count = chain.size;  // their list need not be made
   } else {

@@ -135,14 +135,14 @@ class SpaceBuild {
     if (parts == 0) return;
     const std::size_t whole_blocks = space_.unsorted().size();
     space_.unsorted().resize(whole_blocks + parts);
-    CopiedBlocks copies(chain_, tree_, parts);
+    make_room_for_blocks(tree_, tree_.blocks + parts);
     constexpr std::uint32_t groups_of_a_task = 32;
     team_.for_each_range(
         (parts + group - 1) / group, groups_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
           for (std::uint32_t first = begin * group; first < std::min(parts, end * group); first += group) {
             const std::uint32_t count = std::min(group, parts - first);
             for (std::uint32_t k = first; k < first + count; ++k)
-              copies.fill(k, space_.parts()[k].first, space_.parts()[k].size);
+              set_block(tree_, tree_.blocks + k, space_.parts()[k].first, space_.parts()[k].size);
             add_parts(first, count, space_.unsorted().data() + whole_blocks + first);
           }
         });
@@ -150,8 +150,7 @@ class SpaceBuild {
   void add_parts(std::uint32_t first, std::uint32_t count, SpaceTree::Unsorted* to) const {
     Sphere some[group * block];
     for (std::uint32_t k = 0; k < group; ++k)
-      std::memcpy(some + k * block, tree_.spheres(chain_, tree_.blocks + first + std::min(k, count - 1)),
-                  sizeof(Sphere) * block);
+      copy_block(chain_, tree_, tree_.blocks + first + std::min(k, count - 1), some + k * block);
     BlockSpheres spheres;
     load(some, Lanes16::all(tree_.scale), spheres);
     Lanes16 reach;

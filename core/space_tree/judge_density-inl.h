@@ -22,7 +22,6 @@ namespace catena::HWY_NAMESPACE {
 /// blocks would do: then a second search for the rest is not worth its while. `block_ns` is what a search of
 /// their spheres one by one costs a block.
 inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double block_ns) {
-  constexpr std::uint32_t group = BlockTree::group;
   const std::uint32_t samples = std::min(32u, crowding.crowded_nodes()), others = samples / 2;
   const double search_ns = block_ns - SpaceCost::build_ns;
   const auto enough =
@@ -31,7 +30,7 @@ inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double
   std::uint32_t sparse = 0;
   for (std::uint32_t node = 0, crowded = 0; node < crowding.nodes(); ++node) {
     if (!crowding.crowded(node) || crowded++ % step != 0) continue;
-    if (NearBlocks(tree, node * group + tree.blocks_of(node) / 2, enough).enough()) continue;
+    if (NearBlocks(tree, tree.some_block_of(node), enough).enough()) continue;
     if (++sparse > others) return false;
   }
   return true;
@@ -41,16 +40,21 @@ inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double
 class SpaceSample {
  public:
   SpaceSample(const SpaceTree& space, double enough_ns) : space_(space), enough_ns_(enough_ns) {}
-  bool skip(std::uint32_t, std::uint32_t) { return ++cost_.nodes, enough(); }
+  bool skip(std::uint32_t a, std::uint32_t b) { return cost_.nodes += shares(a, b), enough(); }
   void take(std::span<const Pair> entries) {
-    cost_.entries += entries.size();
+    for (const Pair& pair : entries) cost_.entries += shares(pair.i / group, pair.j / group);
     for_each_near(
-        space_, entries, [&](std::uint32_t, std::uint32_t) { ++cost_.near; }, NoSpaceEvidence{});
+        space_, entries,
+        [&](std::uint32_t a, std::uint32_t b) { cost_.near += shares(a / group, b / group); },
+        NoSpaceEvidence{});
   }
-  /// Each of two nodes that meet pays one half.
   bool enough() const { return cost_.ns() / 2 > enough_ns_; }
 
  private:
+  static constexpr std::uint32_t group = SpaceTree::group;
+  /// Halves: each of two nodes that meet pays one, and a node alone for what is within it.
+  static std::uint64_t shares(std::uint32_t a, std::uint32_t b) { return a == b ? 2 : 1; }
+
   const SpaceTree& space_;
   const double enough_ns_;
   SpaceCost cost_;

@@ -22,8 +22,21 @@ struct SpaceCost {
   }
 };
 
-/// What it costs, about, to search a sphere of those in crowded nodes by itself: in cells where their radii
-/// come in one octave, as one in 128 tells, and else in the order of space.
-double single_spheres_ns(const ChainView& chain, const BlockTree& tree, const Crowding& crowding);
+/// What it costs, about, to search a sphere by itself, likewise. `near` is as mean_near() tells it.
+struct SingleSphereCost {
+  /// A sphere alone in its cell pays for it and for the look at its neighbours.
+  static double in_cells(double near) { return 36 + 34 / (1 + near / 8) + 0.72 * near; }
+  static double in_space(double near) { return 50 + 0.65 * near; }
+};
+
+/// How spheres are searched one by one, and what that costs each, about.
+struct SingleSpheres {
+  bool in_cells;
+  double ns;
+};
+/// Those in crowded nodes, by a look at some; or all, where there is no tree. Cells are for radii that come
+/// in one octave, as one in 128 tells.
+SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, const Crowding& crowding);
+SingleSpheres single_spheres(const ChainView& chain);
 
 }  // namespace catena

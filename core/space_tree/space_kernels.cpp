@@ -13,10 +13,10 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                           double dense, std::span<SpaceQueue> queues, const Team& team) {
+                           double sphere_ns, std::span<SpaceQueue> queues, const Team& team) {
   space.entries = 0;
   // Short strands leave blocks unfilled.
-  const double block_ns = dense * single_spheres_ns(chain, tree, crowding) * chain.size / tree.blocks;
+  const double block_ns = sphere_ns * chain.size / tree.blocks;
   if (mostly_dense(tree, crowding, block_ns)) return;
   SpaceBuild build(chain, tree, crowding, space, team);
   if (!build.collect()) return;
@@ -48,8 +48,8 @@ HWY_EXPORT(build_space_tree_here);
 HWY_EXPORT(search_space_tree_here);
 
 void build_space_tree(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                      double dense, std::span<SpaceQueue> queues, const Team& team) {
-  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, dense, queues, team);
+                      double sphere_ns, std::span<SpaceQueue> queues, const Team& team) {
+  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, sphere_ns, queues, team);
 }
 
 void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,

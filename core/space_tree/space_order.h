@@ -9,6 +9,8 @@
 
 namespace catena {
 
+struct SpaceRows;
+
 /// Boxes, `stride` floats from one's lows x y z to the next one's; the highs follow the lows.
 struct BoxRows {
   const float* first;
@@ -31,11 +33,14 @@ class CATENA_API SpaceOrder {
   /// Spheres of a chain, or `only` those of these indices, by their centres and radii.
   void sort(const ChainView& chain, std::span<const std::uint32_t> only, const Team& team);
   /// The number of the box, or the index of the sphere, that comes to this place.
-  std::uint32_t operator[](std::size_t place) const;
+  std::uint32_t operator[](std::size_t place) const { return static_cast<std::uint32_t>(entries_[place]); }
 
  private:
   struct Sort;
+  void sort(const SpaceRows& rows, std::size_t n, std::span<const std::uint32_t> only, const Team& team);
+
   std::unique_ptr<Sort> sort_;
+  const std::uint64_t* entries_ = nullptr;  // the sort's
 };
 
 }  // namespace catena

@@ -33,7 +33,7 @@ class NoSagitta final : public FaultyBlocks {
     for (std::uint32_t b = 0; b < tree.blocks; ++b) {
       const Sphere* const s = tree.spheres(chain, b);
       float thickest = 0;
-      for (std::uint32_t k = 0; k < BlockTree::block; ++k) thickest = std::max(thickest, s[k].radius);
+      for (std::uint32_t k = 0; k < tree.size_of(b); ++k) thickest = std::max(thickest, s[k].radius);
       tree.capsules_of(b / BlockTree::group)[6 * BlockTree::group + b % BlockTree::group] =
           thickest * tree.scale;
     }
@@ -42,12 +42,40 @@ class NoSagitta final : public FaultyBlocks {
 const RegisterMutant<NoSagitta> sagitta{"capsule-without-sagitta",
                                         "as thick as its spheres, wherever they lie"};
 
+/// The last block of a strand goes on into the next strand, which its capsule was not made for.
+class BlockReadsOn final : public FaultyBlocks {
+  void tamper(const ChainView& chain, BlockTree& tree) override {
+    for (std::uint32_t b = 0; b < tree.blocks; ++b)
+      if (tree.begin_of(b) + BlockTree::block <= chain.size) tree.first[b] &= ~BlockTree::unfilled;
+  }
+};
+const RegisterMutant<BlockReadsOn> reads_on{"block-that-reads-on",
+                                            "eight spheres, whatever the strand has left"};
+
+/// The last sphere of a strand is in no block.
+class BlockOneShort final : public FaultyBlocks {
+  void tamper(const ChainView&, BlockTree& tree) override {
+    for (std::uint32_t b = 0; b < tree.blocks; ++b)
+      if (tree.first[b] & BlockTree::unfilled) --tree.filled[b];
+  }
+};
+const RegisterMutant<BlockOneShort> one_short{"block-one-short",
+                                              "the last of what a strand has left is forgotten"};
+
+/// What ends the chain is read one sphere too early.
+class TailOffByOne final : public FaultyBlocks {
+  void tamper(const ChainView&, BlockTree& tree) override {
+    std::copy(tree.tail, tree.tail + 2 * BlockTree::block - 1, tree.tail + 1);
+  }
+};
+const RegisterMutant<TailOffByOne> tail{"tail-off-by-one", "the last block reads one sphere too early"};
+
 /// Calls order(spheres, window) for each window of two full blocks of one strand, and takes its word.
 class FaultyOrder : public FaultyBlocks {
   void tamper(const ChainView& chain, BlockTree& tree) override {
     for (std::uint32_t b = 0; b + 1 < tree.blocks; ++b) {
       const std::uint32_t i = tree.first[b];
-      if ((i & BlockTree::copied) != 0 || tree.first[b + 1] != i + BlockTree::block) continue;
+      if ((i & BlockTree::unfilled) != 0 || tree.first[b + 1] != i + BlockTree::block) continue;
       if (chain.strand_count > 1 &&
           chain.exclusion.strand_of[i] != chain.exclusion.strand_of[tree.first[b + 1]])
         continue;

@@ -21,6 +21,12 @@ class FaultyHybrid : public HostSearch, public EvidenceNodes {
 
   using Parts = HybridSearch::Parts;
   virtual void tamper(const ChainView& chain, Parts& parts) = 0;
+  /// Where all spheres are dense: whatever is near them.
+  static void all_in_cells(const ChainView& chain, Parts& parts) {
+    if (parts.dense_count < chain.size || chain.size == 0 || parts.in_cells) return;
+    build_grid(chain, parts.grid, {}, Team());
+    parts.in_cells = true;
+  }
 
  private:
   void construct(const ChainView& chain) override {

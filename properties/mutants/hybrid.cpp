@@ -33,6 +33,7 @@ class FewTooFew final : public FaultyHybrid {
     std::vector<std::uint32_t> all(chain.size - few);
     std::iota(all.begin(), all.end(), 0u);
     build_grid(chain, parts.grid, all, Team());
+    parts.in_cells = true;
   }
   static constexpr std::uint32_t few = BlockTree::block;
 };
@@ -56,6 +57,9 @@ const RegisterMutant<TrustsBlocks> trusts_blocks{
 class TrustsCells final : public Trusting {
  public:
   TrustsCells() : Trusting(0) {}
+
+ private:
+  void tamper(const ChainView& chain, Parts& parts) override { all_in_cells(chain, parts); }
 };
 const RegisterMutant<TrustsCells> trusts_cells{
     "exact-stage-left-out-in-cells", "what is within rounding of touching decided without the exact stage"};
@@ -65,7 +69,8 @@ class OneRadius final : public FaultyHybrid {
   OneRadius() : FaultyHybrid({0, 0}) {}
 
  private:
-  void tamper(const ChainView&, Parts& parts) override {
+  void tamper(const ChainView& chain, Parts& parts) override {
+    all_in_cells(chain, parts);
     parts.grid.equal_radii = parts.grid.levels.size() == 1;  // as cells of one width suggest
   }
 };
