@@ -17,7 +17,8 @@ namespace catena {
 /// - the order of space: a SpaceTree of the blocks of nodes that meet more, the *crowded* ones;
 /// - single spheres: of those blocks among them that have so much near them that most of their eight spheres
 ///   must be looked at anyway, the *dense* ones; in cells, a SphereGrid, where their radii are about the same
-///   and enough is near them to share what a cell costs, and else in the order of space, a SphereTree. So are all spheres of strands too short for blocks.
+///   and enough is near them to share what a cell costs, and else in the order of space, a SphereTree. So are
+///   all spheres of strands too short for blocks.
 /// Pairs of two dense blocks are the third one's, those of two other crowded nodes the second one's, the rest
 /// the first one's, so that each is met once. What is crowded or dense is told by a look at some nodes and
 /// blocks, and where it is about even both ways cost about the same.
