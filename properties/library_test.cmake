@@ -1,6 +1,6 @@
 # cmake -DLIBRARY=libcatena.so -DNM=nm -DREADELF=readelf [-DLOG=.ninja_log] [-DSANITIZE=...] -P library_test.cmake
-# Prints what libcatena.so, the smallest build that is of use, weighs, took to compile, shows and needs. It shows names of catena alone, none of its arithmetic, and needs
-# nothing but the C++ runtime, Highway, oneTBB and, if built in, CUDA's.
+# Prints what libcatena.so, the smallest build that is of use, weighs, took to compile, shows and needs. It shows names of
+# catena alone, none of its arithmetic, and needs nothing but the C++ runtime, fmt, Highway, oneTBB and, if built in, CUDA's.
 cmake_minimum_required(VERSION 3.25)
 
 function(lines_of out)
@@ -66,7 +66,7 @@ foreach(line ${dynamic})
   if(SANITIZE AND name MATCHES "^lib(asan|ubsan|tsan)\\.")
     continue()
   endif()
-  if(NOT name MATCHES "^(libstdc\\+\\+|libm|libgcc_s|libc|libpthread|libcudart|libhwy|libhwy_contrib|libtbb|ld-linux[^.]*)\\.so")
+  if(NOT name MATCHES "^(libstdc\\+\\+|libm|libgcc_s|libc|libpthread|libcudart|libfmt|libhwy|libhwy_contrib|libtbb|ld-linux[^.]*)\\.so")
     list(APPEND leaked "needs ${name}")
   endif()
 endforeach()
