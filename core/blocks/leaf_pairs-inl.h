@@ -92,31 +92,35 @@ class LeafPairs {
       may &= inside_;
     else if (window_is_all_ && tree_.first[b] == tree_.first[a] + block)
       may &= next_;
+    if (may == 0) return;
+    const std::uint32_t begin = tree_.begin_of(a);
+    const IndexRange indices{tree_.begin_of(b), tree_.end_of(b)};
     while (may != 0) {
       const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
-      row(a, p, of_a(p), b, of_b);
+      row(begin + p, of_a(p), indices, of_b);
       may &= ~std::uint64_t{0} << (block * p) << block;
     }
     if (hit_count_ > BlockQueues::hit_limit) hand_over();
     if (open_.full()) decide();
   }
 
-  /// Sphere p of block a, and those of block b.
-  HWY_INLINE void row(std::uint32_t a, std::uint32_t p, const Sphere& sphere, std::uint32_t b,
-                      const SphereLanes& of_b) {
-    const std::uint32_t i = tree_.index(a, p);
+  struct IndexRange {
+    std::uint32_t begin, end;
+  };
+
+  /// Sphere i, and those of block b, which are these.
+  HWY_INLINE void row(std::uint32_t i, const Sphere& sphere, IndexRange b, const SphereLanes& of_b) {
     // Who may be no neighbour: indices from `first` to the end of the block.
     const std::uint64_t first = std::uint64_t{i} + window_ + 1;
-    const std::uint32_t begin = tree_.begin_of(b), end = tree_.end_of(b);
-    if (first >= end) return;
+    if (first >= b.end) return;
     const SphereLanes::Squares squares = of_b.squares(sphere);
     const Flags<block> may = SphereLanes::may_overlap(squares, slack_),
                        certain = SphereLanes::overlap_for_certain(squares, slack_);
     const auto from = static_cast<std::uint32_t>(first);
     for (std::size_t k = 0; k < Lanes8::parts; ++k) {
       const Bits bits;
-      const auto j = count_up(bits, begin + static_cast<std::uint32_t>(k * Lanes8::width));
-      const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, end - from));
+      const auto j = count_up(bits, b.begin + static_cast<std::uint32_t>(k * Lanes8::width));
+      const auto wanted = hn::Lt(hn::Sub(j, hn::Set(bits, from)), hn::Set(bits, b.end - from));
       auto keep = hn::And(hn::RebindMask(bits, may.part[k]), wanted);
       const auto open = hn::AndNot(hn::RebindMask(bits, certain.part[k]), keep);
       if (HWY_UNLIKELY(!hn::AllFalse(bits, open))) {
