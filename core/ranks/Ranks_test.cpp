@@ -20,9 +20,8 @@ INSTANTIATE_TEST_SUITE_P(Host, RanksProperties,
                                          "Ranks(ranks=3,order=space,blocks_at_once=1)",
                                          "Ranks(ranks=4,order=space,meetings=0)",
                                          "Ranks(ranks=3,order=chain,meetings=1)",
-                                         "Ranks(ranks=7,order=space,parts=uneven)",
                                          "Ranks(ranks=5,order=chain,parts=uneven,blocks_at_once=2)",
-                                         "Ranks(ranks=11,order=space)"),
+                                         "Ranks(ranks=9,order=space,parts=uneven)"),
                          [](const auto& of) { return fmt::format("Case{}", of.index); });
 
 }  // namespace
