@@ -202,14 +202,14 @@ __global__ void __launch_bounds__(CellBins::threads)
 
 /// The parameter that says which chains go through bins.
 inline ParameterInfo binned_parameter() {
-  return {"binned", "4294967295", "chains of fewer spheres go into cells without bins"};
+  return {"binned", "1500000", "chains of fewer spheres go into cells without bins"};
 }
 
 /// Memory of CellBins on a device, and their kernels.
 class DeviceCellBins {
  public:
   /// Spheres of a chain that are not too many in one bin have their places in cells.sphere then, and these
-  /// cells their starts; state->in_bins says whether that is done.
+  /// cells their starts; state->in_bins says whether that is done: not without the memory for it.
   template <class Members>
   void enqueue(const ChainView& chain, const SphereCells& cells, const Members& members,
                cudaStream_t stream) {
@@ -219,9 +219,11 @@ class DeviceCellBins {
     if (CellBins::most > count_.capacity())  // between sorts all counts are 0
       CATENA_CUDA(cudaMemsetAsync(count_.reserve(CellBins::most, stream), 0,
                                   CellBins::most * sizeof(std::uint32_t), stream));
-    const CellBins bins{count_.data(), begin_.reserve(CellBins::most + 1, stream),
-                        next_.reserve(CellBins::most, stream), sphere_.reserve(chain.size, stream),
-                        cells.octaves.equal ? nullptr : index_.reserve(chain.size, stream)};
+    CellBins bins{count_.data(), begin_.reserve(CellBins::most + 1, stream),
+                  next_.reserve(CellBins::most, stream), nullptr, nullptr};
+    if (!sphere_.try_reserve(chain.size, stream)) return;
+    if (!cells.octaves.equal && !index_.try_reserve(chain.size, stream)) return;
+    bins.sphere = sphere_.data(), bins.index = index_.data();
     const auto blocks = [&](std::uint32_t together, unsigned most) {
       return std::min((chain.size + together - 1) / together, most);
     };

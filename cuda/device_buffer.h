@@ -35,23 +35,27 @@ class DeviceBuffer {
   /// Room for n elements; the contents are lost when it grows. Throws CapacityError, naming need and supply,
   /// when the device has not that much memory.
   T* reserve(std::size_t n, cudaStream_t stream) {
-    if (n <= capacity_) return data_;
+    if (try_reserve(n, stream)) return data_;
+    std::size_t free = 0, total = 0;
+    CATENA_CUDA(cudaMemGetInfo(&free, &total));
+    const auto mib = [](std::size_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
+    throw CapacityError("out of device memory: " + mib(n * sizeof(T)) + " are needed, " + mib(free) + " of " +
+                        mib(total) + " are free; the variant DeviceParts takes a chain part after part");
+  }
+  /// The same for what can be done without: false where there is no room.
+  bool try_reserve(std::size_t n, cudaStream_t stream) {
+    if (n <= capacity_) return true;
     release(stream);
     CATENA_CUDA(cudaGetDevice(&device_));
     const cudaError_t code = cudaMallocAsync(&data_, n * sizeof(T), stream);
     if (code == cudaErrorMemoryAllocation) {
       cudaGetLastError();
       data_ = nullptr;
-      std::size_t free = 0, total = 0;
-      CATENA_CUDA(cudaMemGetInfo(&free, &total));
-      const auto mib = [](std::size_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
-      throw CapacityError("out of device memory: " + mib(n * sizeof(T)) + " are needed, " + mib(free) +
-                          " of " + mib(total) +
-                          " are free; the variant DeviceParts takes a chain part after part");
+      return false;
     }
     check(code, "cudaMallocAsync", __FILE__, __LINE__);
     capacity_ = n;
-    return data_;
+    return true;
   }
 
   T* data() const { return data_; }

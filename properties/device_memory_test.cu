@@ -58,12 +58,17 @@ Chain block_of_spheres(int count) {
 /// nvcc has no code for that of Pair.
 bool same(const Pair& a, const Pair& b) { return a.i == b.i && a.j == b.j; }
 
+Collisions answer_of_host(const Chain& chain) {
+  const auto host = StrategyRegistry::instance().make("Grid");
+  Collisions found;
+  host->build(chain), host->find(chain, {}, found);
+  sort(found.pairs);
+  return found;
+}
+
 TEST_F(DeviceMemory, WhereItEndsAutoGoesOnInPartsOrOnTheHost) {
   const Chain chain = block_of_spheres(1'500'000);
-  const auto host = StrategyRegistry::instance().make("Grid");
-  Collisions expected;
-  host->build(chain), host->find(chain, {}, expected);
-  sort(expected.pairs);
+  const Collisions expected = answer_of_host(chain);
   ASSERT_GT(expected.pair_count, 2'000'000u);
   const auto answered = [&](std::size_t bytes) {
     const LimitedMemory limit(bytes);
@@ -82,6 +87,33 @@ TEST_F(DeviceMemory, WhereItEndsAutoGoesOnInPartsOrOnTheHost) {
   EXPECT_EQ(answered(std::size_t{96} << 20), "DeviceParts");
   const std::string without = answered(1);  // some: a pool has whole pages
   EXPECT_NE(without, with_room);
+}
+
+/// Bins are faster, and need memory of their own: where there is none, cells are made without them.
+TEST_F(DeviceMemory, CellsAreMadeWithoutBinsWhereThereIsNoRoomForThem) {
+  const Chain chain = block_of_spheres(400'000);
+  const Collisions expected = answer_of_host(chain);
+  ASSERT_GT(expected.pair_count, 500'000u);
+  /// Whether it answered by so much memory; rightly, then.
+  const auto answered = [&](const char* name, std::size_t mib) {
+    const LimitedMemory limit(mib << 20);
+    const auto variant = StrategyRegistry::instance().make(name);
+    Collisions found;
+    try {
+      variant->build(chain), variant->find(chain, {.want = Request::Want::counts}, found);
+    } catch (const CapacityError&) {
+      return false;
+    }
+    EXPECT_EQ(found.count, expected.count) << name << ", " << mib << " MiB";
+    return true;
+  };
+  std::size_t least = 2;
+  while (least < 256 && !answered("DeviceGrid(binned=4294967295)", least)) least += 2;
+  ASSERT_GT(least, 2u);
+  ASSERT_LT(least, 256u);
+  EXPECT_TRUE(answered("DeviceGrid(binned=0)", least));  // with no room for bins
+  EXPECT_TRUE(answered("DeviceGrid(binned=0)", least + 16));
+  for (std::size_t mib = 2; mib < least + 16; mib += 2) answered("DeviceGrid(binned=0)", mib);
 }
 
 }  // namespace
