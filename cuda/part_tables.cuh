@@ -19,7 +19,7 @@ struct NumberRuns {
 };
 
 /// One thread a sphere.
-inline __global__ void number_spheres(NumberRuns of, std::uint32_t size, std::uint32_t* id) {
+static __global__ void number_spheres(NumberRuns of, std::uint32_t size, std::uint32_t* id) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (i >= size) return;
   std::uint32_t run = of.run_at == nullptr ? 0 : of.run_at[i / parts::LocalChain::stride];

@@ -91,10 +91,10 @@ TEST_F(DeviceMemory, WhereItEndsAutoGoesOnInPartsOrOnTheHost) {
 
 /// Bins are faster, and need memory of their own: where there is none, cells are made without them.
 TEST_F(DeviceMemory, CellsAreMadeWithoutBinsWhereThereIsNoRoomForThem) {
-  const Chain chain = block_of_spheres(400'000);
+  const Chain chain = block_of_spheres(4'000'000);
   const Collisions expected = answer_of_host(chain);
-  ASSERT_GT(expected.pair_count, 500'000u);
-  /// Whether it answered by so much memory; rightly, then.
+  ASSERT_GT(expected.pair_count, 5'000'000u);
+  /// Whether so much memory was enough; the answer is right, then.
   const auto answered = [&](const char* name, std::size_t mib) {
     const LimitedMemory limit(mib << 20);
     const auto variant = StrategyRegistry::instance().make(name);
@@ -107,13 +107,15 @@ TEST_F(DeviceMemory, CellsAreMadeWithoutBinsWhereThereIsNoRoomForThem) {
     EXPECT_EQ(found.count, expected.count) << name << ", " << mib << " MiB";
     return true;
   };
-  std::size_t least = 2;
-  while (least < 256 && !answered("DeviceGrid(binned=4294967295)", least)) least += 2;
-  ASSERT_GT(least, 2u);
-  ASSERT_LT(least, 256u);
-  EXPECT_TRUE(answered("DeviceGrid(binned=0)", least));  // with no room for bins
-  EXPECT_TRUE(answered("DeviceGrid(binned=0)", least + 16));
-  for (std::size_t mib = 2; mib < least + 16; mib += 2) answered("DeviceGrid(binned=0)", mib);
+  constexpr std::size_t step = 32, for_bins = 64;  // a pool grows by so much, and these spheres are so large
+  std::size_t least = step;
+  while (least < 4096 && !answered("DeviceGrid(binned=4294967295)", least)) least += step;
+  ASSERT_GT(least, step);
+  ASSERT_LT(least, 4096u);
+  for (std::size_t mib = step; mib < least; mib += step)
+    EXPECT_FALSE(answered("DeviceGrid(binned=0)", mib)) << mib;
+  EXPECT_TRUE(answered("DeviceGrid(binned=0)", least)) << least;
+  EXPECT_TRUE(answered("DeviceGrid(binned=0)", least + step + for_bins)) << least;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ if(NOT catena_tests_TESTS)
 endif()
 
 # Needs a device; skipped without one.
-set(gpu Device DeviceGolden DeviceMemory)
+set(gpu Device DeviceGolden DeviceMemory DeviceTrial)
 # Not in the fast suite; `ctest --preset long`.
 set(long SmallScopeLong SnakeLong StabilityLong SizesLong EnumerateLong LatticeBoxLong SecondArithmeticLong GrowthLong EndToEndLong)
 set(golden Golden DeviceGolden)

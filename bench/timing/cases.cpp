@@ -15,7 +15,7 @@ bool worth_measuring(const WorkloadFacts& facts, const VariantInfo& variant, Sta
                      std::uint32_t most_all_pairs) {
   if (variant.unavailable || (stage == Stage::update && facts.frames < 2)) return false;
   if (stage == Stage::resident && facts.in_box) return false;  // the images are made on the host
-  if (stage == Stage::resident && !std::ranges::all_of(variant.places, &Place::on_device)) return false;
+  if (stage == Stage::resident && !variant.resident) return false;
   if (!variant.all_pairs) return true;
   return stage != Stage::build && stage != Stage::update &&
          facts.n <= (variant.on_device() ? most_all_pairs_device : most_all_pairs);

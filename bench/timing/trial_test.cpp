@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "catena/bench/timing/cases.h"
 #include "catena/bench/timing/times_told.h"
 #include "catena/core/commands/input_options.h"
@@ -142,6 +144,22 @@ TEST(Trial, InABoxTimesWhatDetectAnswers) {
   EXPECT_EQ(found.pairs, work->exact[0].pairs);
   for (const Case& c : cases({spec}, StrategyRegistry::instance().variants()))
     EXPECT_NE(c.stage, Stage::resident);
+}
+
+/// Each stage that is measured of a device's variants can be: DeviceParts takes chains of the host alone.
+TEST(DeviceTrial, EveryStageOfEveryVariantIsTimed) {
+  std::vector<VariantInfo> variants = StrategyRegistry::instance().variants();
+  std::erase_if(variants, [](const VariantInfo& v) { return !v.on_device(); });
+  if (variants.empty()) GTEST_SKIP() << "built without CUDA";
+  if (variants[0].unavailable) GTEST_SKIP() << *variants[0].unavailable;
+  std::set<Stage> stages;
+  for (const Case& c : cases({{"yarn:n=500"}, {"path1:n=500"}}, variants)) {
+    Trial trial(c.spec, c.variant);
+    ASSERT_EQ(trial.prepare(), "") << c.name();
+    EXPECT_GT(trial.run(c.stage), 0) << c.name();
+    stages.insert(c.stage);
+  }
+  EXPECT_EQ(stages.size(), 5u);
 }
 
 TEST(Trial, ALabelSaysNInDigits) { EXPECT_EQ(label_of({"path1:spacing=2,n=1e3"}), "path1:spacing=2/n:1000"); }

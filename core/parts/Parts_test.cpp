@@ -74,8 +74,8 @@ TEST(Parts, NumbersSayNeighboursAsTheWholeDoes) {
       joined(std::vector<Sphere>(100, Sphere{0, 0, 0, 1}), {},
              {Exclusion::Rule::index_window, 1, 0, {Pair{3, 70}}});
   for (const Chain* chain : {&strands, &joined})
-    EXPECT_FALSE(
-        parts::LocalChain(*chain, {.own = {{0, 100}}}, parts::LocalChain::Neighbours::by_number).by_number());
+    EXPECT_FALSE(parts::LocalChain(*chain, {{}, {{0, 100}}, {}}, parts::LocalChain::Neighbours::by_number)
+                     .by_number());
 }
 
 std::uint64_t step(const Variant& variant, const std::string& name) {

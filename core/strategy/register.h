@@ -1,6 +1,7 @@
 #pragma once
 #include <concepts>
 #include <memory>
+#include <type_traits>
 #include <typeindex>
 
 #include "catena/core/arithmetic/arithmetic_policy.h"
@@ -8,6 +9,7 @@
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/strategy/composed.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/resident.h"
 
 namespace catena {
 
@@ -80,7 +82,8 @@ struct RegisterTraversal {
 /// A variant complete in itself, in several arithmetics.
 template <template <class> class Whole, ArithmeticPolicy... Arithmetics>
 struct RegisterVariant {
-  explicit RegisterVariant(const StrategyInfo& info) {
+  explicit RegisterVariant(StrategyInfo info) {
+    info.resident = (std::is_base_of_v<ResidentSearch, Whole<Arithmetics>> && ...);
     (StrategyRegistry::instance().add_variant(info, arithmetic_info<Arithmetics>(),
                                               make_strategy<Whole<Arithmetics>, Variant>),
      ...);

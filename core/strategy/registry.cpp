@@ -105,6 +105,7 @@ VariantInfo StrategyRegistry::info_of(const VariantEntry& entry) const {
   info.all_pairs = entry.info.all_pairs;
   info.has_tree = entry.info.has_tree;
   info.peer = entry.info.peer;
+  info.resident = entry.info.resident;
   info.hidden = entry.hidden;
   info.promises = entry.info.promises;
   info.cost = entry.info.cost;
@@ -122,6 +123,7 @@ VariantInfo StrategyRegistry::info_of(const StageEntry& construction, const Stag
   info.summary = construction.info.summary + "; " + traversal.info.summary;
   info.exact = construction.arithmetic.exact && traversal.arithmetic.exact;
   info.has_tree = true;
+  info.resident = construction.info.place.on_device() && traversal.info.place.on_device();
   info.promises = {construction.info.promises.same_bits, traversal.info.promises.same_order};
   info.unavailable = reason(construction.info);
   if (!info.unavailable) info.unavailable = reason(traversal.info);

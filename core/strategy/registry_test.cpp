@@ -39,7 +39,9 @@ TEST(Registry, EveryListedVariantIsMadeByItsName) {
   for (const auto& v : variants) {
     EXPECT_TRUE(names.insert(v.name).second) << v.name << " is listed twice";
     if (!v.unavailable) {
-      EXPECT_NE(registry().make(v.name), nullptr) << v.name;
+      const auto variant = registry().make(v.name);
+      ASSERT_NE(variant, nullptr) << v.name;
+      EXPECT_EQ(variant->resident() != nullptr, v.resident) << v.name;
     }
   }
   for (const char* name : {"CPU1", "aCPU2+CPU2", "aCPU2+CPU2/literal", "aGPU2@host+GPUv2@host/double"})

@@ -35,6 +35,7 @@ struct CATENA_API StrategyInfo {
   std::optional<Cost> cost = {};
   /// Why it cannot run on this machine; nullopt when it can. Empty function: it always can.
   std::function<std::optional<std::string>()> unavailable = {};
+  bool resident = false;  ///< a variant complete in itself that is a ResidentSearch: registering it says so
 };
 
 /// How a variant computes.
@@ -55,6 +56,7 @@ struct CATENA_API VariantInfo {
   bool all_pairs = false;  ///< O(n^2)
   bool has_tree = false;   ///< shows a hierarchy
   bool peer = false;       ///< somebody else's library
+  bool resident = false;   ///< Variant::resident() is not null: it takes a chain that lies on its device
   bool hidden = false;     ///< a mutant: made by name, never listed among the variants
   Promises promises = {};
   std::optional<Cost> cost = {};
