@@ -60,16 +60,9 @@ COLOURS = [f"c{i}" for i in range(10)]
 MARKERS = ["circle", "square", "diamond", "triangle-up", "cross", "triangle-down", "star", "hexagon"]
 SPARE = ["triangle-left", "triangle-right", "pentagon"]  # for those of one colour
 DASHES = {"robust": "solid", "literal": "dot", "double": "dash"}
-PAPER = [
-    "CPU2",
-    "GPU1",
-    "GPU2",
-    "GPUv2",
-    "CPU1",
-    "aCPU2",
-    "aGPU2",
-    "bGPU2",
-]  # the paper's, in the palette's order
+# In the palette's order, which begins anew after ten: who is most often drawn beside one another comes first.
+PROMINENT = ["CPU2", "GPU1", "GPU2", "GPUv2", "CPU1", "auto", "Hybrid", "ChainTree", "DeviceHybrid", "DeviceGrid"]
+PROMINENT += ["aCPU2", "aGPU2", "bGPU2"]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -94,7 +87,7 @@ class Looks:
 
     def __init__(self, variants):
         found = {stage.algorithm for variant in variants for stage in variant.stages if not variant.peer}
-        known = [name for name in PAPER if name in found]
+        known = [name for name in PROMINENT if name in found]
         self.order = known + sorted(found - set(known))
         constructions = sorted({v.construction.algorithm if v.composed else "" for v in variants if not v.peer})
         self.markers = {name: MARKERS[at % len(MARKERS)] for at, name in enumerate(constructions)}
