@@ -11,7 +11,7 @@ namespace catena {
 /// buckets of level l, and, where `across`, of its members, which are to be met with coarser levels.
 template <class Search>
 void for_each_part(const SphereGrid& grid, const Team& team, const Search& search) {
-  constexpr std::uint32_t buckets_of_a_task = 4096, members_of_a_task = 2048;
+  constexpr std::uint32_t buckets_of_a_task = 512, members_of_a_task = 512;
   for (std::size_t l = 0; l < grid.levels.size(); ++l) {
     const SphereGrid::Level& level = grid.levels[l];
     team.for_each_range(

@@ -119,7 +119,9 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
     EXPECT_GE(now, before) << n;
     EXPECT_LE(now, 16u);
     if (now > 1) {
-      EXPECT_LT(SearchPlan(n, {}, of, {}).estimate_ms(), of.costs[0].cost.ms(n)) << n;
+      const double alone = of.costs[0].cost.ms(n), team = of.costs[0].cost.team_us * 1e-3;
+      EXPECT_LT(SearchPlan(n, {}, of, {}).estimate_ms(), alone) << n;
+      EXPECT_GT((alone - 1e-3) / 2 * of.costs[0].cost.serial, team) << n << ": where half is to be done, too";
     }
     before = now;
   }
