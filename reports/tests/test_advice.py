@@ -71,8 +71,10 @@ class OfTheH200(unittest.TestCase):
         cls.medians = raw_medians(cls.run_, "whole")
 
     def test_the_advice_for_a_thousand_spheres_is_what_a_caller_waits_for_least(self):
-        self.assertEqual(choice.choose(self.run_, waits.end_to_end(self.run_))["path1/n:1000"].leader, "ChainTree")
-        self.assertAlmostEqual(self.medians["path1/n:1000"]["ChainTree"], 0.0124, places=4)
+        own = exact(self.run_, self.medians["path1/n:1000"])
+        chosen = choice.choose(self.run_, waits.end_to_end(self.run_))["path1/n:1000"]
+        self.assertEqual(chosen.leader, min(own, key=own.get))
+        self.assertGreater(len(own), 20)
 
     @recomputes("table:choice")
     def test_every_row_of_the_choice_is_the_least_median_and_its_ratio(self):
@@ -140,9 +142,10 @@ class TwoRunsOfOneMachine(unittest.TestCase):
     def test_the_one_that_timed_more_variants_advises(self):
         runs = [runfile.load(QUICK), runfile.load(made.H200)]
         rows = [[cell.text for cell in row] for row in advice.summary_table(report.Report(runs)).rows]
-        small = [row for row in rows if row[1].startswith("1,000 to 5,000 spheres")]
-        self.assertEqual([row[0] for row in small], ["auto"])
-        self.assertIn("h200_quick", small[0][-1])  # and not h200_tables, which timed path1/n:1000 as well
+        quick, tables = ([row for row in rows if name in row[-1]] for name in ("h200_quick", "h200_tables"))
+        self.assertIn("auto", [row[0] for row in quick])  # and not h200_tables, which timed path1/n:1000 as well
+        self.assertFalse([row for row in tables if row[1].startswith(("1,000 spheres", "2,000 spheres"))])
+        self.assertTrue(tables)
 
 
 class Ranks(unittest.TestCase):
