@@ -15,7 +15,8 @@ const UnusualKind& info(Kind kind) {
   static const std::array<UnusualKind, 5> all{{
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another, in a chain whose parts lie apart"},
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
-      {"Grid", "at most 2,048 spheres of like radii, which fill a quarter of their box to six times all of it"},
+      {"Grid",
+       "at most 2,048 spheres of like radii, which fill a quarter of their box to six times all of it"},
       {"SphereTree", "at most 2,048 spheres, which fill their box more than six times or have unlike radii"},
       {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty"},
   }};
