@@ -58,9 +58,9 @@ bool FrameSearch::search_all(const Chain& chain, const Request& request, Collisi
 }
 
 void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
+  const Stopwatch watch;
   const bool fresh = !list_->made();
   if (fresh) {
-    const Stopwatch watch;
     list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_own_pairs,
                 [&](const Chain& thick, const Request& request, Collisions& found) {
                   const Stopwatch searching;
@@ -68,15 +68,14 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
                   policy_.searched_thicker(searching.ms());
                 });
     by_list_ = false;
-    policy_.rebuilt(watch.ms(), move_, skin_, radius_);
     made_ = true;
   }
   if (!list_->made()) {
+    policy_.rebuilt(watch.ms(), move_, skin_, radius_);
     search(chain, all_pairs(), answer_.room());
     answer_.found();
     return remember(chain);
   }
-  const Stopwatch watch;
   bool pruned = false;
   answer_.rewrite([&](std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts, bool stand) {
     pruned = list_->find(chain.spheres(), pairs, counts, stand && by_list_);
@@ -84,9 +83,9 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   by_list_ = true;
   remember(chain);
   compared_ = list_->open_size();
-  // The first use of a list brings it into the cache, and is no measure of the next ones.
-  if (fresh) return;
-  if (pruned)
+  if (fresh)
+    policy_.rebuilt(watch.ms() + holds_ms_, move_, skin_, radius_);
+  else if (pruned)
     policy_.pruned(watch.ms() + holds_ms_, static_cast<double>(list_->size()),
                    static_cast<double>(answer_.pairs().size()));
   else
@@ -167,11 +166,12 @@ void FrameSearch::heed_full_search() {
 /// Books what the frame took beside a full search.
 void FrameSearch::settle(double ms) {
   if (!updated_ || policy_.cold()) return;
-  constexpr double most_of_a_look = 1, most_of_a_list = 8;
+  constexpr double most_of_a_look = 1, most_of_a_list = 8, most_of_the_first = 2;
   looks_.frame(), lists_.frame();
   constexpr double doubtful = 0.4;
   if (way_ != Way::full && !made_ && ms > doubtful * policy_.full_ms()) ++doubt_;
-  if (way_ == Way::kept_list) lists_.used(ms, policy_.full_ms(), most_of_a_list);
+  if (way_ == Way::kept_list)
+    lists_.used(ms, policy_.full_ms(), policy_.first_list() ? most_of_the_first : most_of_a_list);
   if (!made_) looks_.used(ms, way_ == Way::full ? full_ms_ : policy_.full_ms(), most_of_a_look);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <stdexcept>
 
@@ -17,8 +18,8 @@ using Way = FrameSearch::Way;
 /// Frames of a chain, each searched; every full search of it is counted.
 class Frames {
  public:
-  explicit Frames(const Chain& first, std::vector<std::string> keep = {})
-      : search_(Omissions::without(keep), true),
+  explicit Frames(const Chain& first, std::vector<std::string> keep = {}, bool always = true)
+      : search_(Omissions::without(keep), always),
         base_(StrategyRegistry::instance().make("Hybrid")),
         chain_(first) {
     search_.begin(true);
@@ -115,6 +116,36 @@ TEST(FrameSearch, FollowsSpheresThatGoToAndFroAndOtherFramesBetween) {
     EXPECT_EQ(frames.next(spheres), Way::kept_list) << k;
   }
   EXPECT_LT(frames.searches(), 40u) << "lists are used";
+}
+
+/// Sequences that nothing was measured on: stretches of frames of one kind, one after the other by chance.
+TEST(FrameSearch, MeasuredTimesChooseTheWayAndNeverTheAnswer) {
+  Frames frames(yarn(), {}, false);
+  std::mt19937 random(4);
+  const auto by = [&](float most) { return std::uniform_real_distribution<float>(-most, most)(random); };
+  const auto shake = [&](std::span<Sphere> some, float most) {
+    for (Sphere& s : some) s.x += by(most), s.y += by(most), s.z += by(most);
+  };
+  std::array<int, 5> ways{};
+  for (int stretch = 0; stretch < 40; ++stretch) {
+    const unsigned kind = random() % 8;
+    const float step = std::array{0.001f, 0.01f, 0.05f, 0.4f}[random() % 4];
+    const std::size_t begin = random() % 2500, size = 1 + random() % 500;
+    for (int k = 0; k < 12; ++k) {
+      std::vector<Sphere> spheres = frames.spheres();
+      if (kind < 3) shake(spheres, step);
+      if (kind == 3) shake(std::span(spheres).subspan(begin, size), step);
+      if (kind == 4 && k % 2 == 0) shake(spheres, step);  // and every other frame does not move
+      if (kind == 5)
+        for (Sphere& s : spheres) s.radius *= 1 + (k % 2 == 0 ? step : -step) / 4;
+      if (kind == 6)  // all turns about an axis
+        for (Sphere& s : spheres) s = {s.x - step * s.y, s.y + step * s.x, s.z, s.radius};
+      if (kind == 7) std::ranges::rotate(spheres, spheres.begin() + 7);
+      ++ways[static_cast<std::size_t>(frames.next(spheres))];
+    }
+  }
+  EXPECT_GT(ways[static_cast<std::size_t>(Way::full)], 0);
+  EXPECT_GT(ways[static_cast<std::size_t>(Way::unmoved)], 0);
 }
 
 TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {

@@ -33,8 +33,8 @@ class CATENA_API ListPolicy {
   }
   /// The chain has so many spheres: what looking at each takes is guessed until it was measured.
   void expect(double spheres) { spheres_ = spheres; }
-  /// A list of spheres of about this radius, thicker by `skin`, was made, of a chain whose spheres were to
-  /// move by `move` a frame.
+  /// A list of spheres of about this radius, thicker by `skin`, was made and a frame answered by it, of a
+  /// chain whose spheres were to move by `move` a frame.
   void rebuilt(double ms, double move, double skin, double radius) {
     // The first ones touch memory for the first time, too.
     const double guess = rebuild_ms(skin, radius),
@@ -95,6 +95,8 @@ class CATENA_API ListPolicy {
   /// A list that stands, whatever making it took.
   bool use_pays() const { return use_ms() + growth_ms_ * life(skin_, move_) + prune_ms_ < 0.9 * full_ms_; }
   double full_ms() const { return full_ms_; }
+  /// No list was made but the last one, which touched memory for the first time.
+  bool first_list() const { return made_ <= 1; }
 
  private:
   static constexpr unsigned cold_searches = 2;
