@@ -1,5 +1,6 @@
 #include "catena/core/plan/unusual_kind.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -50,18 +51,27 @@ double share_that_meets(std::span<const Sphere> spheres) {
   return static_cast<double>(meet) / static_cast<double>(all);
 }
 
-/// How much of a sphere, on average of some, is not within the next one along the chain.
-double share_beside_the_next(std::span<const Sphere> spheres) {
-  constexpr std::size_t some = 61;  // a prime: no period of the chain hides what there is
-  double sum = 0;
+double distance(const Sphere& a, const Sphere& b) {
+  const double x = double{a.x} - b.x, y = double{a.y} - b.y, z = double{a.z} - b.z;
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+/// How the chain goes from sphere to sphere, by some of them.
+struct Course {
+  double beside;    ///< how much of a sphere is not within the next one: 1 of spheres that touch
+  double straight;  ///< from a sphere to the seventh after it, of the way along the chain
+};
+Course course(std::span<const Sphere> spheres) {
+  constexpr std::size_t some = 16, row = 8;
+  if (spheres.size() < row) return {1, 0};
+  double beside = 0, along = 0, across = 0;
   for (std::size_t k = 0; k < some; ++k) {
-    const std::size_t i = k * (spheres.size() - 2) / (some - 1);
-    const Sphere &a = spheres[i], &b = spheres[i + 1];
-    const double step = std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z),
-                 reach = double{a.radius} + b.radius;
-    sum += step < reach ? step / reach : 1;
+    const auto at = spheres.subspan(k * (spheres.size() - row) / (some - 1), row);
+    beside += std::min(1.0, distance(at[0], at[1]) / (double{at[0].radius} + at[1].radius));
+    for (std::size_t i = 1; i < row; ++i) along += distance(at[i - 1], at[i]);
+    across += distance(at.front(), at.back());
   }
-  return sum / some;
+  return {beside / some, along > 0 ? across / along : 0};
 }
 
 }  // namespace
@@ -69,9 +79,10 @@ double share_beside_the_next(std::span<const Sphere> spheres) {
 const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres) {
   // Measured over the registry's scenes and walks in boxes of any fill: these take 0.2 to 0.9 of the usual
   // variant's time.
-  constexpr double widest = 0x1p60, sparse = 0.25, full = 0.2, dense = 6, very_dense = 10, few_meet = 0.5,
-                   most_meet = 0.7;
-  constexpr std::uint32_t few = 2048;  // no node of 128 spheres can meet so many others that it is crowded
+  constexpr double widest = 0x1p60, sparse = 0.25, full = 0.2, dense = 6, very_dense = 10;
+  constexpr double few_meet = 0.5, most_meet = 0.7, smooth = 0.98;
+  constexpr std::uint32_t few = 2048;      // no node of 128 spheres can meet so many others that it is crowded
+  constexpr std::uint32_t very_few = 512;  // they are searched before it is seen how they lie
   if (extent.greatest_radius > 0) {
     if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius &&
         !spheres.empty() && share_that_meets(spheres) < few_meet)
@@ -79,10 +90,16 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     if (extent.greatest_radius < std::numeric_limits<float>::min()) return &info(subnormal);
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius;
-    if (n <= few)
-      return &info(filled <= sparse ? short_sparse : like && filled <= dense ? short_crowded : short_dense);
-    if (like && filled > full && filled <= very_dense && spheres.size() > 1 &&
-        filled * share_beside_the_next(spheres) > full && share_that_meets(spheres) > most_meet)
+    if (n <= few) {
+      if (filled <= sparse) return &info(short_sparse);
+      if (!like || filled > dense) return &info(short_dense);
+      if (n <= very_few) return &info(short_crowded);
+      // Blocks of a smooth tube are told apart by their capsules.
+      const Course c = course(spheres);
+      return &info(c.straight > smooth && filled * c.beside <= sparse ? short_sparse : short_crowded);
+    }
+    if (like && filled > full && filled <= very_dense && filled * course(spheres).beside > full &&
+        !spheres.empty() && share_that_meets(spheres) > most_meet)
       return &info(crowded);
   }
   return nullptr;
