@@ -81,8 +81,9 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
   // variant's time.
   constexpr double widest = 0x1p60, sparse = 0.25, full = 0.2, dense = 6, very_dense = 10;
   constexpr double few_meet = 0.5, most_meet = 0.7, smooth = 0.98;
-  constexpr std::uint32_t few = 2048;      // no node of 128 spheres can meet so many others that it is crowded
-  constexpr std::uint32_t very_few = 512;  // they are searched before it is seen how they lie
+  // No node of 128 spheres of a few can meet so many others that it is crowded; very few are searched before
+  // it is seen how they lie.
+  constexpr std::uint32_t few = 2048, very_few = 512;
   if (extent.greatest_radius > 0) {
     if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius &&
         !spheres.empty() && share_that_meets(spheres) < few_meet)
