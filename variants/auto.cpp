@@ -131,6 +131,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       build_searcher(chain);
       spheres_ = chain.size();
       timings_ = build_timings_ = searcher_->timings();
+      building_ms_ = build_timings_.build_ms + build_timings_.transfer_ms;
       return;
     }
     const Stopwatch watch;
@@ -140,8 +141,10 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       if (!contact_) contact_ = part_look_.look(chain.view(), request_.queries);
     }
     if (frames_count()) see();
+    const double looked_ms = watch.ms();
     if (!contact_ && way_ == FrameSearch::Way::full) build_searcher(chain);
     spheres_ = chain.size();
+    building_ms_ = watch.ms() - looked_ms;
     build_timings_ = built_ && plan_->on_device() ? searcher_->timings() : Timings{watch.ms()};
     timings_ = build_timings_;
   }
@@ -161,7 +164,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     timings_ = build_timings_;
     search([this](const Chain& c, const Request& r, Collisions& found) { search_here(c, r, found); },
            [this](const Chain& c, const Request& r, Collisions& found) { search_other(c, r, found); },
-           build_timings_.build_ms + build_timings_.transfer_ms);
+           building_ms_);
     if (built_ && plan_->on_device())
       timings_ = searcher_->timings();
     else
@@ -256,7 +259,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   bool built_ = false;                    ///< the searcher, on the chain of the last build or update
   std::optional<std::uint32_t> spheres_;  ///< of the last build or update
   Timings timings_, build_timings_;
-  Collisions own_;  ///< of a find_kept that no frame before helps
+  double building_ms_ = 0;  ///< of the searcher alone, by the last build or update
+  Collisions own_;          ///< of a find_kept that no frame before helps
 };
 
 const RegisterVariant<Auto, Robust> registered{

@@ -1,5 +1,7 @@
 #include "catena/core/frames/frame_search.h"
 
+#include <algorithm>
+
 #include "catena/core/error.h"
 #include "catena/core/strategy/timings.h"
 
@@ -34,8 +36,7 @@ void FrameSearch::remember(const Chain& chain) {
 /// True where `result` is the answer to the request; else it stands in answer_.
 bool FrameSearch::search_all(const Chain& chain, const Request& request, Collisions& result,
                              const FullSearch& here) {
-  const bool worth = frames_ && request.want != Request::Want::any && blind_ == 0;
-  if (blind_ > 0) --blind_;
+  const bool worth = frames_ && request.want != Request::Want::any && (always_ || looks_.may_try());
   const bool all = request.want == Request::Want::pairs &&
                    request.queries.within(chain.size()) == SphereRange{0, chain.size()};
   if (!worth) return here(chain, request, result), true;
@@ -57,20 +58,24 @@ bool FrameSearch::search_all(const Chain& chain, const Request& request, Collisi
 }
 
 void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
+  const Stopwatch watch;
   const bool fresh = !list_->made();
   if (fresh) {
-    const Stopwatch watch;
-    list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_own_pairs, search);
+    list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_own_pairs,
+                [&](const Chain& thick, const Request& request, Collisions& found) {
+                  const Stopwatch searching;
+                  search(thick, request, found);
+                  policy_.searched_thicker(searching.ms());
+                });
     by_list_ = false;
-    policy_.rebuilt(watch.ms(), move_, skin_);
+    made_ = true;
   }
   if (!list_->made()) {
-    wait_ = wait_after(waits_++);
+    policy_.rebuilt(watch.ms(), move_, skin_, radius_);
     search(chain, all_pairs(), answer_.room());
     answer_.found();
     return remember(chain);
   }
-  const Stopwatch watch;
   bool pruned = false;
   answer_.rewrite([&](std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts, bool stand) {
     pruned = list_->find(chain.spheres(), pairs, counts, stand && by_list_);
@@ -78,9 +83,9 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   by_list_ = true;
   remember(chain);
   compared_ = list_->open_size();
-  // The first use of a list brings it into the cache, and is no measure of the next ones.
-  if (fresh) return;
-  if (pruned)
+  if (fresh)
+    policy_.rebuilt(watch.ms() + holds_ms_, move_, skin_, radius_);
+  else if (pruned)
     policy_.pruned(watch.ms() + holds_ms_, static_cast<double>(list_->size()),
                    static_cast<double>(answer_.pairs().size()));
   else
@@ -112,7 +117,7 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
                          const FullSearch& here, const FullSearch& search, double build_ms) {
   // Searched already: it is asked again about the same frame.
   if (answered_ && !behind_) return false;
-  behind_ = false;
+  behind_ = made_ = false;
   if (way_ != Way::kept_list && way_ != Way::unmoved) by_list_ = false;
   const Stopwatch watch;
   bool filled = false;
@@ -125,6 +130,7 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
           full_ms_ = build_ms + searching.ms();
         });
         policy_.searched(full_ms_);
+        heed_full_search();
         break;
       case Way::unmoved:
         break;
@@ -143,7 +149,30 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
     throw;
   }
   find_ms_ = watch.ms();
+  settle(update_ms_ + (way_ == Way::full ? build_ms : 0) + find_ms_);
   return filled;
+}
+
+/// What lists lost was lost beside a full search; where that takes much longer by now they are tried anew.
+void FrameSearch::heed_full_search() {
+  constexpr double much = 1.5;
+  const double ms = policy_.full_ms();
+  doubt_ = 0;
+  if (policy_.cold()) return;
+  if (beside_ms_ > 0 && ms > much * beside_ms_) lists_.begin(), beside_ms_ = ms;
+  beside_ms_ = beside_ms_ > 0 ? std::min(beside_ms_, ms) : ms;
+}
+
+/// Books what the frame took beside a full search.
+void FrameSearch::settle(double ms) {
+  if (!updated_ || policy_.cold()) return;
+  constexpr double most_of_a_look = 1, most_of_a_list = 8, most_of_the_first = 2;
+  looks_.frame(), lists_.frame();
+  constexpr double doubtful = 0.4;
+  if (way_ != Way::full && !made_ && ms > doubtful * policy_.full_ms()) ++doubt_;
+  if (way_ == Way::kept_list)
+    lists_.used(ms, policy_.full_ms(), policy_.first_list() ? most_of_the_first : most_of_a_list);
+  if (!made_) looks_.used(ms, way_ == Way::full ? full_ms_ : policy_.full_ms(), most_of_a_look);
 }
 
 void FrameSearch::find(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,

@@ -7,6 +7,7 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/export.h"
+#include "catena/core/frames/frame_account.h"
 #include "catena/core/frames/frame_answer.h"
 #include "catena/core/frames/kept_list.h"
 #include "catena/core/frames/list_policy.h"
@@ -89,8 +90,8 @@ class CATENA_API FrameSearch {
   bool search_all(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here);
   void search_by_list(const Chain& chain, const FullSearch& search);
   void search_changes(const Chain& chain);
-  /// Frames to wait after the nth time in a row that something did not pay.
-  static std::uint32_t wait_after(std::uint32_t times);
+  void settle(double ms);
+  void heed_full_search();
 
   const Omissions omissions_;
   const bool always_;
@@ -110,16 +111,20 @@ class CATENA_API FrameSearch {
   std::int64_t shift_ = 0;
   std::unique_ptr<KeptList> list_;
   ListPolicy policy_;
-  bool by_list_ = false;                  ///< answer_ is as the list's last find left it
-  double holds_ms_ = 0;                   ///< what it took to see that the list holds
-  double move_ = 0;                       ///< of a frame, at most
-  double skin_ = 0, inner_skin_ = 0;      ///< wanted of the next list
-  std::uint32_t wait_ = 0, waits_ = 0;    ///< frames until a list is tried again; how often it did not pay
-  std::uint32_t blind_ = 0, blinds_ = 0;  ///< the same of looking for what frames have in common
-  Learned run_, cell_sphere_{4e-6};       ///< of a run that changed, by the tree; of any sphere, by cells
-  bool by_cells_ = false;                 ///< the next such search; then, the last one
-  double full_ms_ = 0, find_ms_ = 0;      ///< of the last full search; of this frame's
-  std::size_t compared_ = 0;              ///< of this frame: runs that changed, or near pairs
+  bool by_list_ = false;              ///< answer_ is as the list's last find left it
+  double holds_ms_ = 0;               ///< what it took to see that the list holds
+  double move_ = 0;                   ///< of a frame, at most
+  double radius_ = 0;                 ///< of spheres, about
+  double skin_ = 0, inner_skin_ = 0;  ///< wanted of the next list
+  FrameAccount looks_, lists_;        ///< of looking for what frames have in common; of kept lists
+  double beside_ms_ = 0;              ///< the full search that lists are held against
+  unsigned doubt_ = 0;  ///< frames since the last full search that took about as long as that was thought to
+  double update_ms_ = 0;              ///< of this frame
+  Learned run_, cell_sphere_{4e-6};   ///< of a run that changed, by the tree; of any sphere, by cells
+  bool by_cells_ = false;             ///< the next such search; then, the last one
+  double full_ms_ = 0, find_ms_ = 0;  ///< of the last full search; of this frame's
+  bool made_ = false;                 ///< a list was, of this frame
+  std::size_t compared_ = 0;          ///< of this frame: runs that changed, or near pairs
 };
 
 }  // namespace catena

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <stdexcept>
 
@@ -17,8 +18,8 @@ using Way = FrameSearch::Way;
 /// Frames of a chain, each searched; every full search of it is counted.
 class Frames {
  public:
-  explicit Frames(const Chain& first, std::vector<std::string> keep = {})
-      : search_(Omissions::without(keep), true),
+  explicit Frames(const Chain& first, std::vector<std::string> keep = {}, bool always = true)
+      : search_(Omissions::without(keep), always),
         base_(StrategyRegistry::instance().make("Hybrid")),
         chain_(first) {
     search_.begin(true);
@@ -117,6 +118,36 @@ TEST(FrameSearch, FollowsSpheresThatGoToAndFroAndOtherFramesBetween) {
   EXPECT_LT(frames.searches(), 40u) << "lists are used";
 }
 
+/// Sequences that nothing was measured on: stretches of frames of one kind, one after the other by chance.
+TEST(FrameSearch, MeasuredTimesChooseTheWayAndNeverTheAnswer) {
+  Frames frames(yarn(), {}, false);
+  std::mt19937 random(4);
+  const auto by = [&](float most) { return std::uniform_real_distribution<float>(-most, most)(random); };
+  const auto shake = [&](std::span<Sphere> some, float most) {
+    for (Sphere& s : some) s.x += by(most), s.y += by(most), s.z += by(most);
+  };
+  std::array<int, 5> ways{};
+  for (int stretch = 0; stretch < 40; ++stretch) {
+    const unsigned kind = random() % 8;
+    const float step = std::array{0.001f, 0.01f, 0.05f, 0.4f}[random() % 4];
+    const std::size_t begin = random() % 2500, size = 1 + random() % 500;
+    for (int k = 0; k < 12; ++k) {
+      std::vector<Sphere> spheres = frames.spheres();
+      if (kind < 3) shake(spheres, step);
+      if (kind == 3) shake(std::span(spheres).subspan(begin, size), step);
+      if (kind == 4 && k % 2 == 0) shake(spheres, step);  // and every other frame does not move
+      if (kind == 5)
+        for (Sphere& s : spheres) s.radius *= 1 + (k % 2 == 0 ? step : -step) / 4;
+      if (kind == 6)  // all turns about an axis
+        for (Sphere& s : spheres) s = {s.x - step * s.y, s.y + step * s.x, s.z, s.radius};
+      if (kind == 7) std::ranges::rotate(spheres, spheres.begin() + 7);
+      ++ways[static_cast<std::size_t>(frames.next(spheres))];
+    }
+  }
+  EXPECT_GT(ways[static_cast<std::size_t>(Way::full)], 0);
+  EXPECT_GT(ways[static_cast<std::size_t>(Way::unmoved)], 0);
+}
+
 TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
   Frames frames(yarn(), omission_names());
   EXPECT_EQ(frames.next(frames.spheres()), Way::full);
@@ -149,21 +180,59 @@ TEST(FrameSearch, ASearchThatFailsLeavesNothingHalfKnown) {
   EXPECT_GT(exact.pair_count, 0u);
 }
 
-TEST(ListPolicy, TakesALongerLifeWhereARebuildIsDearer) {
+TEST(ListPolicy, TakesAThickerSkinWhereARebuildIsDearer) {
   ListPolicy cheap, dear;
   for (ListPolicy* policy : {&cheap, &dear}) {
     for (int k = 0; k < 3; ++k) policy->searched(20);
-    policy->rebuilt(policy == &cheap ? 5 : 50, 0.01, 0.1);
-    policy->used(4);
+    EXPECT_LE(policy->skin_for(0.01, 1), 0.5) << "a first one is thin";
+    for (int k = 0; k < 9; ++k) {
+      policy->rebuilt(policy == &cheap ? 5 : 100, 0.01, 0.5, 1);
+      policy->used(4);
+      for (int prunes = 0; prunes < 3; ++prunes) policy->pruned(10, 3e5, 1e5);
+    }
   }
-  EXPECT_LT(cheap.life(), dear.life());
-  EXPECT_GE(cheap.life(), ListPolicy::shortest);
-  EXPECT_LE(dear.life(), ListPolicy::longest);
-  EXPECT_LE(dear.skin_for(0.01, 0.5), 0.2) << "twice the last one";
-  EXPECT_LE(dear.skin_for(0.01, 0.05), 0.05);
-  EXPECT_TRUE(dear.pays(0.3, 0.01));
+  EXPECT_LT(cheap.skin_for(0.01, 1), dear.skin_for(0.01, 1));
+  dear.rebuilt(100, 0.01, 0.1, 1);
+  EXPECT_LE(dear.skin_for(0.01, 1), 0.2) << "twice the last one";
+  EXPECT_LE(dear.skin_for(0.01, 0.05), 0.05) << "the radius";
+  EXPECT_TRUE(dear.pays(0.3, 0.01, 1));
   for (int k = 0; k < 21; ++k) dear.used(40);
-  EXPECT_FALSE(dear.pays(0.3, 0.01)) << "where it costs more than a full search";
+  EXPECT_FALSE(dear.pays(0.3, 0.01, 1)) << "where it costs more than a full search";
+}
+
+TEST(ListPolicy, HoldsAFullSearchForNoDearerThanOneOfThickerSpheres) {
+  ListPolicy policy;
+  for (int k = 0; k < 3; ++k) policy.searched(20);
+  policy.searched_thicker(30);
+  EXPECT_EQ(policy.full_ms(), 20);
+  policy.searched_thicker(12);
+  EXPECT_EQ(policy.full_ms(), 12);
+}
+
+TEST(ListPolicy, MakesNoListWhereLookingAtEachSphereTakesAsLongAsASearch) {
+  ListPolicy policy;
+  for (int k = 0; k < 3; ++k) policy.searched(0.1);
+  policy.expect(1000);
+  EXPECT_TRUE(policy.pays(0.1, 1e-3, 1));
+  policy.expect(30000);
+  EXPECT_FALSE(policy.pays(0.1, 1e-3, 1));
+}
+
+/// Whatever is lost at each try, n frames take no more than n full searches, a hundredth and a few.
+TEST(FrameAccount, LosesAShareOfAllFramesAtMost) {
+  for (const double loss : {0.1, 1.0, 7.0}) {
+    FrameAccount account;
+    double ms = 0;
+    const int frames = 2000;
+    for (int k = 0; k < frames; ++k) {
+      account.frame();
+      const double took = account.may_try() ? 1 + loss : 1;
+      if (took > 1) account.used(took, 1, 8);
+      ms += took;
+    }
+    EXPECT_LT(ms, 1.01 * frames + 2 + loss) << loss;
+    EXPECT_GT(ms, frames + 10) << "it is tried again";
+  }
 }
 
 }  // namespace

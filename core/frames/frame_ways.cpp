@@ -1,11 +1,10 @@
-#include "catena/core/frames/frame_search.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "catena/core/frames/frame_difference.h"
+#include "catena/core/frames/frame_search.h"
 #include "catena/core/strategy/timings.h"
 
 // Which way a frame is searched: what it has in common with the last one, and what that saves.
@@ -37,11 +36,6 @@ float middling_radius(std::span<const Sphere> spheres) {
 
 }  // namespace
 
-std::uint32_t FrameSearch::wait_after(std::uint32_t times) {
-  constexpr std::uint32_t longest_wait = 64;
-  return std::min(longest_wait, 2u << std::min(times, 8u));
-}
-
 FrameSearch::FrameSearch(const Omissions& omissions, bool always, std::unique_ptr<KeptList> list,
                          std::unique_ptr<MovedCells> cells)
     : omissions_(omissions), always_(always), row_(std::move(cells)), list_(std::move(list)) {
@@ -63,9 +57,11 @@ void FrameSearch::begin(bool follow) {
   forget();
   list_->drop();
   policy_.forget();
+  looks_.begin(), lists_.begin();
   frames_ = follow || always_;
   behind_ = updated_ = false;
-  blind_ = blinds_ = wait_ = waits_ = 0;
+  update_ms_ = beside_ms_ = 0;
+  doubt_ = 0;
   shift_ = 0;
   way_ = Way::full;
 }
@@ -83,12 +79,15 @@ bool FrameSearch::comparable(const Chain& chain) const {
 }
 
 FrameSearch::Way FrameSearch::update(const Chain& chain, const Moved& moved) {
+  const Stopwatch watch;
   frames_ = updated_ = true;
   moved_ = 0;
   const bool known = comparable(chain);
   if (!known) list_->drop();
   way_ = known ? choose(chain, moved) : Way::full;
   if (way_ == Way::full) forget();
+  // A frame that is not searched costs what looking at it did.
+  update_ms_ = watch.ms() + (behind_ ? update_ms_ : 0);
   behind_ = true;
   return way_;
 }
@@ -118,25 +117,27 @@ double FrameSearch::least_ms(double runs) {
 
 FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
   const std::span<const Sphere> before = row_.spheres(), now = chain.spheres();
+  // What a full search takes by now is worth knowing.
+  constexpr unsigned much_doubt = 24;
+  if (doubt_ >= much_doubt && !always_) return Way::full;
   const auto most = static_cast<std::uint32_t>(always_ ? now.size() : now.size() / 4);
-  if (const auto way = take_shift(moved, chain)) return blinds_ = 0, *way;
+  if (const auto way = take_shift(moved, chain)) return *way;
   bool few = take(moved, chain.size());
   if (!few && (always_ || share_that_differs(before, now) < 0.5))
     few = find_changes(before, now, most, ranges_);
   if (few) {
     for (const SphereRange& range : ranges_) moved_ += range.size();
-    if (ranges_.empty()) return blinds_ = 0, omissions_.may(Omission::unmoved) ? Way::unmoved : Way::full;
+    if (ranges_.empty()) return omissions_.may(Omission::unmoved) ? Way::unmoved : Way::full;
     if (always_ && 2 * moved_ > now.size()) few = false;  // so that the other ways are gone too
   }
   if (few && omissions_.may(Omission::still_parts)) {
     const double runs =
         static_cast<double>(moved_) / RunTree::run + 2.0 * static_cast<double>(ranges_.size());
     // Frames of which some parts move seldom come alone.
-    if (always_ || least_ms(runs) < 0.7 * policy_.full_ms()) return blinds_ = 0, Way::parts;
+    if (always_ || least_ms(runs) < 0.7 * policy_.full_ms()) return Way::parts;
   }
-  if (const auto way = choose_shift(chain)) return blinds_ = 0, *way;
-  if (const auto way = choose_list(chain)) return blinds_ = 0, *way;
-  if (!policy_.cold()) blind_ = wait_after(blinds_++);
+  if (const auto way = choose_shift(chain)) return *way;
+  if (const auto way = choose_list(chain)) return *way;
   return Way::full;
 }
 
@@ -174,27 +175,26 @@ std::optional<FrameSearch::Way> FrameSearch::choose_list(const Chain& chain) {
   if (policy_.cold() && !always_) return std::nullopt;
   if (list_->made()) {
     const bool pays = always_ || policy_.use_pays();
-    if (pays) waits_ = 0;
     const Stopwatch watch;
     const bool holds = pays && list_->holds(chain);
     holds_ms_ = watch.ms();
     if (holds) return Way::kept_list;
     if (pays) policy_.ended();
     list_->drop();
-    if (!pays) wait_ = wait_after(waits_++);
   }
-  if (wait_ > 0 && !always_) return --wait_, std::nullopt;
+  if (!always_ && !lists_.may_try()) return std::nullopt;
   move_ = greatest_move(row_.spheres(), chain.spheres());
   const double thickest = chain.view().extent.greatest_radius;
   // A skin that is thick beside most spheres would make a list of very many pairs, however thick the rest is.
-  const double thick = always_ ? thickest : middling_radius(chain.spheres());
+  radius_ = always_ ? thickest : middling_radius(chain.spheres());
+  policy_.expect(chain.size());
   constexpr double life_in_tests = 3;
-  skin_ = std::max(always_ ? move_ * life_in_tests : policy_.skin_for(move_, thick), thickest * 0x1p-10);
+  skin_ = std::max(always_ ? move_ * life_in_tests : policy_.skin_for(move_, radius_), thickest * 0x1p-10);
   constexpr double inner_life = 4;  // frames at least; steps by chance part as the root of their number
   inner_skin_ = std::min(inner_life * move_, skin_ / 2);
   const bool sensible = std::isfinite(skin_) && skin_ > 0 && skin_ < 1e30;
-  if (sensible && (always_ || (skin_ <= thick && policy_.pays(skin_, move_)))) return Way::kept_list;
-  wait_ = wait_after(waits_++);
+  if (sensible && (always_ || (skin_ <= radius_ && policy_.pays(skin_, move_, radius_))))
+    return Way::kept_list;
   return std::nullopt;
 }
 

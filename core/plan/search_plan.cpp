@@ -47,6 +47,7 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
   tree_ = tree.of, all_pairs_ = all_pairs.of, device_ = device.of, chosen_ = chosen.of;
   threads_ = chosen.threads;
   kind_ = unusual_kind(extent, spheres);
+  if (kind_ != nullptr && !kind_->threads) threads_ = 1;
   want_ = searched_for(asked_);
   look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
 }
@@ -148,7 +149,8 @@ Decision SearchPlan::device() const {
 
 Decision SearchPlan::further_threads() const {
   const std::string step = info_of(Omission::threads).step;
-  if (chosen_->cost.serial >= 1 || kind_ != nullptr) return {step, true, variant() + " is taken with one"};
+  if (chosen_->cost.serial >= 1 || (kind_ != nullptr && !kind_->threads))
+    return {step, true, variant() + " is taken with one"};
   if (machine_.cores == 1) return {step, true, "there is one core"};
   const unsigned other = threads() > 1 ? 1 : 2;
   return {step, threads() == 1,

@@ -33,7 +33,7 @@ class CATENA_API SearchPlan {
     return !in_parts_.empty() ? in_parts_ : kind_ != nullptr ? kind_->variant : chosen_->variant;
   }
   /// Host threads that it is to have; 1 where it knows none.
-  unsigned threads() const { return kind_ != nullptr ? 1 : threads_; }
+  unsigned threads() const { return threads_; }
   /// As StrategyRegistry::make takes it.
   std::string variant_with_threads() const;
   bool on_device() const { return chosen_->on_device; }
@@ -79,7 +79,7 @@ class CATENA_API SearchPlan {
   std::string in_parts_;  ///< has the chain come in parts, as the chosen one had no room; empty: it has
   std::string gave_way_;  ///< who had no room, and why
   const UnusualKind* kind_ = nullptr;  ///< of chain, for which another tree is quicker
-  unsigned threads_ = 1;               ///< of what was chosen; with a kind one
+  unsigned threads_ = 1;               ///< of what was chosen
   bool look_first_ = false;
 };
 

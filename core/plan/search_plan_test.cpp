@@ -150,7 +150,8 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   std::vector<std::string> taken;
   for (const char* input :
        {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30", "mixed_radii:n=700,decades=60",
-        "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "hair:n=3000,radius=1e-41"}) {
+        "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "hair:n=3000,radius=1e-41", "serpentine:n=1000",
+        "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500"}) {
     const Chain chain = open_input(input).animation->frame(0);
     const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
     ASSERT_NE(kind, nullptr) << input;
@@ -175,9 +176,14 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[1], "ChainTree");
   EXPECT_EQ(taken[2], "aCPU2+Dual");
   EXPECT_EQ(taken[5], "Grid");
-  for (const char* usual : {"yarn:n=3000", "mixed_radii:n=3000,decades=6", "points:n=3000,share=0.7",
-                            "lattice:n=3000,scale=1e-30", "cluster:n=700,shells=140", "cluster:n=30000",
-                            "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
+  EXPECT_EQ(taken[7], "SphereTree") << "crowded";
+  EXPECT_EQ(taken[10], "ChainTree") << "a smooth tube";
+  EXPECT_EQ(taken[9], "Grid") << "crowded, and its parts lie among one another";
+  EXPECT_EQ(taken[8], "SphereTree") << "of unlike radii, whose parts do not lie apart";
+  for (const char* usual :
+       {"winding:n=30000", "lattice:n=3000", "tight_knot:n=30000", "mixed_radii:n=3000,decades=6",
+        "points:n=3000,share=0.7", "lattice:n=3000,scale=1e-30", "cluster:n=30000",
+        "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
     const Chain chain = open_input(usual).animation->frame(0);
     EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr) << usual;
   }

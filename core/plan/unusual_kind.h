@@ -12,8 +12,9 @@ namespace catena {
 /// is known since its numbers were checked, and where radii are very unlike by some spheres, which say
 /// whether its order follows its place in space. Every variant gives the same answer.
 struct CATENA_API UnusualKind {
-  std::string variant;  ///< the quicker one
-  std::string reason;   ///< with which figure decides
+  std::string variant;   ///< the quicker one
+  std::string reason;    ///< with which figure decides
+  bool threads = false;  ///< of as many threads as the usual variant; else of one
 
   /// Null for a usual chain, and where the extent is not known, {}. `spheres`: all of them, or none where
   /// they are not known. O(1).
