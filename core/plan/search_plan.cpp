@@ -13,11 +13,6 @@
 namespace catena {
 namespace {
 
-std::string priced(const Machine::VariantCost& v, std::uint32_t n, unsigned threads = 1) {
-  return fmt::format("{}{} about {:.3g} ms", v.variant,
-                     threads > 1 ? fmt::format(" with {} threads", threads) : "", v.cost.ms(n, threads));
-}
-
 /// "; it may not be left out"
 std::string switched_off(const Omissions& omissions, Omission omission) {
   return omissions.may(omission) ? "" : fmt::format("; --no-omit {}", info_of(omission).name);
@@ -28,16 +23,28 @@ std::string switched_off(const Omissions& omissions, Omission omission) {
 SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& machine,
                        const Omissions& omissions, const Extent& extent, std::span<const Sphere> spheres)
     : n_(n), asked_(request.want), want_(request.want), machine_(machine), omissions_(omissions) {
+  choose();
+  seen_ = look_at(extent, spheres);
+  if (seen_ != nullptr && seen_->times != 1) choose();
+  if (chosen_ == all_pairs_) seen_ = nullptr;
+  if (chosen_ == tree_) give_to_host();
+  want_ = searched_for(asked_);
+  look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
+}
+
+void SearchPlan::choose() {
   Offer tree, all_pairs, device;  // the cheapest of each kind
-  for (const Machine::VariantCost& v : machine.costs) {
+  for (const Machine::VariantCost& v : machine_.costs) {
     Offer& best = v.on_device ? device : v.all_pairs ? all_pairs : tree;
-    if (const Offer offer = offer_of(v, n, machine, omissions); offer.ms < best.ms) best = offer;
+    if (const Offer offer = offer_of(v); offer.ms < best.ms) best = offer;
   }
   Offer chosen = tree;
-  if (tree.of == nullptr || (omissions.may(Omission::hierarchy) && all_pairs.ms < tree.ms))
+  if (tree.of == nullptr || (omissions_.may(Omission::hierarchy) && all_pairs.ms < tree.ms))
     chosen = all_pairs;
-  if (device.of != nullptr &&
-      (chosen.of == nullptr || !omissions.may(Omission::device) || device.ms < chosen.ms)) {
+  // By what a usual chain takes: to start a device takes a process's first search far longer than many small
+  // searches, so that more than usual is to be done before one is.
+  if (device.of != nullptr && (chosen.of == nullptr || !omissions_.may(Omission::device) ||
+                               device.ms < chosen.of->cost.ms(n_, chosen.threads))) {
     if (device.of->unavailable && device.of->unavailable())
       device.of = nullptr;
     else
@@ -46,39 +53,51 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
   if (chosen.of == nullptr) throw CapacityError("no variant says what it costs, so that none can be planned");
   tree_ = tree.of, all_pairs_ = all_pairs.of, device_ = device.of, chosen_ = chosen.of;
   threads_ = chosen.threads;
-  kind_ = unusual_kind(extent, spheres);
-  if (kind_ != nullptr && !kind_->threads) threads_ = 1;
-  want_ = searched_for(asked_);
-  look_first_ = want_ == Request::Want::any && omissions.may(Omission::other_places) && CoarseLook::pays(n);
+}
+
+void SearchPlan::give_to_host() {
+  constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
+  if (seen_ == nullptr || (!seen_->threads && threads_ > few_threads)) return;
+  kind_ = seen_;
+  if (!kind_->threads) threads_ = 1;
 }
 
 /// The least number that no greater one beats by a tenth: what is guessed of threads is guessed roughly.
-unsigned SearchPlan::best_threads(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
-                                  const Omissions& omissions) {
+unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
   if (v.cost.serial >= 1) return 1;
-  if (!omissions.may(Omission::threads)) return machine.cores;
+  if (!omissions_.may(Omission::threads)) return machine_.cores;
   // A chain that lies in order is searched in half of what is usual: there a team must not cost more than it
   // saves.
   constexpr double several = 3;
-  const double saved_us = (1 - v.cost.serial) * (1 - 1.0 / machine.cores) * v.cost.sphere_ns * n * 1e-3;
-  if (saved_us < several * v.cost.team_us) return 1;
+  if (ms(v) - ms(v, machine_.cores) < (several - 1) * v.cost.team_us * 1e-3) return 1;
   unsigned best = 1;
-  for (unsigned k = 2; k / 2 < machine.cores; k *= 2)
-    if (const unsigned threads = std::min(k, machine.cores); v.cost.ms(n, threads) < 0.9 * v.cost.ms(n, best))
+  for (unsigned k = 2; k / 2 < machine_.cores; k *= 2)
+    if (const unsigned threads = std::min(k, machine_.cores); ms(v, threads) < 0.9 * ms(v, best))
       best = threads;
   return best;
 }
 
-const UnusualKind* SearchPlan::unusual_kind(const Extent& extent, std::span<const Sphere> spheres) const {
-  constexpr unsigned few_threads = 4;  // no kind is searched by so much less than several threads take
-  const bool may = chosen_ == tree_ && threads_ <= few_threads && omissions_.may(Omission::threads);
-  return may ? UnusualKind::of(n_, extent, spheres) : nullptr;
+const UnusualKind* SearchPlan::look_at(const Extent& extent, std::span<const Sphere> spheres) const {
+  return chosen_ != all_pairs_ && omissions_.may(Omission::threads) ? UnusualKind::of(n_, extent, spheres)
+                                                                    : nullptr;
 }
 
-SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
-                                       const Omissions& omissions) {
-  const unsigned threads = best_threads(v, n, machine, omissions);
-  return {&v, threads, v.cost.ms(n, threads)};
+double SearchPlan::ms(const Machine::VariantCost& v, unsigned threads) const {
+  MachineCost cost = v.cost;
+  if (seen_ != nullptr && !v.on_device) cost.sphere_ns *= seen_->times;
+  return cost.ms(n_, threads);
+}
+
+std::string SearchPlan::priced(const Machine::VariantCost& v, unsigned threads, bool of_usual) const {
+  return fmt::format("{}{} about {:.3g} ms{}", v.variant,
+                     threads > 1 ? fmt::format(" with {} threads", threads) : "",
+                     of_usual ? v.cost.ms(n_, threads) : ms(v, threads),
+                     of_usual && ms(v) != v.cost.ms(n_) ? " of a usual chain" : "");
+}
+
+SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v) const {
+  const unsigned threads = best_threads(v);
+  return {&v, threads, ms(v, threads)};
 }
 
 std::string SearchPlan::variant_with_threads() const {
@@ -114,7 +133,8 @@ bool SearchPlan::give_way(const std::string& why) {
   if (tree_ == nullptr && all_pairs_ == nullptr) return false;
   in_parts_.clear();
   chosen_ = tree_ != nullptr ? tree_ : all_pairs_;
-  threads_ = best_threads(*chosen_, n_, machine_, omissions_);
+  threads_ = best_threads(*chosen_);
+  if (chosen_ == tree_) give_to_host();
   return true;
 }
 
@@ -128,23 +148,22 @@ Decision SearchPlan::hierarchy() const {
   const bool out = chosen_ == all_pairs_;
   std::string reason = fmt::format("{} spheres: ", n_);
   if (all_pairs_ == nullptr || tree_ == nullptr) {
-    reason += priced(*chosen_, n_);
+    reason += priced(*chosen_);
   } else {
-    reason += fmt::format("{}, {}", priced(*tree_, n_), priced(*all_pairs_, n_));
+    reason += fmt::format("{}, {}", priced(*tree_), priced(*all_pairs_));
   }
   return {"hierarchy", out, reason + switched_off(omissions_, Omission::hierarchy),
-          tree_ != nullptr ? std::optional(tree_->cost.ms(n_)) : std::nullopt};
+          tree_ != nullptr ? std::optional(ms(*tree_)) : std::nullopt};
 }
 
 Decision SearchPlan::device() const {
   if (device_ == nullptr) return {"device", true, "none that is available says what it costs"};
   const Candidate host = tree_ != nullptr ? tree_ : all_pairs_;
   return {"device", chosen_ != device_,
-          (host != nullptr ? fmt::format("{}, {}", priced(*device_, n_),
-                                         priced(*host, n_, best_threads(*host, n_, machine_, omissions_)))
-                           : priced(*device_, n_)) +
+          (host != nullptr ? fmt::format("{}, {}", priced(*device_), priced(*host, best_threads(*host), true))
+                           : priced(*device_)) +
               (chosen_ != device_ ? "; not looked for" : "") + switched_off(omissions_, Omission::device),
-          device_->cost.ms(n_)};
+          ms(*device_)};
 }
 
 Decision SearchPlan::further_threads() const {
@@ -153,11 +172,11 @@ Decision SearchPlan::further_threads() const {
     return {step, true, variant() + " is taken with one"};
   if (machine_.cores == 1) return {step, true, "there is one core"};
   const unsigned other = threads() > 1 ? 1 : 2;
-  return {step, threads() == 1,
-          fmt::format("{}, {}; {} cores", priced(*chosen_, n_, threads()), priced(*chosen_, n_, other),
-                      machine_.cores) +
-              switched_off(omissions_, Omission::threads),
-          chosen_->cost.ms(n_, std::max(threads(), 2u))};
+  return {
+      step, threads() == 1,
+      fmt::format("{}, {}; {} cores", priced(*chosen_, threads()), priced(*chosen_, other), machine_.cores) +
+          switched_off(omissions_, Omission::threads),
+      ms(*chosen_, std::max(threads(), 2u))};
 }
 
 Plan SearchPlan::steps() const {

@@ -26,7 +26,7 @@ class CATENA_API SearchPlan {
   /// It would be no other for this chain and request, as far as neither is of another kind.
   bool holds_for(std::uint32_t n, const Request& request, const Extent& extent,
                  std::span<const Sphere> spheres = {}) const {
-    return n == n_ && request.want == asked_ && kind_ == unusual_kind(extent, spheres);
+    return n == n_ && request.want == asked_ && seen_ == look_at(extent, spheres);
   }
 
   const std::string& variant() const {
@@ -39,7 +39,7 @@ class CATENA_API SearchPlan {
   bool on_device() const { return chosen_->on_device; }
   bool all_pairs() const { return chosen_->all_pairs; }
   /// About what build and find take.
-  double estimate_ms() const { return chosen_->cost.ms(n_, threads()); }
+  double estimate_ms() const { return ms(*chosen_, threads()); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
   bool look_first() const { return look_first_; }
   /// To be told when there is no room for what variant() does, and why: of a device, first a variant takes
@@ -59,11 +59,13 @@ class CATENA_API SearchPlan {
     unsigned threads = 1;
     double ms = std::numeric_limits<double>::infinity();
   };
-  static unsigned best_threads(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
-                               const Omissions& omissions);
-  static Offer offer_of(const Machine::VariantCost& v, std::uint32_t n, const Machine& machine,
-                        const Omissions& omissions);
-  const UnusualKind* unusual_kind(const Extent& extent, std::span<const Sphere> spheres) const;
+  void choose();
+  void give_to_host();  ///< the tree, or another for which the chain's kind asks
+  unsigned best_threads(const Machine::VariantCost& v) const;
+  Offer offer_of(const Machine::VariantCost& v) const;
+  double ms(const Machine::VariantCost& v, unsigned threads = 1) const;
+  std::string priced(const Machine::VariantCost& v, unsigned threads = 1, bool of_usual = false) const;
+  const UnusualKind* look_at(const Extent& extent, std::span<const Sphere> spheres) const;
   bool knows(const char* parameter) const;  ///< the variant does
   Decision hierarchy() const;
   Decision further_threads() const;
@@ -78,7 +80,8 @@ class CATENA_API SearchPlan {
   Candidate chosen_ = nullptr;
   std::string in_parts_;  ///< has the chain come in parts, as the chosen one had no room; empty: it has
   std::string gave_way_;  ///< who had no room, and why
-  const UnusualKind* kind_ = nullptr;  ///< of chain, for which another tree is quicker
+  const UnusualKind* seen_ = nullptr;  ///< the chain's; null: a usual one, or not looked at
+  const UnusualKind* kind_ = nullptr;  ///< the same where its variant takes the tree's place
   unsigned threads_ = 1;               ///< of what was chosen
   bool look_first_ = false;
 };

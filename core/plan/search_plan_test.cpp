@@ -137,6 +137,26 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
 }
 
 /// The device of this machine takes 0.92 ns a sphere and one core 10: sixteen cores take less.
+/// Spheres that touch those beside them in a block, in no order: each takes a host several times as long as in a tube.
+TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < 8000; ++k) {
+    const std::uint32_t at = k * 3001 % 8000;
+    spheres.push_back({static_cast<float>(at % 20), static_cast<float>(at / 20 % 20),
+                       static_cast<float>(at / 400), 0.5f});
+  }
+  const Chain crowded(std::move(spheres));
+  Machine of = sixteen_cores();
+  const auto plan = [&](const ChainView& chain) {
+    return SearchPlan(chain.size, {}, of, {}, chain.extent, {chain.spheres, chain.size});
+  };
+  EXPECT_EQ(plan(crowded.view()).variant(), "Grid");
+  EXPECT_GT(plan(crowded.view()).threads(), 1u);
+  EXPECT_TRUE(plan(crowded.view()).holds_for(8000, {}, crowded.view().extent, crowded.spheres()));
+  EXPECT_EQ(SearchPlan(8000, {}, of, {}).threads(), 1u);
+  EXPECT_GT(plan(crowded.view()).estimate_ms(), SearchPlan(8000, {}, of, {}).estimate_ms());
+}
+
 TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {
   Machine of = sixteen_cores();
   of.costs[0].cost.serial = 0.02;

@@ -17,7 +17,7 @@ const UnusualKind& info(Kind kind) {
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another, in a chain whose parts lie apart"},
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
-       true},
+       true, 6},
       {"Grid",
        "at most 2,048 spheres of like radii, which fill a quarter of their box to six times all of it"},
       {"SphereTree", "at most 2,048 spheres, which fill their box more than six times or have unlike radii"},

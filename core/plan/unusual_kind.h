@@ -15,6 +15,7 @@ struct CATENA_API UnusualKind {
   std::string variant;   ///< the quicker one
   std::string reason;    ///< with which figure decides
   bool threads = false;  ///< of as many threads as the usual variant; else of one
+  double times = 1;      ///< about what a sphere takes a host, of what it takes in a usual chain
 
   /// Null for a usual chain, and where the extent is not known, {}. `spheres`: all of them, or none where
   /// they are not known. O(1).
