@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <span>
 
@@ -20,20 +21,26 @@ namespace catena::HWY_NAMESPACE {
 
 /// True when most of some crowded blocks, taken all along the chain, meet so many others that no order of
 /// blocks would do: then a second search for the rest is not worth its while. `block_ns` is what a search of
-/// their spheres one by one costs a block.
+/// their spheres one by one costs a block. Where nodes meet very many, fewer blocks are looked at: all
+/// together no more nodes, about, than there are.
 inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double block_ns) {
-  const std::uint32_t samples = std::min(32u, crowding.crowded_nodes()), others = samples / 2;
+  constexpr std::uint32_t most = 32, fewest = 5, apart = 13;  // of which some are all along the chain too
   const double search_ns = block_ns - SpaceCost::build_ns;
   const auto enough =
       static_cast<std::uint32_t>(std::max(0.0, 2 * search_ns * SpaceCost::near_share / SpaceCost::near_ns));
+  std::array<std::uint32_t, most> nodes;
+  const std::uint32_t samples = std::min(most, crowding.crowded_nodes());
   const std::uint32_t step = std::max(1u, crowding.crowded_nodes() / samples);
-  std::uint32_t sparse = 0;
-  for (std::uint32_t node = 0, crowded = 0; node < crowding.nodes(); ++node) {
-    if (!crowding.crowded(node) || crowded++ % step != 0) continue;
-    if (NearBlocks(tree, tree.some_block_of(node), enough).enough()) continue;
-    if (++sparse > others) return false;
+  for (std::uint32_t node = 0, crowded = 0, found = 0; node < crowding.nodes() && found < samples; ++node)
+    if (crowding.crowded(node) && crowded++ % step == 0) nodes[found++] = node;
+  std::uint32_t looked = 0, dense = 0;
+  for (std::uint64_t met = 0; looked < samples && (looked < fewest || met < crowding.nodes()); ++looked) {
+    const std::uint32_t which = samples == most ? looked * apart % most : looked;
+    const NearBlocks near(tree, tree.some_block_of(nodes[which]), enough);
+    met += near.nodes();
+    dense += near.enough();
   }
-  return true;
+  return 2 * dense >= looked;
 }
 
 /// What a node of a SpaceTree costs, told no further than just past `enough`.
