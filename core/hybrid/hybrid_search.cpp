@@ -154,6 +154,7 @@ void HybridSearch::gather_dense(const Team& team) {
 /// that is much greater makes it too wide for all others.
 bool HybridSearch::cells_fit(const ChainView& chain, const Team& team) const {
   constexpr std::uint32_t few = 64, spheres_of_a_task = 1 << 14;  // one in so many
+  if (chain.extent.least_radius >= chain.extent.greatest_radius / 2) return true;
   const auto radius = [&](std::uint32_t k) { return chain.spheres[dense_.empty() ? k : dense_[k]].radius; };
   std::mutex joining;
   float greatest = 0;
