@@ -26,7 +26,7 @@ struct SpaceCost {
 struct SingleSphereCost {
   /// A sphere alone in its cell pays for it and for the look at its neighbours.
   static double in_cells(double near) { return 36 + 34 / (1 + near / 8) + 0.72 * near; }
-  static double in_space(double near) { return 50 + 0.65 * near; }
+  static double in_space(double near) { return 44 + 0.75 * near; }
 };
 
 /// How spheres are searched one by one, and what that costs each, about.
