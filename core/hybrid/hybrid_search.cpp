@@ -51,10 +51,10 @@ bool HybridSearch::unfilled(const ChainView& chain) {
 }
 
 void HybridSearch::build_in_space(const ChainView& chain, const Team& team) {
-  const SingleSpheres single = single_spheres(chain, parts_.tree, parts_.crowding);
+  SingleSpheres single = single_spheres(chain, parts_.tree, parts_.crowding);
   parts_.in_cells = single.in_cells;
-  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, settings_.dense * single.ns,
-                   entry_queues_, team);
+  single.ns *= settings_.dense;
+  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, single, entry_queues_, team);
   if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
     parts_.dense_count = chain.size;  // their list need not be made
   } else {
