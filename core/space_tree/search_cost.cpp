@@ -39,7 +39,8 @@ bool one_octave(const ChainView& chain, const BlockTree& tree, const Crowding& c
     const std::uint32_t b = node * BlockTree::group;
     const float radius = tree.spheres(chain, b)[node % tree.size_of(b)].radius;
     const double share = greatest > 0 ? double{radius} / greatest : 1;
-    const int below = share > 0 ? -std::ilogb(share) : static_cast<int>(octave.size()) - 1;
+    // The greatest are of the octave below them.
+    const int below = share >= 1 ? 1 : share > 0 ? -std::ilogb(share) : static_cast<int>(octave.size()) - 1;
     ++octave[static_cast<std::size_t>(std::clamp(below, 0, static_cast<int>(octave.size()) - 1))];
     ++all;
   }

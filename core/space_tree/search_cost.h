@@ -14,7 +14,7 @@ struct SpaceCost {
   static constexpr double node_ns = 40, entry_ns = 8, near_ns = 42;
   static constexpr double build_ns = 80;     ///< a block
   static constexpr double near_share = 0.6;  ///< of all that is not the build, where much is near
-  static constexpr double row_ns = 4;  ///< a sphere and those of eight that it overlaps, if there are any
+  static constexpr double row_ns = 1;  ///< a sphere and those of eight that it overlaps, if there are any
   std::uint64_t nodes = 0;             ///< pairs of nodes that were opened
   std::uint64_t entries = 0;           ///< pairs of entries whose boxes met
   std::uint64_t near = 0;              ///< those whose capsules may meet too
@@ -37,8 +37,7 @@ struct SpaceCost {
 struct SingleSphereCost {
   /// A sphere alone in its cell pays for it and for the look at its neighbours.
   static double in_cells(double near) { return 36 + 34 / (1 + near / 8) + 0.72 * near; }
-  /// Where a cell holds more spheres than a node, boxes of nodes are the finer sieve.
-  static double in_space(double near) { return std::min(45 + 0.7 * near, 100 + 0.55 * near); }
+  static double in_space(double near) { return 50 + 0.65 * near; }
 };
 
 /// How spheres are searched one by one, what that costs each, and how many pairs that overlap there are for
