@@ -140,11 +140,7 @@ class LeafPairs {
     hit_count_ = 0;
   }
   void report(std::span<Pair> hits) {
-    if (!window_is_all_) {
-      const auto neighbours = [&](const Pair& p) { return filter_.neighbours(p); };
-      hits = {hits.begin(), std::remove_if(hits.begin(), hits.end(), neighbours)};
-    }
-    lane_.collide(std::span<const Pair>(hits));
+    lane_.collide(std::span<const Pair>(window_is_all_ ? hits : filter_.without_neighbours(hits)));
   }
 
   /// Of a block and that which begins `ahead` spheres after it: pairs q after p that the index window allows.

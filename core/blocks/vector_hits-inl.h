@@ -133,10 +133,7 @@ class VectorHits {
   }
   /// Those that are no neighbours.
   void report(std::span<Pair> hits) {
-    if (window_is_all_) return found_.collide(hits);
-    const auto neighbours = [&](const Pair& p) { return filter_.neighbours(p); };
-    found_.collide(hits.first(
-        static_cast<std::size_t>(std::remove_if(hits.begin(), hits.end(), neighbours) - hits.begin())));
+    found_.collide(window_is_all_ ? hits : filter_.without_neighbours(hits));
   }
 
   const WindowFilter filter_;

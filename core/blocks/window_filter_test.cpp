@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "catena/properties/generators/family.h"
 
 namespace catena {
@@ -17,11 +19,15 @@ TEST(WindowFilter, SaysWhatTheChainSays) {
       const ChainView view = chain.view();
       const WindowFilter filter(view);
       strands += chain.strand_count() > 2;
+      std::vector<Pair> all, kept;
       for (std::uint32_t j = 0; j < chain.size(); ++j)
         for (std::uint32_t i = 0; i < j; ++i) {
           EXPECT_EQ(filter.neighbours({i, j}), chain.neighbours(i, j)) << family.name << ' ' << i << ' ' << j;
           neighbours += chain.neighbours(i, j);
+          all.push_back({i, j});
+          if (!chain.neighbours(i, j)) kept.push_back({i, j});
         }
+      EXPECT_TRUE(std::ranges::equal(filter.without_neighbours(all), kept)) << family.name;
     }
   EXPECT_GT(neighbours, 1000u);
   EXPECT_GT(strands, 5u);

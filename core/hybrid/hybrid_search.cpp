@@ -51,10 +51,10 @@ bool HybridSearch::unfilled(const ChainView& chain) {
 }
 
 void HybridSearch::build_in_space(const ChainView& chain, const Team& team) {
-  const SingleSpheres single = single_spheres(chain, parts_.tree, parts_.crowding);
+  SingleSpheres single = single_spheres(chain, parts_.tree, parts_.crowding);
   parts_.in_cells = single.in_cells;
-  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, settings_.dense * single.ns,
-                   entry_queues_, team);
+  single.ns *= settings_.dense;
+  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, single, entry_queues_, team);
   if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
     parts_.dense_count = chain.size;  // their list need not be made
   } else {
@@ -154,6 +154,7 @@ void HybridSearch::gather_dense(const Team& team) {
 /// that is much greater makes it too wide for all others.
 bool HybridSearch::cells_fit(const ChainView& chain, const Team& team) const {
   constexpr std::uint32_t few = 64, spheres_of_a_task = 1 << 14;  // one in so many
+  if (chain.extent.least_radius >= chain.extent.greatest_radius / 2) return true;
   const auto radius = [&](std::uint32_t k) { return chain.spheres[dense_.empty() ? k : dense_[k]].radius; };
   std::mutex joining;
   float greatest = 0;

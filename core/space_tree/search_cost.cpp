@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "catena/core/space_tree/mean_near.h"
@@ -19,9 +20,11 @@ std::uint32_t samples_of(std::uint32_t spheres, std::uint32_t all) {
 using Samples = std::array<std::uint32_t, 32>;
 
 SingleSpheres cheaper(const ChainView& chain, std::span<const std::uint32_t> samples, bool cells) {
+  constexpr double ball = 4.0 / 3 * std::numbers::pi / 27;  // of what is told to be near, within reach
   const double near = mean_near(chain, samples), in_space = SingleSphereCost::in_space(near),
-               in_cells = SingleSphereCost::in_cells(near);
-  return cells && in_cells < in_space ? SingleSpheres{true, in_cells} : SingleSpheres{false, in_space};
+               in_cells = SingleSphereCost::in_cells(near), pairs = ball * near / 2;
+  return cells && in_cells < in_space ? SingleSpheres{true, in_cells, pairs}
+                                      : SingleSpheres{false, in_space, pairs};
 }
 
 /// Of one sphere of each crowded node.
@@ -36,7 +39,8 @@ bool one_octave(const ChainView& chain, const BlockTree& tree, const Crowding& c
     const std::uint32_t b = node * BlockTree::group;
     const float radius = tree.spheres(chain, b)[node % tree.size_of(b)].radius;
     const double share = greatest > 0 ? double{radius} / greatest : 1;
-    const int below = share > 0 ? -std::ilogb(share) : static_cast<int>(octave.size()) - 1;
+    // The greatest are of the octave below them.
+    const int below = share >= 1 ? 1 : share > 0 ? -std::ilogb(share) : static_cast<int>(octave.size()) - 1;
     ++octave[static_cast<std::size_t>(std::clamp(below, 0, static_cast<int>(octave.size()) - 1))];
     ++all;
   }

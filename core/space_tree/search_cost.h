@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 
+#include "catena/core/blocks/block_tree.h"
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/chain/chain_view.h"
 
@@ -12,13 +14,22 @@ struct SpaceCost {
   static constexpr double node_ns = 40, entry_ns = 8, near_ns = 42;
   static constexpr double build_ns = 80;     ///< a block
   static constexpr double near_share = 0.6;  ///< of all that is not the build, where much is near
-  std::uint64_t nodes = 0;                   ///< pairs of nodes that were opened
-  std::uint64_t entries = 0;                 ///< pairs of entries whose boxes met
-  std::uint64_t near = 0;                    ///< those whose capsules may meet too
+  static constexpr double row_ns = 1;  ///< a sphere and those of eight that it overlaps, if there are any
+  std::uint64_t nodes = 0;             ///< pairs of nodes that were opened
+  std::uint64_t entries = 0;           ///< pairs of entries whose boxes met
+  std::uint64_t near = 0;              ///< those whose capsules may meet too
 
-  double ns() const {
+  /// Where so many pairs of spheres overlap.
+  double ns(double pairs) const {
     return node_ns * static_cast<double>(nodes) + entry_ns * static_cast<double>(entries) +
-           near_ns * static_cast<double>(near);
+           near_ns * static_cast<double>(near) + row_ns * rows(static_cast<double>(near), pairs);
+  }
+  /// Each a row of its own, until all rows have some.
+  static double rows(double near, double pairs) { return std::min(BlockTree::block * near, pairs); }
+  /// Pairs of blocks that are near which take so long.
+  static double near_in(double ns, double pairs) {
+    const double all_rows = ns / (near_ns + BlockTree::block * row_ns);
+    return std::max(all_rows, (ns - row_ns * pairs) / near_ns);
   }
 };
 
@@ -29,10 +40,11 @@ struct SingleSphereCost {
   static double in_space(double near) { return 50 + 0.65 * near; }
 };
 
-/// How spheres are searched one by one, and what that costs each, about.
+/// How spheres are searched one by one, what that costs each, and how many pairs that overlap there are for
+/// each, about.
 struct SingleSpheres {
   bool in_cells;
-  double ns;
+  double ns, pairs;
 };
 /// Those in crowded nodes, by a look at some; or all, where there is no tree. Cells are for radii that come
 /// in one octave, as one in 128 tells.

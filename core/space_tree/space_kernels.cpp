@@ -13,15 +13,16 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                           double sphere_ns, std::span<SpaceQueue> queues, const Team& team) {
+                           const SingleSpheres& single, std::span<SpaceQueue> queues, const Team& team) {
   space.entries = 0;
   // Short strands leave blocks unfilled.
-  const double block_ns = sphere_ns * chain.size / tree.blocks;
-  if (mostly_dense(tree, crowding, block_ns)) return;
+  const double of_a_block = static_cast<double>(chain.size) / tree.blocks, block_ns = single.ns * of_a_block,
+               pairs = single.pairs * of_a_block;
+  if (mostly_dense(tree, crowding, block_ns, pairs)) return;
   SpaceBuild build(chain, tree, crowding, space, team);
   if (!build.collect()) return;
   build.build();
-  judge_density(space, crowding, queues, block_ns, team);
+  judge_density(space, crowding, queues, block_ns, pairs, team);
 }
 
 void search_space_tree_here(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
@@ -48,8 +49,8 @@ HWY_EXPORT(build_space_tree_here);
 HWY_EXPORT(search_space_tree_here);
 
 void build_space_tree(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                      double sphere_ns, std::span<SpaceQueue> queues, const Team& team) {
-  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, sphere_ns, queues, team);
+                      const SingleSpheres& single, std::span<SpaceQueue> queues, const Team& team) {
+  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, single, queues, team);
 }
 
 void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,

@@ -6,6 +6,7 @@
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
+#include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_evidence.h"
 #include "catena/core/space_tree/space_queue.h"
 #include "catena/core/space_tree/space_tree.h"
@@ -14,11 +15,11 @@ namespace catena {
 
 /// The blocks of all crowded nodes in the order of space, and which of them are dense: so many others are
 /// near them that spheres are better searched one by one. Tells `crowding`, and lays parts of blocks out
-/// behind the tree's own. Where all are, or the chain jumps everywhere, `space` is empty. A block may cost what
-/// a search by spheres would of its own, `sphere_ns` each, 0 or more. As many queues as the team has members. O(n log n),
-/// of blocks; does not allocate when the crowd has not grown, in a team of one.
+/// behind the tree's own. Where all are, or the chain jumps everywhere, `space` is empty. A block may cost
+/// what a search by spheres would of its own, single.ns each, 0 or more. As many queues as the team has
+/// members. O(n log n), of blocks; does not allocate when the crowd has not grown, in a team of one.
 CATENA_API void build_space_tree(const ChainView& chain, BlockTree& tree, Crowding& crowding,
-                                 SpaceTree& space, double sphere_ns, std::span<SpaceQueue> queues,
+                                 SpaceTree& space, const SingleSpheres& single, std::span<SpaceQueue> queues,
                                  const Team& team);
 
 /// Reports every colliding pair of spheres in crowded nodes to the collector, once, but for those of two

@@ -48,12 +48,21 @@ struct SpaceOrder::Sort {
 
   /// A cube with many boxes is cut into cubes of its own.
   void refine(const SpaceRows& rows, std::span<std::uint64_t> some, int depth, const Team& team) {
-    constexpr std::size_t many = 64;
+    constexpr std::size_t many = 64, apart = many / 2;
     std::vector<std::span<std::uint64_t>> cubes;
-    for (std::size_t k = 0, end; k < some.size(); k = end) {
-      for (end = k + 1; end < some.size() && some[end] >> 32 == some[k] >> 32;) ++end;
-      if (end - k <= many) continue;
-      const std::span<std::uint64_t> cube = some.subspan(k, end - k);
+    // Of many in one cube some two that are so far apart in order are found.
+    const auto same = [&](std::size_t k, std::size_t j) { return some[k] >> 32 == some[j] >> 32; };
+    for (std::size_t k = 0, first = 0; k + apart < some.size();) {
+      if (!same(k, k + apart)) {
+        k += apart;
+        continue;
+      }
+      std::size_t begin = k, end = k + apart + 1;
+      while (begin > first && same(begin - 1, k)) --begin;
+      while (end < some.size() && same(end, k)) ++end;
+      k = first = end;  // what lies before may have keys of its own by now
+      if (end - begin <= many) continue;
+      const std::span<std::uint64_t> cube = some.subspan(begin, end - begin);
       if (team.size() == 1 || cube.size() >= KeySort::few)
         run(rows, cube, false, depth, team);
       else

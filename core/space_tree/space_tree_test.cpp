@@ -25,7 +25,7 @@ struct Built {
     build_block_tree(chain, tree, alone);
     find_crowds(chain, tree, 0, crowding, alone);
     if (crowding.crowded_nodes() > 0)
-      build_space_tree(chain, tree, crowding, space, 1e6, {&queue, 1}, Team());
+      build_space_tree(chain, tree, crowding, space, {false, 1e6, 0}, {&queue, 1}, Team());
   }
 };
 

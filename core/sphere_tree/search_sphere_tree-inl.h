@@ -37,22 +37,32 @@ template <class Found, class Sink>
 class SphereSearch {
  public:
   SphereSearch(const ChainView& chain, const SphereTree& tree, SphereQueues& queues, Found& found, Sink& sink)
-      : tree_(tree), q_(queues), found_(found), sink_(sink), hits_(chain, queues.hits, tree.doubt, queues.open_done, found) {}
+      : tree_(tree),
+        q_(queues),
+        found_(found),
+        sink_(sink),
+        hits_(chain, queues.hits, tree.doubt, queues.open_done, found) {}
 
-  /// Pairs within nodes begin to end - 1, and of these with later ones.
+  /// Pairs within nodes begin to end - 1, and of these with later ones. Sixteen nodes that follow one another
+  /// go down the tree together, as they meet about the same; but each alone where that is very much, which
+  /// one of them may have made so.
   void run(std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t a = begin; a < end && !found_.satisfied(); ++a) {
-      const AxisBoxes box = box_of(a);
-      within(a);
-      down(tree_.boxes.size() - 1, 0, a, box);
-      meet_nodes(a, box);
+    const std::size_t top = tree_.boxes.size() - 1;
+    for (std::uint32_t a = begin; a < end && !found_.satisfied();) {
+      const bool together = gather(a / group);
+      for (const std::uint32_t last = std::min(end, (a / group + 1) * group); a < last; ++a) {
+        const AxisBoxes box = box_of(a);
+        within(a);
+        together ? against_gathered(a, box) : down(top, 0, a, box);
+        meet_nodes(a, box);
+      }
     }
     work_off();
     hits_.finish();
   }
 
  private:
-  static constexpr std::uint32_t group = SphereTree::group;
+  static constexpr std::uint32_t group = SphereTree::group, fields = SphereTree::box_fields;
   using Bits = hn::RebindToUnsigned<SphereTag>;
 
   HWY_INLINE AxisBoxes box_of(std::uint32_t node) const {
@@ -61,16 +71,73 @@ class SphereSearch {
   /// Those of a node that are spheres.
   std::uint32_t there(std::uint32_t node) const { return lane_bits(tree_.spheres - node * group); }
 
+  /// Those of group g of level l from number `first` of the level on.
+  HWY_INLINE std::uint32_t from(std::size_t l, std::uint32_t g, std::uint32_t first) const {
+    return lane_bits(tree_.count(l) - g * group) & ~(first > g * group ? lane_bits(first - g * group) : 0);
+  }
+
+  /// Queues the groups that have nodes which those of group g may meet, itself and later ones; false where
+  /// these are too many, or there is one alone.
+  bool gather(std::uint32_t g) {
+    groups_ = 0;
+    if (tree_.boxes.size() == 1) return false;
+    const AxisBoxes box = AxisBoxes::all(tree_.boxes_of(1, g / group), g % group);
+    const std::size_t top = tree_.boxes.size() - 1;
+    const auto take = [&](std::uint32_t other) {
+      const float* const of = tree_.boxes_of(1, other / group) + other % group;
+      float* const to = q_.boxes.data() + groups_ / group * group * fields + groups_ % group;
+      for (std::uint32_t f = 0; f < fields; ++f) to[f * group] = of[f * group];
+      q_.groups[groups_] = other;
+      return ++groups_ < q_.groups.size();
+    };
+    if (!gather(top, 0, g, box, take, [](std::size_t, std::uint32_t) {})) return false;
+    if constexpr (Sink::listens)
+      gather(
+          top, 0, g, box, [](std::uint32_t) { return true; },
+          [&](std::size_t l, std::uint32_t k) { sink_.nodes_apart(1, g, l, k); });
+    return true;
+  }
+  /// take(group) for those below group p of level l > 0, until it returns false.
+  template <class Take, class Apart>
+  bool gather(std::size_t l, std::uint32_t p, std::uint32_t g, const AxisBoxes& box, const Take& take,
+              const Apart& apart) {
+    const std::uint32_t later = from(l, p, g >> 4 * (l - 1));
+    std::uint32_t met = later & meet(box, AxisBoxes::load(tree_.boxes_of(l, p))).bits();
+    for_each_lane(later & ~met, [&](std::uint32_t k) { apart(l, p * group + k); });
+    for (; met != 0; met &= met - 1) {
+      const std::uint32_t child = p * group + static_cast<std::uint32_t>(std::countr_zero(met));
+      if (!(l == 1 ? take(child) : gather(l - 1, child, g, box, take, apart))) return false;
+    }
+    return true;
+  }
+
+  /// Node a, in `box`, with later ones of the groups that are queued.
+  void against_gathered(std::uint32_t a, const AxisBoxes& box) {
+    for (std::uint32_t first = 0; first < groups_; first += group) {
+      const std::uint32_t there = lane_bits(static_cast<std::uint32_t>(groups_) - first);
+      const std::uint32_t met = there & meet(box, AxisBoxes::load(q_.boxes.data() + first * fields)).bits();
+      if constexpr (Sink::listens)
+        for_each_lane(there & ~met,
+                      [&](std::uint32_t k) { sink_.nodes_apart(0, a, 1, q_.groups[first + k]); });
+      for_each_lane(met, [&](std::uint32_t k) { against(q_.groups[first + k], a, box); });
+    }
+  }
+
   /// Node a, in `box`, with later ones below group g of level l.
   void down(std::size_t l, std::uint32_t g, std::uint32_t a, const AxisBoxes& box) {
-    // Of nodes later ones, and of nodes above them those that may hold some.
-    const std::uint32_t first = g * group, from = l == 0 ? a + 1 : a >> 4 * l;
-    const std::uint32_t later =
-        lane_bits(tree_.count(l) - first) & ~(from > first ? lane_bits(from - first) : 0);
+    if (l == 0) return against(g, a, box);
+    const std::uint32_t later = from(l, g, a >> 4 * l);
     const std::uint32_t met = later & meet(box, AxisBoxes::load(tree_.boxes_of(l, g))).bits();
     if constexpr (Sink::listens)
-      for_each_lane(later & ~met, [&](std::uint32_t k) { sink_.nodes_apart(a, l, first + k); });
-    if (l > 0) return for_each_lane(met, [&](std::uint32_t k) { down(l - 1, first + k, a, box); });
+      for_each_lane(later & ~met, [&](std::uint32_t k) { sink_.nodes_apart(0, a, l, g * group + k); });
+    for_each_lane(met, [&](std::uint32_t k) { down(l - 1, g * group + k, a, box); });
+  }
+  /// With later ones of group g.
+  HWY_INLINE void against(std::uint32_t g, std::uint32_t a, const AxisBoxes& box) {
+    const std::uint32_t first = g * group, later = from(0, g, a + 1);
+    const std::uint32_t met = later & meet(box, AxisBoxes::load(tree_.boxes_of(0, g))).bits();
+    if constexpr (Sink::listens)
+      for_each_lane(later & ~met, [&](std::uint32_t k) { sink_.nodes_apart(0, a, 0, first + k); });
     for_each_lane(met, [&](std::uint32_t k) {
       const float* const fields = tree_.fields_of(first + k);
       for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f) hwy::Prefetch(fields + f * group);
@@ -148,7 +215,7 @@ class SphereSearch {
   Found& found_;
   Sink& sink_;
   VectorHits<Found> hits_;
-  std::size_t nodes_ = 0, tests_ = 0;
+  std::size_t groups_ = 0, nodes_ = 0, tests_ = 0;
 };
 
 }  // namespace catena::HWY_NAMESPACE

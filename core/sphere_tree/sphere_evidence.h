@@ -39,9 +39,9 @@ class SphereEvidence {
   void compared(std::uint32_t i, std::uint32_t j) const {
     chain_.neighbours(i, j) ? sink_.excluded(i, j) : sink_.tested(i, j);
   }
-  /// A node of level 0 and any by their boxes; a sphere and such a node.
-  void nodes_apart(std::uint32_t node, std::size_t level, std::uint32_t k) const {
-    apart(nodes_.node(0, node), nodes_.node(level, k));
+  /// Two nodes, a of level l, by their boxes; a sphere and a node of level 0.
+  void nodes_apart(std::size_t l, std::uint32_t a, std::size_t level, std::uint32_t k) const {
+    apart(nodes_.node(l, a), nodes_.node(level, k));
   }
   void sphere_apart(std::uint32_t i, std::uint32_t node) const { apart(i, nodes_.node(0, node)); }
 

@@ -6,11 +6,12 @@
 
 namespace catena {
 
-/// What a search of a SphereTree works on: nodes that a node's box meets, tests of a sphere against a node,
-/// and the pairs that a test leaves. Flat lists instead of nested loops, whose ends are hard to foretell.
+/// What a search of a SphereTree works on: groups of nodes that a group's box meets, nodes that a node's box
+/// meets, tests of a sphere against a node, and the pairs that a test leaves. Flat lists instead of nested
+/// loops, whose ends are hard to foretell.
 struct SphereQueues {
   static constexpr std::size_t group = 16;  ///< that much may be added at once, past a limit
-  static constexpr std::size_t node_limit = 48, test_limit = 256, hit_limit = 1024;
+  static constexpr std::size_t group_limit = 64, node_limit = 48, test_limit = 256, hit_limit = 1024;
 
   struct Test {
     std::uint32_t place;  ///< of the sphere
@@ -19,6 +20,8 @@ struct SphereQueues {
 
   std::uint64_t nodes_done = 0, tests_done = 0;  ///< since this was made
   std::uint64_t open_done = 0;                   ///< pairs that binary32 left open, likewise
+  std::vector<std::uint32_t> groups = std::vector<std::uint32_t>(group_limit);
+  std::vector<float> boxes = std::vector<float>(group_limit * 6);  ///< of these, as SphereTree::boxes
   std::vector<std::uint32_t> nodes = std::vector<std::uint32_t>(node_limit + group);
   /// A vector that is stored may pass the last.
   std::vector<Test> tests = std::vector<Test>(test_limit + 2 * group);

@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/executor/pair_collector.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
+#include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/generators/family.h"
+#include "catena/properties/sorted_pairs.h"
 
 namespace catena {
 namespace {
@@ -81,6 +84,69 @@ TEST(SphereTree, IsTheSameForAnyTeam) {
   EXPECT_TRUE(std::ranges::equal(one.index, several.index));
   for (std::size_t l = 0; l < one.boxes.size(); ++l)
     EXPECT_TRUE(std::ranges::equal(one.boxes[l], several.boxes[l]));
+}
+
+std::vector<Pair> pairs_of(const Chain& chain, const SphereTree& tree) {
+  std::vector<SphereQueues> queues(1);
+  Collisions found;
+  PairCollector collector(chain.size(), {}, found);
+  search_sphere_tree(chain.view(), tree, queues, collector, Team());
+  collector.finish();
+  properties::sort(found.pairs);
+  return found.pairs;
+}
+
+/// Later groups of nodes, and itself, that one's box meets.
+std::uint32_t met_by(const SphereTree& tree, std::uint32_t g) {
+  std::uint32_t met = 0;
+  for (std::uint32_t other = g; other < tree.count(1); ++other) {
+    bool apart = false;
+    for (std::uint32_t d = 0; d < 3; ++d)
+      apart |= field(tree, 1, g, d) > field(tree, 1, other, 3 + d) ||
+               field(tree, 1, other, d) > field(tree, 1, g, 3 + d);
+    met += !apart;
+  }
+  return met;
+}
+
+/// Nodes go down together, or each alone where one of their group meets very much, on every level there is;
+/// and who loses a group on the way loses pairs.
+TEST(SphereTree, FindsAllPairsWhereNodesGoTogetherOrAlone) {
+  properties::Dice dice(11);
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < 80'000; ++k) {
+    const bool great = k % 9'000 == 5'000;
+    spheres.push_back({50 * dice.symmetric(), 50 * dice.symmetric(), 50 * dice.symmetric(),
+                       great            ? 30.0f
+                       : dice.one_in(3) ? 0.2f
+                                        : 0.5f});
+  }
+  const Chain chain(std::move(spheres));
+  SphereTree tree;
+  build_sphere_tree(chain.view(), tree, {}, Team());
+  std::uint32_t together = 0, alone = 0, several = 0;
+  for (std::uint32_t g = 0; g < tree.count(1); ++g) {
+    const std::uint32_t met = met_by(tree, g);
+    ++(met < SphereQueues::group_limit ? together : alone);
+    several += met > SphereTree::group && met < SphereQueues::group_limit;
+  }
+  EXPECT_GT(tree.boxes.size(), 3u);
+  EXPECT_GT(together, 100u);
+  EXPECT_GT(several, 10u);
+  EXPECT_GT(alone, 0u);
+
+  Collisions right;
+  const auto other = StrategyRegistry::instance().make("Grid");
+  other->build(chain);
+  other->find(chain, {}, right);
+  properties::sort(right.pairs);
+  EXPECT_GT(right.pairs.size(), chain.size() / 2);
+  EXPECT_TRUE(pairs_of(chain, tree) == right.pairs);
+
+  const std::uint32_t lost = tree.count(1) / 2;
+  tree.boxes_of(1, lost / SphereTree::group)[lost % SphereTree::group] =
+      std::numeric_limits<float>::infinity();
+  EXPECT_LT(pairs_of(chain, tree).size(), right.pairs.size());
 }
 
 }  // namespace
