@@ -62,7 +62,7 @@ class SphereSearch {
   }
 
  private:
-  static constexpr std::uint32_t group = SphereTree::group, fields = SphereTree::box_fields;
+  static constexpr std::uint32_t group = SphereTree::group, box_fields = SphereTree::box_fields;
   using Bits = hn::RebindToUnsigned<SphereTag>;
 
   HWY_INLINE AxisBoxes box_of(std::uint32_t node) const {
@@ -85,8 +85,8 @@ class SphereSearch {
     const std::size_t top = tree_.boxes.size() - 1;
     const auto take = [&](std::uint32_t other) {
       const float* const of = tree_.boxes_of(1, other / group) + other % group;
-      float* const to = q_.boxes.data() + groups_ / group * group * fields + groups_ % group;
-      for (std::uint32_t f = 0; f < fields; ++f) to[f * group] = of[f * group];
+      float* const to = q_.boxes.data() + groups_ / group * group * box_fields + groups_ % group;
+      for (std::uint32_t f = 0; f < box_fields; ++f) to[f * group] = of[f * group];
       q_.groups[groups_] = other;
       return ++groups_ < q_.groups.size();
     };
@@ -115,7 +115,7 @@ class SphereSearch {
   void against_gathered(std::uint32_t a, const AxisBoxes& box) {
     for (std::uint32_t first = 0; first < groups_; first += group) {
       const std::uint32_t there = lane_bits(static_cast<std::uint32_t>(groups_) - first);
-      const std::uint32_t met = there & meet(box, AxisBoxes::load(q_.boxes.data() + first * fields)).bits();
+      const std::uint32_t met = there & meet(box, AxisBoxes::load(q_.boxes.data() + first * box_fields)).bits();
       if constexpr (Sink::listens)
         for_each_lane(there & ~met,
                       [&](std::uint32_t k) { sink_.nodes_apart(0, a, 1, q_.groups[first + k]); });
