@@ -66,7 +66,10 @@ VariantName VariantName::parse(std::string_view text) {
 
 std::string VariantName::text() const {
   std::string text;
-  for (const StageName& s : stages) text += (text.empty() ? "" : "+") + s.text();
+  for (const StageName& s : stages) {
+    if (!text.empty()) text += '+';
+    text += s.text();
+  }
   return arithmetic.empty() ? text : text + "/" + arithmetic;
 }
 
