@@ -45,7 +45,7 @@ struct CellBins {
 };
 
 template <class Members>
-__global__ void __launch_bounds__(CellBins::threads, 2)
+__global__ void __launch_bounds__(CellBins::threads, 3)
     count_in_bins(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                   const __grid_constant__ CellBins bins, const __grid_constant__ Members members) {
   __shared__ std::uint32_t of_bins[CellBins::most];
