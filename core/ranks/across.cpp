@@ -13,12 +13,32 @@ struct BlockBox {
   Box box;
 };
 
+/// What a round brings of one that has so much left, of what all have: at least one.
+std::uint32_t share_of(std::uint32_t at_once, std::uint64_t left, std::uint64_t of_all) {
+  return of_all == 0 ? 1 : std::max(1u, static_cast<std::uint32_t>(at_once * left / of_all));
+}
+
 /// What a rank says to those that ask it.
 class Source {
  public:
   Source(const HeldPart& part, const Border& border) : part_(part), border_(border) {}
 
-  /// The blocks that were asked for, then boxes of the next that touch the asker's top, at most `allowance`.
+  /// To each question, with no more boxes in all than `at_once`, but one to each.
+  std::vector<Message> answer(std::vector<Message> questions, std::uint32_t at_once) {
+    std::uint64_t left = 0;
+    for (const Message& question : questions) left += left_for(question.rank);
+    for (Message& message : questions)
+      message.bytes = answer(message.rank, message.bytes, share_of(at_once, left_for(message.rank), left));
+    return questions;
+  }
+
+ private:
+  std::uint32_t left_for(unsigned asker) {
+    return static_cast<std::uint32_t>(border_.told(asker).size() - next_[asker]);
+  }
+
+  /// The blocks that were asked for, then boxes of the next that touch the asker's top, at most `allowance`;
+  /// before them how many are left then.
   Bytes answer(unsigned asker, const Bytes& question, std::uint32_t allowance) {
     ByteReader in(question);
     const std::uint32_t most = std::min(in.get<std::uint32_t>(), allowance);
@@ -31,11 +51,10 @@ class Source {
     std::vector<BlockBox> boxes;
     for (; next < told.size() && boxes.size() < most; ++next)
       boxes.push_back({told[next], border_.boxes().box(told[next])});
-    out.put(std::uint32_t{next == told.size()}).put_list(boxes);
+    out.put(left_for(asker)).put_list(boxes);
     return out.take();
   }
 
- private:
   const HeldPart& part_;
   const Border& border_;
   std::map<unsigned, std::size_t> next_;  // [asker]: the first of its blocks that it was not told of
@@ -44,7 +63,8 @@ class Source {
 /// What a rank asks of one other.
 struct Question {
   unsigned rank;
-  std::uint32_t first_compared;         ///< of the asker's own blocks
+  std::uint32_t compared;               ///< of the asker's own blocks: see Border::compared
+  std::uint64_t left;                   ///< boxes to come; a guess, at first
   std::vector<std::uint32_t> wanted{};  ///< blocks of it
   bool all_boxes_seen = false;
 
@@ -55,8 +75,8 @@ class Asker {
  public:
   Asker(Communicator& ranks, const Border& border, BlockComparison& comparison) : comparison_(comparison) {
     for (unsigned other = 0; other < ranks.size(); ++other)
-      if (other != ranks.rank() && !border.near(other).empty())
-        questions_.push_back({other, border.first_compared(other)});
+      if (other != ranks.rank() && border.near(other))
+        questions_.push_back({other, border.compared(other), border.expected(other)});
     work_.partners = questions_.size();
     work_.border = border.blocks().size();
   }
@@ -65,10 +85,12 @@ class Asker {
 
   std::vector<Message> questions(std::uint32_t blocks_at_once) const {
     std::vector<Message> messages;
-    const auto share =
-        std::max(1u, blocks_at_once / std::max(1u, static_cast<std::uint32_t>(questions_.size())));
-    for (const Question& question : questions_)
+    std::uint64_t left = 0;
+    for (const Question& question : questions_) left += question.left;
+    for (const Question& question : questions_) {
+      const std::uint32_t share = share_of(blocks_at_once, question.left, left);
       messages.push_back({question.rank, ByteWriter().put(share).put_list(question.wanted).take()});
+    }
     return messages;
   }
 
@@ -80,18 +102,19 @@ class Asker {
     };
     for (const Message& answer : answers) {
       in.emplace_back(answer.bytes);
-      comparison_.take(in.back(), question_of(answer).first_compared);
+      comparison_.take(in.back(), question_of(answer).compared);
     }
     work_.blocks_touching += comparison_.compare();
     for (std::size_t k = 0; k < answers.size(); ++k) {
       Question& question = question_of(answers[k]);
       work_.blocks_asked += question.wanted.size();
       question.wanted.clear();
-      question.all_boxes_seen = in[k].get<std::uint32_t>() != 0;
+      question.left = in[k].get<std::uint32_t>();
+      question.all_boxes_seen = question.left == 0;
       const auto boxes = in[k].get_list<BlockBox>();
       work_.boxes_seen += boxes.size();
       for (const auto& [block, box] : boxes)
-        if (comparison_.may_touch(box, question.first_compared)) question.wanted.push_back(block);
+        if (comparison_.may_touch(box, question.compared)) question.wanted.push_back(block);
     }
   }
 
@@ -115,7 +138,7 @@ struct State {
 
 AcrossWork search_across(Communicator& ranks, const HeldPart& part, const AcrossOptions& options,
                          std::vector<Counted>& counted, KeptPairs& kept) {
-  constexpr std::uint64_t fewest = 1u << 14, most = 1u << 26;  // far from what a chain holds
+  constexpr std::uint64_t fewest = 1u << 16, most = 1u << 26;  // far from what a chain holds
   const std::uint32_t at_once =
       options.blocks_at_once > 0
           ? options.blocks_at_once
@@ -129,11 +152,7 @@ AcrossWork search_across(Communicator& ranks, const HeldPart& part, const Across
     if (std::ranges::none_of(states, &State::open)) break;
     if (options.stop_at_first && std::ranges::any_of(states, &State::found)) break;
     ++asker.work().rounds;
-    std::vector<Message> answers;
-    for (Message& question : ranks.exchange(asker.questions(at_once))) answers.push_back(std::move(question));
-    const auto allowance = std::max(1u, at_once / std::max(1u, static_cast<std::uint32_t>(answers.size())));
-    for (Message& message : answers) message.bytes = source.answer(message.rank, message.bytes, allowance);
-    asker.take(ranks.exchange(std::move(answers)));
+    asker.take(ranks.exchange(source.answer(ranks.exchange(asker.questions(at_once)), at_once)));
     asker.forget_answered();
   }
   return asker.work();

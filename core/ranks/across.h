@@ -16,7 +16,7 @@ struct Counted {
 
 struct AcrossOptions {
   bool stop_at_first = false;  ///< one pair will do
-  /// That a rank sends, and gets, in a round; 0: a quarter of its own, at least 2^14 and at most 2^26.
+  /// That a rank sends, and gets, in a round; 0: a quarter of its own, at least 2^16 and at most 2^26.
   std::uint32_t blocks_at_once = 0;
   /// Of its own, so many times those of both sides, that blocks which came are compared with one after the
   /// other; then those that are left are searched for together, which takes about as long.
@@ -35,11 +35,11 @@ struct AcrossWork {
 
 /// Every pair that collides and whose spheres are held by two ranks, by one of the two. All tell the tops of
 /// their trees. Of two ranks that may touch, each asks the other, so that both compare about half: the lower
-/// one about the first half of those blocks of the higher one that touch its top, the higher one on behalf of
-/// the second half. In rounds: it gets the boxes of the other's blocks that touch its top, asks for the
-/// blocks whose boxes touch a sphere of its own, and compares their spheres. A round brings no rank more, and
-/// takes none from it, than `blocks_at_once`. Adds to `counted`, for spheres of the part and of others, and
-/// to `kept`.
+/// one about every other stripe of those blocks of the higher one that touch its top, the higher one on
+/// behalf of the other stripes. In rounds: it gets the boxes of the other's blocks that touch its top, asks
+/// for the blocks whose boxes touch a sphere of its own, and compares their spheres. A round brings no rank
+/// more, and takes none from it, than `blocks_at_once`. Adds to `counted`, for spheres of the part and of
+/// others, and to `kept`.
 AcrossWork search_across(Communicator& ranks, const HeldPart& part, const AcrossOptions& options,
                          std::vector<Counted>& counted, KeptPairs& kept);
 

@@ -61,12 +61,12 @@ void BlockComparison::search_from(std::uint32_t far_block) {
 
 /// Those that may be near any of them.
 std::vector<std::uint32_t> BlockComparison::own_blocks_for(std::uint32_t far_block) const {
-  std::uint32_t first = far_.mark(far_block);
-  for (std::uint32_t f = far_block; f < far_.blocks(); ++f) first = std::min(first, far_.mark(f));
+  std::uint32_t compared = far_.mark(far_block);
+  for (std::uint32_t f = far_block; f < far_.blocks(); ++f) compared &= far_.mark(f);
   const Box around = box_around(std::span(far_.spheres()).subspan(far_.begin(far_block)));
   std::vector<std::uint32_t> own;
   border_.boxes().for_each_meeting(around, [&](std::uint32_t b) {
-    if (b >= first) own.push_back(b);
+    if ((b & compared) == compared) own.push_back(b);
   });
   return own;
 }
@@ -97,7 +97,7 @@ void BlockComparison::search(std::span<const std::uint32_t> own_blocks, std::uin
 void BlockComparison::overlap(Slot own, std::uint32_t far) {
   const auto b = static_cast<std::uint32_t>(own / Block::most);
   const std::uint32_t far_block = far_.block_of(far);
-  if (b < far_.mark(far_block)) return;  // the other rank's
+  if (const auto compared = far_.mark(far_block); (b & compared) != compared) return;  // the other rank's
   touches_[far_block] = 1;
   const Block& block = border_.blocks()[b];
   const auto k = static_cast<std::uint32_t>(own % Block::most);

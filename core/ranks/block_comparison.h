@@ -18,12 +18,13 @@ class BlockComparison {
   BlockComparison(const HeldPart& part, const Border& border, std::uint32_t meetings,
                   std::vector<Counted>& counted, KeptPairs& kept);
 
-  /// Whether a block with this box may touch a sphere of the border's blocks from the `first` on.
-  bool may_touch(const Box& box, std::uint32_t first) const {
-    return may_touch_border(part_, border_, box, first);
+  /// Whether a block with this box may touch a sphere of the border's blocks that are to be compared: see
+  /// Border::compared.
+  bool may_touch(const Box& box, std::uint32_t compared) const {
+    return may_touch_border(part_, border_, box, compared);
   }
-  /// What came of those blocks, by the same `first`.
-  void take(ByteReader& in, std::uint32_t first) { far_.take(in, part_.rule(), first); }
+  /// What came of those blocks, by the same `compared`.
+  void take(ByteReader& in, std::uint32_t compared) { far_.take(in, part_.rule(), compared); }
   /// Adds to `counted` and to `kept`; returns how many blocks that came have a sphere that touches one of the
   /// part's, neighbours too. What came is forgotten.
   std::uint64_t compare();

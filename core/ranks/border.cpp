@@ -1,6 +1,8 @@
 #include "catena/core/ranks/border.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "catena/core/hierarchy/box_around.h"
 #include "catena/core/hierarchy/morton_grid.h"
@@ -66,9 +68,24 @@ std::vector<std::uint64_t> order_in_space(std::span<const Sphere> spheres, const
   return keys;
 }
 
+/// The bit of their numbers that parts blocks of a border of this size most evenly: in stripes as long as may
+/// be, of which a part is told and the other kept, so that few blocks touch both.
+std::uint32_t stripe_bit(std::span<const std::uint32_t> blocks, std::uint32_t size) {
+  constexpr std::uint32_t few = 8, many = 64;  // stripes of all
+  constexpr double even = 1. / 16;
+  std::uint32_t best = 1;
+  double least = 1;
+  for (std::uint32_t bit = std::bit_floor(size / few); bit > size / (2 * many) && least > even; bit /= 2) {
+    const auto with = std::ranges::count_if(blocks, [&](std::uint32_t b) { return (b & bit) != 0; });
+    const double uneven = std::abs(static_cast<double>(with) / static_cast<double>(blocks.size()) - .5);
+    if (uneven < least) best = bit, least = uneven;
+  }
+  return best;
+}
+
 }  // namespace
 
-Border::Border(Communicator& ranks, const HeldPart& part) : own_(ranks.rank()), near_(ranks.size()) {
+Border::Border(Communicator& ranks, const HeldPart& part) : partners_(ranks.size()) {
   const Blocks blocks = blocks_near_others(ranks, part);
   // What touches a block of this rank is near this rank, too: tops around such blocks alone are finer.
   const ForeignTops foreign(Tops::of_all(ranks, blocks.box), ranks.rank());
@@ -81,9 +98,17 @@ Border::Border(Communicator& ranks, const HeldPart& part) : own_(ranks.rank()), 
     const auto b = static_cast<std::uint32_t>(blocks_.size());
     blocks_.push_back(blocks.block[near.block[at]]);
     boxes_.set(b, blocks.box[near.block[at]]);
-    for (std::size_t k = near.first[at]; k < near.first[at + 1]; ++k) near_[near.rank[k]].push_back(b);
+    for (std::size_t k = near.first[at]; k < near.first[at + 1]; ++k)
+      partners_[near.rank[k]].told.push_back(b);
   }
   boxes_.refresh(0, size);
+  for (unsigned rank = 0; rank < ranks.size(); ++rank) {
+    Partner& partner = partners_[rank];
+    partner.near = partner.told.size();
+    if (rank > ranks.rank() || partner.near == 0) continue;
+    partner.compared = stripe_bit(partner.told, size);
+    std::erase_if(partner.told, [&](std::uint32_t b) { return (b & partner.compared) != 0; });
+  }
 }
 
 }  // namespace catena::ranks

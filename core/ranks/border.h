@@ -18,23 +18,29 @@ class Border {
 
   std::span<const Block> blocks() const { return blocks_; }
   const WideBoxTree& boxes() const { return boxes_; }
-  /// The blocks that may touch this rank, ascending.
-  std::span<const std::uint32_t> near(unsigned rank) const { return near_[rank]; }
-  /// Of those the ones that this rank tells of itself to one that is lower, which compares them; all, to a
-  /// higher one.
-  std::span<const std::uint32_t> told(unsigned rank) const {
-    return near(rank).first(rank < own_ ? half(rank) : near(rank).size());
+  /// Whether any block may touch this rank.
+  bool near(unsigned rank) const { return partners_[rank].near > 0; }
+  /// Of the blocks that may touch a higher rank all, of those that may touch a lower one about half: this
+  /// rank tells it of them, and it compares them with its own. Ascending.
+  std::span<const std::uint32_t> told(unsigned rank) const { return partners_[rank].told; }
+  /// The bit that the numbers of those blocks have which this rank compares with all of a lower one, so does
+  /// not tell it of; 0, which all numbers have, for a higher one.
+  std::uint32_t compared(unsigned rank) const { return partners_[rank].compared; }
+  /// About how many blocks it will be told of.
+  std::size_t expected(unsigned rank) const {
+    return compared(rank) != 0 ? partners_[rank].near : (partners_[rank].near + 1) / 2;
   }
-  /// The first block that this rank compares with those of another one.
-  std::uint32_t first_compared(unsigned rank) const { return rank < own_ ? near(rank)[half(rank)] : 0; }
 
  private:
-  std::size_t half(unsigned rank) const { return near_[rank].size() / 2; }
+  struct Partner {
+    std::vector<std::uint32_t> told;
+    std::size_t near = 0;  ///< blocks that may touch it
+    std::uint32_t compared = 0;
+  };
 
-  unsigned own_;
   std::vector<Block> blocks_;
   WideBoxTree boxes_;
-  std::vector<std::vector<std::uint32_t>> near_;  // [rank]
+  std::vector<Partner> partners_;  // [rank]
 };
 
 }  // namespace catena::ranks

@@ -5,6 +5,7 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>
+#include <bit>
 
 #include "catena/core/blocks/meeting-inl.h"
 #include "catena/core/blocks/tests-inl.h"
@@ -48,8 +49,8 @@ HWY_INLINE bool any_meeting(const WideBoxTree& tree, const Box& box, const Test&
   }
 }
 
-/// Whether the box around any of eight spheres meets this one: Box::around of each.
-HWY_INLINE bool any_box_meets(const Sphere* spheres, const Box& box) {
+/// Which of eight spheres have a box around them, Box::around of each, that meets this one.
+HWY_INLINE std::uint32_t boxes_meeting(const Sphere* spheres, const Box& box) {
   using Tag = Lanes8::Tag;
   Lanes8 centre[3], radius;
   for (std::size_t k = 0; k < Lanes8::parts; ++k)
@@ -61,20 +62,26 @@ HWY_INLINE bool any_box_meets(const Sphere* spheres, const Box& box) {
     return not_less(Lanes8::all(box.high[d]), low - abs(low) * step) &
            not_less(high + abs(high) * step, Lanes8::all(box.low[d]));
   };
-  return !(axis(0) & axis(1) & axis(2)).none();
+  return (axis(0) & axis(1) & axis(2)).bits();
 }
 
 /// One block that came, its spheres side by side.
 class FarBlock {
  public:
-  explicit HWY_INLINE FarBlock(std::span<const Sphere> spheres)
-      : lanes_(eight(spheres).spheres), filled_(lane_bits(static_cast<std::uint32_t>(spheres.size()))) {}
+  HWY_INLINE FarBlock(std::span<const Sphere> spheres, const Box& box)
+      : box_(box),
+        lanes_(eight(spheres).spheres),
+        filled_(lane_bits(static_cast<std::uint32_t>(spheres.size()))) {}
 
   /// See Meeting.
   HWY_INLINE std::uint64_t may_touch(std::span<const Sphere> own) const {
     std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < own.size(); ++k)
+    std::uint32_t near = lane_bits(static_cast<std::uint32_t>(own.size()));
+    if (own.size() == Block::most) near = boxes_meeting(own.data(), box_);  // few, as blocks are long
+    for (; near != 0; near &= near - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(near));
       bits |= std::uint64_t{SphereLanes::may_overlap(lanes_.squares(own[k])).bits() & filled_} << (8 * k);
+    }
     return bits;
   }
 
@@ -89,6 +96,7 @@ class FarBlock {
     return all;
   }
 
+  const Box box_;
   const SphereLanes lanes_;
   const std::uint32_t filled_;
 };
@@ -103,17 +111,18 @@ std::uint64_t meet_border_here(const HeldPart& part, const Border& border, const
   std::uint64_t met = 0;
   for (; far_block < far.blocks() && met < most; ++far_block) {
     const std::span<const Sphere> spheres = far.spheres(far_block);
-    const std::uint32_t first = far.mark(far_block);
+    const std::uint32_t compared = far.mark(far_block);
+    const Box box = box_around(spheres);
     own.clear();
-    any_meeting(border.boxes(), box_around(spheres), [&](std::uint32_t b) HWY_ATTR {
+    any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
       ++met;
-      if (b < first) return false;                                   // the other rank's
+      if ((b & compared) != compared) return false;                  // the other rank's
       const std::span<const Sphere> soon = part.spheres(blocks[b]);  // they lie anywhere in the part
       hwy::Prefetch(&soon.front()), hwy::Prefetch(&soon.back());
       own.push_back(b);
       return false;
     });
-    const FarBlock block(spheres);
+    const FarBlock block(spheres, box);
     for (const std::uint32_t b : own)
       if (const std::uint64_t bits = block.may_touch(part.spheres(blocks[b])); bits != 0)
         meetings.push_back({far_block, b, bits});
@@ -121,11 +130,13 @@ std::uint64_t meet_border_here(const HeldPart& part, const Border& border, const
   return met;
 }
 
-bool may_touch_border_here(const HeldPart& part, const Border& border, const Box& box, std::uint32_t first) {
+bool may_touch_border_here(const HeldPart& part, const Border& border, const Box& box,
+                           std::uint32_t compared) {
   return any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
-    if (b < first) return false;
+    if ((b & compared) != compared) return false;
     const std::span<const Sphere> spheres = part.spheres(border.blocks()[b]);
-    return spheres.size() == Block::most ? any_box_meets(spheres.data(), box) : MeetsBox(box).any_of(spheres);
+    return spheres.size() == Block::most ? boxes_meeting(spheres.data(), box) != 0
+                                         : MeetsBox(box).any_of(spheres);
   });
 }
 
@@ -145,8 +156,8 @@ std::uint64_t meet_border(const HeldPart& part, const Border& border, const FarB
   return HWY_DYNAMIC_DISPATCH(meet_border_here)(part, border, far, most, far_block, meetings);
 }
 
-bool may_touch_border(const HeldPart& part, const Border& border, const Box& box, std::uint32_t first) {
-  return HWY_DYNAMIC_DISPATCH(may_touch_border_here)(part, border, box, first);
+bool may_touch_border(const HeldPart& part, const Border& border, const Box& box, std::uint32_t compared) {
+  return HWY_DYNAMIC_DISPATCH(may_touch_border_here)(part, border, box, compared);
 }
 
 }  // namespace ranks

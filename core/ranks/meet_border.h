@@ -23,8 +23,8 @@ struct Meeting {
 std::uint64_t meet_border(const HeldPart& part, const Border& border, const FarBlocks& far,
                           std::uint64_t most, std::uint32_t& far_block, std::vector<Meeting>& meetings);
 
-/// Whether a block with this box may touch a sphere of the border's blocks from the `first` on: one's box
-/// meets it.
-bool may_touch_border(const HeldPart& part, const Border& border, const Box& box, std::uint32_t first);
+/// Whether a block with this box may touch a sphere of the border's blocks whose numbers have all bits of
+/// `compared`: one's box meets it.
+bool may_touch_border(const HeldPart& part, const Border& border, const Box& box, std::uint32_t compared);
 
 }  // namespace catena::ranks
