@@ -1,5 +1,7 @@
 #include <cuda_runtime.h>
 
+#include <atomic>
+
 #include "catena/cuda/call.h"
 #include "catena/cuda/device.h"
 
@@ -7,6 +9,8 @@ namespace catena::cuda {
 namespace {
 
 __global__ void probe() {}
+
+std::atomic<bool> probed = false;
 
 std::optional<std::string> probe_device() {
   int devices = 0;
@@ -29,8 +33,11 @@ std::optional<std::string> probe_device() {
 
 std::optional<std::string> unavailable() {
   static const std::optional<std::string> reason = probe_device();
+  probed = true;
   return reason;
 }
+
+bool started() { return probed; }
 
 void require_device(Place place) {
   int devices = 0;

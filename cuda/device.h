@@ -12,6 +12,8 @@ namespace catena::cuda {
 /// Why no GPU strategy can run here ("no CUDA device: ..."), or nullopt when device 0 can be used. Asked
 /// once.
 CATENA_API std::optional<std::string> unavailable();
+/// Whether that has been asked: a device there is has been started, then.
+bool started();
 
 /// Throws CapacityError, naming how many there are, when there is no such device.
 void require_device(Place place);

@@ -122,8 +122,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     built_ = false;
     way_ = FrameSearch::Way::full;
     const Extent extent = chain.view().extent;
-    if (!plan_ || !plan_->holds_for(chain.size(), request_, extent, chain.spheres()))
-      plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres());
+    if (!plan_ || !plan_->holds_for(chain.size(), request_, extent, chain.spheres(), history_))
+      plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
       // A chain alone: choosing took less than it takes to look at the clock.
       contact_.reset();
@@ -200,6 +200,10 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       if (!built_) build_searcher(chain);
       searcher_->find(chain, wider, result);
     });
+    if (wider.want != Request::Want::any && wider.queries == SphereRange{}) {
+      const Timings took = searcher_->timings();
+      plan_->tell(took.build_ms + took.find_ms, history_);
+    }
     drop_unasked(request.want, result);
   }
   /// Of another chain; that of the last build is none any more.
@@ -244,6 +248,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   const bool always_;
   Request request_;
   std::optional<SearchPlan> plan_;
+  SearchHistory history_;
   CoarseLook look_;
   PartLook part_look_;
   std::optional<Pair> contact_;  ///< of the last frame, found by a look

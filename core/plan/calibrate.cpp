@@ -73,10 +73,25 @@ void measure_threads(const Machine::VariantCost& v, unsigned cores, MachineCost&
   cost.sphere_ns = one * 1e6 / many;  // where threads pay, so that a share of it is right there
 }
 
+/// By a first search, where this process has not made one.
+void measure_start(Machine::VariantCost& v) {
+  if (v.start_ms() == 0) return;
+  const Stopwatch watch;
+  if (v.unavailable && v.unavailable()) return;
+  const auto variant = StrategyRegistry::instance().make(v.variant);
+  const Chain chain = spring(1024);
+  Collisions found;
+  variant->build(chain);
+  variant->find(chain, {}, found);
+  v.cost.start_ms = watch.ms();
+}
+
 }  // namespace
 
 Machine calibrate() {
   Machine machine = Machine::built_in();
+  for (Machine::VariantCost& v : machine.costs)
+    if (v.on_device) measure_start(v);
   std::erase_if(machine.costs,
                 [](const Machine::VariantCost& v) { return v.unavailable && v.unavailable(); });
   for (Machine::VariantCost& v : machine.costs) try {

@@ -15,7 +15,7 @@
 namespace catena {
 namespace {
 
-constexpr const char* first_line = "catena-calibration 2";
+constexpr const char* first_line = "catena-calibration 3";
 constexpr const char* last_line = "end";
 
 /// What tells one machine's figures from another's where a home is shared.
@@ -56,11 +56,11 @@ Read read(std::istream& text) {
     Machine::VariantCost v;
     std::string rest;
     if (!(fields >> v.variant >> v.cost.fixed_us >> v.cost.sphere_ns >> v.cost.sphere_pair_ns >>
-          v.cost.serial >> v.cost.team_us) ||
+          v.cost.serial >> v.cost.team_us >> v.cost.start_ms) ||
         fields >> rest || !usable(v.cost.fixed_us) || !usable(v.cost.sphere_ns) ||
         !usable(v.cost.sphere_pair_ns) || !usable(v.cost.serial) || !usable(v.cost.team_us) ||
-        v.cost.serial > 1)
-      return {{}, fmt::format("line {} is not a variant and five numbers", number)};
+        !usable(v.cost.start_ms) || v.cost.serial > 1)
+      return {{}, fmt::format("line {} is not a variant and six numbers", number)};
     result.costs.push_back(std::move(v));
   }
   return {{}, "is cut off"};
@@ -75,7 +75,8 @@ Machine Machine::built_in() {
     const StrategyInfo& info = registry.strategy(name);
     const bool on_device = info.place.on_device();
     if (!info.cost || info.peer || (!on_device && info.unavailable && info.unavailable())) continue;
-    machine.costs.push_back({name, with_threads(info), on_device, info.all_pairs, info.unavailable});
+    machine.costs.push_back(
+        {name, with_threads(info), on_device, info.all_pairs, info.unavailable, info.started});
   }
   machine.cores = usable_cores();
   machine.source = "built-in figures; catena calibrate measures this machine's";
@@ -123,8 +124,8 @@ std::filesystem::path calibration_file() {
 std::string calibration_text(const Machine& machine) {
   std::string text = fmt::format("{}\nprocessor {}\n", first_line, processor());
   for (const Machine::VariantCost& v : machine.costs)
-    text += fmt::format("{} {} {} {} {} {}\n", v.variant, v.cost.fixed_us, v.cost.sphere_ns,
-                        v.cost.sphere_pair_ns, v.cost.serial, v.cost.team_us);
+    text += fmt::format("{} {} {} {} {} {} {}\n", v.variant, v.cost.fixed_us, v.cost.sphere_ns,
+                        v.cost.sphere_pair_ns, v.cost.serial, v.cost.team_us, v.cost.start_ms);
   return text + last_line + "\n";
 }
 

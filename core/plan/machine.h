@@ -19,6 +19,10 @@ struct CATENA_API Machine {
     /// Why it cannot run here; empty: it can. A device is looked for only by who would take it, as the look
     /// takes longer than many a search.
     std::function<std::optional<std::string>()> unavailable = {};
+    std::function<bool()> started = {};  ///< see StrategyInfo
+
+    /// What the first search is yet to pay besides.
+    double start_ms() const { return started && !started() ? cost.start_ms : 0; }
   };
   std::vector<VariantCost> costs;
   std::string source;                  ///< where the figures are from, for the user

@@ -32,7 +32,8 @@ TEST_F(MachineFile, ComesBackAsItWasWritten) {
   Machine machine = Machine::built_in();
   ASSERT_GE(machine.costs.size(), 2u);
   for (Machine::VariantCost& v : machine.costs)
-    v.cost.fixed_us += 1, v.cost.sphere_ns += 0.1, v.cost.serial *= 0.5, v.cost.team_us += 3;
+    v.cost.fixed_us += 1, v.cost.sphere_ns += 0.1, v.cost.serial *= 0.5, v.cost.team_us += 3,
+        v.cost.start_ms += 7;
   const Machine back = read(calibration_text(machine));
   EXPECT_FALSE(back.warning);
   EXPECT_NE(back.source.find(file_.string()), std::string::npos) << back.source;
@@ -55,7 +56,7 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
     damaged.push_back(good.substr(0, length));
   for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
     damaged.push_back(
-        std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 3 1 ") + figure + "\n"));
+        std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 3 1 5 ") + figure + "\n"));
   damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
   for (const std::string& text : damaged) {
     const Machine machine = read(text);

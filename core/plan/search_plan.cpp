@@ -21,11 +21,22 @@ std::string switched_off(const Omissions& omissions, Omission omission) {
 }  // namespace
 
 SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& machine,
-                       const Omissions& omissions, const Extent& extent, std::span<const Sphere> spheres)
-    : n_(n), asked_(request.want), want_(request.want), machine_(machine), omissions_(omissions) {
+                       const Omissions& omissions, const Extent& extent, std::span<const Sphere> spheres,
+                       const SearchHistory& history)
+    : n_(n),
+      asked_(request.want),
+      want_(request.want),
+      machine_(machine),
+      omissions_(omissions),
+      lost_ms_(history.lost_ms()) {
+  const double measured = history.times(n);
+  if (measured > 0) times_ = measured;
   choose();
   seen_ = look_at(extent, spheres);
-  if (seen_ != nullptr && seen_->times != 1) choose();
+  if (seen_ != nullptr && seen_->times != 1 && measured == 0) {
+    times_ = seen_->times;
+    choose();
+  }
   if (chosen_ == all_pairs_) seen_ = nullptr;
   if (chosen_ == tree_) give_to_host();
   want_ = searched_for(asked_);
@@ -41,10 +52,12 @@ void SearchPlan::choose() {
   Offer chosen = tree;
   if (tree.of == nullptr || (omissions_.may(Omission::hierarchy) && all_pairs.ms < tree.ms))
     chosen = all_pairs;
-  // By what a usual chain takes: to start a device takes a process's first search far longer than many small
-  // searches, so that more than usual is to be done before one is.
-  if (device.of != nullptr && (chosen.of == nullptr || !omissions_.may(Omission::device) ||
-                               device.ms < chosen.of->cost.ms(n_, chosen.threads))) {
+  // To start a device takes a process's first search far longer than most searches. As who rents before he
+  // buys, the host goes on until it has lost as much: then no more than twice of what was needed is spent,
+  // however many searches come.
+  saved_ms_ = chosen.ms - device.ms;
+  if (device.of != nullptr &&
+      (chosen.of == nullptr || !omissions_.may(Omission::device) || pays(*device.of, lost_ms_))) {
     if (device.of->unavailable && device.of->unavailable())
       device.of = nullptr;
     else
@@ -84,15 +97,33 @@ const UnusualKind* SearchPlan::look_at(const Extent& extent, std::span<const Sph
 
 double SearchPlan::ms(const Machine::VariantCost& v, unsigned threads) const {
   MachineCost cost = v.cost;
-  if (seen_ != nullptr && !v.on_device) cost.sphere_ns *= seen_->times;
+  if (!v.on_device) cost.sphere_ns *= times_;
   return cost.ms(n_, threads);
 }
 
-std::string SearchPlan::priced(const Machine::VariantCost& v, unsigned threads, bool of_usual) const {
-  return fmt::format("{}{} about {:.3g} ms{}", v.variant,
-                     threads > 1 ? fmt::format(" with {} threads", threads) : "",
-                     of_usual ? v.cost.ms(n_, threads) : ms(v, threads),
-                     of_usual && ms(v) != v.cost.ms(n_) ? " of a usual chain" : "");
+void SearchPlan::tell(double took_ms, SearchHistory& history) const {
+  constexpr std::uint32_t few = 2048;             // over before a team has come together
+  constexpr double least = 1. / 16, most = 1024;  // a clock may fail
+  if (chosen_ != tree_ || n_ <= few) return;
+  MachineCost of_spheres = tree_->cost;
+  of_spheres.fixed_us = of_spheres.team_us = 0;
+  const double others = tree_->cost.fixed_us + (threads_ > 1 ? tree_->cost.team_us : 0);
+  const double times = (took_ms - others * 1e-3) / of_spheres.ms(n_, threads_);
+  const double lost = device_ != nullptr ? std::max(0.0, took_ms - ms(*device_)) : 0;
+  history.add(n_, std::clamp(times, least, most), lost);
+}
+
+bool SearchPlan::is_true_to(const SearchHistory& history) const {
+  constexpr double about = 1.5;
+  if (!gave_way_.empty() || chosen_ != tree_) return true;
+  const double times = history.times(n_);
+  if (times > about * times_ || (times > 0 && times * about < times_)) return false;
+  return device_ == nullptr || !pays(*device_, history.lost_ms());
+}
+
+std::string SearchPlan::priced(const Machine::VariantCost& v, unsigned threads) const {
+  return fmt::format("{}{} about {:.3g} ms", v.variant,
+                     threads > 1 ? fmt::format(" with {} threads", threads) : "", ms(v, threads));
 }
 
 SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v) const {
@@ -159,11 +190,13 @@ Decision SearchPlan::hierarchy() const {
 Decision SearchPlan::device() const {
   if (device_ == nullptr) return {"device", true, "none that is available says what it costs"};
   const Candidate host = tree_ != nullptr ? tree_ : all_pairs_;
-  return {"device", chosen_ != device_,
-          (host != nullptr ? fmt::format("{}, {}", priced(*device_), priced(*host, best_threads(*host), true))
-                           : priced(*device_)) +
-              (chosen_ != device_ ? "; not looked for" : "") + switched_off(omissions_, Omission::device),
-          ms(*device_)};
+  std::string reason = priced(*device_);
+  if (host != nullptr) reason += ", " + priced(*host, best_threads(*host));
+  if (chosen_ != device_ && saved_ms_ > 0)
+    reason += fmt::format("; to start it about {:.3g} ms, of which {:.3g} were lost so far",
+                          device_->start_ms(), lost_ms_);
+  if (chosen_ != device_) reason += "; not looked for";
+  return {"device", chosen_ != device_, reason + switched_off(omissions_, Omission::device), ms(*device_)};
 }
 
 Decision SearchPlan::further_threads() const {

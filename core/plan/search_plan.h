@@ -8,6 +8,7 @@
 #include "catena/core/export.h"
 #include "catena/core/plan/machine.h"
 #include "catena/core/plan/omissions.h"
+#include "catena/core/plan/search_history.h"
 #include "catena/core/plan/unusual_kind.h"
 #include "catena/core/strategy/plan.h"
 #include "catena/core/strategy/request.h"
@@ -18,16 +19,20 @@ namespace catena {
 /// few numbers and takes no memory; the words are made when they are asked for.
 class CATENA_API SearchPlan {
  public:
-  /// `machine` must outlive this. `extent` and `spheres` of a chain that is not known: {}. Throws
-  /// CapacityError when the machine has the cost of no variant.
+  /// `machine` must outlive this. `extent` and `spheres` of a chain that is not known: {}; `history`: of its
+  /// searches so far. Throws CapacityError when the machine has the cost of no variant.
   SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions,
-             const Extent& extent = Extent(), std::span<const Sphere> spheres = {});
+             const Extent& extent = Extent(), std::span<const Sphere> spheres = {},
+             const SearchHistory& history = {});
 
-  /// It would be no other for this chain and request, as far as neither is of another kind.
+  /// It would be no other for this chain and request, as far as neither is of another kind and searches take
+  /// about what was thought.
   bool holds_for(std::uint32_t n, const Request& request, const Extent& extent,
-                 std::span<const Sphere> spheres = {}) const {
-    return n == n_ && request.want == asked_ && seen_ == look_at(extent, spheres);
+                 std::span<const Sphere> spheres = {}, const SearchHistory& history = {}) const {
+    return n == n_ && request.want == asked_ && seen_ == look_at(extent, spheres) && is_true_to(history);
   }
+  /// Says what building and searching took by this plan; nothing of a device, and of few spheres.
+  void tell(double took_ms, SearchHistory& history) const;
 
   const std::string& variant() const {
     return !in_parts_.empty() ? in_parts_ : kind_ != nullptr ? kind_->variant : chosen_->variant;
@@ -64,7 +69,11 @@ class CATENA_API SearchPlan {
   unsigned best_threads(const Machine::VariantCost& v) const;
   Offer offer_of(const Machine::VariantCost& v) const;
   double ms(const Machine::VariantCost& v, unsigned threads = 1) const;
-  std::string priced(const Machine::VariantCost& v, unsigned threads = 1, bool of_usual = false) const;
+  std::string priced(const Machine::VariantCost& v, unsigned threads = 1) const;
+  bool pays(const Machine::VariantCost& device, double lost_ms) const {
+    return saved_ms_ > 0 && device.start_ms() <= saved_ms_ + lost_ms;
+  }
+  bool is_true_to(const SearchHistory& history) const;
   const UnusualKind* look_at(const Extent& extent, std::span<const Sphere> spheres) const;
   bool knows(const char* parameter) const;  ///< the variant does
   Decision hierarchy() const;
@@ -82,6 +91,9 @@ class CATENA_API SearchPlan {
   std::string gave_way_;  ///< who had no room, and why
   const UnusualKind* seen_ = nullptr;  ///< the chain's; null: a usual one, or not looked at
   const UnusualKind* kind_ = nullptr;  ///< the same where its variant takes the tree's place
+  double times_ = 1;                   ///< about what a sphere takes a host, of what is usual
+  double lost_ms_ = 0;                 ///< see SearchHistory
+  double saved_ms_ = 0;                ///< of a search on the host, by one on a device that has been started
   unsigned threads_ = 1;               ///< of what was chosen
   bool look_first_ = false;
 };

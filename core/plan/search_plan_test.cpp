@@ -136,14 +136,14 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
   EXPECT_EQ(SearchPlan(1u << 24, {}, one, {}).threads(), 1u);
 }
 
-/// The device of this machine takes 0.92 ns a sphere and one core 10: sixteen cores take less.
-/// Spheres that touch those beside them in a block, in no order: each takes a host several times as long as in a tube.
+/// Spheres that touch those beside them in a block, in no order: each takes a host several times as long as
+/// in a tube.
 TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
   std::vector<Sphere> spheres;
   for (std::uint32_t k = 0; k < 8000; ++k) {
     const std::uint32_t at = k * 3001 % 8000;
-    spheres.push_back({static_cast<float>(at % 20), static_cast<float>(at / 20 % 20),
-                       static_cast<float>(at / 400), 0.5f});
+    spheres.push_back(
+        {static_cast<float>(at % 20), static_cast<float>(at / 20 % 20), static_cast<float>(at / 400), 0.5f});
   }
   const Chain crowded(std::move(spheres));
   Machine of = sixteen_cores();
@@ -155,6 +155,88 @@ TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
   EXPECT_TRUE(plan(crowded.view()).holds_for(8000, {}, crowded.view().extent, crowded.spheres()));
   EXPECT_EQ(SearchPlan(8000, {}, of, {}).threads(), 1u);
   EXPECT_GT(plan(crowded.view()).estimate_ms(), SearchPlan(8000, {}, of, {}).estimate_ms());
+}
+
+TEST(SearchPlan, LearnsWhatASphereTakesFromTwoSearches) {
+  const Machine of = sixteen_cores();
+  constexpr std::uint32_t n = 8000;
+  const auto plan = [&](const SearchHistory& history) {
+    return SearchPlan(n, {}, of, {}, Extent(), {}, history);
+  };
+  SearchHistory history;
+  ASSERT_EQ(plan(history).threads(), 1u);
+  plan(history).tell(1, history);
+  EXPECT_EQ(plan(history).threads(), 1u) << "a first search takes longer than those after it";
+  EXPECT_TRUE(plan({}).holds_for(n, {}, Extent(), {}, history));
+  plan(history).tell(0.9, history);
+  EXPECT_FALSE(plan({}).holds_for(n, {}, Extent(), {}, history));
+  const SearchPlan crowded = plan(history);
+  EXPECT_GT(crowded.threads(), 1u);
+  EXPECT_EQ(plan(history).estimate_ms(), crowded.estimate_ms());
+  EXPECT_EQ(SearchPlan(n + 1, {}, of, {}, Extent(), {}, history).threads(), 1u) << "of other spheres";
+  for (int k = 0; k < 3; ++k) {  // it takes what it was thought to, give or take a fifth
+    crowded.tell(crowded.estimate_ms() * (1 + (k - 1) / 5.), history);
+    EXPECT_TRUE(crowded.holds_for(n, {}, Extent(), {}, history));
+    EXPECT_EQ(plan(history).threads(), crowded.threads());
+  }
+  crowded.tell(100, history);
+  EXPECT_TRUE(crowded.holds_for(n, {}, Extent(), {}, history)) << "one that was disturbed";
+  for (int k = 0; k < 2; ++k) crowded.tell(0.06, history);
+  EXPECT_FALSE(crowded.holds_for(n, {}, Extent(), {}, history));
+  EXPECT_EQ(plan(history).threads(), 1u);
+  SearchHistory few;
+  for (int k = 0; k < 2; ++k) SearchPlan(1000, {}, of, {}).tell(50, few);
+  EXPECT_EQ(few.times(1000), 0);
+}
+
+/// A machine whose device takes a tenth of the host's time for many spheres, and 400 ms to start.
+struct LateDevice {
+  int looks = 0;
+  bool started = false;
+  Machine machine{{{"tree", {{.fixed_us = 1, .sphere_ns = 10}}},
+                   {"device",
+                    {{.fixed_us = 80, .sphere_ns = 1, .start_ms = 400}},
+                    true,
+                    false,
+                    [this]() -> std::optional<std::string> { return ++looks, started = true, std::nullopt; },
+                    [this] { return started; }}},
+                  "a test",
+                  {}};
+};
+
+TEST(SearchPlan, StartsADeviceWhereAsMuchWasLostWithoutIt) {
+  for (const std::uint32_t n : {20'000u, 100'000u, 1'000'000u, 30'000'000u, 1'000'000'000u}) {
+    LateDevice late;
+    SearchHistory history;
+    const double host = 1e-3 + n * 10e-6, device = 80e-3 + n * 1e-6, start = 400;
+    double spent = 0;
+    bool on_device = false;
+    std::optional<SearchPlan> plan;
+    for (int searches = 1; searches <= 20000; ++searches) {
+      if (!plan || !plan->holds_for(n, {}, Extent(), {}, history)) {
+        plan.emplace(n, Request{}, late.machine, Omissions{}, Extent(), std::span<const Sphere>{}, history);
+        EXPECT_EQ(late.looks > 0, plan->on_device());
+      }
+      EXPECT_GE(plan->on_device(), on_device) << "and back";
+      if (plan->on_device() && !on_device) spent += start;
+      on_device = plan->on_device();
+      spent += on_device ? device : host;
+      if (!on_device) plan->tell(host, history);
+      const double best = std::min(searches * host, start + searches * device);
+      ASSERT_LE(spent, 2 * best + host) << n << ", " << searches;
+    }
+    EXPECT_TRUE(on_device) << n;
+    EXPECT_FALSE(step(plan->steps(), "device").left_out);
+  }
+  LateDevice late;
+  const std::string reason = step(SearchPlan(100'000, {}, late.machine, {}).steps(), "device").reason;
+  EXPECT_NE(reason.find("to start it about 400 ms"), std::string::npos) << reason;
+  EXPECT_EQ(late.looks, 0);
+  const SearchPlan before(100'000, {}, late.machine, {});
+  late.started = true;  // by others
+  EXPECT_FALSE(before.holds_for(100'000, {}, Extent()));
+  EXPECT_TRUE(SearchPlan(100'000, {}, late.machine, {}).on_device());
+  EXPECT_FALSE(SearchPlan(5'000, {}, late.machine, {}).on_device());
 }
 
 TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {

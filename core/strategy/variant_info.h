@@ -35,6 +35,9 @@ struct CATENA_API StrategyInfo {
   std::optional<Cost> cost = {};
   /// Why it cannot run on this machine; nullopt when it can. Empty function: it always can.
   std::function<std::optional<std::string>()> unavailable = {};
+  /// Whether this process has paid what starting takes (Cost::start_ms), for this strategy or another. Empty
+  /// function: there is nothing to start.
+  std::function<bool()> started = {};
   bool resident = false;  ///< a variant complete in itself that is a ResidentSearch: registering it says so
 };
 
