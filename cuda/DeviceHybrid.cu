@@ -266,7 +266,7 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
                       {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
                       {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
                       binned_parameter()}),
-     .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7, .start_ms = 400},
+     .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7, .start_ms = 300},
      .unavailable = unavailable,
      .started = started}};
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,21 @@ TEST(Cells, FindWhatTangledBlocksAndOthersShare) {
   expect_exact(Chain(spheres), "a rod that goes on through scattered rods");
 }
 
+/// Rods of many sizes, scattered: blocks look into all coarser levels of cells, but where there are too many of
+/// these all are left to the search of spheres.
+TEST(Cells, FindWhatBlocksOfManyLevelsMeet) {
+  for (const std::uint32_t levels : {2u, CapsuleBlocks::most_levels, CapsuleBlocks::most_levels + 1, 6u}) {
+    std::vector<Sphere> spheres;
+    std::uint32_t state = 54321;
+    const auto at = [&] { return 300 * static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f; };
+    for (std::uint32_t k = 0; k < 500; ++k) {
+      const float x = at(), y = at(), z = at();
+      add_rod(spheres, x, y, z, k % 2 == 0, std::exp2(static_cast<float>(k % levels)));
+    }
+    expect_exact(each_block_a_strand(spheres), "rods of " + std::to_string(levels) + " sizes");
+  }
+}
+
 /// Bits of a node's place among others, up to the most spheres there can be.
 TEST(Cells, HaveATreeOfAnySize) {
   for (const std::uint32_t blocks : {1u, 8u, 9u, 8192u, 8193u, 65537u, (1u << 26) - 1, 1u << 26}) {
@@ -153,7 +169,7 @@ TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
 
 /// Thicker than it is finely sampled: a window certifies what no neighbours do.
 TEST(Cells, GoOnInOrderBeyondAWindow) {
-  for (const std::uint32_t window : {2u, 3u, 30u, 31u, 32u, 40u})
+  for (const std::uint32_t window : {1u, 2u, 3u, 30u, 31u, 32u, 40u})
     for (const std::uint32_t beyond : {0u, 1u}) {
       std::vector<Sphere> spheres;
       const float step = 2.0f / static_cast<float>(window + beyond) - 0.001f;

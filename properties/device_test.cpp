@@ -204,6 +204,32 @@ TEST_F(Device, MovesLargeChainsAndAnswersWhole) {
   }
 }
 
+/// What moved alone goes to the device: ranges that are moved together, as they lie near one another, ranges
+/// that are not, and a single one.
+TEST_F(Device, MovesTheRangesThatMoved) {
+  const Chain chain = scene("path1:n=20000");
+  const std::uint32_t n = chain.size();
+  for (const std::vector<SphereRange>& ranges :
+       {std::vector<SphereRange>{{0, 1}, {1000, 1003}, {7000, 7001}, {9500, 9600}, {n - 1, n}}, {{5000, 5002}}, {}})
+    for (const char* name : {"DeviceGrid", "DeviceHybrid(least=0)", "DeviceLBVH", "aGPU2+GPU2", "aCPU2+GPU2"}) {
+      std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
+      for (const SphereRange& range : ranges)
+        for (std::uint32_t i = range.begin; i < range.end; ++i) spheres[i] = chain[(i + n / 2) % n];
+      const Chain moved = chain.moved(std::move(spheres));
+      const auto before = reference::find(chain), after = reference::find(moved);
+      ASSERT_EQ(before.pairs == after.pairs, ranges.empty());
+      const auto variant = StrategyRegistry::instance().make(name);
+      Collisions found;
+      variant->build(chain);
+      variant->update(moved, Moved(ranges));
+      variant->find(moved, {}, found);
+      EXPECT_TRUE(reference::compare(moved, after, found).right()) << name << ", " << ranges.size() << " ranges";
+      variant->update(chain, Moved(ranges));
+      variant->find(chain, {}, found);
+      EXPECT_TRUE(reference::compare(chain, before, found).right()) << name << ", and back";
+    }
+}
+
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
   const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
   const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;

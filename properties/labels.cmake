@@ -6,8 +6,9 @@ if(NOT catena_tests_TESTS)
   return()  # not built
 endif()
 
-# Needs a device; skipped without one.
-set(gpu Device DeviceGolden DeviceMemory DeviceTrial)
+# Run on a device where there is one, for which Cells make their chains; Cells are of the host, too, the others are skipped
+# without one.
+set(gpu Cells Device DeviceGolden DeviceMemory DeviceTrial)
 # Not in the fast suite; `ctest --preset long`.
 set(long SmallScopeLong SnakeLong StabilityLong SizesLong EnumerateLong LatticeBoxLong SecondArithmeticLong GrowthLong EndToEndLong)
 set(golden Golden DeviceGolden)

@@ -30,11 +30,15 @@ std::optional<std::string> with_settings(const std::string& variant, const std::
 
 std::vector<Subject> in_small_blocks(const std::vector<Subject>& subjects) {
   std::vector<Subject> small;
-  for (const Subject& subject : subjects)
-    if (const auto name =
-            with_settings(subject.info.name,
-                          {{"subtree", "6"}, {"block", "4"}, {"crowd", "0"}, {"frames", "always"}, {"parts", "3"}, {"group", "4"}}))
-      small.push_back(Subject::named(*name));
+  const auto add = [&](const Subject& subject, const std::vector<Setting>& settings) {
+    if (const auto name = with_settings(subject.info.name, settings)) small.push_back(Subject::named(*name));
+  };
+  for (const Subject& subject : subjects) {
+    add(subject,
+        {{"subtree", "6"}, {"block", "4"}, {"crowd", "0"}, {"frames", "always"}, {"parts", "3"}, {"group", "4"}});
+    // On a device short chains are left to the grid.
+    if (subject.info.on_device()) add(subject, {{"least", "0"}, {"cells", "0"}, {"meetings", "40"}});
+  }
   return small;
 }
 
