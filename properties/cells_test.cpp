@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catena/core/cells/block_nodes.h"
+#include "catena/core/cells/buckets.h"
 #include "catena/core/cells/capsule_blocks.h"
 #include "catena/core/cells/sphere_cells.h"
 #include "catena/core/strategy/registry.h"
@@ -32,13 +33,13 @@ Chain each_block_a_strand(const std::vector<Sphere>& spheres) {
 }
 
 /// As many rods, scattered in a cube: what is next in the chain is not near, and all nodes meet one another.
-std::vector<Sphere> scattered_rods(std::uint32_t rods, float side) {
+std::vector<Sphere> scattered_rods(std::uint32_t rods, float side, float size = 1) {
   std::vector<Sphere> spheres;
   std::uint32_t state = 12345;
   const auto at = [&] { return side * static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f; };
   for (std::uint32_t k = 0; k < rods; ++k) {
     const float x = at(), y = at(), z = at();
-    add_rod(spheres, x, y, z, k % 2 == 0);
+    add_rod(spheres, x, y, z, k % 2 == 0, size);
   }
   return spheres;
 }
@@ -83,6 +84,52 @@ TEST(Cells, FindWhatNodesAtTheirLimitMeet) {
   for (const std::uint32_t others : {nodes.crowd(1) - 1, nodes.crowd(1), nodes.crowd(1) + 1, 2 * nodes.crowd(1)})
     expect_exact(each_block_a_strand(scattered_rods(BlockNodes::children * (others + 1), 120)),
                  "nodes that meet " + std::to_string(others) + " others");
+}
+
+/// Capsules that reach nearly half a cell, of 64, so that what they touch lies as far away as may be.
+TEST(Cells, FindCapsulesAsLongAsACellIsWide) {
+  const auto reach = [](float size) { return size * (1.6f * 15.5f + 1); };
+  for (const float size : {1.15f, 1.2f, 1.235f}) {
+    ASSERT_LT(2 * reach(size), 64);
+    expect_exact(each_block_a_strand(scattered_rods(800, 260, size)),
+                 "rods that reach " + std::to_string(reach(size)));
+  }
+}
+
+/// Of two blocks that touch one is in the last bucket of a chunk, the other in the first of the next.
+TEST(Cells, FindWhatLiesBehindTheEndOfAChunk) {
+  constexpr float cell = 64;
+  constexpr std::uint32_t level = 18;  // of cells of 2^14, as which 64 are stored where the chain ends below 4096
+  std::vector<Sphere> spheres = scattered_rods(400, 150);  // blocks that are not tangled have no cell
+  const CellTable table = CellTable::of(4 * (400 + 2 * 60));
+  std::uint32_t crossing = 0;
+  for (int x = 20; x < 60; ++x)
+    for (int y = -20; y < 20 && crossing < 60; ++y)
+      for (int z = -20; z < 20 && crossing < 60; ++z)
+        if (table.bucket(x, y, z, level) % Buckets::chunk == Buckets::chunk - 1) {
+          const float at_x = cell * static_cast<float>(x + 1), at_y = cell * (static_cast<float>(y) + 0.5f),
+                      at_z = cell * (static_cast<float>(z) + 0.5f);
+          add_rod(spheres, at_x - 0.7f, at_y, at_z, true);
+          add_rod(spheres, at_x + 0.7f, at_y + 3, at_z, true);
+          ++crossing;
+        }
+  EXPECT_EQ(crossing, 60u);
+  const float end = each_block_a_strand(spheres).view().extent.greatest_coordinate;
+  EXPECT_TRUE(2048 <= end && end < 4096) << end;
+  EXPECT_EQ(CapsuleBlocks::level_of(26 * 0x1p8f), level);
+  expect_exact(each_block_a_strand(spheres), "rods beside one another, in two chunks");
+}
+
+/// The turns of a coil touch one another, each of five blocks or so; two blocks of it still go on in order.
+TEST(Cells, FindWhatTouchesInANodeWhoseBlocksGoOnInOrder) {
+  for (const float turn : {140.0f, 160.0f, 190.0f, 250.0f}) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < 40 * block; ++k) {
+      const float at = static_cast<float>(k) / turn, angle = 6.2831853f * at, radius = 1.6f * turn / 6.2831853f;
+      spheres.push_back({radius * std::cos(angle), radius * std::sin(angle), 1.9f * at, 1});
+    }
+    expect_exact(Chain(spheres), "a coil of " + std::to_string(turn) + " spheres a turn");
+  }
 }
 
 /// A straight strand through scattered rods: it is not tangled, and they are.
