@@ -14,6 +14,7 @@
 #include <set>
 #include <sstream>
 
+#include "catena/bench/tube/tube.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/command_line.h"
 #include "catena/core/commands/variant_json.h"
@@ -275,6 +276,13 @@ TEST(Report, PaperMeasuresThePapersTables) {
     planned.push_back(input.input);
   }
   EXPECT_EQ(planned, expected);
+}
+
+TEST(Report, EveryProfileNamesTubesThatThereAre) {
+  for (const char* profile : {"quick", "full", "paper"}) {
+    const auto names = profile_named(profile).tubes;
+    if (!names.empty()) EXPECT_EQ(bench::tubes_named(names).size(), names.size()) << profile;
+  }
 }
 
 TEST(Report, Base64IsThatOfTheStandard) {
