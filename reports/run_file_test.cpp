@@ -280,8 +280,8 @@ TEST(Report, PaperMeasuresThePapersTables) {
 
 TEST(Report, EveryProfileNamesTubesThatThereAre) {
   for (const char* profile : {"quick", "full", "paper"}) {
-    const auto names = profile_named(profile).tubes;
-    if (!names.empty()) EXPECT_EQ(bench::tubes_named(names).size(), names.size()) << profile;
+    for (const std::string& tube : profile_named(profile).tubes)
+      EXPECT_EQ(bench::tubes_named({tube}).size(), 1u) << profile;
   }
 }
 
