@@ -44,21 +44,20 @@ endif()
 # #include.
 set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <optional> <string> <vector> <fmt/format.h>)
 
-# The file of a command is mostly the option parser, which takes longer to compile than all algorithms: these files are
-# one target, for which the parser is read once. It is linked last, so that what is in other files, too, is their better
-# code.
+# What a command says, and how it is asked, is JSON and the option parser, which take longer to compile than all
+# algorithms and run once: these files are one target, for which JSON is read once. It is linked last, so that what is
+# in other files, too, is their better code.
 set(CATENA_OPTIMIZE_COMMANDS $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 if(CATENA_SANITIZE)
   set(CATENA_OPTIMIZE_COMMANDS -O0)
-  set_source_files_properties(${PROJECT_SOURCE_DIR}/core/main.cpp ${PROJECT_SOURCE_DIR}/reports/report_command.cpp PROPERTIES
-    COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
 endif()
-# catena_take_commands(LIST): takes the files of commands off this list of files, for the target catena_commands.
+set(CATENA_COMMAND_FILES "(_(command|option|report|json)s?|/(command_line|report|json))\\.cpp$")
+# catena_take_commands(LIST): takes these files off this list of files, for the target catena_commands.
 function(catena_take_commands list)
   set(commands ${${list}})
   set(others ${${list}})
-  list(FILTER commands INCLUDE REGEX "_(command|option)s?\\.cpp$")
-  list(FILTER others EXCLUDE REGEX "_(command|option)s?\\.cpp$")
+  list(FILTER commands INCLUDE REGEX ${CATENA_COMMAND_FILES})
+  list(FILTER others EXCLUDE REGEX ${CATENA_COMMAND_FILES})
   set_property(GLOBAL APPEND PROPERTY CATENA_COMMANDS ${commands})
   set(${list} ${others} PARENT_SCOPE)
 endfunction()
@@ -135,7 +134,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIE
   "CATENA_COMMIT_HEADER=\"${commit_header}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\""
   OBJECT_DEPENDS ${commit_header})
 
-catena_part(core CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen Boost::headers hwy::hwy)
+catena_part(core nlohmann_json::nlohmann_json Eigen3::Eigen Boost::headers hwy::hwy)
 # What some readers need. Without it they refuse their files with the reason.
 find_package(ZLIB QUIET)
 if(ZLIB_FOUND)
@@ -153,14 +152,15 @@ endif()
 add_dependencies(catena_part_core catena_commit)
 include(${PROJECT_SOURCE_DIR}/reference/reference.cmake)
 catena_part(properties)
-catena_part(bench CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen hwy::hwy)
+catena_part(bench nlohmann_json::nlohmann_json Eigen3::Eigen hwy::hwy)
+target_precompile_headers(catena_part_bench PRIVATE <nlohmann/json.hpp>)
 include(${PROJECT_SOURCE_DIR}/core/ranks/ranks.cmake)
 get_property(commands GLOBAL PROPERTY CATENA_COMMANDS)
 add_library(catena_commands OBJECT ${commands})
 target_link_libraries(catena_commands PRIVATE catena_options fmt::fmt CLI11::CLI11 nlohmann_json::nlohmann_json Eigen3::Eigen
   Boost::headers hwy::hwy ${CATENA_MPI_LIBRARY})
 target_compile_options(catena_commands PRIVATE ${CATENA_OPTIMIZE_COMMANDS})
-target_precompile_headers(catena_commands PRIVATE ${CATENA_PRECOMPILED} <CLI/CLI.hpp> <nlohmann/json.hpp>)
+target_precompile_headers(catena_commands PRIVATE ${CATENA_PRECOMPILED} <nlohmann/json.hpp>)
 target_link_libraries(catena_program PRIVATE catena_commands)
 
 add_executable(catena_cli ${PROJECT_SOURCE_DIR}/core/main.cpp)
@@ -169,7 +169,7 @@ set_target_properties(catena_cli PROPERTIES OUTPUT_NAME catena EXPORT_NAME progr
 include(${PROJECT_SOURCE_DIR}/core/install.cmake)
 include(${PROJECT_SOURCE_DIR}/bench/bench.cmake)
 include(${PROJECT_SOURCE_DIR}/reports/reports.cmake)
-target_link_libraries(catena_cli PRIVATE catena_program catena_reports catena_timing CLI11::CLI11)
+target_link_libraries(catena_cli PRIVATE catena_program catena_reports catena_timing)
 if(CATENA_TESTS)
   enable_testing()
   include(${PROJECT_SOURCE_DIR}/properties/tests.cmake)

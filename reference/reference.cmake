@@ -1,5 +1,5 @@
 # The exact reference (Boost.Multiprecision) and the peers it is compared with (each when it is there).
-catena_part(reference CLI11::CLI11 nlohmann_json::nlohmann_json Boost::headers)
+catena_part(reference nlohmann_json::nlohmann_json Boost::headers)
 target_compile_definitions(catena_part_reference PRIVATE
   CATENA_EXAMPLES_IN_SOURCE="${PROJECT_SOURCE_DIR}/core/readers/examples"
   CATENA_EXAMPLES_INSTALLED="${CMAKE_INSTALL_FULL_DATADIR}/catena/examples")

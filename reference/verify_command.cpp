@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -44,11 +43,11 @@ Candidate candidate(const std::string& name) {
 
 class VerifyCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("INPUT", inputs_, "Scenes and files; none: every scene, extremes and the sample files");
     app.add_option("--variant", variants_, "Only this variant; repeatable")
-        ->type_name("V")
-        ->allow_extra_args(false);
+        .type_name("V")
+        .allow_extra_args(false);
     frame_.add_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each input and variant");
     app.add_flag(

@@ -100,7 +100,7 @@ Profile full() {
   p.motion_offsets = {1e7, 4e6, 0};
   p.motion_seconds = 900;
   p.keyframe_sizes.assign(paper_sizes.begin(), paper_sizes.end());
-  p.tubes = {"lissajous", "torus_knot"};
+  p.tubes = {"lissajous", "torus_knot_2_3"};
   p.tube_spacings = {2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01};
   p.examine_settings.insert(p.examine_settings.end(), {"n=100000", "n=10000,offset=1e7"});
   p.stability_n = 1000;

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <optional>
@@ -10,7 +9,6 @@
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/input_options.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
@@ -30,46 +28,41 @@ using Json = nlohmann::ordered_json;
 /// `catena report`: measures, keeps the raw samples and makes the page; or makes it of earlier runs.
 class ReportCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    auto* quick = app.add_flag("--quick", quick_, "Under 3 minutes on 2 cores (default)");
-    auto* full = app.add_flag("--full", full_, "Longer chains, narrower intervals; about an hour");
-    auto* paper =
+  void configure(OptionParser& app) override {
+    const auto quick = app.add_flag("--quick", quick_, "Under 3 minutes on 2 cores (default)");
+    const auto full = app.add_flag("--full", full_, "Longer chains, narrower intervals; about an hour");
+    const auto paper =
         app.add_flag("--paper", paper_, "The paper's Tables 3 and 4: both paths, its sizes, all keyframes");
-    quick->excludes(full)->excludes(paper);
-    full->excludes(paper);
-    app.add_option("--output", output_, "Folder for run.json and the page")->capture_default_str();
-    auto* from = app.add_option("--from", from_, "Measure nothing: make the page of these run files")
-                     ->type_name("RUN.json");
-    auto* compare = app.add_option("--compare", compare_,
-                                   "Two run files, old and new: exit code 1 when something became slower")
-                        ->type_name("OLD.json NEW.json")
-                        ->expected(2);
-    compare->excludes(from);
+    quick.excludes(full).excludes(paper);
+    full.excludes(paper);
+    app.add_option("--output", output_, "Folder for run.json and the page").capture_default_str();
+    const auto from = app.add_option("--from", from_, "Measure nothing: make the page of these run files")
+                          .type_name("RUN.json");
+    const auto compare =
+        app.add_option("--compare", compare_,
+                       "Two run files, old and new: exit code 1 when something became slower")
+            .type_name("OLD.json NEW.json")
+            .expected(2);
+    compare.excludes(from);
     app.add_option("--scene", scenes_, "Time this input instead; repeatable")
-        ->type_name("INPUT")
-        ->allow_extra_args(false);
+        .type_name("INPUT")
+        .allow_extra_args(false);
     add_input_options(app, input_);
     app.add_option("--variant", variants_, "Only this variant; repeatable")
-        ->type_name("V")
-        ->allow_extra_args(false);
+        .type_name("V")
+        .allow_extra_args(false);
     app.add_option("--benchmark_filter", filter_,
                    "Only cases SCENE/n:N/VARIANT/STAGE that match, as Google Benchmark's")
-        ->type_name("REGEX");
-    app.add_option("--seconds", seconds_, "Limit of the timing")
-        ->type_name("S")
-        ->check(CLI::Range(1e-3, 1e6));
+        .type_name("REGEX");
+    app.add_option("--seconds", seconds_, "Limit of the timing").type_name("S").range(1e-3, 1e6);
     app.add_option("--repetitions", repetitions_,
                    "Samples of every case, no fewer and no more, however long that takes (or --seconds)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 10'000));
-    app.add_option("--seed", seed_, "Of the random order of the measurements")
-        ->type_name("X")
-        ->transform(whole_number_option());
-    auto* resume =
+        .type_name("N")
+        .range(1, 10'000);
+    app.add_option("--seed", seed_, "Of the random order of the measurements").type_name("X").whole_number();
+    const auto resume =
         app.add_flag("--resume", resume_, "Go on with the interrupted run of the folder, with its options");
-    for (auto* other : app.get_options())
-      if (other != resume && other->get_name() != "--help" && other->get_name() != "--output")
-        resume->excludes(other);
+    app.exclude_others(resume, {"--output"});
     app.add_flag("--no-page", no_page_, "Write run.json only");
   }
 

@@ -10,7 +10,7 @@ set(CATENA_PYTHON ${python} CACHE STRING "Python interpreter that writes the rep
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/*.cpp)
 list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
 add_library(catena_reports OBJECT ${sources})
-target_link_libraries(catena_reports PUBLIC catena_program CLI11::CLI11 nlohmann_json::nlohmann_json Boost::headers)
+target_link_libraries(catena_reports PUBLIC catena_program nlohmann_json::nlohmann_json Boost::headers)
 target_precompile_headers(catena_reports PRIVATE ${CATENA_PRECOMPILED} <nlohmann/json.hpp>)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/reports/page_writer.cpp PROPERTIES COMPILE_DEFINITIONS
   "CATENA_PYTHON=\"${CATENA_PYTHON}\";CATENA_DATADIR=\"${CMAKE_INSTALL_DATADIR}\";CATENA_REPORTS_IN_SOURCE=\"${PROJECT_SOURCE_DIR}/reports\"")

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -16,9 +15,9 @@ namespace {
 /// `catena closed-form`: a chain whose pairs are known by a formula, at any size, without a reference.
 class ClosedFormCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     lattice_.add_to(app, 1290);
-    app.add_option("--variant", variant_, "Who finds the pairs; see catena list")->capture_default_str();
+    app.add_option("--variant", variant_, "Who finds the pairs; see catena list").capture_default_str();
     app.footer(
         "The same chain as an input of any command: the scene serpentine. Exit code 1 for a wrong answer.");
   }

@@ -1,7 +1,6 @@
 #pragma once
-#include <CLI/CLI.hpp>
-
 #include "catena/bench/closed_form/lattice_box.h"
+#include "catena/core/commands/command_line.h"
 
 namespace catena::bench {
 
@@ -10,13 +9,13 @@ struct LatticeOptions {
   LatticeBox box;
   bool counts_only = false, json = false;
 
-  void add_to(CLI::App& app, int greatest_side) {
+  void add_to(OptionParser& app, int greatest_side) {
     app.add_option("--side", box.side, "Points along each of three axes; side^3 spheres")
-        ->check(CLI::Range(1, greatest_side))
-        ->capture_default_str();
+        .range(1, greatest_side)
+        .capture_default_str();
     app.add_option("--reach", box.reach, "Spheres of points so many steps apart touch exactly")
-        ->check(CLI::Range(0, 1000))
-        ->capture_default_str();
+        .range(0, 1000)
+        .capture_default_str();
     app.add_flag("--face-centred", box.face_centred, "The face-centred lattice instead of the cubic one");
     app.add_flag("--rods", box.rods, "A bundle: each row a strand of its own");
     app.add_flag("--counts-only", counts_only, "Compare counts, keep no pairs");

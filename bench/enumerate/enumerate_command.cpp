@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -18,25 +17,25 @@ namespace {
 /// `catena enumerate`: counts lattice walks by a variant, against what others published.
 class EnumerateCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("--walks", steps_, "Steps of the longest walks; all shorter ones are counted on the way")
-        ->type_name("N")
-        ->check(CLI::Range(1, Walk::most_steps))
-        ->capture_default_str();
+        .type_name("N")
+        .range(1, Walk::most_steps)
+        .capture_default_str();
     std::vector<std::string> lattices{"cubic", "square"};
     for (const OtherLattice& lattice : other_lattices()) lattices.push_back(lattice.name);
     app.add_option("--lattice", lattice_,
                    "Of the walks; on other than cubic and square their points alone count")
-        ->check(CLI::IsMember(lattices))
-        ->capture_default_str();
+        .one_of(lattices)
+        .capture_default_str();
     app.add_option("--radius", radius_,
                    "Of every sphere, in steps (default: just below 1/2, where walks may not meet themselves, "
                    "and 1/2, "
                    "where they may not touch themselves)")
-        ->type_name("R")
-        ->check(CLI::Range(0.0, 100.0));
+        .type_name("R")
+        .range(0.0, 100.0);
     app.add_option("--variant", variant_, "Who says which walks collide; see catena list")
-        ->capture_default_str();
+        .capture_default_str();
     app.add_flag("--json", json_, "One JSON object a line for each number");
     app.footer(
         "The tables are in bench/enumerate/published.cpp and other_lattice.cpp. Exit code 1 when a number "

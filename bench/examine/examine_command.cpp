@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -24,11 +23,11 @@ namespace {
 /// `catena examine`: where the paper's parents do not enclose their children, and what that costs.
 class ExamineCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("INPUT", inputs_, "Scenes and files; none: rod, path1 and yarn by n and offset");
     app.add_option("--arithmetic", arithmetics_, "literal or double; repeatable (default: both)")
-        ->allow_extra_args(false)
-        ->check(CLI::IsMember({"literal", "double"}));
+        .allow_extra_args(false)
+        .one_of({"literal", "double"});
     add_input_options(app, options_);
     app.add_flag("--levels", levels_, "A line for each level of the tree too");
     app.add_flag("--json", json_, "One JSON object a line for each input and arithmetic");

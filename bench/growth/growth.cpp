@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "catena/bench/counts/count_work.h"
+#include "catena/bench/fit/least_squares.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 
@@ -23,24 +23,21 @@ double student_t(std::size_t freedom) {
 }
 
 /// By the first `columns` of: a constant, the power of n, the surface.
-Growth::Law fit(const std::vector<Growth::Point>& points, int columns) {
+Growth::Law fit(const std::vector<Growth::Point>& points, std::size_t columns) {
   if (points.size() < 4) throw std::logic_error("growth: a law needs four points");
-  const auto rows = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd terms(rows, columns);
-  Eigen::VectorXd logs(rows);
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    const Growth::Point& p = points[static_cast<std::size_t>(k)];
+  std::vector<std::vector<double>> terms;
+  std::vector<double> logs;
+  for (const Growth::Point& p : points) {
     if (p.n == 0 || p.node_pairs == 0) throw std::logic_error("growth: nothing was counted");
-    const Eigen::Vector3d term{1, std::log(p.n), 1 / std::cbrt(p.n)};
-    terms.row(k) = term.head(columns);
-    logs(k) = std::log(static_cast<double>(p.node_pairs));
+    terms.push_back({1, std::log(p.n), 1 / std::cbrt(p.n)});
+    terms.back().resize(columns);
+    logs.push_back(std::log(static_cast<double>(p.node_pairs)));
   }
-  const Eigen::MatrixXd inverse = (terms.transpose() * terms).inverse();
-  const Eigen::VectorXd best = inverse * terms.transpose() * logs;
-  const std::size_t freedom = points.size() - static_cast<std::size_t>(columns);
-  const double rest = (logs - terms * best).squaredNorm() / static_cast<double>(freedom);
-  const double half = student_t(freedom) * std::sqrt(rest * inverse(1, 1));
-  return {best(1), best(1) - half, best(1) + half};
+  const LeastSquares solved = least_squares(terms, logs);
+  const std::size_t freedom = points.size() - columns;
+  const double rest = solved.rest / static_cast<double>(freedom);
+  const double half = student_t(freedom) * std::sqrt(rest * solved.variance[1]);
+  return {solved.best[1], solved.best[1] - half, solved.best[1] + half};
 }
 
 }  // namespace

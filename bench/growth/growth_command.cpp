@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "catena/bench/growth/growth.h"
 #include "catena/core/commands/command.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
 
@@ -17,14 +15,14 @@ namespace {
 /// `catena growth`: how the pairs of nodes that a search compares grow with the chain.
 class GrowthCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("SCENE", scenes_, "Scenes without n")->capture_default_str();
+  void configure(OptionParser& app) override {
+    app.add_option("SCENE", scenes_, "Scenes without n").capture_default_str();
     app.add_option("--n", most_, "Spheres of the longest chain; from 1,000 in half decades")
-        ->transform(whole_number_option(32'000))
-        ->capture_default_str();
+        .whole_number(32'000)
+        .capture_default_str();
     app.add_option("--variant", variants_, "Whose work is counted; repeatable")
-        ->allow_extra_args(false)
-        ->capture_default_str();
+        .allow_extra_args(false)
+        .capture_default_str();
     app.add_flag("--json", json_, "One JSON object a line for each scene and variant");
     app.footer("Agarwal and others prove O(n^(4/3)) for Necklace, where spheres do not overlap too deeply.");
   }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -11,7 +10,6 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/show_warnings.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
@@ -24,29 +22,29 @@ namespace {
 /// `catena knots`: tight knots and links, against the ropelengths that were published of them.
 class KnotsCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("INPUT", inputs_,
                    "Closed polygons: files (3_1_328.vect) or scenes; none: the links that are carried");
-    auto* knot =
-        app.add_option("--knot", knot_, "What was published of them: a name; see below")->type_name("NAME");
-    auto* rope =
+    const auto knot =
+        app.add_option("--knot", knot_, "What was published of them: a name; see below").type_name("NAME");
+    const auto rope =
         app.add_option(
                "--ropelength", ropelength_,
                "Or a ropelength that was published of these polygons: length over thickness, a radius")
-            ->type_name("R")
-            ->check(CLI::PositiveNumber);
-    auto* thick = app.add_option("--thickness", thickness_, "Or a thickness, in units of the file")
-                      ->type_name("T")
-                      ->check(CLI::PositiveNumber);
-    knot->excludes(rope)->excludes(thick);
-    rope->excludes(thick);
+            .type_name("R")
+            .positive();
+    const auto thick = app.add_option("--thickness", thickness_, "Or a thickness, in units of the file")
+                           .type_name("T")
+                           .positive();
+    knot.excludes(rope).excludes(thick);
+    rope.excludes(thick);
     app.add_option("--n", points_, "Vertices of each circle of the links that are carried")
-        ->transform(whole_number_option(16))
-        ->capture_default_str();
+        .whole_number(16)
+        .capture_default_str();
     app.add_flag("--closed", options_.closed, "Every strand is closed, where the file cannot say so");
     app.add_option("--format", options_.reading.format, "Read files as those of this extension")
-        ->type_name("EXTENSION");
-    app.add_option("--variant", variant_, "Who finds the contacts; see catena list")->capture_default_str();
+        .type_name("EXTENSION");
+    app.add_option("--variant", variant_, "Who finds the contacts; see catena list").capture_default_str();
     app.add_flag("--json", json_, "One JSON object a line for each polygon");
     std::string names;
     for (const PublishedKnot& k : published_knots()) names += "\n  " + k.name + ": " + k.what;

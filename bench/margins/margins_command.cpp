@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -27,8 +26,8 @@ namespace {
 /// changed can be said only where the numbers are known better than they are stored: `catena errors`.
 class MarginsCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", inputs_, "Scenes (grazing:margin=1e-7) and files (neuron.swc)")->required();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", inputs_, "Scenes (grazing:margin=1e-7) and files (neuron.swc)").required();
     frame_.add_to(app);
     add_input_options(app, options_);
     app.add_flag("--json", json_, "One JSON object a line for each frame");

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -46,41 +45,39 @@ Exit code 1: an exact variant missed or invented a contact.)";
 /// `catena motion`: error against run time of a stiff motion, by stiffness, step, arithmetic and offset.
 class MotionCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     const auto list = [&](const char* name, std::vector<double>& values, const char* meaning) {
-      return app.add_option(name, values, meaning)->allow_extra_args(false)->capture_default_str();
+      return app.add_option(name, values, meaning).allow_extra_args(false).capture_default_str();
     };
     list("--stiffness", stiffness_, "Tension at a strain of 1, over the pull; repeatable")
-        ->type_name("S")
-        ->check(CLI::Range(1.0, 1e12));
-    list("--step", steps_, "Time step at most; repeatable")->type_name("H")->check(CLI::Range(1e-4, 1e3));
+        .type_name("S")
+        .range(1.0, 1e12);
+    list("--step", steps_, "Time step at most; repeatable").type_name("H").range(1e-4, 1e3);
     list("--offset", offsets_, "Of the stored chain along every axis, in radii; repeatable")
-        ->type_name("D")
-        ->check(CLI::Range(-1e30, 1e30));
+        .type_name("D")
+        .range(-1e30, 1e30);
     app.add_option("--variant", variants_, "Finds the contacts; repeatable")
-        ->type_name("V")
-        ->allow_extra_args(false)
-        ->capture_default_str();
-    app.add_option("--n", n_, "Spheres of the rope")->capture_default_str()->check(CLI::Range(2u, 100'000u));
+        .type_name("V")
+        .allow_extra_args(false)
+        .capture_default_str();
+    app.add_option("--n", n_, "Spheres of the rope").capture_default_str().range(2u, 100'000u);
     app.add_option("--frames", frames_, "Frames, compared with the fine motion")
-        ->capture_default_str()
-        ->check(CLI::Range(2u, 100'000u));
-    app.add_option("--duration", duration_, "Time of the last frame")
-        ->capture_default_str()
-        ->check(CLI::Range(1e-3, 1e6));
+        .capture_default_str()
+        .range(2u, 100'000u);
+    app.add_option("--duration", duration_, "Time of the last frame").capture_default_str().range(1e-3, 1e6);
     app.add_option("--reference-step", reference_step_,
                    "Step of the fine motion (default: 1/8 of the least step)")
-        ->type_name("H")
-        ->check(CLI::Range(1e-5, 1e3));
+        .type_name("H")
+        .range(1e-5, 1e3);
     app.add_option("--repetitions", repetitions_, "Timed rounds, each over all variants in random order")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
+        .capture_default_str()
+        .range(1, 100000);
     app.add_option("--starts", starts_, "Perturbed starts of each motion")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
+        .capture_default_str()
+        .range(1, 100000);
     app.add_option("--seconds", seconds_,
                    "Begins no further motion after this time, and says how many are left")
-        ->check(CLI::Range(0.0, 1e9));
+        .range(0.0, 1e9);
     app.add_flag("--json", json_, "One JSON object a line for each motion");
     app.footer(footer);
   }

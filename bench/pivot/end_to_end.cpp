@@ -1,10 +1,10 @@
 #include "catena/bench/pivot/end_to_end.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 
+#include "catena/bench/fit/least_squares.h"
 #include "catena/core/error.h"
 
 namespace catena::bench {
@@ -75,20 +75,17 @@ bool Exponent::agrees() const { return std::fabs(nu - published) <= half_width +
 
 Exponent fit_exponent(std::span<const EndToEnd> lengths) {
   if (lengths.size() < 4) throw InputError("the exponent needs walks of at least four lengths");
-  const auto rows = static_cast<Eigen::Index>(lengths.size());
-  Eigen::MatrixXd terms(rows, 3);
-  Eigen::VectorXd logs(rows);
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    const EndToEnd& seen = lengths[static_cast<std::size_t>(k)];
+  std::vector<std::vector<double>> terms;
+  std::vector<double> logs;
+  for (const EndToEnd& seen : lengths) {
     const double steps = seen.points - 1.0,
                  weight = seen.mean_square / seen.error;  // 1 / error of the logarithm
-    terms.row(k) << weight, weight * 2 * std::log(steps), weight * std::pow(steps, -0.528);
-    logs(k) = weight * std::log(seen.mean_square);
+    terms.push_back({weight, weight * 2 * std::log(steps), weight * std::pow(steps, -0.528)});
+    logs.push_back(weight * std::log(seen.mean_square));
   }
-  const Eigen::Matrix3d inverse = (terms.transpose() * terms).inverse();
-  const Eigen::Vector3d fit = inverse * terms.transpose() * logs;
+  const LeastSquares solved = least_squares(terms, logs);
   constexpr double normal = 1.96;
-  return {fit(1), normal * std::sqrt(inverse(1, 1))};
+  return {solved.best[1], normal * std::sqrt(solved.variance[1])};
 }
 
 nlohmann::ordered_json to_json(const EndToEnd& seen) {

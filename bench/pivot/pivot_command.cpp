@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -12,7 +11,6 @@
 #include "catena/bench/pivot/at_once.h"
 #include "catena/bench/pivot/end_to_end.h"
 #include "catena/core/commands/command.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
@@ -24,33 +22,27 @@ namespace {
 /// `catena pivot`: a self-avoiding walk under the pivot algorithm, judged by the exact reference at its end.
 class PivotCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("--n", points_, "Points of the walk")
-        ->transform(whole_number_option(2))
-        ->capture_default_str();
-    app.add_option("--moves", moves_, "Attempts that are measured")
-        ->transform(whole_number_option(64))
-        ->capture_default_str();
+  void configure(OptionParser& app) override {
+    app.add_option("--n", points_, "Points of the walk").whole_number(2).capture_default_str();
+    app.add_option("--moves", moves_, "Attempts that are measured").whole_number(64).capture_default_str();
     app.add_option("--warm-up", warm_up_,
                    "Attempts before, from a straight walk on (default: a fifth of the moves, or 20 a point)")
-        ->transform(whole_number_option());
-    app.add_option("--seed", seed_, "Of the random pivots")
-        ->transform(whole_number_option())
-        ->capture_default_str();
+        .whole_number();
+    app.add_option("--seed", seed_, "Of the random pivots").whole_number().capture_default_str();
     app.add_option("--rotations", rotations_,
                    "lattice: the 48 symmetries of the cubic lattice; any: every rotation, of spheres that "
                    "touch their "
                    "neighbours, where the spheres as written in binary32 decide")
-        ->check(CLI::IsMember({"lattice", "any"}))
-        ->capture_default_str();
+        .one_of({"lattice", "any"})
+        .capture_default_str();
     const auto exponent = app.add_flag(
         "--exponent", exponent_, "Walks of N, N/2, ... N/32 points, and the exponent nu from all of them");
     app.add_flag("--at-once", at_once_,
                  "Then the cost of k pivots at once, k = 1 to N - 1, beside that of a rebuild with the "
                  "fastest variant")
-        ->excludes(exponent);
+        .excludes(exponent);
     app.add_option("--out", out_, "Write the last walk to this .chain file, spheres that touch where it does")
-        ->type_name("FILE");
+        .type_name("FILE");
     app.add_flag("--json", json_, "One JSON object a line for each length");
     app.footer(
         "Exit code 1 when the exact reference finds that the walk meets itself, or a rebuild answers "

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <numeric>
 #include <string>
 
@@ -16,14 +15,14 @@ namespace {
 /// `catena scaling INPUT`: what ranks would have to tell one another, before there are any.
 class ScalingCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", input_, "A scene or a file")->required();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", input_, "A scene or a file").required();
     app.add_option("--ranks", most_, "Up to so many, by doubling from 2")
-        ->check(CLI::Range(2, 4096))
-        ->capture_default_str();
+        .range(2, 4096)
+        .capture_default_str();
     app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
-        ->check(CLI::IsMember(parts::order_names()))
-        ->capture_default_str();
+        .one_of(parts::order_names())
+        .capture_default_str();
     app.add_option("--timed", timed_,
                    "Search the parts, too, by this variant, from one rank on, and tell with --json what each "
                    "phase takes");

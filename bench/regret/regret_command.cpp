@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -22,24 +21,24 @@ namespace {
 /// `catena regret`: what the choice of auto costs beside the quickest single variant.
 class RegretCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("INPUT", inputs_, "Scenes and files; none: every scene at each --n");
     app.add_option("--n", sizes_,
                    "Spheres of the scenes; repeatable; without INPUT only (default 1000, 30000)")
-        ->type_name("N")
-        ->allow_extra_args(false)
-        ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100'000'000}));
+        .type_name("N")
+        .allow_extra_args(false)
+        .range(std::uint32_t{1}, std::uint32_t{100'000'000});
     app.add_option("--variant", variants_,
                    "Hold auto against this one; repeatable (default: every one of the host)")
-        ->type_name("V")
-        ->allow_extra_args(false);
+        .type_name("V")
+        .allow_extra_args(false);
     app.add_option("--seconds", effort_.seconds, "About so long for each input, twice")
-        ->type_name("S")
-        ->capture_default_str()
-        ->check(CLI::Range(1e-3, 1e6));
+        .type_name("S")
+        .capture_default_str()
+        .range(1e-3, 1e6);
     app.add_option("--rounds", effort_.rounds, "Samples of each, at most")
-        ->capture_default_str()
-        ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
+        .capture_default_str()
+        .range(std::size_t{1}, std::size_t{10'000});
     add_input_options(app, input_);
     app.add_flag("--json", json_, "One JSON object a line for each input");
     app.footer(

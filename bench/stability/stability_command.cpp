@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,25 +19,25 @@ namespace {
 /// `catena stability`: the stability matrix.
 class StabilityCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("INPUT", scenes_, "Scenes and files; none: every scene in each of its settings");
     app.add_option("--n", sizes_, "Spheres of the scenes; repeatable; without INPUT only (default 2000)")
-        ->type_name("N")
-        ->allow_extra_args(false)
-        ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100'000'000}));
+        .type_name("N")
+        .allow_extra_args(false)
+        .range(std::uint32_t{1}, std::uint32_t{100'000'000});
     app.add_option("--variant", variants_, "Only this variant; repeatable")
-        ->type_name("V")
-        ->allow_extra_args(false);
+        .type_name("V")
+        .allow_extra_args(false);
     app.add_option("--seconds", limits_.seconds,
                    "Leave out a variant that is likely to take longer on a scene, by its growth")
-        ->type_name("S")
-        ->capture_default_str()
-        ->check(CLI::Range(1e-3, 1e12));
+        .type_name("S")
+        .capture_default_str()
+        .range(1e-3, 1e12);
     app.add_option("--overlaps", limits_.overlaps,
                    "Leave out a scene of which more spheres overlap, neighbours included")
-        ->type_name("P")
-        ->capture_default_str()
-        ->check(CLI::Range(1e-3, 1e12));
+        .type_name("P")
+        .capture_default_str()
+        .range(1e-3, 1e12);
     add_input_options(app, limits_.input);
     app.add_flag("--cells", cells_, "One line for each scene and variant, with the reason");
     app.add_flag("--json", json_, "One JSON object a line for each scene and variant");

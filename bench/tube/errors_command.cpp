@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,13 +20,13 @@ namespace {
 /// is the business of `catena stability`.
 class ErrorsCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("TUBE", names_, "Tubes that are known exactly; none: all of them");
     app.add_option("--n", sizes_, "Spheres of the chain; repeatable (default: spacings from 1 to 1e-3 radii)")
-        ->type_name("N")
-        ->allow_extra_args(false)
-        ->check(CLI::Range(std::uint32_t{8}, std::uint32_t{100'000'000}));
-    app.add_option("--offset", offset_, "Moves the stored chain along every axis, in radii")->type_name("D");
+        .type_name("N")
+        .allow_extra_args(false)
+        .range(std::uint32_t{8}, std::uint32_t{100'000'000});
+    app.add_option("--offset", offset_, "Moves the stored chain along every axis, in radii").type_name("D");
     app.add_flag("--json", json_, "One JSON object a line for each tube and n");
   }
 

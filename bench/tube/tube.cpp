@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string_view>
 
 #include "catena/bench/tube/arc_length.h"
 #include "catena/core/error.h"
@@ -86,28 +88,41 @@ Tube lissajous() {
   return closed_tube("lissajous", 1, point, derivative, 2000);
 }
 
-std::vector<Tube> known_tubes() {
-  return {straight_rod(),
-          helix(),
-          helix(1e-5, "grazing_helix"),
-          torus_knot(),
-          torus_knot(2, 1e-5, "tight_torus_knot"),
-          lissajous(),
-          path1_tube(),
-          path2_tube()};
+namespace {
+
+/// A tube takes milliseconds to make, and only those that are asked for are.
+struct Known {
+  std::string_view name;
+  Tube (*make)();
+};
+
+constexpr std::array known{
+    Known{"straight_rod", straight_rod},
+    Known{"helix", [] { return helix(); }},
+    Known{"grazing_helix", [] { return helix(1e-5, "grazing_helix"); }},
+    Known{"torus_knot_2_3", [] { return torus_knot(); }},
+    Known{"tight_torus_knot_2_3", [] { return torus_knot(2, 1e-5, "tight_torus_knot"); }},
+    Known{"lissajous", lissajous},
+    Known{"path1", path1_tube},
+    Known{"path2", path2_tube},
+};
+
+}  // namespace
+
+std::vector<std::string> known_tubes() {
+  std::vector<std::string> names;
+  for (const Known& tube : known) names.emplace_back(tube.name);
+  return names;
 }
 
 std::vector<Tube> tubes_named(const std::vector<std::string>& names) {
-  const auto all = known_tubes();
-  if (names.empty()) return all;
   std::vector<Tube> tubes;
-  std::vector<std::string> known;
-  for (const Tube& tube : all) known.push_back(tube.name);
-  for (const auto& name : names) {
-    const auto found = std::ranges::find(all, name, &Tube::name);
-    if (found == all.end())
-      throw InputError(fmt::format("no tube is named '{}'; there are: {}", name, fmt::join(known, ", ")));
-    tubes.push_back(*found);
+  for (const auto& name : names.empty() ? known_tubes() : names) {
+    const auto found = std::ranges::find(known, name, &Known::name);
+    if (found == known.end())
+      throw InputError(
+          fmt::format("no tube is named '{}'; there are: {}", name, fmt::join(known_tubes(), ", ")));
+    tubes.push_back(found->make());
   }
   return tubes;
 }

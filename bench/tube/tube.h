@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,9 +22,6 @@ struct Tube {
   bool neighbours(double s, double t) const { return apart(s, t) < 3.1415926535897932 * radius; }
 };
 
-/// Its name: for the tests' own messages.
-inline void PrintTo(const Tube& tube, std::ostream* out) { *out << tube.name; }
-
 /// A straight tube of length 40 and radius 1: no contacts.
 Tube straight_rod();
 /// A spring of ten turns of radius 6, radius 1, whose turns go `depth` through each other along their whole
@@ -41,8 +37,8 @@ Tube lissajous();
 Tube path1_tube();
 Tube path2_tube();
 
-/// All of them.
-std::vector<Tube> known_tubes();
+/// The names of all of them.
+std::vector<std::string> known_tubes();
 
 /// Those of these names; all when there are none. Throws InputError that names those there are.
 std::vector<Tube> tubes_named(const std::vector<std::string>& names);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,31 +18,31 @@ namespace {
 /// `catena work-precision`: error against run time, both from the same run.
 class WorkPrecisionCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("TUBE", tubes_, "Tubes that are known exactly, see catena errors (default: lissajous)");
     app.add_option("--n", sizes_, "Spheres of the chain; repeatable (default: spacings 2, 1, 1/2, ... 1/16)")
-        ->type_name("N")
-        ->allow_extra_args(false)
-        ->check(CLI::Range(std::uint32_t{8}, std::uint32_t{100'000'000}));
+        .type_name("N")
+        .allow_extra_args(false)
+        .range(std::uint32_t{8}, std::uint32_t{100'000'000});
     app.add_option(
            "--offset", offsets_,
            "Moves the chain along every axis, in radii; repeatable (default: 0 and 1e7, where rounded "
            "arithmetic shows)")
-        ->type_name("D")
-        ->allow_extra_args(false)
-        ->check(CLI::Range(-1e30, 1e30));
+        .type_name("D")
+        .allow_extra_args(false)
+        .range(-1e30, 1e30);
     app.add_option("--tolerance", tolerances_,
                    "And as many spheres as lose at most this share of the radius; repeatable (default: 0.01, "
                    "unless --n)")
-        ->type_name("T")
-        ->allow_extra_args(false)
-        ->check(CLI::Range(1e-6, 0.9));
+        .type_name("T")
+        .allow_extra_args(false)
+        .range(1e-6, 0.9);
     app.add_option("--variant", variants_, "Only this variant; repeatable")
-        ->type_name("V")
-        ->allow_extra_args(false);
+        .type_name("V")
+        .allow_extra_args(false);
     app.add_option("--repetitions", repetitions_, "Timed rounds, each over all variants in random order")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
+        .capture_default_str()
+        .range(1, 100000);
     app.add_flag("--json", json_, "One JSON object, in one line, with every point and the environment");
     app.footer("Build and find times of every variant on every scene: catena_bench, on Google Benchmark.");
   }

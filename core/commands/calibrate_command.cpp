@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +14,9 @@ namespace {
 /// `catena calibrate`: what searches cost on this machine, for the plans of `auto`.
 class CalibrateCommand final : public Command {
  public:
-  void configure(CLI::App& app) override { app.add_flag("--json", json_, "One JSON object, in one line"); }
+  void configure(OptionParser& app) override {
+    app.add_flag("--json", json_, "One JSON object, in one line");
+  }
 
   int run() override {
     const std::filesystem::path file = calibration_file();

@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "catena/core/commands/launcher.h"
-
-namespace CLI {
-class App;
-}
+#include "catena/core/commands/command_line.h"
 
 namespace catena {
 
@@ -18,7 +15,7 @@ class Command {
  public:
   virtual ~Command() = default;
   /// Adds options to the subcommand's parser; called once.
-  virtual void configure(CLI::App& app) = 0;
+  virtual void configure(OptionParser& app) = 0;
   /// Exit code: 0 clean, 1 a check failed. Errors are thrown: main prints them as one line and exits with 2.
   virtual int run() = 0;
 };

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +12,6 @@
 #include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/commands/show_warnings.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/naming.h"
@@ -29,9 +27,9 @@ namespace {
 /// `catena detect INPUT`: builds, finds and says what was found, frame by frame.
 class DetectCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
-    app.add_option("--variant", variant_, "How to find the pairs; see catena list")->capture_default_str();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)").required();
+    app.add_option("--variant", variant_, "How to find the pairs; see catena list").capture_default_str();
     no_omit_.add_to(app);
     frame_.add_to(app);
     app.add_option(
@@ -43,8 +41,8 @@ class DetectCommand final : public Command {
     app.add_flag("--margin", files_.margin, "--pairs has a column with the margin, |q - t| / t");
     app.add_option("--pair-limit", request_.pair_limit,
                    "Most pairs to keep; more is an error with the true number")
-        ->transform(whole_number_option())
-        ->capture_default_str();
+        .whole_number()
+        .capture_default_str();
     want_.add_to(app);
     app.add_flag("--plan", plan_, "Say what the variant left out of its work, and why; see catena plan");
     app.add_flag("--json", json_, "One JSON object a line for each frame");

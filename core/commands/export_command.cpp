@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -25,13 +24,13 @@ namespace {
 /// `catena export INPUT OUT`: any input in any format that can hold it.
 class ExportCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
-    app.add_option("OUT", out_, "The file to write: .chain, .catena, .csv, .vtp, .obj or .xyz")->required();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)").required();
+    app.add_option("OUT", out_, "The file to write: .chain, .catena, .csv, .vtp, .obj or .xyz").required();
     frame_.add_to(app);
     app.add_flag("--contacts", contacts_,
                  "Find the collisions, and write for each sphere what it collides with (.vtp)");
-    app.add_option("--variant", variant_, "How to find them; see catena list")->capture_default_str();
+    app.add_option("--variant", variant_, "How to find them; see catena list").capture_default_str();
     add_input_options(app, options_);
     add_tolerance_option(app, options_);
   }

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "catena/core/commands/command_line.h"
 #include "catena/core/error.h"
 
 namespace catena {
 
-void FrameOption::add_to(CLI::App& app) {
-  app.add_option("--frame", text_, "Frame of an animated input, from 0, or all")->type_name("F|all");
+void FrameOption::add_to(OptionParser& app) {
+  app.add_option("--frame", text_, "Frame of an animated input, from 0, or all").type_name("F|all");
 }
 
 std::pair<std::uint32_t, std::uint32_t> FrameOption::of(const Input& input) const {

@@ -5,17 +5,15 @@
 
 #include "catena/core/input/input.h"
 
-namespace CLI {
-class App;
-}
-
 namespace catena {
+
+class OptionParser;
 
 /// The --frame option of a command: one frame of an animated input, or all of them.
 class FrameOption {
  public:
   /// Adds --frame to a subcommand; this object must outlive the parsing.
-  void add_to(CLI::App& app);
+  void add_to(OptionParser& app);
   /// The frames [first, last) of this input. Throws InputError when the value is no frame of it.
   std::pair<std::uint32_t, std::uint32_t> of(const Input& input) const;
   /// The same of an input of this name that has so many.

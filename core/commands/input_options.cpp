@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,7 +11,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "catena/core/commands/command_line.h"
 #include "catena/core/error.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/readers/file_bytes.h"
@@ -96,67 +98,66 @@ void set_box(const std::string& text, InputOptions& options) {
     options.box.xy = numbers[3], options.box.xz = numbers[4], options.box.yz = numbers[5];
 }
 
-void add_box_option(CLI::App& app, InputOptions& options) {
+void add_box_option(OptionParser& app, InputOptions& options) {
   const bool taken = options.takes_box;
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--box", [&options](const std::string& text) { set_box(text, options); },
          taken ? "Space repeats in a box of these edges (0: not along this one), and perhaps tilts, or in "
                  "the file's; "
                  "without it, in the file's where that says it is periodic"
                : "none: leaves out the box of a file that says space repeats in it; otherwise such a file is "
                  "refused")
-      ->type_name(taken ? "X,Y,Z[,XY,XZ,YZ]|file|none" : "none");
+      .type_name(taken ? "X,Y,Z[,XY,XZ,YZ]|file|none" : "none");
 }
 
 }  // namespace
 
-void add_tolerance_option(CLI::App& app, InputOptions& options) {
-  app.add_option(
-         "--tolerance", options.tolerance,
-         "Leave out spheres without which the tube lacks no more than this share of its radius; needs an arc "
-         "window")
-      ->type_name("T");
+void add_tolerance_option(OptionParser& app, InputOptions& options) {
+  app.add_option("--tolerance", options.tolerance,
+                 "Leave out spheres without which the tube lacks no more than this share of its radius; "
+                 "needs an arc window")
+      .type_name("T");
 }
 
-void add_input_options(CLI::App& app, InputOptions& options) {
-  app.add_option_function<std::string>(
+void add_input_options(OptionParser& app, InputOptions& options) {
+  app.add_option_function(
          "--radius", [&options](const std::string& text) { set_radius(text, options); },
          "Radius for files without radii; half-spacing: half the median step along the strands")
-      ->type_name("R|half-spacing");
+      .type_name("R|half-spacing");
   app.add_flag("--closed", options.closed, "Every strand is closed: its last sphere is joined to its first");
-  auto* window =
+  const auto window =
       app.add_option("--window", options.window,
                      "Spheres this many steps along a strand are neighbours, instead of the input's rule")
-          ->type_name("K");
-  app.add_option_function<std::string>(
+          .type_name("K");
+  app.add_option_function(
          "--arc-window", [&options](const std::string& text) { set_arc_window(text, options); },
          "Spheres nearer along the strand than F times the sum of their radii are neighbours, instead")
-      ->type_name("F|pi/2")
-      ->excludes(window);
+      .type_name("F|pi/2")
+      .excludes(window);
   app.add_option(
          "--columns", options.reading.columns,
          "What the columns of a text table are: x, y, z, r, d, id, element, strand, chr, closed, or _ for "
          "one that is not read")
-      ->type_name("x,y,z,r")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      .type_name("x,y,z,r")
+      .delimiter(',')
+      .allow_extra_args(false);
   app.add_option("--atom", options.reading.atom,
                  "The atom that stands for a residue, instead of C-alpha or P")
-      ->type_name("NAME");
+      .type_name("NAME");
   app.add_flag("--recentre", options.reading.recentre,
                "Take the first point of a file off every point, before they are rounded to binary32");
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--origin", [&options](const std::string& text) { set_origin(text, options.reading); },
          "Take this point off instead")
-      ->type_name("X,Y,Z");
+      .type_name("X,Y,Z");
   app.add_option("--format", options.reading.format,
                  "Read files as those of this extension; needed for -, which is standard input")
-      ->type_name("EXTENSION");
+      .type_name("EXTENSION");
   app.add_option("--array", options.reading.array, "The array of a VTK file that holds radii, or diameters")
-      ->type_name("NAME");
+      .type_name("NAME");
   app.add_option("--topology", options.reading.topology,
                  "The file with the strands or bonds of a configuration: oxDNA's .top, LAMMPS's .data")
-      ->type_name("FILE");
+      .type_name("FILE");
   add_box_option(app, options);
 }
 
@@ -190,14 +191,7 @@ std::vector<std::string> arguments_of(const InputOptions& options) {
 }
 
 void read_input_options(std::vector<std::string> arguments, InputOptions& options) {
-  CLI::App app;
-  add_input_options(app, options);
-  std::ranges::reverse(arguments);  // as CLI11 takes them
-  try {
-    app.parse(arguments);
-  } catch (const CLI::ParseError& wrong) {
-    throw InputError(wrong.what());
-  }
+  parse_options(std::move(arguments), [&](OptionParser& app) { add_input_options(app, options); });
 }
 
 std::string in_command(const InputOptions& options) {

@@ -4,17 +4,15 @@
 
 #include "catena/core/input/input.h"
 
-namespace CLI {
-class App;
-}
-
 namespace catena {
+
+class OptionParser;
 
 /// Adds to a subcommand what a user may say of its inputs: --radius R|half-spacing, --closed, --window,
 /// --arc-window, --columns, --atom, --recentre, --origin, --format, --array, --topology, --box. They fill
 /// `options`, which must outlive the parsing; a command that heeds Input::boxes says so in options.takes_box
 /// before. A value that does not parse is an InputError.
-void add_input_options(CLI::App& app, InputOptions& options);
+void add_input_options(OptionParser& app, InputOptions& options);
 
 /// What was said of an input, as arguments of a command that add_input_options knows: {"--radius", "0.5",
 /// ...}. Numbers are written so that they read back as they are. Empty: nothing was said.
@@ -27,6 +25,6 @@ void read_input_options(std::vector<std::string> arguments, InputOptions& option
 std::string in_command(const InputOptions& options);
 
 /// Adds --tolerance, for a command of one process that shows Input::warnings.
-void add_tolerance_option(CLI::App& app, InputOptions& options);
+void add_tolerance_option(OptionParser& app, InputOptions& options);
 
 }  // namespace catena

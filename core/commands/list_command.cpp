@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +18,9 @@ namespace {
 /// `catena list`: variants, scenes and readers; what is not available here, and why.
 class ListCommand final : public Command {
  public:
-  void configure(CLI::App& app) override { app.add_flag("--json", json_, "One JSON object, in one line"); }
+  void configure(OptionParser& app) override {
+    app.add_flag("--json", json_, "One JSON object, in one line");
+  }
 
   int run() override {
     json_ ? print_json() : print_text();
@@ -63,7 +64,8 @@ class ListCommand final : public Command {
       print_parameters(info.parameters);
     }
     fmt::print(
-        "\nVariants (robust arithmetic unless /literal or /double is written; evidence: `verify --certify` proves "
+        "\nVariants (robust arithmetic unless /literal or /double is written; evidence: `verify --certify` "
+        "proves "
         "the answer by it)\n");
     for (const auto& v : strategies.variants())
       if (v.unavailable)

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
@@ -27,8 +26,8 @@ namespace {
 /// what that took.
 class PlanCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)").required();
     app.add_flag("--run", run_, "Search, and say what each step took and what was not done");
     frame_.add_to(app);
     want_.add_to(app);

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
-
+#include "catena/core/commands/command_line.h"
 #include "catena/core/error.h"
 #include "catena/core/plan/omissions.h"
 
 namespace catena {
 
-void WantOptions::add_to(CLI::App& app) {
+void WantOptions::add_to(OptionParser& app) {
   app.add_flag("--counts-only", counts_only_, "Find counts, keep no pairs");
   app.add_flag("--any", any_only_, "Only whether anything collides");
 }
@@ -21,12 +20,12 @@ Request::Want WantOptions::want() const {
   return any_only_ ? Request::Want::any : counts_only_ ? Request::Want::counts : Request::Want::pairs;
 }
 
-void NoOmitOption::add_to(CLI::App& app) {
+void NoOmitOption::add_to(OptionParser& app) {
   app.add_option("--no-omit", names_, "Do what auto would leave out; may be given several times")
-      ->type_name("NAME")
-      ->expected(1)
-      ->take_all()
-      ->check(CLI::IsMember(omission_names()));
+      .type_name("NAME")
+      .expected(1)
+      .take_all()
+      .one_of(omission_names());
 }
 
 std::string NoOmitOption::variant() const {

@@ -4,16 +4,14 @@
 
 #include "catena/core/strategy/request.h"
 
-namespace CLI {
-class App;
-}
-
 namespace catena {
+
+class OptionParser;
 
 /// What is asked of a search: --counts-only, --any, neither (pairs).
 class WantOptions {
  public:
-  void add_to(CLI::App& app);  ///< this object must outlive the parsing
+  void add_to(OptionParser& app);  ///< this object must outlive the parsing
   /// Throws InputError when both are given.
   Request::Want want() const;
 
@@ -24,7 +22,7 @@ class WantOptions {
 /// --no-omit NAME, any number of times.
 class NoOmitOption {
  public:
-  void add_to(CLI::App& app);  ///< this object must outlive the parsing
+  void add_to(OptionParser& app);  ///< this object must outlive the parsing
   bool given() const { return !names_.empty(); }
   const std::vector<std::string>& names() const { return names_; }
   /// The variant auto with these omissions switched off.

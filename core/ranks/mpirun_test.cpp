@@ -20,12 +20,12 @@ class Mpirun : public Program {
   }
 
   /// `before` are settings of the environment. --quiet, as mpirun tells of every exit code by many lines of
-  /// its own.
+  /// its own; and it does not wait a second before it kills what another rank's failure left running.
   ProgramOutcome run_ranks(const std::string& arguments, unsigned ranks = 3,
                            const std::string& before = "") const {
     const char* const as_root = geteuid() == 0 ? "--allow-run-as-root" : "";
     return shell(fmt::format(
-        "{} ASAN_OPTIONS=detect_leaks=0 timeout 120 '{}' --quiet --oversubscribe {} -n {} '{}' {} > '{}'",
+        "{} OMPI_MCA_odls_base_sigkill_timeout=0 ASAN_OPTIONS=detect_leaks=0 timeout 120 '{}' --quiet --oversubscribe {} -n {} '{}' {} > '{}'",
         before, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
   }
   void expect_one_line(const ProgramOutcome& r, const std::string& because) const {

@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "catena/core/commands/command.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/output_file.h"
 #include "catena/properties/counterexamples/search.h"
 #include "catena/properties/fuzz/failure_store.h"
@@ -19,23 +17,23 @@ namespace {
 /// to fail.
 class CounterexamplesCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("--arithmetic", arithmetics_, "literal or double; repeatable (default: both)")
-        ->allow_extra_args(false)
-        ->check(CLI::IsMember({"literal", "double"}));
+        .allow_extra_args(false)
+        .one_of({"literal", "double"});
     app.add_option("--cases", cases_, "Chains drawn for each arithmetic")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+        .type_name("N")
+        .capture_default_str()
+        .range(std::uint64_t{1}, std::uint64_t{1'000'000'000});
     app.add_option("--seed", seed_, "Start of the random numbers")
-        ->type_name("X")
-        ->transform(whole_number_option())
-        ->capture_default_str();
+        .type_name("X")
+        .whole_number()
+        .capture_default_str();
     app.add_option("--out", out_, "Folder to store them in as .chain files; none: they are printed only")
-        ->type_name("DIR");
+        .type_name("DIR");
     app.add_option("--replay", replay_, "Say how each arithmetic fails on this file instead; repeatable")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+        .type_name("FILE")
+        .allow_extra_args(false);
   }
 
   int run() override {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -11,7 +10,6 @@
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/progress.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/properties/fuzz/failure_store.h"
@@ -28,46 +26,46 @@ using Clock = std::chrono::steady_clock;
 
 class FuzzCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     app.add_option("--variant", variants_, "Only this variant, parameters and mutants too; repeatable")
-        ->type_name("V")
-        ->allow_extra_args(false);
-    auto* seconds = app.add_option("--seconds", seconds_, "Stop after so long (default 10)")
-                        ->type_name("S")
-                        ->check(CLI::Range(1e-3, 1e9));
+        .type_name("V")
+        .allow_extra_args(false);
+    const auto seconds = app.add_option("--seconds", seconds_, "Stop after so long (default 10)")
+                             .type_name("S")
+                             .range(1e-3, 1e9);
     app.add_option("--cases", cases_, "Stop after so many chains")
-        ->type_name("N")
-        ->transform(whole_number_option(1))
-        ->excludes(seconds);
+        .type_name("N")
+        .whole_number(1)
+        .excludes(seconds);
     app.add_option("--seed", seed_, "Start of the random numbers")
-        ->type_name("X")
-        ->transform(whole_number_option())
-        ->capture_default_str();
+        .type_name("X")
+        .whole_number()
+        .capture_default_str();
     app.add_option("--scene-family", families_, "Only chains of this family; repeatable")
-        ->type_name("F")
-        ->allow_extra_args(false);
+        .type_name("F")
+        .allow_extra_args(false);
     app.add_option("--max-spheres", size_, "Most spheres a chain")
-        ->type_name("N")
-        ->check(CLI::Range(1u, 4000u))
-        ->capture_default_str();
+        .type_name("N")
+        .range(1u, 4000u)
+        .capture_default_str();
     app.add_option("--long-spheres", long_size_,
                    "Most spheres of one chain in 200; no more than --max-spheres: none is longer")
-        ->type_name("N")
-        ->check(CLI::Range(0u, 4000u))
-        ->capture_default_str();
+        .type_name("N")
+        .range(0u, 4000u)
+        .capture_default_str();
     app.add_option(
            "--timeout", timeout_,
            "A variant that works on one chain for longer hangs, which is a finding; 0: it may take for ever")
-        ->type_name("S")
-        ->check(CLI::Range(0.0, 1e9))
-        ->capture_default_str();
+        .type_name("S")
+        .range(0.0, 1e9)
+        .capture_default_str();
     app.add_option("--failures", failures_, "Folder that counterexamples are stored in")
-        ->type_name("DIR")
-        ->capture_default_str();
+        .type_name("DIR")
+        .capture_default_str();
     app.add_option("--replay", replay_,
                    "Run this chain again on every variant, with every property; repeatable")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+        .type_name("FILE")
+        .allow_extra_args(false);
   }
 
   /// The search is a process of its own, so that a variant that crashes or hangs leaves its chain.

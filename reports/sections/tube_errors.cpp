@@ -10,7 +10,7 @@ namespace {
 nlohmann::ordered_json tube_errors(const Profile& profile) {
   auto rows = nlohmann::ordered_json::array();
   if (profile.tube_spacings.empty()) return rows;
-  for (const bench::Tube& tube : bench::known_tubes()) {
+  for (const bench::Tube& tube : bench::tubes_named({})) {
     const auto all = bench::approaches(tube);
     for (const double spacing : profile.tube_spacings) {
       const auto n = static_cast<std::uint32_t>(std::ceil(tube.length / spacing)) + !tube.closed;

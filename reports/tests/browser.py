@@ -65,18 +65,23 @@ def wait(driver, condition, seconds=30):
 
 
 def pixels(element):
-    """What is on the screen where `element` is: height x width x 3 (0 to 1). The element is scrolled into view."""
+    """What is on the screen where `element` is: height x width x 3 (0 to 1). The element is scrolled into view; one
+    that is larger than the window costs a second, as the page is laid out anew for it.
+    """
     import base64
 
     import matplotlib.image
     driver = element.parent
-    x, y, width, height = driver.execute_script("""
+    x, y, width, height, whole, right, down = driver.execute_script("""
         arguments[0].scrollIntoView({behavior: "instant", block: "nearest"});
         const box = arguments[0].getBoundingClientRect();
-        return [box.x + scrollX, box.y + scrollY, box.width, box.height]""", element)
-    shot = driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png", "captureBeyondViewport": True, "clip": {
-        "x": x, "y": y, "width": width, "height": height, "scale": 1}})
-    return matplotlib.image.imread(io.BytesIO(base64.b64decode(shot["data"])), format="png")[..., :3]
+        const whole = box.x >= 0 && box.y >= 0 && box.right <= innerWidth && box.bottom <= innerHeight;
+        return [box.x, box.y, box.width, box.height, whole, scrollX, scrollY]""", element)
+    beyond = {} if whole else {"captureBeyondViewport": True, "clip": {
+        "x": x + right, "y": y + down, "width": width, "height": height, "scale": 1}}
+    shot = driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png", **beyond})
+    image = matplotlib.image.imread(io.BytesIO(base64.b64decode(shot["data"])), format="png")[..., :3]
+    return image[round(y):round(y + height), round(x):round(x + width)] if whole else image
 
 
 def painted(element, least=0.002):

@@ -28,8 +28,10 @@ foreach(file ${report_tests})
     add_test(NAME ${name} COMMAND ${CATENA_REPORT_PYTHON} -B ${file} -v)
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=[0-9]+\\)")
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS report TIMEOUT 900)
+  set_tests_properties(${name} PROPERTIES LABELS report TIMEOUT 900 COST 50)
 endforeach()
+
+set_tests_properties(report.browser PROPERTIES COST 100)  # the longest of all starts first
 
 # What the gate promises, on 200 pairs of runs instead of a few.
 if(NOT report_lacks)

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -21,11 +20,11 @@ namespace {
 /// `mpirun -n K catena bench INPUT`: how long the ranks take, phase by phase, and what they tell one another.
 class BenchCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", input_, "A scene or a file")->required();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", input_, "A scene or a file").required();
     app.add_option("--repetitions", repetitions_, "Searches, of which the median is told")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+        .range(1, 1000)
+        .capture_default_str();
     search_.add_to(app);
     search_.add_input_to(app);
   }

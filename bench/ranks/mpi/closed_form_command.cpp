@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +18,7 @@ namespace {
 /// knows, of any size that all ranks hold together.
 class ClosedFormCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
+  void configure(OptionParser& app) override {
     lattice_.add_to(app, 100000);
     search_.add_to(app);
   }

@@ -1,7 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -11,6 +10,7 @@
 #include "catena/bench/timing/google/benchmarks.h"
 #include "catena/core/commands/guarded_main.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/command_line.h"
 #include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
@@ -31,20 +31,14 @@ struct Options {
 
 /// Takes the options that are catena's own; what is left is Google Benchmark's.
 std::vector<std::string> take_options(int argc, char** argv, Options& options) {
-  CLI::App app;
-  app.allow_extras();
-  app.add_option("--scene", options.scenes, "Scene or file; repeatable (default: scenes that strain nothing)")
-      ->allow_extra_args(false);
-  app.add_option("--n", options.sizes, "Spheres; repeatable")->allow_extra_args(false);
-  app.add_flag("--flush-cache", options.flush_cache, "Empty the device's cache before every sample");
-  add_input_options(app, options.input);
-  app.set_help_flag();  // --help is Google Benchmark's
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& wrong) {
-    throw InputError(wrong.what());
-  }
-  auto rest = app.remaining();
+  auto rest = parse_known_options({argv + 1, argv + argc}, [&](OptionParser& app) {
+    app.add_option("--scene", options.scenes,
+                   "Scene or file; repeatable (default: scenes that strain nothing)")
+        .allow_extra_args(false);
+    app.add_option("--n", options.sizes, "Spheres; repeatable").allow_extra_args(false);
+    app.add_flag("--flush-cache", options.flush_cache, "Empty the device's cache before every sample");
+    add_input_options(app, options.input);
+  });
   rest.insert(rest.begin(), argv[0]);
   return rest;
 }

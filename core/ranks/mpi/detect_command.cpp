@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
-#include "catena/core/commands/whole_number_option.h"
 #include "catena/core/counted.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/ranks/answer_text.h"
@@ -27,8 +25,8 @@ namespace {
 /// each.
 class DetectCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)")->required();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", input_, "A scene (path1:n=150000,frame=3) or a file (neuron.swc)").required();
     search_.add_to(app);
     search_.add_input_to(app);
     frame_.add_to(app);
@@ -38,8 +36,8 @@ class DetectCommand final : public Command {
     app.add_flag("--depth", tables_.depth, "--pairs has a column with the depth of the overlap");
     app.add_flag("--margin", tables_.margin, "--pairs has a column with the margin, |q - t| / t");
     app.add_option("--pair-limit", request_.pair_limit, "Most pairs of all ranks to keep; more is an error")
-        ->transform(whole_number_option())
-        ->capture_default_str();
+        .whole_number()
+        .capture_default_str();
     want_.add_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each frame");
   }

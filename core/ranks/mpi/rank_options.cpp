@@ -1,20 +1,19 @@
 #include "catena/core/ranks/mpi/rank_options.h"
 
-#include <CLI/CLI.hpp>
-
+#include "catena/core/commands/command_line.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::ranks {
 
-void SearchOptions::add_to(CLI::App& app) {
+void SearchOptions::add_to(OptionParser& app) {
   app.add_option("--variant", variant_, "How each rank finds the pairs of its part; exact; see catena list")
-      ->capture_default_str();
+      .capture_default_str();
   app.add_option("--order", order_, "How spheres are shared out: in chain order, by space, or as measured")
-      ->check(CLI::IsMember(parts::order_names()))
-      ->capture_default_str();
+      .one_of(parts::order_names())
+      .capture_default_str();
 }
 
-void SearchOptions::add_input_to(CLI::App& app) { add_input_options(app, input_); }
+void SearchOptions::add_input_to(OptionParser& app) { add_input_options(app, input_); }
 
 RankOptions SearchOptions::of(Request request) const {
   if (!StrategyRegistry::instance().describe(variant_).exact)

@@ -10,8 +10,8 @@ namespace catena::ranks {
 /// What a user may say of a search by ranks, whatever the command.
 class SearchOptions {
  public:
-  void add_to(CLI::App& app);        ///< this object must outlive the parsing
-  void add_input_to(CLI::App& app);  ///< also what may be said of an input, for a command that has one
+  void add_to(OptionParser& app);        ///< this object must outlive the parsing
+  void add_input_to(OptionParser& app);  ///< also what may be said of an input, for a command that has one
 
   /// Throws InputError for an unknown variant or order.
   RankOptions of(Request request) const;

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
@@ -19,8 +18,8 @@ namespace {
 /// runs alone.
 class VerifyCommand final : public Command {
  public:
-  void configure(CLI::App& app) override {
-    app.add_option("INPUT", inputs_, "Scenes and files that one process can hold")->required();
+  void configure(OptionParser& app) override {
+    app.add_option("INPUT", inputs_, "Scenes and files that one process can hold").required();
     search_.add_to(app);
     search_.add_input_to(app);
     app.add_flag("--json", json_, "One JSON object a line for each input and order");
