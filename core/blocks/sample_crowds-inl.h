@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numbers>
 
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/blocks/oriented_boxes-inl.h"
@@ -106,23 +107,34 @@ inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& t
   return count / 2;
 }
 
-/// What it costs to search a sphere, about, on one core with AVX-512, apart from the pairs that are found.
-/// Measured on chains of many kinds; a wrong figure costs time and changes no answer.
+/// What it costs to search a sphere, about, on one core with AVX-512. Measured on chains of many kinds; a
+/// wrong figure costs time and changes no answer.
 struct SphereCost {
-  static constexpr double near_ns = 28, row_ns = 4, nodes_ns = 32;  ///< of a tree: two of each
-  static constexpr double look_ns = 36;  ///< at the boxes of sixteen nodes, likewise
+  static constexpr double near_ns = 51, row_ns = 4, nodes_ns = 107;  ///< of a tree: two of each
+  static constexpr double look_ns = 36;   ///< at the boxes of sixteen nodes, likewise
+  static constexpr double pair_ns = 5.7;  ///< of a tree: a sphere of two that overlap, among eight
   static constexpr double cells_ns = 32, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
   static constexpr double tests = 1.5 / 16;  ///< a candidate, as cells end where vectors do not
 
   static constexpr double met_ns =
       row_ns / BlockTree::block + nodes_ns / (BlockTree::block * BlockTree::group);
+  /// Overlaps, of so many candidates: those within a ball, of those in a cube.
+  static constexpr double overlaps = 4.0 / 3 * std::numbers::pi / 27;
 
   /// In the chain's order, where a block meets so many, each of which pays one half. Of the nodes that meet a
-  /// block's own it meets four of ten by their boxes.
+  /// block's own it meets four of ten by their boxes; itself and those beside it along the chain it mostly
+  /// need not look into.
   static double in_tree(const NearBlocks& near) {
     constexpr double block = BlockTree::block, node = block * BlockTree::group;
-    return (near.count() * near_ns / block + near.nodes() * met_ns + near.looks() * look_ns / node) / 2;
+    constexpr std::uint32_t own = 3;
+    const std::uint32_t others = near.count() - std::min(own, near.count());
+    return (others * near_ns / block + near.nodes() * met_ns + near.looks() * look_ns / node) / 2;
   }
+  /// And for the pairs that it finds: a sphere's with those of one block cost as one.
+  static double of_pairs(const NearBlocks& near, std::uint32_t candidates) {
+    return pair_ns * std::min(overlaps * candidates, near.count() / 2.0);
+  }
+  static double most_of_pairs(const NearBlocks& near) { return pair_ns * near.count() / 2; }
   /// Looks that cost a node about as much as another that it meets.
   static constexpr std::uint32_t looks_a_node() {
     return static_cast<std::uint32_t>(met_ns * BlockTree::block * BlockTree::group / look_ns);
@@ -212,10 +224,11 @@ class CrowdSample {
     const NearBlocks near(tree_, b, plenty, among);
     if (near.enough()) return many;
     // Not all of what is near is counted where that can make no difference.
-    const double ns = SphereCost::in_tree(near), most = among != nullptr ? 1.5 * ns : ns;
-    if (most <= SphereCost::in_cells(0)) return {ns, 2 * ns};
-    return {ns,
-            SphereCost::in_cells(spheres_in_cells(chain_, tree_, b, SphereCost::candidates(most), among))};
+    const double ns = SphereCost::in_tree(near), most = ns + SphereCost::most_of_pairs(near);
+    if (most <= SphereCost::in_cells(0)) return {most, 2 * most};
+    const std::uint32_t candidates = spheres_in_cells(
+        chain_, tree_, b, SphereCost::candidates(among != nullptr ? 1.5 * most : most), among);
+    return {ns + SphereCost::of_pairs(near, candidates), SphereCost::in_cells(candidates)};
   }
   /// More others than the limit, or as much is to be looked at on the way to them.
   bool meets_many(std::uint32_t node, const Crowding* among) const {
