@@ -43,10 +43,11 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   }
   if (parts_.dense_count == 0) return;
   parts_.in_cells = single.in_cells && cells_fit(chain, single.greatest_radius, team);
-  if (parts_.in_cells)
+  if (parts_.in_cells) {
     build_grid(chain, parts_.grid, dense_, team);
-  else
-    build_sphere_tree(chain, parts_.spheres, dense_, team);
+    parts_.in_cells = one_level();
+  }
+  if (!parts_.in_cells) build_sphere_tree(chain, parts_.spheres, dense_, team);
 }
 
 /// Strands are so short that their blocks would be half empty, or more.
@@ -164,6 +165,13 @@ bool HybridSearch::cells_fit(const ChainView& chain, float greatest_radius, cons
       if (chain.spheres[dense_.empty() ? k : dense_[k]].radius > most) fit = false;
   });
   return fit;
+}
+
+/// Of a few at most the cells turned out to be too wide.
+bool HybridSearch::one_level() const {
+  constexpr std::uint32_t few = 64;  // one in so many
+  const std::uint32_t others = parts_.dense_count - parts_.grid.levels.front().end;
+  return others <= parts_.dense_count / few;
 }
 
 HybridSearch::Work HybridSearch::met() const {

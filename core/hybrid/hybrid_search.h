@@ -84,6 +84,7 @@ class CATENA_API HybridSearch {
   void build_in_space(const ChainView& chain, SingleSpheres single, const Team& team);
   void gather_dense(const Team& team);
   bool cells_fit(const ChainView& chain, float greatest_radius, const Team& team) const;
+  bool one_level() const;
 
   const Settings settings_;
   Work before_;  ///< met before the last search

@@ -47,8 +47,9 @@ struct SingleSphereCost {
   static double in_space(double near, std::uint32_t spheres) {
     return 28 + 10.7 * std::sqrt(near) + 5 * octaves_beyond_cache(spheres);
   }
-  /// So many that are near and less than half as great find room in the cells of the greater ones.
-  static bool one_width(double near) { return near <= 27.0 / 2 * SphereGrid::most_in_a_cell; }
+  /// So many that are near and less than half as great find room in the cells of the greater ones: where one
+  /// is there are about three times as many as around it.
+  static bool one_width(double near) { return 3 * near <= 27.0 / 2 * SphereGrid::most_in_a_cell; }
 
  private:
   static double octaves_beyond_cache(std::uint32_t spheres) {
