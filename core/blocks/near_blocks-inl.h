@@ -113,6 +113,7 @@ struct SphereCost {
   static constexpr double look_ns = 36;   ///< at the boxes of sixteen nodes, likewise
   static constexpr double pair_ns = 5.7;  ///< of a tree: a sphere of two that overlap, among eight
   static constexpr double cells_ns = 32, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
+  static constexpr double beyond_ns = 10;    ///< an octave that cells leave the cache by
   static constexpr double tests = 1.5 / 16;  ///< a candidate, as cells end where vectors do not
 
   static constexpr double met_ns =
@@ -138,12 +139,13 @@ struct SphereCost {
   static constexpr std::uint32_t looks_a_node() {
     return static_cast<std::uint32_t>(met_ns * BlockTree::block * BlockTree::group / look_ns);
   }
-  static double in_cells(std::uint32_t candidates) {
-    return cells_ns + test_ns * (cell_tests + tests * candidates);
+  /// `beyond` as octaves_beyond_cache() tells it.
+  static double in_cells(std::uint32_t candidates, double beyond) {
+    return cells_ns + beyond_ns * beyond + test_ns * (cell_tests + tests * candidates);
   }
   /// So many candidates by which cells are no cheaper than that.
-  static std::uint32_t candidates(double ns) {
-    return static_cast<std::uint32_t>(std::clamp((ns - in_cells(0)) / (test_ns * tests), 0.0, 1e6));
+  static std::uint32_t candidates(double ns, double beyond) {
+    return static_cast<std::uint32_t>(std::clamp((ns - in_cells(0, beyond)) / (test_ns * tests), 0.0, 1e6));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "catena/core/blocks/beyond_cache.h"
 #include "catena/core/blocks/block_tree.h"
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/chain/chain_view.h"
@@ -50,12 +51,6 @@ struct SingleSphereCost {
   /// So many that are near and less than half as great find room in the cells of the greater ones: where one
   /// is there are about three times as many as around it.
   static bool one_width(double near) { return 3 * near <= 27.0 / 2 * SphereGrid::most_in_a_cell; }
-
- private:
-  static double octaves_beyond_cache(std::uint32_t spheres) {
-    constexpr double in_cache = 1 << 16;
-    return std::max(0.0, std::log2(spheres / in_cache));
-  }
 };
 
 /// How spheres are searched one by one, what that costs each, and how many pairs that overlap there are for
