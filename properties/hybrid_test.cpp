@@ -146,7 +146,7 @@ TEST(Hybrid, IsExactWhereAllThreeSearchesMeet) {
   Spread spread;
   Dice dice(77);
   std::vector<Sphere> spheres;
-  float at[3] = {-4000, 0, 0}, way[3] = {1, 0, 0};
+  float at[3] = {-12800, 0, 0}, way[3] = {1, 0, 0};
   const auto wind = [&](std::uint32_t steps, float turn, float pull) {
     for (std::uint32_t i = 0; i < steps; ++i) {
       spheres.push_back({at[0], at[1], at[2], 1});
@@ -161,7 +161,7 @@ TEST(Hybrid, IsExactWhereAllThreeSearchesMeet) {
       }
     }
   };
-  wind(2500, 0, 0);
+  wind(8000, 0, 0);
   wind(14000, 0.2f, 0.0006f);
   wind(6000, 0.5f, 0.02f);
   expect_exact(Chain(spheres), "three parts", spread);

@@ -66,22 +66,22 @@ class LeafPairs {
       return scale_;
     return 1;
   }
-  static HWY_INLINE Sphere scaled_sphere(const Sphere& s, float by) {
-    return {s.x * by, s.y * by, s.z * by, s.radius * by};
-  }
 
   /// Spheres of block a against those of block b; of a block with itself, each pair once. Most blocks that
   /// are met have no spheres that may overlap: what is certain, and who it is, is asked only where there are.
   template <bool scaled>
   void meet(std::uint32_t a, std::uint32_t b) {
-    const Sphere *const sa = tree_.spheres(chain_, a), *const sb = tree_.spheres(chain_, b);
+    const Sphere *sa = tree_.spheres(chain_, a), *sb = tree_.spheres(chain_, b);
     if constexpr (Sink::listens) account(a, b);
-    const float scale = scaled ? scale_of(sa, sb) : 1;
-    const auto of_a = [&](std::uint32_t p) { return scaled ? scaled_sphere(sa[p], scale) : sa[p]; };
-    const SphereLanes of_b = scaled ? SphereLanes(sb, scale) : SphereLanes(sb);
+    [[maybe_unused]] Sphere scaled_a[block], scaled_b[block];
+    if constexpr (scaled) {
+      const float scale = scale_of(sa, sb);
+      scale_spheres(sa, scale, scaled_a), scale_spheres(sb, scale, scaled_b);
+      sa = scaled_a, sb = scaled_b;
+    }
+    const SphereLanes of_b(sb);
     Flags<block> near[block];
-    for (std::uint32_t p = 0; p < block; ++p)
-      near[p] = SphereLanes::may_overlap(of_b.squares(of_a(p)), slack_);
+    for (std::uint32_t p = 0; p < block; ++p) near[p] = SphereLanes::may_overlap(of_b.squares(sa[p]), slack_);
     const auto any =
         ((near[0] | near[1]) | (near[2] | near[3])) | ((near[4] | near[5]) | (near[6] | near[7]));
     if (any.none()) return;
@@ -97,7 +97,7 @@ class LeafPairs {
     const IndexRange indices{tree_.begin_of(b), tree_.end_of(b)};
     while (may != 0) {
       const std::uint32_t p = static_cast<std::uint32_t>(std::countr_zero(may)) / block;
-      row(begin + p, of_a(p), indices, of_b);
+      row(begin + p, sa[p], indices, of_b);
       may &= ~std::uint64_t{0} << (block * p) << block;
     }
     if (hit_count_ > BlockQueues::hit_limit) hand_over();

@@ -30,13 +30,13 @@ void find_crowds_here(const ChainView& chain, const BlockTree& tree, std::uint32
   if (tree.blocks == 0) return;
   const CrowdSample sample(chain, tree, limit, crowding, team);
   const bool sparse = sample.sparse();
-  if (!sparse) sample.all();
+  if (!sparse) sample.all(false);
   const CrowdWalk walk{crowding, team.size() == 1 ? nullptr : &team};
   if (team.size() == 1)
     NodeWalk(tree, walk, NoBlockEvidence{}).run();
   else
     NodeWalk(tree, walk, NoBlockEvidence{}, ByTeam{team}).run();
-  if (sparse && !sample.stayed_sparse()) sample.all();
+  if (sparse && !sample.stayed_sparse()) sample.all(true);
 }
 
 void search_nodes_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,

@@ -56,8 +56,6 @@ class LevelForming {
     return rows;
   }
 
-  /// Of those taken in as many may be in the cell of one, itself among them, on average.
-  static constexpr std::uint64_t most_in_a_cell = 4;
   /// So few are taken in in any case.
   static constexpr std::uint64_t few = 64;
 
@@ -73,7 +71,7 @@ class LevelForming {
       const auto [first, end, greatest] = grid_.octaves[next];
       met += taken_into(find, first, end);
       const std::uint64_t taken_in = end - grid_.octaves[o].end;
-      if (taken_in > few && met > most_in_a_cell * taken_in) return next;
+      if (taken_in > few && met > SphereGrid::most_in_a_cell * taken_in) return next;
     }
     return grid_.octaves.size();
   }

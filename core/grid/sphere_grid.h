@@ -57,6 +57,10 @@ struct SphereGrid {
   std::vector<OctavePart> octave_parts;
   std::vector<std::uint32_t> part_place;  ///< first places of parts of the buckets that threads share out
 
+  /// A level takes in finer spheres while no more of these are in the cell of one, itself among them, on
+  /// average.
+  static constexpr std::uint32_t most_in_a_cell = 4;
+
   std::uint32_t spheres() const { return static_cast<std::uint32_t>(index.size() - margin); }
   std::uint32_t member(std::uint32_t at) const { return members.empty() ? at : members[at]; }
 

@@ -1,7 +1,7 @@
 #include "catena/core/hybrid/hybrid_search.h"
 
 #include <algorithm>
-#include <mutex>
+#include <atomic>
 #include <numeric>
 #include <optional>
 
@@ -26,23 +26,28 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;
+  SingleSpheres single{};
   if (unfilled(chain)) {
     parts_.tree.clear();
     parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
     parts_.dense_count = chain.size;
-    if (chain.size > 0) parts_.in_cells = single_spheres(chain).in_cells;
+    if (chain.size > 0) single = single_spheres(chain);
   } else {
     build_block_tree(chain, parts_.tree, team);
     if (!settings_.rows) parts_.tree.forget_rows();
     find_crowds(chain, parts_.tree, settings_.crowd, parts_.crowding, team);
-    if (parts_.crowding.crowded_nodes() > 0) build_in_space(chain, team);
+    if (parts_.crowding.crowded_nodes() > 0) {
+      single = single_spheres(chain, parts_.tree, parts_.crowding);
+      build_in_space(chain, single, team);
+    }
   }
   if (parts_.dense_count == 0) return;
-  parts_.in_cells = parts_.in_cells && cells_fit(chain, team);
-  if (parts_.in_cells)
+  parts_.in_cells = single.in_cells && cells_fit(chain, single.greatest_radius, team);
+  if (parts_.in_cells) {
     build_grid(chain, parts_.grid, dense_, team);
-  else
-    build_sphere_tree(chain, parts_.spheres, dense_, team);
+    parts_.in_cells = one_level();
+  }
+  if (!parts_.in_cells) build_sphere_tree(chain, parts_.spheres, dense_, team);
 }
 
 /// Strands are so short that their blocks would be half empty, or more.
@@ -50,9 +55,7 @@ bool HybridSearch::unfilled(const ChainView& chain) {
   return chain.strand_count > 1 && std::uint64_t{count_blocks(chain)} * (BlockTree::block / 2) >= chain.size;
 }
 
-void HybridSearch::build_in_space(const ChainView& chain, const Team& team) {
-  SingleSpheres single = single_spheres(chain, parts_.tree, parts_.crowding);
-  parts_.in_cells = single.in_cells;
+void HybridSearch::build_in_space(const ChainView& chain, SingleSpheres single, const Team& team) {
   single.ns *= settings_.dense;
   build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, single, entry_queues_, team);
   if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
@@ -150,28 +153,25 @@ void HybridSearch::gather_dense(const Team& team) {
   });
 }
 
-/// Cells have one width, which serves spheres of a factor of 2; a few smaller ones cost little in it, but one
-/// that is much greater makes it too wide for all others.
-bool HybridSearch::cells_fit(const ChainView& chain, const Team& team) const {
-  constexpr std::uint32_t few = 64, spheres_of_a_task = 1 << 14;  // one in so many
-  if (chain.extent.least_radius >= chain.extent.greatest_radius / 2) return true;
-  const auto radius = [&](std::uint32_t k) { return chain.spheres[dense_.empty() ? k : dense_[k]].radius; };
-  std::mutex joining;
-  float greatest = 0;
-  std::uint32_t small = 0;
+/// Cells have one width, or one an octave: a few spheres that are much greater than all others would have all
+/// others look for them.
+bool HybridSearch::cells_fit(const ChainView& chain, float greatest_radius, const Team& team) const {
+  constexpr std::uint32_t spheres_of_a_task = 1 << 14;
+  const float most = 2 * greatest_radius;
+  if (chain.extent.greatest_radius <= most) return true;
+  std::atomic<bool> fit = true;
   team.for_each_range(parts_.dense_count, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
-    float own = 0;
-    for (std::uint32_t k = begin; k < end; ++k) own = std::max(own, radius(k));
-    const std::lock_guard lock(joining);
-    greatest = std::max(greatest, own);
+    for (std::uint32_t k = begin; k < end; ++k)
+      if (chain.spheres[dense_.empty() ? k : dense_[k]].radius > most) fit = false;
   });
-  team.for_each_range(parts_.dense_count, spheres_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
-    std::uint32_t own = 0;
-    for (std::uint32_t k = begin; k < end; ++k) own += radius(k) < greatest / 2;
-    const std::lock_guard lock(joining);
-    small += own;
-  });
-  return small <= parts_.dense_count / few;
+  return fit;
+}
+
+/// Of a few at most the cells turned out to be too wide.
+bool HybridSearch::one_level() const {
+  constexpr std::uint32_t few = 64;  // one in so many
+  const std::uint32_t others = parts_.dense_count - parts_.grid.levels.front().end;
+  return others <= parts_.dense_count / few;
 }
 
 HybridSearch::Work HybridSearch::met() const {

@@ -7,6 +7,7 @@
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_kernels.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
 
@@ -80,9 +81,10 @@ class CATENA_API HybridSearch {
   struct Evidence;
   Work met() const;  ///< since this was made
   static bool unfilled(const ChainView& chain);
-  void build_in_space(const ChainView& chain, const Team& team);
+  void build_in_space(const ChainView& chain, SingleSpheres single, const Team& team);
   void gather_dense(const Team& team);
-  bool cells_fit(const ChainView& chain, const Team& team) const;
+  bool cells_fit(const ChainView& chain, float greatest_radius, const Team& team) const;
+  bool one_level() const;
 
   const Settings settings_;
   Work before_;  ///< met before the last search

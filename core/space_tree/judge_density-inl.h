@@ -12,7 +12,7 @@
 #include <span>
 
 #include "catena/core/blocks/crowding.h"
-#include "catena/core/blocks/sample_crowds-inl.h"
+#include "catena/core/blocks/near_blocks-inl.h"
 #include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/search_space_tree-inl.h"
 

@@ -5,21 +5,66 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 
 #include "catena/core/blocks/transpose-inl.h"
+#include "catena/core/grid/bucket_map.h"
 #include "catena/core/space_tree/mean_near.h"
+#include "catena/core/space_tree/scattered.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-double mean_near_here(const ChainView& chain, std::span<const std::uint32_t> of) {
-  constexpr std::uint32_t lanes = 16, run = 4;  // spheres of a line of the cache
-  // Of so many runs one is looked at; odd, so that no period of the chain's is likely to be met each time.
-  const auto step = static_cast<std::uint32_t>(of.size() / 4 | 1);
-  const std::uint32_t runs = (chain.size + run - 1) / run, looks = (runs + step - 1) / step;
-  const auto index = [&](std::uint32_t k) { return k / run * step * run + k % run; };
-  std::uint64_t halves = 0, looked_at = 0;
+namespace {
+
+constexpr std::uint32_t lanes = 16;
+
+/// The cells of a SphereGrid around that of a sphere.
+struct CellsAround {
+  float low[3], end[3];
+
+  CellsAround() = default;
+  CellsAround(const Sphere& s, float greatest_radius) {
+    const double width = 2.0 * greatest_radius / (1 - BucketMap::cell_slack);
+    const float at[3] = {s.x, s.y, s.z};
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double before = std::floor(at[d] / width) - 1;
+      low[d] = static_cast<float>(before * width);
+      end[d] = static_cast<float>((before + 3) * width);
+    }
+  }
+  Flags<lanes> have(const Lanes16 (&at)[4]) const {
+    const auto along = [&](std::size_t d) HWY_ATTR {
+      return (Lanes16::all(low[d]) <= at[d]) & (at[d] < Lanes16::all(end[d]));
+    };
+    return along(0) & along(1) & along(2);
+  }
+};
+
+Flags<lanes> within_reach(const Sphere& s, const Lanes16 (&at)[4]) {
+  const Lanes16 far = Lanes16::all(1.5f) * (at[3] + Lanes16::all(s.radius));
+  return (abs(at[0] - Lanes16::all(s.x)) <= far) & (abs(at[1] - Lanes16::all(s.y)) <= far) &
+         (abs(at[2] - Lanes16::all(s.z)) <= far);
+}
+
+}  // namespace
+
+NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t> of, float greatest_radius,
+                           std::uint32_t parts) {
+  constexpr std::uint32_t run = 4;  // spheres of a line of the cache
+  // Of so many runs one is looked at, each time another of them: at even distances a chain that lies in rows
+  // or turns would show the same part of each.
+  const std::uint32_t runs = (chain.size + run - 1) / run, looks = (runs + parts - 1) / parts;
+  const auto index = [&](std::uint32_t k) {
+    const std::uint32_t look = k / run;
+    return (look * parts + scattered(look, parts)) * run + k % run;
+  };
+  std::array<CellsAround, most_samples> cells;
+  std::transform(of.begin(), of.end(), cells.begin(),
+                 [&](std::uint32_t i) { return CellsAround(chain.spheres[i], greatest_radius); });
+  std::uint64_t by_reach = 0, in_cells = 0, looked_at = 0;  // halves of pairs
   for (std::uint32_t first = 0; first < looks * run; first += lanes) {
     std::uint32_t there = 0;
     for (std::uint32_t k = 0; k < lanes; ++k)
@@ -32,20 +77,19 @@ double mean_near_here(const ChainView& chain, std::span<const std::uint32_t> of)
         },
         at);
     looked_at += static_cast<std::uint32_t>(std::popcount(there));
-    for (const std::uint32_t i : of) {
-      const Sphere& s = chain.spheres[i];
-      const Lanes16 radius = Lanes16::all(s.radius), far = Lanes16::all(1.5f) * (at[3] + radius);
-      const Flags<lanes> within = (abs(at[0] - Lanes16::all(s.x)) <= far) &
-                                  (abs(at[1] - Lanes16::all(s.y)) <= far) &
-                                  (abs(at[2] - Lanes16::all(s.z)) <= far);
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      const Sphere& s = chain.spheres[of[k]];
+      const std::uint32_t within = within_reach(s, at).bits() & there;
+      in_cells += static_cast<std::uint32_t>(std::popcount(cells[k].have(at).bits() & there));
       // Told by the smaller one, or half by each, so that a great one among many does not make the mean.
-      const std::uint32_t greater = (radius < at[3]).bits() & within.bits() & there,
-                          equal = (radius <= at[3]).bits() & within.bits() & there;
-      halves += static_cast<std::uint32_t>(std::popcount(greater) + std::popcount(equal));
+      const Lanes16 radius = Lanes16::all(s.radius);
+      by_reach += static_cast<std::uint32_t>(std::popcount((radius < at[3]).bits() & within) +
+                                             std::popcount((radius <= at[3]).bits() & within));
     }
   }
-  return static_cast<double>(halves) * chain.size / static_cast<double>(looked_at) /
-         static_cast<double>(2 * of.size());
+  const double times =
+      static_cast<double>(chain.size) / static_cast<double>(looked_at) / static_cast<double>(2 * of.size());
+  return {static_cast<double>(by_reach) * times, static_cast<double>(in_cells) * times};
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -56,8 +100,9 @@ namespace catena {
 
 HWY_EXPORT(mean_near_here);
 
-double mean_near(const ChainView& chain, std::span<const std::uint32_t> of) {
-  return HWY_DYNAMIC_DISPATCH(mean_near_here)(chain, of);
+NearSpheres mean_near(const ChainView& chain, std::span<const std::uint32_t> of, float greatest_radius,
+                      std::uint32_t parts) {
+  return HWY_DYNAMIC_DISPATCH(mean_near_here)(chain, of, greatest_radius, parts);
 }
 
 }  // namespace catena

@@ -7,69 +7,104 @@
 #include <span>
 
 #include "catena/core/space_tree/mean_near.h"
+#include "catena/core/space_tree/scattered.h"
 
 namespace catena {
 namespace {
 
-/// So many are looked at, of so many that there are: more where it costs less.
-std::uint32_t samples_of(std::uint32_t spheres, std::uint32_t all) {
-  constexpr std::uint32_t fewest = 4, most = 32, apart = 256;
-  return std::min(all, std::clamp(spheres / apart, fewest, most));
+using Samples = std::array<std::uint32_t, most_samples>;
+
+/// So many are looked at, of so many spheres: more where it costs less.
+std::uint32_t samples_of(std::uint32_t spheres) {
+  constexpr std::uint32_t fewest = 4, apart = 256;
+  return std::min(spheres, std::clamp(spheres / apart, fewest, std::uint32_t{most_samples}));
 }
 
-using Samples = std::array<std::uint32_t, 32>;
+/// What radii spheres have, told by some of them.
+class RadiusSample {
+ public:
+  explicit RadiusSample(const ChainView& chain) : greatest_(chain.extent.greatest_radius) {}
 
-SingleSpheres cheaper(const ChainView& chain, std::span<const std::uint32_t> samples, bool cells) {
-  constexpr double ball = 4.0 / 3 * std::numbers::pi / 27;  // of what is told to be near, within reach
-  const double near = mean_near(chain, samples), in_space = SingleSphereCost::in_space(near),
-               in_cells = SingleSphereCost::in_cells(near), pairs = ball * near / 2;
-  return cells && in_cells < in_space ? SingleSpheres{true, in_cells, pairs}
-                                      : SingleSpheres{false, in_space, pairs};
-}
-
-/// Of one sphere of each crowded node.
-bool one_octave(const ChainView& chain, const BlockTree& tree, const Crowding& crowding) {
-  constexpr std::uint32_t rare = 64;  // an octave of fewer costs next to nothing
-  std::array<std::uint32_t, 64> octave{};
-  std::uint32_t all = 0;
-  const float greatest = chain.extent.greatest_radius;
-  for (std::uint32_t node = 0; node < crowding.nodes(); ++node) {
-    if (!crowding.crowded(node)) continue;
-    // Not the same of all blocks: radii may come by turns.
-    const std::uint32_t b = node * BlockTree::group;
-    const float radius = tree.spheres(chain, b)[node % tree.size_of(b)].radius;
-    const double share = greatest > 0 ? double{radius} / greatest : 1;
-    // The greatest are of the octave below them.
-    const int below = share >= 1 ? 1 : share > 0 ? -std::ilogb(share) : static_cast<int>(octave.size()) - 1;
-    ++octave[static_cast<std::size_t>(std::clamp(below, 0, static_cast<int>(octave.size()) - 1))];
-    ++all;
+  void take(float radius) {
+    const double share = greatest_ > 0 ? double{radius} / greatest_ : 1;
+    const int below = share > 0 ? -std::ilogb(share) : last;
+    Octave& of = octave_[static_cast<std::size_t>(std::clamp(below, 0, last))];
+    ++of.spheres, ++all_;
+    of.greatest = std::max(of.greatest, radius);
   }
-  const auto common = std::count_if(octave.begin(), octave.end(),
-                                    [&](std::uint32_t spheres) { return spheres > all / rare; });
-  return common <= 1;
+  struct Told {
+    float greatest;  ///< but for a few
+    double smaller;  ///< share of those less than half as great
+  };
+  Told told() const {
+    constexpr std::uint32_t rare = 64;  // an octave of fewer costs next to nothing
+    const auto common = [&](const Octave& of) { return rare * of.spheres > all_; };
+    const auto first = std::find_if(octave_.begin(), octave_.end(), common);
+    if (first == octave_.end()) return {greatest_, 0};
+    std::uint32_t smaller = 0;
+    for (auto of = first + 1; of != octave_.end(); ++of)
+      if (common(*of) && of->greatest < first->greatest / 2) smaller += of->spheres;
+    return {first->greatest, static_cast<double>(smaller) / all_};
+  }
+
+ private:
+  struct Octave {
+    std::uint32_t spheres = 0;
+    float greatest = 0;
+  };
+  static constexpr int last = 63;
+  const float greatest_;
+  std::array<Octave, last + 1> octave_{};
+  std::uint32_t all_ = 0;
+};
+
+/// Some of so many spheres of a chain are searched one by one, and these are samples of them.
+SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<const std::uint32_t> samples,
+                      const RadiusSample::Told& radii) {
+  constexpr double ball = 4.0 / 3 * std::numbers::pi / 27;  // of what is told to be near, within reach
+  // Looks at spheres, for each that is searched: in a crowd of few a wrong guess costs little.
+  constexpr std::uint64_t looks = 4, looks_of_a_few = 16;
+  const std::uint64_t all = std::min(looks * chain.size, looks_of_a_few * spheres);
+  const auto parts = static_cast<std::uint32_t>(std::uint64_t{chain.size} * samples.size() / all + 1);
+  const NearSpheres near = mean_near(chain, samples, radii.greatest, parts);
+  const double in_space = SingleSphereCost::in_space(near.by_reach, spheres),
+               in_cells = SingleSphereCost::in_cells(near.in_cells, spheres),
+               pairs = ball * near.by_reach / 2;
+  const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
+  return one_width && in_cells < in_space ? SingleSpheres{true, in_cells, pairs, radii.greatest}
+                                          : SingleSpheres{false, in_space, pairs, radii.greatest};
 }
 
 }  // namespace
 
 SingleSpheres single_spheres(const ChainView& chain) {
+  constexpr std::uint32_t apart = 128;  // of those whose radii are asked for
   Samples samples;
-  const std::uint32_t count = samples_of(chain.size, chain.size);
-  for (std::uint64_t k = 0; k < count; ++k)
-    samples[k] = static_cast<std::uint32_t>((2 * k + 1) * chain.size / (2 * count));
-  return cheaper(chain, {samples.data(), count}, true);
+  const std::uint32_t count = samples_of(chain.size);
+  const auto begin = [&](std::uint64_t k) { return static_cast<std::uint32_t>(k * chain.size / count); };
+  for (std::uint32_t k = 0; k < count; ++k) samples[k] = begin(k) + scattered(k, begin(k + 1) - begin(k));
+  RadiusSample radii(chain);
+  for (std::uint32_t k = 0; k < chain.size; k += apart)
+    radii.take(chain.spheres[k + scattered(k / apart, std::min(apart, chain.size - k))].radius);
+  return cheaper(chain, chain.size, {samples.data(), count}, radii.told());
 }
 
 SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, const Crowding& crowding) {
   Samples samples;
-  const std::uint32_t crowded = crowding.crowded_nodes(), count = samples_of(chain.size, crowded);
+  RadiusSample radii(chain);
+  const std::uint32_t crowded = crowding.crowded_nodes(),
+                      spheres = std::min(chain.size, crowded * BlockTree::group * BlockTree::block),
+                      count = std::min(crowded, samples_of(spheres));
   std::uint32_t found = 0;
-  for (std::uint32_t node = 0, seen = 0; node < crowding.nodes() && found < count; ++node) {
+  for (std::uint32_t node = 0, seen = 0; node < crowding.nodes(); ++node) {
     if (!crowding.crowded(node)) continue;
-    if (std::uint64_t{seen++} * count < std::uint64_t{found} * crowded) continue;
-    const std::uint32_t b = tree.some_block_of(node);
-    samples[found++] = tree.begin_of(b) + tree.size_of(b) / 2;
+    // Another sphere of another block of each, as radii may come by turns.
+    const std::uint32_t b = tree.some_block_of(node), i = tree.begin_of(b) + scattered(seen, tree.size_of(b));
+    radii.take(chain.spheres[i].radius);
+    if (found < count && std::uint64_t{seen} * count >= std::uint64_t{found} * crowded) samples[found++] = i;
+    ++seen;
   }
-  return cheaper(chain, {samples.data(), found}, one_octave(chain, tree, crowding));
+  return cheaper(chain, spheres, {samples.data(), found}, radii.told());
 }
 
 }  // namespace catena

@@ -1,10 +1,14 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
+#include "catena/core/blocks/beyond_cache.h"
 #include "catena/core/blocks/block_tree.h"
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/export.h"
+#include "catena/core/grid/sphere_grid.h"
 
 namespace catena {
 
@@ -33,11 +37,20 @@ struct SpaceCost {
   }
 };
 
-/// What it costs, about, to search a sphere by itself, likewise. `near` is as mean_near() tells it.
+/// What it costs, about, to search one of so many spheres by itself, likewise, where so many are near it as
+/// NearSpheres tells.
 struct SingleSphereCost {
-  /// A sphere alone in its cell pays for it and for the look at its neighbours.
-  static double in_cells(double near) { return 36 + 34 / (1 + near / 8) + 0.72 * near; }
-  static double in_space(double near) { return 50 + 0.65 * near; }
+  /// A sphere alone in its cell pays for it and for the look at its neighbours. Where very many are near, a
+  /// vector of them is not the last.
+  static double in_cells(double near, std::uint32_t spheres) {
+    return 40 + 15 / (1 + near / 4) + near * near / (near + 100) + 10 * octaves_beyond_cache(spheres);
+  }
+  static double in_space(double near, std::uint32_t spheres) {
+    return 28 + 10.7 * std::sqrt(near) + 5 * octaves_beyond_cache(spheres);
+  }
+  /// So many that are near and less than half as great find room in the cells of the greater ones: where one
+  /// is there are about three times as many as around it.
+  static bool one_width(double near) { return 3 * near <= 27.0 / 2 * SphereGrid::most_in_a_cell; }
 };
 
 /// How spheres are searched one by one, what that costs each, and how many pairs that overlap there are for
@@ -45,10 +58,12 @@ struct SingleSphereCost {
 struct SingleSpheres {
   bool in_cells;
   double ns, pairs;
+  float greatest_radius = 0;  ///< but for a few
 };
 /// Those in crowded nodes, by a look at some; or all, where there is no tree. Cells are for radii that come
-/// in one octave, as one in 128 tells.
-SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, const Crowding& crowding);
-SingleSpheres single_spheres(const ChainView& chain);
+/// in one octave, as one in 128 tells, or where the smaller ones are few in cells for the greater.
+CATENA_API SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree,
+                                        const Crowding& crowding);
+CATENA_API SingleSpheres single_spheres(const ChainView& chain);
 
 }  // namespace catena

@@ -89,5 +89,20 @@ const RegisterMutant<CopiesMeet> copies{
     "sphere-tree-meets-its-filling",
     "a last node filled up with copies, which overlap what the last sphere does"};
 
+/// Sixteen nodes go down the tree together, in the box of the first of them.
+class SixteenInOneBox final : public FaultySpheres {
+  void tamper(SphereTree& tree) override {
+    if (tree.boxes.size() == 1) return;
+    for (std::uint32_t k = 0; k < tree.count(1); ++k) {
+      float* const box = tree.boxes_of(1, k / group) + k % group;
+      for (std::uint32_t f = 0; f < SphereTree::box_fields; ++f)
+        box[f * group] = tree.boxes_of(0, k)[f * group];
+    }
+  }
+};
+const RegisterMutant<SixteenInOneBox> one_box{
+    "sphere-tree-goes-down-with-the-first",
+    "nodes that go down the tree together, of which the first alone is asked"};
+
 }  // namespace
 }  // namespace catena::properties

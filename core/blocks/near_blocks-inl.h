@@ -1,0 +1,154 @@
+// What is near a block of a BlockTree, and what a search for it costs.
+#if defined(CATENA_CORE_BLOCKS_NEAR_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CATENA_CORE_BLOCKS_NEAR_BLOCKS_INL_H
+#undef CATENA_CORE_BLOCKS_NEAR_BLOCKS_INL_H
+#else
+#define CATENA_CORE_BLOCKS_NEAR_BLOCKS_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <numbers>
+
+#include "catena/core/blocks/crowding.h"
+#include "catena/core/blocks/oriented_boxes-inl.h"
+#include "catena/core/blocks/tests-inl.h"
+#include "catena/core/chain/chain_view.h"
+#include "hwy/cache_control.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace catena::HWY_NAMESPACE {
+
+/// Those of the nodes below node k of level l that a box may meet: met(node), and look() before each look at
+/// sixteen boxes, until one of them returns false.
+template <class Met, class Look>
+inline bool for_each_met_below(const BlockTree& tree, const OrientedBoxes& box, std::size_t l,
+                               std::uint32_t k, const Met& met, const Look& look) {
+  if (l == 0) return met(k);
+  if (!look()) return false;
+  std::uint32_t near = may_meet(box, OrientedBoxes::load(tree.level[l - 1].at(k * BlockTree::group))) &
+                       lane_bits(tree.children_of(l, k));
+  for (; near != 0; near &= near - 1) {
+    const auto child = k * BlockTree::group + static_cast<std::uint32_t>(std::countr_zero(near));
+    if (!for_each_met_below(tree, box, l - 1, child, met, look)) return false;
+  }
+  return true;
+}
+/// The nodes of level 0 that one of them may meet, itself among them.
+template <class Met, class Look>
+inline void for_each_met(const BlockTree& tree, std::uint32_t node, const Met& met, const Look& look) {
+  const auto box = OrientedBoxes::all(tree.level[0].at(node), node % BlockTree::group);
+  for_each_met_below(tree, box, tree.level.size() - 1, 0, met, look);
+}
+template <class Met>
+inline void for_each_met(const BlockTree& tree, std::uint32_t node, const Met& met) {
+  for_each_met(tree, node, met, [] { return true; });
+}
+
+/// Halves that one pays of what it takes to meet another. Among some that are crowded, given or null, these
+/// pay none: without it they would have done with the chain's order.
+inline std::uint32_t pays(const Crowding* among, std::uint32_t node) {
+  return among != nullptr && among->crowded(node) ? 2 : 1;
+}
+
+/// Counts the blocks whose capsules one may meet, in any order, as often as one pays for them, no further
+/// than just past `enough`; the nodes that may hold some; and the looks on the way to these.
+class NearBlocks {
+ public:
+  NearBlocks(const BlockTree& tree, std::uint32_t b, std::uint32_t enough, const Crowding* among = nullptr) {
+    constexpr std::uint32_t group = BlockTree::group;
+    const Capsules capsule = Capsules::all(tree.capsules_of(b / group), b % group);
+    const auto met = [&](std::uint32_t node) {
+      const std::uint32_t near = may_collide(capsule, Capsules::load(tree.capsules_of(node))),
+                          times = pays(among, node);
+      count_ += times * static_cast<std::uint32_t>(std::popcount(near & lane_bits(tree.blocks_of(node))));
+      nodes_ += times;
+      return count_ <= enough;
+    };
+    for_each_met(tree, b / group, met, [&] { return ++looks_ != 0; });
+    enough_ = count_ > enough;
+  }
+  bool enough() const { return enough_; }
+  std::uint32_t count() const { return count_; }
+  std::uint32_t nodes() const { return nodes_; }
+  std::uint32_t looks() const { return looks_; }
+
+ private:
+  bool enough_;
+  std::uint32_t count_ = 0, nodes_ = 0, looks_ = 0;
+};
+
+/// About how many spheres a search by cells compares with one in the middle of a block, each pair once: half
+/// of those in a cube around it that is three of its diameters wide; told no further than just past `enough`.
+/// `among` as for NearBlocks.
+inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& tree, std::uint32_t b,
+                                      std::uint32_t enough, const Crowding* among) {
+  constexpr std::uint32_t group = BlockTree::group;
+  const Sphere& middle = tree.spheres(chain, b)[tree.size_of(b) / 2];
+  const float reach = 3 * middle.radius;
+  Capsules cube = Capsules::all(tree.capsules_of(b / group), b % group);
+  cube.radius = cube.radius + Lanes16::all(reach * tree.scale);
+  std::uint32_t count = 0;
+  for_each_met(tree, b / group, [&](std::uint32_t node) {
+    const std::uint32_t near = may_collide(cube, Capsules::load(tree.capsules_of(node))),
+                        times = pays(among, node), those = near & lane_bits(tree.blocks_of(node));
+    for_each_lane(those, [&](std::uint32_t k) {
+      const Sphere* const s = tree.spheres(chain, node * group + k);
+      hwy::Prefetch(s), hwy::Prefetch(s + 4);
+    });
+    for_each_lane(those, [&](std::uint32_t k) {
+      const std::uint32_t other = node * group + k;
+      const std::uint32_t within = SphereLanes(tree.spheres(chain, other)).centres_within(middle, reach);
+      count += times * static_cast<std::uint32_t>(std::popcount(within & lane_bits(tree.size_of(other))));
+    });
+    return count <= 2 * enough;
+  });
+  return count / 2;
+}
+
+/// What it costs to search a sphere, about, on one core with AVX-512. Measured on chains of many kinds; a
+/// wrong figure costs time and changes no answer.
+struct SphereCost {
+  static constexpr double near_ns = 51, row_ns = 4, nodes_ns = 107;  ///< of a tree: two of each
+  static constexpr double look_ns = 36;   ///< at the boxes of sixteen nodes, likewise
+  static constexpr double pair_ns = 5.7;  ///< of a tree: a sphere of two that overlap, among eight
+  static constexpr double cells_ns = 32, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
+  static constexpr double beyond_ns = 10;    ///< an octave that cells leave the cache by
+  static constexpr double tests = 1.5 / 16;  ///< a candidate, as cells end where vectors do not
+
+  static constexpr double met_ns =
+      row_ns / BlockTree::block + nodes_ns / (BlockTree::block * BlockTree::group);
+  /// Overlaps, of so many candidates: those within a ball, of those in a cube.
+  static constexpr double overlaps = 4.0 / 3 * std::numbers::pi / 27;
+
+  /// In the chain's order, where a block meets so many, each of which pays one half. Of the nodes that meet a
+  /// block's own it meets four of ten by their boxes; itself and those beside it along the chain it mostly
+  /// need not look into.
+  static double in_tree(const NearBlocks& near) {
+    constexpr double block = BlockTree::block, node = block * BlockTree::group;
+    constexpr std::uint32_t own = 3;
+    const std::uint32_t others = near.count() - std::min(own, near.count());
+    return (others * near_ns / block + near.nodes() * met_ns + near.looks() * look_ns / node) / 2;
+  }
+  /// And for the pairs that it finds: a sphere's with those of one block cost as one.
+  static double of_pairs(const NearBlocks& near, std::uint32_t candidates) {
+    return pair_ns * std::min(overlaps * candidates, near.count() / 2.0);
+  }
+  static double most_of_pairs(const NearBlocks& near) { return pair_ns * near.count() / 2; }
+  /// Looks that cost a node about as much as another that it meets.
+  static constexpr std::uint32_t looks_a_node() {
+    return static_cast<std::uint32_t>(met_ns * BlockTree::block * BlockTree::group / look_ns);
+  }
+  /// `beyond` as octaves_beyond_cache() tells it.
+  static double in_cells(std::uint32_t candidates, double beyond) {
+    return cells_ns + beyond_ns * beyond + test_ns * (cell_tests + tests * candidates);
+  }
+  /// So many candidates by which cells are no cheaper than that.
+  static std::uint32_t candidates(double ns, double beyond) {
+    return static_cast<std::uint32_t>(std::clamp((ns - in_cells(0, beyond)) / (test_ns * tests), 0.0, 1e6));
+  }
+};
+
+}  // namespace catena::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,88 @@
+#include "catena/core/space_tree/search_cost.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/space_tree/mean_near.h"
+#include "catena/core/space_tree/scattered.h"
+#include "catena/properties/generators/dice.h"
+
+namespace catena {
+namespace {
+
+/// To and fro through a cubic lattice of step 1 with so many points along two of its axes.
+std::vector<Sphere> rows(std::uint32_t n, std::uint32_t side, float radius) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t row = i / side, x = i % side, layer = row / side, y = row % side;
+    spheres.push_back({static_cast<float>(row % 2 == 0 ? x : side - 1 - x),
+                       static_cast<float>(layer % 2 == 0 ? y : side - 1 - y), static_cast<float>(layer),
+                       radius});
+  }
+  return spheres;
+}
+
+std::vector<Sphere> anywhere(std::uint32_t n, float room, const std::function<float(std::uint32_t)>& radius) {
+  properties::Dice dice(5);
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i)
+    spheres.push_back({room * dice.symmetric(), room * dice.symmetric(), room * dice.symmetric(), radius(i)});
+  return spheres;
+}
+
+TEST(SearchCost, SpheresThatAreNearAreToldByAPartWhateverPeriodsTheChainHas) {
+  for (std::uint32_t side = 18; side <= 54; side += 3)
+    for (const float radius : {0.5f, 1.3f}) {
+      const Chain chain(rows(27000, side, radius));
+      std::vector<std::uint32_t> samples(most_samples);
+      for (std::uint32_t k = 0; k < samples.size(); ++k) samples[k] = 840 * k + scattered(k, 840);
+      const NearSpheres all = mean_near(chain.view(), samples, radius, 1),
+                        part = mean_near(chain.view(), samples, radius, 9);
+      EXPECT_NEAR(part.by_reach / all.by_reach, 1, 0.35) << side << ' ' << radius;
+      EXPECT_NEAR(part.in_cells / all.in_cells, 1, 0.35) << side << ' ' << radius;
+    }
+}
+
+TEST(SearchCost, SpheresThatAreNearAreThoseOfTheLattice) {
+  const Chain chain(rows(27000, 30, 0.5f));
+  const std::vector<std::uint32_t> middle{15 * 900 + 15 * 30 + 15};
+  const NearSpheres near = mean_near(chain.view(), middle, 0.5f, 1);
+  EXPECT_EQ(near.by_reach, 27 / 2.0);
+  EXPECT_EQ(near.in_cells, 27 / 2.0);
+  EXPECT_EQ(mean_near(chain.view(), middle, 1.0f, 1).in_cells, 216 / 2.0) << "cells of eight";
+}
+
+TEST(SearchCost, ScatteredNumbersLieEvenly) {
+  for (const std::uint32_t end : {1u, 2u, 7u, 128u, 1000u}) {
+    std::vector<std::uint32_t> times(end);
+    for (std::uint32_t k = 0; k < 100 * end; ++k) ++times.at(scattered(k, end));
+    const auto [least, most] = std::minmax_element(times.begin(), times.end());
+    EXPECT_GE(*least, 97u) << end;
+    EXPECT_LE(*most, 103u) << end;
+  }
+}
+
+/// Cells have one width: for radii of about the same size, whether or not some are exactly the greatest, or
+/// where the smaller ones are few in each.
+TEST(SearchCost, CellsAreForRadiiThatFitOneWidth) {
+  const auto in_cells = [](float room, const std::function<float(std::uint32_t)>& radius) {
+    const Chain chain(anywhere(20000, room, radius));
+    return single_spheres(chain.view()).in_cells;
+  };
+  const float crowded = 6, loose = 14;
+  EXPECT_TRUE(in_cells(crowded, [](std::uint32_t) { return 0.5f; }));
+  EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.45f; }));
+  EXPECT_TRUE(in_cells(loose, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.05f; }));
+  EXPECT_FALSE(in_cells(crowded, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.05f; }));
+  EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 200 == 0 ? 0.05f : 0.5f; })) << "a few";
+}
+
+}  // namespace
+}  // namespace catena
