@@ -235,5 +235,14 @@ TEST(FrameAccount, LosesAShareOfAllFramesAtMost) {
   }
 }
 
+/// A frame that took very long, as something else ran, says no more than the most that it may lose.
+TEST(FrameAccount, LosesNoMoreByOneFrameThanItIsTold) {
+  FrameAccount account;
+  account.used(1e9, 1, 2);
+  EXPECT_FALSE(account.may_try());
+  for (int k = 0; k < 150; ++k) account.frame();
+  EXPECT_TRUE(account.may_try());
+}
+
 }  // namespace
 }  // namespace catena
