@@ -230,6 +230,19 @@ TEST(FrameSearch, OfAnotherRuleTakesNothingFromTheLastFrame) {
   }
 }
 
+TEST(FrameSearch, KeepsNoListOfAnotherRule) {
+  const Chain first = yarn();
+  std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
+  AnyFrames frames;
+  frames.expect_exact(Chain(spheres, {}, Exclusion::index(40)), {}, "first");
+  for (const std::uint32_t window : {40u, 40u, 1u, 1u}) {
+    spheres = shaken(spheres, 0.01f);
+    const Chain chain(spheres, {}, Exclusion::index(window));
+    frames.update(chain);
+    frames.expect_exact(chain, {}, "window " + std::to_string(window));
+  }
+}
+
 TEST(FrameSearch, HeedsWhatMovedInFramesThatWereNotSearched) {
   Chain chain = yarn();
   AnyFrames frames;

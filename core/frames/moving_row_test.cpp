@@ -39,8 +39,7 @@ TEST(MovingRow, FindsThePairsOfRunsThatChangedInRowsOfAnyLength) {
     }
 }
 
-/// Spheres that touch within a unit of the last place, each alone with points in its run: a box that is
-/// rounded to the nearest loses some of them.
+/// Spheres that touch within a unit of the last place, each alone with points in its run.
 TEST(MovingRow, MeetsEveryTwoThatTouch) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(0.1f, 1);
