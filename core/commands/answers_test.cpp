@@ -54,7 +54,7 @@ TEST_F(Answers, TellDepthsInTheBoxOfEachFrame) {
         "ITEM: ATOMS id mol xu yu zu\n1 1 0.5 0 0\n2 1 4 4 4\n3 1 {} 0 0\n",
         step, box, box, box, far);
   };
-  const std::string dump = write("d.dump", frame(0, 10, 9.5f) + frame(1, 21, 20.25f));
+  const std::string dump = write("d.dump", frame(0, 10, 9.5f) + frame(1, 25, 24.25f));
   for (const std::string wrong : {"2", "1x", "-1"})
     expect_refused("detect " + dump + " --radius 1 --frame=" + wrong, wrong == "2" ? "no frame 2" : "--frame");
   run("detect " + dump + " --radius 1 --frame all --depth --pairs '" + file("p.csv") + "'");

@@ -235,7 +235,7 @@ TEST(FrameSearch, KeepsNoListOfAnotherRule) {
   std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
   AnyFrames frames;
   frames.expect_exact(Chain(spheres, {}, Exclusion::index(40)), {}, "first");
-  for (const std::uint32_t window : {40u, 40u, 1u, 1u}) {
+  for (const std::uint32_t window : {40u, 1u, 1u}) {
     spheres = shaken(spheres, 0.01f);
     const Chain chain(spheres, {}, Exclusion::index(window));
     frames.update(chain);
