@@ -46,7 +46,7 @@ TEST_F(Answers, TellDepthsAcrossAFaceOfABox) {
   EXPECT_NE(text.find("Name=\"depth\" format=\"ascii\">\n0.75\n0\n0.75\n"), std::string::npos) << text;
 }
 
-// The dump's second frame has a box of its own.
+// The dump's second frame has a box of its own, of which the first one's is no part.
 TEST_F(Answers, TellDepthsInTheBoxOfEachFrame) {
   const auto frame = [](int step, int box, float far) {
     return fmt::format(
@@ -54,7 +54,9 @@ TEST_F(Answers, TellDepthsInTheBoxOfEachFrame) {
         "ITEM: ATOMS id mol xu yu zu\n1 1 0.5 0 0\n2 1 4 4 4\n3 1 {} 0 0\n",
         step, box, box, box, far);
   };
-  const std::string dump = write("d.dump", frame(0, 10, 9.5f) + frame(1, 20, 19.25f));
+  const std::string dump = write("d.dump", frame(0, 10, 9.5f) + frame(1, 25, 24.25f));
+  for (const std::string wrong : {"2", "1x", "-1"})
+    expect_refused("detect " + dump + " --radius 1 --frame=" + wrong, wrong == "2" ? "no frame 2" : "--frame");
   run("detect " + dump + " --radius 1 --frame all --depth --pairs '" + file("p.csv") + "'");
   EXPECT_TRUE(text_of(file("p.csv")).ends_with("depth\n0,0,2,1,3,0,0,0,2,1\n1,0,2,1,3,0,0,0,2,0.75\n"))
       << text_of(file("p.csv"));

@@ -89,9 +89,33 @@ TEST(FrameAnswer, HeedsALimitForWhoAsksForPairs) {
   const Plain plain = some_pairs(50, 20, random);
   FrameAnswer answer;
   answer.copy(plain.all());
-  EXPECT_THROW(answer.standing(50, {.pair_limit = 19}), PairLimitExceeded);
+  Collisions result;
+  for (const std::uint64_t limit : {0u, 19u}) {
+    EXPECT_THROW(answer.standing(50, {.pair_limit = limit}), PairLimitExceeded) << limit;
+    EXPECT_THROW(answer.report(50, {.pair_limit = limit}, result), PairLimitExceeded) << limit;
+  }
+  EXPECT_EQ(answer.standing(50, {.pair_limit = 20}).pairs.size(), 20u) << "exactly met";
+  answer.report(50, {.pair_limit = 20}, result);
+  EXPECT_EQ(result.pairs.size(), 20u);
   EXPECT_EQ(answer.standing(50, {.want = Request::Want::counts, .pair_limit = 19}).count, plain.counts());
   EXPECT_TRUE(answer.standing(50, {.want = Request::Want::any}).found);
+}
+
+TEST(FrameAnswer, ReportsOfSomeSpheresAloneWhatIsTheirs) {
+  std::mt19937 random(6);
+  const Plain plain = some_pairs(50, 40, random);
+  FrameAnswer answer;
+  answer.copy(plain.all());
+  const SphereRange queries{10, 30};
+  Collisions result;
+  answer.report(50, {.queries = queries}, result);
+  std::vector<Pair> right = plain.pairs;
+  std::erase_if(right, [&](const Pair& p) { return !queries.contains(p.i); });
+  properties::sort(right), properties::sort(result.pairs);
+  EXPECT_EQ(result.pairs, right);
+  EXPECT_EQ(result.pair_count, right.size());
+  for (std::uint32_t i = 0; i < 50; ++i)
+    EXPECT_EQ(result.count[i], queries.contains(i) ? plain.counts()[i] : 0) << i;
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ inline Sphere thinner(Sphere s, float skin) { return {s.x, s.y, s.z, s.radius - 
 
 /// True only when each sphere, by a skin thicker, lies within the one of the same index for certain; see
 /// within.h.
-bool all_within(std::span<const Sphere> now, float skin, std::span<const Sphere> thick);
+CATENA_API bool all_within(std::span<const Sphere> now, float skin, std::span<const Sphere> thick);
 
 /// True only when each sphere for certain lies within the one before, by a skin thicker, and that one, by a
 /// skin thinner, within it: its radius may have grown or shrunk.
-bool all_near(std::span<const Sphere> now, std::span<const Sphere> before, float skin);
+CATENA_API bool all_near(std::span<const Sphere> now, std::span<const Sphere> before, float skin);
 
 /// Pairs that are compared frame after frame.
 struct OpenPairs {

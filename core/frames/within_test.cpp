@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catena/core/arithmetic/exact_sign.h"
+#include "catena/core/frames/near_pairs.h"
 
 namespace catena {
 namespace {
@@ -63,6 +64,39 @@ TEST(Within, IsNeverSaidOfASphereThatIsNot) {
   EXPECT_FALSE(within({3e38f, 0, 0, 1}, {-3e38f, 0, 0, inf}));
   EXPECT_FALSE(within({0, 0, 0, 2}, {0, 0, 0, 1}));
   EXPECT_FALSE(within({0, 0, 0, 1}, {0, 0, 0, 1})) << "no room at all is for no list";
+}
+
+/// In vectors of eight, and one by one where fewer are left: with a skin that is the room, too, of points.
+TEST(Within, IsNeverSaidOfRowsOfSpheresThatAreNot) {
+  const auto in_rows_of = [](std::size_t size) {
+    return [size](const Sphere& a, const Sphere& b) {
+      const std::vector<Sphere> now(size, a), thick(size, b), before(size, Sphere{b.x, b.y, b.z, 0});
+      const bool all = all_within(now, 0, thick);
+      if (a.radius == 0) EXPECT_EQ(all_near(now, before, b.radius), all) << b.radius;
+      return all;
+    };
+  };
+  for (const std::size_t size : {1, 8, 9}) EXPECT_EQ(wrong(in_rows_of(size)), 0u) << size;
+}
+
+TEST(Within, IsSaidOfRowsWhereItIsOfEachSphere) {
+  constexpr float skin = 0.25f;
+  for (const std::size_t size : {0, 1, 7, 8, 9, 15, 16, 17, 521, 1033}) {
+    const std::vector<Sphere> before(size, Sphere{1, 2, 3, 1}), now(size, Sphere{1.125f, 2, 3, 1}),
+        thick(size, thicker({1, 2, 3, 1}, skin));
+    EXPECT_TRUE(all_within(now, 0, thick)) << size;
+    EXPECT_TRUE(all_within(now, 0.0625f, thick)) << size;
+    EXPECT_TRUE(all_near(now, before, skin)) << size;
+    for (std::size_t i = 0; i < size; i += i < 32 || i + 32 > size ? 1 : 31) {
+      for (const Sphere& out : {Sphere{1, 2.5f, 3, 1}, Sphere{1, 2, 3, 1.5f}, Sphere{1, 2, 3, 0.5f}}) {
+        std::vector<Sphere> spoilt = now;
+        spoilt[i] = out;
+        EXPECT_EQ(all_within(spoilt, 0, thick), out.radius < 1) << size << ' ' << i;
+        EXPECT_FALSE(all_near(spoilt, before, skin)) << size << ' ' << i;
+      }
+    }
+    if (size > 0) EXPECT_FALSE(all_within(now, skin, thick)) << size;
+  }
 }
 
 TEST(Within, IsSaidOfWhatMovesByHalf) {

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "catena/core/strategy/registry.h"
+
 namespace catena {
 namespace {
 
@@ -68,6 +70,35 @@ TEST(BucketMap, SpreadsLinesPlanesAndSpace) {
           for (int z = 0; z < sides(2); ++z) cells.push_back({step * x, step * y, step * z});
       EXPECT_LE(most_in_one(cells), 4u) << "step " << step << " along axes " << directions;
     }
+}
+
+/// Numbers of cells that are a multiple of a number of buckets whose reciprocal is rounded down, so that the
+/// quotient may come out one too small: what lies there still meets what lies beside it.
+TEST(BucketMap, BringsEveryMultipleOfTheBucketsIntoRange) {
+  constexpr std::uint32_t multiples = 600;
+  const float far = 2e7f;
+  for (std::uint32_t alone = 0, tried = 0; alone < 4000 && tried < 8; alone += 7) {
+    const std::uint32_t n = 2 * multiples + alone;
+    const BucketMap map = map_buckets(1, {{0, 0, 0}, {far, far, far}}, n);
+    ASSERT_TRUE(map.wraps);
+    if (!(map.buckets * (1.0 / map.buckets) < 1)) continue;
+    ++tried;
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 1; k <= multiples; ++k) {
+      const double edge = double{k} * map.buckets / map.cells_per_unit;
+      for (const double at : {0.5, -0.25})  // the cell of that number, and the one before
+        spheres.push_back({static_cast<float>(edge + at), 0, 0, 1});
+    }
+    for (std::uint32_t k = 0; k + 1 < alone; ++k)
+      spheres.push_back({0, 10.0f * static_cast<float>(k + 1), 0, 1});
+    if (alone > 0) spheres.push_back({far, far, far, 1});
+    const auto grid = StrategyRegistry::instance().make("Grid");
+    Collisions found;
+    const Chain chain(spheres, {{0, n}, {0}}, Exclusion::arc(1e-6));  // neighbours are pairs, too
+    grid->build(chain);
+    grid->find(chain, {}, found);
+    EXPECT_EQ(found.pair_count, multiples) << map.buckets;
+  }
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
   for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
     damaged.push_back(
         std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 3 1 5 ") + figure + "\n"));
+  for (const char* line : {"CPU1 1 2 3 1 4 5 6\n", "CPU1 1 2 3 1.01 4 5\n", "CPU1 1 2 3 1 4\n", "CPU1 1 2 3\n"})
+    damaged.push_back(std::string(good).insert(good.rfind("end"), line));
   damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
   for (const std::string& text : damaged) {
     const Machine machine = read(text);

@@ -140,6 +140,15 @@ TEST(LammpsDumpReader, TakesBondsFromATopologyAndTheTrueBoxOfATiltedOne) {
   EXPECT_EQ(curves.boxes, (std::vector<PeriodicBox>{{{10, 5, 4}, 2, -1, 0}}));
 }
 
+// All tilts to one side, so that they add up; fractions are along the edges; what does not say pp has no length.
+TEST(LammpsDumpReader, TakesFractionsOfATiltedBoxThatIsNotPeriodicAlongZ) {
+  const auto curves = read_text("a.dump",
+                                "ITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp fs\n1 16 2\n2 8 "
+                                "3\n3 7 1\nITEM: ATOMS id xs ys zs\n1 0 0 0\n2 0.5 0.25 0.75\n");
+  EXPECT_EQ(curves.boxes, (std::vector<PeriodicBox>{{{10, 5, 0}, 2, 3, 1}}));
+  EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{1, 2, 3, 0}, {8.75f, 4, 6, 0}}));
+}
+
 // As versions of LAMMPS before 2010 wrote it.
 TEST(LammpsDumpReader, DoesNotTakeABoxForPeriodicThatDoesNotSaySo) {
   const std::string rest = "0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n1 0 0 0\n",

@@ -68,6 +68,23 @@ RC_GTEST_PROP(MmcifReader, GivesWhatPdbGives, (bool quoted, bool split)) {
   for (std::uint32_t i = 0; i < cif.spheres.size(); ++i) RC_ASSERT(cif.labels.of(i) == pdb.labels.of(i));
 }
 
+// As after TER: what is of the same chain by its author's name, but of another label, comes after its end.
+TEST(MmcifReader, LeavesLigandsOfAnotherLabelOut) {
+  std::string text = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}, {"HETATM", "CA", "MSE", 'A', 2, 1, 3, 0, 0}},
+                            false, false);
+  EXPECT_EQ(read_text("a.cif", text).spheres.size(), 2u);
+  text.replace(text.find("MSE A A"), 7, "MSE B A");
+  EXPECT_EQ(read_text("a.cif", text).spheres.size(), 1u);
+}
+
+// A quote before something else than a blank is part of the word.
+TEST(MmcifReader, TakesAQuoteWithinAQuotedWord) {
+  std::string text = cif_of({{"ATOM", "P", "A", 'A', 1, 1, 0, 0, 0}}, true, false);
+  text.replace(text.find("'P'"), 3, "'O5'P'");
+  const TestFile file("a.cif", text);
+  EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.atom = "O5'P"}).spheres.size(), 1u);
+}
+
 TEST(MmcifReader, SkipsTextsOfSeveralLines) {
   const std::string atoms = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}}, false, false);
   EXPECT_EQ(

@@ -65,6 +65,7 @@ TEST(ObjReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("2: the file has no lines ('l 1 2 3'), but vertices: 1, faces: 1", "a.obj",
                    "v 0 0 0\nf 1 1 1\n");
   EXPECT_COMPLAINT("2: vertex 2 of 1 is named", "a.obj", "v 0 0 0\nl 1 2\n");
+  EXPECT_COMPLAINT("3: vertex 3 of 2 is named", "a.obj", "v 0 0 0\nv 1 0 0\nl 1 2 3\n");
   EXPECT_COMPLAINT("2: vertex '0' is not", "a.obj", "v 0 0 0\nl 0 1\n");
   EXPECT_COMPLAINT("2: vertex '-2' is not", "a.obj", "v 0 0 0\nl -2 1\n");
   EXPECT_COMPLAINT("2: a line needs two vertices", "a.obj", "v 0 0 0\nl 1\n");

@@ -147,6 +147,20 @@ TEST(PdbReader, ReadsModelsAsFrames) {
   EXPECT_EQ(read_text("a.pdb", lines({{0}}) + "END\n" + lines({{1}}) + "END\n").later_frames.size(), 1u);
 }
 
+// What one model ends is not ended in the next; a step that is too long in a later model alone breaks no strand.
+TEST(PdbReader, BeginsEachModelAnewAndTakesItsStrandsFromTheFirst) {
+  const auto model = [](float step) {
+    return "MODEL        1\n" +
+           lines({{0, "HETATM", " CA ", ' ', "MSE"}, {step, "ATOM", " CA ", ' ', "GLY", 'A', 2}}) +
+           "TER\nENDMDL\n";
+  };
+  const CurveFile curves = read_text("a.pdb", model(3.8f) + model(6) + model(3));
+  EXPECT_EQ(curves.strand_first, (Offsets{0, 2}));
+  ASSERT_EQ(curves.later_frames.size(), 2u);
+  EXPECT_EQ(curves.later_frames[0][1].x, 6.0f);
+  EXPECT_EQ(curves.labels.strand_names, (std::vector<std::string>{"A"}));
+}
+
 // Whole lines, and the part after the atom's number, moved by a few columns.
 TEST(PdbReader, RefusesShiftedColumns) {
   const std::string right = line({11.104f, "ATOM", " CA ", ' ', "ALA"});

@@ -137,12 +137,15 @@ std::string written(const std::string& name, const ExportedFrame& frame) {
 TEST(Writers, WriteLinesAndVerticesOfObj) {
   EXPECT_EQ(written("a.obj", {square}),
             "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 1 0 0.5\nv 9 0 0\nv 8 0 0\nl 1 2 3 1\np 4\nl 5 6\n");
+  EXPECT_EQ(written("a.obj", {Chain(std::vector<Sphere>(2), Strands::one_closed(2))}),
+            "v 0 0 0\nv 0 0 0\nl 1 2 1\n")
+      << "a closed strand ends where it starts, however short";
 }
 
 TEST(Writers, WriteWhatParaViewShows) {
   Collisions found;
   found.found = true;
-  found.pairs = {{0, 3}, {1, 3}};
+  found.pairs = {{1, 3}, {0, 3}};  // the deepest comes last
   found.count = {1, 1, 0, 2, 0, 0};
   found.pair_count = 2;
   const std::string text = written("a.vtp", {square, &found});
@@ -157,6 +160,8 @@ TEST(Writers, WriteWhatParaViewShows) {
   EXPECT_EQ(array_of(lines, "offsets"), (Numbers{4, 6}));
   EXPECT_EQ(array_of(text, "connectivity"), (Numbers{3}));
   EXPECT_TRUE(array_of(written("a.vtp", {square}), "collisions").empty());
+  const Chain with_empty_strands(std::vector<Sphere>(6), {{0, 0, 3, 3, 3, 6}, {0, 0, 0, 0, 0}});
+  EXPECT_EQ(array_of(written("a.vtp", {with_empty_strands}), "strand"), (Numbers{1, 1, 1, 4, 4, 4}));
 }
 
 // By the readers of these formats, where there are any.
