@@ -336,6 +336,15 @@ TEST(PartFile, RefusesWhatIsNoChain) {
   expect_refused(with(strands, std::uint64_t{1}), "strand 0 runs from");
   expect_refused(with(strands + 24, std::uint64_t{4000}), "runs from");
   expect_refused(with(strands + 8, std::uint64_t{7}), "is closed by 7");
+  Exclusion joined = Exclusion::index(1);
+  joined.extra_pairs = {{0, 2}};
+  const std::string paired = binary_of(Chain(std::vector<Sphere>(3), {}, joined));
+  for (const auto& [i, j] : {IdPair{0, 3}, IdPair{2, 2}, IdPair{2, 1}}) {
+    std::string changed = paired;
+    std::memcpy(changed.data() + changed.size() - 16, &i, sizeof i);
+    std::memcpy(changed.data() + changed.size() - 8, &j, sizeof j);
+    expect_refused(changed, "does not name two of the spheres in their order");
+  }
 }
 
 TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {
