@@ -12,6 +12,7 @@
 #include "catena/core/blocks/block_queues.h"
 #include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/open_pairs-inl.h"
+#include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/blocks/window_filter.h"
@@ -175,8 +176,7 @@ class LeafPairs {
   const std::uint32_t window_ = window_is_all_ ? chain_.exclusion.window : 0;
   /// Not 1 where squares of radii or their sums leave binary32's range: then all is looked at times this
   /// power of two, where that is exact.
-  const float scale_ = in_range(chain_.extent.greatest_radius) ? 1 : tree_.scale;
-  static bool in_range(float radius) { return radius == 0 || (radius > 0x1p-44f && radius < 0x1p58f); }
+  const float scale_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : tree_.scale;
   /// Bit 8 p + q: sphere p of a block and q of the same one, or of the next along the chain, are to be
   /// compared: without neighbours, of which most of these pairs are.
   const std::uint64_t inside_ = wanted_from(0), next_ = wanted_from(block);

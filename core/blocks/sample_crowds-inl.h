@@ -12,6 +12,7 @@
 #include "catena/core/blocks/beyond_cache.h"
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/blocks/near_blocks-inl.h"
+#include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/team.h"
 
@@ -141,17 +142,21 @@ class CrowdSample {
 
   Look look(std::uint32_t node, const Crowding* among) const {
     constexpr std::uint32_t plenty = 256;
-    const Look many{4 * SphereCost::in_cells(0, beyond_), SphereCost::in_cells(0, beyond_), true};
+    const Look many{4 * in_cells(0), in_cells(0), true};
     if (meets_many(node, among)) return many;
     const std::uint32_t b = tree_.some_block_of(node);
     const NearBlocks near(tree_, b, plenty, among);
     if (near.enough()) return many;
     // Not all of what is near is counted where that can make no difference.
     const double ns = SphereCost::in_tree(near), most = ns + SphereCost::most_of_pairs(near);
-    if (most <= SphereCost::in_cells(0, beyond_)) return {most, SphereCost::in_cells(0, beyond_), false};
+    if (most <= in_cells(0)) return {most, in_cells(0), false};
     const std::uint32_t candidates = spheres_in_cells(
-        chain_, tree_, b, SphereCost::candidates(among != nullptr ? 1.5 * most : most, beyond_), among);
-    return {ns + SphereCost::of_pairs(near, candidates), SphereCost::in_cells(candidates, beyond_), false};
+        chain_, tree_, b, SphereCost::candidates((among != nullptr ? 1.5 * most : most) / exact_, beyond_),
+        among);
+    return {ns + SphereCost::of_pairs(near, candidates), in_cells(candidates), false};
+  }
+  double in_cells(std::uint32_t candidates) const {
+    return exact_ * SphereCost::in_cells(candidates, beyond_);
   }
   /// More others than the limit, or as much is to be looked at on the way to them.
   bool meets_many(std::uint32_t node, const Crowding* among) const {
@@ -171,6 +176,7 @@ class CrowdSample {
   Crowding& crowding_;
   const Team& team_;
   const double beyond_ = octaves_beyond_cache(chain_.size);
+  const double exact_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : 6;  ///< times as long in cells
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -41,17 +41,19 @@ HWY_INLINE void scale_spheres(const Sphere* spheres, float by, Sphere* to) {
   const hn::RebindToSigned<Tag> whole;
   const float* const from = reinterpret_cast<const float*>(spheres);
   for (std::size_t k = 0; k < 8 * sizeof(Sphere) / sizeof(float); k += Lanes8::width) {
-    auto v = hn::LoadU(Tag(), from + k);
-    if (by > 1) {
-      const auto digits = hn::BitCast(whole, hn::Abs(v));
-      const auto subnormal = hn::RebindMask(Tag(), hn::Lt(digits, hn::Set(whole, 0x00800000)));
+    const auto v = hn::LoadU(Tag(), from + k), all_by = hn::Set(Tag(), by);
+    const auto digits = hn::BitCast(whole, hn::Abs(v));
+    const auto tiny = hn::Lt(digits, hn::Set(whole, 0x00800000));
+    auto scaled = v;
+    if (by > 1 && HWY_UNLIKELY(!hn::AllFalse(whole, hn::And(tiny, hn::Ne(digits, hn::Zero(whole)))))) {
+      const auto subnormal = hn::RebindMask(Tag(), tiny);  // and 0
       const auto made = hn::Mul(hn::ConvertTo(Tag(), digits), hn::Set(Tag(), by * 0x1p-149f));
-      v = hn::IfThenElse(subnormal, hn::CopySign(made, v),
-                         hn::Mul(hn::IfThenZeroElse(subnormal, v), hn::Set(Tag(), by)));
+      scaled =
+          hn::IfThenElse(subnormal, hn::CopySign(made, v), hn::Mul(hn::IfThenZeroElse(subnormal, v), all_by));
     } else {
-      v = hn::Mul(v, hn::Set(Tag(), by));
+      scaled = hn::Mul(v, all_by);
     }
-    hn::StoreU(v, Tag(), reinterpret_cast<float*>(to) + k);
+    hn::StoreU(scaled, Tag(), reinterpret_cast<float*>(to) + k);
   }
 }
 
