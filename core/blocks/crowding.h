@@ -71,10 +71,11 @@ class Crowding {
     for (const std::uint32_t k : {a, b})
       if (!crowded(k) && add(partners_[k], 1) == limit_) close(k);
   }
-  /// A node is crowded, as is known without the walk, before it begins or after its end.
+  /// A node is crowded, as is known without the walk, before it begins or after its end. No other thread says
+  /// so of the same node.
   void crowd(std::uint32_t node) {
     if (crowded(node)) return;
-    partners_[node] = limit_ + 1;
+    std::atomic_ref(partners_[node]).store(limit_ + 1, std::memory_order_relaxed);  // others may look at it
     close(node);
   }
   /// Every pair of a node below a and one below b is left out.
