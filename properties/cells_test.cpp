@@ -33,13 +33,13 @@ Chain each_block_a_strand(const std::vector<Sphere>& spheres) {
 }
 
 /// As many rods, scattered in a cube: what is next in the chain is not near, and all nodes meet one another.
-std::vector<Sphere> scattered_rods(std::uint32_t rods, float side, float size = 1) {
+std::vector<Sphere> scattered_rods(std::uint32_t rods, float side) {
   std::vector<Sphere> spheres;
   std::uint32_t state = 12345;
   const auto at = [&] { return side * static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f; };
   for (std::uint32_t k = 0; k < rods; ++k) {
     const float x = at(), y = at(), z = at();
-    add_rod(spheres, x, y, z, k % 2 == 0, size);
+    add_rod(spheres, x, y, z, k % 2 == 0);
   }
   return spheres;
 }
@@ -86,34 +86,58 @@ TEST(Cells, FindWhatNodesAtTheirLimitMeet) {
                  "nodes that meet " + std::to_string(others) + " others");
 }
 
-/// Capsules that reach nearly half a cell, of 64, so that what they touch lies as far away as may be.
-TEST(Cells, FindCapsulesAsLongAsACellIsWide) {
-  const auto reach = [](float size) { return size * (1.6f * 15.5f + 1); };
-  for (const float size : {1.15f, 1.2f, 1.235f}) {
-    ASSERT_LT(2 * reach(size), 64);
-    expect_exact(each_block_a_strand(scattered_rods(800, 260, size)),
-                 "rods that reach " + std::to_string(reach(size)));
+/// Pairs of blocks, in another order, so that what follows one another lies apart: their nodes meet all others.
+std::vector<Sphere> scattered(const std::vector<Sphere>& pairs) {
+  constexpr std::uint32_t pair = 2 * block, step = 37;
+  const auto count = static_cast<std::uint32_t>(pairs.size()) / pair;
+  EXPECT_NE(count % step, 0u);
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const auto from = pairs.begin() + k * step % count * pair;
+    spheres.insert(spheres.end(), from, from + pair);
   }
+  return spheres;
+}
+
+/// Capsules that reach nearly half a cell, of 64, touch with their tips what lies as far away as may be: the first of
+/// two, which is to find the second in the cell before its own, or after it.
+TEST(Cells, FindCapsulesAsLongAsACellIsWide) {
+  constexpr float cell = 64, size = 1.235f, reach = size * (1.6f * 15.5f + 1), from_border = 0.2f, deep = 0.1f;
+  static_assert(2 * reach < cell);
+  std::vector<Sphere> pairs;
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 20; ++y)
+      for (const float side : {-1.0f, 1.0f}) {
+        const float border = 4 * cell * static_cast<float>(x), at_y = 4 * cell * static_cast<float>(y) + 32,
+                    at_z = 2 * cell * side + 32;
+        add_rod(pairs, border + side * (reach - from_border - deep + size), at_y + 0.8f * size, at_z, true, size);
+        add_rod(pairs, border - side * from_border, at_y, at_z, false, size);
+      }
+  expect_exact(each_block_a_strand(scattered(pairs)), "rods that touch others with their tips");
 }
 
 /// Of two blocks that touch one is in the last bucket of a chunk, the other in the first of the next.
 TEST(Cells, FindWhatLiesBehindTheEndOfAChunk) {
   constexpr float cell = 64;
+  constexpr std::uint32_t crossings = 200;
   constexpr std::uint32_t level = 18;  // of cells of 2^14, as which 64 are stored where the chain ends below 4096
-  std::vector<Sphere> spheres = scattered_rods(400, 150);  // blocks that are not tangled have no cell
-  const CellTable table = CellTable::of(4 * (400 + 2 * 60));
+  std::vector<Sphere> pairs;
+  const CellTable table = CellTable::of(4 * (400 + 2 * crossings));
   std::uint32_t crossing = 0;
   for (int x = 20; x < 60; ++x)
-    for (int y = -20; y < 20 && crossing < 60; ++y)
-      for (int z = -20; z < 20 && crossing < 60; ++z)
+    for (int y = -40; y < 40 && crossing < crossings; ++y)
+      for (int z = -40; z < 40 && crossing < crossings; ++z)
         if (table.bucket(x, y, z, level) % Buckets::chunk == Buckets::chunk - 1) {
           const float at_x = cell * static_cast<float>(x + 1), at_y = cell * (static_cast<float>(y) + 0.5f),
                       at_z = cell * (static_cast<float>(z) + 0.5f);
-          add_rod(spheres, at_x - 0.7f, at_y, at_z, true);
-          add_rod(spheres, at_x + 0.7f, at_y + 3, at_z, true);
+          add_rod(pairs, at_x - 0.7f, at_y, at_z, true);
+          add_rod(pairs, at_x + 0.7f, at_y + 3, at_z, true);
           ++crossing;
         }
-  EXPECT_EQ(crossing, 60u);
+  std::vector<Sphere> spheres = scattered_rods(400, 150);
+  const std::vector<Sphere> apart = scattered(pairs);
+  spheres.insert(spheres.end(), apart.begin(), apart.end());
+  EXPECT_EQ(crossing, crossings);
   const float end = each_block_a_strand(spheres).view().extent.greatest_coordinate;
   EXPECT_TRUE(2048 <= end && end < 4096) << end;
   EXPECT_EQ(CapsuleBlocks::level_of(26 * 0x1p8f), level);
