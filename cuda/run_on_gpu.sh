@@ -14,7 +14,7 @@ if [ ! -x "$build/catena_tests" ]; then
 fi
 
 nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv | tee "$results/gpu_tests.txt"
-ctest --test-dir "$build" -L gpu -j 8 --output-on-failure 2>&1 | tee -a "$results/gpu_tests.txt"
+ctest --test-dir "$build" -L gpu -j 8 --output-on-failure 2>&1 | sed '/^Test project /d' | tee -a "$results/gpu_tests.txt"
 
 device='path[12]/n:[0-9]+/(GPU1|aGPU2[+]GPUv?2)/(build|find|whole)/|path[12]/n:[0-9]+/(aGPU2[+]GPU2|Device[A-Za-z]+)/resident/|path[12]/n:1000/bGPU2[+]GPUv?2/(build|find|whole)/'
 host='path[12]/n:[0-9]{4,6}/aCPU2[+]CPU2/(build|find)/'

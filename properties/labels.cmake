@@ -6,9 +6,10 @@ if(NOT catena_tests_TESTS)
   return()  # not built
 endif()
 
-# Run on a device where there is one, for which Cells make their chains; Cells are of the host, too, the others are skipped
-# without one.
-set(gpu Cells Device DeviceGolden DeviceMemory DeviceTrial)
+# Needs a device; skipped without one.
+set(gpu Device DeviceGolden DeviceMemory DeviceTrial)
+# Of the host, and of a device where there is one: `ctest -L gpu` has them too.
+set(gpu-too Cells)
 # Not in the fast suite; `ctest --preset long`.
 set(long SmallScopeLong SnakeLong StabilityLong SizesLong EnumerateLong LatticeBoxLong SecondArithmeticLong GrowthLong EndToEndLong)
 set(golden Golden DeviceGolden)
@@ -26,7 +27,7 @@ set(kills-in-a-minute Mutants.AllDie Extremes Flood Sizes)
 # Take ten seconds or more, and start first: two at a time end together.
 set(starts-first Sizes Extremes Flood Mutants Fuzzer.KillsEveryMutantWithinItsBudget Mpirun FindInBox.NearPairsAreThoseOfTheDefinition)
 
-set(all_labels gpu long golden simulation volume threads kills-in-seconds kills-in-a-minute starts-first)
+set(all_labels gpu gpu-too long golden simulation volume threads kills-in-seconds kills-in-a-minute starts-first)
 set(used "")
 foreach(test IN LISTS catena_tests_TESTS)
   set(labels "")

@@ -29,10 +29,11 @@ set(timeout 300)
 if(CATENA_SANITIZE)
   set(timeout 1500)
 endif()
-# One process a test; but those of RunFile share a small run, which takes longer than they do.
+# One process a test; but those of RunFile share a small run, which takes longer than they do;
+# where Google Benchmark is missing it passes, as a skipped one among them would hide one that fails.
 gtest_discover_tests(catena_tests TEST_FILTER -RunFile.* PROPERTIES TIMEOUT ${timeout} DISCOVERY_TIMEOUT 120)
 add_test(NAME RunFile COMMAND catena_tests --gtest_filter=RunFile.*)
-set_tests_properties(RunFile PROPERTIES TIMEOUT ${timeout} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]" COST 40)
+set_tests_properties(RunFile PROPERTIES TIMEOUT ${timeout} COST 40)
 set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/properties/labels.cmake)
 
 # ThreadSanitizer needs the tests about threads only, and so a quarter of the build.

@@ -34,11 +34,12 @@ class CalibrateCommand final : public Command {
 
  private:
   static void print_text(const Machine& machine, const std::filesystem::path& file) {
-    fmt::print("{:<24} {:>12} {:>14} {:>12} {:>12} {:>12}\n", "variant", "fixed, us", "a sphere, ns",
-               "a pair, ns", "threads, us", "serial");
+    fmt::print("{:<24} {:>12} {:>14} {:>12} {:>12} {:>12} {:>10}\n", "variant", "fixed, us", "a sphere, ns",
+               "a pair, ns", "threads, us", "serial", "start, ms");
     for (const Machine::VariantCost& v : machine.costs)
-      fmt::print("{:<24} {:>12.3g} {:>14.3g} {:>12.3g} {:>12.3g} {:>12.3g}\n", v.variant, v.cost.fixed_us,
-                 v.cost.sphere_ns, v.cost.sphere_pair_ns, v.cost.team_us, v.cost.serial);
+      fmt::print("{:<24} {:>12.3g} {:>14.3g} {:>12.3g} {:>12.3g} {:>12.3g} {:>10.3g}\n", v.variant, v.cost.fixed_us,
+                 v.cost.sphere_ns, v.cost.sphere_pair_ns, v.cost.team_us, v.cost.serial,
+                 v.cost.start_ms);
     if (const std::uint32_t n = crossover(machine); n > 0)
       fmt::print("a hierarchy pays from {} spheres on\n", n);
     fmt::print("kept in {}\n", file.string());
@@ -54,7 +55,8 @@ class CalibrateCommand final : public Command {
                                {"sphere_ns", v.cost.sphere_ns},
                                {"sphere_pair_ns", v.cost.sphere_pair_ns},
                                {"team_us", v.cost.team_us},
-                               {"serial", v.cost.serial}});
+                               {"serial", v.cost.serial},
+                               {"start_ms", v.cost.start_ms}});
     fmt::print("{}\n", line.dump());
   }
 

@@ -192,7 +192,7 @@ Decision SearchPlan::device() const {
   const Candidate host = tree_ != nullptr ? tree_ : all_pairs_;
   std::string reason = priced(*device_);
   if (host != nullptr) reason += ", " + priced(*host, best_threads(*host));
-  if (chosen_ != device_ && saved_ms_ > 0)
+  if (chosen_ != device_ && saved_ms_ > 0 && device_->start_ms() > 0)
     reason += fmt::format("; to start it about {:.3g} ms, of which {:.3g} were lost so far",
                           device_->start_ms(), lost_ms_);
   if (chosen_ != device_) reason += "; not looked for";

@@ -64,11 +64,10 @@ class Source {
 struct Question {
   unsigned rank;
   std::uint32_t compared;               ///< of the asker's own blocks: see Border::compared
-  std::uint64_t left;                   ///< boxes to come; a guess, at first
+  std::uint64_t left;                   ///< boxes to come; at first a guess, not 0
   std::vector<std::uint32_t> wanted{};  ///< blocks of it
-  bool all_boxes_seen = false;
 
-  bool open() const { return !all_boxes_seen || !wanted.empty(); }
+  bool open() const { return left > 0 || !wanted.empty(); }
 };
 
 class Asker {
@@ -110,7 +109,6 @@ class Asker {
       work_.blocks_asked += question.wanted.size();
       question.wanted.clear();
       question.left = in[k].get<std::uint32_t>();
-      question.all_boxes_seen = question.left == 0;
       const auto boxes = in[k].get_list<BlockBox>();
       work_.boxes_seen += boxes.size();
       for (const auto& [block, box] : boxes)

@@ -66,7 +66,7 @@ std::vector<std::uint32_t> BlockComparison::own_blocks_for(std::uint32_t far_blo
   const Box around = box_around(std::span(far_.spheres()).subspan(far_.begin(far_block)));
   std::vector<std::uint32_t> own;
   border_.boxes().for_each_meeting(around, [&](std::uint32_t b) {
-    if ((b & compared) == compared) own.push_back(b);
+    if (is_compared(b, compared)) own.push_back(b);
   });
   return own;
 }
@@ -97,7 +97,7 @@ void BlockComparison::search(std::span<const std::uint32_t> own_blocks, std::uin
 void BlockComparison::overlap(Slot own, std::uint32_t far) {
   const auto b = static_cast<std::uint32_t>(own / Block::most);
   const std::uint32_t far_block = far_.block_of(far);
-  if (const auto compared = far_.mark(far_block); (b & compared) != compared) return;  // the other rank's
+  if (!is_compared(b, far_.mark(far_block))) return;  // the other rank's
   touches_[far_block] = 1;
   const Block& block = border_.blocks()[b];
   const auto k = static_cast<std::uint32_t>(own % Block::most);

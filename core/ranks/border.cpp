@@ -76,7 +76,7 @@ std::uint32_t stripe_bit(std::span<const std::uint32_t> blocks, std::uint32_t si
   std::uint32_t best = 1;
   double least = 1;
   for (std::uint32_t bit = std::bit_floor(size / few); bit > size / (2 * many) && least > even; bit /= 2) {
-    const auto with = std::ranges::count_if(blocks, [&](std::uint32_t b) { return (b & bit) != 0; });
+    const auto with = std::ranges::count_if(blocks, [&](std::uint32_t b) { return is_compared(b, bit); });
     const double uneven = std::abs(static_cast<double>(with) / static_cast<double>(blocks.size()) - .5);
     if (uneven < least) best = bit, least = uneven;
   }
@@ -107,7 +107,7 @@ Border::Border(Communicator& ranks, const HeldPart& part) : partners_(ranks.size
     partner.near = partner.told.size();
     if (rank > ranks.rank() || partner.near == 0) continue;
     partner.compared = stripe_bit(partner.told, size);
-    std::erase_if(partner.told, [&](std::uint32_t b) { return (b & partner.compared) != 0; });
+    std::erase_if(partner.told, [&](std::uint32_t b) { return is_compared(b, partner.compared); });
   }
 }
 

@@ -9,6 +9,12 @@
 
 namespace catena::ranks {
 
+/// Whether a rank compares this block of its border, where it compares those of `compared`: see
+/// Border::compared.
+constexpr bool is_compared(std::uint32_t block, std::uint32_t compared) {
+  return (block & compared) == compared;
+}
+
 /// The blocks of a part that may touch other ranks, as their boxes meet a top of one: a small part of a part
 /// that is compact in space. In the order of Morton codes, with a tree over their boxes.
 class Border {

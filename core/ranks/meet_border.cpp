@@ -116,7 +116,7 @@ std::uint64_t meet_border_here(const HeldPart& part, const Border& border, const
     own.clear();
     any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
       ++met;
-      if ((b & compared) != compared) return false;                  // the other rank's
+      if (!ranks::is_compared(b, compared)) return false;            // the other rank's
       const std::span<const Sphere> soon = part.spheres(blocks[b]);  // they lie anywhere in the part
       hwy::Prefetch(&soon.front()), hwy::Prefetch(&soon.back());
       own.push_back(b);
@@ -133,7 +133,7 @@ std::uint64_t meet_border_here(const HeldPart& part, const Border& border, const
 bool may_touch_border_here(const HeldPart& part, const Border& border, const Box& box,
                            std::uint32_t compared) {
   return any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
-    if ((b & compared) != compared) return false;
+    if (!ranks::is_compared(b, compared)) return false;
     const std::span<const Sphere> spheres = part.spheres(border.blocks()[b]);
     return spheres.size() == Block::most ? boxes_meeting(spheres.data(), box) != 0
                                          : MeetsBox(box).any_of(spheres);
