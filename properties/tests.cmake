@@ -39,11 +39,12 @@ set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/
 # ThreadSanitizer needs the tests about threads only, and so a quarter of the build.
 if(CATENA_SANITIZE MATCHES thread)
   file(GLOB threads_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/executor/*_test.cpp ${PROJECT_SOURCE_DIR}/properties/threads_test.cpp)
-  add_executable(catena_threads_tests ${threads_tests})
+  add_executable(catena_threads_tests ${threads_tests} ${PROJECT_SOURCE_DIR}/properties/tsan_suppressions.cpp)
   target_link_libraries(catena_threads_tests PRIVATE catena_program GTest::gtest_main rapidcheck)
   gtest_discover_tests(catena_threads_tests TEST_PREFIX threads. PROPERTIES LABELS threads TIMEOUT 600 DISCOVERY_TIMEOUT 120)
   # And what CI can afford: libcatena alone.
-  add_executable(catena_library_threads_tests ${PROJECT_SOURCE_DIR}/properties/library_threads_test.cpp)
+  add_executable(catena_library_threads_tests ${PROJECT_SOURCE_DIR}/properties/library_threads_test.cpp
+                                              ${PROJECT_SOURCE_DIR}/properties/tsan_suppressions.cpp)
   target_link_libraries(catena_library_threads_tests PRIVATE catena catena_options GTest::gtest_main)
 endif()
 
