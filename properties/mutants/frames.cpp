@@ -10,11 +10,11 @@
 namespace catena::properties {
 namespace {
 
-/// A right search of frames around CPU1, with some part of it broken.
+/// A right search of frames around aCPU2+Dual, with some part of it broken.
 class FaultyFrames : public Variant {
  public:
   explicit FaultyFrames(std::unique_ptr<FrameSearch> frames)
-      : base_(StrategyRegistry::instance().make("CPU1")), frames_(std::move(frames)) {}
+      : base_(StrategyRegistry::instance().make("aCPU2+Dual")), frames_(std::move(frames)) {}
 
   void build(const Chain& chain) override {
     frames_->begin(true);
