@@ -31,6 +31,7 @@ class World {
       here_ = 0;
       ++meeting_;
       close(box);
+      lock.unlock();  // so that those who wake do not wait for it
       met_.notify_all();
     } else {
       const std::size_t this_one = meeting_;
