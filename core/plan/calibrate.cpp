@@ -59,18 +59,32 @@ MachineCost measured(const Machine::VariantCost& v) {
   return cost;
 }
 
-/// What threads take off, by a run of all of them against one alone on the same chain, and what a team costs
-/// by a chain too short for it.
+/// What threads take off and what having them costs: a line through what they save on a chain of a few ranges
+/// of work and on a long one. (One of a single range wakes no other thread, and so does not tell.)
 void measure_threads(const Machine::VariantCost& v, unsigned cores, MachineCost& cost) {
-  constexpr std::uint32_t few = 16, many = 1u << 17;
+  constexpr std::uint32_t few = 1u << 13, many = 1u << 17;
   VariantName name = VariantName::parse(v.variant);
   name.stages.front().settings.push_back({"threads", std::to_string(cores)});
   const auto alone = StrategyRegistry::instance().make(v.variant);
   const auto team = StrategyRegistry::instance().make(name.text());
-  cost.team_us = std::max(0.0, least_ms(*team, few) - least_ms(*alone, few)) * 1e3;
-  const double one = least_ms(*alone, many), all = least_ms(*team, many) - cost.team_us * 1e-3;
-  cost.serial = std::clamp((all / one - 1.0 / cores) / (1 - 1.0 / cores), 0.0, 0.999);
-  cost.sphere_ns = one * 1e6 / many;  // where threads pay, so that a share of it is right there
+  struct Least {
+    double one_ms = std::numeric_limits<double>::infinity(), all_ms = one_ms;
+    double saved_ms() const { return one_ms - all_ms; }
+  };
+  const auto measure = [&](std::uint32_t n) {
+    constexpr int turns = 3;  // what disturbs the machine for a while meets both
+    Least least;
+    for (int turn = 0; turn < turns; ++turn) {
+      least.one_ms = std::min(least.one_ms, least_ms(*alone, n));
+      least.all_ms = std::min(least.all_ms, least_ms(*team, n));
+    }
+    return least;
+  };
+  const Least short_one = measure(few), long_one = measure(many);
+  const double saved_ns = std::max(0.0, (long_one.saved_ms() - short_one.saved_ms()) * 1e6 / (many - few));
+  cost.sphere_ns = long_one.one_ms * 1e6 / many;  // where threads pay, so that a share of it is right there
+  cost.serial = std::clamp(1 - saved_ns / (cost.sphere_ns * (1 - 1.0 / cores)), 0.0, 0.999);
+  cost.team_us = std::max(0.0, saved_ns * few * 1e-3 - short_one.saved_ms() * 1e3);
 }
 
 /// By a first search, where this process has not made one.
