@@ -56,7 +56,7 @@ class Spoiler final : public Communicator {
 
 void FaultyRanks::find(const Chain& chain, const Request& request, Collisions& result) {
   if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
-  constexpr unsigned size = 3;
+  constexpr unsigned size = 2;
   std::vector<ranks::RankAnswer> answers(size);
   ranks::run_in_threads(size, [&](Communicator& inner) {
     Spoiler spoiler(inner, *this);
