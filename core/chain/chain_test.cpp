@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -94,6 +95,40 @@ TEST(Chain, ArcWindowGoesRoundAClosedStrand) {
   const Chain chain(ring, Strands::one_closed(12), Exclusion::arc(3));  // step 5.18, window 6
   EXPECT_TRUE(chain.neighbours(0, 11) && chain.neighbours(11, 0));
   EXPECT_FALSE(chain.neighbours(0, 10));
+}
+
+/// Steps of whole lengths, so that arcs are exact and many pairs lie at the very limit, ahead or around the end; by the
+/// definition, on the shortest way along the strand.
+TEST(Chain, WindowsEndAtTheirLimitAheadAndAroundTheEnd) {
+  std::uint64_t at_the_limit = 0, around = 0;
+  for (std::uint32_t n = 1; n <= 9; ++n)
+    for (std::uint32_t seed = 0; seed < 40; ++seed)
+      for (const bool closed : {false, true}) {
+        std::vector<Sphere> spheres;  // along x and back: the way home is as long as the way out
+        for (std::uint32_t i = 0; i < n; ++i) {
+          const auto step = static_cast<float>((seed * 7 + i * i * 5 + i) % 4);
+          spheres.push_back({i == 0 ? 0 : spheres[i - 1].x + step, 0, 0, static_cast<float>((seed + i) % 3)});
+        }
+        const auto way = [&](std::uint32_t i, std::uint32_t j) {
+          const float ahead = std::abs(spheres[j].x - spheres[i].x), loop = 2 * spheres.back().x;
+          return closed ? std::min(ahead, loop - ahead) : ahead;
+        };
+        const Strands strands = closed ? Strands::one_closed(n) : Strands{};
+        const std::uint32_t window = 1 + seed % 5;
+        const Chain by_steps(spheres, strands, Exclusion::index(window)), by_arc(spheres, strands, Exclusion::arc(1));
+        for (std::uint32_t i = 0; i < n; ++i)
+          for (std::uint32_t j = 0; j < n; ++j) {
+            if (i == j) continue;
+            const std::uint32_t steps = i < j ? j - i : i - j;
+            EXPECT_EQ(by_steps.neighbours(i, j), std::min(steps, closed ? n - steps : n) <= window) << n << ' ' << seed;
+            const float limit = spheres[i].radius + spheres[j].radius;
+            EXPECT_EQ(by_arc.neighbours(i, j), way(i, j) < limit) << n << ' ' << seed << ' ' << i << ' ' << j;
+            at_the_limit += way(i, j) == limit;
+            around += way(i, j) == limit && way(i, j) < std::abs(spheres[j].x - spheres[i].x);
+          }
+      }
+  EXPECT_GT(at_the_limit, 500u);
+  EXPECT_GT(around, 50u);
 }
 
 TEST(Chain, ExtraPairsHoldBothWaysAndOnce) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "catena/core/commands/test_program.h"
@@ -55,6 +56,22 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
         }
       }
   }
+}
+
+/// Ranks read their own parts of a .catena file, and not where options change what it says.
+TEST_F(Mpirun, HeedsOptionsBesideAFileThatRanksReadInParts) {
+  const std::string input = file("c.catena");
+  ASSERT_EQ(run("export coincident:n=60 '" + input + "'").code, 0);
+  std::set<std::string> answers;
+  for (const char* options : {"", " --window 25", " --arc-window pi/2"}) {
+    const auto table = [&](const char* of) { return fmt::format("{} --pairs '{}'", options, file(of)); };
+    ASSERT_EQ(run("detect '" + input + "'" + table("alone.csv")).code, 0) << options;
+    const ProgramOutcome ranks = run_ranks("detect '" + input + "'" + table("ranks.csv"));
+    ASSERT_EQ(ranks.code, 0) << ranks.output;
+    EXPECT_EQ(text_of(file("alone.csv")), text_of(file("ranks.csv"))) << options;
+    answers.insert(text_of(file("alone.csv")));
+  }
+  EXPECT_EQ(answers.size(), 3u) << "each option matters";
 }
 
 TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {

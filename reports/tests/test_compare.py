@@ -162,6 +162,14 @@ class Counts(unittest.TestCase):
         code, out, _ = compared(made.run(), new)
         self.assertEqual(code, 1)
         self.assertIn("more work, by count: path2/n:1000/aCPU2+CPU2/literal: missing 0 -> 1", out)
+        old = made.run()
+        for run, times in ((old, 1.0), (new, 0.5)):  # no saving of work pays for it
+            run["catena"]["counts"].append(
+                {"input": "path2/n:1000", "variant": "aCPU2+CPU2/literal", "pair_tests": 10_000 * times}
+            )
+        code, out, _ = compared(old, new)
+        self.assertEqual(code, 1)
+        self.assertIn("aCPU2+CPU2/literal: missing 0 -> 1", out)
 
 
 class BadInput(unittest.TestCase):

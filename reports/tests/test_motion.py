@@ -43,6 +43,11 @@ class Verdicts(unittest.TestCase):
         self.assertEqual({fault for _, _, fault in motion.faults(run, run.list("motion"))}, {False})
         self.assertIn("no verdict", " ".join(motion._verdicts(run, run.list("motion")).points))
 
+    def test_a_start_fails_by_slipping_and_by_diverging(self):
+        outcomes = ["holds"] * 5 + ["slipped"] * 2 + ["diverged"]
+        found = motion.failing({"starts": [{"outcome": outcome} for outcome in outcomes]})
+        self.assertEqual(found, statistics.share(3, 8))
+
     def test_one_start_says_nothing(self):
         for line in self.lines:
             del line["starts"]

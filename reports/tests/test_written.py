@@ -1,4 +1,5 @@
 """Files are written whole or not at all, and what cannot be written is said."""
+import csv
 import os
 import pathlib
 import subprocess
@@ -8,7 +9,7 @@ import unittest
 import unittest.mock
 
 import made
-from catena_report import page, whole_file
+from catena_report import page, table, whole_file
 
 
 class Written(unittest.TestCase):
@@ -24,6 +25,13 @@ class Written(unittest.TestCase):
             self.assertEqual((folder / "a").read_bytes(), b"old\r\n")
             self.assertTrue((folder / "link").is_symlink())
             self.assertEqual({file.name for file in folder.iterdir()}, {"a", "link"})
+
+    def test_a_table_keeps_every_digit_of_what_it_shows_in_few(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.csv"
+            table.Table("a", "", "", ["x", "y"], [["word, quoted", table.Cell("0.333", 1 / 3)]]).write_csv(path)
+            with open(path, newline="") as file:
+                self.assertEqual(list(csv.reader(file)), [["x", "y"], ["word, quoted", str(1 / 3)]])
 
     def test_what_is_no_regular_file_is_written_through(self):
         with tempfile.TemporaryDirectory() as folder:
