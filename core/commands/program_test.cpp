@@ -34,7 +34,9 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect nowhere", "no scene is named 'nowhere'");
   expect_refused("detect path1:x=1", "no parameter 'x'");
   expect_refused("detect path1:n=10 --frame 99", "there is no frame 99");
-  expect_refused("detect path1:n=10 --frame first", "must be a frame number from 0, or all");
+  for (const char* frame : {"first", "1x", "1.0", "-1", "+1", "'1 '", "4294967296", "al", "all2"})
+    expect_refused(std::string("detect path1:n=10 --frame=") + frame, "must be a frame number from 0, or all");
+  expect_refused("detect path1:n=10 --frame 56", "there is no frame 56");
   expect_refused("detect path1:n=10 --variant Fastest", "'Fastest'");
   expect_refused("detect path1:n=10 --any --counts-only", "--any");
   expect_refused("detect path1:n=10 --counts-only --pairs p.csv", "--counts-only");
@@ -216,6 +218,41 @@ TEST_F(Program, PrintsTheFrameItUsed) {
   expect_says("detect path1:n=1000,frame=28 --pairs '" + pairs + "'", 0, {"frame 28"});
   EXPECT_TRUE(text_of(pairs).starts_with("frame,i,j,label_i,label_j,strand_i,strand_j,index_i,index_j\n28,"))
       << text_of(pairs).substr(0, 40);
+}
+
+/// Frames of one file whose boxes differ: a pair collides through the face of the small one alone. Each frame of all is
+/// as it is alone, whoever searches it.
+TEST_F(Program, SearchesEachFrameInItsOwnBox) {
+  std::string dump;
+  for (const char* width : {"20", "8", "20"})
+    dump += std::string("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 ") + width +
+            "\n0 20\n0 20\nITEM: ATOMS id mol x y z\n1 1 0.3 4 4\n2 2 7.6 4 4\n3 3 4 4 4\n";
+  const std::string input = write("boxes.dump", dump), box = " --radius 0.5 --box file --variant aCPU2+CPU2 --frame ";
+  const auto pairs = [&](const std::string& frame) {
+    expect_says("detect " + input + box + frame + " --pairs '" + file("p.csv") + "'", 0, {});
+    return text_of(file("p.csv"));
+  };
+  const auto contacts = [&](const std::string& name, const std::string& frame) {
+    expect_says("export " + input + " '" + file(name) + "' --contacts" + box + frame, 0, {});
+  };
+  const std::string empty = pairs("0"), one = pairs("1");
+  EXPECT_EQ(std::ranges::count(empty, '\n'), 1);
+  EXPECT_EQ(std::ranges::count(one, '\n'), 2);
+  EXPECT_EQ(pairs("2"), empty);
+  EXPECT_EQ(pairs("all"), one);
+  contacts("all.vtp", "all");
+  for (const std::string frame : {"0", "1", "2"}) {
+    contacts("alone.vtp", frame);
+    EXPECT_EQ(text_of(file("all_" + frame + ".vtp")), text_of(file("alone.vtp"))) << frame;
+  }
+  EXPECT_NE(text_of(file("all_0.vtp")), text_of(file("all_1.vtp")));
+  const Outcome verified = run("verify " + input + box + "all --json");
+  EXPECT_EQ(verified.code, 0) << verified.output;
+  std::istringstream lines(verified.output);
+  std::vector<int> exact;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with('{')) exact.push_back(nlohmann::json::parse(line)["exact_pairs"]);
+  EXPECT_EQ(exact, (std::vector<int>{0, 1, 0})) << verified.output;
 }
 
 TEST_F(Program, ListsVariantsScenesAndReaders) {
