@@ -14,6 +14,8 @@ using properties::Dice;
 
 /// Some of the chain, in runs of any length: its own, those before and after it, and what is not in it.
 PartRanges any_part(std::uint32_t n, Dice& dice) {
+  if (dice.one_in(4) && n > 2)  // all but an end, around which neighbours are
+    return {{}, {dice.one_in(2) ? SphereRange{1, n} : SphereRange{0, n - 1}}, {}};
   std::array<std::vector<SphereRange>, 3> ranges;
   for (std::uint32_t at = 0; at < n;) {
     const std::uint32_t end = std::min(n, at + 1 + dice.below(dice.one_in(3) ? n : 3));

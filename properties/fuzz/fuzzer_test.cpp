@@ -127,6 +127,9 @@ TEST(Fuzzer, AStoredFailureReadsBackAsItsChain) {
   const auto files = store(folder, *found, 1);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files, store(folder, *found, 1));
+  const auto another = store(folder, found->finding, "another", {found->found});
+  ASSERT_NE(text_of(found->found), text_of(found->shrunk.front()));
+  EXPECT_NE(another, files) << "which stays where it is";
   EXPECT_EQ(text_of(load_chain(files.front())), text_of(found->shrunk.front()));
   std::filesystem::remove_all(folder);
 }
@@ -167,6 +170,7 @@ TEST(Fuzzer, ShrinksAFailureThatDependsOnHistoryAsASequence) {
   ASSERT_EQ(found->shrunk.size(), 2u);
   EXPECT_GT(found->shrunk[0].size(), 4 * found->shrunk[1].size());
   EXPECT_TRUE(fails_in_sequence(Subject::named(name), found->finding.property, found->shrunk));
+  EXPECT_FALSE(fails_in_sequence(Subject::named(name), "another property", found->shrunk));
 
   const auto folder =
       std::filesystem::temp_directory_path() / ("catena-failures-" + std::to_string(getpid()));

@@ -156,8 +156,10 @@ TEST_F(RoundsTest, TellWhatARoundedVariantGetsWrong) {
 TEST_F(RoundsTest, GoOnAfterAnInterruptionWhereTheyWere) {
   auto all = cases({{"path1:n=2000"}}, named({"aCPU2+Dual", "bGPU2@host+CPU2"}));
   Stopping stopping{.seconds = 60, .share = 0, .most_samples = 2, .least_ms = 0.01};
-  const auto before = measured(all, stopping);
+  auto before = measured(all, stopping);
   if (before.benchmarks.is_null()) GTEST_SKIP() << "without Google Benchmark";
+  for (auto& row : before.benchmarks)
+    if (row.contains("iterations")) row["iterations"] = 3;  // on a quicker machine it may have been more
   stopping.most_samples = 5;
   const auto after = measure_in_rounds(all, stopping, {}, before.benchmarks);
   EXPECT_EQ(after.rounds, 5u);
@@ -183,7 +185,7 @@ TEST_F(RoundsTest, GoOnAfterAnInterruptionWhereTheyWere) {
     const bool answers = c.variant.name == "aCPU2+Dual";
     EXPECT_EQ(times.size(), answers ? 5u : 0u) << c.name();
     EXPECT_EQ(refused, answers ? 0u : 1u) << c.name() << ": asked again";
-    EXPECT_EQ(iterations.size(), answers ? 1u : 0u) << c.name() << ": samples of other lengths";
+    EXPECT_EQ(iterations, answers ? std::set<std::int64_t>{3} : std::set<std::int64_t>{}) << c.name();
     EXPECT_TRUE(std::ranges::equal(std::span(times).first(std::min(times.size(), earlier.size())), earlier));
   }
 }
