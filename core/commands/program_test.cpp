@@ -220,6 +220,26 @@ TEST_F(Program, PrintsTheFrameItUsed) {
       << text_of(pairs).substr(0, 40);
 }
 
+/// Whatever a format cannot hold is said, each in a line of its own, and nothing where nothing is lost.
+TEST_F(Program, SaysWhatAnExportLoses) {
+  const std::string neuron = write("neuron.swc", "1 1 0 0 0 1 -1\n2 3 3 0 0 1 1\n3 3 6 0 0 1 2\n4 3 3 3 0 1 2\n");
+  struct Lost {
+    const char *input, *out;
+    std::vector<std::string> lines;
+  };
+  const std::string rule = "exclusion rule; give it with --window or --arc-window", joints = "neighbours across joints; .chain does",
+                    radii = "radii; give them with --radius";
+  for (const auto& [options, out, lines] :
+       {Lost{"", "a.chain", {}}, Lost{" --window 3", "a.chain", {}}, Lost{"", "a.csv", {joints}},
+        Lost{" --window 2", "a.csv", {rule, joints}}, Lost{" --arc-window pi/2", "a.csv", {rule, joints}},
+        Lost{"", "a.obj", {radii, joints}}, Lost{" --window 3", "a.catena", {}}}) {
+    const Outcome r = run("export " + neuron + " '" + file(out) + "'" + options);
+    EXPECT_EQ(r.code, 0) << r.output;
+    for (const std::string& line : lines) EXPECT_NE(r.output.find("holds no " + line), std::string::npos) << r.output;
+    EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + static_cast<std::ptrdiff_t>(lines.size())) << options << out << r.output;
+  }
+}
+
 /// Frames of one file whose boxes differ: a pair collides through the face of the small one alone. Each frame of all is
 /// as it is alone, whoever searches it.
 TEST_F(Program, SearchesEachFrameInItsOwnBox) {
@@ -272,6 +292,25 @@ TEST_F(Program, ListsVariantsScenesAndReaders) {
   }
   EXPECT_GE(list["scenes"].size(), 20u);
   for (const auto& scene : list["scenes"]) EXPECT_FALSE(scene["parameters"].empty()) << scene["name"];
+}
+
+TEST_F(Program, SaysTheMostOfAnySphere) {
+  const std::string counts = file("counts.jsonl");
+  for (const char* input : {"path1:n=1000 --frame 28", "yarn:n=300", "coincident:n=60"}) {
+    const auto line = nlohmann::json::parse(run(std::string("detect ") + input + " --json --counts '" + counts + "'").output);
+    std::istringstream rows(text_of(counts));
+    int most = 0, first = -1;
+    for (std::string row; std::getline(rows, row);) {
+      const int count = nlohmann::json::parse(row)["count"];
+      most = std::max(most, count);
+      if (first < 0) first = count;
+    }
+    EXPECT_EQ(line["max_count"], most) << input;
+    EXPECT_GT(most, 0) << input;
+    if (std::string_view(input).starts_with("path1")) {
+      EXPECT_LT(first, most) << "it is not the first sphere's";
+    }
+  }
 }
 
 TEST_F(Program, DetectsWithEveryKindOfAnswer) {

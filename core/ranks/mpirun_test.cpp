@@ -76,8 +76,13 @@ TEST_F(Mpirun, HeedsOptionsBesideAFileThatRanksReadInParts) {
 
 TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
   const std::string examples = CATENA_SOURCE_DIR "/core/readers/examples/";
+  std::string frame = text_of(examples + "melt.dump"), wider;
+  frame.resize(frame.find("ITEM: TIMESTEP", 1));
+  wider = frame;
+  wider.replace(wider.find("0 8\n"), 3, "0 12");  // in which nothing touches through a face
+  const std::string changing = write("changing.dump", frame + wider + frame);
   for (const std::string& input : std::vector<std::string>{
-           examples + "melt.dump --radius 0.5 --frame all", "yarn:n=3000,seed=5 --box 30,0,25",
+           changing + " --radius 0.5 --frame all", "yarn:n=3000,seed=5 --box 30,0,25",
            "hair:n=900 --window 3 --box 20,20,20,3,-2,1", "yarn:n=500 --arc-window pi/2 --box 300,300,300"}) {
     for (const char* order : {"chain", "space"}) {
       const auto tables = [&](const char* of) {
