@@ -173,6 +173,14 @@ class Counts(unittest.TestCase):
 
 
 class BadInput(unittest.TestCase):
+    def test_a_ratio_that_is_none_is_refused(self):
+        for ratio in ("1", "0.9", "-2", "nan"):
+            err = io.StringIO()
+            with contextlib.redirect_stderr(err), self.assertRaises(SystemExit) as ended:
+                command.main(["--compare", "a", "b", "--least-ratio=" + ratio])
+            self.assertEqual(ended.exception.code, 2)
+            self.assertIn("give a ratio above 1", err.getvalue())
+
     def line(self, *arguments):
         err = io.StringIO()
         with contextlib.redirect_stderr(err), contextlib.redirect_stdout(io.StringIO()):

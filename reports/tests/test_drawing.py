@@ -5,7 +5,7 @@ import made
 import matplotlib.colors
 from catena_report import runfile, statistics, style, variant, words
 from catena_report.drawn import interactive, static
-from catena_report.figure import Axis, Figure, Heat, Panel, Series
+from catena_report.figure import Axis, Figure, Heat, Line, Panel, Series
 from catena_report.style import Look
 
 
@@ -124,6 +124,33 @@ class Drawn(unittest.TestCase):
                 self.assertEqual((middle - down, middle + up), (min(low, middle), max(high, middle)))
             axes = [panel["layout"][axis]["type"] for panel in (first, second) for axis in ("xaxis", "yaxis")]
             self.assertEqual(axes, ["log", "log", "linear", "linear"])
+
+    def test_marks_lie_where_they_are_and_axes_reach_as_far_as_asked(self):
+        lines = [Line(2.0), Line(3.0, across=True), Line(4.0, to=6.0)]
+        series = [Series("a", [1, 10], [1, 10], Look("c0", "square", "solid", True), labels=["one", ""])]
+        panel = Panel("", Axis("x", range=(0, 20)), Axis("y", log=True, range=(0.1, 1000)), series, lines=lines)
+        rows = Panel("", Axis("x"), Axis("", categories=["top", "mid", "low"]), [Series("a", [5], [0], Look("c0"))])
+        figure = Figure("k", "", "", [panel, rows])
+        ax, other = static.draw(figure).axes
+        drawn = [[list(line.get_xdata()), list(line.get_ydata())] for line in ax.lines if line.get_gid() is None]
+        self.assertEqual(drawn, [[[2.0, 2.0], [0, 1]], [[0, 1], [3.0, 3.0]]])
+        self.assertEqual((ax.get_xlim(), ax.get_ylim()), ((0, 20), (0.1, 1000)))
+        top, bottom = other.get_ylim()
+        self.assertGreater(top, bottom)  # the first row is at the top
+        (points,) = [line for line in ax.lines if line.get_gid()]
+        self.assertEqual(matplotlib.colors.to_hex(points.get_markerfacecolor()), style.LIGHT["paper"])
+        (said,) = [text for text in ax.texts if text.get_text() == "one"]
+        self.assertEqual(said.xy, (1, 1))
+
+        layout, of_rows = (one["layout"] for one in interactive.describe(figure)["panels"])
+        marks = [[shape[key] for key in ("type", "x0", "x1", "y0", "y1")] for shape in layout["shapes"]]
+        self.assertEqual(marks, [["line", 2.0, 2.0, 0, 1], ["line", 0, 1, 3.0, 3.0], ["rect", 4.0, 6.0, 0, 1]])
+        self.assertEqual([(shape.get("xref"), shape.get("yref")) for shape in layout["shapes"]],
+                         [(None, "paper"), ("paper", None), (None, "paper")])
+        self.assertEqual((layout["xaxis"]["range"], layout["yaxis"]["range"]), ([0, 20], [-1, 3]))
+        self.assertEqual(of_rows["yaxis"]["range"], [2.5, -0.5])
+        self.assertEqual(interactive.describe(figure)["panels"][0]["data"][0]["marker"]["symbol"], "square-open")
+        self.assertEqual(interactive.describe(figure)["panels"][1]["data"][0]["marker"]["symbol"], "circle")
 
     def test_the_legend_has_each_name_once_shown_where_it_is_anywhere(self):
         figure = self.figure(False)
