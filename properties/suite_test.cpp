@@ -13,7 +13,8 @@
 namespace catena::properties {
 namespace {
 
-/// All pairs, and on chains of exactly 7 spheres whatever a test asks for. Hidden, so that no other test meets it.
+/// All pairs, and on chains of exactly 7 spheres whatever a test asks for. Hidden, so that no other test
+/// meets it.
 class Moody final : public Variant {
  public:
   enum class Mood { right, throws, refuses };
@@ -43,7 +44,8 @@ const bool registered = [] {
 
 Case row(std::uint32_t n) {
   std::vector<Sphere> spheres;
-  for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({1.5f * static_cast<float>(i % 20), static_cast<float>(i / 20), 0, 1});
+  for (std::uint32_t i = 0; i < n; ++i)
+    spheres.push_back({1.5f * static_cast<float>(i % 20), static_cast<float>(i / 20), 0, 1});
   return Case::of(Chain(std::move(spheres)));
 }
 

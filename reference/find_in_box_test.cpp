@@ -137,11 +137,14 @@ TEST(FindInBox, DecidesExactlyManyBoxesAway) {
   }
 }
 
-/// Many more spheres than cells that are as wide as they reach; another search, which shares no code with this one.
+/// Many more spheres than cells that are as wide as they reach; another search, which shares no code with
+/// this one.
 TEST(FindInBox, FindsWhatASearchOfImagesFindsInACrowd) {
   std::vector<Sphere> spheres;
   std::uint32_t state = 1;
-  const auto place = [&] { return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f * 6; };
+  const auto place = [&] {
+    return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f * 6;
+  };
   for (int k = 0; k < 2000; ++k) {
     const float x = place(), y = place(), z = place();
     spheres.push_back({x, y, z, k % 2 == 0 ? 0.5f : place() / 24});

@@ -99,12 +99,14 @@ TEST(Verify, BoundsThatDoNotEncloseAndTreesThatAreNone) {
   EXPECT_EQ(verdict(Spoilt(nothing, tree(5.5, 9)), true), Verdict::wrong);  // a sphere is lost
 }
 
-/// Whether the tree shows its bounds as nested or not: what is shown must be of this chain, and one bound a node.
+/// Whether the tree shows its bounds as nested or not: what is shown must be of this chain, and one bound a
+/// node.
 TEST(Verify, RoundingExcusesNoLeafOfAnotherChainAndNoNodeOfTwoBounds) {
   const auto tree = [](double of_leaf, double of_root) {
     return [=](BoundsVisitor& visitor) {
       for (std::uint32_t i = 0; i < 10; ++i)
-        visitor.edge(10, Sphere64{4.5, 0, 0, i == 7 ? of_root : 6.0}, i, Sphere64{double(i), 0, 0, i == 7 ? of_leaf : 1.0});
+        visitor.edge(10, Sphere64{4.5, 0, 0, i == 7 ? of_root : 6.0}, i,
+                     Sphere64{double(i), 0, 0, i == 7 ? of_leaf : 1.0});
     };
   };
   for (const bool rounded : {false, true}) {

@@ -49,7 +49,8 @@ TEST(Margins, AreThoseOfThePairByPairDefinition) {
   }
 }
 
-/// What the stages of the exact overlap leave open is where they stop deciding; of equal margins the least pair is told.
+/// What the stages of the exact overlap leave open is where they stop deciding; of equal margins the least
+/// pair is told.
 TEST(Margins, CountWhatTheStagesLeaveOpenAndNameTheTightest) {
   for (const auto& [slack, open] :
        {std::pair{12 * 0x1p-24, &Margins::open_in_binary32}, {10 * 0x1p-53, &Margins::open_in_binary64}}) {

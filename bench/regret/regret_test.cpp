@@ -1,7 +1,6 @@
 #include "catena/bench/regret/regret.h"
 
 #include <gtest/gtest.h>
-
 #include <time.h>
 
 #include <algorithm>
@@ -35,7 +34,8 @@ TEST(Regret, HoldsAutoAgainstTheQuickestOfTheOthers) {
   EXPECT_EQ(many.input, "yarn/n:3000");
 }
 
-/// CPU1, after it has kept the processor busy for so many milliseconds. Hidden, so that no other test meets it.
+/// CPU1, after it has kept the processor busy for so many milliseconds. Hidden, so that no other test meets
+/// it.
 class Busy final : public Variant {
  public:
   Busy(double ms, bool wrong) : ms_(ms), wrong_(wrong) {}
@@ -81,7 +81,8 @@ TEST(Regret, IsOfOnePassOfEachAndOfWhoTakesLeast) {
     EXPECT_GT(Busy::calls, 60u) << "15 passes a sample";
     EXPECT_TRUE(r.processor);
   }
-  Regret told{.input = "a/n:1", .chosen = "A", .best = "B", .processor = true, .auto_ms = {1}, .best_ms = {2}};
+  Regret told{
+      .input = "a/n:1", .chosen = "A", .best = "B", .processor = true, .auto_ms = {1}, .best_ms = {2}};
   EXPECT_EQ(to_json(told)["clock"], "processor");
   told.processor = false;
   EXPECT_EQ(to_json(told)["clock"], "wall");

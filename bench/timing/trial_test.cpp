@@ -79,7 +79,8 @@ TEST(Trial, ACallGoesThroughAllFramesInTheirOrder) {
   Trial trial({"path1:n=50", true}, TimesTold::info());
   std::vector<Call> expected;
   for (int round = 0; round < 2; ++round)
-    for (const Sphere& frame : frames) expected.push_back({"build", frame}), expected.push_back({"find", frame});
+    for (const Sphere& frame : frames)
+      expected.push_back({"build", frame}), expected.push_back({"find", frame});
   EXPECT_EQ(calls_of(trial, Stage::whole, 2 * static_cast<int>(frames.size())), expected);
 }
 
@@ -142,7 +143,8 @@ TEST(Trial, SearchesEachFrameInItsOwnBox) {
   }
 }
 
-/// The last sphere of what a variant is given is an image, so that it tells the box: in every round the same of each frame.
+/// The last sphere of what a variant is given is an image, so that it tells the box: in every round the same
+/// of each frame.
 TEST(Trial, TimesEachFrameInItsOwnBox) {
   const TestFile file("boxes.xyz", boxes_that_change());
   Trial trial({file.path().string(), true}, TimesTold::info());
@@ -162,7 +164,8 @@ TEST(Trial, TimesEachFrameInItsOwnBox) {
   }
 }
 
-/// A rounded variant is timed, and what it gets wrong is counted: it invents where all graze, and misses far away.
+/// A rounded variant is timed, and what it gets wrong is counted: it invents where all graze, and misses far
+/// away.
 TEST(Trial, CountsWhatARoundedVariantMissesAndInvents) {
   std::uint64_t missing = 0, invented = 0;
   for (const char* spec : {"grazing:n=400,margin=1e-8", "far:n=500,exponent=24"}) {

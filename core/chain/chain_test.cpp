@@ -97,8 +97,8 @@ TEST(Chain, ArcWindowGoesRoundAClosedStrand) {
   EXPECT_FALSE(chain.neighbours(0, 10));
 }
 
-/// Steps of whole lengths, so that arcs are exact and many pairs lie at the very limit, ahead or around the end; by the
-/// definition, on the shortest way along the strand.
+/// Steps of whole lengths, so that arcs are exact and many pairs lie at the very limit, ahead or around the
+/// end; by the definition, on the shortest way along the strand.
 TEST(Chain, WindowsEndAtTheirLimitAheadAndAroundTheEnd) {
   std::uint64_t at_the_limit = 0, around = 0;
   for (std::uint32_t n = 1; n <= 9; ++n)
@@ -115,13 +115,16 @@ TEST(Chain, WindowsEndAtTheirLimitAheadAndAroundTheEnd) {
         const float loop = arc.back() + std::abs(spheres.back().x);
         const Strands strands = closed ? Strands::one_closed(n) : Strands{};
         const std::uint32_t window = 1 + seed % 5;
-        const Chain by_steps(spheres, strands, Exclusion::index(window)), by_arc(spheres, strands, Exclusion::arc(1));
+        const Chain by_steps(spheres, strands, Exclusion::index(window)),
+            by_arc(spheres, strands, Exclusion::arc(1));
         for (std::uint32_t i = 0; i < n; ++i)
           for (std::uint32_t j = 0; j < n; ++j) {
             if (i == j) continue;
             const std::uint32_t steps = i < j ? j - i : i - j;
-            EXPECT_EQ(by_steps.neighbours(i, j), std::min(steps, closed ? n - steps : n) <= window) << n << ' ' << seed;
-            const float ahead = std::abs(arc[j] - arc[i]), way = closed ? std::min(ahead, loop - ahead) : ahead,
+            EXPECT_EQ(by_steps.neighbours(i, j), std::min(steps, closed ? n - steps : n) <= window)
+                << n << ' ' << seed;
+            const float ahead = std::abs(arc[j] - arc[i]),
+                        way = closed ? std::min(ahead, loop - ahead) : ahead,
                         limit = spheres[i].radius + spheres[j].radius;
             EXPECT_EQ(by_arc.neighbours(i, j), way < limit) << n << ' ' << seed << ' ' << i << ' ' << j;
             at_the_limit += way == limit, around += way == limit && way < ahead;
@@ -140,7 +143,8 @@ TEST(Chain, KnowsItsExtentAlongEveryAxis) {
       const Extent extent = Chain(spheres).view().extent;
       double sides = 0;
       for (const auto member : {&Sphere::x, &Sphere::y, &Sphere::z}) {
-        const auto [low, high] = std::ranges::minmax({spheres[0].*member, spheres[1].*member, spheres[2].*member});
+        const auto [low, high] =
+            std::ranges::minmax({spheres[0].*member, spheres[1].*member, spheres[2].*member});
         sides += double{high} - low;
       }
       EXPECT_EQ(extent.sides, sides) << axis;

@@ -39,8 +39,8 @@ TEST(MovingRow, FindsThePairsOfRunsThatChangedInRowsOfAnyLength) {
     }
 }
 
-/// A film of shifts to and fro, past the ends of the row too, and of ranges that move: after each frame the row is the
-/// frame, what is said to have changed has all that did, and what is found are the pairs of that.
+/// A film of shifts to and fro, past the ends of the row too, and of ranges that move: after each frame the
+/// row is the frame, what is said to have changed has all that did, and what is found are the pairs of that.
 TEST(MovingRow, FollowsAFilm) {
   std::uint64_t collided = 0, kept = 0;
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {

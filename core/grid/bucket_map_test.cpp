@@ -31,7 +31,8 @@ TEST(BucketMap, LeadsDifferentStepsToDifferentBuckets) {
       }
 }
 
-/// As properties/proofs/grid_cells.g has it, for radii whose reciprocals are rounded up and down, everywhere below far_cell.
+/// As properties/proofs/grid_cells.g has it, for radii whose reciprocals are rounded up and down, everywhere
+/// below far_cell.
 TEST(BucketMap, HasCellsThatDifferByOneAtMostOfWhatIsInReach) {
   std::mt19937 random(1);
   const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };

@@ -24,7 +24,8 @@ std::vector<Box> any_row(std::uint32_t n, Dice& dice) {
   return boxes;
 }
 
-/// What meets what by its definition, of any number of boxes in parts of any length, by one and several threads.
+/// What meets what by its definition, of any number of boxes in parts of any length, by one and several
+/// threads.
 TEST(Halos, AreTheBoxesOfOtherPartsThatMeetOnesOwn) {
   std::size_t met = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -51,7 +52,8 @@ TEST(Halos, AreTheBoxesOfOtherPartsThatMeetOnesOwn) {
       const auto lists = found.find();
       ASSERT_EQ(lists.size(), halos.size());
       for (std::size_t p = 0; p < halos.size(); ++p)
-        EXPECT_EQ(lists[p], std::vector<std::uint32_t>(halos[p].begin(), halos[p].end())) << seed << ", part " << p;
+        EXPECT_EQ(lists[p], std::vector<std::uint32_t>(halos[p].begin(), halos[p].end()))
+            << seed << ", part " << p;
       // Below 512 boxes each is asked.
       EXPECT_DOUBLE_EQ(found.halo_share(), static_cast<double>(meetings.size()) / n) << seed;
     }

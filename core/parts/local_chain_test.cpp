@@ -25,8 +25,8 @@ PartRanges any_part(std::uint32_t n, Dice& dice) {
   return {std::move(ranges[0]), std::move(ranges[1]), std::move(ranges[2])};
 }
 
-/// Whatever the rule, the strands and their closing, joints, and what of them a part has: also of a closed strand
-/// that lacks a sphere, and of arcs whose middle is in another part.
+/// Whatever the rule, the strands and their closing, joints, and what of them a part has: also of a closed
+/// strand that lacks a sphere, and of arcs whose middle is in another part.
 TEST(LocalChain, HasTheNeighboursOfTheWhole) {
   std::uint64_t seed = 0, neighbours = 0, across = 0, arcs = 0;
   for (const properties::Family& family : properties::FamilyRegistry::instance().families())

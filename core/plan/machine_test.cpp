@@ -63,7 +63,8 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
   for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
     damaged.push_back(
         std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 3 1 5 ") + figure + "\n"));
-  for (const char* line : {"CPU1 1 2 3 1 4 5 6\n", "CPU1 1 2 3 1.01 4 5\n", "CPU1 1 2 3 1 4\n", "CPU1 1 2 3\n"})
+  for (const char* line :
+       {"CPU1 1 2 3 1 4 5 6\n", "CPU1 1 2 3 1.01 4 5\n", "CPU1 1 2 3 1 4\n", "CPU1 1 2 3\n"})
     damaged.push_back(std::string(good).insert(good.rfind("end"), line));
   damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
   Machine second_bad = built_in;
@@ -84,7 +85,9 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
 
 TEST_F(MachineFile, LiesInTheFolderForCachesWhoseNameIsAbsolute) {
   const auto with = [](const char* cache, const char* home) {
-    const auto put = [](const char* name, const char* value) { value ? setenv(name, value, 1) : unsetenv(name); };
+    const auto put = [](const char* name, const char* value) {
+      value ? setenv(name, value, 1) : unsetenv(name);
+    };
     const char* const names[] = {"XDG_CACHE_HOME", "HOME"};
     std::optional<std::string> before[2];
     for (int k = 0; k < 2; ++k)
@@ -118,7 +121,8 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
     EXPECT_GT(v.cost.ms(100000), 0) << v.variant;
     EXPECT_TRUE(std::isfinite(v.cost.ms(100000))) << v.variant;
   }
-  EXPECT_GE(crossover(machine), 1u);  // beside other work what either costs at least may be measured as nothing
+  EXPECT_GE(crossover(machine),
+            1u);  // beside other work what either costs at least may be measured as nothing
   EXPECT_LE(crossover(machine), 2000u);
 
   // They foretell a search of another length, to the order of magnitude even beside other work.
@@ -127,7 +131,8 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
     if (v.on_device) continue;
     std::vector<Sphere> spheres;
     for (std::uint32_t i = 0; i < (v.all_pairs ? 100 : 2000); ++i)
-      spheres.push_back({10 * std::cos(i / 10.0f), 10 * std::sin(i / 10.0f), 0.05f * static_cast<float>(i), 1});
+      spheres.push_back(
+          {10 * std::cos(i / 10.0f), 10 * std::sin(i / 10.0f), 0.05f * static_cast<float>(i), 1});
     const Chain chain(std::move(spheres));
     const auto variant = StrategyRegistry::instance().make(v.variant);
     double least = std::numeric_limits<double>::infinity();
@@ -154,7 +159,8 @@ TEST(MachineCost, IsOfOneThreadWhereAVariantKnowsNoOthers) {
     several += knows;
   }
   EXPECT_GT(several, 0u);
-  const MachineCost cost{{10, 100, 0}, 0.25, 50};  // 10 us, 100 ns a sphere of which a quarter is one thread's
+  const MachineCost cost{
+      {10, 100, 0}, 0.25, 50};  // 10 us, 100 ns a sphere of which a quarter is one thread's
   EXPECT_DOUBLE_EQ(cost.ms(1000), 0.01 + 0.1);
   EXPECT_DOUBLE_EQ(cost.ms(1000, 4), 0.01 + 0.1 * (0.25 + 0.75 / 4) + 0.05);
 }

@@ -59,7 +59,8 @@ TEST(BinaryChain, GivesAnyPartOfItsArrays) {
       EXPECT_EQ(file.strand(s).end, first[s + 1]);
       EXPECT_EQ(file.strand(s).strand.closed, chain.strands().closed[s]);
     }
-    const std::uint32_t begin = dice.below(chain.size() + 1), end = begin + dice.below(chain.size() - begin + 1);
+    const std::uint32_t begin = dice.below(chain.size() + 1),
+                        end = begin + dice.below(chain.size() - begin + 1);
     std::vector<Pair> mine, found;
     for (const Pair& pair : chain.exclusion().extra_pairs)
       if (pair.i >= begin && pair.i < end) mine.push_back(pair);
@@ -72,7 +73,8 @@ TEST(BinaryChain, GivesAnyPartOfItsArrays) {
   EXPECT_GT(strands, 2u);
 }
 
-/// A reader measures the spheres that are written; those of a moved frame are not the ones that its rule was measured on.
+/// A reader measures the spheres that are written; those of a moved frame are not the ones that its rule was
+/// measured on.
 TEST(BinaryChain, HoldsTheArcsOfTheSpheresThatItHolds) {
   int closed = 0;
   for_each_chain([&](const Chain& drawn, properties::Dice& dice) {

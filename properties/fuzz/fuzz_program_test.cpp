@@ -90,7 +90,9 @@ TEST_F(FuzzProgram, AFailureThatDependsOnHistoryIsASequence) {
 }
 
 TEST_F(FuzzProgram, AReplayFailsWhereAnyOfItsChainsDoes) {
-  const std::string bad = write("bad.chain", "catena-chain 1\nwindow 1\nstrand open 1\n0 -1 0 1\nstrand open 1\n0 1 0 1\nend\n"),
+  const std::string bad = write(
+                        "bad.chain",
+                        "catena-chain 1\nwindow 1\nstrand open 1\n0 -1 0 1\nstrand open 1\n0 1 0 1\nend\n"),
                     good = write("good.chain", "catena-chain 1\nwindow 1\nstrand open 1\n0 0 0 1\nend\n"),
                     variant = "fuzz --variant mutant:grid-truncates-toward-zero --replay ";
   expect_says(variant + good, 0, {"every property holds"});

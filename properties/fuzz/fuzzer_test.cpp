@@ -93,7 +93,8 @@ TEST(Fuzzer, AnotherSeedGivesOtherChains) {
   for (const std::uint64_t seed : {0u, 1u, 2u, 3u}) {
     std::string chains;
     Fuzzer fuzzer({Subject::named("CPU1")}, {.seed = seed});
-    fuzzer.watch([&](const std::string&, std::uint64_t, const Chain& chain) { chains += text_of(chain); }, {});
+    fuzzer.watch([&](const std::string&, std::uint64_t, const Chain& chain) { chains += text_of(chain); },
+                 {});
     EXPECT_FALSE(fuzz(fuzzer, 10));
     runs.insert(chains);
   }

@@ -38,9 +38,9 @@ std::string statement_of(const std::string& script) {
   return statement;
 }
 
-/// gappa proves whatever it is given: with roundings assumed half as large, a factor twice as slack or a claim left out it
-/// still agrees. So what is proved is stated here a second time, as a hash (FNV-1a); who changes a script reads its
-/// comment again, and stores the new one.
+/// gappa proves whatever it is given: with roundings assumed half as large, a factor twice as slack or a
+/// claim left out it still agrees. So what is proved is stated here a second time, as a hash (FNV-1a); who
+/// changes a script reads its comment again, and stores the new one.
 TEST(Proofs, ProveWhatTheyWereReadToProve) {
   const std::map<std::string, std::string> read{
       {"axis_box_binary32.g", "2a3445e610768223"},
@@ -93,7 +93,8 @@ TEST(Proofs, AssumeNoLessThanOthersProve) {
       return at == std::string::npos ? 0.0 : std::stod(text.substr(at + name.size()));
     };
     EXPECT_GT(bound(by, proved), 0) << by;
-    EXPECT_GE(bound(script, assumed), bound(by, proved)) << script << ": " << assumed << ", " << by << ": " << proved;
+    EXPECT_GE(bound(script, assumed), bound(by, proved))
+        << script << ": " << assumed << ", " << by << ": " << proved;
   }
 }
 

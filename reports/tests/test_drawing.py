@@ -127,7 +127,7 @@ class Drawn(unittest.TestCase):
 
     def test_marks_lie_where_they_are_and_axes_reach_as_far_as_asked(self):
         lines = [Line(2.0), Line(3.0, across=True), Line(4.0, to=6.0)]
-        series = [Series("a", [1, 10], [1, 10], Look("c0", "square", "solid", True), labels=["one", ""])]
+        series = [Series("a", [1, 10], [2, 10], Look("c0", "square", "solid", True), labels=["one", ""])]
         panel = Panel("", Axis("x", range=(0, 20)), Axis("y", log=True, range=(0.1, 1000)), series, lines=lines)
         rows = Panel("", Axis("x"), Axis("", categories=["top", "mid", "low"]), [Series("a", [5], [0], Look("c0"))])
         figure = Figure("k", "", "", [panel, rows])
@@ -140,7 +140,7 @@ class Drawn(unittest.TestCase):
         (points,) = [line for line in ax.lines if line.get_gid()]
         self.assertEqual(matplotlib.colors.to_hex(points.get_markerfacecolor()), style.LIGHT["paper"])
         (said,) = [text for text in ax.texts if text.get_text() == "one"]
-        self.assertEqual(said.xy, (1, 1))
+        self.assertEqual(said.xy, (1, 2))
 
         layout, of_rows = (one["layout"] for one in interactive.describe(figure)["panels"])
         marks = [[shape[key] for key in ("type", "x0", "x1", "y0", "y1")] for shape in layout["shapes"]]

@@ -1,5 +1,7 @@
 """Files are written whole or not at all, and what cannot be written is said."""
+import contextlib
 import csv
+import io
 import os
 import pathlib
 import subprocess
@@ -9,6 +11,8 @@ import unittest
 import unittest.mock
 
 import made
+import pages
+from catena_report import __main__ as command
 from catena_report import page, table, whole_file
 
 
@@ -40,6 +44,27 @@ class Written(unittest.TestCase):
             with self.assertRaises(OSError):
                 whole_file.write(full, "text")
             self.assertTrue(full.is_symlink())
+
+    def test_a_reader_that_left_is_no_news(self):
+        read, write = os.pipe()
+        os.close(read)
+        done = subprocess.run(
+            [sys.executable, "-m", "catena_report", "--compare", made.H200, made.H200],
+            env={**os.environ, "PYTHONPATH": str(pathlib.Path(page.__file__).parents[1])},
+            stdout=write, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+        os.close(write)
+        self.assertEqual((done.returncode, done.stderr), (2, ""))
+
+    def test_a_page_too_large_for_a_browser_is_said(self):
+        with tempfile.TemporaryDirectory() as folder, pages.without_figures():
+            run = str(made.write(folder, made.run(repetitions=1)))
+            for limit, told in ((page.LIMIT, False), (1000, True)):
+                err = io.StringIO()
+                with unittest.mock.patch("catena_report.page.LIMIT", limit), contextlib.redirect_stderr(err):
+                    with contextlib.redirect_stdout(io.StringIO()):
+                        self.assertEqual(command.main(["--output", folder + "/page", run]), 0)
+                self.assertEqual("larger than" in err.getvalue(), told)
 
     def test_a_full_disk_under_the_output_is_said(self):
         with open("/dev/full", "w") as full:
