@@ -25,7 +25,7 @@ set(kills-in-seconds Golden Corpus Program Mutants.WithoutABugTheirBasePasses Tr
     Work Level PairCollector)
 set(kills-in-a-minute Mutants.AllDie Extremes Flood Sizes)
 # Take ten seconds or more, and start first: two at a time end together.
-set(starts-first Sizes Extremes Flood Mutants Fuzzer.KillsEveryMutantWithinItsBudget Mpirun FindInBox.NearPairsAreThoseOfTheDefinition)
+set(starts-first Sizes Extremes Flood Mutants Fuzzer.KillsEveryMutantWithinItsBudget Mpirun)
 
 set(all_labels gpu gpu-too long golden simulation volume threads kills-in-seconds kills-in-a-minute starts-first)
 set(used "")

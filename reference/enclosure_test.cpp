@@ -58,6 +58,20 @@ RC_GTEST_PROP(Enclosure, AgreesWithRationalsNearTies, ()) {
   check(parent, child);
 }
 
+/// Also deep within it, where no square is near another.
+TEST(Enclosure, ASmallerSphereEnclosesNoGreaterOne) {
+  for (int exponent = -1070; exponent <= 1020; exponent += 10) {
+    const double unit = std::ldexp(1.0, exponent);
+    for (const double part : {0.0, 0.25, 0.75}) {
+      const Sphere64 small{part * unit, 0, 0, unit}, great{0, 0, 0, 4 * unit};
+      EXPECT_FALSE(encloses(small, great)) << exponent;
+      EXPECT_FALSE(encloses_by_integers(small, great)) << exponent;
+      EXPECT_GT(shortfall(small, great), 0) << exponent;
+      EXPECT_TRUE(encloses(great, small)) << exponent;
+    }
+  }
+}
+
 TEST(Enclosure, NumbersThatAreNotFinite) {
   const Sphere64 unit{0, 0, 0, 1};
   EXPECT_TRUE(encloses({0, 0, 0, infinity}, unit));

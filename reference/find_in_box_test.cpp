@@ -123,5 +123,44 @@ TEST(FindInBox, DecidesTiesExactly) {
   EXPECT_EQ(pairs(std::nextafter(7.0f, 0.0f)), 0u);
 }
 
+// 1,025 boxes on, where a product of the box's width is rounded by more than the spheres are apart.
+TEST(FindInBox, DecidesExactlyManyBoxesAway) {
+  const float far = 1025.0f * 2097151 + 1;
+  ASSERT_EQ(static_cast<double>(far), 1025.0 * 2097151 + 1);
+  for (int k = -3; k <= 3; ++k) {
+    const PeriodicBox box{{2097151 + k * 0x1p-32, 0, 0}};
+    for (const float more : {-0x3p-23f, 0.0f, 0x1p-23f, 0x1p-22f, 0x3p-23f}) {
+      const Chain chain({{0, 0, 0, 0.5f}, {far, 0, 0, 0.5f + more}}, {{0, 1, 2}, {0, 0}});
+      const bool touch = 1 - 1025 * k * 0x1p-32 <= 1 + double{more};  // all of it exact
+      EXPECT_EQ(find_in_box(chain, box, 1).pair_count, touch ? 1u : 0u) << k << ' ' << more;
+    }
+  }
+}
+
+/// Many more spheres than cells that are as wide as they reach; another search, which shares no code with
+/// this one.
+TEST(FindInBox, FindsWhatASearchOfImagesFindsInACrowd) {
+  std::vector<Sphere> spheres;
+  std::uint32_t state = 1;
+  const auto place = [&] {
+    return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f * 6;
+  };
+  for (int k = 0; k < 2000; ++k) {
+    const float x = place(), y = place(), z = place();
+    spheres.push_back({x, y, z, k % 2 == 0 ? 0.5f : place() / 24});
+  }
+  const Chain chain(std::move(spheres));
+  const PeriodicBox box{{6.6, 6.75, 7.5}, 0.5, -1, 0.25};
+  Answer exact = find_in_box(chain, box, std::uint64_t{1} << 24);
+  Periodic periodic(StrategyRegistry::instance().make("Grid"), box);
+  Collisions found;
+  periodic.build(chain);
+  periodic.find(chain, {}, found);
+  std::ranges::sort(found.pairs);
+  EXPECT_GT(exact.pairs.size(), 10'000u);
+  EXPECT_TRUE(found.pairs == exact.pairs) << found.pairs.size() << " of " << exact.pairs.size();
+  EXPECT_EQ(found.count, exact.count);
+}
+
 }  // namespace
 }  // namespace catena::reference

@@ -99,9 +99,28 @@ TEST(Verify, BoundsThatDoNotEncloseAndTreesThatAreNone) {
   EXPECT_EQ(verdict(Spoilt(nothing, tree(5.5, 9)), true), Verdict::wrong);  // a sphere is lost
 }
 
+/// Whether the tree shows its bounds as nested or not: what is shown must be of this chain, and one bound a
+/// node.
+TEST(Verify, RoundingExcusesNoLeafOfAnotherChainAndNoNodeOfTwoBounds) {
+  const auto tree = [](double of_leaf, double of_root) {
+    return [=](BoundsVisitor& visitor) {
+      for (std::uint32_t i = 0; i < 10; ++i)
+        visitor.edge(10, Sphere64{4.5, 0, 0, i == 7 ? of_root : 6.0}, i,
+                     Sphere64{double(i), 0, 0, i == 7 ? of_leaf : 1.0});
+    };
+  };
+  for (const bool rounded : {false, true}) {
+    EXPECT_EQ(verdict(Spoilt(nothing, tree(1, 6)), rounded), Verdict::exact);
+    EXPECT_EQ(verdict(Spoilt(nothing, tree(0.5, 6)), rounded), Verdict::wrong);
+    EXPECT_EQ(verdict(Spoilt(nothing, tree(1, 7)), rounded), Verdict::wrong);
+  }
+}
+
 TEST(Verify, PastTheLimitCountsAreCompared) {
   EXPECT_EQ(verdict(Spoilt(nothing), false, 3), Verdict::exact);
   EXPECT_EQ(verdict(Spoilt(miscount), false, 3), Verdict::wrong);
+  EXPECT_EQ(verdict(Spoilt([](Collisions& c) { ++c.pair_count; }), false, 3), Verdict::wrong);
+  EXPECT_EQ(verdict(Spoilt([](Collisions& c) { c.found = false; }), false, 3), Verdict::wrong);
   Spoilt variant(nothing);
   EXPECT_FALSE(verify(variant, false, rod(), exact_answer(rod(), 3)).by_pairs);
 }

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/input/input.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/enclosure.h"
 #include "catena/reference/reference.h"
 
 namespace catena::bench {
@@ -23,6 +28,29 @@ TEST(Examine, CountsEveryParentOnItsLevel) {
   EXPECT_GT(e.all.worst_shortfall, 0);
   EXPECT_LT(e.all.worst_shortfall, 1e-4);
   EXPECT_EQ(e.missing + e.invented, 0u);
+}
+
+/// By every edge that the tree shows, whichever child comes last.
+TEST(Examine, NamesTheWorstShortfallOfAnyChild) {
+  class Worst final : public SphereBoundsVisitor {
+   public:
+    void sphere(std::uint32_t, const Sphere64& parent, std::uint32_t, const Sphere64& child) override {
+      if (!reference::encloses(parent, child)) most = std::max(most, reference::shortfall(parent, child));
+    }
+    double most = 0;
+  };
+  for (const char* scene : {"rod:n=1000", "far:n=300,exponent=20", "yarn:n=500", "mixed_radii:n=400"}) {
+    const Chain chain = open_input(scene).animation->frame(0);
+    const auto variant = StrategyRegistry::instance().make("aCPU2+CPU2/literal");
+    variant->build(chain);
+    Worst worst;
+    variant->visit_bounds(worst);
+    const Examination e = examined("literal", scene);
+    EXPECT_EQ(e.all.worst_shortfall, worst.most) << scene;
+    double of_levels = 0;
+    for (const LevelExamined& level : e.levels) of_levels = std::max(of_levels, level.worst_shortfall);
+    EXPECT_EQ(of_levels, worst.most) << scene;
+  }
 }
 
 TEST(Examine, TellsPairsLostByTheTreeFromThoseDecidedWrongly) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "catena/core/input/input.h"
 #include "catena/reference/all_pairs.h"
@@ -44,6 +47,31 @@ TEST(Margins, AreThoseOfThePairByPairDefinition) {
       EXPECT_EQ(found.least, right.least) << spec;
     }
   }
+}
+
+/// What the stages of the exact overlap leave open is where they stop deciding; of equal margins the least
+/// pair is told.
+TEST(Margins, CountWhatTheStagesLeaveOpenAndNameTheTightest) {
+  for (const auto& [slack, open] :
+       {std::pair{12 * 0x1p-24, &Margins::open_in_binary32}, {10 * 0x1p-53, &Margins::open_in_binary64}}) {
+    Margins margins;
+    margins.add({0, 2}, true, slack);
+    EXPECT_EQ(margins.*open, 1u);
+    margins.add({0, 3}, false, slack * 1.01);
+    EXPECT_EQ(margins.*open, 1u);
+    margins.add({0, 4}, false, slack * 0.99);
+    EXPECT_EQ(margins.*open, 2u);
+  }
+  std::vector<Pair> pairs{{3, 9}, {1, 7}, {1, 5}, {2, 4}};
+  std::ranges::sort(pairs);
+  do {
+    Margins margins;
+    margins.add({0, 2}, true, 0.5);
+    for (const Pair& pair : pairs) margins.add(pair, pair.i == 1, 0.25);
+    EXPECT_EQ(margins.tightest, (Pair{1, 5}));
+    EXPECT_TRUE(margins.tightest_collides);
+    EXPECT_EQ(margins.least, 0.25);
+  } while (std::ranges::next_permutation(pairs).found);
 }
 
 TEST(Margins, OfScenesAreThoseTheyWereMadeWith) {

@@ -1,11 +1,16 @@
 #include "catena/bench/regret/regret.h"
 
 #include <gtest/gtest.h>
+#include <time.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
 
+#include "catena/core/error.h"
 #include "catena/core/input/input.h"
-#include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/register.h"
 
 namespace catena::bench {
 namespace {
@@ -27,6 +32,67 @@ TEST(Regret, HoldsAutoAgainstTheQuickestOfTheOthers) {
   }
   EXPECT_EQ(few.n, 8u);
   EXPECT_EQ(many.input, "yarn/n:3000");
+}
+
+/// CPU1, after it has kept the processor busy for so many milliseconds. Hidden, so that no other test meets
+/// it.
+class Busy final : public Variant {
+ public:
+  Busy(double ms, bool wrong) : ms_(ms), wrong_(wrong) {}
+  void build(const Chain& chain) override { all_pairs_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    ++calls;
+    const double begin = processor_ms();  // which other work does not lengthen
+    while (processor_ms() - begin < ms_) continue;
+    all_pairs_->find(chain, request, result);
+    if (wrong_) ++result.pair_count;
+  }
+  Timings timings() const override { return {}; }
+  static inline std::size_t calls = 0;
+
+ private:
+  static double processor_ms() {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
+  }
+  double ms_;
+  bool wrong_;
+  std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
+};
+
+VariantInfo busy(const std::string& name, double ms, bool wrong = false) {
+  StrategyRegistry::instance().add_variant(
+      {.name = name, .summary = "busy"}, arithmetic_info<Robust>(),
+      [=](const Parameters&) { return std::make_unique<Busy>(ms, wrong); }, true);
+  return registry().describe(name);
+}
+
+/// Times are told by the variants, in time of the processor.
+TEST(Regret, IsOfOnePassOfEachAndOfWhoTakesLeast) {
+  const auto slow = busy("BusyForLonger", 0.3), quick = busy("BusyForLess", 0.2);
+  for (const auto& others : {std::vector{slow, quick}, std::vector{quick, slow}}) {
+    Busy::calls = 0;
+    const Regret r = regret({"path1:n=8"}, others, {.seconds = 0.2, .rounds = 9, .least_ms = 3});
+    EXPECT_EQ(r.best, "BusyForLess");
+    EXPECT_GE(r.best_median(), 0.19) << "of a pass";
+    EXPECT_LT(r.best_median(), 0.5) << "and not of all in a sample";
+    EXPECT_LT(r.auto_median(), r.best_median()) << "auto is busy with 8 spheres alone";
+    EXPECT_GT(Busy::calls, 60u) << "15 passes a sample";
+    EXPECT_TRUE(r.processor);
+  }
+  Regret told{
+      .input = "a/n:1", .chosen = "A", .best = "B", .processor = true, .auto_ms = {1}, .best_ms = {2}};
+  EXPECT_EQ(to_json(told)["clock"], "processor");
+  told.processor = false;
+  EXPECT_EQ(to_json(told)["clock"], "wall");
+  EXPECT_EQ(to_json(told)["auto_ms"], told.auto_ms);
+  EXPECT_EQ(to_json(told)["best_ms"], told.best_ms);
+  EXPECT_EQ(told.ratio(), 0.5);
+}
+
+TEST(Regret, TimesNobodyWhoIsWrong) {
+  EXPECT_THROW(regret({"path1:n=8"}, {busy("BusyAndWrong", 0.01, true)}, little()), Error);
 }
 
 TEST(Regret, SaysWhyAnInputIsLeftOut) {

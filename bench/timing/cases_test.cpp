@@ -9,6 +9,7 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/readers/test_file.h"
 #include "catena/core/scenes/scene.h"
 
 namespace catena::bench {
@@ -66,6 +67,23 @@ TEST(Cases, HaveAnUpdateWhereTheInputMoves) {
   EXPECT_EQ(updates({"path1:n=100,frame=3"}), 0u);
   EXPECT_EQ(updates({"yarn:n=100"}), 0u);
   EXPECT_EQ(updates({CATENA_SOURCE_DIR "/core/readers/examples/rings.chain"}), 0u);
+}
+
+TEST(Cases, HaveAnUpdateFromTwoFramesOnAndNoResidentSearchInABox) {
+  const std::string frame = "2\n\nC 0 0 0\nC 5 0 0\n";
+  const TestFile one("a.xyz", frame), two("a.xyz", frame + frame);
+  VariantInfo stays = named({"aCPU2+CPU2"}).front();
+  stays.resident = true;
+  const auto stages = [&](const TestFile& file, const std::vector<std::string>& options) {
+    std::set<Stage> found;
+    for (const Case& c : cases({in_box(file.path().string(), options)}, {stays})) found.insert(c.stage);
+    return found;
+  };
+  const std::vector<std::string> radius{"--radius", "0.5"}, box{"--radius", "0.5", "--box", "9,9,9"};
+  using enum Stage;
+  EXPECT_EQ(stages(one, radius), (std::set<Stage>{build, find, whole, resident}));
+  EXPECT_EQ(stages(two, radius), (std::set<Stage>{build, update, find, whole, resident}));
+  EXPECT_EQ(stages(two, box), (std::set<Stage>{build, update, find, whole}));
 }
 
 TEST(Cases, OpenAFileOnceAndNotForTheirNames) {

@@ -63,6 +63,23 @@ TEST(Sampling, ASeedGivesTheSameOrderAgain) {
   EXPECT_NE(order(1), order(2));
 }
 
+/// Each interruption would else begin with the same order again.
+TEST(Sampling, GoesOnInAnotherOrderThanItBegan) {
+  std::set<std::vector<std::size_t>> orders;
+  for (std::size_t rounds = 0; rounds < 10; ++rounds) {
+    std::vector<std::size_t> first;
+    sample_in_rounds({{{0}}, {{1}}, {{2}}, {{3}}, {{4}}}, {.seconds = ever, .share = 0, .most_samples = 1},
+                     [&](const Turn& turn) {
+                       EXPECT_EQ(turn.round, rounds);
+                       first.push_back(turn.run);
+                       return 1.0;
+                     },
+                     {{}, rounds, {}});
+    orders.insert(first);
+  }
+  EXPECT_GE(orders.size(), 6u) << "of 120";
+}
+
 TEST(Sampling, ARunIsDoneWhenItsIntervalIsNarrowOrItFails) {
   Asked asked;
   const auto samples =

@@ -9,6 +9,9 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/input/input.h"
 #include "catena/core/readers/test_file.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/compare.h"
+#include "catena/reference/verify.h"
 
 namespace catena::bench {
 namespace {
@@ -71,6 +74,16 @@ TEST(Trial, AnUpdateGoesThroughAllFramesInTheirOrder) {
   EXPECT_EQ(calls, expected);
 }
 
+TEST(Trial, ACallGoesThroughAllFramesInTheirOrder) {
+  const auto frames = frames_of("path1:n=50");
+  Trial trial({"path1:n=50", true}, TimesTold::info());
+  std::vector<Call> expected;
+  for (int round = 0; round < 2; ++round)
+    for (const Sphere& frame : frames)
+      expected.push_back({"build", frame}), expected.push_back({"find", frame});
+  EXPECT_EQ(calls_of(trial, Stage::whole, 2 * static_cast<int>(frames.size())), expected);
+}
+
 TEST(Trial, ComparesTheAnswerAfterAnUpdateToo) {
   const auto frames = frames_of("path1:n=50");
   Trial trial({"path1:n=50"}, TimesTold::info());
@@ -128,6 +141,49 @@ TEST(Trial, SearchesEachFrameInItsOwnBox) {
       EXPECT_EQ(trial.missing() + trial.invented(), 0u);
     }
   }
+}
+
+/// The last sphere of what a variant is given is an image, so that it tells the box: in every round the same
+/// of each frame.
+TEST(Trial, TimesEachFrameInItsOwnBox) {
+  const TestFile file("boxes.xyz", boxes_that_change());
+  Trial trial({file.path().string(), true}, TimesTold::info());
+  TimesTold::calls.clear();
+  ASSERT_EQ(trial.prepare(), "");
+  std::vector<Sphere> found;
+  for (const Call& call : TimesTold::calls)
+    if (call.stage == "find" && found.size() < 4) found.push_back(call.last);
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(std::set<float>({found[0].x, found[1].x, found[2].x, found[3].x}).size(), 4u);
+  for (const Stage stage : {Stage::whole, Stage::find, Stage::build}) {
+    std::vector<Sphere> timed;
+    for (const Call& call : calls_of(trial, stage, 8))
+      if (call.stage == (stage == Stage::build ? "build" : "find")) timed.push_back(call.last);
+    ASSERT_EQ(timed.size(), 8u) << name_of(stage);
+    for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(timed[k], found[k % 4]) << name_of(stage) << ' ' << k;
+  }
+}
+
+/// A rounded variant is timed, and what it gets wrong is counted: it invents where all graze, and misses far
+/// away.
+TEST(Trial, CountsWhatARoundedVariantMissesAndInvents) {
+  std::uint64_t missing = 0, invented = 0;
+  for (const char* spec : {"grazing:n=400,margin=1e-8", "far:n=500,exponent=24"}) {
+    const Input input = open_input(spec);
+    const Chain chain = input.animation->frame(0);
+    Collisions found;
+    const auto variant = StrategyRegistry::instance().make("aCPU2+CPU2/literal");
+    variant->build(chain);
+    variant->find(chain, {}, found);
+    const auto comparison = reference::compare(chain, reference::exact_answer(chain, 1u << 20), found);
+    Trial trial({spec}, StrategyRegistry::instance().describe("aCPU2+CPU2/literal"));
+    ASSERT_EQ(trial.prepare(), "");
+    EXPECT_EQ(trial.missing(), comparison.missing) << spec;
+    EXPECT_EQ(trial.invented(), comparison.invented) << spec;
+    missing += comparison.missing, invented += comparison.invented;
+  }
+  EXPECT_GT(missing, 0u);
+  EXPECT_GT(invented, 0u);
 }
 
 // The answer is that of `detect --box`, by any variant and the reference.

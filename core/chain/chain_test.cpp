@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -94,6 +95,78 @@ TEST(Chain, ArcWindowGoesRoundAClosedStrand) {
   const Chain chain(ring, Strands::one_closed(12), Exclusion::arc(3));  // step 5.18, window 6
   EXPECT_TRUE(chain.neighbours(0, 11) && chain.neighbours(11, 0));
   EXPECT_FALSE(chain.neighbours(0, 10));
+}
+
+/// Steps of whole lengths, so that arcs are exact and many pairs lie at the very limit, ahead or around the
+/// end; by the definition, on the shortest way along the strand.
+TEST(Chain, WindowsEndAtTheirLimitAheadAndAroundTheEnd) {
+  std::uint64_t at_the_limit = 0, around = 0;
+  for (std::uint32_t n = 1; n <= 9; ++n)
+    for (std::uint32_t seed = 0; seed < 40; ++seed)
+      for (const bool closed : {false, true}) {
+        std::vector<Sphere> spheres;
+        std::vector<float> arc;  // along x, to and fro
+        for (std::uint32_t i = 0; i < n; ++i) {
+          const float step = i == 0 ? 0 : static_cast<float>((seed * 7 + i * i * 5 + i) % 4);
+          const float x = i == 0 ? 0 : spheres[i - 1].x + (2 * i <= n ? step : -step);
+          arc.push_back(i == 0 ? 0 : arc[i - 1] + step);
+          spheres.push_back({x, 0, 0, static_cast<float>((seed + i) % 3)});
+        }
+        const float loop = arc.back() + std::abs(spheres.back().x);
+        const Strands strands = closed ? Strands::one_closed(n) : Strands{};
+        const std::uint32_t window = 1 + seed % 5;
+        const Chain by_steps(spheres, strands, Exclusion::index(window)),
+            by_arc(spheres, strands, Exclusion::arc(1));
+        for (std::uint32_t i = 0; i < n; ++i)
+          for (std::uint32_t j = 0; j < n; ++j) {
+            if (i == j) continue;
+            const std::uint32_t steps = i < j ? j - i : i - j;
+            EXPECT_EQ(by_steps.neighbours(i, j), std::min(steps, closed ? n - steps : n) <= window)
+                << n << ' ' << seed;
+            const float ahead = std::abs(arc[j] - arc[i]),
+                        way = closed ? std::min(ahead, loop - ahead) : ahead,
+                        limit = spheres[i].radius + spheres[j].radius;
+            EXPECT_EQ(by_arc.neighbours(i, j), way < limit) << n << ' ' << seed << ' ' << i << ' ' << j;
+            at_the_limit += way == limit, around += way == limit && way < ahead;
+          }
+      }
+  EXPECT_GT(at_the_limit, 500u);
+  EXPECT_GT(around, 50u);
+}
+
+/// What searches scale themselves by.
+TEST(Chain, KnowsItsExtentAlongEveryAxis) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.0f, 1.0f}) {
+      std::vector<Sphere> spheres{{1, 2, 3, 0.5f}, {2, 1, 1, 4}, {0, 3, 2, 0.25f}};
+      (&spheres[1].x)[axis] = sign * 50;
+      const Extent extent = Chain(spheres).view().extent;
+      double sides = 0;
+      for (const auto member : {&Sphere::x, &Sphere::y, &Sphere::z}) {
+        const auto [low, high] =
+            std::ranges::minmax({spheres[0].*member, spheres[1].*member, spheres[2].*member});
+        sides += double{high} - low;
+      }
+      EXPECT_EQ(extent.sides, sides) << axis;
+      EXPECT_EQ(extent.greatest_coordinate, 50);
+      EXPECT_EQ(extent.least_radius, 0.25f);
+      EXPECT_EQ(extent.greatest_radius, 4);
+    }
+}
+
+TEST(Chain, TakesArcLengthsThatAreFiniteAndOnesOfEachSphereAndStrand) {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const auto made = [](std::vector<double> arc, std::vector<double> loops) {
+    return Chain(row(3), Strands::one_closed(3), Exclusion::arc(1), {std::move(arc), std::move(loops)});
+  };
+  EXPECT_TRUE(made({0, 5, 9}, {10}).neighbours(0, 2)) << "1 around the end";
+  EXPECT_FALSE(made({0, 5, 9}, {10}).neighbours(0, 1));
+  for (const double bad : {inf, -inf, nan}) {
+    EXPECT_THROW(made({0, bad, 9}, {10}), InputError);
+    EXPECT_THROW(made({0, 5, 9}, {bad}), InputError);
+  }
+  EXPECT_THROW(made({0, 5}, {10}), InputError);
+  EXPECT_THROW(made({0, 5, 9}, {}), InputError);
 }
 
 TEST(Chain, ExtraPairsHoldBothWaysAndOnce) {

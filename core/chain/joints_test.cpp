@@ -44,6 +44,13 @@ TEST(Joints, ReachFarFromAHugeSphere) {
             (Pairs{{0, 5}, {0, 6}, {0, 7}}));
 }
 
+/// The joint is all but as far from the great sphere, which alone may find the pair, as that reaches.
+TEST(Joints, AreCrossedAtTheLimitOfTheReach) {
+  const std::vector<Sphere> far{{0, 0, 0, 1000.25f}, {1999.75f, 0, 0, 0}, {1999.75f, 0, 0, 1000}};
+  const Strands strands{{0, 2, 3}, {0, 0}};
+  EXPECT_EQ(pairs_across_joints(far, strands, Pairs{{1, 2}}, Exclusion::arc(1)), (Pairs{{0, 2}, {1, 2}}));
+}
+
 TEST(Joints, GoAroundClosedStrands) {
   const Strands ring{{0, 5, 8}, {1, 0}};
   const auto pairs = pairs_across_joints(tree, ring, Pairs{{0, 5}}, Exclusion::index(2));

@@ -72,7 +72,23 @@ TEST_F(PlanProgram, UsesTheFiguresThatCalibrateKeepsAndSaysSoWhenTheyAreDamaged)
   EXPECT_EQ(r.code, 0);
   EXPECT_NE(r.output.find("catena: " + figures()), std::string::npos) << r.output;
   EXPECT_NE(r.output.find("built-in figures"), std::string::npos) << r.output;
-  expect_says("calibrate --json", 0, {"\"crossover\""});
+  const auto told = json("calibrate --json");
+  EXPECT_GT(told["crossover"], 1);
+  std::istringstream kept(text_of(figures()));
+  std::string line;
+  std::getline(kept, line), std::getline(kept, line);  // what it is, and of which processor
+  for (const auto& cost : told["costs"]) {             // what is kept is what is told
+    std::getline(kept, line);
+    std::istringstream words(line);
+    std::string variant;
+    words >> variant;
+    EXPECT_EQ(variant, cost["variant"]);
+    for (const char* key : {"fixed_us", "sphere_ns", "sphere_pair_ns", "serial", "team_us", "start_ms"}) {
+      double figure = -1;
+      words >> figure;
+      EXPECT_EQ(figure, cost[key]) << variant << ' ' << key;
+    }
+  }
   expect_says("plan path1:n=3000", 0, {"figures of " + figures()});
   setenv("XDG_CACHE_HOME", "/dev/null", 1);
   expect_refused("calibrate", "/dev/null");

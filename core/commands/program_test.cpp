@@ -34,7 +34,9 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect nowhere", "no scene is named 'nowhere'");
   expect_refused("detect path1:x=1", "no parameter 'x'");
   expect_refused("detect path1:n=10 --frame 99", "there is no frame 99");
-  expect_refused("detect path1:n=10 --frame first", "must be a frame number from 0, or all");
+  for (const char* frame : {"first", "1x", "1.0", "-1", "+1", "'1 '", "4294967296", "al", "all2"})
+    expect_refused(std::string("detect path1:n=10 --frame=") + frame, "must be a frame number from 0, or all");
+  expect_refused("detect path1:n=10 --frame 56", "there is no frame 56");
   expect_refused("detect path1:n=10 --variant Fastest", "'Fastest'");
   expect_refused("detect path1:n=10 --any --counts-only", "--any");
   expect_refused("detect path1:n=10 --counts-only --pairs p.csv", "--counts-only");
@@ -218,6 +220,61 @@ TEST_F(Program, PrintsTheFrameItUsed) {
       << text_of(pairs).substr(0, 40);
 }
 
+/// Whatever a format cannot hold is said, each in a line of its own, and nothing where nothing is lost.
+TEST_F(Program, SaysWhatAnExportLoses) {
+  const std::string neuron = write("neuron.swc", "1 1 0 0 0 1 -1\n2 3 3 0 0 1 1\n3 3 6 0 0 1 2\n4 3 3 3 0 1 2\n");
+  struct Lost {
+    const char *input, *out;
+    std::vector<std::string> lines;
+  };
+  const std::string rule = "exclusion rule; give it with --window or --arc-window", joints = "neighbours across joints; .chain does",
+                    radii = "radii; give them with --radius";
+  for (const auto& [options, out, lines] :
+       {Lost{"", "a.chain", {}}, Lost{" --window 3", "a.chain", {}}, Lost{"", "a.csv", {joints}},
+        Lost{" --window 2", "a.csv", {rule, joints}}, Lost{" --arc-window pi/2", "a.csv", {rule, joints}},
+        Lost{"", "a.obj", {radii, joints}}, Lost{" --window 3", "a.catena", {}}}) {
+    const Outcome r = run("export " + neuron + " '" + file(out) + "'" + options);
+    EXPECT_EQ(r.code, 0) << r.output;
+    for (const std::string& line : lines) EXPECT_NE(r.output.find("holds no " + line), std::string::npos) << r.output;
+    EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + static_cast<std::ptrdiff_t>(lines.size())) << options << out << r.output;
+  }
+}
+
+/// Frames of one file whose boxes differ: a pair collides through the face of the small one alone. Each frame of all is
+/// as it is alone, whoever searches it.
+TEST_F(Program, SearchesEachFrameInItsOwnBox) {
+  std::string dump;
+  for (const char* width : {"20", "8", "20"})
+    dump += std::string("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 ") + width +
+            "\n0 20\n0 20\nITEM: ATOMS id mol x y z\n1 1 0.3 4 4\n2 2 7.6 4 4\n3 3 4 4 4\n";
+  const std::string input = write("boxes.dump", dump), box = " --radius 0.5 --box file --variant aCPU2+CPU2 --frame ";
+  const auto pairs = [&](const std::string& frame) {
+    expect_says("detect " + input + box + frame + " --pairs '" + file("p.csv") + "'", 0, {});
+    return text_of(file("p.csv"));
+  };
+  const auto contacts = [&](const std::string& name, const std::string& frame) {
+    expect_says("export " + input + " '" + file(name) + "' --contacts" + box + frame, 0, {});
+  };
+  const std::string empty = pairs("0"), one = pairs("1");
+  EXPECT_EQ(std::ranges::count(empty, '\n'), 1);
+  EXPECT_EQ(std::ranges::count(one, '\n'), 2);
+  EXPECT_EQ(pairs("2"), empty);
+  EXPECT_EQ(pairs("all"), one);
+  contacts("all.vtp", "all");
+  for (const std::string frame : {"0", "1", "2"}) {
+    contacts("alone.vtp", frame);
+    EXPECT_EQ(text_of(file("all_" + frame + ".vtp")), text_of(file("alone.vtp"))) << frame;
+  }
+  EXPECT_NE(text_of(file("all_0.vtp")), text_of(file("all_1.vtp")));
+  const Outcome verified = run("verify " + input + box + "all --json");
+  EXPECT_EQ(verified.code, 0) << verified.output;
+  std::istringstream lines(verified.output);
+  std::vector<int> exact;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with('{')) exact.push_back(nlohmann::json::parse(line)["exact_pairs"]);
+  EXPECT_EQ(exact, (std::vector<int>{0, 1, 0})) << verified.output;
+}
+
 TEST_F(Program, ListsVariantsScenesAndReaders) {
   expect_says("list", 0, {"aCPU2+CPU2", "path1", ".swc", "subtree=384"});
   const std::string spoken = run("list").output;
@@ -235,6 +292,25 @@ TEST_F(Program, ListsVariantsScenesAndReaders) {
   }
   EXPECT_GE(list["scenes"].size(), 20u);
   for (const auto& scene : list["scenes"]) EXPECT_FALSE(scene["parameters"].empty()) << scene["name"];
+}
+
+TEST_F(Program, SaysTheMostOfAnySphere) {
+  const std::string counts = file("counts.jsonl");
+  for (const char* input : {"path1:n=1000 --frame 28", "yarn:n=300", "coincident:n=60"}) {
+    const auto line = nlohmann::json::parse(run(std::string("detect ") + input + " --json --counts '" + counts + "'").output);
+    std::istringstream rows(text_of(counts));
+    int most = 0, first = -1;
+    for (std::string row; std::getline(rows, row);) {
+      const int count = nlohmann::json::parse(row)["count"];
+      most = std::max(most, count);
+      if (first < 0) first = count;
+    }
+    EXPECT_EQ(line["max_count"], most) << input;
+    EXPECT_GT(most, 0) << input;
+    if (std::string_view(input).starts_with("path1")) {
+      EXPECT_LT(first, most) << "it is not the first sphere's";
+    }
+  }
 }
 
 TEST_F(Program, DetectsWithEveryKindOfAnswer) {
@@ -305,6 +381,16 @@ TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
   EXPECT_EQ(closed.code, 2);
   EXPECT_EQ(closed.output, "catena: cannot write the output: Bad file descriptor\n");
   EXPECT_EQ(std::ranges::count(text_of(file("p.csv")), '\n'), 813) << "what is printed got into the table";
+  // What is printed, more than is buffered, goes into no file that takes the number of a closed stream.
+  const std::string frames = "detect path1:n=20 --frame all --counts '" + file("c.csv") + "'";
+  EXPECT_GT(run(frames).output.size(), 4096u);
+  const std::string counts = text_of(file("c.csv"));
+  EXPECT_EQ(std::ranges::count(counts, '\n'), 1 + 56 * 20);
+  for (const char* closing : {" >&-", " <&- >&-", " >&- 2>&-"}) {
+    std::filesystem::remove(file("c.csv"));
+    EXPECT_EQ(shell("catena " + frames + closing).code, 2) << closing;
+    EXPECT_FALSE(std::filesystem::exists(file("c.csv"))) << closing;
+  }
 }
 
 TEST_F(Program, EndsQuietlyWhenNobodyReadsOn) {

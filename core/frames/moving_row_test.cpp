@@ -39,6 +39,65 @@ TEST(MovingRow, FindsThePairsOfRunsThatChangedInRowsOfAnyLength) {
     }
 }
 
+/// A film of shifts to and fro, past the ends of the row too, and of ranges that move: after each frame the
+/// row is the frame, what is said to have changed has all that did, and what is found are the pairs of that.
+TEST(MovingRow, FollowsAFilm) {
+  std::uint64_t collided = 0, kept = 0;
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> place(0, 12), radius(0.2f, 1);
+    const auto any = [&] { return Sphere{place(random), place(random), place(random), radius(random)}; };
+    const auto n = static_cast<std::uint32_t>(20 + random() % 200);
+    std::vector<Sphere> now(n);
+    std::ranges::generate(now, any);
+    MovingRow row;
+    row.hold(now);
+    std::vector<Pair> found, all;
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = i + 1; j < n; ++j) all.push_back({i, j});
+    for (int frame = 0; frame < 25; ++frame) {
+      std::vector<bool> differs(n);  // from the sphere that was in its place of the row
+      if (random() % 2) {
+        const auto s = static_cast<std::int64_t>(random() % (n / 2)) - n / 4;
+        const std::vector<Sphere> before = now;
+        for (std::uint32_t i = 0; i < n; ++i) {
+          const std::int64_t from = i + s;
+          differs[i] = from < 0 || from >= n;
+          now[i] = differs[i] ? any() : before[static_cast<std::size_t>(from)];
+        }
+        row.shift(now, s);
+      } else {
+        std::vector<SphereRange> ranges;
+        for (std::uint32_t at = random() % n; at < n; at += random() % n + 1) {
+          const std::uint32_t end = std::min(n, at + 1 + static_cast<std::uint32_t>(random() % 9));
+          ranges.push_back({at, end});
+          for (; at < end; ++at) now[at] = any(), differs[at] = true;
+        }
+        row.move(now, ranges);
+      }
+      ASSERT_TRUE(std::ranges::equal(row.spheres(), now)) << seed << ' ' << frame;
+      const Chain chain(now);
+      std::vector<std::uint32_t> places;
+      row.find_changed(all, places);
+      ASSERT_TRUE(std::ranges::is_sorted(places));
+      std::vector<Pair> right;
+      for (std::uint32_t k = 0; k < all.size(); ++k) {
+        const auto [i, j] = all[k];
+        const bool said = std::ranges::binary_search(places, k);
+        ASSERT_TRUE(said || !(differs[i] || differs[j])) << seed << ' ' << frame;
+        if (said && j != i + 1 && ExactSign::of_gap(now[i], now[j]) <= 0) right.push_back(all[k]);
+        kept += !said;
+      }
+      row.search(chain.view(), found, random() % 2 == 0);
+      std::ranges::sort(found);
+      ASSERT_EQ(found, right) << seed << ' ' << frame;
+      collided += right.size();
+    }
+  }
+  EXPECT_GT(collided, 1000u);
+  EXPECT_GT(kept, 10'000u);
+}
+
 /// Spheres that touch within a unit of the last place, each alone with points in its run.
 TEST(MovingRow, MeetsEveryTwoThatTouch) {
   std::mt19937 random(5);

@@ -31,6 +31,26 @@ TEST(BucketMap, LeadsDifferentStepsToDifferentBuckets) {
       }
 }
 
+/// As properties/proofs/grid_cells.g has it, for radii whose reciprocals are rounded up and down, everywhere
+/// below far_cell.
+TEST(BucketMap, HasCellsThatDifferByOneAtMostOfWhatIsInReach) {
+  std::mt19937 random(1);
+  const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+  std::uint32_t tried = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const float r = std::ldexp(1 + unit(), static_cast<int>(random() % 20) - 10);
+    const double cells = map_buckets(r, cube(1e6f), 1000).cells_per_unit;
+    EXPECT_LE(2.0 * r * cells, 1 - BucketMap::cell_slack / 2);
+    EXPECT_GT(2.0 * r * cells, 0.999) << "cells no larger than they must be";
+    const float x = (unit() - 0.5f) * static_cast<float>(BucketMap::far_cell / cells), y = x + 2 * r;
+    if (double{y} - x > 2.0 * r || std::abs(x * cells) >= BucketMap::far_cell) continue;
+    EXPECT_LE(std::floor(y * cells) - std::floor(x * cells), 1) << r << ' ' << x;
+    EXPECT_LE(y * cells - x * cells, 1) << r << ' ' << x;
+    ++tried;
+  }
+  EXPECT_GT(tried, 5000u);
+}
+
 TEST(BucketMap, TellsEqualSteps) {
   BucketMap map = map_buckets(1, cube(1e6f), 1000);
   map.layer = 2 * map.row;  // one layer on is one row on, and another one

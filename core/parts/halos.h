@@ -5,6 +5,7 @@
 
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/export.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/hierarchy/wide_box_tree.h"
 
@@ -12,7 +13,7 @@ namespace catena::parts {
 
 /// Which of a row of boxes, cut into parts of consecutive ones, meet boxes of other parts. Sixty-four boxes
 /// together are asked first, in a tree of such boxes.
-class Halos {
+class CATENA_API Halos {
  public:
   /// `first`: parts + 1 ascending offsets into the boxes, which outlive this.
   Halos(std::span<const Box> boxes, std::span<const std::uint32_t> first, const Team& team);

@@ -230,6 +230,38 @@ TEST(Periodic, DecidesATieAcrossAFaceThatNoImageHasInBinary32) {
   }
 }
 
+/// Ties of numbers that binary32 has, in boxes whose thirds, sevenths and so on it has not: what looks for
+/// images divides by the width, and must look as far as the tie.
+TEST(Periodic, FindsEveryTieAcrossAFaceInBoxesOfAnyWidth) {
+  for (int width = 3; width <= 60; ++width)
+    for (int sixteenths = 1; sixteenths <= 4 * width; sixteenths += 1 + width / 8)
+      for (const float shift : {0.0f, 0.375f, -7.0f}) {
+        const float radius = static_cast<float>(sixteenths) / 16,
+                    other = static_cast<float>(width) - 2 * radius;
+        const PeriodicBox box{{static_cast<double>(width), 0, 0}};
+        const Chain touching({{shift, 0, 0, radius}, {shift, 999, 0, 0}, {shift + other, 0, 0, radius}});
+        const bool both = other <= 2 * radius;  // through the middle, too
+        EXPECT_EQ(found("CPU1", touching, box).pairs, (Pairs{{0, 2}}))
+            << width << ' ' << radius << ' ' << shift;
+        const Chain apart(
+            {{shift, 0, 0, std::nextafter(radius, 0.0f)}, {shift, 999, 0, 0}, {shift + other, 0, 0, radius}});
+        if (!both) {
+          EXPECT_EQ(found("CPU1", apart, box).pair_count, 0u) << width << ' ' << radius << ' ' << shift;
+        }
+      }
+}
+
+TEST(Periodic, RefusesASphereMoreBoxesAwayThanAreCounted) {
+  const double most = 0x1p20;
+  const auto at = [](double x) {
+    return Chain({{0, 0, 0, 1}, {5, 5, 5, 0}, {static_cast<float>(x), 0, 0, 1}});
+  };
+  EXPECT_EQ(found("CPU1", at(10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
+  EXPECT_EQ(found("CPU1", at(-10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
+  for (const double x : {10 * (most + 2), -10 * (most + 2), 1e30})
+    EXPECT_THROW(found("CPU1", at(x), {{10, 10, 10}}), InputError) << x;
+}
+
 TEST(Periodic, CountsAPairOnceThatTouchesThroughBothFaces) {
   const Chain chain(
       {{0, 0, 0, 1}, {9, 9, 9, 0}, {2, 0, 0, 1}});  // a box of twice the reach: touched from both sides
@@ -242,6 +274,9 @@ TEST(Periodic, StatesTheTrueNumberPastALimit) {
   std::vector<Sphere> spheres(40, Sphere{0, 0, 0, 1});
   for (std::size_t i = 0; i < 20; ++i) spheres[i].x = 9.5f;
   Request request;
+  request.pair_limit = found("CPU1", Chain(spheres), {{10, 10, 10}}).pair_count;
+  EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pairs.size(), request.pair_limit)
+      << "as many as may be";
   request.pair_limit = 5;
   try {
     found("CPU1", Chain(spheres), {{10, 10, 10}}, request);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "catena/core/commands/test_program.h"
@@ -57,10 +58,31 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
   }
 }
 
+/// Ranks read their own parts of a .catena file, and not where options change what it says.
+TEST_F(Mpirun, HeedsOptionsBesideAFileThatRanksReadInParts) {
+  const std::string input = file("c.catena");
+  ASSERT_EQ(run("export coincident:n=60 '" + input + "'").code, 0);
+  std::set<std::string> answers;
+  for (const char* options : {" --window 25", " --arc-window pi/2"}) {
+    const auto table = [&](const char* of) { return fmt::format("{} --pairs '{}'", options, file(of)); };
+    ASSERT_EQ(run("detect '" + input + "'" + table("alone.csv")).code, 0) << options;
+    const ProgramOutcome ranks = run_ranks("detect '" + input + "'" + table("ranks.csv"));
+    ASSERT_EQ(ranks.code, 0) << ranks.output;
+    EXPECT_EQ(text_of(file("alone.csv")), text_of(file("ranks.csv"))) << options;
+    answers.insert(text_of(file("alone.csv")));
+  }
+  EXPECT_EQ(answers.size(), 2u) << "each option matters";
+}
+
 TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
   const std::string examples = CATENA_SOURCE_DIR "/core/readers/examples/";
+  std::string frame = text_of(examples + "melt.dump"), wider;
+  frame.resize(frame.find("ITEM: TIMESTEP", 1));
+  wider = frame;
+  wider.replace(wider.find("0 8\n"), 3, "0 12");  // in which nothing touches through a face
+  const std::string changing = write("changing.dump", frame + wider + frame);
   for (const std::string& input : std::vector<std::string>{
-           examples + "melt.dump --radius 0.5 --frame all", "yarn:n=3000,seed=5 --box 30,0,25",
+           changing + " --radius 0.5 --frame all", "yarn:n=3000,seed=5 --box 30,0,25",
            "hair:n=900 --window 3 --box 20,20,20,3,-2,1", "yarn:n=500 --arc-window pi/2 --box 300,300,300"}) {
     for (const char* order : {"chain", "space"}) {
       const auto tables = [&](const char* of) {

@@ -18,6 +18,16 @@ TEST(CsvReader, FindsColumnsByName) {
   EXPECT_FALSE(read_text("a.csv", "x,y,z\n1,2,3\n").has_radii);
 }
 
+/// A comma parts the header whatever else stands in a name of it, and before a tab a semicolon does.
+TEST(CsvReader, TakesTheFirstSeparatorThatItsHeaderHas) {
+  for (const char* text :
+       {"x,y,z,r,a;b\n1,2,3,4,5;6\n", "x,a\tb,y,z,r\n1,5\t6,2,3,4\n", "x;y;z;r;a\tb\n1;2;3;4;5\t6\n"}) {
+    const CurveFile curves = read_text("a.csv", text);
+    ASSERT_EQ(curves.spheres.size(), 1u) << text;
+    EXPECT_EQ(curves.spheres[0], (Sphere{1, 2, 3, 4})) << text;
+  }
+}
+
 TEST(CsvReader, StartsAStrandWhereTheStrandColumnChanges) {
   for (const std::string name : {"strand", "chain", "Chain", "chr"}) {
     const auto curves = read_text("a.csv", name + ",x,y,z\na,0,0,0\na,1,0,0\nb,2,0,0\n");

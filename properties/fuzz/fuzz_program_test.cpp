@@ -89,6 +89,18 @@ TEST_F(FuzzProgram, AFailureThatDependsOnHistoryIsASequence) {
               {files[1].string() + ": mutant:stale-after-a-longer-chain: "});
 }
 
+TEST_F(FuzzProgram, AReplayFailsWhereAnyOfItsChainsDoes) {
+  const std::string bad = write(
+                        "bad.chain",
+                        "catena-chain 1\nwindow 1\nstrand open 1\n0 -1 0 1\nstrand open 1\n0 1 0 1\nend\n"),
+                    good = write("good.chain", "catena-chain 1\nwindow 1\nstrand open 1\n0 0 0 1\nend\n"),
+                    variant = "fuzz --variant mutant:grid-truncates-toward-zero --replay ";
+  expect_says(variant + good, 0, {"every property holds"});
+  expect_says(variant + bad, 1, {"pair set: "});
+  expect_says(variant + bad + " --replay " + good, 1, {"pair set: ", "every property holds"});
+  expect_says(variant + good + " --replay " + bad, 1, {"pair set: ", "every property holds"});
+}
+
 TEST_F(FuzzProgram, ARunMeetsMoreThan65536Spheres) {
   expect_says(at("--cases 1 --variant mutant:16-bit-ids"), 1, {"(giants, seed 1)", "pair set"});
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "catena/core/executor/pair_collector.h"
@@ -87,6 +88,19 @@ TEST(Fuzzer, TheSameSeedGivesTheSameRun) {
   }
 }
 
+TEST(Fuzzer, AnotherSeedGivesOtherChains) {
+  std::set<std::string> runs;
+  for (const std::uint64_t seed : {0u, 1u, 2u, 3u}) {
+    std::string chains;
+    Fuzzer fuzzer({Subject::named("CPU1")}, {.seed = seed});
+    fuzzer.watch([&](const std::string&, std::uint64_t, const Chain& chain) { chains += text_of(chain); },
+                 {});
+    EXPECT_FALSE(fuzz(fuzzer, 10));
+    runs.insert(chains);
+  }
+  EXPECT_EQ(runs.size(), 4u);
+}
+
 TEST(Fuzzer, FindsNothingInARightVariantAndClimbs) {
   Fuzzer fuzzer({Subject::named("aCPU2+CPU2")}, {.seed = 9});
   EXPECT_FALSE(fuzz(fuzzer, 500));
@@ -114,6 +128,9 @@ TEST(Fuzzer, AStoredFailureReadsBackAsItsChain) {
   const auto files = store(folder, *found, 1);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files, store(folder, *found, 1));
+  const auto another = store(folder, found->finding, "another", {found->found});
+  ASSERT_NE(text_of(found->found), text_of(found->shrunk.front()));
+  EXPECT_NE(another, files) << "which stays where it is";
   EXPECT_EQ(text_of(load_chain(files.front())), text_of(found->shrunk.front()));
   std::filesystem::remove_all(folder);
 }
@@ -154,6 +171,7 @@ TEST(Fuzzer, ShrinksAFailureThatDependsOnHistoryAsASequence) {
   ASSERT_EQ(found->shrunk.size(), 2u);
   EXPECT_GT(found->shrunk[0].size(), 4 * found->shrunk[1].size());
   EXPECT_TRUE(fails_in_sequence(Subject::named(name), found->finding.property, found->shrunk));
+  EXPECT_FALSE(fails_in_sequence(Subject::named(name), "another property", found->shrunk));
 
   const auto folder =
       std::filesystem::temp_directory_path() / ("catena-failures-" + std::to_string(getpid()));
@@ -163,6 +181,34 @@ TEST(Fuzzer, ShrinksAFailureThatDependsOnHistoryAsASequence) {
   for (const auto& file : files) stored.push_back(load_chain(file));
   EXPECT_TRUE(fails_in_sequence(Subject::named(name), found->finding.property, stored));
   std::filesystem::remove_all(folder);
+}
+
+/// Counts a pair too many, once in a process: no new object does so again.
+class WrongOnce final : public Variant {
+ public:
+  void build(const Chain&) override {}
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    const auto right = StrategyRegistry::instance().make("CPU1");
+    right->build(chain);
+    right->find(chain, request, result);
+    if (result.pair_count == 0 || done) return;
+    done = true;
+    ++result.pair_count;
+  }
+  Timings timings() const override { return {}; }
+  static inline bool done = false;
+};
+
+TEST(Fuzzer, SaysWhatDoesNotRepeat) {
+  StrategyRegistry::instance().add_variant(
+      {.name = "WrongOnce", .summary = "wrong once"}, arithmetic_info<Robust>(),
+      [](const Parameters&) { return std::make_unique<WrongOnce>(); }, true);
+  Fuzzer fuzzer({Subject::named("WrongOnce")}, {});
+  const auto found = fuzz(fuzzer, 1000);
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->repeats);
+  ASSERT_EQ(found->shrunk.size(), 1u);
+  EXPECT_EQ(text_of(found->shrunk[0]), text_of(found->found)) << "there is nothing to shrink it by";
 }
 
 TEST(Fuzzer, SaysWhatNoNewObjectShows) {

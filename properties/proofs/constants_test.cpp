@@ -1,8 +1,13 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -22,6 +27,76 @@ std::string text_of(const std::string& file) {
 struct Proved {
   std::string declared, script, formula;
 };
+
+/// A script without its comments and blanks.
+std::string statement_of(const std::string& script) {
+  std::istringstream lines(text_of("properties/proofs/" + script));
+  std::string statement;
+  for (std::string line; std::getline(lines, line);)
+    for (const char c : line.substr(0, line.find('#')))
+      if (!std::isspace(static_cast<unsigned char>(c))) statement += c;
+  return statement;
+}
+
+/// gappa proves whatever it is given: with roundings assumed half as large, a factor twice as slack or a
+/// claim left out it still agrees. So what is proved is stated here a second time, as a hash (FNV-1a); who
+/// changes a script reads its comment again, and stores the new one.
+TEST(Proofs, ProveWhatTheyWereReadToProve) {
+  const std::map<std::string, std::string> read{
+      {"axis_box_binary32.g", "2a3445e610768223"},
+      {"block_capsule_binary32.g", "cba820f6cde23848"},
+      {"capsule_binary32.g", "3ce1d325c3d84507"},
+      {"capsule_rows.g", "91608bf45fce4200"},
+      {"cell_rows.g", "4f247407c14b81cc"},
+      {"dot_binary32.g", "58b32e0a1f9400d2"},
+      {"grid_cells.g", "81c75dc600dbefad"},
+      {"open_pairs.g", "831855ff8736944e"},
+      {"oriented_box_binary32.g", "f4f66b6c4c73db15"},
+      {"overlap_binary32.g", "115c10c506635d20"},
+      {"overlap_binary64.g", "d45b391f94e8c5ed"},
+      {"parent_binary32.g", "5717fde13972b4cd"},
+      {"parent_binary64.g", "91aded3b4008b0c4"},
+      {"rotation_binary64.g", "6acf2baf73d3fabd"},
+  };
+  std::map<std::string, std::string> found;
+  for (const auto& file : std::filesystem::directory_iterator(CATENA_SOURCE_DIR "/properties/proofs"))
+    if (file.path().extension() == ".g") {
+      std::uint64_t hash = 0xcbf29ce484222325;
+      for (const char c : statement_of(file.path().filename().string()))
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+      found[file.path().filename().string()] = fmt::format("{:016x}", hash);
+    }
+  EXPECT_EQ(found, read);
+}
+
+/// What a script assumes of the errors of sums, another proves: no less is assumed.
+TEST(Proofs, AssumeNoLessThanOthersProve) {
+  struct Link {
+    std::string script, assumed, by, proved;
+  };
+  for (const auto& [script, assumed, by, proved] :
+       {Link{"overlap_binary32.g", "|eq|<=", "overlap_binary32.g", "|q-/Q|<="},
+        Link{"overlap_binary32.g", "|eq|<=", "overlap_binary32.g", "|q_fused-/Q|<="},
+        Link{"overlap_binary32.g", "|et|<=", "overlap_binary32.g", "|t-/T|<="},
+        Link{"overlap_binary64.g", "|eq|<=", "overlap_binary64.g", "|q-/Q|<="},
+        Link{"overlap_binary64.g", "|eq|<=", "overlap_binary64.g", "|q_fused-/Q|<="},
+        Link{"overlap_binary64.g", "|et|<=", "overlap_binary64.g", "|t-/T|<="},
+        Link{"parent_binary32.g", "|eq|<=", "overlap_binary32.g", "|q-/Q|<="},
+        Link{"parent_binary64.g", "|eq|<=", "overlap_binary64.g", "|q-/Q|<="},
+        Link{"capsule_binary32.g", "|d1|<=", "dot_binary32.g", "|q-/Q|<="},
+        Link{"capsule_binary32.g", "|d2|<=", "dot_binary32.g", "|q_fused-/Q|<="},
+        Link{"block_capsule_binary32.g", "|d1|<=", "dot_binary32.g", "|q-/Q|<="}}) {
+    const auto bound = [](const std::string& of, const std::string& name) {
+      const std::string text = statement_of(of);
+      const auto at = text.find(name);
+      EXPECT_NE(at, std::string::npos) << of << " has no " << name;
+      return at == std::string::npos ? 0.0 : std::stod(text.substr(at + name.size()));
+    };
+    EXPECT_GT(bound(by, proved), 0) << by;
+    EXPECT_GE(bound(script, assumed), bound(by, proved))
+        << script << ": " << assumed << ", " << by << ": " << proved;
+  }
+}
 
 TEST(Proofs, AreAboutTheConstantsOfTheCode) {
   const std::string code = text_of("core/arithmetic/robust.h");

@@ -80,6 +80,89 @@ class Brute(unittest.TestCase):
         self.assertEqual(self.verdict([60] * 6), claims.FAILS)
 
 
+class Undecided(unittest.TestCase):
+    """A verdict takes intervals that lie on one side: samples made by hand, whose median alone would say more."""
+
+    def judge(self, key, times):
+        """Of {(path, n, variant, stage): milliseconds}."""
+        value = made.run(repetitions=1)
+        value["catena"]["variants"]["CPU1"] = made.described("CPU1")
+        value["benchmarks"] = [
+            {"name": f"{path}/n:{n}/{variant}/{stage}", "run_type": "iteration", "real_time": t, "time_unit": "ms"}
+            for (path, n, variant, stage), several in times.items()
+            for t in several
+        ]
+        return judged(key, value)
+
+    def halved(self, factors):
+        """GPUv2 and GPU2 at as many sizes, this factor apart."""
+        return {
+            ("path1", 1000 * (at + 1), variant, "find"): [factor if "v2" in variant else 1.0] * 6
+            for at, factor in enumerate(factors)
+            for variant in ("aGPU2+GPU2", "aGPU2+GPUv2")
+        }
+
+    def test_half_is_all_of_the_interval(self):
+        for factors, verdict in (
+            ((0.50, 0.51, 0.49), claims.HOLDS),
+            ((0.62, 0.61, 0.60), claims.FAILS),
+            ((0.40, 0.50, 0.60), claims.UNTESTED),  # 0.49, but its interval reaches past 0.55
+            ((0.45, 0.60, 0.75), claims.UNTESTED),  # 0.59, likewise
+            ((0.50,), claims.UNTESTED),
+        ):
+            self.assertEqual(self.judge("half", self.halved(factors)).verdict, verdict, factors)
+
+    def race(self, *pairs):
+        return {
+            ("path1", 20000 + 1000 * at, variant, "build"): times
+            for at, pair in enumerate(pairs)
+            for variant, times in zip(("aGPU2+GPU2", "aCPU2+CPU2"), pair)
+        }
+
+    def test_quicker_at_every_size(self):
+        one, two, either = [1.0, 1.1] * 3, [2.0, 2.1] * 3, [0.5, 4.0] * 3
+        for pairs, verdict in (
+            (((one, two),), claims.HOLDS),
+            (((one, two), (two, one)), claims.FAILS),
+            (((one, two), (either, two)), claims.UNTESTED),
+            (((either, two), (two, one)), claims.FAILS),
+        ):
+            self.assertEqual(self.judge("build-20000", self.race(*pairs)).verdict, verdict)
+
+    def growing(self, **exponents):
+        return {
+            (path, n, "aCPU2+CPU2", "build"): [n**exponent * 1e-4 * (1 + wave * (-1) ** at)] * 6
+            for path, (exponent, wave) in exponents.items()
+            for at, n in enumerate(made.SIZES)
+        }
+
+    def test_a_law_holds_on_both_paths_or_does_not(self):
+        flat, steep, open_ = (1, 0), (2, 0), (1, 0.6)
+        for exponents, verdict in (
+            ({"path1": flat, "path2": flat}, claims.HOLDS),
+            ({"path1": flat, "path2": steep}, claims.FAILS),
+            ({"path1": open_, "path2": steep}, claims.FAILS),
+            ({"path1": flat, "path2": open_}, claims.UNTESTED),
+            ({"path2": steep}, claims.FAILS),
+        ):
+            self.assertEqual(self.judge("growth-aCPU2-nlogn", self.growing(**exponents)).verdict, verdict, exponents)
+
+    def test_the_slowest_is_slower_beyond_the_intervals(self):
+        others = {("path1", 1000, variant, "find"): [1.0] * 6 for variant in ("aCPU2+CPU2", "aGPU2+GPU2", "aGPU2+GPUv2")}
+        for times, verdict in (([1.5, 1.6] * 3, claims.HOLDS), ([0.5, 2.0, 2.0] * 2, claims.FAILS), ([0.5] * 6, claims.FAILS)):
+            found = self.judge("gpu1-slowest", {**others, ("path1", 1000, "GPU1", "find"): times})
+            self.assertEqual(found.verdict, verdict, times)
+
+    def test_1500_ms_are_the_lower_end(self):
+        for times, verdict in (([1500] * 6, claims.HOLDS), ([1490, 1600, 1600] * 2, claims.FAILS)):
+            self.assertEqual(self.judge("cpu1-slow", {("path1", 10000, "CPU1", "find"): times}).verdict, verdict)
+
+    def test_pairs_are_missed_by_whatever(self):
+        value = made.run(repetitions=1)
+        value["catena"]["examine"] += [{**value["catena"]["examine"][0], "input": "b", "missing": 5, "lost_by_tree": 1}]
+        self.assertIn("2 chains of 2 have such parents, and 7 pairs in all are missed", judged("encloses", value).evidence)
+
+
 class Committed(unittest.TestCase):
     def test_the_stored_verdicts_are_those_of_the_stored_runs(self):
         runs = [runfile.load(RESULTS / name) for name in ("h200_tables.json", "h200_quick.json.gz")]
@@ -102,6 +185,10 @@ class Committed(unittest.TestCase):
         self.assertEqual(len(marked), len(stored))
         self.assertTrue(any("GPU1 is the slowest" in row[0] for row in marked))
         self.assertTrue(all(row[3] != claims.UNTESTED for row in rows))
+        places = [(row[2].startswith("NVIDIA H200, committed"), row[3] == claims.HOLDS) for row in rows]
+        self.assertEqual(places, sorted(places))  # this page's first, and of each what does not hold
+        self.assertEqual(len(set(places)), 4)
+        self.assertEqual([block.folded for block in blocks if hasattr(block, "folded")], [False, True, True])
         self.assertIn("not measured here", blocks[0].text)
         self.assertTrue(blocks[2].folded)
         self.assertIn("that no run of this page can test", blocks[2].text)

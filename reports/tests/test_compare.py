@@ -162,9 +162,25 @@ class Counts(unittest.TestCase):
         code, out, _ = compared(made.run(), new)
         self.assertEqual(code, 1)
         self.assertIn("more work, by count: path2/n:1000/aCPU2+CPU2/literal: missing 0 -> 1", out)
+        old = made.run()
+        for run, times in ((old, 1.0), (new, 0.5)):  # no saving of work pays for it
+            run["catena"]["counts"].append(
+                {"input": "path2/n:1000", "variant": "aCPU2+CPU2/literal", "pair_tests": 10_000 * times}
+            )
+        code, out, _ = compared(old, new)
+        self.assertEqual(code, 1)
+        self.assertIn("aCPU2+CPU2/literal: missing 0 -> 1", out)
 
 
 class BadInput(unittest.TestCase):
+    def test_a_ratio_that_is_none_is_refused(self):
+        for ratio in ("1", "0.9", "-2", "nan"):
+            err = io.StringIO()
+            with contextlib.redirect_stderr(err), self.assertRaises(SystemExit) as ended:
+                command.main(["--compare", "a", "b", "--least-ratio=" + ratio])
+            self.assertEqual(ended.exception.code, 2)
+            self.assertIn("give a ratio above 1", err.getvalue())
+
     def line(self, *arguments):
         err = io.StringIO()
         with contextlib.redirect_stderr(err), contextlib.redirect_stdout(io.StringIO()):

@@ -2,9 +2,10 @@
 import unittest
 
 import made
+import matplotlib.colors
 from catena_report import runfile, statistics, style, variant, words
 from catena_report.drawn import interactive, static
-from catena_report.figure import Axis, Figure, Heat, Panel, Series
+from catena_report.figure import Axis, Figure, Heat, Line, Panel, Series
 from catena_report.style import Look
 
 
@@ -71,6 +72,131 @@ class Covered(unittest.TestCase):
 
     def test_not_those_that_are_hidden(self):
         self.assertEqual(self.drawn(shown=False)[0], ["<b>a</b><br>also here: b", "<b>a</b>"])
+
+
+class Drawn(unittest.TestCase):
+    """What is drawn, by matplotlib and for plotly, is what the figure holds: points, the bars around them, cells."""
+
+    def figure(self, across, log=True):
+        return Figure(
+            "k", "", "",
+            [
+                Panel(
+                    "p",
+                    Axis("x", log=log),
+                    Axis("y", log=log),
+                    [
+                        Series("a", [1, 10, 100], [2, 3, 5], Look("c0"), low=[0.5, 1, 4], high=[3, 30, 300], across=across,
+                               chains=[{"input": str(k)} for k in range(3)], hover=["h0", "h1", "h2"]),
+                        Series("b", [2, 20], [7, 1], Look("c1", "square", "dot", True), shown=False),
+                    ],
+                ),
+                Panel("q", Axis("x"), Axis("y"), [Series("b", [2], [7], Look("c1", "square", "dot", True), line=False)]),
+            ],
+        )  # fmt: skip
+
+    def test_matplotlib_has_points_and_bars(self):
+        for across in (False, True):
+            first, second = static.draw(self.figure(across)).axes
+            found = {line.get_gid(): line for line in first.lines}
+            self.assertEqual(set(found), {"series-0-0"})  # b waits in the legend
+            (drawn,) = found.values()
+            self.assertEqual((list(drawn.get_xdata()), list(drawn.get_ydata())), ([1, 10, 100], [2, 3, 5]))
+            (bars,) = [c for c in first.collections if c.get_gid() == "series-0-0-spread"]
+            ends = [segment[:, 0 if across else 1].tolist() for segment in bars.get_segments()]
+            centre = [1, 10, 100] if across else [2, 3, 5]
+            for (low, high), middle, low_end, high_end in zip(ends, centre, (0.5, 1, 4), (3, 30, 300)):
+                self.assertAlmostEqual(low, min(low_end, middle))
+                self.assertAlmostEqual(high, max(high_end, middle))
+            self.assertEqual((first.get_xscale(), second.get_xscale()), ("log", "linear"))
+
+    def test_plotly_has_points_and_bars(self):
+        for across in (False, True):
+            described = interactive.describe(self.figure(across))
+            first, second = described["panels"]
+            a, b = first["data"]
+            self.assertEqual((a["x"], a["y"], a["text"]), ([1, 10, 100], [2, 3, 5], ["h0", "h1", "h2"]))
+            self.assertEqual([a["visible"], b["visible"], second["data"][0]["visible"]], [True, "legendonly", True])
+            self.assertEqual([chain["input"] for chain in a["customdata"]], ["0", "1", "2"])
+            bars, centre = (a["error_x"], a["x"]) if across else (a["error_y"], a["y"])
+            self.assertEqual({"error_x", "error_y"} & set(a), {"error_x" if across else "error_y"})
+            for middle, up, down, low, high in zip(centre, bars["array"], bars["arrayminus"], (0.5, 1, 4), (3, 30, 300)):
+                self.assertEqual((middle - down, middle + up), (min(low, middle), max(high, middle)))
+            axes = [panel["layout"][axis]["type"] for panel in (first, second) for axis in ("xaxis", "yaxis")]
+            self.assertEqual(axes, ["log", "log", "linear", "linear"])
+
+    def test_marks_lie_where_they_are_and_axes_reach_as_far_as_asked(self):
+        lines = [Line(2.0), Line(3.0, across=True), Line(4.0, to=6.0)]
+        series = [Series("a", [1, 10], [2, 10], Look("c0", "square", "solid", True), labels=["one", ""])]
+        panel = Panel("", Axis("x", range=(0, 20)), Axis("y", log=True, range=(0.1, 1000)), series, lines=lines)
+        rows = Panel("", Axis("x"), Axis("", categories=["top", "mid", "low"]), [Series("a", [5], [0], Look("c0"))])
+        figure = Figure("k", "", "", [panel, rows])
+        ax, other = static.draw(figure).axes
+        drawn = [[list(line.get_xdata()), list(line.get_ydata())] for line in ax.lines if line.get_gid() is None]
+        self.assertEqual(drawn, [[[2.0, 2.0], [0, 1]], [[0, 1], [3.0, 3.0]]])
+        self.assertEqual((ax.get_xlim(), ax.get_ylim()), ((0, 20), (0.1, 1000)))
+        top, bottom = other.get_ylim()
+        self.assertGreater(top, bottom)  # the first row is at the top
+        (points,) = [line for line in ax.lines if line.get_gid()]
+        self.assertEqual(matplotlib.colors.to_hex(points.get_markerfacecolor()), style.LIGHT["paper"])
+        (said,) = [text for text in ax.texts if text.get_text() == "one"]
+        self.assertEqual(said.xy, (1, 2))
+
+        layout, of_rows = (one["layout"] for one in interactive.describe(figure)["panels"])
+        marks = [[shape[key] for key in ("type", "x0", "x1", "y0", "y1")] for shape in layout["shapes"]]
+        self.assertEqual(marks, [["line", 2.0, 2.0, 0, 1], ["line", 0, 1, 3.0, 3.0], ["rect", 4.0, 6.0, 0, 1]])
+        self.assertEqual([(shape.get("xref"), shape.get("yref")) for shape in layout["shapes"]],
+                         [(None, "paper"), ("paper", None), (None, "paper")])
+        self.assertEqual((layout["xaxis"]["range"], layout["yaxis"]["range"]), ([0, 20], [-1, 3]))
+        self.assertEqual(of_rows["yaxis"]["range"], [2.5, -0.5])
+        self.assertEqual(interactive.describe(figure)["panels"][0]["data"][0]["marker"]["symbol"], "square-open")
+        self.assertEqual(interactive.describe(figure)["panels"][1]["data"][0]["marker"]["symbol"], "circle")
+
+    def test_the_legend_has_each_name_once_shown_where_it_is_anywhere(self):
+        figure = self.figure(False)
+        self.assertEqual({name: shown for name, (_, shown) in figure.legend().items()}, {"a": True, "b": True})
+        figure.panels.pop()
+        self.assertEqual({name: shown for name, (_, shown) in figure.legend().items()}, {"a": True, "b": False})
+        entries = {entry["name"]: entry for entry in interactive.describe(figure)["legend"]}
+        self.assertEqual([entries[n]["shown"] for n in "ab"], [True, False])
+        b = entries["b"]
+        self.assertEqual([b[key] for key in ("colour", "marker", "dash", "hollow")], ["c1", "square", "dot", True])
+
+    def test_every_cell_has_the_colour_of_its_category(self):
+        values = [[0, 0, 1, None, 0], [2, 2, 2, 2, 2], [None, 1, 0, 1, 1], [None] * 5]
+        categories = [("good", "good"), ("bad", "bad"), ("open", "warn")]
+        heat = Heat(values, categories, [[""] * 5] * 4)
+        panel = Panel("", Axis("", categories=list("abcde")), Axis("", categories=list("uvwx")), heat=heat)
+        (ax,) = static.draw(Figure("k", "", "", [panel])).axes
+        colours = [matplotlib.colors.to_hex(style.LIGHT[colour]) for _, colour in categories]
+        for row, cells in enumerate(values):
+            for column, value in enumerate(cells):
+                at = [
+                    colours.index(matplotlib.colors.to_hex(patch.get_facecolor()))
+                    for patch in ax.patches
+                    if any(inside(polygon, column, row) for polygon in patch.get_path().to_polygons())
+                ]
+                self.assertEqual(at, [] if value is None else [value], (row, column))
+        (trace,) = interactive.describe(Figure("k", "", "", [panel]))["panels"][0]["data"]
+        self.assertEqual(trace["z"], values)
+        span = trace["zmax"] - trace["zmin"]
+        for value, (_, colour) in enumerate(categories):
+            place = (value - trace["zmin"]) / span
+            ends = [at for at, name in trace["colorscale"] if name == f"var(--{colour})"]
+            self.assertTrue(min(ends) < place < max(ends))
+
+    def test_a_tick_is_as_large_as_it_says(self):
+        units = {"G": 1e9, "M": 1e6, "k": 1e3}
+        for power in range(-8, 12):
+            for digit in (1, 2, 5):
+                text = static.short(digit * 10.0**power)
+                value = float(text[:-1]) * units[text[-1]] if text[-1] in units else float(text)
+                if digit == 1 or power >= -4:  # below, ticks are at powers alone
+                    self.assertAlmostEqual(value / (digit * 10.0**power), 1)
+
+
+def inside(polygon, x, y):
+    return polygon[:, 0].min() < x < polygon[:, 0].max() and polygon[:, 1].min() < y < polygon[:, 1].max()
 
 
 class Alternative(unittest.TestCase):

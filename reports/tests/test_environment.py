@@ -53,6 +53,41 @@ class Environment(unittest.TestCase):
         stopping = self.value["catena"]["stopping"]
         self.assertIn(f"{stopping['narrow']} of {stopping['cases']} cases became that narrow", self.shown.prose)
 
+    def test_how_narrow_it_became_and_what_was_not_reached(self):
+        value = made.run()
+        value["catena"]["stopping"] |= {"share": 0.05, "narrow": 1, "cases": 7, "not_reached": ["a", "b"]}
+        prose = pages.shown(value).prose
+        self.assertIn("was within 5 % of the median, at most 9 times and 90 s in all", prose)
+        self.assertIn("1 of 7 cases became that narrow, 2 were not reached", prose)
+
+    def test_false_alarms_are_a_share_of_the_cases_with_enough_samples(self):
+        value = made.run(repetitions=8)
+        for row in value["benchmarks"]:  # all of one variant's differ from one sample to the next, two have too few
+            if "/GPU1/" in row["name"]:
+                row["real_time"] *= 1 + row["repetition_index"] % 2
+        value["benchmarks"] = [
+            row for row in value["benchmarks"]
+            if not ("/aCPU2+Dual/" in row["name"] and row.get("repetition_index", 0) > 5)
+        ]
+        told = re.search(r"samples of each of ([\d,]+) cases \(8 or more of each; ([\d,]+) were timed\).* calls (\d+) of them"
+                         r" \(([\d.]+) %\) different", pages.shown(value).prose)
+        cases, of, alarms = (int(told[k].replace(",", "")) for k in (1, 2, 3))
+        names = {row["name"] for row in value["benchmarks"] if "real_time" in row}
+        self.assertEqual((cases, of), (sum("aCPU2+Dual" not in name for name in names), len(names)))
+        self.assertGreaterEqual(alarms, sum("/GPU1/" in name for name in names))
+        self.assertEqual(told[4], f"{100 * alarms / cases:.1f}")
+
+    def test_sizes_of_caches_and_what_was_built_with_changes(self):
+        value = made.run(repetitions=1)
+        value["context"]["caches"] = [
+            {"type": "Data", "level": 1, "size": 48 * 1024}, {"type": "Unified", "level": 3, "size": 3 * 2**19}
+        ]
+        for commit, changed in (("0123", False), ("0123-dirty", True), ("0123+", True)):
+            value["context"]["commit"] = commit
+            rows = {row[0].text: row[1] for row in pages.shown(value).tables["environment"].rows}
+            self.assertEqual(rows["caches"].text, "L1 data 48 KiB, L3 unified 1.5 MiB")
+            self.assertEqual((rows["commit"].kind, bool(rows["commit"].hint)), ("bad", True) if changed else ("", False))
+
     def test_what_was_taken_out_is_said(self):
         value = made.run()
         value["catena"]["removed"] = ["auto/find: timed from memory"]

@@ -1,7 +1,9 @@
 """The gate's promises on quick runs drawn from the stored one: silence where nothing changed, and what it
 must see. 200 pairs with CATENA_LONG set (ctest -L long), a few otherwise.
 """
+import dataclasses
 import itertools
+import math
 import os
 import unittest
 
@@ -110,6 +112,16 @@ class Promises(unittest.TestCase):
         for factor, seen in ((1.3, False), (1.7, True), (1000, True)):  # without a kernel
             found = alarms(samples.slower(cases, factor, lambda case: True))
             self.assertEqual([part.place for part in found], [paired.DEVICE, paired.HOST, paired.THREADS] * seen)
+
+    def test_what_the_kernel_took_longer_too_is_the_machines(self):
+        cases = samples.unchanged(samples.generator(3))
+        beside = lambda kernel: [  # noqa: E731
+            dataclasses.replace(case, calibrated=True, kernel=math.log(kernel), change=case.change + math.log(1.5))
+            for case in cases
+        ]
+        self.assertEqual(alarms(beside(1.45)), [])
+        found = [part.place for part in alarms(beside(1.0))]
+        self.assertEqual(found, [paired.DEVICE, paired.HOST, paired.THREADS])
 
     def test_a_change_of_few_families_does_not_hide_in_the_machine(self):
         cases = [case for case in samples.unchanged(samples.generator(2)) if case.variant == "aCPU2+CPU2"]

@@ -43,6 +43,32 @@ class Verdicts(unittest.TestCase):
         self.assertEqual({fault for _, _, fault in motion.faults(run, run.list("motion"))}, {False})
         self.assertIn("no verdict", " ".join(motion._verdicts(run, run.list("motion")).points))
 
+    def test_a_start_fails_by_slipping_and_by_diverging(self):
+        outcomes = ["holds"] * 5 + ["slipped"] * 2 + ["diverged"]
+        found = motion.failing({"starts": [{"outcome": outcome} for outcome in outcomes]})
+        self.assertEqual(found, statistics.share(3, 8))
+
+    def test_what_was_missed_and_invented_is_summed_over_the_starts(self):
+        for line in self.lines:
+            for start in line["starts"]:
+                start.update(missed=3, invented=5, contacts=7)
+        starts = len(self.lines[0]["starts"])
+        said = " ".join(motion._verdicts(of(self.value), of(self.value).list("motion")).points)
+        self.assertIn(f"It missed {3 * starts:,} and invented {5 * starts:,} of {7 * starts:,} contacts", said)
+
+    def test_a_rope_that_diverged_does_not_hold(self):
+        for line, outcome in zip(self.lines, ("holds", "slipped", "diverged", "holds", "diverged", "holds")):
+            line["outcome"] = outcome
+        run = of(self.value)
+        figure = motion._outcomes(report.Report([run]), run, run.list("motion"))
+        self.assertIn("The rope holds in 3 of 6 first starts of motions", figure.title)
+
+    def test_an_arithmetic_is_held_against_the_exact_one_of_the_same_place(self):
+        for line in self.lines:
+            if "/" not in line["variant"]:
+                line["offset"] = 1e7
+        self.assertEqual(motion.faults(of(self.value), of(self.value).list("motion")), [])
+
     def test_one_start_says_nothing(self):
         for line in self.lines:
             del line["starts"]

@@ -39,6 +39,12 @@ class WithoutThree(unittest.TestCase):
 
 @unittest.skipIf(viewer.missing(), viewer.missing())
 class Fragment(unittest.TestCase):
+    def test_of_a_chain_that_several_runs_hold_the_first_is_shown(self):
+        views = shown_chains.views()
+        later = [{**view, "command": "later"} for view in views]
+        shown = json.loads(script(viewer.render(views + later), "catena-views"))
+        self.assertEqual(shown, json.loads(json.dumps(views)))
+
     def test_without_views_there_is_none(self):
         self.assertEqual("", viewer.render([]))
 

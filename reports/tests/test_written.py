@@ -1,4 +1,7 @@
 """Files are written whole or not at all, and what cannot be written is said."""
+import contextlib
+import csv
+import io
 import os
 import pathlib
 import subprocess
@@ -8,7 +11,9 @@ import unittest
 import unittest.mock
 
 import made
-from catena_report import page, whole_file
+import pages
+from catena_report import __main__ as command
+from catena_report import page, table, whole_file
 
 
 class Written(unittest.TestCase):
@@ -25,6 +30,13 @@ class Written(unittest.TestCase):
             self.assertTrue((folder / "link").is_symlink())
             self.assertEqual({file.name for file in folder.iterdir()}, {"a", "link"})
 
+    def test_a_table_keeps_every_digit_of_what_it_shows_in_few(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.csv"
+            table.Table("a", "", "", ["x", "y"], [["word, quoted", table.Cell("0.333", 1 / 3)]]).write_csv(path)
+            with open(path, newline="") as file:
+                self.assertEqual(list(csv.reader(file)), [["x", "y"], ["word, quoted", str(1 / 3)]])
+
     def test_what_is_no_regular_file_is_written_through(self):
         with tempfile.TemporaryDirectory() as folder:
             full = pathlib.Path(folder) / "full"
@@ -32,6 +44,33 @@ class Written(unittest.TestCase):
             with self.assertRaises(OSError):
                 whole_file.write(full, "text")
             self.assertTrue(full.is_symlink())
+
+    def test_a_reader_that_left_is_no_news(self):
+        read, write = os.pipe()
+        os.close(read)
+        done = subprocess.run(
+            [sys.executable, "-m", "catena_report", "--compare", made.H200, made.H200],
+            env={**os.environ, "PYTHONPATH": str(pathlib.Path(page.__file__).parents[1])},
+            stdout=write, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+        os.close(write)
+        self.assertEqual((done.returncode, done.stderr), (2, ""))
+
+    def test_a_page_too_large_for_a_browser_is_said(self):
+        with tempfile.TemporaryDirectory() as folder, pages.without_figures():
+            run = str(made.write(folder, made.run(repetitions=1)))
+
+            def told(limit):
+                err = io.StringIO()
+                with unittest.mock.patch("catena_report.page.LIMIT", limit), contextlib.redirect_stderr(err):
+                    with contextlib.redirect_stdout(io.StringIO()):
+                        self.assertEqual(command.main(["--output", folder + "/page", run]), 0)
+                return err.getvalue()
+
+            self.assertEqual(told(page.LIMIT), "")
+            size = (pathlib.Path(folder) / "page" / "index.html").stat().st_size
+            self.assertEqual(told(size), "")
+            self.assertIn("larger than", told(size - 1))
 
     def test_a_full_disk_under_the_output_is_said(self):
         with open("/dev/full", "w") as full:

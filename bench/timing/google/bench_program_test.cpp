@@ -27,6 +27,8 @@ TEST_F(BenchProgram, WritesARunFileThatDescribesItsVariants) {
             to_json(StrategyRegistry::instance().describe("aCPU2+Dual")));
   EXPECT_TRUE(run["context"].contains("commit"));
 
+  EXPECT_EQ(measure("--nonsense=1"), 2);
+
   // Spreads of what is always 0 are no numbers.
   ASSERT_EQ(measure("--benchmark_repetitions=2 --benchmark_out='" + file("spread.json") + "'"), 0);
   const std::string spread = text_of(file("spread.json"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 
 #include "catena/bench/timing/times_told.h"
 #include "catena/core/error.h"
@@ -55,6 +56,8 @@ TEST_F(RoundsTest, TakeOneSampleOfEveryCaseInAFreshRandomOrder) {
   EXPECT_EQ(result.narrow, 0u);
   ASSERT_EQ(result.benchmarks.size(), 7 * all.size());
 
+  std::map<std::string, std::uint64_t> pairs_of;  // by SCENE/n:N
+  for (const Case& c : all) pairs_of[c.facts.label] = workload(c.spec)->exact.front().pair_count;
   std::set<std::vector<std::string>> orders;
   for (std::size_t round = 0; round < 7; ++round) {
     std::set<std::string> names;
@@ -65,6 +68,8 @@ TEST_F(RoundsTest, TakeOneSampleOfEveryCaseInAFreshRandomOrder) {
       EXPECT_EQ(row["repetitions"], 7);
       EXPECT_EQ(row["run_type"], "iteration");
       EXPECT_GT(row["real_time"].get<double>(), 0) << row["name"];
+      EXPECT_LE(row["least_ms"].get<double>(), row["real_time"].get<double>() * (1 + 1e-9)) << row["name"];
+      EXPECT_EQ(row["pairs"], pairs_of.at(unit_of(row).substr(0, unit_of(row).find('/', 7)))) << row["name"];
       names.insert(row["name"]);
       if (order.empty() || order.back() != unit_of(row)) order.push_back(unit_of(row));
     }
@@ -130,6 +135,61 @@ TEST_F(RoundsTest, AVariantThatThrowsIsAtFaultAlsoAfterAnInterruption) {
   EXPECT_EQ(measure_in_rounds(all, stopping, {}, result.benchmarks).faults, result.faults);
 }
 
+/// What a rounded variant gets wrong stands beside its times; an exact one has no such column.
+TEST_F(RoundsTest, TellWhatARoundedVariantGetsWrong) {
+  const auto all = cases({{"grazing:n=400,margin=1e-8"}, {"far:n=500,exponent=24"}},
+                         named({"aCPU2+CPU2", "aCPU2+CPU2/literal"}));
+  const auto result = measured(all, {.seconds = 60, .share = 0, .most_samples = 1, .least_ms = 0.01});
+  if (result.benchmarks.is_null()) GTEST_SKIP() << "without Google Benchmark";
+  ASSERT_EQ(result.benchmarks.size(), all.size());
+  for (const auto& row : result.benchmarks) {
+    const std::string name = row["name"];
+    const bool rounded = name.find("/literal/") != std::string::npos, grazing = name.starts_with("grazing");
+    EXPECT_EQ(row.contains("missing"), rounded) << name;
+    EXPECT_EQ(row.contains("invented"), rounded) << name;
+    if (!rounded) continue;
+    EXPECT_EQ(row["missing"] > 0, !grazing) << name;
+    EXPECT_EQ(row["invented"] > 0, grazing) << name;
+  }
+}
+
+TEST_F(RoundsTest, GoOnAfterAnInterruptionWhereTheyWere) {
+  auto all = cases({{"path1:n=2000"}}, named({"aCPU2+Dual", "bGPU2@host+CPU2"}));
+  Stopping stopping{.seconds = 60, .share = 0, .most_samples = 2, .least_ms = 0.01};
+  auto before = measured(all, stopping);
+  if (before.benchmarks.is_null()) GTEST_SKIP() << "without Google Benchmark";
+  for (auto& row : before.benchmarks)
+    if (row.contains("iterations")) row["iterations"] = 3;  // on a quicker machine it may have been more
+  stopping.most_samples = 5;
+  const auto after = measure_in_rounds(all, stopping, {}, before.benchmarks);
+  EXPECT_EQ(after.rounds, 5u);
+  EXPECT_TRUE(after.not_reached.empty());
+  for (const Case& c : all) {
+    std::set<std::int64_t> iterations;
+    std::vector<double> times, earlier;
+    std::size_t refused = 0;
+    for (const auto& row : after.benchmarks) {
+      if (row["name"] != c.name() + "/manual_time") continue;
+      if (row.value("error_occurred", false)) {
+        ++refused;
+        continue;
+      }
+      EXPECT_EQ(row["repetition_index"], times.size());
+      EXPECT_EQ(row["repetitions"], 5);
+      times.push_back(row["real_time"]);
+      iterations.insert(row["iterations"].get<std::int64_t>());
+    }
+    for (const auto& row : before.benchmarks)
+      if (row["name"] == c.name() + "/manual_time" && !row.value("error_occurred", false))
+        earlier.push_back(row["real_time"]);
+    const bool answers = c.variant.name == "aCPU2+Dual";
+    EXPECT_EQ(times.size(), answers ? 5u : 0u) << c.name();
+    EXPECT_EQ(refused, answers ? 0u : 1u) << c.name() << ": asked again";
+    EXPECT_EQ(iterations, answers ? std::set<std::int64_t>{3} : std::set<std::int64_t>{}) << c.name();
+    EXPECT_TRUE(std::ranges::equal(std::span(times).first(std::min(times.size(), earlier.size())), earlier));
+  }
+}
+
 TEST_F(RoundsTest, ASampleOfAnAnimationGoesThroughEveryFrame) {
   const auto all = cases({{"path1:n=200", true}}, named({"aCPU2+CPU2"}));
   const auto result = measured(all, {.seconds = 60, .most_samples = 2, .least_ms = 0.01});
@@ -159,6 +219,7 @@ TEST_F(RoundsTest, GiveEachStageItsOwnTime) {
       EXPECT_GE(ms, TimesTold::slept_ms);
     } else {
       EXPECT_NEAR(ms, told.at(stage), 1e-6) << name;
+      EXPECT_EQ(row["transfer_ms"], TimesTold::transfer_ms) << name;
     }
   }
   EXPECT_EQ(rows, (std::map<std::string, int>{{"build", 3}, {"update", 3}, {"find", 3}, {"whole", 3}}));

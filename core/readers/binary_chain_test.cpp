@@ -1,0 +1,114 @@
+#include "catena/core/readers/binary_chain.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+
+#include "catena/core/readers/test_file.h"
+#include "catena/core/writers/writer.h"
+#include "catena/properties/generators/family.h"
+
+namespace catena {
+namespace {
+
+std::string bytes_of(const Chain& chain) {
+  const TestFile file("a.catena", "");
+  WriterRegistry::instance()
+      .of(file.path())
+      .write(file.path(), {0, 1, [&](std::uint32_t) { return ExportedFrame{chain}; }, Labels()});
+  std::ifstream in(file.path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+BinaryChain opened(const std::string& bytes) {
+  return BinaryChain("a.catena", bytes.size(), [&bytes](std::uint64_t at, std::span<std::byte> part) {
+    ASSERT_LE(at + part.size(), bytes.size());
+    std::memcpy(part.data(), bytes.data() + at, part.size());
+  });
+}
+
+void for_each_chain(const std::function<void(const Chain&, properties::Dice&)>& body) {
+  std::uint64_t seed = 0;
+  for (const char* family : {"strands", "closed", "arcs", "joints", "rules"})
+    for (int round = 0; round < 8; ++round) {
+      properties::Dice dice(++seed);
+      const Chain chain = generate(properties::FamilyRegistry::instance().family(family), dice, 24);
+      SCOPED_TRACE(std::string(family) + ", seed " + std::to_string(seed));
+      body(chain, dice);
+    }
+}
+
+/// What a rank asks for, by its definition: any sphere's strand, and the extra pairs of any range.
+TEST(BinaryChain, GivesAnyPartOfItsArrays) {
+  std::uint64_t extra = 0, strands = 0;
+  for_each_chain([&](const Chain& chain, properties::Dice& dice) {
+    const std::string bytes = bytes_of(chain);
+    const BinaryChain file = opened(bytes);
+    ASSERT_EQ(file.header().spheres, chain.size());
+    ASSERT_EQ(file.header().strands, chain.strand_count());
+    const auto& first = chain.strands().first;
+    for (std::uint32_t i = 0; i < chain.size(); ++i) {
+      std::uint32_t last = 0;
+      for (std::uint32_t s = 0; s < chain.strand_count(); ++s)
+        if (first[s] <= i) last = s;
+      EXPECT_EQ(file.strand_of(i), last);
+    }
+    for (std::uint32_t s = 0; s < chain.strand_count(); ++s) {
+      EXPECT_EQ(file.strand(s).strand.first, first[s]);
+      EXPECT_EQ(file.strand(s).end, first[s + 1]);
+      EXPECT_EQ(file.strand(s).strand.closed, chain.strands().closed[s]);
+    }
+    const std::uint32_t begin = dice.below(chain.size() + 1),
+                        end = begin + dice.below(chain.size() - begin + 1);
+    std::vector<Pair> mine, found;
+    for (const Pair& pair : chain.exclusion().extra_pairs)
+      if (pair.i >= begin && pair.i < end) mine.push_back(pair);
+    for (const auto& [i, j] : file.pairs(begin, end))
+      found.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+    EXPECT_EQ(found, mine);
+    extra += mine.size(), strands += chain.strand_count() > 2;
+  });
+  EXPECT_GT(extra, 2u);
+  EXPECT_GT(strands, 2u);
+}
+
+/// A reader measures the spheres that are written; those of a moved frame are not the ones that its rule was
+/// measured on.
+TEST(BinaryChain, HoldsTheArcsOfTheSpheresThatItHolds) {
+  int closed = 0;
+  for_each_chain([&](const Chain& drawn, properties::Dice& dice) {
+    const Chain rest({drawn.spheres().begin(), drawn.spheres().end()}, drawn.strands(), Exclusion::arc(1.5));
+    std::vector<Sphere> spheres(rest.spheres().begin(), rest.spheres().end());
+    for (Sphere& s : spheres) s.x = dice.symmetric(), s.y = dice.symmetric();
+    const Chain measured(spheres, rest.strands(), rest.exclusion());
+    const std::string bytes = bytes_of(rest.moved(spheres));
+    const BinaryChain file = opened(bytes);
+    const ExclusionView view = measured.view().exclusion;
+    EXPECT_EQ(file.arcs(0, measured.size()), std::vector<double>(view.arc, view.arc + measured.size()));
+    for (std::uint32_t s = 0; s < measured.strand_count(); ++s) {
+      const bool loop = measured.strands().closed[s] != 0;
+      EXPECT_EQ(file.strand(s).strand.loop_length, loop ? view.loop_length[s] : 0);
+      closed += loop && view.loop_length[s] > 0;
+    }
+  });
+  EXPECT_GT(closed, 5);
+}
+
+TEST(BinaryChain, RefusesAPairThatIsNoneOfItsSpheres) {
+  const Chain chain(std::vector<Sphere>(5), {}, {Exclusion::Rule::index_window, 1, 0, {Pair{1, 3}}});
+  const std::string bytes = bytes_of(chain);
+  const std::size_t at = bytes.size() - sizeof(BinaryChain::Neighbours);
+  for (const BinaryChain::Neighbours pair : {BinaryChain::Neighbours{1, 4}, {1, 1}, {1, 0}, {1, 5}, {5, 6}}) {
+    std::string changed = bytes;
+    std::memcpy(changed.data() + at, &pair, sizeof pair);
+    const auto read = [&] { return opened(changed).pairs(0, 6).size(); };
+    if (pair.i < pair.j && pair.j < 5)
+      EXPECT_EQ(read(), 1u);
+    else
+      EXPECT_THROW(read(), InputError) << pair.i << ' ' << pair.j;
+  }
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,229 @@
+"""The rules behind the advice, on views made by hand or drawn: what is waited for, which variants are alike, which chains
+one variant serves, and what all chains say together. Each is computed a second time by its definition.
+"""
+import copy
+import itertools
+import math
+import statistics as plain
+import unittest
+
+import made
+import numpy
+import pages
+from catena_report import choice, profiles, runfile, statistics, waits
+
+EXACT = ("aCPU2+CPU2", "aCPU2+Dual", "aGPU2+GPU2", "aGPU2+GPUv2")
+ALL = (*EXACT, "aCPU2+CPU2/literal", "FCL")
+
+
+def run_of(densities):
+    """A run that describes ALL, and of each input its density; it timed nothing."""
+    value = {
+        "context": {},
+        "benchmarks": [],
+        "catena": {
+            "variants": {name: made.described(name) for name in ALL},
+            "scenes": [{"input": input_, "density": density} for input_, density in densities.items()],
+        },
+    }
+    return runfile.Run("run.json", value)
+
+
+def drawn(generator):
+    """({input: {variant: samples}}, its run): few levels, so that some variants are alike and some are not."""
+    inputs = [f"{scene}/n:{n}" for n in (1000, 5000, 20000) for scene in ("a", "b", "c")]
+    view = {
+        input_: {
+            name: generator.choice([1.0, 1.0, 1.5, 2.0]) * generator.normal(1, 0.01, 8)
+            for name in ALL
+            if generator.random() < 0.9 or name == EXACT[0]
+        }
+        for input_ in inputs
+    }
+    return view, run_of(dict(zip(inputs, generator.permutation(len(inputs)) / 10)))
+
+
+def mean_ratio(view, inputs, name, other):
+    return plain.geometric_mean(
+        plain.median(view[i][name]) / plain.median(view[i][other]) for i in inputs if name in view[i]
+    )
+
+
+class Advised(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.each = [
+            (view, run, choice.choose(run, view), choice.advise(run, view))
+            for view, run in (drawn(numpy.random.default_rng(seed)) for seed in range(16))
+        ]
+
+    def test_a_choice_is_among_the_exact_and_says_how_much_slower_all_others_are(self):
+        for view, _, choices, _ in self.each:
+            for input_, row in view.items():
+                own = {name: plain.median(times) for name, times in row.items() if name in EXACT}
+                if len(own) < 2:
+                    self.assertNotIn(input_, choices)
+                    continue
+                chosen = choices[input_]
+                self.assertEqual(own[chosen.leader], min(own.values()))
+                self.assertLessEqual(chosen.candidates, set(own))
+                self.assertEqual(set(chosen.slower), set(row) - {chosen.leader})
+                for name, ratio in chosen.slower.items():
+                    self.assertAlmostEqual(ratio.value, plain.median(row[name]) / own[chosen.leader])
+
+    def test_rows_are_as_few_as_can_be_and_each_has_a_variant_for_all_its_chains(self):
+        joined = alike = 0
+        for _, run, choices, advices in self.each:
+            order = sorted(choices, key=lambda name: (runfile.n_of(name), run.density(name)))
+            self.assertEqual([input_ for advice in advices for input_ in advice.inputs], order)
+            shared = [set.intersection(*(choices[i].candidates for i in advice.inputs)) for advice in advices]
+            for advice, candidates in zip(advices, shared):
+                self.assertIn(advice.variant, candidates)
+                joined += len(advice.inputs) > 1
+            for advice, candidates in zip(advices[1:], shared):  # the row before could not have taken it too
+                self.assertFalse(candidates & choices[advice.inputs[0]].candidates)
+            alike += sum(len(chosen.alike) > 0 for chosen in choices.values())
+        self.assertGreater(min(joined, alike), 20)
+
+    def test_of_several_the_least_is_named_and_the_next_is_slower_on_every_chain(self):
+        named = 0
+        for view, _, choices, advices in self.each:
+            for advice in advices:
+                shared = set.intersection(*(choices[i].candidates for i in advice.inputs))
+                least = {name: sum(math.log(plain.median(view[i][name])) for i in advice.inputs) for name in shared}
+                self.assertEqual(least[advice.variant], min(least.values()))
+                everywhere = [
+                    name for name in EXACT
+                    if all(name in view[i] and name not in choices[i].candidates for i in advice.inputs)
+                ]
+                for told, names in (
+                    (advice.next, everywhere),
+                    (advice.papers, {choice.PAPERS} - {advice.variant}),
+                    (advice.peer, {"FCL"}),
+                ):
+                    timed = [name for name in names if any(name in view[i] for i in advice.inputs)]
+                    self.assertEqual(told is not None, bool(timed))
+                    if told:
+                        ratios = {name: mean_ratio(view, advice.inputs, name, advice.variant) for name in timed}
+                        self.assertAlmostEqual(told[1].value, min(ratios.values()))
+                        self.assertAlmostEqual(ratios[told[0]], told[1].value)
+                        named += len(ratios) > 1
+        self.assertGreater(named, 20)
+
+    def test_four_chains_measured_alike_leave_half_of_what_one_leaves_open(self):
+        one = statistics.Interval(2.0, 1.5, 3.0)
+        four = choice.over_chains([one] * 4)
+        self.assertAlmostEqual(four.value, 2)
+        self.assertAlmostEqual(four.low / 2, (1.5 / 2) ** 0.5)
+        self.assertAlmostEqual(four.high / 2, (3 / 2) ** 0.5)
+        self.assertAlmostEqual(choice.over_chains([one]).low, one.low)
+
+
+class Alike(unittest.TestCase):
+    def test_one_or_two_samples_differ_past_a_factor_of_two(self):
+        self.assertEqual(statistics.best({"a": [1.0], "b": [1.9], "c": [2.1]}), ("a", ["b"]))
+        self.assertEqual(statistics.best({"a": [1.0, 1.0, 1.0], "b": [1.1, 1.2, 1.3]}), ("a", []))
+
+    def test_ranges_decide_where_the_test_cannot_for_all_others_at_once(self):
+        """Four against four reach 2 / 70: enough for one other, and by Holm's correction too little for two."""
+        a, b, c = [1, 2, 3, 4], [5, 6, 7, 8], [6, 7, 8, 9]
+        self.assertLess(statistics.least_p(4, 4), 0.05)
+        self.assertGreater(2 * statistics.least_p(4, 4), 0.05)
+        self.assertEqual(statistics.best({"a": a, "b": b, "c": c}), ("a", []))
+        self.assertEqual(statistics.best({"a": a, "b": [3.5, *b[1:]], "c": c}), ("a", ["b"]))
+
+    def test_the_ends_of_a_ratio_come_from_opposite_ends(self):
+        """Six samples, whose intervals are their ranges: three factors of 2 and one of 8, so that no two may be taken for
+        one another.
+        """
+        for power in itertools.permutations((1, 1, 1, 3)):
+            new_low, new_high, old_low, old_high = (2.0**p for p in power)
+            new = [4 / new_low, 4, 4, 4, 4, 4 * new_high]
+            old = [2 / old_low, 2, 2, 2, 2, 2 * old_high]
+            found = statistics.ratio(new, old)
+            self.assertAlmostEqual(found.low, 2 / math.exp(math.hypot(math.log(new_low), math.log(old_high))))
+            self.assertAlmostEqual(found.high, 2 * math.exp(math.hypot(math.log(new_high), math.log(old_low))))
+
+    def test_a_law_takes_four_sizes_and_not_four_points(self):
+        self.assertIsNone(statistics.exponent([10, 10, 20, 20, 30], [1, 1, 2, 2, 3]))
+
+
+class Waits(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.value = made.run(repetitions=2)
+
+    def of(self, keep, *more):
+        value = {**self.value, "benchmarks": [row for row in self.value["benchmarks"] if keep(row["name"])]}
+        value["catena"] = {**value["catena"], "variants": {**value["catena"]["variants"]}}
+        for variant in more:
+            value["catena"]["variants"][variant] = made.described(variant)
+        return value
+
+    def test_a_variant_of_two_stages_is_no_call_by_one_of_them(self):
+        value = self.of(lambda name: "/whole" not in name and not ("/aCPU2+Dual/build" in name))
+        self.assertEqual(set(waits.end_to_end(pages.of(value))["path1/n:1000"]), {"aCPU2+CPU2"})
+
+    def test_only_what_is_all_on_the_device_can_stay_there(self):
+        value = self.of(lambda name: True, "aCPU2+GPU2")
+        rows = [row for row in value["benchmarks"] if "/aCPU2+CPU2/" in row["name"] and "literal" not in row["name"]]
+        value["benchmarks"] += [{**row, "name": row["name"].replace("aCPU2+CPU2", "aCPU2+GPU2")} for row in rows]
+        run = pages.of(value)
+        self.assertIn("aCPU2+GPU2", waits.end_to_end(run)["path1/n:1000"])
+        self.assertEqual(set(waits.resident(run)["path1/n:1000"]), {"aGPU2+GPU2", "aGPU2+GPUv2", "GPU1"})
+
+    def test_a_search_that_stays_on_the_device_is_what_was_timed_as_such(self):
+        value = self.of(lambda name: True)
+        value["benchmarks"] += [
+            {**row, "name": row["name"].replace("/find/", "/resident/"), "real_time": 7e6}
+            for row in value["benchmarks"]
+            if "/n:1000/aGPU2+GPU2/find" in row["name"]
+        ]
+        found = waits.resident(pages.of(value))["path1/n:1000"]
+        self.assertEqual(set(found["aGPU2+GPU2"]), {7.0})
+        self.assertNotIn(7.0, found["aGPU2+GPUv2"])
+
+    def test_a_way_up_that_update_has_already_is_not_taken_off(self):
+        value = copy.deepcopy(self.of(lambda name: "/n:1000/aGPU2" in name))
+        still = waits.moving(pages.of(value))["path1/n:1000"]["aGPU2+GPU2"]
+        for row in value["benchmarks"]:
+            row["transfer_ms"] = {"build": 8.0, "find": 1.0}.get(row["name"].split("/")[-2], 0.0)
+        numpy.testing.assert_allclose(waits.moving(pages.of(value))["path1/n:1000"]["aGPU2+GPU2"], still)
+
+
+class Together(unittest.TestCase):
+    """All chains: some variant was not timed on some."""
+
+    @classmethod
+    def setUpClass(cls):
+        value = made.run(repetitions=3)
+        missing = ("path1/n:1000/aGPU2+GPUv2/", "path2/n:1000/aGPU2+GPUv2/", "path1/n:1000/GPU1/")
+        value["benchmarks"] = [row for row in value["benchmarks"] if not row["name"].startswith(missing)]
+        for row in value["benchmarks"]:  # quick, so that only its missing chains keep it from being the first
+            row["real_time"] = row.get("real_time", 0) * (0.1 if "/aGPU2+GPUv2/" in row["name"] else 1)
+        cls.run_ = pages.of(value)
+        cls.found = profiles.slowdowns(cls.run_)
+
+    def test_those_timed_on_every_chain_come_first_each_by_its_mean(self):
+        order = [(-len(slow.ratios), slow.mean.value) for slow in self.found.values()]
+        self.assertEqual(order, sorted(order))
+        self.assertEqual([len(slow.ratios) for slow in self.found.values()], [8, 8, 8, 7, 6])
+        self.assertEqual({slow.chains for slow in self.found.values()}, {8})
+
+    def test_a_chain_that_was_not_timed_is_never_reached(self):
+        for slow in self.found.values():
+            curve = profiles.profile(slow)
+            self.assertEqual([tau for tau, _ in curve], sorted(slow.ratios.values()))
+            for tau, share in dict(curve).items():  # of equal ones the last
+                self.assertAlmostEqual(share, sum(ratio <= tau for ratio in slow.ratios.values()) / 8)
+            self.assertAlmostEqual(curve[-1][1], len(slow.ratios) / 8)
+
+    def test_the_rank_test_is_of_those_timed_on_every_chain_at_the_level_of_its_smallest_p(self):
+        test = profiles.rank_test(self.run_, self.found)
+        self.assertEqual((test.first, test.chains, test.others), ("aGPU2+GPU2", 8, 2))
+        self.assertEqual(test.power, profiles.signed_rank_power(8, 0.05 / 2))
+        self.assertNotEqual(test.power, profiles.signed_rank_power(8, 0.05))
+
+
+if __name__ == "__main__":
+    unittest.main()
