@@ -1,6 +1,7 @@
 #include "catena/core/ranks/space_order.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "catena/core/hierarchy/box_around.h"
@@ -61,12 +62,21 @@ class Blocks {
   const MortonGrid& grid_;
 };
 
-/// Keys that part the blocks of all ranks into about even shares. Of a part of up to 4096 blocks all are
-/// looked at, and a share is off by no more than one step a rank; of a larger one a sample of s, by which it
-/// is off by about 1 / sqrt(s) of the part.
+/// Of all keys after `low` up to `high` one that begins the largest cube: parts that end there have few
+/// corners, and no block or two beyond the middle, for which a box around them would be twice as large.
+Key coarsest(const Key& low, const Key& high) {
+  if (low.code == high.code) return high;
+  const std::uint64_t differs = std::bit_floor(low.code ^ high.code);
+  return {high.code & ~(differs - 1), 0};
+}
+
+/// Keys that part the blocks of all ranks into about even shares, and lie between cubes as large as there are
+/// within 1/64 of a share. Of a part of up to 4096 blocks all are looked at, and a share is off by no more
+/// than that and one step a rank; of a larger one a sample of s, by which it is off by about 1 / sqrt(s) of
+/// the part.
 std::vector<Key> splitters(Communicator& ranks, const std::vector<Key>& sorted, std::uint64_t own_blocks,
                            std::uint64_t all_blocks) {
-  constexpr std::uint64_t samples_a_rank = 64;
+  constexpr std::uint64_t samples_a_rank = 256, parts_of_a_share = 64;
   const std::uint64_t step = std::max<std::uint64_t>(1, all_blocks / (samples_a_rank * ranks.size()));
   std::vector<Key> samples;
   for (std::uint64_t at = step / 2; at < own_blocks; at += step)
@@ -78,8 +88,11 @@ std::vector<Key> splitters(Communicator& ranks, const std::vector<Key>& sorted, 
     all.insert(all.end(), theirs.begin(), theirs.end());
   }
   std::ranges::sort(all);
-  for (unsigned rank = 1; rank < ranks.size() && !all.empty(); ++rank)
-    chosen.push_back(all[all.size() * rank / ranks.size()]);
+  const std::uint64_t off = all.size() / (parts_of_a_share * ranks.size());
+  for (unsigned rank = 1; rank < ranks.size() && !all.empty(); ++rank) {
+    const std::uint64_t even = all.size() * rank / ranks.size();
+    chosen.push_back(coarsest(all[even - off], all[even + off]));
+  }
   const Gathered told = ranks.all_gather(ranks.rank() == 0 ? ByteWriter().put_list(chosen).take() : Bytes());
   return ByteReader(told->front()).get_list<Key>();
 }

@@ -1,0 +1,82 @@
+#include "catena/core/ranks/space_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "catena/core/hierarchy/box_around.h"
+#include "catena/core/input/input.h"
+#include "catena/core/ranks/block.h"
+#include "catena/core/ranks/thread_ranks.h"
+
+namespace catena::ranks {
+namespace {
+
+Chain chain_of(const std::string& spec) { return open_input(spec).animation->frame(0); }
+
+/// The parts that so many ranks get, by their numbers.
+std::vector<Part> parts_in_space(const Chain& chain, unsigned ranks) {
+  std::vector<Part> parts(ranks);
+  run_in_threads(ranks, [&](Communicator& c) {
+    const auto start = [&](unsigned rank) {
+      return static_cast<std::uint32_t>(even_start(chain.size(), ranks, rank));
+    };
+    parts[c.rank()] = part_in_space(c, part_of(chain, start(c.rank()), start(c.rank() + 1)));
+  });
+  return parts;
+}
+
+/// Around the spheres that tell where the part's blocks are.
+Box middles_of(const Part& part) {
+  std::vector<Sphere> middles;
+  for_each_block(part.pieces, [&](const Block& block) {
+    middles.push_back(middle_of(part.spheres, block));
+    middles.back().radius = 0;
+  });
+  return box_around(middles);
+}
+
+/// A cube of 32^3 spheres is cut along planes: no part has a block beyond one, which would cost it a box of
+/// twice the size.
+TEST(PartInSpace, IsACubeWhereThatIsEven) {
+  const Chain chain = chain_of("serpentine:side=32,reach=1");
+  for (const unsigned ranks : {2u, 4u, 8u}) {
+    const std::vector<Part> parts = parts_in_space(chain, ranks);
+    for (unsigned a = 0; a < ranks; ++a) {
+      EXPECT_EQ(parts[a].spheres.size(), chain.size() / ranks) << a << " of " << ranks;
+      for (unsigned b = a + 1; b < ranks; ++b)
+        EXPECT_FALSE(middles_of(parts[a]).meets(middles_of(parts[b]))) << a << ", " << b << " of " << ranks;
+    }
+  }
+}
+
+/// Each sphere is on one rank, and no rank has many more than others, however they lie: few blocks, many in
+/// one place, and a tangle.
+TEST(PartInSpace, SharesOutAllSpheresEvenly) {
+  for (const std::string spec :
+       {"path1:n=100", "yarn:n=30000", "coincident:n=4000,together=500", "stretched:n=20000", "rod:n=3"}) {
+    const Chain chain = chain_of(spec);
+    for (const unsigned ranks : {2u, 3u, 7u, 16u}) {
+      const std::vector<Part> parts = parts_in_space(chain, ranks);
+      std::vector<int> held(chain.size(), 0);
+      std::size_t most = 0;
+      for (const Part& part : parts) {
+        most = std::max(most, part.spheres.size());
+        for (const Piece& piece : part.pieces)
+          for (std::uint32_t k = 0; k < piece.size; ++k) {
+            ++held[piece.first + k];
+            EXPECT_EQ(part.spheres[piece.begin + k], chain[static_cast<std::uint32_t>(piece.first + k)]);
+          }
+      }
+      EXPECT_TRUE(std::ranges::all_of(held, [](int times) { return times == 1; })) << spec << ", " << ranks;
+      // A thirty-second of a share, and the blocks between two that each rank samples, at either end.
+      const double share = static_cast<double>(chain.size()) / ranks;
+      EXPECT_LE(static_cast<double>(most), share * 1.05 + 2 * Block::most * (ranks + 1))
+          << spec << ", " << ranks;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace catena::ranks
