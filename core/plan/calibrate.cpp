@@ -84,7 +84,8 @@ void measure_threads(const Machine::VariantCost& v, unsigned cores, MachineCost&
   const double saved_ns = std::max(0.0, (long_one.saved_ms() - short_one.saved_ms()) * 1e6 / (many - few));
   cost.sphere_ns = long_one.one_ms * 1e6 / many;  // where threads pay, so that a share of it is right there
   cost.serial = std::clamp(1 - saved_ns / (cost.sphere_ns * (1 - 1.0 / cores)), 0.0, 0.999);
-  cost.team_us = std::max(0.0, saved_ns * few * 1e-3 - short_one.saved_ms() * 1e3);
+  // Less than a quarter of the built-in figure is noise: other threads have to wake.
+  cost.team_us = std::max(cost.team_us / 4, saved_ns * few * 1e-3 - short_one.saved_ms() * 1e3);
 }
 
 /// By a first search, where this process has not made one.

@@ -15,7 +15,7 @@
 namespace catena {
 namespace {
 
-constexpr const char* first_line = "catena-calibration 3";
+constexpr const char* first_line = "catena-calibration 4";
 constexpr const char* last_line = "end";
 
 /// What tells one machine's figures from another's where a home is shared.
