@@ -36,7 +36,7 @@ inline std::array<double, 2> rough_distance(const Sphere& a, const Sphere& b, co
                       std::abs(b.z) + std::abs(x * box.length[0]) + std::abs(y * box.xy) +
                       std::abs(z * box.xz) + std::abs(y * box.length[1]) + std::abs(z * box.yz) +
                       std::abs(z * box.length[2]);
-  return {std::sqrt(dx * dx + dy * dy + dz * dz), 0x1p-40 * most};
+  return {std::hypot(dx, dy, dz), 0x1p-40 * most};
 }
 
 /// The least of all images up to `far` boxes away, along the edges that repeat. O(far^3); what lies farther

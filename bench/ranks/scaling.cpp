@@ -14,17 +14,13 @@ ScalingPoint measure(const Chain& chain, unsigned ranks, const ScalingOptions& a
   std::uint64_t pairs = 0;
   run_in_threads(ranks, [&](Communicator& communicator) {
     const unsigned rank = communicator.rank();
-    const auto start = [&](unsigned r) {
-      return static_cast<std::uint32_t>(even_start(chain.size(), ranks, r));
-    };
     RankOptions options{.order = asked.order, .request = {.want = Request::Want::counts}};
     if (asked.timed_variant.empty())
       options.across_only = true;
     else
       options.variant = asked.timed_variant;
     options.entering = [&clock = clocks[rank]](Phase phase) { clock.enter(phase); };
-    const RankAnswer answer =
-        search(communicator, part_of(chain, start(rank), start(rank + 1)), options, work[rank]);
+    const RankAnswer answer = search(communicator, even_part_of(chain, ranks, rank), options, work[rank]);
     traffic[rank] = communicator.traffic();
     if (rank == 0) pairs = answer.pair_count;
   });

@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -220,26 +218,6 @@ TEST_F(Program, PrintsTheFrameItUsed) {
       << text_of(pairs).substr(0, 40);
 }
 
-/// Whatever a format cannot hold is said, each in a line of its own, and nothing where nothing is lost.
-TEST_F(Program, SaysWhatAnExportLoses) {
-  const std::string neuron = write("neuron.swc", "1 1 0 0 0 1 -1\n2 3 3 0 0 1 1\n3 3 6 0 0 1 2\n4 3 3 3 0 1 2\n");
-  struct Lost {
-    const char *input, *out;
-    std::vector<std::string> lines;
-  };
-  const std::string rule = "exclusion rule; give it with --window or --arc-window", joints = "neighbours across joints; .chain does",
-                    radii = "radii; give them with --radius";
-  for (const auto& [options, out, lines] :
-       {Lost{"", "a.chain", {}}, Lost{" --window 3", "a.chain", {}}, Lost{"", "a.csv", {joints}},
-        Lost{" --window 2", "a.csv", {rule, joints}}, Lost{" --arc-window pi/2", "a.csv", {rule, joints}},
-        Lost{"", "a.obj", {radii, joints}}, Lost{" --window 3", "a.catena", {}}}) {
-    const Outcome r = run("export " + neuron + " '" + file(out) + "'" + options);
-    EXPECT_EQ(r.code, 0) << r.output;
-    for (const std::string& line : lines) EXPECT_NE(r.output.find("holds no " + line), std::string::npos) << r.output;
-    EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + static_cast<std::ptrdiff_t>(lines.size())) << options << out << r.output;
-  }
-}
-
 /// Frames of one file whose boxes differ: a pair collides through the face of the small one alone. Each frame of all is
 /// as it is alone, whoever searches it.
 TEST_F(Program, SearchesEachFrameInItsOwnBox) {
@@ -323,91 +301,6 @@ TEST_F(Program, DetectsWithEveryKindOfAnswer) {
   EXPECT_EQ(line["collides"], true);
   EXPECT_EQ(line["n"], 60);
   EXPECT_FALSE(nlohmann::json::parse(run("detect coincident:n=60 --any --json").output).contains("pairs"));
-}
-
-TEST_F(Program, WritesPairsAndCounts) {
-  const std::string pairs = file("pairs.csv"), counts = file("counts.csv");
-  expect_says("detect coincident:n=60 --pairs '" + pairs + "' --counts '" + counts + "'", 0, {"812 pairs"});
-  const std::string pair_text = text_of(pairs), count_text = text_of(counts);
-  EXPECT_TRUE(pair_text.starts_with(
-      "frame,i,j,label_i,label_j,strand_i,strand_j,index_i,index_j\n0,0,2,0,2,0,0,0,2\n"))
-      << pair_text.substr(0, 40);
-  EXPECT_EQ(std::ranges::count(pair_text, '\n'), 813);
-  EXPECT_TRUE(count_text.starts_with("frame,sphere,count,label,strand,index\n0,0,"))
-      << count_text.substr(0, 40);
-  EXPECT_EQ(std::ranges::count(count_text, '\n'), 61);
-}
-
-/// Of a name that is not a regular file, the thing stays, and gets the text.
-TEST_F(Program, WritesThroughWhatIsNoRegularFile) {
-  const std::string csv = "frame,sphere,count,label,strand,index\n0,0,1,0,0,0\n0,1,0,1,0,1\n0,2,1,2,0,2\n",
-                    scene = "detect coincident:n=3 --counts ";
-  const Outcome both = run(scene + "/dev/stdout --any");
-  EXPECT_EQ(both.code, 2) << "--any counts nothing";
-  const Outcome printed = run(scene + "/dev/stdout");
-  EXPECT_EQ(printed.code, 0);
-  EXPECT_NE(printed.output.find(csv), std::string::npos) << printed.output;
-  EXPECT_NE(printed.output.find("1 pair, at most 1 a sphere"), std::string::npos) << printed.output;
-
-  const std::string fifo = file("fifo"), read = file("read"), link = file("link");
-  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
-  EXPECT_EQ(shell("cat '" + fifo + "' > '" + read + "' & catena " + scene + "'" + fifo + "'; wait").code, 0);
-  EXPECT_TRUE(std::filesystem::is_fifo(fifo));
-  EXPECT_EQ(text_of(read), csv);
-
-  std::filesystem::create_symlink("read", link);
-  expect_says(scene + "'" + link + "' --window 2", 0, {"0 pairs"});
-  EXPECT_TRUE(std::filesystem::is_symlink(link));
-  EXPECT_EQ(text_of(read), "frame,sphere,count,label,strand,index\n0,0,0,0,0,0\n0,1,0,1,0,1\n0,2,0,2,0,2\n");
-
-  std::filesystem::create_symlink("/dev/full", file("full"));
-  expect_says(scene + "'" + file("full") + "'", 2,
-              {"cannot write " + file("full") + ": No space left on device"});
-  EXPECT_TRUE(std::filesystem::is_symlink(file("full")));
-}
-
-TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
-  for (const std::string& command : std::initializer_list<std::string>{
-           "list", "list --json", "--help", "--version", "detect path1:n=10",
-           "detect path1:n=10 --frame all --json", "verify path1:n=10 --variant CPU1", "fuzz --cases 3",
-           "margins path1:n=10", "enumerate --walks 3", "closed-form --side 3 --reach 1",
-           "scaling path1:n=300", "pivot --n 50 --moves 64", "knots --n 16", "plan path1:n=10 --json",
-           "export path1:n=10 '" + file("x.csv") + "'", "examine --help", "growth --help"}) {
-    const Outcome full = shell("XDG_CACHE_HOME='" + file("cache") + "' catena " + command + " > /dev/full");
-    EXPECT_EQ(full.code, 2) << command;
-    EXPECT_EQ(full.output, "catena: cannot write the output: No space left on device\n") << command;
-  }
-  const Outcome closed = shell("catena detect coincident:n=60 --pairs '" + file("p.csv") + "' >&-");
-  EXPECT_EQ(closed.code, 2);
-  EXPECT_EQ(closed.output, "catena: cannot write the output: Bad file descriptor\n");
-  EXPECT_EQ(std::ranges::count(text_of(file("p.csv")), '\n'), 813) << "what is printed got into the table";
-  // What is printed, more than is buffered, goes into no file that takes the number of a closed stream.
-  const std::string frames = "detect path1:n=20 --frame all --counts '" + file("c.csv") + "'";
-  EXPECT_GT(run(frames).output.size(), 4096u);
-  const std::string counts = text_of(file("c.csv"));
-  EXPECT_EQ(std::ranges::count(counts, '\n'), 1 + 56 * 20);
-  for (const char* closing : {" >&-", " <&- >&-", " >&- 2>&-"}) {
-    std::filesystem::remove(file("c.csv"));
-    EXPECT_EQ(shell("catena " + frames + closing).code, 2) << closing;
-    EXPECT_FALSE(std::filesystem::exists(file("c.csv"))) << closing;
-  }
-}
-
-TEST_F(Program, EndsQuietlyWhenNobodyReadsOn) {
-  const Outcome left =
-      shell("{ sleep 0.5; catena detect path1:n=3000 --frame all --json; echo $? >&2; } | true > '" +
-            file("out") + "'");  // whoever read has gone for certain: a pipe would hold all of it
-  EXPECT_EQ(left.output, "2\n");
-}
-
-TEST_F(Program, LeavesNothingBehindWhenAFileCannotBeWrittenToItsEnd) {
-  const std::string folder = file("tables");
-  std::filesystem::create_directories(folder);
-  const Outcome cut =
-      shell("cd '" + folder + "'; ulimit -f 1; catena detect coincident:n=100 --pairs p --counts c");
-  EXPECT_EQ(cut.code, 2);
-  EXPECT_TRUE(cut.output.ends_with("catena: cannot write p: File too large\n")) << cut.output;
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 TEST_F(Program, ReadsFilesWithAndWithoutRadii) {

@@ -44,13 +44,28 @@ double least_ms(Variant& variant, std::uint32_t n) {
   return least;
 }
 
+/// That of each of two searches, by turns: what disturbs the machine for a while meets both.
+struct LeastOfTwo {
+  double first_ms = std::numeric_limits<double>::infinity(), second_ms = first_ms;
+
+  LeastOfTwo(Variant& first, std::uint32_t first_n, Variant& second, std::uint32_t second_n) {
+    constexpr int turns = 3;
+    for (int turn = 0; turn < turns; ++turn) {
+      first_ms = std::min(first_ms, least_ms(first, first_n));
+      second_ms = std::min(second_ms, least_ms(second, second_n));
+    }
+  }
+  double saved_ms() const { return first_ms - second_ms; }
+};
+
 double pairs(double n) { return n * (n - 1) / 2; }
 
 /// A line through two measurements.
 MachineCost measured(const Machine::VariantCost& v) {
   const auto variant = StrategyRegistry::instance().make(v.variant);
   const std::uint32_t few = v.on_device ? 1024 : 16, many = v.on_device ? 1u << 18 : v.all_pairs ? 256 : 8192;
-  const double short_us = least_ms(*variant, few) * 1e3, long_us = least_ms(*variant, many) * 1e3;
+  const LeastOfTwo least(*variant, few, *variant, many);
+  const double short_us = least.first_ms * 1e3, long_us = least.second_ms * 1e3;
   const double items = v.all_pairs ? pairs(many) - pairs(few) : static_cast<double>(many) - few;
   const double item_us = std::max(0.0, long_us - short_us) / items;
   MachineCost cost = v.cost;
@@ -67,25 +82,13 @@ void measure_threads(const Machine::VariantCost& v, unsigned cores, MachineCost&
   name.stages.front().settings.push_back({"threads", std::to_string(cores)});
   const auto alone = StrategyRegistry::instance().make(v.variant);
   const auto team = StrategyRegistry::instance().make(name.text());
-  struct Least {
-    double one_ms = std::numeric_limits<double>::infinity(), all_ms = one_ms;
-    double saved_ms() const { return one_ms - all_ms; }
-  };
-  const auto measure = [&](std::uint32_t n) {
-    constexpr int turns = 3;  // what disturbs the machine for a while meets both
-    Least least;
-    for (int turn = 0; turn < turns; ++turn) {
-      least.one_ms = std::min(least.one_ms, least_ms(*alone, n));
-      least.all_ms = std::min(least.all_ms, least_ms(*team, n));
-    }
-    return least;
-  };
-  const Least short_one = measure(few), long_one = measure(many);
-  const double saved_ns = std::max(0.0, (long_one.saved_ms() - short_one.saved_ms()) * 1e6 / (many - few));
-  cost.sphere_ns = long_one.one_ms * 1e6 / many;  // where threads pay, so that a share of it is right there
+  const LeastOfTwo of_few(*alone, few, *team, few), of_many(*alone, many, *team, many);
+  const double saved_ns = std::max(0.0, (of_many.saved_ms() - of_few.saved_ms()) * 1e6 / (many - few));
+  cost.sphere_ns = of_many.first_ms * 1e6 / many;  // where threads pay, so that a share of it is right there
   cost.serial = std::clamp(1 - saved_ns / (cost.sphere_ns * (1 - 1.0 / cores)), 0.0, 0.999);
-  // Less than a quarter of the built-in figure is noise: other threads have to wake.
-  cost.team_us = std::max(cost.team_us / 4, saved_ns * few * 1e-3 - short_one.saved_ms() * 1e3);
+  // Less than a quarter of what is built in is noise: other threads have to wake.
+  const double least_us = cost.team_us / 4;
+  cost.team_us = std::max(least_us, saved_ns * few * 1e-3 - of_few.saved_ms() * 1e3);
 }
 
 /// By a first search, where this process has not made one.

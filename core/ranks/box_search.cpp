@@ -19,10 +19,7 @@ constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 std::vector<IdPair> pairs_by_all(Communicator& ranks, const Chain* chain, RankOptions options,
                                  RankWork& work) {
   NamedPart part = scatter(ranks, [&](unsigned rank) {
-    const auto start = [&](unsigned r) {
-      return static_cast<std::uint32_t>(even_start(chain->size(), ranks.size(), r));
-    };
-    return NamedPart{part_of(*chain, start(rank), start(rank + 1)), {}};
+    return NamedPart{even_part_of(*chain, ranks.size(), rank), {}};
   });
   options.request = {.want = Request::Want::pairs, .pair_limit = no_limit};
   const RankAnswer own = search(ranks, std::move(part.part), options, work);

@@ -60,4 +60,12 @@ inline SphereId even_start(SphereId n, unsigned ranks, unsigned rank) {
   return n / ranks * rank + std::min<SphereId>(rank, n % ranks);
 }
 
+/// What rank r of `ranks` gets then of a chain that is here whole. Cost as of part_of.
+inline Part even_part_of(const Chain& chain, unsigned ranks, unsigned rank) {
+  const auto start = [&](unsigned r) {
+    return static_cast<std::uint32_t>(even_start(chain.size(), ranks, r));
+  };
+  return part_of(chain, start(rank), start(rank + 1));
+}
+
 }  // namespace catena::ranks

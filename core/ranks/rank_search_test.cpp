@@ -59,12 +59,7 @@ Whole searched(unsigned ranks, const RankOptions& options, const Cut& cut) {
 }
 
 Cut evenly(const Chain& chain) {
-  return [&chain](Communicator& c) {
-    const auto start = [&](unsigned r) {
-      return static_cast<std::uint32_t>(even_start(chain.size(), c.size(), r));
-    };
-    return part_of(chain, start(c.rank()), start(c.rank() + 1));
-  };
+  return [&chain](Communicator& c) { return even_part_of(chain, c.size(), c.rank()); };
 }
 
 void expect_exact(const Whole& whole, const Chain& chain, const std::string& what) {

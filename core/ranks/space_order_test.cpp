@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "catena/core/hierarchy/box_around.h"
@@ -19,10 +20,7 @@ Chain chain_of(const std::string& spec) { return open_input(spec).animation->fra
 std::vector<Part> parts_in_space(const Chain& chain, unsigned ranks) {
   std::vector<Part> parts(ranks);
   run_in_threads(ranks, [&](Communicator& c) {
-    const auto start = [&](unsigned rank) {
-      return static_cast<std::uint32_t>(even_start(chain.size(), ranks, rank));
-    };
-    parts[c.rank()] = part_in_space(c, part_of(chain, start(c.rank()), start(c.rank() + 1)));
+    parts[c.rank()] = part_in_space(c, even_part_of(chain, ranks, c.rank()));
   });
   return parts;
 }

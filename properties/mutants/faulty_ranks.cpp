@@ -60,16 +60,12 @@ void FaultyRanks::find(const Chain& chain, const Request& request, Collisions& r
   std::vector<ranks::RankAnswer> answers(size);
   ranks::run_in_threads(size, [&](Communicator& inner) {
     Spoiler spoiler(inner, *this);
-    const auto start = [&](unsigned rank) {
-      return static_cast<std::uint32_t>(ranks::even_start(chain.size(), size, rank));
-    };
     const unsigned rank = inner.rank();
     ranks::RankOptions options{.variant = "Hybrid", .order = parts::Order::space};
     options.request.pair_limit = std::numeric_limits<std::uint64_t>::max();
     options.entering = [&](Phase phase) { spoiler.enter(phase); };
     ranks::RankWork work;
-    answers[rank] =
-        ranks::search(spoiler, ranks::part_of(chain, start(rank), start(rank + 1)), options, work);
+    answers[rank] = ranks::search(spoiler, ranks::even_part_of(chain, size, rank), options, work);
   });
   result = {};
   for (const ranks::RankAnswer& answer : answers) {
