@@ -17,6 +17,7 @@
 #include "catena/cuda/device_warp.cuh"
 #include "catena/cuda/host_copies.cuh"
 #include "catena/cuda/node_meetings.cuh"
+#include "catena/cuda/pair_stage.cuh"
 
 namespace catena::cuda {
 namespace {

@@ -27,8 +27,10 @@ __global__ void __launch_bounds__(threads)
   __syncthreads();
   const std::uint32_t leaf = blockIdx.x * blockDim.x + threadIdx.x;
   const RopeSearch<Tests, Queue> search(chain, tree, queue);
-  if (leaf < tree.leaves && !queue.satisfied()) search.run(leaf);
+  const bool live = leaf < tree.leaves;
+  if (!queue.satisfied()) search.run(live ? leaf : 0, live);
   queue.flush(search);
+  queue.finish();
 }
 
 /// What a search on the host tells of the tree that the device built: inner node k is n + k to evidence.
@@ -80,7 +82,7 @@ class DeviceLBVH final : public ResidentVariant, public EvidenceNodes {
       with_tests_for<Arithmetic>(view, [&](auto tests) {
         TellingRopes sink{{collector.lane(0)}, view, tree, to};
         const RopeSearch<decltype(tests), TellingRopes> search(view, tree, sink);
-        for (std::uint32_t leaf = 0; leaf < tree.leaves; ++leaf) search.run(leaf);
+        for (std::uint32_t leaf = 0; leaf < tree.leaves; ++leaf) search.run(leaf, true);
       });
     });
     collector.finish();

@@ -87,14 +87,14 @@ class BlockMeetings {
     // Of the rows that hold something, in order, what leads from the number of a place among all to the
     // place.
     std::uint32_t* const offset = shared_.offset[threadIdx.x / 32];
-    if (own.first < own.end) offset[__popc(held & lanes_before())] = own.first - places.before;
+    if (own.first < own.end) offset[__popc(held & DeviceWarp::lanes_before())] = own.first - places.before;
     __syncwarp();
     const CapsuleBall ball = ball_of(blocks_.capsule[b]);
     std::uint32_t begun = 0;  // rows before the places that are looked at now
     for (std::uint32_t from = 0; from < places.all; from += DeviceWarp::lanes) {
       const bool begins = own.first < own.end && places.before - from < DeviceWarp::lanes;
       const std::uint32_t begin = DeviceWarp::bits_of_all(begins ? 1u << (places.before - from) : 0u);
-      const std::uint32_t row = begun + __popc(begin & (lanes_before() | 1u << lane)) - 1;
+      const std::uint32_t row = begun + __popc(begin & (DeviceWarp::lanes_before() | 1u << lane)) - 1;
       const bool in = from + lane < places.all;
       const std::uint32_t at = offset[in ? row : 0] + from + lane;
       queue(in && meeting_.may_meet(b, ball, level, at), b, at);
@@ -102,7 +102,6 @@ class BlockMeetings {
     }
     __syncwarp();
   }
-  __device__ static std::uint32_t lanes_before() { return (1u << DeviceWarp::lane()) - 1; }
 
   /// By all threads of a warp together.
   __device__ void queue(bool near, std::uint32_t b, std::uint32_t at) const {
@@ -110,7 +109,7 @@ class BlockMeetings {
     if (all_near == 0) return;
     std::uint32_t first = 0;
     if (DeviceWarp::lane() == 0) first = atomicAdd(&shared_.used, __popc(all_near));
-    const std::uint32_t k = __shfl_sync(DeviceWarp::all, first, 0) + __popc(all_near & lanes_before());
+    const std::uint32_t k = __shfl_sync(DeviceWarp::all, first, 0) + __popc(all_near & DeviceWarp::lanes_before());
     if (near) put(k, b, meeting_.block_at(at));
   }
   __device__ void put(std::uint32_t k, std::uint32_t b, std::uint32_t other) const {

@@ -108,9 +108,10 @@ __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
        first += std::uint64_t{gridDim.x} * blockDim.x) {
     const bool live = first + threadIdx.x < places;
     const std::uint32_t place = live ? static_cast<std::uint32_t>(first + threadIdx.x) : 0;
-    search.run_in_one_level(placed.sphere(place), place, live);
+    search.run_in_one_level(placed.at(place), place, live);
     queue.flush(search);
   }
+  queue.finish();
 }
 
 /// Of spheres that were sorted by octaves, in the order of the members.
@@ -135,10 +136,11 @@ __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
     if (queue.any(live)) {
       const std::uint32_t i = live ? members.sphere(k) : 0;
       const Sphere s = chain.spheres[i];
-      search.run(s, live ? cells.place_of(table, s, i) : 0, live);
+      search.run({s, i}, live ? cells.place_of(table, s, i) : 0, live);
     }
     queue.flush(search);
   }
+  queue.finish();
 }
 
 /// SphereCells on a device: its memory, and its steps as kernels, none of which the host waits for.

@@ -48,17 +48,8 @@ struct DeviceTeam {
 };
 
 struct DeviceWarp : DeviceTeam<32> {
-  /// Adds to a number in shared memory, by one thread for all of the warp, and tells all what it was before.
-  /// (Of atomicAdd nvcc makes a vote of the threads that come, in twenty instructions, though one does.)
-  __device__ static std::uint32_t add_once(std::uint32_t* shared, std::uint32_t more) {
-    std::uint32_t before = 0;
-    if (lane() == 0)
-      asm volatile("atom.shared.add.u32 %0, [%1], %2;"
-                   : "=r"(before)
-                   : "r"(static_cast<std::uint32_t>(__cvta_generic_to_shared(shared))), "r"(more)
-                   : "memory");
-    return __shfl_sync(all, before, 0);
-  }
+  /// A bit for each lane before the calling one.
+  __device__ static std::uint32_t lanes_before() { return (1u << lane()) - 1; }
   template <class F>
   __device__ void run(const F& body) const {
     body(lane());

@@ -46,7 +46,7 @@ class MeetingList {
     std::uint32_t first = 0;
     if (DeviceWarp::lane() == 0) first = atomicAdd(&nodes_.state->meetings[level_], __popc(all));
     const std::uint32_t k =
-        __shfl_sync(DeviceWarp::all, first, 0) + __popc(all & ((1u << DeviceWarp::lane()) - 1));
+        __shfl_sync(DeviceWarp::all, first, 0) + __popc(all & DeviceWarp::lanes_before());
     if (!met) return;
     if (k < nodes_.capacity)
       nodes_.meeting[level_ % 2][k] = {a | marks_a, b | marks_b};

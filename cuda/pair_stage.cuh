@@ -39,15 +39,6 @@ class PairStage {
   __device__ void count(std::uint32_t i, std::uint32_t more) const {
     if (answer_.count != nullptr && queries_.contains(i)) atomicAdd(answer_.count + i, more);
   }
-  /// By all threads of a warp together: keeps i < j of those that have a pair.
-  __device__ void keep_of_warp(bool has, std::uint32_t i, std::uint32_t j) {
-    has = has && queries_.contains(i);
-    const std::uint32_t having = __ballot_sync(DeviceWarp::all, has);
-    if (having == 0) return;
-    const std::uint32_t first = DeviceWarp::add_once(&shared_.used, __popc(having));
-    if (has) keep(first + __popc(having & ((1u << DeviceWarp::lane()) - 1)), i, j);
-  }
-
   /// True when another block had answered Want::any when this one began; the same for all of its threads.
   __device__ bool satisfied() const { return shared_.satisfied; }
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "catena/core/cells/met.h"
+#include "catena/core/cells/sphere_cells.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/host_device.h"
@@ -92,30 +93,33 @@ class RopeSearch {
   CATENA_HD RopeSearch(const ChainView& chain, const RopeTree& tree, Sink& sink)
       : chain_(chain), tree_(tree), sink_(sink) {}
 
+  /// All threads of a warp come together; one that is not `live` has no leaf, and any will do.
 #pragma nv_exec_check_disable
-  CATENA_HD void run(std::uint32_t leaf) const {
+  CATENA_HD void run(std::uint32_t leaf, bool live) const {
     const RopeTree::Node own = tree_.node[tree_.leaf(leaf)];
-    for (std::uint32_t at = own.rope; at != RopeTree::end;) {
-      const RopeTree::Node other = tree_.node[at];
-      const bool meets = own.box.meets(other.box);
+    const PlacedSphere sphere{chain_.spheres[own.left], own.left};
+    std::uint32_t at = live ? own.rope : RopeTree::end;
+    while (sink_.any(at != RopeTree::end)) {
+      const bool there = at != RopeTree::end;
+      const RopeTree::Node other = tree_.node[there ? at : 0];
+      const bool meets = there && own.box.meets(other.box), near = meets && tree_.is_leaf(at);
       if constexpr (listens) {
         if (!meets)
           sink_.apart(own.left, at);
-        else if (tree_.is_leaf(at))
+        else if (near)
           sink_.compared(own.left, other.left);
       }
-      if (meets && tree_.is_leaf(at)) sink_.near_too(*this, own.left, 0, {other.left, 1});
-      at = meets && !tree_.is_leaf(at) ? other.left : other.rope;
+      sink_.near_one(*this, sphere, 0, other.left, near);
+      if (there) at = meets && !near ? other.left : other.rope;
     }
   }
 
   /// Of spheres: what NearQueue asks of places.
-  CATENA_HD Met met(std::uint32_t a, std::uint32_t b, std::uint32_t) const {
-    const Sphere first = chain_.spheres[a], second = chain_.spheres[b];
-    return {a, b,
-            !chain_.exclusion.neighbours(a, b, first.radius, second.radius) && Tests::overlap(first, second)};
+  CATENA_HD Met met(const PlacedSphere& own, std::uint32_t j, std::uint32_t) const {
+    const Sphere a = own.sphere, b = chain_.spheres[j];
+    const bool excluded = chain_.exclusion.neighbours(own.index, j, a.radius, b.radius);
+    return {own.index, j, Tests::overlap_unless(excluded, a, b)};
   }
-  CATENA_HD std::uint32_t sphere_at(std::uint32_t i) const { return i; }
 
  private:
   static constexpr bool listens = requires(Sink sink) { sink.apart(0u, 0u); };

@@ -27,6 +27,9 @@ struct Robust {
     return Binary32::fused_square(a, b) > Binary32::greatest_square(a, b) + underflow_floor;
   }
 
+  /// Negative unless they are separate for certain.
+  CATENA_HD static float excess(const Sphere& a, const Sphere& b) { return separate(a, b) ? 1.0f : -1.0f; }
+
   /// True only when they overlap for certain by stage 1; free of calls and branches.
   CATENA_HD static bool surely_overlap(const Sphere& a, const Sphere& b) {
     const Binary32 n(a, b);
@@ -39,6 +42,10 @@ struct Robust {
     if (n.separate()) return false;
     if (n.in_range() && n.q * binary32_slack < n.t) return true;
     return overlap_undecided(a, b);
+  }
+  /// overlap(), but false where `excluded`.
+  CATENA_HD static bool overlap_unless(bool excluded, const Sphere& a, const Sphere& b) {
+    return !excluded && overlap(a, b);
   }
 
   /// False only when the spheres are separate for certain. A node may have an infinite radius.
@@ -56,10 +63,23 @@ struct Robust {
     CATENA_HD static bool separate(const Sphere& a, const Sphere& b) {
       return Binary32::fused_square(a, b) > Binary32::greatest_square(a, b);
     }
+    /// q less the greatest square, which the sum begins with: three operations, and a sign
+    /// (properties/proofs/excess_binary32.g).
+    CATENA_HD static float excess(const Sphere& a, const Sphere& b) {
+      const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+      return mul_add(dz, dz, mul_add(dy, dy, mul_add(dx, dx, -Binary32::greatest_square(a, b))));
+    }
     CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
       const Binary32 n(a, b);
       if (n.q > n.t * binary32_slack) return false;
       return n.q * binary32_slack < n.t || overlap_undecided(a, b);
+    }
+    /// overlap(), but false where `excluded`. For those that are mostly near: of one branch, which then nearly
+    /// always goes the same way.
+    CATENA_HD static bool overlap_unless(bool excluded, const Sphere& a, const Sphere& b) {
+      const Binary32 n(a, b);
+      const bool apart = n.q > n.t * binary32_slack, sure = n.q * binary32_slack < n.t;
+      return apart | sure | excluded ? sure & !excluded : overlap_undecided(a, b);
     }
     CATENA_HD static bool may_overlap(const Sphere& query, const Sphere& node) {
       const Binary32 n(query, node);

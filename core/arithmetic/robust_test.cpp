@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/reference/enclosure.h"
@@ -97,10 +98,35 @@ TEST(Robust, InRangeSaysTheSameWithoutRangeChecks) {
         EXPECT_EQ(Robust::InRange::overlap(a, b), steps <= 0) << scale << " " << steps;
         EXPECT_EQ(Robust::overlap(a, b), steps <= 0) << scale << " " << steps;
         EXPECT_TRUE(steps > 0 || Robust::InRange::may_overlap(a, b)) << scale << " " << steps;
+        EXPECT_FALSE(Robust::InRange::overlap_unless(true, a, b) || Robust::overlap_unless(true, a, b));
       }
     EXPECT_FALSE(Robust::InRange::may_overlap(a, {6.001f * scale, 0, 0, 4 * scale}));
     EXPECT_FALSE(Robust::InRange::may_overlap(a, {largest, largest, -largest, 4 * scale}));
   }
+}
+
+TEST(Robust, ExcessIsNegativeWhereSpheresMayOverlap) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> any(-1, 1);
+  int touching = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const float scale = std::ldexp(1.0f, k % 90 - 40), far = k % 3 == 0 ? 1e3f : 1;
+    const Sphere a{far * scale * any(random), scale * any(random), scale * any(random),
+                   scale * (1.5f + any(random))};
+    const float x = any(random), y = any(random), z = any(random), reach = 2 * a.radius / std::hypot(x, y, z);
+    const auto at = [&](float part) {
+      return Sphere{a.x + part * reach * x, a.y + part * reach * y, a.z + part * reach * z, a.radius};
+    };
+    const Sphere near = at(1), apart = at(far > 1 ? 1.1f : 1.0001f);
+    touching += Robust::overlap(a, near);
+    EXPECT_TRUE(!Robust::overlap(a, near) || Robust::InRange::excess(a, near) < 0) << k;
+    EXPECT_TRUE(!Robust::overlap(a, near) || Robust::excess(a, near) < 0) << k;
+    EXPECT_FALSE(Robust::InRange::excess(a, apart) < 0) << k;
+    EXPECT_FALSE(Robust::excess(a, apart) < 0) << k;
+  }
+  EXPECT_GT(touching, 5000);  // about half, by rounding
+  EXPECT_LT(Robust::InRange::excess({0, 0, 0, 1}, {2, 0, 0, 1}), 0);
+  EXPECT_FALSE(Robust::InRange::excess({largest, largest, 0, 1}, {-largest, 0, largest, 1}) < 0);
 }
 
 TEST(Robust, OutOfRangeIsWhatStage1CannotDecide) {

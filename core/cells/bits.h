@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 
 #include "catena/core/host_device.h"
@@ -10,6 +11,26 @@ CATENA_HD inline std::uint32_t count_bits(std::uint32_t bits) {
   return static_cast<std::uint32_t>(__popc(bits));
 #else
   return static_cast<std::uint32_t>(__builtin_popcount(bits));
+#endif
+}
+
+/// How many bits lie above the highest one that is set; bits != 0. Takes that one off.
+CATENA_HD inline std::uint32_t take_highest(std::uint32_t& bits) {
+#ifdef __CUDA_ARCH__
+  const auto above = static_cast<std::uint32_t>(__clz(static_cast<int>(bits)));
+#else
+  const auto above = static_cast<std::uint32_t>(__builtin_clz(bits));
+#endif
+  bits &= 0x7FFFFFFFu >> above;
+  return above;
+}
+
+/// One place up, and below a number's sign: set where it is negative.
+CATENA_HD inline std::uint32_t with_sign(std::uint32_t bits, float number) {
+#ifdef __CUDA_ARCH__
+  return __funnelshift_l(__float_as_uint(number), bits, 1);
+#else
+  return bits << 1 | static_cast<std::uint32_t>(std::signbit(number));
 #endif
 }
 

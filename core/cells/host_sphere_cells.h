@@ -33,8 +33,8 @@ struct PlacedCells {
     const CellSearch<Tests, equal_radii, Sink> search(chain, cells, table, sink);
     const PlacedSpheres<equal_radii> placed(cells);
     for (std::uint32_t place = 0; place < cells.places() && !sink.satisfied(); ++place)
-      cells.one_level() ? search.run_in_one_level(placed.sphere(place), place, true)
-                        : search.run(placed.sphere(place), place, true);
+      cells.one_level() ? search.run_in_one_level(placed.at(place), place, true)
+                        : search.run(placed.at(place), place, true);
   }
 };
 
@@ -90,15 +90,16 @@ class HostSphereCells {
 struct LaneSink {
   PairCollector::Lane& lane;
   template <class Search, std::size_t sets>
-  void near(const Search& search, std::uint32_t place, std::uint32_t level, const PlaceSet (&near)[sets]) {
-    for (const PlaceSet& set : near) near_too(search, place, level, set);
+  void near(const Search& search, const PlacedSphere& own, std::uint32_t level,
+            const PlaceSet (&near)[sets]) {
+    for (PlaceSet set : near)
+      while (set.bits != 0) near_one(search, own, level, set.take(), true);
   }
   template <class Search>
-  void near_too(const Search& search, std::uint32_t place, std::uint32_t level, PlaceSet set) {
-    for (; set.bits != 0; set.bits &= set.bits - 1) {
-      const Met met = search.met(place, set.first + lowest_bit(set.bits), level);
-      if (met.collide) pair_of(met.i, met.j);
-    }
+  void near_one(const Search& search, const PlacedSphere& own, std::uint32_t level, std::uint32_t at,
+                bool is_near) {
+    if (!is_near) return;
+    if (const Met met = search.met(own, at, level); met.collide) pair_of(met.i, met.j);
   }
   void pair(std::uint32_t i, std::uint32_t j) { lane.collide(i, j); }
   bool satisfied() const { return lane.satisfied(); }

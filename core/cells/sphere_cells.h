@@ -112,6 +112,12 @@ struct SphereCells {
   }
 };
 
+/// A sphere, and which of the chain it is.
+struct PlacedSphere {
+  Sphere sphere;
+  std::uint32_t index;
+};
+
 /// What lies at the places of a SphereCells, of a chain whose radii are equal or not.
 template <bool equal>
 class PlacedSpheres {
@@ -119,11 +125,7 @@ class PlacedSpheres {
   CATENA_HD explicit PlacedSpheres(const SphereCells& cells)
       : cells_(cells), radius_(static_cast<float>(cells.octaves.greatest)) {}
 
-  struct Placed {
-    Sphere sphere;
-    std::uint32_t index;
-  };
-  CATENA_HD Placed at(std::uint32_t place) const {
+  CATENA_HD PlacedSphere at(std::uint32_t place) const {
     const Sphere stored = cells_.sphere[place];
     return {sphere(stored), equal ? index_in(stored) : cells_.index[place]};
   }

@@ -49,6 +49,7 @@ TEST(Proofs, ProveWhatTheyWereReadToProve) {
       {"capsule_rows.g", "91608bf45fce4200"},
       {"cell_rows.g", "4f247407c14b81cc"},
       {"dot_binary32.g", "58b32e0a1f9400d2"},
+      {"excess_binary32.g", "bada2670aa5c189a"},
       {"grid_cells.g", "81c75dc600dbefad"},
       {"open_pairs.g", "831855ff8736944e"},
       {"oriented_box_binary32.g", "f4f66b6c4c73db15"},
@@ -78,6 +79,7 @@ TEST(Proofs, AssumeNoLessThanOthersProve) {
        {Link{"overlap_binary32.g", "|eq|<=", "overlap_binary32.g", "|q-/Q|<="},
         Link{"overlap_binary32.g", "|eq|<=", "overlap_binary32.g", "|q_fused-/Q|<="},
         Link{"overlap_binary32.g", "|et|<=", "overlap_binary32.g", "|t-/T|<="},
+        Link{"excess_binary32.g", "|et|<=", "overlap_binary32.g", "|t-/T|<="},
         Link{"overlap_binary64.g", "|eq|<=", "overlap_binary64.g", "|q-/Q|<="},
         Link{"overlap_binary64.g", "|eq|<=", "overlap_binary64.g", "|q_fused-/Q|<="},
         Link{"overlap_binary64.g", "|et|<=", "overlap_binary64.g", "|t-/T|<="},
@@ -102,6 +104,7 @@ TEST(Proofs, AreAboutTheConstantsOfTheCode) {
   const std::string code = text_of("core/arithmetic/robust.h");
   for (const Proved& p :
        {Proved{"binary32_slack = 1 + 12 * 0x1p-24f;", "overlap_binary32.g", "(1 + 12b-24)"},
+        Proved{"binary32_slack = 1 + 12 * 0x1p-24f;", "excess_binary32.g", "(1 + 12b-24)"},
         Proved{"underflow_floor = 0x1p-120f;", "overlap_binary32.g", "1b-120"},
         Proved{"binary64_slack = 1 + 10 * 0x1p-53;", "overlap_binary64.g", "(1 + 10b-53)"},
         Proved{"contained_slack = 1 + 6 * 0x1p-24f;", "parent_binary32.g", "(1 + 6b-24)"},
@@ -113,7 +116,7 @@ TEST(Proofs, AreAboutTheConstantsOfTheCode) {
   for (const char* range : {"safe_square_min = 0x1p-90f", "safe_square_max = 0x1p120f",
                             "safe_radius_min = 0x1p-45f", "safe_radius_max = 0x1p60f"})
     EXPECT_NE(code.find(range), std::string::npos) << range;
-  for (const char* script : {"overlap_binary32.g", "parent_binary32.g"})
+  for (const char* script : {"overlap_binary32.g", "excess_binary32.g", "parent_binary32.g"})
     for (const char* range : {"safe_square_min = 2^-90", "safe_square_max = 2^120"})
       EXPECT_NE(text_of(std::string("properties/proofs/") + script).find(range), std::string::npos) << script;
 }
