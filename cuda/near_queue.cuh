@@ -24,9 +24,9 @@ class NearQueue {
       std::uint32_t index[DeviceWarp::lanes];
       std::uint32_t met[DeviceWarp::lanes];  ///< by thread: how many of these collided
     } warp[warps];
-    std::uint32_t kept[2]
-                      [warps];  ///< pairs of each; by turns, as the next flush may begin before all are read
-    unsigned long long first;   ///< place in the answer of the first of these
+    /// Pairs of each warp; by turns, as the next flush may begin before all are read.
+    std::uint32_t kept[2][warps];
+    unsigned long long first;  ///< place in the answer of the first of these
     unsigned long long found;
   };
 
@@ -41,15 +41,17 @@ class NearQueue {
     if (threadIdx.x == 0) shared_.found = 0;
   }
 
-  /// These four by all threads of a warp together.
+  /// These five by all threads of a warp together. Whose sphere is near those that follow, until the flush.
+  __device__ void asks(const PlacedSphere& own) {
+    own_.sphere[DeviceWarp::lane()] = own.sphere;
+    own_.index[DeviceWarp::lane()] = own.index;
+  }
   template <class Search, std::size_t sets>
-  __device__ void near(const Search& search, const PlacedSphere& own, std::uint32_t level,
-                       const PlaceSet (&near)[sets]) {
+  __device__ void near(const Search& search, std::uint32_t level, const PlaceSet (&near)[sets]) {
     std::uint32_t mine = 0;
     for (const PlaceSet& set : near) mine += __popc(set.bits);
     const LaneSum sum = LaneSum::of(mine);
     if (sum.all == 0) return;
-    remember(own);
     if (used_ + sum.all > room) return near_in_parts(search, sum, level, near);
     Near* to = own_.near + used_ + sum.before;
 #pragma unroll
@@ -59,11 +61,9 @@ class NearQueue {
     converge();
   }
   template <class Search>
-  __device__ void near_one(const Search& search, const PlacedSphere& own, std::uint32_t level,
-                           std::uint32_t at, bool is_near) {
+  __device__ void near_one(const Search& search, std::uint32_t level, std::uint32_t at, bool is_near) {
     const std::uint32_t having = __ballot_sync(DeviceWarp::all, is_near);
     if (having == 0) return;
-    remember(own);
     if (used_ + __popc(having) > room) decide_for_room(search);
     if (is_near) own_.near[used_ + __popc(having & DeviceWarp::lanes_before())] = gathered(at, level);
     used_ += __popc(having);
@@ -102,10 +102,6 @@ class NearQueue {
   }
 
  private:
-  __device__ void remember(const PlacedSphere& own) {
-    own_.sphere[DeviceWarp::lane()] = own.sphere;
-    own_.index[DeviceWarp::lane()] = own.index;
-  }
   __device__ static Near gathered(std::uint32_t at, std::uint32_t level) {
     return {at, DeviceWarp::lane() + level * DeviceWarp::lanes};
   }

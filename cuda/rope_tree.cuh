@@ -97,7 +97,7 @@ class RopeSearch {
 #pragma nv_exec_check_disable
   CATENA_HD void run(std::uint32_t leaf, bool live) const {
     const RopeTree::Node own = tree_.node[tree_.leaf(leaf)];
-    const PlacedSphere sphere{chain_.spheres[own.left], own.left};
+    sink_.asks({chain_.spheres[own.left], own.left});
     std::uint32_t at = live ? own.rope : RopeTree::end;
     while (sink_.any(at != RopeTree::end)) {
       const bool there = at != RopeTree::end;
@@ -109,7 +109,7 @@ class RopeSearch {
         else if (near)
           sink_.compared(own.left, other.left);
       }
-      sink_.near_one(*this, sphere, 0, other.left, near);
+      sink_.near_one(*this, 0, other.left, near);
       if (there) at = meets && !near ? other.left : other.rope;
     }
   }

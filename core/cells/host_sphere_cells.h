@@ -89,17 +89,17 @@ class HostSphereCells {
 /// A lane of a PairCollector as the sink of these searches.
 struct LaneSink {
   PairCollector::Lane& lane;
+  PlacedSphere asking{};  ///< as the search says
+  void asks(const PlacedSphere& own) { asking = own; }
   template <class Search, std::size_t sets>
-  void near(const Search& search, const PlacedSphere& own, std::uint32_t level,
-            const PlaceSet (&near)[sets]) {
+  void near(const Search& search, std::uint32_t level, const PlaceSet (&near)[sets]) {
     for (PlaceSet set : near)
-      while (set.bits != 0) near_one(search, own, level, set.take(), true);
+      while (set.bits != 0) near_one(search, level, set.take(), true);
   }
   template <class Search>
-  void near_one(const Search& search, const PlacedSphere& own, std::uint32_t level, std::uint32_t at,
-                bool is_near) {
+  void near_one(const Search& search, std::uint32_t level, std::uint32_t at, bool is_near) {
     if (!is_near) return;
-    if (const Met met = search.met(own, at, level); met.collide) pair_of(met.i, met.j);
+    if (const Met met = search.met(asking, at, level); met.collide) pair_of(met.i, met.j);
   }
   void pair(std::uint32_t i, std::uint32_t j) { lane.collide(i, j); }
   bool satisfied() const { return lane.satisfied(); }

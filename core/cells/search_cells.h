@@ -16,10 +16,11 @@ struct PlaceSet {
 
 /// Who may collide with the sphere at a place: of what comes after it in its own cell, of the thirteen cells
 /// of its level that come after that one, and of all 27 of each coarser level; so each pair is met once.
-/// Tells the sink, which asks met() of each in its own time: sink.near(search, own, level, sets) by all
-/// threads of a warp together, `sets` an array of PlaceSet. A sink that `listens`, which only one on the host
-/// does, is also told of each cell that a sphere looks into, sink.looks(i, level, bits), bit 3 r + 1 + x for
-/// that x further on in row r, and of each sphere it is compared with, sink.compared(i, j, level).
+/// Tells the sink, sink.asks(own) and then sink.near(search, level, sets), by all threads of a warp together,
+/// `sets` an array of PlaceSet; it asks met() of each in its own time. A sink that `listens`, which only one
+/// on the host does, is also told of each cell that a sphere looks into, sink.looks(i, level, bits),
+/// bit 3 r + 1 + x for that x further on in row r, and of each sphere it is compared with,
+/// sink.compared(i, j, level).
 template <class Tests, bool equal_radii, class Sink>
 class CellSearch {
  public:
@@ -29,9 +30,11 @@ class CellSearch {
   /// All threads of a warp come to these two together; one that is not `live` has no place, and any for
   /// `place` will do. This one is for spheres in one level, the other for those sorted by octaves.
   CATENA_HD void run_in_one_level(const PlacedSphere& own, std::uint32_t place, bool live) const {
+    sink_.asks(own);
     look<own_row>({own, place, 0, 0, live});
   }
   CATENA_HD void run(const PlacedSphere& own, std::uint32_t place, bool live) const {
+    sink_.asks(own);
     const std::uint32_t octave = cells_.octaves.of(own.sphere.radius);
     for (std::uint32_t word = 0; word < Octaves::count / 32; ++word) {
       const std::uint32_t levels = cells_.state->levels[word];
@@ -95,7 +98,7 @@ class CellSearch {
     }
     PlaceSet found[rows - first_row];
     for (std::uint32_t k = 0; k < rows - first_row; ++k) found[k] = near(of, run[k]);
-    sink_.near(*this, of.own, of.level, found);
+    sink_.near(*this, of.level, found);
     if (sink_.any(longer != 0)) look_further(longer, of);
   }
 
@@ -121,7 +124,7 @@ class CellSearch {
       sink_.converge();
       if (!sink_.any(more)) return;
       const PlaceSet found[] = {more ? near(of, run) : PlaceSet{0, 0}};
-      sink_.near(*this, of.own, of.level, found);
+      sink_.near(*this, of.level, found);
       run.first += batch;
     }
   }
