@@ -262,6 +262,10 @@ TEST(Beads, RefuseWhatTheirNeighboursContradict) {
     }
   };
   EXPECT_EQ(topology("3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n"), "");
+  for (const char* none : {"3", "-2"})
+    EXPECT_NE(topology(fmt::format("3 1\n1 A -1 {}\n1 C 0 2\n1 G 1 -1\n", none))
+                  .find(fmt::format("neighbour {} is not one of 3 nucleotides", none)),
+              std::string::npos);
   EXPECT_NE(topology("3 1\n1 A -1 2\n1 C 0 2\n1 G 1 -1\n").find("has the neighbour"), std::string::npos);
   EXPECT_NE(topology("3 1\n1 A -1 0\n1 C -1 2\n1 G 1 -1\n").find("nucleotide 0 "), std::string::npos);
   EXPECT_COMPLAINT("3: bin 4 of 'chr1' comes after 4", "a.nucle3d", "CHR\tchr1\n4,0,0,0\n4,1,0,0\n");
