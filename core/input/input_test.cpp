@@ -176,7 +176,13 @@ TEST(OpenInput, NeighboursOfANeuronAreThoseOfItsTree) {
 TEST(OpenInput, SaysWhatIsWrongWithAFile) {
   EXPECT_REFUSAL("there is no such file", "nowhere/at_all");
   EXPECT_REFUSAL("there is no such file", "missing.swc");
-  EXPECT_REFUSAL("is a directory", example(""));
+  const TestFile inside("a.xyz", "0 0 0\n");
+  for (const std::filesystem::path& folder : {example(""), example("."), inside.path().parent_path()})
+    EXPECT_REFUSAL("is a directory", folder);
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(inside.path().parent_path().parent_path());  // by its name alone
+  EXPECT_REFUSAL("is a directory", inside.path().parent_path().filename());
+  std::filesystem::current_path(here);
   EXPECT_REFUSAL("no input is named", "");
   const TestFile unknown("a.docx", "x"), extensionless("a", "x"), empty("a.pdb", "");
   EXPECT_REFUSAL("no reader for '.docx' files; there are readers for: ", unknown.path());

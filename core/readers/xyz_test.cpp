@@ -174,6 +174,16 @@ TEST(XyzReader, TakesTheBoxOfEachFrame) {
   EXPECT_COMPLAINT("5: this Lattice lies along the axes, the first does not", "a.xyz", turned + nine);
 }
 
+// Every number of a file in one row: one short line, and soon.
+TEST(XyzReader, RefusesARowOfAMillionNumbers) {
+  std::string row;
+  for (int k = 0; k < 1'000'000; ++k) row += "0 ";
+  EXPECT_EQ(complaint("a.xyz", row + "\n"),
+            "a.xyz:1: 1000000 columns in a row; write a row for each point, as x y z");
+  EXPECT_EQ(complaint("a.xyz", "1\nt\nC " + row + "\n"),
+            "a.xyz:3: 1000001 columns in a row; write a row for each point, as x y z");
+}
+
 TEST(XyzReader, SaysThatBlankLinesEndNoStrand) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(read_text("a.xyz", "\n \n0 0 0\n1 0 0\n\n").warnings, Texts{});
