@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catena/core/commands/test_program.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena {
 namespace {
@@ -190,6 +191,18 @@ TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {
   const std::string last =
       write("last.xyzr", std::string((3 << 20) / 2, '\n') + "0 0 0 1\n9 0 0 1\n0 1 0 1\n");
   expect_says("detect - --format xyzr < " + last, 0, {"3 spheres, 1 pair"});
+}
+
+// Where nobody can be asked, nothing was verified, and that is no success.
+TEST_F(Program, VerifiesNothingByNobody) {
+  const auto& variants = StrategyRegistry::instance().variants();
+  const auto absent =
+      std::ranges::find_if(variants, [](const VariantInfo& v) { return v.unavailable.has_value(); });
+  if (absent == variants.end()) GTEST_SKIP() << "every variant is available here";
+  expect_refused("verify path1:n=50 --variant '" + absent->name + "'",
+                 absent->name + " is not available here: ");
+  expect_says("verify path1:n=50 --variant CPU1 --variant '" + absent->name + "'", 0,
+              {"CPU1", "1 unavailable"});
 }
 
 TEST_F(Program, KnowsWhatWasMeant) {
