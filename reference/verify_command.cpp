@@ -61,6 +61,10 @@ class VerifyCommand final : public Command {
     const bool samples = inputs_.empty();
     if (samples) inputs_ = default_inputs();
     auto candidates = make_candidates();
+    // Nothing would be verified, and that is no success.
+    if (std::ranges::none_of(candidates, [](const Candidate& c) { return c.variant != nullptr; }))
+      throw InputError(fmt::format("{} is not available here: {}; see catena list",
+                                   candidates.front().info.name, *candidates.front().info.unavailable));
 
     VerifyReport report(json_);
     Progress progress(inputs_.size() * candidates.size());

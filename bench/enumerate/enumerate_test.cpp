@@ -77,6 +77,19 @@ TEST(PublishedTables, AreEachThereOnce) {
   EXPECT_EQ(published_table(3, WalkTable::contacts), nullptr);
 }
 
+// At the radii where more points begin to touch, and one float beside them.
+TEST(PublishedTables, AreOfTheWalksThatARadiusAllows) {
+  const auto table = [](float radius) { return WalkQuestion{.radius = radius}.table(); };
+  const float adjacent = std::sqrt(0.5f);
+  const float below = 2 * double{adjacent} * adjacent < 1 ? adjacent : std::nextafter(adjacent, 0.0f);
+  EXPECT_EQ(table(0), WalkTable::self_avoiding);
+  EXPECT_EQ(table(std::nextafter(0.5f, 0.0f)), WalkTable::self_avoiding);
+  EXPECT_EQ(table(0.5f), WalkTable::contact_free);
+  EXPECT_EQ(table(below), WalkTable::contact_free);
+  EXPECT_EQ(table(std::nextafter(below, 1.0f)), std::nullopt);
+  EXPECT_EQ(table(0.9f), std::nullopt);
+}
+
 TEST(Enumerate, FindsThePublishedNumbersOnTheCubicLattice) {
   expect_published("Hybrid", {.dimensions = 3, .radius = below_half, .steps = 8});
   expect_published("Hybrid", {.dimensions = 3, .radius = 0.5f, .steps = 8});

@@ -130,6 +130,123 @@ TEST(Storage, FlipsMoreTheFartherTheChainLies) {
   EXPECT_LT(near.least_margin, 1e-2);
 }
 
+/// The least distance of spheres that lie at most `reach` steps from these.
+double nearest(const Tube& tube, double s, double t, double h, int reach) {
+  const auto at = [&](double along) {
+    return tube.position(tube.closed ? along - tube.length * std::floor(along / tube.length)
+                                     : std::clamp(along, 0.0, tube.length));
+  };
+  double least = 1e300;
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j) least = std::min(least, length(at(s + i * h) - at(t + j * h)));
+  return least;
+}
+
+// Every number a second time, by its definition, at spacings that miss and invent some.
+TEST(TubeError, IsWhatItsDefinitionsSay) {
+  std::uint32_t missed = 0, invented = 0;
+  for (const Tube& tube : {path1_tube(), lissajous(), torus_knot()}) {
+    const auto all = approaches(tube);
+    for (const double spacing : {0.9, 0.5, 0.31, 0.2, 0.09}) {
+      const auto n = static_cast<std::uint32_t>(tube.length / spacing);
+      const TubeError error = tube_error(tube, all, n);
+      const double h = tube.length / (tube.closed ? n : n - 1);
+      ASSERT_DOUBLE_EQ(error.spacing, h);
+      EXPECT_DOUBLE_EQ(error.covering_radius, tube.radius + error.gap);
+      EXPECT_DOUBLE_EQ(error.covering_depth_error, 2 * error.gap);
+      TubeError expected;
+      const Approach* deepest = nullptr;
+      for (const Approach& a : all) {
+        const double depth =
+            2 * tube.radius - nearest(tube, h * std::round(a.s / h), h * std::round(a.t / h), h, 6);
+        const bool touches = a.distance <= 2 * tube.radius, covered = depth + 2 * error.gap >= 0;
+        expected.contacts += touches;
+        expected.missed += touches && depth < 0;
+        expected.missed_by_covering += touches && !covered;
+        expected.invented += !touches && covered;
+        if (touches && (deepest == nullptr || a.distance < deepest->distance)) deepest = &a;
+      }
+      EXPECT_EQ(error.contacts, expected.contacts) << tube.name << ' ' << n;
+      EXPECT_EQ(error.missed, expected.missed) << tube.name << ' ' << n;
+      EXPECT_EQ(error.missed_by_covering, expected.missed_by_covering) << tube.name << ' ' << n;
+      EXPECT_EQ(error.invented, expected.invented) << tube.name << ' ' << n;
+      missed += error.missed, invented += error.invented;
+      double worst = 0;
+      for (int i = 0; i < 16; ++i)
+        worst =
+            std::max(worst, nearest(tube, deepest->s + h * (i / 4) / 4, deepest->t + h * (i % 4) / 4, h, 1));
+      EXPECT_NEAR(error.depth_error, worst - deepest->distance, 1e-9) << tube.name << ' ' << n;
+    }
+  }
+  EXPECT_GT(missed, 0u);
+  EXPECT_GT(invented, 0u);
+}
+
+// Of a closed tube the step around the end counts, too.
+TEST(TubeError, LeavesOutOfTheVolumeWhatTwoSpheresLeaveOut) {
+  for (const Tube& tube : {lissajous(), helix()})
+    for (const std::uint32_t n : {800u, 1500u}) {
+      const std::uint32_t steps = tube.closed ? n : n - 1;
+      const double h = tube.length / steps;
+      double out = 0;
+      for (std::uint32_t k = 0; k < steps; ++k) {
+        const double chord =
+            length(tube.position(k * h) - tube.position(tube.closed && k + 1 == n ? 0 : (k + 1) * h));
+        out += (h - chord + chord * chord * chord / 12) / h / steps;
+      }
+      EXPECT_NEAR(tube_error(tube, {}, n).volume_deficit / out, 1, 1e-7) << tube.name << ' ' << n;
+    }
+}
+
+TEST(Contacts, AreTheApproachesThatTouch) {
+  const Tube rod = straight_rod();
+  const std::vector<Approach> all{{1, 9, 2, {}}, {2, 9, 2 + 1e-12, {}}, {3, 9, 2 - 1e-12, {}}, {4, 9, 0, {}}};
+  std::vector<double> touching;
+  for (const Approach& a : contacts(rod, all)) touching.push_back(a.s);
+  EXPECT_EQ(touching, (std::vector<double>{1, 3, 4}));
+}
+
+// By all pairs, far from the origin, where floats are so coarse that some distances are exactly the reach.
+TEST(Storage, CountsByItsDefinition) {
+  const Tube spring = helix(0.1);
+  constexpr std::uint32_t n = 1200;
+  constexpr double offset = 8e6;
+  const StorageError error = storage_error(spring, n, offset);
+  const double h = spring.length / (n - 1);
+  std::vector<Vec3> real;
+  std::vector<Sphere> spheres;
+  double farthest = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    real.push_back(spring.position(std::min(i * h, spring.length)) + Vec3{offset, offset, offset});
+    const Vec3& p = real.back();
+    spheres.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 1});
+    farthest = std::max(farthest, length(p - Vec3{spheres[i].x, spheres[i].y, spheres[i].z}));
+  }
+  EXPECT_EQ(stored_error(spring, n, offset), farthest);
+  StorageError expected;
+  expected.least_margin = 1e300;
+  expected.decades.assign(10, 0);
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = i + 2; j < n; ++j) {
+      if (spring.neighbours(i * h, j * h)) continue;
+      const Sphere &a = spheres[i], &b = spheres[j];
+      const Vec3 d{double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z}, r = real[i] - real[j];
+      const double q = dot(d, d), margin = std::abs(q - 4) / 4;  // exact: few digits
+      if (margin >= 1 && q > 4) continue;
+      expected.pairs += q <= 4;
+      expected.flips += (q <= 4) != (dot(r, r) <= 4);
+      expected.least_margin = std::min(expected.least_margin, margin);
+      int decade = 0;
+      for (double bound = 0.1; decade < 9 && margin < bound; bound /= 10) ++decade;
+      ++expected.decades[static_cast<std::size_t>(decade)];
+    }
+  EXPECT_GT(expected.decades[9], 0u);
+  EXPECT_EQ(error.pairs, expected.pairs);
+  EXPECT_EQ(error.flips, expected.flips);
+  EXPECT_EQ(error.least_margin, expected.least_margin);
+  EXPECT_EQ(error.decades, expected.decades);
+}
+
 TEST(TubeError, AToleranceTakesNoMoreSpheresThanItMust) {
   for (const Tube& tube : {straight_rod(), helix(), lissajous()})
     for (const double tolerance : {0.3, 0.01, 1e-4}) {

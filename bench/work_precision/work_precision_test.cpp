@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/bench/timing/times_told.h"
+#include "catena/bench/tube/error.h"
+#include "catena/core/error.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reference/reference.h"
 
 namespace catena::bench {
 namespace {
@@ -50,9 +55,50 @@ TEST(WorkPrecision, FarFromTheOriginRoundedArithmeticHasAnAnswerErrorAndRobustHa
   EXPECT_NEAR(slope, 2, 0.1);
 }
 
+// Computed a second time, of what a rounded variant loses far from the origin; and who beats whom is told.
+TEST(WorkPrecision, SaysHowDeepTheDeepestPairLostLies) {
+  constexpr double offset = 0x1p20;
+  const std::string rounded = "aCPU2+Dual/literal";
+  const Tube tube = helix();
+  const auto result = work_precision(tube, {3200}, {rounded, "aCPU2+Dual"}, 3, offset);
+  const Chain chain = inscribed_chain(tube, 3200, offset);
+  const auto variant = StrategyRegistry::instance().make(rounded);
+  Collisions found;
+  variant->build(chain);
+  variant->find(chain, {}, found);
+  std::ranges::sort(found.pairs);
+  double deepest = 0;
+  const auto exact = reference::find(chain).pairs;
+  for (const auto* some : {&exact, &std::as_const(found.pairs)})
+    for (const Pair& p : *some)
+      if (std::ranges::binary_search(exact, p) != std::ranges::binary_search(found.pairs, p)) {
+        const Sphere &a = chain[p.i], &b = chain[p.j];
+        const double apart = std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
+        deepest = std::max(deepest, std::abs(apart - 2 * tube.radius));
+      }
+  EXPECT_GT(deepest, 0);
+  EXPECT_DOUBLE_EQ(point(result, rounded, 3200).depth_error, deepest / tube.radius);
+  auto points = result.points;
+  for (Point& p : points) p.dominated_by.reset();
+  mark_dominated(points);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    EXPECT_EQ(points[k].dominated_by, result.points[k].dominated_by) << k;
+}
+
+TEST(WorkPrecision, MarksWhoIsSlowerForNoLessError) {
+  const auto result = work_precision(straight_rod(), {4000}, {"CPU1", "Grid"}, 5);
+  EXPECT_TRUE(point(result, "CPU1", 4000).dominated_by.has_value());  // 8 million pairs against 4000 spheres
+  EXPECT_FALSE(point(result, "Grid", 4000).dominated_by.has_value());
+}
+
+// An answer that its variant says is exact and is not is no error to measure.
+TEST(WorkPrecision, RefusesAVariantThatIsWrongAndSaysItIsExact) {
+  EXPECT_THROW(work_precision(helix(), {800}, {"mutant:grid-truncates-toward-zero"}, 1), InputError);
+}
+
 TEST(WorkPrecision, SaysWhatItLeavesOut) {
-  const auto result = work_precision(straight_rod(), {6000}, variants, 1);
-  EXPECT_EQ(result.points.size(), 2u);
+  const auto result = work_precision(straight_rod(), {6000, 7000}, variants, 1);
+  EXPECT_EQ(result.points.size(), 4u);
   ASSERT_EQ(result.left_out.size(), 1u);
   EXPECT_TRUE(result.left_out[0].starts_with("CPU1: O(n^2)"));
 }

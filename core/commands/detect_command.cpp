@@ -8,6 +8,7 @@
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/json_line.h"
+#include "catena/core/commands/output_names.h"
 #include "catena/core/commands/plan_options.h"
 #include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/progress.h"
@@ -87,6 +88,7 @@ class DetectCommand final : public Command {
   void check_options() {
     request_.want = want_.want();
     check_answer_options(request_, files_);
+    require_apart({input_, options_.reading.topology}, {files_.pairs, files_.counts});
     if (no_omit_.given() && variant_ != usual_variant)
       throw InputError("--no-omit is about the variant auto; leave it out, or --variant");
     if (no_omit_.given()) variant_ = no_omit_.variant();

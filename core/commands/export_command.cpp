@@ -7,6 +7,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/frame_option.h"
 #include "catena/core/commands/input_options.h"
+#include "catena/core/commands/output_names.h"
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
@@ -46,13 +47,19 @@ class ExportCommand final : public Command {
     if (contacts_) periodic_ = put_into_boxes(search_, input.boxes);
     const auto [first, last] = frame_.of(input);
     first_frame_ = written_frame(input_);
+    std::vector<std::string> names;
+    if (writer.info.frames || last - first == 1)
+      names.push_back(out_);
+    else
+      for (std::uint32_t f = first; f < last; ++f) names.push_back(name_of(f));
+    for (const std::string& name : names) require_apart({input_, options_.reading.topology}, {name});
     say_losses(writer.info, input.animation->frame(first), !input.boxes.empty());
     const auto frame = [&](std::uint32_t f) { return exported(input, f, f == first); };
     if (writer.info.frames || last - first == 1) {
       writer.write(out_, {first, last, frame, input.labels, input.joints, input.boxes});
     } else {
       for (std::uint32_t f = first; f < last; ++f)
-        writer.write(name_of(f), {f, f + 1, frame, input.labels, input.joints, input.boxes});
+        writer.write(names[f - first], {f, f + 1, frame, input.labels, input.joints, input.boxes});
     }
     fmt::print("{}: {} of {} as {}\n", one_line(out_), counted(last - first, "frame"),
                counted(input.animation->frame(first).size(), "sphere"), writer.info.name);

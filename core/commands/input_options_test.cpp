@@ -28,6 +28,18 @@ TEST(InputOptions, AreWrittenAsTheyAreRead) {
   EXPECT_THROW(read_and_written({"--radius"}), InputError);
 }
 
+TEST(InputOptions, AreRefusedWhereTheySayTooMuchOrTooLittle) {
+  for (const auto& [option, wrong] : std::vector<std::pair<std::string, Arguments>>{
+           {"--radius", {"-1", "inf", "nan", "1e39", "1x", "", "half"}},
+           {"--arc-window", {"0", "-1", "inf", "nan", "pi/0", "pi/-2", "pi/", "2*pi", "", "1e999"}},
+           {"--origin", {"1,2", "1,2,3,4", "1,2,x", "1,,3", "", "1,2,3,"}},
+           {"--box",
+            {"1,2", "1,2,3,4", "1,2,3,4,5", "1,2,3,4,5,6,7", "1,2,3,4,5,6,", "1,2,x", "", "File",
+             "1,inf,3"}}})
+    for (const std::string& text : wrong)
+      EXPECT_THROW(read_and_written({option + "=" + text}), InputError) << option << " " << text;
+}
+
 TEST(InputOptions, StandInACommand) {
   InputOptions options;
   read_input_options({"--closed", "--array", "a b", "--box", "none"}, options);

@@ -15,13 +15,45 @@ namespace {
 using Outcome = ProgramOutcome;
 
 /// Whatever a format cannot hold is said, each in a line of its own, and nothing where nothing is lost.
+// What is read is not written over, by whatever name, and no table over another.
+TEST_F(Program, LosesNoFileToAnother) {
+  const std::string text = "x,y,z,r\n0,0,0,1\n3,0,0,1\n1,1,0,1\n", in = write("in.csv", text);
+  std::filesystem::create_symlink("in.csv", file("link.csv"));
+  const std::string beside = "'" + file("./in.csv") + "'", link = "'" + file("link.csv") + "'";
+  for (const std::string& out : {in, beside, link}) {
+    for (const char* option : {" --pairs ", " --counts "})
+      expect_refused("detect " + in + option + out, "is read, and would be lost; name another file to write");
+    expect_refused("export " + in + " " + out, "is read, and would be lost");
+    EXPECT_EQ(text_of(file("in.csv")), text);
+  }
+  expect_refused("detect " + link + " --pairs " + in, "is read, and would be lost");
+  const std::string table = "'" + file("t.csv") + "'",
+                    same = "'" + file("../") +
+                           std::filesystem::path(file("t.csv")).parent_path().filename().string() + "/t.csv'";
+  for (int time = 0; time < 2; ++time) {  // of a file that is there, too
+    expect_refused("detect " + in + " --pairs " + table + " --counts " + same,
+                   "is to be written twice; name another file");
+    EXPECT_EQ(text_of(file("t.csv")), time == 0 ? "" : "kept");
+    write("t.csv", "kept");
+  }
+  expect_refused("detect " + in + " --pairs -", "/dev/stdout is the output");
+  expect_says("detect " + in + " --pairs /dev/null --counts /dev/null", 0, {"3 spheres, 1 pair"});
+  write("g_1.csv", "1\nt\n0 0 0\n1\nt\n1 0 0\n");
+  expect_refused(
+      "export '" + file("g_1.csv") + "' '" + file("g.csv") + "' --format xyz --radius 1 --frame all",
+      "g_1.csv: is read, and would be lost");
+  EXPECT_FALSE(std::filesystem::exists(file("g_0.csv")));
+}
+
 TEST_F(Program, SaysWhatAnExportLoses) {
-  const std::string neuron = write("neuron.swc", "1 1 0 0 0 1 -1\n2 3 3 0 0 1 1\n3 3 6 0 0 1 2\n4 3 3 3 0 1 2\n");
+  const std::string neuron =
+      write("neuron.swc", "1 1 0 0 0 1 -1\n2 3 3 0 0 1 1\n3 3 6 0 0 1 2\n4 3 3 3 0 1 2\n");
   struct Lost {
     const char *input, *out;
     std::vector<std::string> lines;
   };
-  const std::string rule = "exclusion rule; give it with --window or --arc-window", joints = "neighbours across joints; .chain does",
+  const std::string rule = "exclusion rule; give it with --window or --arc-window",
+                    joints = "neighbours across joints; .chain does",
                     radii = "radii; give them with --radius";
   for (const auto& [options, out, lines] :
        {Lost{"", "a.chain", {}}, Lost{" --window 3", "a.chain", {}}, Lost{"", "a.csv", {joints}},
@@ -29,8 +61,10 @@ TEST_F(Program, SaysWhatAnExportLoses) {
         Lost{"", "a.obj", {radii, joints}}, Lost{" --window 3", "a.catena", {}}}) {
     const Outcome r = run("export " + neuron + " '" + file(out) + "'" + options);
     EXPECT_EQ(r.code, 0) << r.output;
-    for (const std::string& line : lines) EXPECT_NE(r.output.find("holds no " + line), std::string::npos) << r.output;
-    EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + static_cast<std::ptrdiff_t>(lines.size())) << options << out << r.output;
+    for (const std::string& line : lines)
+      EXPECT_NE(r.output.find("holds no " + line), std::string::npos) << r.output;
+    EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + static_cast<std::ptrdiff_t>(lines.size()))
+        << options << out << r.output;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catena/core/commands/test_program.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena {
 namespace {
@@ -33,7 +34,8 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect path1:x=1", "no parameter 'x'");
   expect_refused("detect path1:n=10 --frame 99", "there is no frame 99");
   for (const char* frame : {"first", "1x", "1.0", "-1", "+1", "'1 '", "4294967296", "al", "all2"})
-    expect_refused(std::string("detect path1:n=10 --frame=") + frame, "must be a frame number from 0, or all");
+    expect_refused(std::string("detect path1:n=10 --frame=") + frame,
+                   "must be a frame number from 0, or all");
   expect_refused("detect path1:n=10 --frame 56", "there is no frame 56");
   expect_refused("detect path1:n=10 --variant Fastest", "'Fastest'");
   expect_refused("detect path1:n=10 --any --counts-only", "--any");
@@ -82,7 +84,8 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
 }
 
 TEST_F(Program, CountsAndTurnsWalks) {
-  expect_says("pivot --n 40 --moves 64 --rotations any", 0, {"40 points", "self-avoiding by the exact reference"});
+  expect_says("pivot --n 40 --moves 64 --rotations any", 0,
+              {"40 points", "self-avoiding by the exact reference"});
   expect_says("pivot --n 40 --moves 64 --at-once", 0, {"\n1 at once", "\n39 at once", "times as much"});
   expect_says("enumerate --walks 4 --lattice diamond", 0, {"A001394", "108"});
 }
@@ -127,10 +130,12 @@ TEST_F(Program, RepeatsSpaceInABox) {
     expect_refused(command + examples + "melt.data --radius 0.5 --box 1.5,8,8",
                    "melt.data frame 0: the box is 1.5 wide along x, less than twice the reach 1");
   expect_refused(melt + " --box 1.5,8,8", "melt.data frame 0: the box is 1.5 wide");
-  expect_says("export " + examples + "melt.data '" + file("m.vtp") + "' --contacts --radius 0.5 --box 1.5,8,8", 2,
-              {"melt.data frame 0: the box is 1.5 wide"});
-  expect_refused("report --output " + file("r") + " --scene " + examples + "melt.data --radius 0.5 --box 1.5,8,8",
-                 "melt.data: the box is 1.5 wide");
+  expect_says(
+      "export " + examples + "melt.data '" + file("m.vtp") + "' --contacts --radius 0.5 --box 1.5,8,8", 2,
+      {"melt.data frame 0: the box is 1.5 wide"});
+  expect_refused(
+      "report --output " + file("r") + " --scene " + examples + "melt.data --radius 0.5 --box 1.5,8,8",
+      "melt.data: the box is 1.5 wide");
   const std::string far = write("far.csv", "x,y,z,r\n0,0,0,1\n9663676416,0,0,1\n3,0,0,1\n");
   for (const std::string command : {"margins ", "verify --variant Hybrid ", "detect "})
     expect_refused(command + far + " --box 9,9,9", "far.csv frame 0: sphere 1 lies ");
@@ -181,6 +186,23 @@ TEST_F(Program, ExportsTheBoxToXyzAndSaysWhereItCannot) {
 TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {
   expect_says("detect - --format vtp < " + examples + "branch.vtp", 0, {"7 spheres"});
   expect_refused("detect - < " + examples + "branch.vtp", "standard input: ");
+  expect_refused("detect - --format vtp < /dev/null", "standard input: is empty");
+  // Of a pipe's several pieces, the last line too.
+  const std::string last =
+      write("last.xyzr", std::string((3 << 20) / 2, '\n') + "0 0 0 1\n9 0 0 1\n0 1 0 1\n");
+  expect_says("detect - --format xyzr < " + last, 0, {"3 spheres, 1 pair"});
+}
+
+// Where nobody can be asked, nothing was verified, and that is no success.
+TEST_F(Program, VerifiesNothingByNobody) {
+  const auto& variants = StrategyRegistry::instance().variants();
+  const auto absent =
+      std::ranges::find_if(variants, [](const VariantInfo& v) { return v.unavailable.has_value(); });
+  if (absent == variants.end()) GTEST_SKIP() << "every variant is available here";
+  expect_refused("verify path1:n=50 --variant '" + absent->name + "'",
+                 absent->name + " is not available here: ");
+  expect_says("verify path1:n=50 --variant CPU1 --variant '" + absent->name + "'", 0,
+              {"CPU1", "1 unavailable"});
 }
 
 TEST_F(Program, KnowsWhatWasMeant) {
@@ -218,14 +240,15 @@ TEST_F(Program, PrintsTheFrameItUsed) {
       << text_of(pairs).substr(0, 40);
 }
 
-/// Frames of one file whose boxes differ: a pair collides through the face of the small one alone. Each frame of all is
-/// as it is alone, whoever searches it.
+/// Frames of one file whose boxes differ: a pair collides through the face of the small one alone. Each frame
+/// of all is as it is alone, whoever searches it.
 TEST_F(Program, SearchesEachFrameInItsOwnBox) {
   std::string dump;
   for (const char* width : {"20", "8", "20"})
-    dump += std::string("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 ") + width +
-            "\n0 20\n0 20\nITEM: ATOMS id mol x y z\n1 1 0.3 4 4\n2 2 7.6 4 4\n3 3 4 4 4\n";
-  const std::string input = write("boxes.dump", dump), box = " --radius 0.5 --box file --variant aCPU2+CPU2 --frame ";
+    dump += std::string("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 ") +
+            width + "\n0 20\n0 20\nITEM: ATOMS id mol x y z\n1 1 0.3 4 4\n2 2 7.6 4 4\n3 3 4 4 4\n";
+  const std::string input = write("boxes.dump", dump),
+                    box = " --radius 0.5 --box file --variant aCPU2+CPU2 --frame ";
   const auto pairs = [&](const std::string& frame) {
     expect_says("detect " + input + box + frame + " --pairs '" + file("p.csv") + "'", 0, {});
     return text_of(file("p.csv"));
@@ -264,7 +287,8 @@ TEST_F(Program, ListsVariantsScenesAndReaders) {
   const auto list = nlohmann::json::parse(printed);
   EXPECT_GE(list["variants"].size(), 40u);
   for (const auto& variant : list["variants"]) {
-    for (const char* key : {"name", "arithmetic", "device", "unavailable", "stages", "exact", "peer", "evidence"})
+    for (const char* key :
+         {"name", "arithmetic", "device", "unavailable", "stages", "exact", "peer", "evidence"})
       EXPECT_TRUE(variant.contains(key)) << variant << " lacks " << key;
     EXPECT_EQ(variant["device"], variant["on_device"]) << variant;
   }
@@ -275,7 +299,8 @@ TEST_F(Program, ListsVariantsScenesAndReaders) {
 TEST_F(Program, SaysTheMostOfAnySphere) {
   const std::string counts = file("counts.jsonl");
   for (const char* input : {"path1:n=1000 --frame 28", "yarn:n=300", "coincident:n=60"}) {
-    const auto line = nlohmann::json::parse(run(std::string("detect ") + input + " --json --counts '" + counts + "'").output);
+    const auto line = nlohmann::json::parse(
+        run(std::string("detect ") + input + " --json --counts '" + counts + "'").output);
     std::istringstream rows(text_of(counts));
     int most = 0, first = -1;
     for (std::string row; std::getline(rows, row);) {

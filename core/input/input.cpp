@@ -40,9 +40,10 @@ bool is_file(const std::string& spec) {
 // A scene's parameters may contain a slash or a dot, its name cannot.
 bool looks_like_file(const std::string& spec, const ReadOptions& options) {
   if (is_standard_input(spec) || !options.format.empty()) return true;
+  std::error_code none;
   return !SceneRegistry::instance().contains(scene_name(spec)) &&
          (spec.find('/') != std::string::npos || ReaderRegistry::instance().knows(spec) ||
-          std::filesystem::path(spec) == "." || std::filesystem::path(spec) == "..");
+          std::filesystem::is_directory(spec, none));
 }
 
 std::string said_of(const Thinning& thinning) {

@@ -1,7 +1,9 @@
 #include "catena/core/input/input.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "catena/core/error.h"
@@ -72,6 +74,20 @@ TEST(OpenInput, ClosesStrandsAndTakesARepeatedPointOnce) {
   EXPECT_NE(closed.warnings[0].find("it is taken once"), std::string::npos);
 }
 
+TEST(OpenInput, TakesAPointThatIsAllOfAStrandOnce) {
+  const TestFile twice("a.xyz", "1 2 3\n1 2 3\n"), once("b.xyz", "1 2 3\n");
+  for (const TestFile* file : {&twice, &once})
+    EXPECT_EQ(chain_of(file->path(), {.radius = 1.0f, .closed = true}).size(), 1u);
+  // Where pairs name spheres by number, the numbers stay.
+  const TestFile named(
+      "a.chain",
+      "catena-chain 1\nwindow 1\nstrand open 4\n0 0 0 1\n9 0 0 1\n9 9 0 1\n0 0 0 1\npairs 1\n1 3\nend\n");
+  const Chain chain = chain_of(named.path(), {.closed = true});
+  ASSERT_EQ(chain.size(), 4u);
+  EXPECT_TRUE(chain.neighbours(1, 3));
+  EXPECT_TRUE(chain.neighbours(0, 3));
+}
+
 TEST(OpenInput, KeepsLabelsWithTheirSpheres) {
   const TestFile file("a.csv", "strand,x,y,z\na,0,0,0\na,1,0,0\na,0,1,0\na,0,0,0\nb,5,0,0\nb,6,0,0\n");
   const Input open = open_input(file.path().string(), {.radius = 1.0f});
@@ -105,6 +121,14 @@ TEST(OpenInput, MeasuresWhatRoundingHasCost) {
   EXPECT_EQ(rounding("16777217", {.recentre = true}), 0);
   EXPECT_EQ(rounding("16777217", {.recentre = true, .origin = {{16777216, 0, 0}}}), 0);
   EXPECT_EQ(rounding("-16777217", {.recentre = true, .origin = {{16777216, 0, 0}}}), 1);
+  // It is said from a thousandth of a radius on, of own radii and of one for all.
+  for (const auto& [radius, said] : {std::pair(1000.5f, false), {999.5f, true}, {50.0f, true}}) {
+    const TestFile points("a.csv", "x,y,z\n16777217,0,0\n"),
+        spheres("b.csv", fmt::format("x,y,z,r\n16777217,0,0,{}\n", radius));
+    EXPECT_EQ(open_input(points.path().string(), {.radius = radius}).warnings.size(), std::size_t{said})
+        << radius;
+    EXPECT_EQ(open_input(spheres.path().string()).warnings.size(), std::size_t{said}) << radius;
+  }
   // A radius of 0 has no share to lose; the warning is for the other sphere.
   const TestFile file("a.csv", "x,y,z,r\n0.1,0,0,1e-5\n16777217,1,0,0\n");
   EXPECT_EQ(open_input(file.path().string()).warnings.size(), 0u);
@@ -120,6 +144,7 @@ TEST(OpenInput, TakesTheFirstPointOffEveryPointOfEveryFrame) {
 
 TEST(OpenInput, RefusesToCloseATree) {
   EXPECT_REFUSAL("leave out --closed", example("Neuron.swc"), {.closed = true});
+  EXPECT_REFUSAL("leave out --closed", example("branch.vtk"), {.closed = true});
   EXPECT_REFUSAL("are for files, not for scenes", "rod:n=5", {.reading = {.columns = {"x", "y", "z"}}});
 }
 
@@ -151,7 +176,13 @@ TEST(OpenInput, NeighboursOfANeuronAreThoseOfItsTree) {
 TEST(OpenInput, SaysWhatIsWrongWithAFile) {
   EXPECT_REFUSAL("there is no such file", "nowhere/at_all");
   EXPECT_REFUSAL("there is no such file", "missing.swc");
-  EXPECT_REFUSAL("is a directory", example(""));
+  const TestFile inside("a.xyz", "0 0 0\n");
+  for (const std::filesystem::path& folder : {example(""), example("."), inside.path().parent_path()})
+    EXPECT_REFUSAL("is a directory", folder);
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(inside.path().parent_path().parent_path());  // by its name alone
+  EXPECT_REFUSAL("is a directory", inside.path().parent_path().filename());
+  std::filesystem::current_path(here);
   EXPECT_REFUSAL("no input is named", "");
   const TestFile unknown("a.docx", "x"), extensionless("a", "x"), empty("a.pdb", "");
   EXPECT_REFUSAL("no reader for '.docx' files; there are readers for: ", unknown.path());
@@ -196,6 +227,10 @@ TEST(OpenInput, WindowsApplyToEveryFrameOfAScene) {
   EXPECT_TRUE(wide.animation->frame(1).neighbours(4, 7));
   EXPECT_FALSE(wide.animation->frame(1).neighbours(4, 8));
   EXPECT_EQ(wide.animation->frame(1)[5], open_input("path1:n=20").animation->frame(1)[5]);
+  const Input snake = open_input("path1:n=50"), windowed = open_input("path1:n=50", {.window = 2});
+  for (std::uint32_t f = 1; f < snake.animation->frames(); ++f)
+    EXPECT_EQ(windowed.animation->shift(f), snake.animation->shift(f)) << f;
+  EXPECT_NE(snake.animation->shift(1), 0);
   const Input arc = open_input("path1:n=20,frame=1", {.arc_window = 1.6});
   EXPECT_EQ(arc.animation->frame(0).exclusion().rule, Exclusion::Rule::arc_window);
 }
@@ -207,6 +242,23 @@ TEST(HalfMedianStep, CountsTheClosingStep) {
   EXPECT_EQ(half_median_step(curves), 4.0);  // steps 2, 8, sqrt(68)
   curves.strand_closed[0] = 0;
   EXPECT_EQ(half_median_step(curves), 2.5);
+}
+
+// The middle one, or of an even number the two in the middle, whatever their order along the strand.
+TEST(HalfMedianStep, IsOfTheStepsInTheMiddle) {
+  std::vector<float> steps{1, 2, 4, 7, 16, 32};
+  for (const std::size_t count : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    std::vector<float> some(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(count));
+    const double median = (some[(count - 1) / 2] + some[count / 2]) / 2;
+    do {
+      CurveFile curves;
+      float at = 0;
+      curves.spheres = {{0, 0, 0, 0}};
+      for (const float step : some) curves.spheres.push_back({at += step, 0, 0, 0});
+      curves.end_strand();
+      ASSERT_EQ(half_median_step(curves), median / 2);
+    } while (std::ranges::next_permutation(some).found);
+  }
 }
 
 }  // namespace

@@ -270,6 +270,30 @@ TEST(Thin, AsksEveryFrame) {
   }
 }
 
+// What the input's own steps lose is told, of the step that closes a strand too.
+TEST(Thin, TellsWhatTheWidestStepLoses) {
+  for (const bool closed : {false, true}) {
+    std::vector<Sphere> arc;
+    for (int i = 0; i <= 300; ++i)  // all but the last bit of a ring
+      arc.push_back({rounded(4 * std::cos(0.02 * i)), rounded(4 * std::sin(0.02 * i)), 0, 1});
+    const Chain chain(arc, {{0, 301}, {std::uint8_t{closed}}}, Exclusion::arc(bending_window));
+    const std::vector<Sphere> widest{closed ? arc[300] : arc[0], closed ? arc[0] : arc[1]};
+    EXPECT_NEAR(thin(Frames({chain}), {}, 0.01).own, tube_loss(widest), 1e-6) << closed;
+  }
+}
+
+// Neighbours are each frame's own, where frames do not share them.
+TEST(Thinned, TakesTheRuleOfEachFrame) {
+  std::mt19937 random(3);
+  const auto spheres = crooked(random, 100);
+  const Chain narrow(spheres, {}, Exclusion::arc(1)), wide(spheres, {}, Exclusion::arc(3));
+  const Frames frames({narrow, wide, narrow});
+  const Thinning thinning = thin(frames, {}, 0.2);
+  const auto coarse = thinned(std::make_unique<Frames>(frames), thinning);
+  for (const auto& [f, factor] : {std::pair(0u, 1.0), {1u, 3.0}, {2u, 1.0}})
+    EXPECT_EQ(coarse->frame(f).exclusion().factor, factor) << f;
+}
+
 TEST(Thin, RefusesWhatItCannotDo) {
   const std::vector<Sphere> two{{0, 0, 0, 1}, {1, 0, 0, 1}};
   const Chain chain(two, {}, Exclusion::arc(bending_window));
@@ -297,6 +321,17 @@ TEST(OpenInput, LeavesOutWhatATolerancePermits) {
   ASSERT_FALSE(scene.warnings.empty());
   EXPECT_NE(scene.warnings.back().find("of 20000 spheres are kept"), std::string::npos)
       << scene.warnings.back();
+
+  // A step that is too wide in the input is said, too, and none that is not.
+  for (const auto& [x, said] : {std::pair("1.5", true), {"0.2", false}}) {
+    std::string text = "x,y,z,r\n";
+    for (int i = 0; i <= 100; ++i) text += std::to_string(i * 0.01) + ",0,0,1\n";
+    const TestFile rod("a.csv", text + std::to_string(1 + std::stod(x)) + ",0,0,1\n");
+    const std::string warning = open_input(rod.path().string(), options).warnings.back();
+    EXPECT_NE(warning.find("of 102 spheres are kept"), std::string::npos) << warning;
+    EXPECT_EQ(warning.find("between spheres that are neighbours in the input") != std::string::npos, said)
+        << warning;
+  }
 
   const Input neuron = open_input(example("Neuron.swc").string(), options);
   const Input all =

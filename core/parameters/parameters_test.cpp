@@ -27,6 +27,17 @@ TEST(Parameters, ReadWholeNumbersAsTheyAreWritten) {
   EXPECT_THROW(Parameters("scene x", declared, "n=0.5").unsigned_integer("n", 0, 2'000'000), InputError);
 }
 
+TEST(Parameters, ReadNumbersWithinTheirRange) {
+  const std::vector<ParameterInfo> declared{{"x", "1", "number"}};
+  const auto read = [&](const std::string& text) {
+    return Parameters("scene x", declared, "x=" + text).real("x", -1, 2.5);
+  };
+  EXPECT_EQ(read("-1"), -1);
+  EXPECT_EQ(read("2.5"), 2.5);
+  for (const char* wrong : {"2.5000001", "3", "-1.0000001", "nan", "inf", "1x", "", " 1"})
+    EXPECT_THROW(read(wrong), InputError) << wrong;
+}
+
 TEST(Parameters, ReadSeveralChoices) {
   const std::vector<ParameterInfo> declared{{"keep", "none", "some"}};
   const auto read = [&](const std::string& text) {
@@ -35,7 +46,8 @@ TEST(Parameters, ReadSeveralChoices) {
   EXPECT_EQ(read(""), std::vector<std::string>{});
   EXPECT_EQ(read("keep=list"), std::vector<std::string>{"list"});
   EXPECT_EQ(read("keep=list+tree"), (std::vector<std::string>{"list", "tree"}));
-  for (const char* wrong : {"keep=", "keep=x", "keep=tree+x", "keep=+tree"}) EXPECT_THROW(read(wrong), InputError) << wrong;
+  for (const char* wrong : {"keep=", "keep=x", "keep=tree+x", "keep=+tree"})
+    EXPECT_THROW(read(wrong), InputError) << wrong;
 }
 
 TEST(DidYouMean, KnowsASlipOfThePen) {
@@ -44,7 +56,9 @@ TEST(DidYouMean, KnowsASlipOfThePen) {
   EXPECT_EQ(did_you_mean("lattcie", known), "; did you mean 'lattice'?");
   EXPECT_EQ(did_you_mean("cpu1", known), "; did you mean 'CPU1'?");
   EXPECT_EQ(did_you_mean("ACPU2+CPU3", known), "; did you mean 'aCPU2+CPU2'?");
-  for (const char* far : {"", "x", "yes", "nothing alike", "knot"})
+  EXPECT_EQ(did_you_mean("yran", known),
+            "; did you mean 'yarn'?");  // a swap is one slip, and in four letters two are another name
+  for (const char* far : {"ybrm", "", "x", "yes", "nothing alike", "knot"})
     EXPECT_EQ(did_you_mean(far, known), "") << far;
 }
 

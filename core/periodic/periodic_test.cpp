@@ -216,6 +216,45 @@ RC_GTEST_PROP(PeriodicBox, ImagesOverlapAsByIntegers, ()) {
   }
 }
 
+// Reaches far below the box, so that the rounding of the image's place is all the doubt there is: the length
+// is made for the image to touch, and is then some last places off. The tilt keeps that rounding from undoing
+// itself.
+RC_GTEST_PROP(PeriodicBox, ImagesFarAwayOverlapAsByIntegers, ()) {
+  for (int time = 0; time < 20; ++time) {
+    const auto number = [] {
+      return std::ldexp(static_cast<float>(*rc::gen::inRange(1 << 20, 1 << 24)), -20);
+    };
+    const std::int32_t steps = *rc::gen::element(1, 3, 5, 7), back = *rc::gen::element(1, 3, 5, 7);
+    const Sphere a{number(), 0, 0, std::ldexp(number(), -*rc::gen::inRange(4, 20))},
+        b{-number(), static_cast<float>(back), 0, std::ldexp(number(), -*rc::gen::inRange(4, 20))};
+    const double tilt = double{number()} / 7;
+    double length = (double{a.radius} + b.radius + a.x - b.x + back * tilt) / steps;
+    for (int k = 0; k < 2; ++k) length = std::nextafter(length, 0);
+    for (int k = 0; k < 5; ++k, length = std::nextafter(length, 1e300)) {
+      const PeriodicBox box{{length, 1, 1}, tilt};
+      const Shift there{steps, -back, 0}, here{-steps, back, 0};
+      RC_ASSERT(image_overlaps(a, b, there, box) == image_overlaps_by_integers(a, b, there, box));
+      RC_ASSERT(image_overlaps(b, a, here, box) == image_overlaps_by_integers(b, a, here, box));
+    }
+  }
+}
+
+// By the definition: the volume over the area of the face, for edges that are all there.
+RC_GTEST_PROP(PeriodicBox, IsAsWideAsItsFacesAreApart, ()) {
+  const auto length = [] { return *rc::gen::inRange(1, 100) / 8.0; };
+  const auto tilt = [] { return *rc::gen::inRange(-100, 100) / 16.0; };
+  const PeriodicBox box{{length(), length(), length()}, tilt(), tilt(), tilt()};
+  const std::array<std::array<double, 3>, 3> edge{
+      {{box.length[0], 0, 0}, {box.xy, box.length[1], 0}, {box.xz, box.yz, box.length[2]}}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &u = edge[(k + 1) % 3], &v = edge[(k + 2) % 3];
+    const double area =
+        std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    const double expected = box.length[0] * box.length[1] * box.length[2] / area;
+    RC_ASSERT(std::abs(box.widths()[k] - expected) <= 1e-12 * expected);
+  }
+}
+
 // 0.1f + 10 is no number in binary32: the images of these two touch, and do not, as only exact arithmetic
 // tells.
 TEST(Periodic, DecidesATieAcrossAFaceThatNoImageHasInBinary32) {
@@ -300,7 +339,9 @@ TEST(Periodic, RefusesABoxThatIsNone) {
             std::string::npos);
   EXPECT_NE(refusal({{-9, 9, 9}}).find("lengths above 0"), std::string::npos);
   EXPECT_NE(refusal({{0, 0, 0}}).find("lengths above 0"), std::string::npos);
-  EXPECT_NE(refusal({{1e-200, 9, 9}}).find("1e-200"), std::string::npos);
+  for (const PeriodicBox& box :
+       {PeriodicBox{{1e-200, 9, 9}}, {{9, 9, 1e200}}, {{9, 9, 9}, 1e-200}, {{9, 9, 9}, 0, 0, -1e200}})
+    EXPECT_NE(refusal(box).find("00 where a length or a tilt is due"), std::string::npos) << refusal(box);
   EXPECT_NE(refusal({{NAN, 9, 9}}).find("nan"), std::string::npos);
   EXPECT_EQ(refusal({{4, 9, 0}}), "");
 }

@@ -70,6 +70,9 @@ void expect_exact(const Whole& whole, const Chain& chain, const std::string& wha
   EXPECT_EQ(whole.pair_count, exact.pair_count) << what;
   EXPECT_EQ(whole.pairs, pairs) << what;
   EXPECT_EQ(whole.count, std::vector<std::uint64_t>(exact.count.begin(), exact.count.end())) << what;
+  std::uint64_t found = 0;
+  for (const RankWork& work : whole.work) found += work.pairs_within + work.pairs_across;
+  EXPECT_EQ(found, exact.pair_count) << what;
 }
 
 TEST(RankSearch, FindsWhatOneRankFindsOnOneToSixtyFour) {
@@ -150,7 +153,8 @@ TEST(ReturnedAnswers, GoHomeByNumbersOf64Bits) {
     if (c.rank() == 2) {
       EXPECT_EQ(count, (std::vector<std::uint64_t>{2, 3, 0, 8, 0, 0, 0, 0, 0, 3}));
     }
-    const auto pairs = return_pairs(c, starts, PairLists{{{start + 2 - c.rank(), start + 7}}, {}, {{5, start + 1}}});
+    const auto pairs =
+        return_pairs(c, starts, PairLists{{{start + 2 - c.rank(), start + 7}}, {}, {{5, start + 1}}});
     if (c.rank() == 0) {
       EXPECT_EQ(pairs, (std::vector<IdPair>{{5, start + 1}, {5, start + 1}, {5, start + 1}}));
     }

@@ -17,10 +17,10 @@ namespace {
 Chain chain_of(const std::string& spec) { return open_input(spec).animation->frame(0); }
 
 /// The parts that so many ranks get, by their numbers.
-std::vector<Part> parts_in_space(const Chain& chain, unsigned ranks) {
+std::vector<Part> parts_in_space(const Chain& chain, unsigned ranks, std::uint32_t blocks_at_once = 0) {
   std::vector<Part> parts(ranks);
   run_in_threads(ranks, [&](Communicator& c) {
-    parts[c.rank()] = part_in_space(c, even_part_of(chain, ranks, c.rank()));
+    parts[c.rank()] = part_in_space(c, even_part_of(chain, ranks, c.rank()), blocks_at_once);
   });
   return parts;
 }
@@ -73,6 +73,44 @@ TEST(PartInSpace, SharesOutAllSpheresEvenly) {
       EXPECT_LE(static_cast<double>(most), share * 1.05 + 2 * Block::most * (ranks + 1))
           << spec << ", " << ranks;
     }
+  }
+}
+
+/// However few blocks are sent at a time, runs that a round ends in are sent to their end.
+TEST(PartInSpace, IsTheSameInAnyNumberOfRounds) {
+  const Chain yarn = chain_of("yarn:n=3000");
+  const Chain chain({yarn.spheres().begin(), yarn.spheres().end()}, {}, Exclusion::arc(1.5));
+  for (const unsigned ranks : {2u, 3u, 5u}) {
+    const std::vector<Part> at_once = parts_in_space(chain, ranks);
+    for (const std::uint32_t blocks : {1u, 7u, 50u}) {
+      const std::vector<Part> parts = parts_in_space(chain, ranks, blocks);
+      for (unsigned r = 0; r < ranks; ++r) {
+        EXPECT_EQ(parts[r].spheres, at_once[r].spheres)
+            << blocks << " blocks at once, rank " << r << " of " << ranks;
+        EXPECT_EQ(parts[r].arcs, at_once[r].arcs)
+            << blocks << " blocks at once, rank " << r << " of " << ranks;
+      }
+    }
+  }
+}
+
+/// By the definition: how many ranks a block may touch beside its own.
+TEST(TouchingShare, IsOneForEachOtherRankThatABlockMeets) {
+  const auto shares = [](const Chain& chain, unsigned ranks) {
+    std::vector<double> all(ranks);
+    run_in_threads(ranks, [&](Communicator& c) {
+      all[c.rank()] = touching_share(c, even_part_of(chain, ranks, c.rank()));
+    });
+    return all;
+  };
+  const auto apart = [](float step) {
+    std::vector<Sphere> spheres;
+    for (int i = 0; i < 600; ++i) spheres.push_back({step * static_cast<float>(i), 0, 0, 1});
+    return Chain(std::move(spheres));
+  };
+  for (const unsigned ranks : {1u, 2u, 3u, 5u}) {
+    EXPECT_EQ(shares(apart(0), ranks), std::vector<double>(ranks, ranks - 1.0)) << "all in one place";
+    EXPECT_EQ(shares(apart(3), ranks), std::vector<double>(ranks, 0)) << "none touches another";
   }
 }
 

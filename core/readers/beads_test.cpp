@@ -92,6 +92,14 @@ TEST(LammpsDataReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT(" a bond names atom 3", "a.data",
                    "t\n\n2 atoms\n1 bonds\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n\nBonds\n\n1 1 1 3\n");
   EXPECT_COMPLAINT("4: the file has no section Atoms", "a.data", start);
+  const std::string two =
+      "t\n\n2 atoms\n2 bonds\n0 2 xlo xhi\n0 3 ylo yhi\n0 4 zlo zhi\n0.1 0.2 0.3 xy xz yz\n\n"
+      "Atoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n";
+  EXPECT_COMPLAINT("17: the header says 2 bonds, the file has 1", "a.data", two + "\nBonds\n\n1 1 1 2\n");
+  EXPECT_EQ(read_text("a.data", two + "\nBonds\n\n1 1 1 2\n2 1 2 1\n").boxes,
+            (std::vector<PeriodicBox>{{{2, 3, 4}, 0.1, 0.2, 0.3}}));
+  EXPECT_COMPLAINT("8: the atom has 9 columns, those before it 6", "a.data",
+                   start + "Atoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0 0 0 0\n");
 }
 
 std::string dump_of(const std::vector<std::vector<Sphere>>& frames, bool scaled) {
@@ -140,7 +148,8 @@ TEST(LammpsDumpReader, TakesBondsFromATopologyAndTheTrueBoxOfATiltedOne) {
   EXPECT_EQ(curves.boxes, (std::vector<PeriodicBox>{{{10, 5, 4}, 2, -1, 0}}));
 }
 
-// All tilts to one side, so that they add up; fractions are along the edges; what does not say pp has no length.
+// All tilts to one side, so that they add up; fractions are along the edges; what does not say pp has no
+// length.
 TEST(LammpsDumpReader, TakesFractionsOfATiltedBoxThatIsNotPeriodicAlongZ) {
   const auto curves = read_text("a.dump",
                                 "ITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp fs\n1 16 2\n2 8 "
@@ -228,7 +237,11 @@ TEST(OxdnaReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT(" the strands are in oxDNA's topology; name it with --topology", "a.conf", "t = 0\n");
   const std::string top = "2 1\n1 A -1 1\n1 C 0 -1\n", rows = "0 0 0\n1 0 0\n";
   EXPECT_THROW(read_oxdna("2 1\n1 A -1 1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
-  EXPECT_THROW(read_oxdna("2 1\n1 A -1 9\n1 C 0 -1\n", "t = 0\nb = 1 1 1\n" + rows), InputError);
+  for (const char* neighbour : {"9", "2", "-2"})
+    EXPECT_THROW(
+        read_oxdna(fmt::format("2 1\n1 A -1 {}\n1 C 0 -1\n", neighbour), "t = 0\nb = 1 1 1\n" + rows),
+        InputError);
+  EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n" + rows + "t = 1\n" + rows), InputError);
   EXPECT_THROW(read_oxdna(top, "t = 0\n" + rows), InputError);
   EXPECT_THROW(read_oxdna(top, "\xEF\xBB\xBF"), InputError);  // a mark and nothing else, found by libFuzzer
   EXPECT_THROW(read_oxdna(top, "t = 0\nb = 1 1 1\n0 0 0\n"), InputError);
@@ -249,6 +262,10 @@ TEST(Beads, RefuseWhatTheirNeighboursContradict) {
     }
   };
   EXPECT_EQ(topology("3 1\n1 A -1 1\n1 C 0 2\n1 G 1 -1\n"), "");
+  for (const char* none : {"3", "-2"})
+    EXPECT_NE(topology(fmt::format("3 1\n1 A -1 {}\n1 C 0 2\n1 G 1 -1\n", none))
+                  .find(fmt::format("neighbour {} is not one of 3 nucleotides", none)),
+              std::string::npos);
   EXPECT_NE(topology("3 1\n1 A -1 2\n1 C 0 2\n1 G 1 -1\n").find("has the neighbour"), std::string::npos);
   EXPECT_NE(topology("3 1\n1 A -1 0\n1 C -1 2\n1 G 1 -1\n").find("nucleotide 0 "), std::string::npos);
   EXPECT_COMPLAINT("3: bin 4 of 'chr1' comes after 4", "a.nucle3d", "CHR\tchr1\n4,0,0,0\n4,1,0,0\n");

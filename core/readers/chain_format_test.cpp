@@ -122,7 +122,9 @@ TEST(ChainFormat, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("3: radius '-1' is negative", "a.chain", start + "strand open 1\n0 0 0 -1\nend\n");
   EXPECT_COMPLAINT("3: a second exclusion rule", "a.chain", start + "window 1\narc_window 2\nend\n");
   EXPECT_COMPLAINT("2: the window must be at least 1", "a.chain", start + "window 0\nend\n");
-  EXPECT_COMPLAINT("2: the arc_window must be above 0", "a.chain", start + "arc_window -1\nend\n");
+  for (const char* none : {"-1", "0", "-0"})
+    EXPECT_COMPLAINT("2: the arc_window must be above 0", "a.chain",
+                     start + "arc_window " + none + "\nend\n");
   EXPECT_COMPLAINT("3: pair 0 1 does not name two of the spheres, of which there are 1", "a.chain",
                    start + "pairs 1\n0 1\nstrand open 1\n0 0 0 1\nend\n");
   EXPECT_COMPLAINT("3: pair 0 1 does not name two of the spheres, of which there are 1", "a.chain",

@@ -43,6 +43,21 @@ RC_GTEST_PROP(Gzip, RefusesEveryTruncation, ()) {
   RC_ASSERT_THROWS_AS(gunzip(packed.substr(0, size), "a"), InputError);
 }
 
+RC_GTEST_PROP(Inflated, IsOfTheSizeThatWasTold, ()) {
+  const std::string content = any_content();
+  uLongf size = compressBound(content.size());
+  std::string packed(size, '\0');
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(content.data()),
+           content.size());
+  packed.resize(size);
+  std::string got = "before";
+  RC_ASSERT(append_inflated(packed, content.size(), got));
+  RC_ASSERT(got == "before" + content);
+  for (const std::uint64_t wrong : {content.size() + 1, content.size() - 1, ~std::uint64_t{0}})
+    RC_ASSERT(!append_inflated(packed, wrong, got));
+  RC_ASSERT(!append_inflated(std::string_view(packed).substr(0, packed.size() - 1), content.size(), got));
+}
+
 TEST(Gzip, FilesAreReadByTheNameInside) {
   EXPECT_EQ(read_text("a.xyzr.gz", gzipped("0 0 0 1\n")).spheres.size(), 1u);
   EXPECT_EQ(read_text("a.XYZR", gzipped("0 0 0 1\n")).spheres.size(), 1u);  // and by their first bytes

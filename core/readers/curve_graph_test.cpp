@@ -49,6 +49,16 @@ TEST(CurveGraph, CountsAnEdgeOnceAndNoneToItself) {
   EXPECT_EQ(curves.spheres.size(), 3u);
 }
 
+// Both ends are ends, though their edges are written twice, and the strand begins at one of them.
+TEST(CurveGraph, IsNotCutWhereEdgesAreWrittenTwice) {
+  CurveFile curves;
+  curves.spheres.resize(3);
+  const auto order = arrange_along_edges(curves, std::vector<Pair>{{0, 1}, {1, 0}, {0, 2}, {0, 2}}, false);
+  EXPECT_EQ(order, (std::vector<std::uint32_t>{1, 0, 2}));
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 3}));
+  EXPECT_TRUE(curves.joints.empty());
+}
+
 TEST(CurveGraph, KeepsAPointWithAnEdgeToItself) {
   CurveFile curves;
   curves.spheres.resize(5);

@@ -1,5 +1,6 @@
 #include "catena/core/readers/repeated_labels.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -42,6 +43,15 @@ TEST(RepeatedLabels, AreSaidOfTheFilesThatHaveThem) {
                   "apart"});
   EXPECT_EQ(warnings("a.csv", "id,strand,x,y,z\n1,a,0,0,0\n2,a,1,0,0\n1,b,2,0,0\n"), Texts{});
   EXPECT_EQ(warnings("a.csv", "x,y,z\n0,0,0\n1,0,0\n"), Texts{});
+  // Of all that repeat, the first.
+  for (const auto& [p, q] : {std::pair("p", "q"), {"q", "p"}, {"chr1:7", "chr2:9"}, {"chr2:9", "chr1:7"}})
+    EXPECT_EQ(
+        warnings("a.csv",
+                 fmt::format("id,x,y,z\n{0},0,0,0\n{1},1,0,0\n{1},2,0,0\n{0},3,0,0\n{0},4,0,0\n", p, q)),
+        Texts{fmt::format(
+            "3 labels are also those of an earlier sphere, the first '{}' of spheres 0 and 3; by i and "
+            "j they are told apart",
+            p)});
   const std::string residue =
       "ATOM      1  CA  GLY A   1       0.000   0.000   0.000  1.00  0.00           C\n";
   EXPECT_EQ(warnings("a.pdb", residue + residue).size(), 1u);

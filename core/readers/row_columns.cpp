@@ -38,6 +38,9 @@ std::string option(std::string front, std::string_view back, std::size_t columns
 }
 
 [[noreturn]] void refuse(std::size_t columns, bool word, bool counted, const TextLines& lines) {
+  constexpr std::size_t most = 20;  // beyond, no table of points: nobody would write such an option
+  if (columns > most)
+    lines.fail(fmt::format("{} columns in a row; write a row for each point, as x y z", columns));
   std::vector<std::string> ways;
   if (word) {
     ways = {option("element,", "", columns), option("strand,", "", columns)};

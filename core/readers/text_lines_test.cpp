@@ -43,6 +43,16 @@ TEST(TextLines, RefuseBytesOfZero) {
     EXPECT_COMPLAINT(" byte 9 is 0, so this is no text", name, std::string("v 0 0 0\nv\0\0 1 0\n", 16));
 }
 
+TEST(TextLines, CountUpToTwoToThe32) {
+  const TestFile file("a.txt", "0 4294967295 4294967296 -1\n");
+  TextLines read(file.path());
+  ASSERT_TRUE(read.next());
+  EXPECT_EQ(read.count(read.fields()[0], "n"), 0u);
+  EXPECT_EQ(read.count(read.fields()[1], "n"), 4294967295u);
+  EXPECT_THROW(read.count(read.fields()[2], "n"), InputError);
+  EXPECT_THROW(read.count(read.fields()[3], "n"), InputError);
+}
+
 TEST(TextLines, GiveTheMemoryOfWhatWasReadBackAndNothingElse) {
   constexpr std::uint32_t lines = 1500000;
   std::string text;

@@ -1,3 +1,4 @@
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -72,7 +73,24 @@ TEST(TckReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT("2: the datatype 'Float16LE'", "a.tck", "mrtrix tracks\ndatatype: Float16LE\nEND\n");
   EXPECT_COMPLAINT("2: the tracks are in another file", "a.tck", "mrtrix tracks\nfile: b.dat 0\nEND\n");
   EXPECT_COMPLAINT("2: the header lacks", "a.tck", "mrtrix tracks\nEND\n");
-  EXPECT_COMPLAINT(" byte ", "a.tck", "mrtrix tracks\ndatatype: Float32LE\nfile: . 99999\nEND\n");
+  const std::string header = "mrtrix tracks\ndatatype: Float32LE\nfile: . 53\nEND\n";
+  for (const std::size_t size :
+       {header.size(), std::size_t{52}})  // where the tracks would begin is the end, or beyond
+    EXPECT_COMPLAINT(" byte 49: the data is said to begin at byte 53 of " + std::to_string(size), "a.tck",
+                     header + std::string(size - header.size(), '\0'));
+  // One number that is none neither ends a track nor the file.
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
+                  infinity = std::numeric_limits<float>::infinity();
+  for (const auto& [x, y, z] : {std::array{nan, 0.f, 0.f},
+                                {0.f, nan, nan},
+                                {nan, nan, 0.f},
+                                {infinity, 0.f, 0.f},
+                                {infinity, infinity, 0.f},
+                                {0.f, infinity, infinity},
+                                {nan, infinity, nan}})
+    EXPECT_NE(complaint("a.tck", tck_of<float>({{{1, 2, 3, 0}, {x, y, z, 0}}}, false))
+                  .find("is no finite 32-bit float"),
+              std::string::npos);
   const std::string whole = tck_of<float>({{{1, 2, 3, 0}}}, false);
   EXPECT_EQ(read_text("a.tck", whole.substr(0, whole.size() - 12)).warnings.size(), 1u);
   EXPECT_COMPLAINT(" byte ", "a.tck", whole.substr(0, whole.size() - 5));
@@ -107,6 +125,10 @@ RC_GTEST_PROP(TrkReader, ReadsWhatIsWritten, (bool big_endian)) {
 }
 
 TEST(TrkReader, SaysWhatIsWrong) {
+  EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}, {}, {{4, 5, 6, 0}}}, false, 1, 2, 3)).spheres,
+            (std::vector<Sphere>{{1, 2, 3, 0}, {4, 5, 6, 0}}));  // a track without points has its properties
+  EXPECT_COMPLAINT(" byte 1004: the file is truncated: 12 bytes left, too few for 2 points of 12 bytes",
+                   "a.trk", trk_of({{{1, 2, 3, 0}, {4, 5, 6, 0}}}, false, 0, 0, 1).substr(0, 1016));
   EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 5)).warnings.size(), 1u);
   EXPECT_COMPLAINT(" byte 5: the file does not start with TRACK", "a.trk", "TRUCK");
   EXPECT_COMPLAINT(" byte ", "a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 1).substr(0, 1010));

@@ -21,6 +21,8 @@ TEST(VectReader, ComplainsWithFileAndLine) {
                    "VECT\n1 1 1\n1\n1\n0 0 0 1 1 1\n");
   EXPECT_COMPLAINT("3: the vertex counts of the polylines sum to 2, the header says 3", "a.vect",
                    "VECT\n1 3 0\n2\n0\n");
+  EXPECT_COMPLAINT("4: the colour counts of the polylines sum to 1, the header says 2", "a.vect",
+                   "VECT\n1 1 2\n1\n1\n0 0 0\n1 1 1 1\n0 0 0 0\n");
   EXPECT_COMPLAINT("3: vertex count -9223372036854775808 exceeds", "a.vect",
                    "VECT\n1 3 0\n-9223372036854775808\n0\n");
   EXPECT_COMPLAINT("2: number of vertices 4000000000 is more than", "a.vect",

@@ -5,6 +5,7 @@
 
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_graph.h"
+#include "catena/core/readers/vtk_xml_data.h"
 #include "catena/reports/base64.h"
 
 namespace catena {
@@ -16,6 +17,28 @@ void append(std::string& bytes, T value, bool big_endian) {
   std::memcpy(raw, &value, sizeof value);
   if (big_endian) std::ranges::reverse(raw);
   bytes.append(raw, sizeof raw);
+}
+
+/// One of each kind of attribute of points that is skipped: what is read after it tells whether all of it
+/// was.
+std::string unread_attributes(std::size_t points, bool ascii) {
+  std::string text;
+  const auto add = [&](const std::string& line, std::size_t numbers, auto number) {
+    text += "\n" + line + "\n";
+    for (std::size_t k = 0; k < numbers; ++k)
+      ascii ? text += fmt::format("{} ", number) : (append(text, number, true), text);
+  };
+  add("VECTORS velocity double", 3 * points, 0.5);
+  add("NORMALS outward float", 3 * points, 0.5f);
+  add("TENSORS strain float", 9 * points, 0.5f);
+  add("TENSORS6 stress float", 6 * points, 0.5f);
+  add("TEXTURE_COORDINATES skin 2 double", 2 * points, 0.5);
+  add("GLOBAL_IDS ids vtkIdType", points, std::int32_t{5});
+  add("SCALARS many short 3", 3 * points, std::int16_t{5});
+  ascii ? add("COLOR_SCALARS hue 2", 2 * points, 0.5f)
+        : add("COLOR_SCALARS hue 2", 2 * points, std::uint8_t{5});
+  ascii ? add("LOOKUP_TABLE hues 3", 12, 0.5f) : add("LOOKUP_TABLE hues 3", 12, std::uint8_t{5});
+  return text;
 }
 
 /// One line a cell of two points, which is what vascular tools write.
@@ -48,10 +71,11 @@ std::string legacy_of(const TestGraph& graph, bool ascii, bool version5, bool gr
   }
   text += fmt::format("\nCELL_DATA {}\nSCALARS kind int 1\nLOOKUP_TABLE default\n", count);
   for (std::size_t k = 0; k < count; ++k) whole(std::int32_t{7});
-  text += fmt::format("\nPOINT_DATA {}\nVECTORS velocity double\n", graph.points.size());
-  for (std::size_t k = 0; k < 3 * graph.points.size(); ++k)
-    ascii ? text += "0 " : (append(text, 0.0, true), text);
-  text += fmt::format("\nFIELD FieldData 1\nradius 1 {} float\n", graph.points.size());
+  const std::size_t points = graph.points.size();
+  text += fmt::format("\nPOINT_DATA {}", points) + unread_attributes(points, ascii);
+  text += fmt::format("\nFIELD FieldData 2\nages 2 {} int\n", points);
+  for (std::size_t k = 0; k < 2 * points; ++k) whole(std::int32_t{9});
+  text += fmt::format("\nMETADATA\nINFORMATION 1\nNAME L\n\nradius 1 {} float\n", points);
   for (const Sphere& p : graph.points) real(p.radius);
   return text + "\nMETADATA\nINFORMATION 0\n\n";
 }
@@ -108,7 +132,23 @@ class XmlWriter {
     return start;
   }
 
-  std::string file(const TestGraph& graph) {
+  std::string file(const std::vector<TestGraph>& pieces) {
+    const std::string type = form_.grid ? "UnstructuredGrid" : "PolyData";
+    std::string text = fmt::format(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
+        "header_type=\"{}\"{}>\n<{}>",
+        type, form_.big_endian ? "BigEndian" : "LittleEndian", form_.wide_header ? "UInt64" : "UInt32",
+        form_.compressed ? " compressor=\"vtkZLibDataCompressor\"" : "", type);
+    for (const TestGraph& graph : pieces) text += piece(graph);
+    text += "</" + type + ">\n";
+    if (form_.format.starts_with("appended"))
+      text +=
+          "<AppendedData encoding=\"" + form_.format.substr(9) + "\">\n_" + appended_ + "\n</AppendedData>\n";
+    return text + "</VTKFile>\n";
+  }
+
+ private:
+  std::string piece(const TestGraph& graph) {
     std::vector<float> points, radii;
     std::vector<std::int64_t> ids, ends;
     std::vector<std::uint8_t> types;
@@ -119,27 +159,17 @@ class XmlWriter {
       ends.push_back(static_cast<std::int64_t>(ids.size()));
       types.push_back(3);
     }
-    const std::string type = form_.grid ? "UnstructuredGrid" : "PolyData",
-                      cells = form_.grid ? "Cells" : "Lines";
-    std::string text = fmt::format(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
-        "header_type=\"{}\"{}>\n<{}><Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\">\n",
-        type, form_.big_endian ? "BigEndian" : "LittleEndian", form_.wide_header ? "UInt64" : "UInt32",
-        form_.compressed ? " compressor=\"vtkZLibDataCompressor\"" : "", type, graph.points.size(),
-        graph.edges.size());
+    const std::string cells = form_.grid ? "Cells" : "Lines";
+    std::string text = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\">\n",
+                                   graph.points.size(), graph.edges.size());
     text += "<PointData>" + array("Radius", "Float32", 1, radii) + array("v", "Float32", 3, points) +
             "</PointData>\n";
     text += "<Points>" + array("Points", "Float32", 3, points) + "</Points>\n";
     text += "<" + cells + ">" + array("connectivity", "Int64", 1, ids) + array("offsets", "Int64", 1, ends);
     if (form_.grid) text += array("types", "UInt8", 1, types);
-    text += "</" + cells + ">\n</Piece></" + type + ">\n";
-    if (form_.format.starts_with("appended"))
-      text +=
-          "<AppendedData encoding=\"" + form_.format.substr(9) + "\">\n_" + appended_ + "\n</AppendedData>\n";
-    return text + "</VTKFile>\n";
+    return text + "</" + cells + ">\n</Piece>";
   }
 
- private:
   std::pair<std::string, std::string> packed(const std::string& bytes) {
     std::string header, data;
     const auto number = [&](std::uint64_t value) {
@@ -163,13 +193,21 @@ class XmlWriter {
   std::string appended_;
 };
 
+// Each piece numbers its own points from 0; points and arrays follow one another.
 RC_GTEST_PROP(VtkXmlReader, ReadsWhatIsWritten,
               (bool compressed, bool big_endian, bool wide_header, bool grid)) {
-  const TestGraph graph = any_graph();
+  std::vector<TestGraph> pieces(*rc::gen::inRange<std::size_t>(1, 4));
+  TestGraph all;
+  for (TestGraph& piece : pieces) {
+    piece = any_graph();
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    all.points.insert(all.points.end(), piece.points.begin(), piece.points.end());
+    for (const Pair& edge : piece.edges) all.edges.push_back({first + edge.i, first + edge.j});
+  }
   const Form form{
       *rc::gen::elementOf(std::vector<std::string>{"ascii", "binary", "appended raw", "appended base64"}),
       compressed, big_endian, wide_header, grid};
-  is_the_graph(read_text(grid ? "a.vtu" : "a.vtp", XmlWriter(form).file(graph)), graph, 0, true, false);
+  is_the_graph(read_text(grid ? "a.vtu" : "a.vtp", XmlWriter(form).file(pieces)), all, 0, true, false);
 }
 
 const std::string start =
@@ -187,6 +225,28 @@ TEST(VtkLegacyReader, HalvesDiametersAndTakesTheLargestOfItsLines) {
   EXPECT_EQ(radii, (std::vector<float>{1, 3, 1, 3}));
   EXPECT_EQ(of_lines.joints.size(), 1u);
   EXPECT_EQ(of_lines.warnings.size(), 1u);
+  const auto diameters = read_text("a.vtk", start + "CELL_DATA 2\nFIELD f 1\ndiam 1 2 float\n1 3\n");
+  EXPECT_EQ(diameters.spheres[1].radius, 1.5f);
+  // Of points and lines both, the points' own.
+  const std::string points = "POINT_DATA 4\nFIELD f 1\nr 1 4 float\n5 6 7 8\n",
+                    lines = "CELL_DATA 2\nFIELD f 1\nr 1 2 float\n1 3\n";
+  for (const std::string& both : {start + points + lines, start + lines + points})
+    EXPECT_EQ(read_text("a.vtk", both).spheres[1].radius, 6.0f);
+}
+
+// VTK has a cell type for one vertex and one for several, and a line may have one point only.
+TEST(VtkLegacyReader, TakesSinglePointsForStrands) {
+  const CurveFile curves =
+      read_text("a.vtk",
+                "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 7 float\n"
+                "0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0 6 0 0\nCELLS 5 12\n1 0\n2 1 2\n1 3\n2 4 5\n1 6\n"
+                "CELL_TYPES 5\n1\n2\n4\n3\n5\n");
+  EXPECT_EQ(curves.spheres,
+            (std::vector<Sphere>{
+                {4, 0, 0, 0}, {5, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0}, {3, 0, 0, 0}}));
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(curves.warnings, (std::vector<std::string>{"1 cell that is no line is left out",
+                                                       "1 point that is of no line is left out"}));
 }
 
 TEST(VtkLegacyReader, CountsCellDataFromTheVertices) {
@@ -240,6 +300,41 @@ TEST(VtkXmlReader, RefusesCountsThatDoNotFit) {
                    file("2", "1", "0 1 0", "3"));
   EXPECT_COMPLAINT(" points of '2' coordinates", "a.vtp", file("2", "1", "0 1", "2"));
   EXPECT_COMPLAINT(" NumberOfLines 'x' is no number", "a.vtp", file("2", "x", "0 1", "3"));
+  EXPECT_COMPLAINT(" point number 0.5 is not one of 2 from 0", "a.vtp", file("2", "1", "0.5 1", "3"));
+  EXPECT_COMPLAINT(" point number 2 is not one of 2 from 0", "a.vtp", file("2", "1", "0 2", "3"));
+}
+
+// A piece's cells name its own points, not those of a piece before it.
+TEST(VtkXmlReader, RefusesWhatNoPieceHas) {
+  const auto file = [](const std::string& second) {
+    const std::string points = "<Points><DataArray>0 0 0 1 0 0</DataArray></Points>";
+    return "<VTKFile type=\"PolyData\"><PolyData><Piece>" + points +
+           "<Lines><DataArray Name=\"connectivity\">0 1</DataArray><DataArray "
+           "Name=\"offsets\">2</DataArray></Lines></Piece><Piece NumberOfStrips=\"2\" NumberOfPolys=\"3\">" +
+           points + second +
+           "</Piece></PolyData><AppendedData encoding=\"raw\">_abcd</AppendedData></VTKFile>";
+  };
+  const auto lines = [&](const std::string& connectivity, const std::string& offsets) {
+    return file("<Lines><DataArray Name=\"connectivity\">" + connectivity +
+                "</DataArray><DataArray Name=\"offsets\">" + offsets + "</DataArray></Lines>");
+  };
+  const CurveFile good = read_text("a.vtp", lines("1 0", "2"));
+  EXPECT_EQ(good.spheres.size(), 4u);
+  EXPECT_EQ(good.warnings, std::vector<std::string>{"5 cells that are no lines are left out"});
+  EXPECT_COMPLAINT(" point number 2 is not one of 2 from 0", "a.vtp", lines("0 2", "2"));
+  EXPECT_COMPLAINT(" offset 1 is below the one before it", "a.vtp", lines("0 1", "2 1"));
+  EXPECT_COMPLAINT(" offset 3 is not one of 3 from 0", "a.vtp", lines("0 1", "3"));
+  const auto radii = [&](const std::string& attributes) {
+    return file("<PointData><DataArray Name=\"radius\" " + attributes + "/></PointData>");
+  };
+  EXPECT_COMPLAINT(" 'radius': the offset is not in the appended data", "a.vtp",
+                   radii("type=\"Float32\" format=\"appended\" offset=\"5\""));
+  EXPECT_COMPLAINT(" 'radius': its data is cut off", "a.vtp",
+                   radii("type=\"Float32\" format=\"appended\" offset=\"4\""));
+  for (const std::string type : {"Float16", "Float8", "Int128", "String"})
+    EXPECT_COMPLAINT(" 'radius': the type '" + type + "' is not known", "a.vtp",
+                     file("<PointData><DataArray Name=\"radius\" format=\"binary\" type=\"" + type +
+                          "\">AAAAAA==</DataArray></PointData>"));
 }
 
 TEST(VtkLegacyReader, RefusesOffsetsThatLeavePointsOver) {
@@ -247,6 +342,31 @@ TEST(VtkLegacyReader, RefusesOffsetsThatLeavePointsOver) {
                    "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 2 0 "
                    "0\nLINES 2 3\nOFFSETS "
                    "vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1 2\n");
+}
+
+TEST(VtkLegacyReader, RefusesCountsThatDoNotFit) {
+  const auto file = [](const std::string& kind, const std::string& cells) {
+    return "# vtk DataFile Version 5.1\nt\nASCII\nDATASET " + kind + "\nPOINTS 3 float\n0 0 0 1 0 0 2 0 0\n" +
+           cells;
+  };
+  EXPECT_COMPLAINT("8: a cell of 2 points, where room for 1 is left", "a.vtk",
+                   file("POLYDATA", "LINES 1 2\n2 0 1\n"));
+  EXPECT_COMPLAINT("8: the cells take 3 numbers, not the 4 announced", "a.vtk",
+                   file("POLYDATA", "LINES 1 4\n2 0 1\n"));
+  EXPECT_COMPLAINT(
+      "9: offset 1 is 9; offsets ascend from 0 to 3", "a.vtk",
+      file("POLYDATA", "LINES 3 3\nOFFSETS vtktypeint64\n0 9 3\nCONNECTIVITY vtktypeint64\n0 1 2\n"));
+  EXPECT_COMPLAINT("10: 1 cell, but 2 cell types", "a.vtk",
+                   file("UNSTRUCTURED_GRID", "CELLS 1 3\n2 0 1\nCELL_TYPES 2\n3 3\n"));
+}
+
+// Carriage returns of another system are no part of a word.
+TEST(VtkLegacyReader, ReadsLinesThatEndWithCrlf) {
+  std::string crlf;
+  for (const char c : start + "POINT_DATA 4\nFIELD f 1\nradius 1 4 float\n1 2 3 4\n")
+    crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  const CurveFile curves = read_text("a.vtk", crlf);
+  EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{0, 0, 0, 1}, {1, 0, 0, 2}, {2, 0, 0, 3}, {3, 0, 0, 4}}));
 }
 
 TEST(VtkLegacyReader, AsksWhichArrayHoldsRadii) {
@@ -272,6 +392,26 @@ TEST(VtkLegacyReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT(" holds no lines, only 1 point and", "a.vtk",
                    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\n");
   EXPECT_COMPLAINT("9: 'wind': no section", "a.vtk", start + "WIND 3\n");
+}
+
+// What a header announces is not believed: no memory is asked for, and no other bytes are taken for the data.
+TEST(VtkXmlReader, HoldsCompressedDataAgainstItsHeader) {
+  const auto bytes_of = [](std::uint64_t blocks, std::uint64_t block, std::uint64_t last) {
+    const std::string data = deflated("abcdefgh");
+    std::string bytes;
+    for (const std::uint64_t number : {blocks, block, last, std::uint64_t{data.size()}})
+      append(bytes, number, false);
+    return vtk_xml_bytes(bytes + data, false, {.header_size = 8, .compressed = true});
+  };
+  EXPECT_EQ(bytes_of(1, 8, 0), "abcdefgh");  // 0: the last block is whole
+  EXPECT_EQ(bytes_of(1, 9, 8), "abcdefgh");
+  EXPECT_EQ(bytes_of(0, 8, 0), "");
+  for (const std::uint64_t wrong : {7, 9}) {
+    EXPECT_THROW(bytes_of(1, wrong, 0), InputError);
+    EXPECT_THROW(bytes_of(1, 8, wrong), InputError);
+  }
+  for (const std::uint64_t many : {std::uint64_t{2}, std::uint64_t{1} << 59, ~std::uint64_t{0}})
+    EXPECT_THROW(bytes_of(many, 8, 0), InputError);
 }
 
 TEST(VtkXmlReader, ComplainsInOneLine) {

@@ -122,7 +122,7 @@ class VtkXml {
                ends = numbers_named(piece.child("Cells"), "offsets");
     if (types.size() != ends.size())
       fail(fmt::format("{}, but {}", counted(ends.size(), "cell"), counted(types.size(), "cell type")));
-    read_cells(piece.child("Cells"), [&](std::size_t k) { return index(types[k], 255, "cell type"); },
+    read_cells(piece.child("Cells"), [&](std::size_t k) { return index(types[k], 256, "cell type"); },
                {piece, "NumberOfCells"});
     read_arrays(piece);
   }
@@ -155,7 +155,7 @@ class VtkXml {
     std::vector<std::int64_t> line;
     std::size_t begin = 0;
     for (std::size_t k = 0; k < ends.size(); ++k) {
-      const auto end = static_cast<std::size_t>(index(ends[k], points.size(), "offset"));
+      const auto end = static_cast<std::size_t>(index(ends[k], points.size() + 1, "offset"));
       if (end < begin) fail(fmt::format("offset {} is below the one before it", ends[k]));
       line.clear();
       for (; begin < end; ++begin)
@@ -167,9 +167,10 @@ class VtkXml {
                        counted(points.size(), "number")));
   }
 
-  std::int64_t index(double value, std::uint64_t most, std::string_view what) const {
-    if (!(value >= 0 && value <= static_cast<double>(most)) || value != std::floor(value))
-      fail(fmt::format("{} {} is not one from 0 to {}", what, value, most));
+  /// One of `many` from 0.
+  std::int64_t index(double value, std::uint64_t many, std::string_view what) const {
+    if (!(value >= 0 && value < static_cast<double>(many)) || value != std::floor(value))
+      fail(fmt::format("{} {} is not one of {} from 0", what, value, many));
     return static_cast<std::int64_t>(value);
   }
 

@@ -118,6 +118,11 @@ TEST(XyzReader, ReadsExtendedXyzAsItsPropertiesSay) {
   EXPECT_EQ(curves.warnings, (std::vector<std::string>{"not read: 'forces'"}));
   EXPECT_COMPLAINT("2: Properties 'species:S:1' has no pos:R:3", "a.xyz",
                    "1\nProperties=species:S:1\nC 0 0 0\n");
+  // A position in words is none, and of two ids none is the sphere's.
+  EXPECT_COMPLAINT("2: Properties 'pos:S:3' has no pos:R:3", "a.xyz", "1\nProperties=pos:S:3\n0 0 0\n");
+  const CurveFile two_ids = read_text("a.xyz", "1\nProperties=id:I:2:pos:R:3\n8 9 1 2 3\n");
+  EXPECT_EQ(two_ids.spheres, (std::vector<Sphere>{{1, 2, 3, 0}}));
+  EXPECT_EQ(two_ids.warnings, (std::vector<std::string>{"not read: 'id'"}));
   EXPECT_COMPLAINT("2: Properties 'pos:R' is not", "a.xyz", "1\nProperties=pos:R\nC 0 0 0\n");
   EXPECT_COMPLAINT("2: Properties: '99999999999999' of 'pos'", "a.xyz",
                    "1\nProperties=pos:R:99999999999999\nC 0 0 0\n");
@@ -138,6 +143,7 @@ TEST(XyzReader, TakesTheLatticeAsAPeriodicBoxUnlessPbcSaysOtherwise) {
     EXPECT_TRUE(titled(lattice).box_is_periodic);
     EXPECT_EQ(titled("pbc=\"T F T\" " + lattice).boxes, (Boxes{{{9, 0, 7}, 1, -2, 3.5}}));
     EXPECT_EQ(titled(lattice + " pbc=[True, true, 0]").boxes, (Boxes{{{9, 8, 0}, 1, -2, 3.5}}));
+    EXPECT_EQ(titled(lattice + " pbc=\"0 1 t\"").boxes, (Boxes{{{0, 8, 7}, 1, -2, 3.5}}));
     EXPECT_TRUE(titled(lattice + " pbc=\"F F F\"").boxes.empty());
     EXPECT_TRUE(titled(lattice).warnings.empty());
   }
@@ -168,6 +174,42 @@ TEST(XyzReader, TakesTheBoxOfEachFrame) {
   EXPECT_COMPLAINT("5: this Lattice lies along the axes, the first does not", "a.xyz", turned + nine);
 }
 
+// Every number of a file in one row: one short line, and soon.
+TEST(XyzReader, RefusesARowOfAMillionNumbers) {
+  std::string row;
+  for (int k = 0; k < 1'000'000; ++k) row += "0 ";
+  EXPECT_EQ(complaint("a.xyz", row + "\n"),
+            "a.xyz:1: 1000000 columns in a row; write a row for each point, as x y z");
+  EXPECT_EQ(complaint("a.xyz", "1\nt\nC " + row + "\n"),
+            "a.xyz:3: 1000001 columns in a row; write a row for each point, as x y z");
+}
+
+TEST(XyzReader, SaysThatBlankLinesEndNoStrand) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(read_text("a.xyz", "\n \n0 0 0\n1 0 0\n\n").warnings, Texts{});
+  EXPECT_EQ(read_text("a.xyz", "0 0 0\n\n1 0 0\n").warnings,
+            Texts{"blank lines do not end a strand; END does"});
+}
+
+// Where an option is not heeded, nothing is read as if it had been.
+TEST(Readers, RefuseOptionsThatMeanNothingToThem) {
+  const TestFile file("a.swc", "1 1 0 0 0 1 -1\n");
+  for (const auto& [option, options] :
+       std::vector<std::pair<std::string, ReadOptions>>{{"--columns", {.columns = {"x", "y", "z"}}},
+                                                        {"--atom", {.atom = "CA"}},
+                                                        {"--array", {.array = "r"}},
+                                                        {"--topology", {.topology = "a.top"}}}) {
+    try {
+      ReaderRegistry::instance().read(file.path(), options);
+      ADD_FAILURE() << option;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(option + " means nothing for a SWC neuron file"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(XyzReader, RefusesFramesInAnotherOrder) {
   const std::string ids = "2\nProperties=id:I:1:strand:I:1:pos:R:3\n", elements = "2\nt\n";
   EXPECT_COMPLAINT("7: '2' stands where frame 0 has '1'", "a.xyz",
@@ -190,6 +232,7 @@ TEST(XyzReader, ReadsFramesAsAnAnimation) {
   EXPECT_EQ(curves.later_frames[1][1], (Sphere{1, 0, 2, 0}));
   EXPECT_EQ(curves.labels.of(1), "O2");
   EXPECT_EQ(curves.labels.size(), 2u);
+  EXPECT_COMPLAINT("5: frame 1 has 1 point, frame 0 has 2", "a.xyz", "2\nt\n0 0 0\n1 0 0\n1\nt\n0 0 0\n");
   EXPECT_COMPLAINT("4: frame 1 has 2 points, frame 0 has 1", "a.xyz", "1\nt\n0 0 0\n2\nt\n0 0 0\n1 0 0\n");
   EXPECT_COMPLAINT("4: the number of points of another frame is due", "a.xyz", "1\nt\n0 0 0\n1 0 0\n");
   EXPECT_COMPLAINT("4: 1 point is announced, 0 follow", "a.xyz", "1\nt\n0 0 0\n1\nt\n");

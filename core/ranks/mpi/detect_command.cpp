@@ -6,6 +6,7 @@
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
+#include "catena/core/commands/output_names.h"
 #include "catena/core/counted.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/ranks/answer_text.h"
@@ -45,6 +46,7 @@ class DetectCommand final : public Command {
   int run() override {
     request_.want = want_.want();
     check_answer_options(request_, tables_);
+    require_apart({input_, search_.input().reading.topology}, {tables_.pairs, tables_.counts});
     RankOptions options = search_.of(request_);
     options.entering = [this](Phase phase) {
       clock_.enter(phase);

@@ -1,0 +1,38 @@
+#include "catena/core/commands/output_names.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "catena/core/error.h"
+
+namespace catena {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two names of one file, which may be yet to be made.
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code none;
+  const fs::file_status status = fs::status(a, none);
+  if (fs::exists(status)) return fs::is_regular_file(status) && fs::equivalent(a, b, none);
+  return fs::weakly_canonical(a, none) == fs::weakly_canonical(b, none);
+}
+
+}  // namespace
+
+void require_apart(const std::vector<std::string>& read, const std::vector<std::string>& written) {
+  for (std::size_t k = 0; k < written.size(); ++k) {
+    if (written[k].empty()) continue;
+    if (written[k] == "-") throw InputError("-: is no file to write; /dev/stdout is the output");
+    for (const std::string& input : read)
+      if (std::error_code none; fs::exists(input, none) && same_file(written[k], input))
+        throw InputError(
+            fmt::format("{}: is read, and would be lost; name another file to write", written[k]));
+    for (std::size_t other = 0; other < k; ++other)
+      if (!written[other].empty() && same_file(written[k], written[other]))
+        throw InputError(fmt::format("{}: is to be written twice; name another file", written[k]));
+  }
+}
+
+}  // namespace catena
