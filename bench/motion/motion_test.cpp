@@ -83,6 +83,18 @@ TEST(Motion, HoldsAtAFineStepSlipsAtACoarseOneAndExactVariantsMissNothing) {
   EXPECT_GT(4 * comparison.missed, comparison.contacts);
 }
 
+// What comes later does not change when it failed first.
+TEST(Motion, FailsAtTheFirstTimeThatItSlips) {
+  const MotionCase whole = small("aCPU2+CPU2", 2.5);
+  const auto failed_at = measure_motion(whole).failed_at;
+  ASSERT_TRUE(failed_at.has_value());
+  MotionCase cut = whole;
+  cut.frames = static_cast<std::uint32_t>(*failed_at / 5) + 2;  // of 5 time units each
+  cut.duration = 5 * (cut.frames - 1);
+  ASSERT_LT(cut.duration, whole.duration);
+  EXPECT_EQ(measure_motion(cut).failed_at, failed_at);
+}
+
 TEST(Motion, ShowsWhatTheArithmeticLosesFarFromTheOrigin) {
   EXPECT_EQ(measure_motion(small("aCPU2+CPU2", 0.25, 1e7)).missed, 0u);
   EXPECT_GT(measure_motion(small("aCPU2+CPU2/literal", 0.25, 1e7)).missed, 10u);
@@ -106,6 +118,7 @@ TEST(Motion, PerturbedStartsAreAsEachByItself) {
     EXPECT_EQ(start.energy_drift, result.energy_drift);
   }
   EXPECT_NE(starts[0].energy_drift, starts[1].energy_drift) << "another start";
+  for (std::size_t k = 0; k < starts.size(); ++k) EXPECT_EQ(starts[k].seed, k + 1) << "0 is the start itself";
 }
 
 TEST(FailingShare, IsWilsonsInterval) {  // Newcombe 1998, Table I: 81 of 263, 15 of 148, 0 of 20
@@ -156,6 +169,9 @@ TEST(MotionVerdicts, OneStartSaysNothing) {
     return motion_verdicts({exact, rounded})[1].find("at fault") != std::string::npos;
   };
   EXPECT_TRUE(blamed());
+  rounded.motion.offset = 1e7;
+  EXPECT_FALSE(blamed()) << "no exact variant was as far from the origin";
+  rounded.motion.offset = exact.motion.offset;
   for (auto* r : {&exact, &rounded}) r->starts.resize(1);
   EXPECT_FALSE(blamed());
   exact.starts.assign(32, {}), rounded.starts.assign(32, {});
@@ -165,7 +181,13 @@ TEST(MotionVerdicts, OneStartSaysNothing) {
 }
 
 TEST(MotionReport, WritesARowAsJson) {
-  const auto json = to_json(row("CPU1/literal", 1e2, 2, MotionOutcome::slipped));
+  MotionRow told = row("CPU1/literal", 1e2, 2, MotionOutcome::slipped);
+  told.result.find_ms = 0.25;
+  told.against_fine.contacts = 9, told.against_fine.missed = 4;
+  const auto json = to_json(told);
+  EXPECT_EQ(json["find_ms"], 0.25);
+  EXPECT_EQ(json["reference_contacts"], 9);
+  EXPECT_EQ(json["missed_against_fine_step"], 4);
   EXPECT_EQ(json["arithmetic"], "literal");
   EXPECT_EQ(json["outcome"], "slipped");
   EXPECT_EQ(json["failed_at"], 7);

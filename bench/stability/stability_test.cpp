@@ -13,6 +13,7 @@
 #include "catena/core/input/input.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/reference/exact_gap.h"
 #include "catena/reference/reference.h"
 
 namespace catena::bench {
@@ -95,6 +96,14 @@ TEST(StabilityRun, SaysWhatItLeavesOutAndWhy) {
   const auto both = measure_scene("rod:n=500", {"CPU1", "aCPU2+CPU2"}, narrow);
   EXPECT_NE(both[0].found.reason.find("O(n^2)"), std::string::npos);
   EXPECT_EQ(both[1].outcome, Outcome::exact);
+  EXPECT_EQ(measure_scene("rod:n=100", {"CPU1"}, narrow)[0].outcome, Outcome::exact) << "at the limit";
+  EXPECT_NE(measure_scene("rod:n=101", {"CPU1"}, narrow)[0].outcome, Outcome::exact);
+  // Of an animation the frame in the middle.
+  const Input path = open_input("path1:n=90");
+  const auto pairs = [&](std::uint32_t f) { return reference::find(path.animation->frame(f)).pair_count; };
+  ASSERT_NE(pairs(0), pairs(path.animation->frames() / 2));
+  EXPECT_EQ(measure_scene("path1:n=90", {"CPU1"}, narrow)[0].exact_pairs,
+            pairs(path.animation->frames() / 2));
   const auto slow = measure_scene("rod:n=60000", {"aCPU2+CPU2"}, {.seconds = 1e-9});
   EXPECT_NE(slow[0].found.reason.find("likely to take longer"), std::string::npos);
 }
@@ -103,6 +112,15 @@ TEST(StabilityRun, EstimatesOverlapsFromASample) {
   const Chain chain = open_input("winding:n=5000,contacts=50").animation->frame(0);
   const auto right = static_cast<double>(reference::find(chain).pair_count);
   EXPECT_NEAR(estimated_overlaps(chain), right, 0.1 * right);
+  // Of so few each is asked, and none overlaps itself.
+  for (const char* spec : {"winding:n=200", "rod:n=50", "coincident:n=256", "path1:n=1"}) {
+    const Chain few = open_input(spec).animation->frame(0);
+    double overlaps = 0;
+    for (std::uint32_t i = 0; i < few.size(); ++i)
+      for (std::uint32_t j = i + 1; j < few.size(); ++j)
+        overlaps += reference::GapEstimate::of(few[i], few[j]).gap <= 0;
+    EXPECT_DOUBLE_EQ(estimated_overlaps(few), overlaps) << spec;
+  }
 }
 
 /// About ten minutes, on one core.

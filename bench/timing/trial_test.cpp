@@ -122,6 +122,25 @@ std::string boxes_that_change() {
   return text;
 }
 
+// What an update comes from is the frame before, in that frame's box.
+TEST(Trial, IsUpdatedFromTheFrameBefore) {
+  const TestFile changing("boxes.xyz", boxes_that_change()), two("two.xyz", "1\nt\n0 0 0\n1\nt\n5 0 0\n");
+  InputOptions with_radius;
+  with_radius.radius = 1.0f;
+  for (const auto& spec : {WorkloadSpec{changing.path().string()}, WorkloadSpec{"path1:n=30"},
+                           WorkloadSpec{two.path().string(), false, with_radius}}) {
+    const auto work = workload(spec);
+    const Input input = open_input(spec.input, spec.options);
+    ASSERT_GT(work->first_frame, 0u);
+    ASSERT_TRUE(work->beside.has_value());
+    const Chain before = input.animation->frame(work->first_frame - 1);
+    EXPECT_TRUE(std::ranges::equal(work->beside->spheres(), before.spheres())) << spec.input;
+    if (!input.boxes.empty()) {
+      EXPECT_EQ(*work->box_beside, *box_of(input.boxes, work->first_frame - 1));
+    }
+  }
+}
+
 TEST(Trial, SearchesEachFrameInItsOwnBox) {
   const TestFile file("boxes.xyz", boxes_that_change());
   for (const bool all_frames : {false, true}) {

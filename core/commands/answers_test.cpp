@@ -56,12 +56,14 @@ TEST_F(Answers, TellDepthsInTheBoxOfEachFrame) {
   };
   const std::string dump = write("d.dump", frame(0, 10, 9.5f) + frame(1, 25, 24.25f));
   for (const std::string wrong : {"2", "1x", "-1"})
-    expect_refused("detect " + dump + " --radius 1 --frame=" + wrong, wrong == "2" ? "no frame 2" : "--frame");
+    expect_refused("detect " + dump + " --radius 1 --frame=" + wrong,
+                   wrong == "2" ? "no frame 2" : "--frame");
   run("detect " + dump + " --radius 1 --frame all --depth --pairs '" + file("p.csv") + "'");
   EXPECT_TRUE(text_of(file("p.csv")).ends_with("depth\n0,0,2,1,3,0,0,0,2,1\n1,0,2,1,3,0,0,0,2,0.75\n"))
       << text_of(file("p.csv"));
   run("export " + dump + " '" + file("d.vtp") + "' --radius 1 --frame all --contacts");
-  EXPECT_NE(text_of(file("d_1.vtp")).find("Name=\"depth\" format=\"ascii\">\n0.75\n0\n0.75\n"), std::string::npos);
+  EXPECT_NE(text_of(file("d_1.vtp")).find("Name=\"depth\" format=\"ascii\">\n0.75\n0\n0.75\n"),
+            std::string::npos);
 }
 
 // A name may hold what no line of text may, and no JSON.
@@ -111,6 +113,10 @@ TEST_F(Answers, NameStrandsAndRows) {
   EXPECT_EQ(row, nlohmann::json::parse(R"({"frame":0,"i":0,"j":1,"label_i":"p","label_j":"q","strand_i":"a,1",
                                            "strand_j":"b","index_i":0,"index_j":0,"depth":1.0})"));
   expect_refused("detect " + csv + " --depth", "--pairs");
+  // A label in no Unicode is shown as far as JSON can.
+  const std::string latin = write("latin.csv", "id,x,y,z,r\nM\xFCller,0,0,0,1\nq,9,0,0,1\np,1,0,0,1\n");
+  run("detect " + latin + " --pairs '" + file("l.jsonl") + "'");
+  EXPECT_EQ(lines_of("l.jsonl").at(0)["label_i"], "M\xEF\xBF\xBDller");
 }
 
 TEST_F(Answers, SayWhatRoundingHasCost) {

@@ -51,6 +51,14 @@ TEST_F(PlanProgram, IsOfTheSearchInABox) {
       "plan '" CATENA_SOURCE_DIR "/core/readers/examples/melt.data' --radius 0.5 --box file";
   expect_says(melt + " --run", 0, {"8 spheres, collides", "choice of variant"});
   expect_refused(melt, "add --run");
+  // Each frame in its own box: in the second, wider one the ends do not touch through a face.
+  const auto frame = [](const char* edge) {
+    return std::string("3\nLattice=\"") + edge + " 0 0 0 9 0 0 0 9\"\nC 0 0 0\nC 3.5 4 0\nC 7 0 0\n";
+  };
+  const std::string moving = write("boxes.xyz", frame("8") + frame("20"));
+  const std::string said = run("plan " + moving + " --radius 1 --run --frame all").output;
+  EXPECT_NE(said.find("frame 0: 3 spheres, collides"), std::string::npos) << said;
+  EXPECT_NE(said.find("frame 1: 3 spheres, does not collide"), std::string::npos) << said;
 }
 
 TEST_F(PlanProgram, FramesOfAnAnimationAreToldWhatTheyShare) {

@@ -25,9 +25,10 @@ class Mpirun : public Program {
   ProgramOutcome run_ranks(const std::string& arguments, unsigned ranks = 3,
                            const std::string& before = "") const {
     const char* const as_root = geteuid() == 0 ? "--allow-run-as-root" : "";
-    return shell(fmt::format(
-        "{} OMPI_MCA_odls_base_sigkill_timeout=0 ASAN_OPTIONS=detect_leaks=0 timeout 120 '{}' --quiet --oversubscribe {} -n {} '{}' {} > '{}'",
-        before, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
+    return shell(
+        fmt::format("{} OMPI_MCA_odls_base_sigkill_timeout=0 ASAN_OPTIONS=detect_leaks=0 timeout 120 '{}' "
+                    "--quiet --oversubscribe {} -n {} '{}' {} > '{}'",
+                    before, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
   }
   void expect_one_line(const ProgramOutcome& r, const std::string& because) const {
     EXPECT_EQ(r.code, 2) << r.output;
@@ -127,6 +128,9 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   expect_one_line(run_ranks("detect coincident:n=60 --variant CPU1/literal"), "ranks decide exactly");
   expect_one_line(run_ranks("detect coincident:n=60 --box 0.1,9,9"),
                   "coincident:n=60 frame 0: the box is 0.1 wide along x, less than twice the reach");
+  const std::string table = "x,y,z,r\n0,0,0,1\n9,0,0,1\n1,0,0,1\n", in = write("in.csv", table);
+  expect_one_line(run_ranks("detect " + in + " --pairs " + in), "is read, and would be lost");
+  EXPECT_EQ(text_of(file("in.csv")), table);
   expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
 }
 

@@ -75,6 +75,19 @@ RC_GTEST_PROP(ChainFormat, RefusesEveryTruncation, ()) {
   RC_ASSERT(complaint("a.chain", text.substr(0, size)) != "");
 }
 
+// Pairs that a user names and joints of a file stand side by side.
+TEST(ChainFormat, HoldsPairsAndJointsBoth) {
+  const Strands strands{{0, 2, 4}, {0, 0}};
+  const std::vector<Pair> joints{{1, 2}};
+  const std::vector<Sphere> spheres{{0, 0, 0, 1}, {2, 0, 0, 1}, {4, 0, 0, 1}, {6, 0, 0, 1}};
+  Exclusion rule = Exclusion::index(1);
+  rule.extra_pairs = pairs_across_joints(spheres, strands, joints, rule);
+  rule.extra_pairs.push_back({0, 3});
+  std::ostringstream out;
+  write_chain(out, Chain(spheres, strands, rule), joints);
+  EXPECT_TRUE(out.str().ends_with("pairs 1\n0 3\njoints 1\n1 2\nend\n")) << out.str();
+}
+
 // What a reader makes of a graph: steps and joints come back, and under every rule the same neighbours with
 // them.
 RC_GTEST_PROP(ChainFormat, BringsJointsBack, ()) {

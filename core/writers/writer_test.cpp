@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -52,6 +53,15 @@ std::vector<Sphere> without_radii(std::span<const Sphere> spheres) {
   std::vector<Sphere> bare(spheres.begin(), spheres.end());
   for (Sphere& sphere : bare) sphere.radius = 0;
   return bare;
+}
+
+TEST(Writers, AreKnownByTheirExtensionsInAnyCase) {
+  for (const WriterInfo& info : WriterRegistry::instance().writers())
+    for (std::string extension : info.extensions) {
+      std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+      EXPECT_EQ(WriterRegistry::instance().of("A" + extension).info.name, info.name);
+    }
+  EXPECT_THROW(WriterRegistry::instance().of("a"), InputError);
 }
 
 void comes_back(const std::string& name) {
@@ -262,7 +272,8 @@ TEST(Writers, NameWhatThereIs) {
     WriterRegistry::instance().of("a.doc");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "a.doc: nothing writes '.doc' files; there are: .catena .chain .csv .obj .vtp .xyz");
+    EXPECT_STREQ(error.what(),
+                 "a.doc: nothing writes '.doc' files; there are: .catena .chain .csv .obj .vtp .xyz");
   }
 }
 

@@ -8,6 +8,7 @@ import os
 import unittest
 
 import made
+import numpy
 import samples
 from catena_report import gate, paired, runfile, work
 
@@ -127,6 +128,42 @@ class Promises(unittest.TestCase):
         cases = [case for case in samples.unchanged(samples.generator(2)) if case.variant == "aCPU2+CPU2"]
         self.assertEqual(alarms(cases), [])
         self.assertTrue(alarms(samples.slower(cases, 1.6, lambda case: case.stage == "find")))
+
+
+class Paired(unittest.TestCase):
+    """What two runs say of one case, by the definitions."""
+
+    def case(self, old, new, kernels=((1.0,), (1.0,))):
+        name = ("path1/n:100", "aCPU2+CPU2", "find")
+        timed = [
+            {name: paired.Timed(numpy.array(ms, float), {"load_one_ms": numpy.resize(kernel, len(ms)).astype(float)})}
+            for ms, kernel in zip((old, new), kernels)
+        ]
+        (case,) = paired.pairs(*timed, {name: ("*+CPU2", paired.HOST)})
+        return case
+
+    def test_a_time_is_the_mean_logarithm_of_the_quick_quarter(self):
+        case = self.case([9, 1, 8, 4, 7, 6, 5, 16], [2, 9, 9, 9, 9, 9, 9, 8])
+        self.assertAlmostEqual(case.old, 2)  # of 1 and 4
+        self.assertAlmostEqual(case.new, 4)  # of 2 and 8
+        self.assertAlmostEqual(case.change, math.log(2))
+
+    def test_of_the_kernel_it_counts_how_much_slower_it_was_beside_new(self):
+        for factor in (1.25, 0.8):
+            case = self.case([1] * 8, [1] * 8, ((2.0,), (2.0 * factor,)))
+            self.assertTrue(case.calibrated)
+            self.assertAlmostEqual(case.kernel, math.log(factor))
+            loads = [max(0.0, math.log(k / min(1, factor)) - paired.IDLE) for k in (1, factor)]
+            for got, expected in zip(case.load, loads):
+                self.assertAlmostEqual(got, expected)
+
+    def test_load_makes_a_verdict_less_sure(self):
+        cases = samples.unchanged(samples.generator(5))
+        seen = []
+        for load in (0.0, 0.5):
+            loaded = [dataclasses.replace(case, calibrated=True, load=(0.0, load)) for case in cases]
+            seen.append({family.name: family.seen for family in gate.decide(loaded)[0]})
+        self.assertTrue(all(seen[1][name] > seen[0][name] for name in seen[0]))
 
 
 if __name__ == "__main__":

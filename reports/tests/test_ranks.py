@@ -107,6 +107,12 @@ class Ranks(unittest.TestCase):
         for row in rows:
             self.assertAlmostEqual(row[9].raw, 3, delta=0.15)
 
+    def test_a_law_is_checked_by_what_it_was_not_fitted_to(self):
+        asked = {255: 3, 256: 4, 257: 5, 512: 0, 4096: 7}
+        points = [{"ranks": ranks, "blocks": 1e6, "most_blocks_asked": blocks} for ranks, blocks in asked.items()]
+        checked = rank_model.checked([{"n": 8e6, "points": points}], rank_model.Law(1, 1))
+        self.assertEqual([(ranks, asked) for _, ranks, _, asked in checked], [(257, 5), (4096, 7)])
+
     def test_too_few_points_have_no_model(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
             chain["points"] = chain["points"][:2]

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 
 import made
-from catena_report import gate, paired, report, runfile
+from catena_report import gate, paired, report, runfile, style, variant
 
 
 class WithoutVariants(unittest.TestCase):
@@ -50,6 +50,23 @@ class WithoutVariants(unittest.TestCase):
             pages = report.Report([run])
         self.assertEqual(len(run.recommended()), 5)
         self.assertEqual(sum(run.info(name).rounded for name in run.variants()), 1)
+
+    def test_a_variant_is_of_one_memory_where_all_its_stages_are(self):
+        def of(*places):
+            stages = tuple(variant.Stage(f"s{at}", f"s{at}", False, place) for at, place in enumerate(places))
+            return variant.Variant("v", stages, "robust", True, False, False)
+
+        for places, host, device in (
+            (("host",), True, False), (("device",), False, True), (("host", "host"), True, False),
+            (("device", "device"), False, True), (("host", "device"), False, False), (("device", "host"), False, False),
+        ):  # fmt: skip
+            self.assertEqual((of(*places).host_only, of(*places).device_only), (host, device), places)
+
+    def test_a_mark_is_hollow_where_any_stage_is_a_devices_on_the_host(self):
+        for at, on_host in enumerate(((False, False), (True, False), (False, True), (True, True))):
+            stages = tuple(variant.Stage(f"s{k}", f"s{k}", own, "host") for k, own in enumerate(on_host))
+            drawn = variant.Variant(f"v{at}", stages, "robust", True, False, False)
+            self.assertEqual(style.Looks([drawn]).variant(drawn).hollow, any(on_host))
 
 
 if __name__ == "__main__":
