@@ -35,16 +35,21 @@ class RadiusSample {
   struct Told {
     float greatest;  ///< but for a few
     double smaller;  ///< share of those less than half as great
+    double bits;     ///< that tell a sphere's octave, on average
   };
   Told told() const {
     constexpr std::uint32_t rare = 64;  // an octave of fewer costs next to nothing
     const auto common = [&](const Octave& of) { return rare * of.spheres > all_; };
     const auto first = std::find_if(octave_.begin(), octave_.end(), common);
-    if (first == octave_.end()) return {greatest_, 0};
+    if (first == octave_.end()) return {greatest_, 0, 0};
     std::uint32_t smaller = 0;
     for (auto of = first + 1; of != octave_.end(); ++of)
       if (common(*of) && of->greatest < first->greatest / 2) smaller += of->spheres;
-    return {first->greatest, static_cast<double>(smaller) / all_};
+    double bits = 0;
+    for (const Octave& of : octave_)
+      if (const double share = static_cast<double>(of.spheres) / all_; share > 0)
+        bits -= share * std::log2(share);
+    return {first->greatest, static_cast<double>(smaller) / all_, bits};
   }
 
  private:
@@ -67,12 +72,12 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
   const std::uint64_t all = std::min(looks * chain.size, looks_of_a_few * spheres);
   const auto parts = static_cast<std::uint32_t>(std::uint64_t{chain.size} * samples.size() / all + 1);
   const NearSpheres near = mean_near(chain, samples, radii.greatest, parts);
-  const double in_space = SingleSphereCost::in_space(near.by_reach, spheres),
+  const double in_space = SingleSphereCost::in_space(near, radii.bits, spheres),
                in_cells = SingleSphereCost::in_cells(near.in_cells, spheres),
                pairs = ball * near.by_reach / 2;
   const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
-  return one_width && in_cells < in_space ? SingleSpheres{true, in_cells, pairs, radii.greatest}
-                                          : SingleSpheres{false, in_space, pairs, radii.greatest};
+  const bool cells = one_width && in_cells < SingleSphereCost::shallow(spheres) * in_space;
+  return {cells, one_width ? std::min(in_cells, in_space) : in_space, pairs, radii.greatest};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/export.h"
 #include "catena/core/grid/sphere_grid.h"
+#include "catena/core/space_tree/mean_near.h"
 
 namespace catena {
 
@@ -45,8 +46,18 @@ struct SingleSphereCost {
   static double in_cells(double near, std::uint32_t spheres) {
     return 40 + 15 / (1 + near / 4) + near * near / (near + 100) + 10 * octaves_beyond_cache(spheres);
   }
-  static double in_space(double near, std::uint32_t spheres) {
-    return 28 + 10.7 * std::sqrt(near) + 5 * octaves_beyond_cache(spheres);
+  /// Spheres are sorted by size: each bit that tells their octaves is as many more classes to look into,
+  /// where much is in cells for the greatest that is not within reach of the others.
+  static double in_space(const NearSpheres& near, double octave_bits, std::uint32_t spheres) {
+    const double reach = std::sqrt(near.by_reach),
+                 beside = std::max(0.0, std::sqrt(near.in_cells) - reach - 2);
+    return 28 + 10.7 * reach + 1.2 * octave_bits * beside + 5 * octaves_beyond_cache(spheres);
+  }
+  /// Of fewer spheres a tree is less deep, and all of it stays next to the core: so much of that, beside
+  /// what cells take.
+  static double shallow(std::uint32_t spheres) {
+    constexpr double deep = 20'000, octave = 0.065, least = 0.78;
+    return std::clamp(1 - octave * std::log2(deep / std::max(1u, spheres)), least, 1.0);
   }
   /// So many that are near and less than half as great find room in the cells of the greater ones: where one
   /// is there are about three times as many as around it.

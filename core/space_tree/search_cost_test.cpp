@@ -84,5 +84,51 @@ TEST(SearchCost, CellsAreForRadiiThatFitOneWidth) {
   EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 200 == 0 ? 0.05f : 0.5f; })) << "a few";
 }
 
+/// So many spheres in as many cells each, whatever their number, of radii from 1/2 to so many times less.
+bool in_cells_of(std::uint32_t n, double near, float ratio) {
+  const auto room = static_cast<float>(std::cbrt(n * 27 / 16.0 / near));
+  properties::Dice dice(9);
+  const auto radius = [&](std::uint32_t) { return 0.5f * std::pow(ratio, -dice.unit()); };
+  return single_spheres(Chain(anywhere(n, room, radius)).view()).in_cells;
+}
+
+TEST(SearchCost, FewSpheresAreInTheOrderOfSpaceWhereManyAreInCells) {
+  for (const double near : {6.0, 205.0}) {
+    EXPECT_FALSE(in_cells_of(3000, near, 1)) << near;
+    EXPECT_TRUE(in_cells_of(30000, near, 1)) << near;
+  }
+  for (const std::uint32_t n : {3000u, 30000u}) {
+    EXPECT_TRUE(in_cells_of(n, 30, 1)) << n;
+    EXPECT_FALSE(in_cells_of(n, 1, 1)) << n;
+  }
+}
+
+TEST(SearchCost, RadiiOfManyOctavesAreInCellsWhereMuchIsBesideThem) {
+  EXPECT_TRUE(in_cells_of(30000, 26, 10));
+  EXPECT_FALSE(in_cells_of(30000, 12, 10)) << "little beside";
+  EXPECT_FALSE(in_cells_of(30000, 80, 10)) << "too much for one width";
+}
+
+TEST(SearchCost, OctavesCostWhereCellsHaveWhatIsNotWithinReach) {
+  const auto in_space = [](double by_reach, double in_cells, double bits) {
+    return SingleSphereCost::in_space({by_reach, in_cells}, bits, 1000);
+  };
+  EXPECT_EQ(in_space(4, 100, 0), in_space(4, 4, 0)) << "one octave";
+  EXPECT_EQ(in_space(4, 16, 2), in_space(4, 4, 0)) << "little beside";
+  EXPECT_GT(in_space(4, 20, 2), in_space(4, 16, 2));
+  EXPECT_GT(in_space(4, 20, 3), in_space(4, 20, 2));
+}
+
+TEST(SearchCost, ATreeOfFewerSpheresIsCheaperByDegrees) {
+  EXPECT_EQ(SingleSphereCost::shallow(20'000), 1);
+  EXPECT_EQ(SingleSphereCost::shallow(1'000'000'000), 1);
+  EXPECT_EQ(SingleSphereCost::shallow(0), SingleSphereCost::shallow(1));
+  EXPECT_GT(SingleSphereCost::shallow(0), 0.5);
+  for (std::uint32_t n = 2; n < 100'000; n += 1 + n / 10) {
+    EXPECT_GE(SingleSphereCost::shallow(n), SingleSphereCost::shallow(n - 1)) << n;
+    EXPECT_LT(SingleSphereCost::shallow(n), 1.09 * SingleSphereCost::shallow(n - n / 2)) << n;
+  }
+}
+
 }  // namespace
 }  // namespace catena
