@@ -253,7 +253,8 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   for (const char* input :
        {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30", "mixed_radii:n=700,decades=60",
         "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "hair:n=3000,radius=1e-41", "serpentine:n=1000",
-        "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500"}) {
+        "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500", "hair:n=1000,strands=1000",
+        "hair:n=2000,strands=20"}) {
     const Chain chain = open_input(input).animation->frame(0);
     const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
     ASSERT_NE(kind, nullptr) << input;
@@ -282,6 +283,8 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[10], "ChainTree") << "a smooth tube";
   EXPECT_EQ(taken[9], "Grid") << "crowded, and its parts lie among one another";
   EXPECT_EQ(taken[8], "SphereTree") << "of unlike radii, whose parts do not lie apart";
+  EXPECT_EQ(taken[11], "SphereTree") << "strands shorter than a block, anywhere";
+  EXPECT_EQ(taken[12], "ChainTree") << "long strands";
   for (const char* usual :
        {"winding:n=30000", "lattice:n=3000", "tight_knot:n=30000", "mixed_radii:n=3000,decades=6",
         "points:n=3000,share=0.7", "lattice:n=3000,scale=1e-30", "cluster:n=30000",
@@ -296,6 +299,28 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   const Chain chain(specked);
   EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr);
   EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
+}
+
+/// A straight chain of so many, of whose rows of eight so many of sixteen lie across their box.
+std::string kind_of_rows(std::uint32_t n, std::size_t across) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.25f});
+  for (std::size_t k = 0; k < across; ++k) {
+    const std::size_t i = k * (n - 8) / 15;
+    spheres[i + 7].x = i < n / 2 ? static_cast<float>(n) : 0;
+    spheres[i + 7].y = 0.5f;
+  }
+  const Chain chain(spheres);
+  return UnusualKind::of(n, chain.view().extent, chain.spheres())->variant;
+}
+
+TEST(UnusualKind, OfAShortChainIsTheOrderOfSpaceWhereMostRowsLieAcrossItsBox) {
+  for (const std::uint32_t n : {256u, 511u, 512u, 2000u}) {
+    const std::size_t most = n < 512 ? 13 : 11;
+    EXPECT_EQ(kind_of_rows(n, most - 1), "ChainTree") << n;
+    EXPECT_EQ(kind_of_rows(n, most), "SphereTree") << n;
+  }
+  EXPECT_EQ(kind_of_rows(255, 16), "ChainTree") << "few";
 }
 
 TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {

@@ -10,10 +10,10 @@
 namespace catena {
 namespace {
 
-enum Kind { wide, subnormal, crowded, short_crowded, short_dense, short_sparse };
+enum Kind { wide, subnormal, crowded, short_crowded, short_dense, short_scattered, short_sparse };
 
 const UnusualKind& info(Kind kind) {
-  static const std::array<UnusualKind, 6> all{{
+  static const std::array<UnusualKind, 7> all{{
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another, in a chain whose parts lie apart"},
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
@@ -21,6 +21,8 @@ const UnusualKind& info(Kind kind) {
       {"Grid",
        "at most 2,048 spheres of like radii, which fill a quarter of their box to six times all of it"},
       {"SphereTree", "at most 2,048 spheres, which fill their box more than six times or have unlike radii"},
+      {"SphereTree",
+       "at most 2,048 spheres, of which those that follow one another lie anywhere in their box"},
       {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty"},
   }};
   return all[kind];
@@ -74,6 +76,24 @@ Course course(std::span<const Sphere> spheres) {
   return {beside / some, along > 0 ? across / along : 0};
 }
 
+/// Most spheres that follow one another at a distance of a block's lie apart by a good part of their box, by
+/// some of them: then blocks in the chain's order lie among one another, and tell nothing apart.
+bool scattered(const Extent& extent, std::span<const Sphere> spheres) {
+  constexpr std::size_t some = 16, row = 8, few = 256, many = 512;
+  constexpr double good_part = 0.2;
+  if (spheres.size() < few) return false;  // in a small box all lie so, and it matters little
+  std::size_t apart = 0;
+  for (std::size_t k = 0; k < some; ++k) {
+    const std::size_t i = k * (spheres.size() - row) / (some - 1);
+    const Sphere &a = spheres[i], &b = spheres[i + row - 1];
+    const double sides =
+        std::abs(double{a.x} - b.x) + std::abs(double{a.y} - b.y) + std::abs(double{a.z} - b.z);
+    apart += sides > good_part * extent.sides;
+  }
+  // Blocks that meet all others cost more the more there are.
+  return apart >= (spheres.size() < many ? 13 : 11);
+}
+
 }  // namespace
 
 const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres) {
@@ -92,7 +112,7 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius;
     if (n <= few) {
-      if (filled <= sparse) return &info(short_sparse);
+      if (filled <= sparse) return &info(scattered(extent, spheres) ? short_scattered : short_sparse);
       if (!like || filled > dense) return &info(short_dense);
       if (n <= very_few) return &info(short_crowded);
       // Blocks of a smooth tube are told apart by their capsules.
