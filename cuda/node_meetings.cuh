@@ -6,6 +6,7 @@
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/device_warp.cuh"
 #include "catena/cuda/launch.cuh"
+#include "catena/cuda/meet_below.cuh"
 
 namespace catena::cuda {
 
@@ -30,35 +31,6 @@ __global__ void __launch_bounds__(256)
   __syncthreads();
   if (threadIdx.x < 32) fit(level + 1, blockIdx.x * 4 + of_block);
 }
-
-/// Meetings of one level on their way to its list.
-class MeetingList {
- public:
-  __device__ MeetingList(const BlockNodes& nodes, const NodeMeeting& meeting, std::uint32_t level)
-      : nodes_(nodes), meeting_(meeting), level_(level) {}
-
-  /// By all threads of a warp together: of those that met somebody.
-  __device__ void add(bool met, std::uint32_t a, std::uint32_t b, std::uint32_t marks_a,
-                      std::uint32_t marks_b) const {
-    met = met && meeting_.note(level_, a, b);
-    const std::uint32_t all = __ballot_sync(DeviceWarp::all, met);
-    if (all == 0) return;
-    std::uint32_t first = 0;
-    if (DeviceWarp::lane() == 0) first = atomicAdd(&nodes_.state->meetings[level_], __popc(all));
-    const std::uint32_t k =
-        __shfl_sync(DeviceWarp::all, first, 0) + __popc(all & DeviceWarp::lanes_before());
-    if (!met) return;
-    if (k < nodes_.capacity)
-      nodes_.meeting[level_ % 2][k] = {a | marks_a, b | marks_b};
-    else
-      meeting_.give_up(level_, a, b);
-  }
-
- private:
-  const BlockNodes& nodes_;
-  const NodeMeeting& meeting_;
-  const std::uint32_t level_;
-};
 
 /// Every node of the top against all others, by a thread block. One that is not crowded lists all its
 /// meetings, and one that is lists none: of two that are crowded nobody does. One without room for all of its
@@ -93,51 +65,6 @@ __global__ void __launch_bounds__(512)
   if (threadIdx.x < met && first + threadIdx.x < nodes.capacity)
     nodes.meeting[nodes.top % 2][first + threadIdx.x] =
         lists ? BlockNodes::Meeting{a, partner[threadIdx.x]} : BlockNodes::Meeting{a | mark, a | mark};
-}
-
-/// The children of nodes of a level that met one another, and of each of its nodes among themselves; sixteen
-/// threads for two nodes.
-__global__ void __launch_bounds__(128)
-    meet_below(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks,
-               std::uint32_t level) {
-  constexpr std::uint32_t children = BlockNodes::children, mark = BlockNodes::below_tangled;
-  await_previous();
-  const NodeMeeting meeting(nodes, blocks);
-  const BlockMeeting of_blocks(blocks);
-  const MeetingList list(nodes, meeting, level - 1);
-  const std::uint32_t half = DeviceWarp::lane() / 16, s = DeviceWarp::lane() % 16, own = nodes.count[level],
-                      all = own + nodes.meetings(level), warps = gridDim.x * blockDim.x / 32;
-  for (std::uint32_t from = (blockIdx.x * blockDim.x + threadIdx.x) / 32 * 2; from < all; from += 2 * warps) {
-    const std::uint32_t item = from + half;
-    const bool self = item < own;
-    BlockNodes::Meeting of{item, item};
-    bool live = item < all;
-    if (live && !self) of = nodes.meeting[level % 2][item - own];
-    if (live) live = self ? !meeting.settled(level, item) : !meeting.leaves_out(level, of);
-    const std::uint32_t a = of.a & ~mark, b = of.b & ~mark, marks_a = of.a & mark, marks_b = of.b & mark;
-    // Children that the other node may hold: eight threads for a's, eight for b's.
-    std::uint32_t of_a = 0;
-    if (live) {
-      const std::uint32_t node = s < children ? a : b, k = s % children;
-      const bool exists = (nodes.children_of(level, node) >> k & 1) != 0;
-      of_a = exists && (self || meeting.may_hold(level - 1, s < children ? b : a, node * children + k));
-    }
-    const std::uint32_t held = __ballot_sync(DeviceWarp::all, of_a != 0) >> half * 16 & 0xFFFF;
-    const std::uint32_t of_b = held >> children;
-    std::uint32_t left = of_b != 0 ? held & 0xFF : 0;
-    while (__any_sync(DeviceWarp::all, left != 0)) {
-      const std::uint32_t second = left & (left - 1), mine = s < children ? left : second;
-      const std::uint32_t i = mine != 0 ? lowest_bit(mine) : 0, j = s % children;
-      left = second & (second - 1);
-      const std::uint32_t child_a = a * children + i, child_b = b * children + j;
-      const bool met = mine != 0 && (of_b >> j & 1) != 0 && (!self || i < j) &&
-                       meeting.may_meet(level - 1, child_a, child_b);
-      if (level > 1)
-        list.add(met, child_a, child_b, marks_a, marks_b);
-      else if (met)
-        of_blocks.note_mutual(child_a, child_b);
-    }
-  }
 }
 
 /// Puts the tangled blocks into their cells.
