@@ -66,6 +66,12 @@ class CudaDevice final : public Device {
     return answer_.fetch(n, request, result, search, mend, stream_, staging_);
   }
 
+  Times answer_by_graph(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
+                        const std::function<void(const ResidentState&)>& mend) override {
+    const DeviceScope scope(place_);
+    return answer_.fetch_by_graph(n, request, result, search, mend, stream_, staging_);
+  }
+
   void flush_cache() override {
     const DeviceScope scope(place_);
     int bytes = 0;

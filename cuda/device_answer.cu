@@ -5,49 +5,91 @@
 #include "catena/core/strategy/timings.h"
 #include "catena/cuda/clear_answer.cuh"
 #include "catena/cuda/device_answer.h"
+#include "catena/cuda/graph.h"
 
 namespace catena::cuda {
 
-Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Collisions& result,
-                                  const Device::Search& search,
-                                  const std::function<void(const ResidentState&)>& mend, const Stream& stream,
-                                  Staging& staging, const CountsTo* counts) {
+namespace {
+
+/// What is left of an earlier search is no answer.
+template <class Work>
+void or_nothing(Collisions& result, const Work& work) {
   try {
-    return fetch_all(n, request, result, search, mend, stream, staging, counts);
-  } catch (...) {  // what is left of an earlier search is no answer
+    work();
+  } catch (...) {
     result.count.clear();
     std::vector<Pair>().swap(result.pairs);
     throw;
   }
 }
 
-Device::Times DeviceAnswer::fetch_all(std::uint32_t n, const Request& request, Collisions& result,
-                                      const Device::Search& search,
-                                      const std::function<void(const ResidentState&)>& mend,
-                                      const Stream& stream, Staging& staging, const CountsTo* counts) {
-  ResidentAnswer answer = prepare(n, request, result, stream);
+}  // namespace
+
+Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Collisions& result,
+                                  const Device::Search& search,
+                                  const std::function<void(const ResidentState&)>& mend, const Stream& stream,
+                                  Staging& staging, const CountsTo* counts) {
   Device::Times times;
-  ResidentState state{};
+  or_nothing(result, [&] {
+    const Found found = search_all(n, request, result, search, mend, stream, times);
+    to_host(n, request, found, result, stream, staging, counts, times);
+  });
+  return times;
+}
+
+Device::Times DeviceAnswer::fetch_by_graph(std::uint32_t n, const Request& request, Collisions& result,
+                                           const Device::Search& search,
+                                           const std::function<void(const ResidentState&)>& mend,
+                                           const Stream& stream, Staging& staging) {
+  Device::Times times;
+  or_nothing(result, [&] {
+    Found found = search_all(n, request, result, search, mend, stream, times);
+    const Graph graph(stream, [&] { search(found.answer, stream); });
+    clear_answer(found.answer, n, stream);  // so that what comes back is the graph's
+    times.work_ms = timer_.time(stream, [&] { graph.launch(stream); });
+    fetch_state(found, stream, times);
+    to_host(n, request, found, result, stream, staging, nullptr, times);
+  });
+  return times;
+}
+
+DeviceAnswer::Found DeviceAnswer::search_all(std::uint32_t n, const Request& request, Collisions& result,
+                                             const Device::Search& search,
+                                             const std::function<void(const ResidentState&)>& mend,
+                                             const Stream& stream, Device::Times& times) {
+  Found found{prepare(n, request, result, stream), {}};
+  auto& [answer, state] = found;
   for (;;) {
     clear_answer(answer, n, stream);
     const double work_ms = timer_.time(stream, [&] { search(answer, stream); });
     if (timer_.is_start(work_ms, times.start_ms)) continue;
     times.work_ms += work_ms;
-    const Stopwatch watch;
-    CATENA_CUDA(cudaMemcpyAsync(&state, answer.state, sizeof state, cudaMemcpyDeviceToHost, stream));
-    stream.synchronize();
-    times.transfer_ms += watch.ms();
+    fetch_state(found, stream, times);
     const bool pairs = request.want == Request::Want::pairs;
     if (pairs && state.found > request.pair_limit) throw PairLimitExceeded(state.found, request.pair_limit);
-    if (state.overflow == 0) break;
+    if (state.overflow == 0) return found;
     mend(state);
     if (pairs && state.found > answer.capacity) {
       answer.capacity = state.found;
       answer.pairs = pairs_.reserve(state.found, stream);
     }
   }
+}
+
+void DeviceAnswer::fetch_state(Found& found, const Stream& stream, Device::Times& times) {
+  const Stopwatch watch;
+  CATENA_CUDA(
+      cudaMemcpyAsync(&found.state, found.answer.state, sizeof found.state, cudaMemcpyDeviceToHost, stream));
+  stream.synchronize();
+  times.transfer_ms += watch.ms();
+}
+
+void DeviceAnswer::to_host(std::uint32_t n, const Request& request, const Found& found, Collisions& result,
+                           const Stream& stream, Staging& staging, const CountsTo* counts,
+                           Device::Times& times) {
+  const auto& [answer, state] = found;
   result.found = state.found > 0;
-  if (request.want == Request::Want::any) return times;
+  if (request.want == Request::Want::any) return;
   result.pair_count = state.found;
   const Stopwatch watch;
   if (counts == nullptr) {
@@ -61,7 +103,6 @@ Device::Times DeviceAnswer::fetch_all(std::uint32_t n, const Request& request, C
     staging.to_host(result.pairs.data(), answer.pairs, state.found * sizeof(Pair), stream);
   }
   times.transfer_ms += watch.ms();
-  return times;
 }
 
 ResidentAnswer DeviceAnswer::prepare(std::uint32_t n, const Request& request, Collisions& result,

@@ -25,11 +25,25 @@ class DeviceAnswer {
   Device::Times fetch(std::uint32_t n, const Request& request, Collisions& result,
                       const Device::Search& search, const std::function<void(const ResidentState&)>& mend,
                       const Stream& stream, Staging& staging, const CountsTo* counts = nullptr);
+  /// The same, and the answer is that of a launch of the search as one graph, whose time is given: see
+  /// Device::answer_by_graph().
+  Device::Times fetch_by_graph(std::uint32_t n, const Request& request, Collisions& result,
+                               const Device::Search& search,
+                               const std::function<void(const ResidentState&)>& mend, const Stream& stream,
+                               Staging& staging);
 
  private:
-  Device::Times fetch_all(std::uint32_t n, const Request& request, Collisions& result,
-                          const Device::Search& search, const std::function<void(const ResidentState&)>& mend,
-                          const Stream& stream, Staging& staging, const CountsTo* counts);
+  /// Where the answer is, on the device, once nothing was lost.
+  struct Found {
+    ResidentAnswer answer;
+    ResidentState state;
+  };
+  Found search_all(std::uint32_t n, const Request& request, Collisions& result, const Device::Search& search,
+                   const std::function<void(const ResidentState&)>& mend, const Stream& stream,
+                   Device::Times& times);
+  static void fetch_state(Found& found, const Stream& stream, Device::Times& times);
+  static void to_host(std::uint32_t n, const Request& request, const Found& found, Collisions& result,
+                      const Stream& stream, Staging& staging, const CountsTo* counts, Device::Times& times);
   ResidentAnswer prepare(std::uint32_t n, const Request& request, Collisions& result, cudaStream_t stream);
   DeviceBuffer<std::uint32_t> count_;
   DeviceBuffer<Pair> pairs_;

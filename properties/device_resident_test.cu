@@ -10,6 +10,7 @@
 #include "catena/cuda/call.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_buffer.h"
+#include "catena/cuda/graph.h"
 #include "catena/cuda/stream.h"
 #include "catena/properties/testing/certified.h"
 #include "catena/reference/compare.h"
@@ -96,19 +97,26 @@ TEST_P(DeviceResident, IsPartOfACallersGraphWithoutWaiting) {
   const ResidentAnswer answer = room_for(chain.size, exact.pair_count);
   enqueue(chain, answer);  // takes its memory
   stream_->synchronize();
-  cudaGraph_t graph = nullptr;
-  cudaGraphExec_t program = nullptr;
-  CATENA_CUDA(cudaStreamBeginCapture(*stream_, cudaStreamCaptureModeGlobal));
-  enqueue(chain, answer);
-  CATENA_CUDA(cudaStreamEndCapture(*stream_, &graph));
-  CATENA_CUDA(cudaGraphInstantiate(&program, graph, 0));
+  const cuda::Graph graph(*stream_, [&] { enqueue(chain, answer); });
   for (int round = 0; round < 3; ++round) {
     CATENA_CUDA(cudaMemsetAsync(answer.pairs, 0xFF, exact.pair_count * sizeof(Pair), *stream_));
-    CATENA_CUDA(cudaGraphLaunch(program, *stream_));
+    graph.launch(*stream_);
     EXPECT_TRUE(reference::compare(yarn(), exact, fetched(yarn(), answer)).right()) << "round " << round;
   }
-  CATENA_CUDA(cudaGraphExecDestroy(program));
-  CATENA_CUDA(cudaGraphDestroy(graph));
+}
+
+TEST_P(DeviceResident, AnswersByTheGraphThatIsTimed) {
+  const auto exact = reference::find(yarn());
+  const ChainView chain = device_->to_device(yarn().view());
+  Collisions found;
+  const auto search = [&](const ResidentAnswer& answer, StreamHandle stream) {
+    variant_->resident()->enqueue_build(chain, {}, stream);
+    variant_->resident()->enqueue_find(chain, {}, answer, stream);
+  };
+  const auto times = device_->answer_by_graph(
+      chain.size, {}, found, search, [&](const ResidentState& seen) { variant_->resident()->mend(seen); });
+  EXPECT_GT(times.work_ms, 0);
+  EXPECT_TRUE(reference::compare(yarn(), exact, found).right());
 }
 
 TEST_P(DeviceResident, AHostBuildAfterwardsIsOfTheHostsChain) {

@@ -83,14 +83,14 @@ void Trial::compare() {
   compared_ = true;
 }
 
-/// Build and find as one piece of work on a chain that is on the device already; milliseconds by its clock.
+/// Build and find as one graph on a chain that is on the device already; milliseconds by its clock.
 double Trial::search_resident(const Chain& chain) {
   ResidentSearch& search = *variant_->resident();
   standing_ = nullptr;  // the variant's own chain is gone
   const ChainView resident = device_->to_device(chain.view());
   if (flush_cache_) device_->flush_cache();
   return device_
-      ->answer(
+      ->answer_by_graph(
           chain.size(), {}, found_,
           [&](const ResidentAnswer& answer, StreamHandle stream) {
             search.enqueue_build(resident, {}, stream);

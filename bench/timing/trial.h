@@ -16,7 +16,7 @@ enum class Stage {
   update,   ///< update(), likewise, from one frame of a moving input to the next
   find,     ///< find(), likewise
   whole,    ///< wall time around build and find, with every transfer
-  resident  ///< build and find as one piece of work on a chain that is on the device, the answer left there
+  resident  ///< build and find as one graph of a chain that is on the device, the answer left there
 };
 std::string name_of(Stage stage);
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "catena/core/export.h"
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/export.h"
 #include "catena/core/hierarchy/hierarchy.h"
 #include "catena/core/sphere.h"
 #include "catena/core/strategy/moved.h"
@@ -37,13 +37,19 @@ class CATENA_API Device {
   /// Runs what `work` enqueues on the stream that it is given; once more, for its time, where its code had to
   /// be loaded first and that took longer.
   virtual Times run(const Work& work) = 0;
-  /// Enqueues what every search begins with: counts, if wanted, and state of an answer for n spheres set to nothing.
+  /// Enqueues what every search begins with: counts, if wanted, and state of an answer for n spheres set to
+  /// nothing.
   virtual void clear(const ResidentAnswer& answer, std::uint32_t n, StreamHandle stream) = 0;
-  /// Runs what `search` enqueues for a chain of n spheres into an answer that was cleared, again with more room until nothing is lost, and
-  /// brings the answer to the host. Throws PairLimitExceeded with the true number. `mend` is told of every
-  /// overflow.
+  /// Runs what `search` enqueues for a chain of n spheres into an answer that was cleared, again with more
+  /// room until nothing is lost, and brings the answer to the host. Throws PairLimitExceeded with the true
+  /// number. `mend` is told of every overflow.
   virtual Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
                        const std::function<void(const ResidentState&)>& mend) = 0;
+  /// The same, of work that is run once before, so that it has its memory, and then recorded: `work_ms` is
+  /// what one launch of that graph takes.
+  virtual Times answer_by_graph(std::uint32_t n, const Request& request, Collisions& result,
+                                const Search& search,
+                                const std::function<void(const ResidentState&)>& mend) = 0;
   /// Fills the device's cache with other data, so that the next stage starts cold; for measurements.
   virtual void flush_cache() = 0;
 };
