@@ -67,9 +67,10 @@ class CudaDevice final : public Device {
   }
 
   Times answer_by_graph(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
-                        const std::function<void(const ResidentState&)>& mend) override {
+                        const std::function<void(const ResidentState&)>& mend,
+                        const std::function<void()>& before) override {
     const DeviceScope scope(place_);
-    return answer_.fetch_by_graph(n, request, result, search, mend, stream_, staging_);
+    return answer_.fetch_by_graph(n, request, result, search, mend, before, stream_, staging_);
   }
 
   void flush_cache() override {

@@ -40,12 +40,14 @@ Device::Times DeviceAnswer::fetch(std::uint32_t n, const Request& request, Colli
 Device::Times DeviceAnswer::fetch_by_graph(std::uint32_t n, const Request& request, Collisions& result,
                                            const Device::Search& search,
                                            const std::function<void(const ResidentState&)>& mend,
-                                           const Stream& stream, Staging& staging) {
+                                           const std::function<void()>& before, const Stream& stream,
+                                           Staging& staging) {
   Device::Times times;
   or_nothing(result, [&] {
     Found found = search_all(n, request, result, search, mend, stream, times);
     const Graph graph(stream, [&] { search(found.answer, stream); });
     clear_answer(found.answer, n, stream);  // so that what comes back is the graph's
+    before();
     times.work_ms = timer_.time(stream, [&] { graph.launch(stream); });
     fetch_state(found, stream, times);
     to_host(n, request, found, result, stream, staging, nullptr, times);

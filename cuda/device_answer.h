@@ -29,8 +29,8 @@ class DeviceAnswer {
   /// Device::answer_by_graph().
   Device::Times fetch_by_graph(std::uint32_t n, const Request& request, Collisions& result,
                                const Device::Search& search,
-                               const std::function<void(const ResidentState&)>& mend, const Stream& stream,
-                               Staging& staging);
+                               const std::function<void(const ResidentState&)>& mend,
+                               const std::function<void()>& before, const Stream& stream, Staging& staging);
 
  private:
   /// Where the answer is, on the device, once nothing was lost.

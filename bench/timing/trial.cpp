@@ -88,7 +88,6 @@ double Trial::search_resident(const Chain& chain) {
   ResidentSearch& search = *variant_->resident();
   standing_ = nullptr;  // the variant's own chain is gone
   const ChainView resident = device_->to_device(chain.view());
-  if (flush_cache_) device_->flush_cache();
   return device_
       ->answer_by_graph(
           chain.size(), {}, found_,
@@ -96,7 +95,10 @@ double Trial::search_resident(const Chain& chain) {
             search.enqueue_build(resident, {}, stream);
             search.enqueue_find(resident, {}, answer, stream);
           },
-          [&](const ResidentState& seen) { search.mend(seen); })
+          [&](const ResidentState& seen) { search.mend(seen); },
+          [&] {
+            if (flush_cache_) device_->flush_cache();
+          })
       .work_ms;
 }
 

@@ -46,10 +46,10 @@ class CATENA_API Device {
   virtual Times answer(std::uint32_t n, const Request& request, Collisions& result, const Search& search,
                        const std::function<void(const ResidentState&)>& mend) = 0;
   /// The same, of work that is run once before, so that it has its memory, and then recorded: `work_ms` is
-  /// what one launch of that graph takes.
+  /// what one launch of that graph takes, which comes right after `before`.
   virtual Times answer_by_graph(std::uint32_t n, const Request& request, Collisions& result,
-                                const Search& search,
-                                const std::function<void(const ResidentState&)>& mend) = 0;
+                                const Search& search, const std::function<void(const ResidentState&)>& mend,
+                                const std::function<void()>& before) = 0;
   /// Fills the device's cache with other data, so that the next stage starts cold; for measurements.
   virtual void flush_cache() = 0;
 };
