@@ -12,6 +12,7 @@ list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
 add_library(catena_reports OBJECT ${sources})
 target_link_libraries(catena_reports PUBLIC catena_program nlohmann_json::nlohmann_json Boost::headers)
 target_precompile_headers(catena_reports PRIVATE ${CATENA_PRECOMPILED} <nlohmann/json.hpp>)
+catena_together(catena_reports)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/reports/page_writer.cpp PROPERTIES COMPILE_DEFINITIONS
   "CATENA_PYTHON=\"${CATENA_PYTHON}\";CATENA_DATADIR=\"${CMAKE_INSTALL_DATADIR}\";CATENA_REPORTS_IN_SOURCE=\"${PROJECT_SOURCE_DIR}/reports\"")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/reports/catena_report DESTINATION ${CMAKE_INSTALL_DATADIR}/catena COMPONENT program

@@ -5,7 +5,7 @@
 namespace catena::reports {
 namespace {
 
-std::vector<Section>& registered() {
+std::vector<Section>& registry() {
   static std::vector<Section> all;
   return all;
 }
@@ -14,11 +14,11 @@ std::vector<Section>& registered() {
 
 RegisterSection::RegisterSection(std::string name,
                                  std::function<nlohmann::ordered_json(const Profile&)> measure) {
-  registered().push_back({std::move(name), std::move(measure)});
+  registry().push_back({std::move(name), std::move(measure)});
 }
 
 std::vector<Section> sections() {
-  auto sorted = registered();
+  auto sorted = registry();
   std::ranges::sort(sorted, {}, &Section::name);
   return sorted;
 }

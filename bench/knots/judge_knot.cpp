@@ -13,14 +13,12 @@
 namespace catena::bench {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// The greatest x <= 1 with x = sin(pi c x / 2) - dip; 0 where there is none: edges too long to tell. The
 /// right side is concave and below x at 1, so that the steps from 1 on fall to that x and never past it.
 double least_share(double c, double dip) {
   double x = 1;
   for (;;) {
-    const double next = std::sin(pi / 2 * c * x) - dip;
+    const double next = std::sin(std::numbers::pi / 2 * c * x) - dip;
     if (next <= 0) return 0;
     if (next > x - 1e-15) return next - 1e-12;
     x = next;

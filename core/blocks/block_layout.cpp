@@ -6,18 +6,17 @@
 namespace catena {
 namespace {
 
-constexpr std::uint32_t block = BlockTree::block;
-
 void make_room(BlockTree& tree) {
-  constexpr std::uint32_t group = BlockTree::group;
-  const auto groups = [](std::uint32_t count) { return count / group + (count % group != 0); };
-  tree.capsules.resize(std::size_t{groups(tree.blocks)} * group * BlockTree::capsule_fields);
+  const auto groups = [](std::uint32_t count) {
+    return count / BlockTree::group + (count % BlockTree::group != 0);
+  };
+  tree.capsules.resize(std::size_t{groups(tree.blocks)} * BlockTree::group * BlockTree::capsule_fields);
   tree.ordered.assign(groups(tree.blocks), 0);
   std::size_t l = 0;
   for (std::uint32_t count = groups(tree.blocks); count > 0; count = count > 1 ? groups(count) : 0, ++l) {
     if (l == tree.level.size()) tree.level.emplace_back();
     tree.level[l].count = count;
-    tree.level[l].oriented.resize(std::size_t{groups(count)} * group * BlockTree::oriented_fields);
+    tree.level[l].oriented.resize(std::size_t{groups(count)} * BlockTree::group * BlockTree::oriented_fields);
     tree.level[l].in_a_row.resize(groups(count));
     tree.level[l].with_the_next.resize(groups(count));
   }
@@ -32,7 +31,7 @@ void make_room_for_blocks(BlockTree& tree, std::uint32_t count) {
 }
 
 void set_block(BlockTree& tree, std::uint32_t b, std::uint32_t begin, std::uint32_t size) {
-  tree.first[b] = size < block ? begin | BlockTree::unfilled : begin;
+  tree.first[b] = size < BlockTree::block ? begin | BlockTree::unfilled : begin;
   tree.filled[b] = static_cast<std::uint8_t>(size);
 }
 
@@ -43,7 +42,9 @@ float block_scale(const Extent& extent) {
 }
 
 std::uint32_t count_blocks(const ChainView& chain) {
-  const auto blocks = [](std::uint32_t spheres) { return spheres / block + (spheres % block != 0); };
+  const auto blocks = [](std::uint32_t spheres) {
+    return spheres / BlockTree::block + (spheres % BlockTree::block != 0);
+  };
   if (chain.strand_count == 1) return blocks(chain.size);
   std::uint32_t count = 0;
   const std::uint32_t* const first = chain.exclusion.strand_first;
@@ -60,12 +61,12 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     const bool one = chain.strand_count == 1;
     std::uint32_t at = one ? 0 : chain.exclusion.strand_first[s];
     const std::uint32_t end = one ? chain.size : chain.exclusion.strand_first[s + 1];
-    const std::uint32_t full = (end - at) / block;
-    for (std::uint32_t k = 0; k < full; ++k) tree.first[b + k] = at + k * block;
-    b += full, at += full * block;
+    const std::uint32_t full = (end - at) / BlockTree::block;
+    for (std::uint32_t k = 0; k < full; ++k) tree.first[b + k] = at + k * BlockTree::block;
+    b += full, at += full * BlockTree::block;
     if (at < end) set_block(tree, b++, at, end - at);
   }
-  for (std::uint32_t k = 0; k < 2 * block && chain.size > 0; ++k)
+  for (std::uint32_t k = 0; k < 2 * BlockTree::block && chain.size > 0; ++k)
     tree.tail[k] = chain.spheres[std::min(BlockTree::tail_first(chain.size) + k, chain.size - 1)];
   make_room(tree);
 }

@@ -38,9 +38,9 @@ Where where_all_are(Communicator& ranks, const Part& part) {
 }
 
 /// The part of a rank, and how its blocks come in space.
-class Blocks {
+class BlocksInSpace {
  public:
-  Blocks(const Part& part, const MortonGrid& grid) : part_(part), grid_(grid) {}
+  BlocksInSpace(const Part& part, const MortonGrid& grid) : part_(part), grid_(grid) {}
 
   Key key(const Block& block) const {
     const Piece& piece = part_.pieces[block.piece];
@@ -112,7 +112,7 @@ class Goal {
   std::size_t last_ = 0;
 };
 
-std::vector<Share> shares_of(const Part& part, const Blocks& blocks, const std::vector<Key>& splitters,
+std::vector<Share> shares_of(const Part& part, const BlocksInSpace& blocks, const std::vector<Key>& splitters,
                              unsigned ranks) {
   std::vector<Share> shares(ranks);
   Goal goal(splitters);
@@ -238,7 +238,7 @@ Part part_in_space(Communicator& ranks, Part part, std::uint32_t blocks_at_once)
   const std::uint64_t own_blocks = blocks_of(part.pieces);
   std::vector<Share> shares;
   {
-    const Blocks blocks(part, grid);
+    const BlocksInSpace blocks(part, grid);
     const std::vector<Key> chosen = splitters(ranks, blocks.some_keys(own_blocks), own_blocks, all.blocks);
     shares = shares_of(part, blocks, chosen, ranks.size());
   }

@@ -9,11 +9,10 @@
 #include <system_error>
 
 namespace catena::properties {
-namespace {
 
 /// Text of a most length in shared memory, whole whenever the writer dies: its size is written last.
 template <std::size_t room>
-struct SharedText {
+struct Notebook::SharedText {
   void set(std::string_view text) {
     size.store(0);
     const std::size_t kept = std::min(text.size(), room);
@@ -25,8 +24,6 @@ struct SharedText {
   std::atomic<std::size_t> size;
   char at[room];
 };
-
-}  // namespace
 
 struct Notebook::Page {
   std::atomic<std::uint64_t> beats;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ class Notebook {
   std::string property() const;
 
  private:
+  template <std::size_t room>
+  struct SharedText;
   struct Page;
   Page* page_;
 };
