@@ -155,6 +155,12 @@ TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
   EXPECT_TRUE(plan(crowded.view()).holds_for(8000, {}, crowded.view().extent, crowded.spheres()));
   EXPECT_EQ(SearchPlan(8000, {}, of, {}).threads(), 1u);
   EXPECT_GT(plan(crowded.view()).estimate_ms(), SearchPlan(8000, {}, of, {}).estimate_ms());
+  // What was measured counts more than what such chains take.
+  SearchHistory history;
+  for (int k = 0; k < 2; ++k) history.add(8000, 2, 0);
+  const ChainView view = crowded.view();
+  EXPECT_EQ(SearchPlan(8000, {}, of, {}, view.extent, {view.spheres, view.size}, history).estimate_ms(),
+            SearchPlan(8000, {}, of, {}, Extent(), {}, history).estimate_ms());
 }
 
 TEST(SearchPlan, LearnsWhatASphereTakesFromTwoSearches) {
