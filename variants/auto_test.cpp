@@ -27,12 +27,17 @@ using Want = Request::Want;
 
 constexpr std::uint32_t n = CoarseLook::least + 500;
 
-/// A row that comes back beside itself, so near or not that it touches, and of which `pairs` of spheres touch.
+/// A row that comes back beside itself, so near or not that it touches, and of which `pairs` of spheres
+/// touch.
 Chain fold(bool touches, std::uint32_t pairs = n) {
   std::vector<Sphere> spheres;
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t along = std::min(i, n - 1 - i);
-    spheres.push_back({static_cast<float>(3 * along), i < n / 2 ? 0.f : touches && along < pairs ? 2.f : 3.f, 0, 1});
+    spheres.push_back({static_cast<float>(3 * along),
+                       i < n / 2                  ? 0.f
+                       : touches && along < pairs ? 2.f
+                                                  : 3.f,
+                       0, 1});
   }
   return Chain(std::move(spheres));
 }
@@ -48,8 +53,8 @@ void expect_told(const Variant& variant, const Chain& chain) {
   EXPECT_TRUE(reference::overlap(chain[i], chain[j]));
 }
 
-/// Whatever was prepared for, in whatever frame, and whatever is asked then, of whichever spheres: contacts, kept
-/// answers and searchers of what came before are none of what is asked now.
+/// Whatever was prepared for, in whatever frame, and whatever is asked then, of whichever spheres: contacts,
+/// kept answers and searchers of what came before are none of what is asked now.
 TEST(Auto, AnswersWhatIsAskedOfThisFrameWhateverWasAskedOfOthers) {
   std::vector<Chain> frames;
   for (const Chain& frame : {fold(false), fold(true), fold(true, 50), fold(false)}) frames.push_back(frame);
@@ -154,7 +159,8 @@ TEST(Auto, GivesEvidenceOfThisFrameOrNone) {
   for (int k = 0; k < 30; ++k) {
     std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
     for (std::size_t i = 0; i < spheres.size(); ++i)
-      spheres[i].x += k % 10 == 9 ? static_cast<float>(3 * k) + (i % 2 ? 5.f : 0.f) : 1e-3f * static_cast<float>(k * (i % 3));
+      spheres[i].x += k % 10 == 9 ? static_cast<float>(3 * k) + (i % 2 ? 5.f : 0.f)
+                                  : 1e-3f * static_cast<float>(k * (i % 3));
     const Chain frame = first.moved(std::move(spheres));
     k % 10 == 0 ? variant->build(frame) : variant->update(frame);
     variant->find(frame, {}, found);

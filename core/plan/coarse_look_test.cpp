@@ -34,6 +34,9 @@ std::vector<Chain> chains() {
     for (std::uint32_t i = 0; i < n / 2; ++i) across.extra_pairs.push_back({i, n - 1 - i});
     all.emplace_back(ring(apart), Strands{}, across);
   }
+  std::vector<Sphere> twos;  // each touches the next but one
+  for (std::uint32_t i = 0; i < n; ++i) twos.push_back({static_cast<float>(i / 2), i % 2 ? 2.f : 0, 0, 0.5f});
+  all.emplace_back(std::move(twos));
   std::mt19937 dice(5);
   for (const float side : {20.f, 60.f}) {  // where many stretches are near one another
     std::uniform_real_distribution<float> at(0, side);
@@ -73,7 +76,7 @@ TEST(CoarseLook, GivesNoNeighboursAndIsTheSameWhateverItLookedAtBefore) {
 /// As a frame asks about the contact of the last one: it is found again while it is there.
 TEST(CoarseLook, FindsAContactAgainWhereverItIsAlongTheChain) {
   for (const Chain& chain : chains())
-    for (const std::uint32_t i : {0u, 5u, 19u, 20u, 300u, n / 2 - 2})
+    for (const std::uint32_t i : {0u, 5u, 19u, 20u, 300u, n / 2 - 41, n / 2 - 2})
       for (const std::uint32_t j : {i + 2, i + 3, n - 1 - i}) {
         if (j >= n || j <= i) continue;
         for (const SphereRange& queries : parts) {

@@ -43,8 +43,8 @@ TEST(PartLook, IsTheSameWhateverItLookedAtBefore) {
     row.push_back({static_cast<float>(i / 2), i % 2 ? 2.0F : 0, 0, 0.5F});
   const std::vector<Sphere> shorter(row.begin(), row.end() - 512);
   PartLook used;
-  for (const std::uint32_t window : {1u, 3u, 1u, 2u, 4u, 1u})
-    for (const auto& spheres : {row, shorter}) {
+  for (const auto& spheres : {row, shorter})
+    for (const std::uint32_t window : {3u, 1u, 2u, 4u, 1u}) {
       const Chain chain(spheres, {}, Exclusion::index(window));
       const auto pair = used.look(chain.view(), {});
       EXPECT_EQ(pair, look(chain)) << window;
