@@ -10,11 +10,10 @@ namespace catena::properties {
 /// known: subnormal numbers are zero, read or written; and rounded in this direction (FE_UPWARD, ...).
 class StrangeFloats {
  public:
-  explicit StrangeFloats(int rounding) {
+  explicit StrangeFloats(int rounding) : rounding_(rounding) {
     std::fegetenv(&before_);
 #ifdef __SSE__
-    constexpr unsigned flush_to_zero = 0x8000, subnormals_are_zero = 0x0040;
-    _mm_setcsr(_mm_getcsr() | flush_to_zero | subnormals_are_zero);
+    _mm_setcsr(_mm_getcsr() | flushes);
 #endif
     std::fesetround(rounding);
   }
@@ -22,7 +21,17 @@ class StrangeFloats {
   StrangeFloats(const StrangeFloats&) = delete;
   StrangeFloats& operator=(const StrangeFloats&) = delete;
 
+  /// All of it is as it was made.
+  bool stand() const {
+#ifdef __SSE__
+    if ((_mm_getcsr() & flushes) != flushes) return false;
+#endif
+    return std::fegetround() == rounding_;
+  }
+
  private:
+  static constexpr unsigned flushes = 0x8000 | 0x0040;  // results to zero, and subnormals read as zero
+  const int rounding_;
   std::fenv_t before_;
 };
 

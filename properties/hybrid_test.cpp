@@ -143,8 +143,7 @@ TEST(Hybrid, IsExactOnPatchworks) {
 }
 
 /// Laid out, then loosely wound, then tightly, each within reach of the others.
-TEST(Hybrid, IsExactWhereAllThreeSearchesMeet) {
-  Spread spread;
+std::vector<Sphere> three_parts() {
   Dice dice(77);
   std::vector<Sphere> spheres;
   float at[3] = {-12800, 0, 0}, way[3] = {1, 0, 0};
@@ -165,7 +164,53 @@ TEST(Hybrid, IsExactWhereAllThreeSearchesMeet) {
   wind(8000, 0, 0);
   wind(14000, 0.2f, 0.0006f);
   wind(6000, 0.5f, 0.02f);
-  expect_exact(Chain(spheres), "three parts", spread);
+  return spheres;
+}
+
+/// One object on chains of all kinds, longer and shorter by turns: no list, tree or count of one is the next
+/// one's.
+TEST(Hybrid, AnswersWhateverItSearchedBefore) {
+  std::vector<Chain> chains;
+  std::vector<reference::Answer> right;
+  Dice dice(9);
+  for (std::uint32_t k = 0; k < 9; ++k) {
+    std::vector<Sphere> spheres = k == 8   ? std::vector<Sphere>()
+                                  : k == 4 ? three_parts()
+                                           : patchwork(dice, 3 + 6 * (k % 4));
+    const auto n = static_cast<std::uint32_t>(spheres.size());
+    Strands strands;  // every other chain has blocks that are half empty
+    if (k % 2 == 1)
+      for (std::uint32_t at = 0; at < n; at += 1 + dice.below(5)) strands.first.push_back(at);
+    if (!strands.first.empty()) strands.first.push_back(n);
+    chains.emplace_back(std::move(spheres), std::move(strands));
+    right.push_back(reference::find(chains.back()));
+  }
+  const Team alone;
+  std::size_t some_dense = 0, all_dense = 0;
+  for (const std::uint32_t crowd : {0u, 1u, 4u})
+    for (const double dense : {0.0, 0.3, 0.5, 0.7, 1.0, 1e6}) {
+      HybridSearch search({crowd, dense}, 1);
+      for (int turn = 0; turn < 20; ++turn) {
+        const std::size_t k = dice.below(9);
+        search.build(chains[k].view(), alone);
+        Collisions found;
+        PairCollector collector(chains[k].size(), {}, found);
+        search.search(chains[k].view(), collector, alone);
+        collector.finish();
+        some_dense += search.work().dense > 0 && search.work().dense < chains[k].size();
+        all_dense += search.work().dense == chains[k].size();
+        sort(found.pairs);
+        ASSERT_TRUE(found.pairs == right[k].pairs && found.count == right[k].count)
+            << "chain " << k << ", crowd " << crowd << ", dense " << dense << ", turn " << turn;
+      }
+    }
+  EXPECT_GT(some_dense, 0u);
+  EXPECT_GT(all_dense, 0u);
+}
+
+TEST(Hybrid, IsExactWhereAllThreeSearchesMeet) {
+  Spread spread;
+  expect_exact(Chain(three_parts()), "three parts", spread);
   EXPECT_TRUE(spread.all) << "it was not shared out among all three";
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "catena/core/hierarchy/sphere_bounds_visitor.h"
@@ -257,6 +259,26 @@ TEST(Certificate, TheSecondTreeOfASphereMustEncloseItToo) {
   TwoTrees two(5.9);
   two.tree.complete();
   EXPECT_EQ(two.tree.faults().unenclosed, 2u);
+}
+
+/// It holds where there is no fault to name, and names each.
+TEST(Certificate, NamesWhateverKeepsItFromHolding) {
+  CertificateReport sound;
+  sound.each_once = true, sound.discarded = sound.tested = sound.excluded = 3, sound.tree.bounds = 3;
+  EXPECT_TRUE(sound.holds());
+  EXPECT_EQ(sound.fault(), "");
+  std::set<std::string> faults;
+  const auto spoilt = [&](auto spoil) {
+    CertificateReport report = sound;
+    spoil(report);
+    EXPECT_FALSE(report.holds());
+    EXPECT_NE(report.fault(), "");
+    EXPECT_TRUE(faults.insert(report.fault()).second) << report.fault();
+  };
+  spoilt([](auto& r) { r.unknown = 1; }), spoilt([](auto& r) { r.not_separate = 1; });
+  spoilt([](auto& r) { r.not_neighbours = 1; }), spoilt([](auto& r) { r.each_once = false; });
+  spoilt([](auto& r) { r.tree.unenclosed = 1; }), spoilt([](auto& r) { r.tree.foreign_leaves = 1; });
+  spoilt([](auto& r) { r.tree.misplaced = 1; });
 }
 
 TEST(Certificate, UnknownNodesAndSpheresAreNoticed) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "catena/reference/exact_gap.h"
 #include "catena/reference/reference.h"
 
 namespace catena::reference {
@@ -80,6 +81,37 @@ TEST_F(Compare, WrongCountsAndTotals) {
   found.found = true;
   found.count.pop_back();
   EXPECT_FALSE(compare_now().right());
+}
+
+/// The worst margin is that of all wrong pairs, beyond those that are kept as examples, however little it is.
+TEST(CompareMany, TellsTheGreatestMarginOfAllWrongPairs) {
+  for (const float aside : {0.0f, 0x1p-149f, 0x1p-30f, 0.25f}) {
+    std::vector<Sphere> spheres;  // pairs that touch exactly, and a last one that is by `aside` from it
+    for (int k = 0; k < 40; ++k)
+      for (const float x : {0.0f, 2.0f}) spheres.push_back({x, 9.0f * static_cast<float>(k), 0, 1});
+    for (const float x : {0.0f, 2.0f})
+      spheres.push_back({x, x == 0 ? -9 : -9 + aside, x == 0 ? 0 : aside, 1});
+    const auto n = static_cast<std::uint32_t>(spheres.size());
+    Strands alone;
+    for (std::uint32_t i = 0; i <= n; ++i) alone.first.push_back(i);
+    const Chain chain(std::move(spheres), std::move(alone));
+    const Answer exact = find(chain);
+    Collisions all{true, 0, std::vector<std::uint32_t>(n, 1), {}};
+    for (std::uint32_t i = 0; i < n; i += 2) all.pairs.push_back({i, i + 1});
+    all.pair_count = all.pairs.size();
+    Collisions none{false, 0, std::vector<std::uint32_t>(n, 0), {}};
+    const Comparison missed = compare(chain, exact, none), invented = compare(chain, exact, all);
+    EXPECT_EQ(missed.worst_margin, 0);
+    EXPECT_EQ(missed.examples.size(), Comparison::shown);
+    EXPECT_EQ(missed.missing, exact.pair_count);
+    EXPECT_EQ(invented.worst_margin, aside == 0 ? 0 : margin(chain[n - 2], chain[n - 1])) << aside;
+    // Those that touch, in place of none, and the last one.
+    Answer nothing = exact;
+    nothing.pairs.clear(), nothing.pair_count = 0, nothing.count.assign(n, 0);
+    const Comparison of_all = compare(chain, nothing, all);
+    EXPECT_EQ(of_all.worst_margin, margin(chain[n - 2], chain[n - 1])) << aside;
+    EXPECT_EQ(of_all.examples.size(), Comparison::shown);
+  }
 }
 
 TEST_F(Compare, CountsOnly) {

@@ -123,6 +123,17 @@ TEST(Enclosure, CheckerReportsViolationsAndForeignLeaves) {
   EXPECT_TRUE(checker.shape().is_tree());
 }
 
+TEST(Enclosure, CheckerSaysTheSameWhenAskedAgain) {
+  const Chain chain({{0, 0, 0, 1}, {2, 0, 0, 1}});
+  EnclosureChecker checker(chain);
+  checker.tree({.nested = false});
+  for (const std::uint32_t i : {0u, 1u}) checker.edge(2, Sphere64{0, 0, 0, 1}, i, Everything{});
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(checker.report().bounds, 2u);
+    EXPECT_EQ(checker.report().violations, 1u);
+  }
+}
+
 TEST(TreeShape, FindsWhatIsNotATree) {
   const auto shape = [](std::uint32_t leaves, std::vector<std::pair<std::uint32_t, std::uint32_t>> edges) {
     TreeShapeBuilder builder(leaves);

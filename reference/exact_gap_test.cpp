@@ -77,6 +77,13 @@ TEST(ExactGap, EndsOfTheRange) {
             std::ldexp(double{greatest}, 150) * std::ldexp(double{greatest}, 150));
 }
 
+/// Half way between two numbers, but for 2^-200: (1 + 2^-54 + 2^-200 - 1/4) / (1/4).
+TEST(ExactGap, RoundsByAllDigits) {
+  EXPECT_EQ(margin({0, 0, 0, 0.125f}, {1, 0x1p-27f, 0, 0.125f}), 15) << "a tie goes to the even one";
+  EXPECT_EQ(margin({0, 0, 0, 0.25f}, {1, 0x1p-27f, 0, 0.25f}), 3);
+  EXPECT_EQ(margin({0, 0, 0, 0.25f}, {1, 0x1p-27f, 0x1p-100f, 0.25f}), std::nextafter(3, 4));
+}
+
 TEST(ExactGap, Points) {
   EXPECT_EQ(gap_sign({1, 2, 3, 0}, {1, 2, 3, 0}), 0);
   EXPECT_EQ(gap_sign({0, 0, 0, 0}, {least, 0, 0, 0}), 1);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "catena/core/error.h"
 #include "catena/core/periodic/periodic.h"
@@ -111,6 +112,38 @@ TEST(FindInBox, CountsPastTheLimitAndRefusesNarrowBoxes) {
   EXPECT_EQ(counted.count, (std::vector<std::uint32_t>{1, 0, 1}));
   EXPECT_THROW(find_in_box(chain, {{3, 0, 0}}, 1), InputError);
   EXPECT_THROW(find_in_box(Chain({{1e9f, 0, 0, 1}}, {{0, 1}, {0}}), box, 1), InputError);
+}
+
+/// What is near, to within 2^-149 and to a margin of 1 exactly.
+TEST(FindInBox, NearPairsEndExactly) {
+  const auto near = [](const Sphere& a, const Sphere& b) {
+    std::size_t found = 0;
+    near_pairs_in_box(Chain({a, b}, {{0, 1, 2}, {0, 0}}), {{9, 9, 9}},
+                      [&](const Pair&, bool, double) { ++found; });
+    return found;
+  };
+  EXPECT_EQ(near({1, 2, 3, 0}, {1, 2, 3, 0}), 1u) << "two points at one place";
+  EXPECT_EQ(near({0, 0, 0, 0}, {0x1p-149f, 0, 0, 0}), 0u);
+  for (const float step : {0x1p-53f, 0.0f, -0x1p-53f})
+    EXPECT_EQ(near({step, 0, 0, 1}, {2, 2, 0, 1}), step > 0 ? 1u : 0u) << step;
+}
+
+/// In many cells, too, which are as wide as what is near.
+TEST(FindInBox, NearPairsOfACrowdAreThoseOfAllPairs) {
+  std::mt19937 dice(8);
+  std::uniform_real_distribution<float> at(0, 10);
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 1000; ++k) spheres.push_back({at(dice), at(dice), at(dice), 0.5f});
+  const Chain chain(std::move(spheres));
+  std::size_t expected = 0, near = 0;
+  for (std::uint32_t i = 0; i < chain.size(); ++i)
+    for (std::uint32_t j = i + 2; j < chain.size(); ++j) {
+      const auto apart = [](double way) { return way - 10 * std::round(way / 10); };
+      expected += std::hypot(apart(chain[i].x - chain[j].x), apart(chain[i].y - chain[j].y),
+                             apart(chain[i].z - chain[j].z)) < std::sqrt(2);
+    }
+  near_pairs_in_box(chain, {{10, 10, 10}}, [&](const Pair&, bool, double) { ++near; });
+  EXPECT_EQ(near, expected);
 }
 
 // Touching across a face, and apart by an ulp.

@@ -146,6 +146,26 @@ TEST(Reference, LimitIsAnErrorWithTheTrueNumberAndCountsGoOn) {
   }
 }
 
+/// The first of those that are as tight, and a touch that binary64 takes for a gap, after a gap that is less.
+TEST(AllPairs, TightestIsTheFirstAndExact) {
+  for (const float x : {2.001f, 2.5f}) {
+    const Chain same({{0, 0, 0, 1}, {9, 0, 0, 1}, {x, 0, 0, 1}, {0, 9, 0, 1}, {x, 9, 0, 1}},
+                     {{0, 1, 2, 3, 4, 5}, {}});
+    EXPECT_EQ(all_pairs(same).tightest.pair, (Pair{0, 2})) << x;
+  }
+  std::size_t uncertain = 0;
+  for (int k = 25; k < 48; ++k)
+    for (const float odd : {1.f, 3.f, 5.f, 7.f, 11.f}) {
+      const float e = std::ldexp(odd, -k);  // 3, 4, 5 times 1 + e
+      const Sphere a{3, 4, 500, 5}, b{-3 * e, -4 * e, 500, 5 * e};
+      const Chain chain({{0, 0, 0, 1}, {2, 0x1p-27f, 0, 1}, a, b}, {{0, 1, 2, 3, 4}, {}});
+      uncertain += GapEstimate::of(a, b).gap != 0;
+      EXPECT_EQ(all_pairs(chain).tightest.margin, 0) << k << ' ' << odd;
+      EXPECT_EQ(all_pairs(chain).tightest.pair, (Pair{2, 3})) << k << ' ' << odd;
+    }
+  EXPECT_GT(uncertain, 0u);
+}
+
 TEST(AllPairs, TightestAndMargins) {
   const Chain chain({{0, 0, 0, 1}, {9, 0, 0, 1}, {2.5f, 0, 0, 1}, {4.25f, 0, 0, 1}}, {}, Exclusion::index(1));
   const AllPairs found = all_pairs(chain);

@@ -124,9 +124,9 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     const Extent extent = chain.view().extent;
     if (!plan_ || !plan_->holds_for(chain.size(), request_, extent, chain.spheres(), history_))
       plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
+    if (!plan_->look_first()) contact_.reset();  // of a frame of which something else was asked
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
       // A chain alone: choosing took less than it takes to look at the clock.
-      contact_.reset();
       if (frames_count()) see();
       build_searcher(chain);
       spheres_ = chain.size();

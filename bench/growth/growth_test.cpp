@@ -25,6 +25,24 @@ TEST(Growth, OfAPowerIsItsExponent) {
   EXPECT_LT(growth.law().low, 1.0) << "what lies off the line widens the interval";
 }
 
+/// The interval of four points and two columns, by the textbook: Student's t of two degrees of freedom
+/// is 4.303.
+TEST(Growth, IntervalIsThatOfStudentsT) {
+  Growth growth{"made", "up", {}};
+  for (const auto& [n, pairs] :
+       {std::pair{1000u, 1000u}, {10'000u, 12'000u}, {100'000u, 90'000u}, {1'000'000u, 1'100'000u}})
+    growth.points.push_back({n, pairs});
+  double x = 0, y = 0, xx = 0, xy = 0, rest = 0;
+  for (const auto& p : growth.points) x += std::log(p.n) / 4, y += std::log(p.node_pairs) / 4;
+  for (const auto& p : growth.points)
+    xx += std::pow(std::log(p.n) - x, 2), xy += (std::log(p.n) - x) * (std::log(p.node_pairs) - y);
+  for (const auto& p : growth.points)
+    rest += std::pow(std::log(p.node_pairs) - y - xy / xx * (std::log(p.n) - x), 2);
+  const double half = 4.303 * std::sqrt(rest / 2 / xx);
+  EXPECT_NEAR(growth.plain_power().exponent, xy / xx, 1e-9);
+  EXPECT_NEAR(growth.plain_power().high - growth.plain_power().low, 2 * half, 1e-9);
+}
+
 TEST(Growth, TellsABodyFromItsSurface) {
   Growth growth{"made", "up", {}};
   for (const std::uint32_t n : {1000u, 4000u, 16000u, 64000u, 256000u}) {

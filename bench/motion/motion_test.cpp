@@ -184,7 +184,20 @@ TEST(MotionReport, WritesARowAsJson) {
   MotionRow told = row("CPU1/literal", 1e2, 2, MotionOutcome::slipped);
   told.result.find_ms = 0.25;
   told.against_fine.contacts = 9, told.against_fine.missed = 4;
+  told.starts = {{7, MotionOutcome::slipped, 1.5, 0.125, 11, 3, 2},
+                 {8, MotionOutcome::holds, {}, 0.25, 12, 1, 5}};
   const auto json = to_json(told);
+  ASSERT_EQ(json["starts"].size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& start = json["starts"][k];
+    EXPECT_EQ(start["seed"], told.starts[k].seed);
+    EXPECT_EQ(start["outcome"], k == 0 ? "slipped" : "holds");
+    EXPECT_EQ(start["failed_at"].is_null(), k == 1);
+    EXPECT_EQ(start["energy_drift"], told.starts[k].energy_drift);
+    EXPECT_EQ(start["contacts"], told.starts[k].contacts);
+    EXPECT_EQ(start["missed"], told.starts[k].missed);
+    EXPECT_EQ(start["invented"], told.starts[k].invented);
+  }
   EXPECT_EQ(json["find_ms"], 0.25);
   EXPECT_EQ(json["reference_contacts"], 9);
   EXPECT_EQ(json["missed_against_fine_step"], 4);

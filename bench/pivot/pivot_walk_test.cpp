@@ -218,6 +218,12 @@ TEST(EndToEnd, GivesTheExponentOfAPowerLaw) {
   }
   EXPECT_NEAR(fit_exponent(lengths).nu, Exponent::published, 1e-4);
   EXPECT_TRUE(fit_exponent(lengths).agrees());
+  for (const double side : {-1., 1.}) {  // give or take the error of what was published
+    EXPECT_TRUE(
+        (Exponent{Exponent::published + side * 1e-3, 1e-3 - 0.9 * Exponent::published_error}.agrees()));
+    EXPECT_FALSE(
+        (Exponent{Exponent::published + side * 1e-3, 1e-3 - 1.1 * Exponent::published_error}.agrees()));
+  }
   for (EndToEnd& seen : lengths) seen.mean_square *= std::pow(seen.points, 0.01);
   EXPECT_FALSE(fit_exponent(lengths).agrees());
   EXPECT_THROW(fit_exponent(std::span(lengths).first(3)), InputError);

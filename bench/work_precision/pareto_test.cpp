@@ -36,5 +36,22 @@ TEST(Pareto, ADifferenceWithinTheSpreadDecidesNothing) {
   EXPECT_FALSE(points[1].dominated_by);
 }
 
+/// By the quickest of those that do, and anew each time; times that meet at their ends decide nothing.
+TEST(Pareto, NamesTheQuickestOfThoseThatBeatIt) {
+  std::vector<Point> points{point(0.1, 0, 3), point(0.1, 0, 1), point(0.1, 0, 2), point(0.1, 0, 9)};
+  mark_dominated(points);
+  EXPECT_EQ(points[3].dominated_by, 1u);
+  points[1] = point(0.2, 0, 1);
+  mark_dominated(points);
+  EXPECT_EQ(points[3].dominated_by, 2u);
+  points = {points[3]};
+  mark_dominated(points);
+  EXPECT_FALSE(points[0].dominated_by);
+  points = {point(0.1, 0, 1), point(0.1, 0, 2)};
+  points[1].time.lower = points[0].time.upper;
+  mark_dominated(points);
+  EXPECT_FALSE(points[1].dominated_by);
+}
+
 }  // namespace
 }  // namespace catena::bench

@@ -45,7 +45,8 @@ TEST(Chain, RefusesImpossibleStrandsAndRules) {
   expect_refused(row(5), {{0, 3, 4}, {}}, {}, "offsets must run from 0 to 5");
   expect_refused(row(5), {{1, 5}, {}}, {}, "offsets must run from 0 to 5");
   expect_refused(row(5), {{0, 4, 2, 5}, {}}, {}, "strand 1 ends before it starts");
-  expect_refused(row(5), {{0, 2, 5}, {1}}, {}, "2 strands need 2 closed flags");
+  for (const std::vector<std::uint8_t>& closed : {{1}, {0, 1, 0}, std::vector<std::uint8_t>(6, 1)})
+    expect_refused(row(5), {{0, 2, 5}, closed}, {}, "2 strands need 2 closed flags");
   expect_refused(row(5), {}, Exclusion::index(0), "window must be at least 1");
   for (double f :
        {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})

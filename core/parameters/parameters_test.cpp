@@ -38,6 +38,15 @@ TEST(Parameters, ReadNumbersWithinTheirRange) {
     EXPECT_THROW(read(wrong), InputError) << wrong;
 }
 
+TEST(Parameters, AreGivenOnceAndKnowThatTheyWere) {
+  const std::vector<ParameterInfo> declared{{"x", "1", "number"}, {"y", "2", "number"}};
+  const Parameters some("scene x", declared, "y=1");
+  EXPECT_TRUE(some.given("y"));
+  EXPECT_FALSE(some.given("x")) << "its default";
+  for (const char* twice : {"x=1,x=2", "x=1,x=1", "y=3,x=1,y=3"})
+    EXPECT_THROW(Parameters("scene x", declared, twice), InputError) << twice;
+}
+
 TEST(Parameters, ReadSeveralChoices) {
   const std::vector<ParameterInfo> declared{{"keep", "none", "some"}};
   const auto read = [&](const std::string& text) {

@@ -204,8 +204,8 @@ void Periodic::meet(const Search& search, const Pair& candidate) const {
   Collisions& result = search.result;
   if (search.request.want != Request::Want::any)
     for (const std::uint32_t sphere : {pair.i, pair.j}) result.count[sphere] += queries.contains(sphere);
-  if (queries.contains(pair.i) || queries.contains(pair.j)) result.found = true;
   if (!queries.contains(pair.i)) return;
+  result.found = true;
   ++result.pair_count;
   if (search.request.want == Request::Want::pairs && result.pair_count <= search.request.pair_limit)
     result.pairs.push_back(pair);

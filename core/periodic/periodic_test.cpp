@@ -139,7 +139,13 @@ RC_GTEST_PROP(Periodic, AnswersAPartOfTheSpheres, ()) {
   for (std::uint32_t i = 0; i < chain.size(); ++i)
     if (!request.queries.contains(i)) count[i] = 0;
   RC_ASSERT(part.pairs == expected);
+  RC_ASSERT(part.pair_count == expected.size());
   RC_ASSERT(part.count == count);
+  RC_ASSERT(part.found == !expected.empty());
+  request.want = Request::Want::counts;
+  RC_ASSERT(found("CPU1", chain, box, request).count == count);
+  request.want = Request::Want::any;
+  RC_ASSERT(found("CPU1", chain, box, request).found == !expected.empty());
 }
 
 /// Both but for a few roundings, by 100 digits.
@@ -185,6 +191,8 @@ TEST(Overlap, SeesATieAcrossAFace) {
   EXPECT_DOUBLE_EQ(overlap_of({0.5, 6, 0, 3}, {1, 0, 0, 2.5}, &box).depth, 0.5);
   EXPECT_DOUBLE_EQ(overlap_of({0, 0, 0, 1}, {9, 0, 0, 1}).depth, -7);
   EXPECT_THROW(overlap_of({0, 0, 0, 1}, {5, 5, 5, 1}, &box), std::logic_error);
+  EXPECT_EQ(overlap_of({1, 2, 3, 0}, {1, 2, 3, 0}).depth, 0) << "two points at one place";
+  EXPECT_EQ(overlap_of({1, 2, 3, 0}, {1, 2, 3, 0}).margin, 0);
 }
 
 float nudged(float value, int ulps) {
@@ -225,8 +233,8 @@ RC_GTEST_PROP(PeriodicBox, ImagesFarAwayOverlapAsByIntegers, ()) {
       return std::ldexp(static_cast<float>(*rc::gen::inRange(1 << 20, 1 << 24)), -20);
     };
     const std::int32_t steps = *rc::gen::element(1, 3, 5, 7), back = *rc::gen::element(1, 3, 5, 7);
-    const Sphere a{number(), 0, 0, std::ldexp(number(), -*rc::gen::inRange(4, 20))},
-        b{-number(), static_cast<float>(back), 0, std::ldexp(number(), -*rc::gen::inRange(4, 20))};
+    const Sphere a{number(), 0, 0, std::ldexp(number(), -*rc::gen::inRange(4, 60))},
+        b{-number(), static_cast<float>(back), 0, std::ldexp(number(), -*rc::gen::inRange(4, 60))};
     const double tilt = double{number()} / 7;
     double length = (double{a.radius} + b.radius + a.x - b.x + back * tilt) / steps;
     for (int k = 0; k < 2; ++k) length = std::nextafter(length, 0);
@@ -267,6 +275,24 @@ TEST(Periodic, DecidesATieAcrossAFaceThatNoImageHasInBinary32) {
     const Chain chain({{x, 0, 0, reach}, {5, 5, 5, 0}, {other, 0, 0, 0}});
     EXPECT_EQ(found("aCPU2+CPU2", chain, {{10, 10, 10}}).pair_count, expected);
   }
+}
+
+/// A sphere just below one face, and one just within reach of it across the next image of that face, which a
+/// tilt brings nearer than the edge is long.
+TEST(Periodic, FindsWhatTouchesAcrossATiltedFace) {
+  for (const double tilt : {-6., 0., 6.})
+    for (const float radius : {0.5f, 1.0f, 1.75f}) {
+      const PeriodicBox box{{20, 8, 0}, tilt};
+      const double width = box.widths()[0], reach = 2 * radius;
+      // The face's normal: from the upper face of the box's image to what lies beyond it.
+      const auto x = static_cast<float>(reach * width / 20 * (1 - 1e-6)),
+                 y = static_cast<float>(-tilt / 8 * x);
+      const Sphere below{19.999f, 0, 0, radius}, beyond{x - 0.001f, y, 0, radius};
+      const Chain chain({below, {10, 4, 0, 0}, beyond, {0, 0, 99, 0}, {0, 4, 99, 0}});
+      const Pairs expected = by_definition(chain, box, 3);
+      EXPECT_EQ(expected, (Pairs{{0, 2}})) << tilt << ' ' << radius;
+      EXPECT_EQ(found("CPU1", chain, box).pairs, expected) << tilt << ' ' << radius;
+    }
 }
 
 /// Ties of numbers that binary32 has, in boxes whose thirds, sevenths and so on it has not: what looks for
@@ -323,6 +349,54 @@ TEST(Periodic, StatesTheTrueNumberPastALimit) {
   } catch (const PairLimitExceeded& error) {
     EXPECT_EQ(error.found(), 40u * 39 / 2 - 39);
   }
+  request.want = Request::Want::counts;
+  EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pair_count, 40u * 39 / 2 - 39)
+      << "a limit on pairs, not on counts";
+}
+
+/// Gives as many candidates as there are spheres at most, so that all others are searched for in parts.
+class FewAtATime final : public Variant {
+ public:
+  void build(const Chain& chain) override { all_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    Request few = request;
+    few.pair_limit = chain.size();
+    all_->find(chain, few, result);
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  const std::unique_ptr<Variant> all_ = StrategyRegistry::instance().make("CPU1");
+};
+
+TEST(Periodic, SearchesAFloodInParts) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < 83; ++i)
+    spheres.push_back({i % 3 ? 9.5f : 0, 0.01f * static_cast<float>(i), 0, 1});
+  const Chain chain(std::move(spheres));
+  Periodic in_parts(std::make_unique<FewAtATime>(), {{10, 10, 10}});
+  Collisions result;
+  in_parts.build(chain);
+  in_parts.find(chain, {}, result);
+  std::ranges::sort(result.pairs);
+  const Collisions whole = found("CPU1", chain, {{10, 10, 10}});
+  EXPECT_GT(whole.pair_count, 2 * chain.size());
+  EXPECT_EQ(result.pairs, whole.pairs);
+  EXPECT_EQ(result.count, whole.count);
+}
+
+TEST(Periodic, LeavesNothingOfAnEarlierAnswer) {
+  const Chain apart({{0, 0, 0, 1}, {5, 5, 5, 1}, {5, 0, 5, 1}});
+  for (const auto want : {Request::Want::any, Request::Want::counts, Request::Want::pairs}) {
+    Periodic periodic(StrategyRegistry::instance().make("CPU1"), {{10, 10, 10}});
+    periodic.build(apart);
+    Collisions result{true, 7, {1, 2, 3, 4}, {{0, 2}}};
+    periodic.find(apart, {.want = want}, result);
+    EXPECT_FALSE(result.found);
+    EXPECT_EQ(result.pair_count, 0u);
+    EXPECT_EQ(result.count, std::vector<std::uint32_t>(want == Request::Want::any ? 0 : 3, 0));
+    EXPECT_TRUE(result.pairs.empty());
+  }
 }
 
 TEST(Periodic, RefusesABoxThatIsNone) {
@@ -339,9 +413,16 @@ TEST(Periodic, RefusesABoxThatIsNone) {
             std::string::npos);
   EXPECT_NE(refusal({{-9, 9, 9}}).find("lengths above 0"), std::string::npos);
   EXPECT_NE(refusal({{0, 0, 0}}).find("lengths above 0"), std::string::npos);
-  for (const PeriodicBox& box :
-       {PeriodicBox{{1e-200, 9, 9}}, {{9, 9, 1e200}}, {{9, 9, 9}, 1e-200}, {{9, 9, 9}, 0, 0, -1e200}})
-    EXPECT_NE(refusal(box).find("00 where a length or a tilt is due"), std::string::npos) << refusal(box);
+  for (const PeriodicBox& box : {PeriodicBox{{1e-200, 9, 9}},
+                                 {{9, 9, 1e200}},
+                                 {{9, 9, 9}, 1e-200},
+                                 {{9, 9, 9}, 0, 0, -1e200},
+                                 {{9, 9, 9}, 0x0.fp-100},
+                                 {{9, 9, 0x1.1p100}},
+                                 {{9, 9, 9}, 0, -0x0.fp-100}})
+    EXPECT_NE(refusal(box).find(" where a length or a tilt is due"), std::string::npos) << refusal(box);
+  for (const PeriodicBox& box : {PeriodicBox{{9, 9, 9}, 0x1p-100, -0x1p-100}, {{9, 9, 0x1p100}}})
+    EXPECT_EQ(refusal(box), "");
   EXPECT_NE(refusal({{NAN, 9, 9}}).find("nan"), std::string::npos);
   EXPECT_EQ(refusal({{4, 9, 0}}), "");
 }

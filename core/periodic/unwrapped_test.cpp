@@ -54,6 +54,15 @@ TEST(Unwrapped, RefusesARingAroundTheBox) {
               std::string::npos);
   }
   EXPECT_EQ(unwrapped(ring, Strands::one_closed(3), {}, {{0, 9, 9}}), ring);
+  // Where joints close it, too: of one strand, and of several whose every joint is looked at from both ends.
+  const std::vector<Pair> joint{{0, 2}}, joints{{0, 1}, {1, 2}, {0, 2}};
+  const Strands apart{{0, 1, 2, 3}, {0, 0, 0}};
+  EXPECT_THROW(unwrapped(ring, {{0, 3}, {0}}, joint, {{9, 9, 9}}), InputError);
+  EXPECT_THROW(unwrapped(ring, apart, joints, {{9, 9, 9}}), InputError);
+  EXPECT_EQ(unwrapped(ring, apart, joints, {{0, 9, 9}}), ring);
+  const std::vector<Sphere> fork{{0, 0, 0, 1}, {8, 0, 0, 1}, {1, 0, 0, 1}};
+  for (const auto& named : {std::vector<Pair>{{0, 1}, {0, 2}}, {{1, 0}, {2, 0}}, {{2, 0}, {0, 1}}})
+    EXPECT_EQ(unwrapped(fork, apart, named, {{9, 9, 9}})[1].x, -1);
 }
 
 }  // namespace

@@ -73,5 +73,16 @@ TEST(Film, LeavesAnUnmovedFramesAnswerWhereItIs) {
   EXPECT_EQ(film.variant().answered_by(), "the frame before");
 }
 
+/// Who says what moved is believed, without a look.
+TEST(Film, ComparesNothingOfWhatItIsTold) {
+  const Chain chain = open_input("yarn:n=5000").animation->frame(0);
+  std::vector<Sphere> apart(chain.spheres().begin(), chain.spheres().end());
+  for (std::size_t i = 0; i < apart.size(); ++i) apart[i].x += static_cast<float>(100 * i);
+  Film film;
+  const std::uint64_t pairs = film.next(chain).pair_count;
+  ASSERT_GT(pairs, 0u);
+  EXPECT_EQ(film.next(chain.moved(apart), Moved(std::span<const SphereRange>())).pair_count, pairs);
+}
+
 }  // namespace
 }  // namespace catena

@@ -151,6 +151,29 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
   }
 }
 
+/// By the figures of the host's variants, whatever a device takes.
+TEST(Calibrate, TellsFromHowManySpheresOnATreeIsCheaper) {
+  const auto machine = [](double fixed_us, double pair_ns) {
+    return Machine{{{"pairs", {{.sphere_pair_ns = pair_ns}}, false, true},
+                    {"slow pairs", {{.sphere_pair_ns = 3 * pair_ns}}, false, true},
+                    {"tree", {{.fixed_us = fixed_us, .sphere_ns = 9}}},
+                    {"device", {{.sphere_ns = 1e-3}}, true},
+                    {"pairs on a device", {{.sphere_pair_ns = 1e-6}}, true, true}},
+                   "a test",
+                   {}};
+  };
+  for (const double fixed_us : {0.5, 1.2, 40.})
+    for (const double pair_ns : {0.3, 2., 10.}) {
+      const Machine of = machine(fixed_us, pair_ns);
+      const std::uint32_t from = crossover(of);
+      EXPECT_LT(of.costs[2].cost.ms(from), of.costs[0].cost.ms(from)) << from;
+      EXPECT_GE(of.costs[2].cost.ms(from - 1), of.costs[0].cost.ms(from - 1)) << from;
+    }
+  Machine trees = machine(1, 1);
+  trees.costs.erase(trees.costs.begin(), trees.costs.begin() + 2);
+  EXPECT_EQ(crossover(trees), 0u) << "there is nothing to compare";
+}
+
 TEST(MachineCost, IsOfOneThreadWhereAVariantKnowsNoOthers) {
   const auto& registry = StrategyRegistry::instance();
   std::size_t several = 0;

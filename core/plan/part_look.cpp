@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
 
@@ -30,7 +29,7 @@ std::optional<Pair> PartLook::look(const ChainView& chain, const SphereRange& qu
   // Strands and further neighbours are those of the chain.
   for (const Pair& p : found_.pairs)
     if (const std::uint32_t i = first + p.i, j = first + p.j;
-        queries.contains(i) && !chain.neighbours(i, j) && Robust::overlap(chain.spheres[i], chain.spheres[j]))
+        queries.contains(i) && !chain.neighbours(i, j))
       return Pair{i, j};
   return std::nullopt;
 }

@@ -37,6 +37,21 @@ TEST(PartLook, TakesNoNeighbours) {
   EXPECT_FALSE(look(Chain(row, {}, exclusion)));
 }
 
+TEST(PartLook, IsTheSameWhateverItLookedAtBefore) {
+  std::vector<Sphere> row;
+  for (std::uint32_t i = 0; i < PartLook::least + 512; ++i)
+    row.push_back({static_cast<float>(i / 2), i % 2 ? 2.0F : 0, 0, 0.5F});
+  const std::vector<Sphere> shorter(row.begin(), row.end() - 512);
+  PartLook used;
+  for (const auto& spheres : {row, shorter})
+    for (const std::uint32_t window : {3u, 1u, 2u, 4u, 1u}) {
+      const Chain chain(spheres, {}, Exclusion::index(window));
+      const auto pair = used.look(chain.view(), {});
+      EXPECT_EQ(pair, look(chain)) << window;
+      EXPECT_EQ(pair.has_value(), window < 2) << window;  // each touches the next but one
+    }
+}
+
 TEST(PartLook, LeavesShortChainsAlone) {
   EXPECT_FALSE(look(open_input("grazing:n=5000,margin=0").animation->frame(0)));
 }

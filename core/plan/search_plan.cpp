@@ -75,7 +75,8 @@ void SearchPlan::give_to_host() {
   if (!kind_->threads) threads_ = 1;
 }
 
-/// The least number that no greater one beats by a tenth: what is guessed of threads is guessed roughly.
+/// A greater number takes the place of a lesser one that it beats by a tenth: what is guessed of threads is
+/// guessed roughly.
 unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
   if (v.cost.serial >= 1) return 1;
   if (!omissions_.may(Omission::threads)) return machine_.cores;

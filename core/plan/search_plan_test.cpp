@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
@@ -155,6 +157,12 @@ TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
   EXPECT_TRUE(plan(crowded.view()).holds_for(8000, {}, crowded.view().extent, crowded.spheres()));
   EXPECT_EQ(SearchPlan(8000, {}, of, {}).threads(), 1u);
   EXPECT_GT(plan(crowded.view()).estimate_ms(), SearchPlan(8000, {}, of, {}).estimate_ms());
+  // What was measured counts more than what such chains take.
+  SearchHistory history;
+  for (int k = 0; k < 2; ++k) history.add(8000, 2, 0);
+  const ChainView view = crowded.view();
+  EXPECT_EQ(SearchPlan(8000, {}, of, {}, view.extent, {view.spheres, view.size}, history).estimate_ms(),
+            SearchPlan(8000, {}, of, {}, Extent(), {}, history).estimate_ms());
 }
 
 TEST(SearchPlan, LearnsWhatASphereTakesFromTwoSearches) {
@@ -299,6 +307,47 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   const Chain chain(specked);
   EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr);
   EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
+}
+
+/// By what the reasons say: how many spheres, how like their radii are, and how much of a cube as wide as the
+/// chain cubes around them fill.
+TEST(UnusualKind, OfAShortChainIsToldByWhatItsReasonSays) {
+  std::mt19937 dice(4);
+  const auto power = [&](double low, double high) {
+    return std::pow(10, std::uniform_real_distribution<double>(low, high)(dice));
+  };
+  std::size_t of_each[3] = {};
+  for (int k = 0; k < 2000; ++k) {
+    const std::uint32_t n = k % 8 < 3 ? 2047 + k % 8 : static_cast<std::uint32_t>(power(0, 3.3));
+    const auto radius = static_cast<float>(power(-3, 0));
+    const float least = k % 3 == 0 ? radius / 2 : k % 3 == 1 ? radius : std::nextafter(radius / 2, 0.f);
+    const double mean = radius * std::cbrt(n) * power(-2, 1.2);
+    const Extent extent{least, radius, 3 * mean, static_cast<float>(mean)};
+    const UnusualKind* const kind = UnusualKind::of(n, extent, {});
+    if (n > 2048) {
+      EXPECT_TRUE(kind == nullptr || kind->reason.find("at most 2,048") == std::string::npos) << n;
+      continue;
+    }
+    ASSERT_NE(kind, nullptr) << n;
+    const double filled = n * std::pow(2 * radius / (mean + 2 * radius), 3);
+    const int which = filled <= 0.25 ? 0 : 2 * least < radius || filled > 6 ? 1 : 2;
+    ++of_each[which];
+    constexpr const char* variants[] = {"ChainTree", "SphereTree", "Grid"};
+    EXPECT_EQ(kind->variant, variants[which]) << n << ' ' << filled;
+  }
+  for (const std::size_t times : of_each) EXPECT_GT(times, 100u);
+}
+
+/// Very few spheres are searched before it is seen how they lie.
+TEST(UnusualKind, OfASmoothTubeIsSeenFrom513SpheresOn) {
+  for (const std::uint32_t n : {500u, 512u, 513u, 2000u}) {
+    std::vector<Sphere> tube;
+    for (std::uint32_t i = 0; i < n; ++i) tube.push_back({static_cast<float>(i) * 0.01f, 0, 0, 1});
+    const Chain chain(std::move(tube));
+    EXPECT_EQ(UnusualKind::of(n, {1, 1, 3 * std::cbrt(n), 0}, chain.spheres())->variant,
+              n > 512 ? "ChainTree" : "Grid")
+        << n;
+  }
 }
 
 /// A straight chain of so many, of whose rows of eight so many of sixteen lie across their box.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "catena/core/error.h"
@@ -46,6 +47,53 @@ TEST(Registry, EveryListedVariantIsMadeByItsName) {
   }
   for (const char* name : {"CPU1", "aCPU2+CPU2", "aCPU2+CPU2/literal", "aGPU2@host+GPUv2@host/double"})
     EXPECT_TRUE(names.contains(name)) << name;
+}
+
+/// What is said of a variant is what its stages say of themselves.
+TEST(Registry, DescribesAVariantByItsStages) {
+  std::size_t composed = 0, unavailable = 0, hidden = 0, priced = 0;
+  for (const bool all : {false, true})
+    for (const VariantInfo& v : registry().variants(all)) {
+      EXPECT_TRUE(all || !v.hidden) << v.name;
+      hidden += v.hidden, priced += v.cost.has_value();
+      ASSERT_EQ(v.parts.stages.size(), v.places.size()) << v.name;
+      const StrategyInfo& first = registry().strategy(v.parts.stages.front().strategy);
+      const StrategyInfo& last = registry().strategy(v.parts.stages.back().strategy);
+      const bool whole = v.parts.stages.size() == 1;
+      composed += !whole;
+      EXPECT_EQ(v.places.front(), first.place) << v.name;
+      EXPECT_EQ(v.places.back(), last.place) << v.name;
+      EXPECT_EQ(v.promises.same_bits, first.promises.same_bits) << v.name;
+      EXPECT_EQ(v.promises.same_order, last.promises.same_order) << v.name;
+      EXPECT_EQ(v.peer, whole && first.peer) << v.name;
+      EXPECT_EQ(v.all_pairs, whole && first.all_pairs) << v.name;
+      EXPECT_EQ(v.has_tree, !whole || first.has_tree) << v.name;
+      EXPECT_EQ(v.cost, whole ? first.cost : std::nullopt) << v.name;
+      if (!v.peer && !v.hidden) EXPECT_EQ(v.exact, v.arithmetic == "robust") << v.name;
+
+      std::string why, who;
+      for (const StrategyInfo* stage : {&last, &first})
+        if (stage->unavailable)
+          if (const auto reason = stage->unavailable()) why = *reason, who = stage->name;
+      EXPECT_EQ(v.unavailable.value_or(""), why) << v.name;
+      if (why.empty()) continue;
+      ++unavailable;
+      EXPECT_EQ(refusal(v.name).find(who + " is not available here: " + why), 0u) << refusal(v.name);
+    }
+  EXPECT_GT(composed, 0u);
+  EXPECT_GT(hidden, 0u);
+  EXPECT_GT(priced, 0u);
+  for (const std::string& name : registry().strategy_names())
+    EXPECT_NE(name.substr(0, 7), "mutant:") << "is hidden";
+}
+
+TEST(Registry, KeepsTheSettingsOfEachStage) {
+  for (const char* name : {"aGPU2@host(subtree=8)+GPU2@host(threads=2)", "aCPU2+GPU2@host(threads=3)/double",
+                           "Hybrid(threads=2)", "aGPU2@host(subtree=8,block=2)+CPU2/literal"})
+    EXPECT_EQ(registry().describe(name).name, name);
+  EXPECT_EQ(registry().on_host(VariantName::parse("aGPU2(subtree=8)+GPU2/double")).text(),
+            "aGPU2@host(subtree=8)+GPU2@host/double");
+  EXPECT_EQ(registry().on_host(VariantName::parse("aCPU2+GPU2")).text(), "aCPU2+GPU2@host");
 }
 
 TEST(Registry, UnknownNamesSayWhatThereIs) {

@@ -23,7 +23,7 @@ std::vector<Setting> settings(std::string_view stage, std::string_view text) {
 StageName stage(std::string_view text) {
   const auto open = text.find('(');
   if (open == std::string_view::npos && text.find(')') == std::string_view::npos) return {std::string(text)};
-  if (open == std::string_view::npos || text.back() != ')' || text.find(')') != text.size() - 1)
+  if (open == std::string_view::npos || text.find(')') != text.size() - 1)
     throw InputError("'" + std::string(text) + "': write parameters as name(key=value,...)");
   const std::string_view name = text.substr(0, open);
   return {std::string(name), settings(name, text.substr(open + 1, text.size() - open - 2))};

@@ -1,6 +1,5 @@
 #include "catena/properties/float_environment.h"
 
-#include "catena/core/default_floats.h"
 #include "catena/properties/property.h"
 #include "catena/reference/compare.h"
 
@@ -24,7 +23,7 @@ class FloatEnvironment final : public Property {
         variant.build(again);
         variant.find(again, {}, found_);
         variant.update(again);
-        kept = !DefaultFloats::stands();
+        kept = floats.stand();
       }
       if (!kept) return "the caller's environment is lost";
       const auto c = reference::compare(test.chain, test.exact, found_);

@@ -1,0 +1,93 @@
+#include "catena/core/plan/coarse_look.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/reference/exact_gap.h"
+
+namespace catena {
+namespace {
+
+constexpr std::uint32_t n = 12 * CoarseLook::stretch;
+
+/// A ring whose last sphere lies on its first, and whose second half is the first one, in the other way.
+std::vector<Sphere> ring(float apart) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i)
+    spheres.push_back({static_cast<float>(std::min(i, n - 1 - i)), i < n / 2 ? 0 : apart, 0, 0.5f});
+  return spheres;
+}
+
+/// Chains by whose rule some of what overlaps, or all of it, are neighbours.
+std::vector<Chain> chains() {
+  std::vector<Chain> all;
+  for (const float apart : {0.f, 1.f, 1.5f}) {
+    all.emplace_back(ring(apart));
+    all.emplace_back(ring(apart), Strands::one_closed(n));
+    all.emplace_back(ring(apart), Strands::one_closed(n), Exclusion::index(n / 2));
+    all.emplace_back(ring(apart), Strands{}, Exclusion::index(n / 2));
+    Exclusion across = Exclusion::index(1);
+    for (std::uint32_t i = 0; i < n / 2; ++i) across.extra_pairs.push_back({i, n - 1 - i});
+    all.emplace_back(ring(apart), Strands{}, across);
+  }
+  std::vector<Sphere> twos;  // each touches the next but one
+  for (std::uint32_t i = 0; i < n; ++i) twos.push_back({static_cast<float>(i / 2), i % 2 ? 2.f : 0, 0, 0.5f});
+  all.emplace_back(std::move(twos));
+  std::mt19937 dice(5);
+  for (const float side : {20.f, 60.f}) {  // where many stretches are near one another
+    std::uniform_real_distribution<float> at(0, side);
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({at(dice), at(dice), at(dice), 0.3f});
+    all.emplace_back(spheres);
+    all.emplace_back(std::move(spheres), Strands{}, Exclusion::index(n));
+  }
+  return all;
+}
+
+const std::vector<SphereRange> parts{{}, {0, 30}, {n / 2 - 40, n / 2 + 40}, {n - 100, n}, {7, 7}};
+
+void expect_collides(const Chain& chain, const SphereRange& queries, const Pair& pair) {
+  EXPECT_LT(pair.i, pair.j);
+  EXPECT_LT(pair.j, chain.size());
+  EXPECT_TRUE(queries.contains(pair.i));
+  EXPECT_TRUE(reference::overlap(chain[pair.i], chain[pair.j]));
+  EXPECT_FALSE(chain.neighbours(pair.i, pair.j)) << pair.i << ' ' << pair.j;
+}
+
+TEST(CoarseLook, GivesNoNeighboursAndIsTheSameWhateverItLookedAtBefore) {
+  CoarseLook used;
+  std::size_t found = 0;
+  for (int round = 0; round < 2; ++round)
+    for (const Chain& chain : chains())
+      for (const SphereRange& queries : parts) {
+        CoarseLook fresh;
+        const auto pair = used.look(chain.view(), queries);
+        EXPECT_EQ(pair, fresh.look(chain.view(), queries));
+        EXPECT_EQ(used.compared(), fresh.compared());
+        if (pair) ++found, expect_collides(chain, queries, *pair);
+      }
+  EXPECT_GT(found, 8u);
+}
+
+/// As a frame asks about the contact of the last one: it is found again while it is there.
+TEST(CoarseLook, FindsAContactAgainWhereverItIsAlongTheChain) {
+  for (const Chain& chain : chains())
+    for (const std::uint32_t i : {0u, 5u, 19u, 20u, 300u, n / 2 - 41, n / 2 - 2})
+      for (const std::uint32_t j : {i + 2, i + 3, n - 1 - i}) {
+        if (j >= n || j <= i) continue;
+        for (const SphereRange& queries : parts) {
+          const auto pair = CoarseLook::look_near(chain.view(), queries, {i, j});
+          if (pair) expect_collides(chain, queries, *pair);
+          if (queries.contains(i) && !chain.neighbours(i, j) && reference::overlap(chain[i], chain[j])) {
+            EXPECT_TRUE(pair) << i << ' ' << j;
+          }
+        }
+      }
+}
+
+}  // namespace
+}  // namespace catena
