@@ -145,7 +145,7 @@ class CrowdSample {
     const Look many{4 * in_cells(0), in_cells(0), true};
     if (meets_many(node, among)) return many;
     const std::uint32_t b = tree_.some_block_of(node);
-    const NearBlocks near(tree_, b, plenty, among);
+    const NearBlocks near(chain_, tree_, b, plenty, among);
     if (near.enough()) return many;
     // Not all of what is near is counted where that can make no difference.
     const double ns = SphereCost::in_tree(near), most = ns + SphereCost::most_of_pairs(near);
