@@ -29,6 +29,7 @@ class Crowding {
           open_[l][k / BlockTree::group] += open_[l - 1][k];
     }
     partners_.assign(open_.empty() ? 0 : open_[0].size(), 0);
+    seen_crowded_.resize(partners_.size() / BlockTree::group + 1);
     some_ = 0;
   }
 
@@ -78,6 +79,8 @@ class Crowding {
     std::atomic_ref(partners_[node]).store(limit_ + 1, std::memory_order_relaxed);  // others may look at it
     close(node);
   }
+  /// What a look at sixteen nodes that follow one another says of them, before anything is done about it.
+  std::uint8_t& seen_crowded(std::uint32_t sixteen) { return seen_crowded_[sixteen]; }
   /// Every pair of a node below a and one below b is left out.
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const {
     return some() && read(open_[l][a]) == 0 && read(open_[l][b]) == 0;
@@ -107,6 +110,7 @@ class Crowding {
   std::uint32_t some_ = 0;               // 1: a node is crowded
   std::vector<std::uint32_t> partners_;  // of each node: others it met, counted to just above the limit
   std::vector<std::uint16_t> dense_;
+  std::vector<std::uint8_t> seen_crowded_;
   std::vector<std::vector<Pair>> pairs_;          // [thread]
   std::vector<std::vector<std::uint32_t>> open_;  // [level][node]: nodes below that are not crowded
 };

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "catena/core/blocks/crowding.h"
+#include "catena/core/blocks/neighbour_blocks.h"
 #include "catena/core/blocks/oriented_boxes-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/chain/chain_view.h"
@@ -52,16 +53,29 @@ inline std::uint32_t pays(const Crowding* among, std::uint32_t node) {
 }
 
 /// Counts the blocks whose capsules one may meet, in any order, as often as one pays for them, no further
-/// than just past `enough`; the nodes that may hold some; and the looks on the way to these.
+/// than just past `enough`, but for those that hold its neighbours alone; the nodes that may hold some; and
+/// the looks on the way to these.
 class NearBlocks {
  public:
-  NearBlocks(const BlockTree& tree, std::uint32_t b, std::uint32_t enough, const Crowding* among = nullptr) {
+  NearBlocks(const ChainView& chain, const BlockTree& tree, std::uint32_t b, std::uint32_t enough,
+             const Crowding* among = nullptr) {
     constexpr std::uint32_t group = BlockTree::group;
+    const NeighbourBlocks neighbours(chain, tree);
+    // Those beside it are taken off later.
+    const auto passed_over = [&](std::uint32_t other) {
+      return other < b ? other + 1 < b && neighbours.all(other, b)
+                       : b + 1 < other && neighbours.all(b, other);
+    };
     const Capsules capsule = Capsules::all(tree.capsules_of(b / group), b % group);
     const auto met = [&](std::uint32_t node) {
-      const std::uint32_t near = may_collide(capsule, Capsules::load(tree.capsules_of(node))),
-                          times = pays(among, node);
-      count_ += times * static_cast<std::uint32_t>(std::popcount(near & lane_bits(tree.blocks_of(node))));
+      std::uint32_t near =
+          may_collide(capsule, Capsules::load(tree.capsules_of(node))) & lane_bits(tree.blocks_of(node));
+      if (neighbours.some())
+        for_each_lane(near, [&](std::uint32_t k) {
+          if (passed_over(node * group + k)) near &= ~(1u << k);
+        });
+      const std::uint32_t times = pays(among, node);
+      count_ += times * static_cast<std::uint32_t>(std::popcount(near));
       nodes_ += times;
       return count_ <= enough;
     };

@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "catena/core/blocks/beyond_cache.h"
@@ -32,14 +33,19 @@ class CrowdSample {
   /// meet those of the other in the worse of the two. Where some are crowded, looks again at the rest, which
   /// may be better off with these than in an order that they alone are left in. A few that are left then are
   /// not worth it. After the walk, which has left out what was crowded, all that was stays so.
-  void all(bool walked) const {
+  void all(bool walked) {
+    walked_ = walked;
+    const bool left_out = crowding_.some();
     Costs costs;
     look_at_all(costs);
-    if (!crowding_.some()) return;
+    if (!left_out && !costs.crowded) return;
     if (5 * costs.of_both() > 4 * std::min(costs.tree.load(), costs.cells.load())) {
       if (costs.cells < costs.tree) return crowd_all();
-      if (!costs.beyond_limit && !walked) return crowding_.reset(tree_, limit_, team_.size());
+      if (!costs.beyond_limit && !left_out) return;
     }
+    for_each_group([&](std::uint32_t g) {
+      if (crowding_.seen_crowded(g)) crowd_group(g);
+    });
     look_at_rest();
     constexpr std::uint32_t few = 16;  // one in so many
     if (std::uint64_t{few} * (nodes() - crowding_.crowded_nodes()) <= nodes()) crowd_all();
@@ -51,7 +57,7 @@ class CrowdSample {
   bool sparse() const {
     constexpr std::uint32_t apart = 16;  // groups
     for (std::uint32_t g = std::min(apart, groups()) / 2; g < groups(); g += apart)
-      if (look_at(g, nullptr).crowded()) return false;
+      if (look_at(g, nullptr).all.crowded()) return false;
     return true;
   }
   /// After the walk: it met so few that this stands.
@@ -65,23 +71,30 @@ class CrowdSample {
     double tree_ns, cells_ns;
     bool beyond_limit;  ///< and perhaps much more than that in the chain's order
     bool crowded() const { return tree_ns > cells_ns; }
+    double spared() const { return crowded() ? tree_ns - cells_ns : 0; }
     bool even() const { return 2 * tree_ns < 3 * cells_ns && 2 * cells_ns < 3 * tree_ns; }
   };
 
   std::uint32_t nodes() const { return crowding_.nodes(); }
   std::uint32_t groups() const { return (nodes() + group - 1) / group; }
 
+  /// Looks at a group: what one of its spheres costs, about, and what another order spares of it.
+  struct GroupLook {
+    Look all;
+    double spared_ns;
+  };
+
   /// Of all that were looked at, in sixteenths of a nanosecond: sums that are the same in every order.
   struct Costs {
-    std::atomic<std::uint64_t> tree = 0, cells = 0, spared = 0;
-    std::atomic<bool> beyond_limit = false;
+    std::atomic<std::int64_t> tree = 0, cells = 0, spared = 0;
+    std::atomic<bool> crowded = false, beyond_limit = false;
 
-    std::uint64_t of_both() const { return tree - spared; }
-    void take(const Look& look) {
-      const auto whole = [](double ns) { return static_cast<std::uint64_t>(16 * ns); };
-      tree += whole(look.tree_ns), cells += whole(look.cells_ns);
-      if (look.crowded()) spared += whole(look.tree_ns) - whole(look.cells_ns);
-      if (look.beyond_limit) beyond_limit = true;
+    std::int64_t of_both() const { return tree - spared; }
+    void take(const GroupLook& look) {
+      const auto whole = [](double ns) { return static_cast<std::int64_t>(16 * ns); };
+      tree += whole(look.all.tree_ns), cells += whole(look.all.cells_ns), spared += whole(look.spared_ns);
+      if (look.all.crowded()) crowded = true;
+      if (look.all.beyond_limit) beyond_limit = true;
     }
   };
 
@@ -94,15 +107,15 @@ class CrowdSample {
   }
   void look_at_all(Costs& costs) const {
     for_each_group([&](std::uint32_t g) {
-      const Look look = look_at(g, nullptr);
+      const GroupLook look = look_at(g, nullptr);
       costs.take(look);
-      if (look.crowded()) crowd_group(g);
+      crowding_.seen_crowded(g) = look.all.crowded();
     });
   }
   void look_at_rest() const {
     for_each_group([&](std::uint32_t g) {
       if (is_crowded(g)) return;
-      if (look_at(g, &crowding_).crowded()) return crowd_group(g);
+      if (look_at(g, &crowding_).all.crowded()) return crowd_group(g);
       // A crowd may end anywhere.
       const auto crowd_one = [&](std::uint32_t k) {
         return look(k, &crowding_).crowded() && (crowding_.crowd(k), true);
@@ -126,26 +139,32 @@ class CrowdSample {
   std::uint32_t middle(std::uint32_t g) const { return (g * group + end_of(g)) / 2; }
   std::uint32_t end_of(std::uint32_t g) const { return std::min(nodes(), (g + 1) * group); }
 
-  /// Whether most likely all of group g are better off in another order. One block tells little where both
-  /// would cost about the same, and a crowd with holes costs both: then more are asked.
-  Look look_at(std::uint32_t g, const Crowding* among) const {
+  /// What most likely all of group g cost. One block tells little where both orders would cost about the
+  /// same, and a crowd with holes costs both: then more are asked. What is spared is told by one of them
+  /// where the others say that it is crowded, as chance would spare something too.
+  GroupLook look_at(std::uint32_t g, const Crowding* among) const {
     const std::uint32_t first = g * group, size = end_of(g) - first;
-    Look all = look(first + size / 2, among);
-    if (!all.even()) return all;
-    for (const std::uint32_t k : {size / 6, 5 * size / 6}) {
-      const Look one = look(first + k, among);
-      all.tree_ns += one.tree_ns, all.cells_ns += one.cells_ns;
-      all.beyond_limit |= one.beyond_limit;
+    const Look middle = look(first + size / 2, among);
+    if (!middle.even()) return {middle, middle.spared()};
+    const std::array<Look, 3> each{middle, look(first + size / 6, among), look(first + 5 * size / 6, among)};
+    Look sum{};
+    for (const Look& one : each) {
+      sum.tree_ns += one.tree_ns, sum.cells_ns += one.cells_ns;
+      sum.beyond_limit |= one.beyond_limit;
     }
-    return {all.tree_ns / 3, all.cells_ns / 3, all.beyond_limit};
+    double spared_ns = 0;
+    for (const Look& one : each)
+      if (sum.tree_ns - one.tree_ns > sum.cells_ns - one.cells_ns) spared_ns += one.tree_ns - one.cells_ns;
+    return {{sum.tree_ns / 3, sum.cells_ns / 3, sum.beyond_limit}, spared_ns / 3};
   }
 
   Look look(std::uint32_t node, const Crowding* among) const {
     constexpr std::uint32_t plenty = 256;
     const Look many{4 * in_cells(0), in_cells(0), true};
-    if (meets_many(node, among)) return many;
+    // The walk has told which nodes meet too many, and what it took is spent.
+    if (walked_ ? crowding_.crowded(node) && among == nullptr : meets_many(node, among)) return many;
     const std::uint32_t b = tree_.some_block_of(node);
-    const NearBlocks near(tree_, b, plenty, among);
+    const NearBlocks near(chain_, tree_, b, plenty, among);
     if (near.enough()) return many;
     // Not all of what is near is counted where that can make no difference.
     const double ns = SphereCost::in_tree(near), most = ns + SphereCost::most_of_pairs(near);
@@ -175,6 +194,7 @@ class CrowdSample {
   const std::uint32_t limit_;
   Crowding& crowding_;
   const Team& team_;
+  bool walked_ = false;
   const double beyond_ = octaves_beyond_cache(chain_.size);
   const double exact_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : 6;  ///< times as long in cells
 };

@@ -10,6 +10,7 @@
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/blocks/leaf_pairs-inl.h"
+#include "catena/core/blocks/neighbour_blocks.h"
 #include "catena/core/blocks/node_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -84,8 +85,8 @@ class BlockSearch {
       const std::uint32_t windows = tree_.ordered[g];
       const std::uint32_t inside = (windows | windows << 1 | before) & all;
       before = windows >> (group - 1);
-      for_each_lane(all & ~inside, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k); });
-      for_each_lane(between & ~windows, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k + 1); });
+      for_each_lane(all & ~inside, [&](std::uint32_t k) { add(begin + k, begin + k); });
+      for_each_lane(between & ~windows, [&](std::uint32_t k) { add(begin + k, begin + k + 1); });
       if (Sink::listens || !adjacent_are_neighbours_) {
         for_each_lane(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
         for_each_lane(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
@@ -101,8 +102,13 @@ class BlockSearch {
     const std::uint32_t last = node * group + group - 1;
     if ((dense >> (group - 1) & dense_next & 1) != 0) return;
     if (tree_.ordered[node] >> (group - 1)) return ordered_between(last);
-    leaves_.add(last, last + 1);
+    add(last, last + 1);
     leaves_.make_room();
+  }
+
+  /// Blocks a <= b, but those that have nothing but neighbours.
+  void add(std::uint32_t a, std::uint32_t b) {
+    if (Sink::listens || !neighbours_.all(a, b)) leaves_.add(a, b);
   }
 
   /// Block b is ordered: of its spheres only those next to one another may collide, if they are not
@@ -126,24 +132,26 @@ class BlockSearch {
   void within(std::uint32_t k) {
     constexpr std::uint32_t skip = 2;  // a block itself and the next
     const std::uint32_t begin = k * group, count = tree_.blocks_of(k);
-    if (!Sink::listens && tree_.in_a_row(0, k)) return;
+    if (!Sink::listens && (tree_.in_a_row(0, k) || neighbours_.all(begin, begin + count - 1))) return;
     const Intervals reach = in_frame_of(tree_, 0, k, 0, k);
     const StoredIntervals single(reach);
     for (std::uint32_t i = 0; i + skip < count; ++i)
-      row(begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((1u << (i + skip)) - 1));
+      row(begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((1u << (i + skip)) - 1), true);
     make_room();
   }
 
   /// Blocks of node a against those of node b > a.
   void between(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t all_a = lane_bits(tree_.blocks_of(a)), all_b = lane_bits(tree_.blocks_of(b));
+    const bool beside = !Sink::listens && neighbours_.all(a * group + group - 1, b * group);
+    if (beside && neighbours_.all(a * group, b * group + tree_.blocks_of(b) - 1)) return;
     const Intervals b_by_a = in_frame_of(tree_, 0, a, 0, b);
     const std::uint32_t theirs = meet(b_by_a, own_intervals(tree_, 0, a)) & all_b;
     for_each_lane(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(0, b * group + j, a); });
     if (theirs == 0) return;
     const std::uint32_t mine = meet(in_frame_of(tree_, 0, b, 0, a), own_intervals(tree_, 0, b)) & all_a;
     if (Sink::listens)
-      for_each_lane(all_a & ~mine, [&](std::uint32_t i) { row(a * group + i, b, 0, theirs); });
+      for_each_lane(all_a & ~mine, [&](std::uint32_t i) { row(a * group + i, b, 0, theirs, false); });
     if (mine == 0) return;
     // An ordered window from the last block of one node to the first of the next.
     const bool ahead = b == a + 1 && tree_.ordered[a] >> (group - 1) != 0;
@@ -155,16 +163,17 @@ class BlockSearch {
         candidates &= ~1u;
         ordered_between(a * group + i);
       }
-      row(a * group + i, b, meet(a_by_a.all(i), b_by_a), candidates);
+      row(a * group + i, b, meet(a_by_a.all(i), b_by_a), candidates, beside);
     });
     make_room();
   }
 
   /// Block a against those of group g in `candidates`, of which those in `met` may collide with it by their
-  /// boxes.
-  void row(std::uint32_t a, std::uint32_t g, std::uint32_t met, std::uint32_t candidates) {
+  /// boxes. Where they are `beside` it along the chain, some may have nothing but its neighbours.
+  void row(std::uint32_t a, std::uint32_t g, std::uint32_t met, std::uint32_t candidates, bool beside) {
     met &= candidates;
     for_each_lane(candidates & ~met, [&](std::uint32_t j) { sink_.blocks_apart(a, g * group + j); });
+    if (!Sink::listens && beside && neighbours_.some()) met &= ~neighbours_.lanes(a, g);
     queues_.add_row({a, g, met});
   }
 
@@ -193,6 +202,7 @@ class BlockSearch {
   PairCollector::Lane& lane_;
   const Sink sink_;
   LeafPairs<Sink> leaves_{chain_, tree_, queues_, lane_, sink_};
+  const NeighbourBlocks neighbours_{chain_, tree_};
   /// An ordered window is of one strand, where an index window of 1 or more takes in the next sphere.
   const bool adjacent_are_neighbours_ = chain_.exclusion.rule == Exclusion::Rule::index_window;
 };

@@ -28,7 +28,7 @@ struct CrowdWalk {
 void find_crowds_here(const ChainView& chain, const BlockTree& tree, std::uint32_t limit, Crowding& crowding,
                       const Team& team) {
   if (tree.blocks == 0) return;
-  const CrowdSample sample(chain, tree, limit, crowding, team);
+  CrowdSample sample(chain, tree, limit, crowding, team);
   const bool sparse = sample.sparse();
   if (!sparse) sample.all(false);
   const CrowdWalk walk{crowding, team.size() == 1 ? nullptr : &team};

@@ -23,7 +23,8 @@ class CATENA_API Chain {
   explicit Chain(std::vector<Sphere> spheres, Strands strands = {}, Exclusion exclusion = {});
 
   /// A part of a longer chain, under an arc window whose arc lengths are those of the whole: one a sphere and one a
-  /// strand, which are taken as they are. Throws InputError also when there are not as many, or one is not finite.
+  /// strand, which are taken as they are. Throws InputError also when there are not as many, one is not finite, or
+  /// they fall along a strand.
   Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion, ArcLengths arcs);
 
   /// The same chain with its spheres moved: strands and neighbours stay, the arc lengths of an arc window

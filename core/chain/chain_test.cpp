@@ -167,6 +167,7 @@ TEST(Chain, TakesArcLengthsThatAreFiniteAndOnesOfEachSphereAndStrand) {
     EXPECT_THROW(made({0, 5, 9}, {bad}), InputError);
   }
   EXPECT_THROW(made({0, 5}, {10}), InputError);
+  EXPECT_THROW(made({0, 5, 4}, {10}), InputError) << "they ascend";
   EXPECT_THROW(made({0, 5, 9}, {}), InputError);
 }
 

@@ -85,6 +85,9 @@ void take_arcs(Topology& t, std::size_t n, ArcLengths& known) {
     throw InputError(fmt::format("{} spheres on {} strands need as many arc lengths, got {} and {}", n,
                                  t.strands.closed.size(), known.arc.size(), known.loop_length.size()));
   if (!finite(known.arc) || !finite(known.loop_length)) throw InputError("an arc length is not finite");
+  for (std::size_t s = 0; s < t.strands.closed.size(); ++s)
+    if (!std::is_sorted(known.arc.begin() + t.strands.first[s], known.arc.begin() + t.strands.first[s + 1]))
+      throw InputError(fmt::format("arc lengths fall along strand {}", s));
   t.arc = std::move(known.arc);
   t.loop_length = std::move(known.loop_length);
 }

@@ -27,7 +27,10 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   dense_.clear();
   parts_.dense_count = 0;
   SingleSpheres single{};
-  if (unfilled(chain)) {
+  // A block that meets more is dense, in the chain's order and in that of space.
+  const double others = settings_.dense * SingleSphereCost::shallow(chain.size) *
+                        (9 + 0.75 * octaves_beyond_cache(chain.size));
+  if (unfilled(chain) || look_.everywhere(chain, others)) {
     parts_.tree.clear();
     parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
     parts_.dense_count = chain.size;
@@ -196,8 +199,9 @@ HybridSearch::Work HybridSearch::work() const {
   work.rows -= before_.rows, work.near -= before_.near;
   work.entries -= before_.entries, work.tests -= before_.tests, work.open -= before_.open;
   work.sixteens -= before_.sixteens;
-  work.crowded = std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block;
   work.dense = parts_.dense_count;
+  work.crowded = std::max(
+      work.dense, std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block);
   return work;
 }
 

@@ -7,6 +7,7 @@
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
 #include "catena/core/grid/grid_kernels.h"
+#include "catena/core/space_tree/crowd_look.h"
 #include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_kernels.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
@@ -19,7 +20,8 @@ namespace catena {
 /// - single spheres: of those blocks among them that have so much near them that most of their eight spheres
 ///   must be looked at anyway, the *dense* ones; in cells, a SphereGrid, where their radii are about the same
 ///   and enough is near them to share what a cell costs, and else in the order of space, a SphereTree. So are
-///   all spheres of strands too short for blocks.
+///   all spheres of strands too short for blocks, and of chains whose blocks meet many everywhere, as a look
+///   tells before there are any.
 /// Pairs of two dense blocks are the third one's, those of two other crowded nodes the second one's, the rest
 /// the first one's, so that each is met once. What is crowded or dense is told by a look at some nodes and
 /// blocks, and where it is about even both ways cost about the same.
@@ -87,6 +89,7 @@ class CATENA_API HybridSearch {
   bool one_level() const;
 
   const Settings settings_;
+  CrowdLook look_;
   Work before_;  ///< met before the last search
   Parts parts_;
   std::vector<std::uint32_t> dense_before_;  ///< [node]: dense spheres of earlier ones

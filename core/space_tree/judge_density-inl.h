@@ -23,7 +23,7 @@ namespace catena::HWY_NAMESPACE {
 /// blocks would do: then a second search for the rest is not worth its while. `block_ns` is what a search of
 /// their spheres one by one costs a block, for which so many `pairs` overlap. Where nodes meet very many,
 /// fewer blocks are looked at: all together no more nodes, about, than there are.
-inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double block_ns, double pairs) {
+inline bool mostly_dense(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, double block_ns, double pairs) {
   constexpr std::uint32_t most = 32, fewest = 5, apart = 13;  // of which some are all along the chain too
   const double search_ns = block_ns - SpaceCost::build_ns;
   // Each of two blocks that are near pays one half.
@@ -37,7 +37,7 @@ inline bool mostly_dense(const BlockTree& tree, const Crowding& crowding, double
   std::uint32_t looked = 0, dense = 0;
   for (std::uint64_t met = 0; looked < samples && (looked < fewest || met < crowding.nodes()); ++looked) {
     const std::uint32_t which = samples == most ? looked * apart % most : looked;
-    const NearBlocks near(tree, tree.some_block_of(nodes[which]), enough);
+    const NearBlocks near(chain, tree, tree.some_block_of(nodes[which]), enough);
     met += near.nodes();
     dense += near.enough();
   }

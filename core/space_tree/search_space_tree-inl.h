@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "catena/core/blocks/leaf_pairs-inl.h"
+#include "catena/core/blocks/neighbour_blocks.h"
 #include "catena/core/space_tree/space_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,7 +46,7 @@ class SpaceSearch {
  public:
   SpaceSearch(const ChainView& chain, const BlockTree& tree, const SpaceTree& space, BlockQueues& queues,
               PairCollector::Lane& lane, Sink& sink)
-      : space_(space), sink_(sink), leaves_(chain, tree, queues, lane, sink) {}
+      : space_(space), sink_(sink), neighbours_(chain, tree), leaves_(chain, tree, queues, lane, sink) {}
 
   bool skip(std::uint32_t a, std::uint32_t b) const { return space_.dense_node[a] && space_.dense_node[b]; }
 
@@ -68,10 +69,9 @@ class SpaceSearch {
       if constexpr (Sink::listens) sink_.left_to_blocks(a, b);
       return;
     }
-    if (one < other)
-      leaves_.add(space_.block[a], space_.block[b]);
-    else
-      leaves_.add(space_.block[b], space_.block[a]);
+    const auto [first, second] =
+        one < other ? Pair{space_.block[a], space_.block[b]} : Pair{space_.block[b], space_.block[a]};
+    if (Sink::listens || !neighbours_.all(first, second)) leaves_.add(first, second);
   }
 
   struct Apart {
@@ -82,6 +82,7 @@ class SpaceSearch {
 
   const SpaceTree& space_;
   Sink& sink_;
+  const NeighbourBlocks neighbours_;
   LeafPairs<std::remove_const_t<Sink>> leaves_;
 };
 

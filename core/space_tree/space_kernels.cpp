@@ -18,7 +18,7 @@ void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& cr
   // Short strands leave blocks unfilled.
   const double of_a_block = static_cast<double>(chain.size) / tree.blocks, block_ns = single.ns * of_a_block,
                pairs = single.pairs * of_a_block;
-  if (mostly_dense(tree, crowding, block_ns, pairs)) return;
+  if (mostly_dense(chain, tree, crowding, block_ns, pairs)) return;
   SpaceBuild build(chain, tree, crowding, space, team);
   if (!build.collect()) return;
   build.build();

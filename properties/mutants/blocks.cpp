@@ -182,6 +182,17 @@ class LastRowLost final : public FaultyBlocks {
 };
 const RegisterMutant<LastRowLost> row{"queue-drops-its-last", "a queue emptied one short"};
 
+/// What the greatest spheres would have for neighbours is not compared.
+class NeighboursByTheGreatest final : public FaultyBlocks {
+  void search(const ChainView& chain, PairCollector& collector) override {
+    ChainView thick = chain;
+    thick.extent.least_radius = chain.extent.greatest_radius;
+    FaultyBlocks::search(thick, collector);
+  }
+};
+const RegisterMutant<NeighboursByTheGreatest> thick{"neighbours-by-the-greatest-radius",
+                                                    "an arc window as wide as for the thickest spheres"};
+
 /// Crowded nodes are left to a grid that is not there for pairs of them.
 class CrowdWithoutGrid final : public FaultyBlocks {
   void search(const ChainView& chain, PairCollector& collector) override {

@@ -1,0 +1,106 @@
+#include "catena/core/space_tree/crowd_look.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/properties/generators/dice.h"
+
+namespace catena {
+namespace {
+
+constexpr double others = 12;
+
+Sphere anywhere(properties::Dice& dice, float room) {
+  return {room * dice.symmetric(), room * dice.symmetric(), room * dice.symmetric(), 0.5f};
+}
+
+/// Balls of a walk: step 1, within `room` of the origin along each axis.
+std::vector<Sphere> walk(std::uint32_t n, float room) {
+  properties::Dice dice(3);
+  std::vector<Sphere> spheres{{0, 0, 0, 0.5f}};
+  while (spheres.size() < n) {
+    Sphere next = spheres.back();
+    float* const at[] = {&next.x, &next.y, &next.z};
+    float& along = *at[dice.between(0, 2)];
+    along += dice.one_in(2) ? 1.0f : -1.0f;
+    if (along > room) along -= 2;
+    if (along < -room) along += 2;
+    spheres.push_back(next);
+  }
+  return spheres;
+}
+
+bool crowded(std::vector<Sphere> spheres, Strands strands = {}) {
+  const Chain chain(std::move(spheres), std::move(strands));
+  CrowdLook look;
+  return look.everywhere(chain.view(), others);
+}
+
+TEST(CrowdLook, TellsWhatIsCrowdedEverywhereFromWhatIsSoInPart) {
+  for (const std::uint32_t n : {3000u, 30'000u, 300'000u}) {
+    properties::Dice dice(n);
+    const float full = 0.5f * std::cbrt(static_cast<float>(n));
+    std::vector<Sphere> dust, line;
+    for (std::uint32_t i = 0; i < n; ++i) dust.push_back(anywhere(dice, full));
+    for (std::uint32_t i = 0; i < n; ++i) line.push_back({static_cast<float>(i), 0, 0, 0.5f});
+    EXPECT_TRUE(crowded(dust)) << n;
+    EXPECT_TRUE(crowded(walk(n, 0.7f * full))) << n;
+    EXPECT_FALSE(crowded(line)) << n;
+    EXPECT_FALSE(crowded(walk(n, 1e6f))) << n;
+    // A tube that winds through all of a box is near little of itself.
+    std::vector<Sphere> rows;
+    const auto side = static_cast<std::uint32_t>(2 * full);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t row = i / side, x = row % 2 == 0 ? i % side : side - 1 - i % side;
+      const std::uint32_t layer = row / side, y = layer % 2 == 0 ? row % side : side - 1 - row % side;
+      rows.push_back(
+          {static_cast<float>(x), 1.1f * static_cast<float>(y), 1.1f * static_cast<float>(layer), 0.5f});
+    }
+    EXPECT_FALSE(crowded(rows)) << n;
+    std::vector<Sphere> part = dust;
+    for (std::uint32_t i = 0; i < n / 4; ++i) part[i] = {static_cast<float>(i) / 64, 15 * full, 0, 0.05f};
+    EXPECT_FALSE(crowded(part)) << n;
+  }
+}
+
+/// Where the chain jumps now and then, only what it jumps over is met by what goes there.
+TEST(CrowdLook, PassesOverAFewJumps) {
+  constexpr std::uint32_t n = 30'000;
+  properties::Dice dice(7);
+  std::vector<Sphere> jumps, strands;
+  Strands ends{{0}, {}};
+  while (jumps.size() < n) {
+    Sphere at = anywhere(dice, 60);
+    for (int k = 0; k < 60 && jumps.size() < n; ++k, at.x += 1) jumps.push_back(at);
+    ends.first.push_back(static_cast<std::uint32_t>(jumps.size()));
+  }
+  EXPECT_FALSE(crowded(jumps));
+  EXPECT_FALSE(crowded(jumps, ends)) << "the ends of strands are in no block together";
+}
+
+/// What blocks of a finely sampled tube meet are its neighbours.
+TEST(CrowdLook, CountsNoNeighbours) {
+  std::vector<Sphere> fine;
+  for (std::uint32_t i = 0; i < 3000; ++i) fine.push_back({0.002f * static_cast<float>(i), 0, 0, 0.5f});
+  CrowdLook look;
+  for (const Exclusion& rule : {Exclusion::arc(1.6), Exclusion::index(800)})
+    EXPECT_FALSE(look.everywhere(Chain(fine, {}, rule).view(), others));
+  EXPECT_TRUE(look.everywhere(Chain(fine).view(), others));
+}
+
+TEST(CrowdLook, IsNotTakenAtFewSpheres) {
+  properties::Dice dice(1);
+  std::vector<Sphere> few;
+  for (int i = 0; i < 2048; ++i) few.push_back(anywhere(dice, 4));
+  EXPECT_FALSE(crowded(few));
+  few.push_back(few.front());
+  EXPECT_TRUE(crowded(few));
+}
+
+}  // namespace
+}  // namespace catena
