@@ -7,6 +7,7 @@
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/hybrid/hybrid_search.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/allocations.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/generators/family.h"
 #include "catena/properties/generators/shapes.h"
@@ -243,6 +244,35 @@ TEST(Hybrid, TakesOneOrderWhereTwoWouldSaveNothing) {
     for (const Decision& step : hybrid->plan()) {
       EXPECT_TRUE(step.step != "order of space" || step.left_out) << step.reason;
     }
+  }
+}
+
+/// What one frame has no need of another may need again, and its memory is there.
+TEST(Hybrid, AllocatesNothingWhereFramesAreCrowdedByTurns) {
+  const Allocations::Read calls = Allocations::counter();
+  if (calls == nullptr) GTEST_SKIP() << "this program does not count allocations";
+  constexpr std::uint32_t n = 3000;
+  Dice dice(1);
+  std::vector<Sphere> dust, line;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto at = [&] { return 7 * dice.symmetric(); };
+    dust.push_back({at(), at(), at(), 0.5f});
+    line.push_back({static_cast<float>(i), 0, 0, 0.5f});
+  }
+  const Chain crowded(std::move(dust)), apart(std::move(line));
+  const auto hybrid = StrategyRegistry::instance().make("Hybrid");
+  hybrid->build(crowded);
+  hybrid->update(apart);
+  for (const Chain* frame : {&crowded, &apart, &crowded}) {
+    const std::uint64_t before = calls();
+    hybrid->update(*frame);
+    EXPECT_EQ(calls() - before, 0u) << (frame == &apart ? "apart" : "crowded");
+    Collisions found;
+    hybrid->find(*frame, {}, found);
+    const reference::Answer right = reference::find(*frame);
+    sort(found.pairs);
+    EXPECT_EQ(found.pairs, right.pairs);
+    EXPECT_EQ(right.pair_count > 0, frame == &crowded);
   }
 }
 

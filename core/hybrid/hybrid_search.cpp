@@ -4,6 +4,7 @@
 #include <atomic>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/grid/grid_evidence.h"
@@ -30,7 +31,12 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   // A block that meets more is dense, in the chain's order and in that of space.
   const double others = settings_.dense * SingleSphereCost::shallow(chain.size) *
                         (9 + 0.75 * octaves_beyond_cache(chain.size));
-  if (unfilled(chain) || look_.everywhere(chain, others)) {
+  const bool at_once = unfilled(chain) || look_.everywhere(chain, others);
+  if (parts_.tree.level.empty() != at_once) {
+    std::swap(parts_.tree, put_by_.tree);
+    std::swap(parts_.crowding, put_by_.crowding);
+  }
+  if (at_once) {
     parts_.tree.clear();
     parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
     parts_.dense_count = chain.size;

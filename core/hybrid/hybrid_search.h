@@ -92,6 +92,11 @@ class CATENA_API HybridSearch {
   CrowdLook look_;
   Work before_;  ///< met before the last search
   Parts parts_;
+  /// Of no spheres while there is a tree; else the memory of the last, as the next frame may need one.
+  struct {
+    BlockTree tree;
+    Crowding crowding;
+  } put_by_;
   std::vector<std::uint32_t> dense_before_;  ///< [node]: dense spheres of earlier ones
   LargeVector<std::uint32_t> dense_;         ///< all, ascending; empty where all of the chain are
   // [member of the team]
