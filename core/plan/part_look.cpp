@@ -28,8 +28,7 @@ std::optional<Pair> PartLook::look(const ChainView& chain, const SphereRange& qu
   }
   // Strands and further neighbours are those of the chain.
   for (const Pair& p : found_.pairs)
-    if (const std::uint32_t i = first + p.i, j = first + p.j;
-        queries.contains(i) && !chain.neighbours(i, j))
+    if (const std::uint32_t i = first + p.i, j = first + p.j; queries.contains(i) && !chain.neighbours(i, j))
       return Pair{i, j};
   return std::nullopt;
 }

@@ -23,7 +23,8 @@ namespace catena::HWY_NAMESPACE {
 /// blocks would do: then a second search for the rest is not worth its while. `block_ns` is what a search of
 /// their spheres one by one costs a block, for which so many `pairs` overlap. Where nodes meet very many,
 /// fewer blocks are looked at: all together no more nodes, about, than there are.
-inline bool mostly_dense(const ChainView& chain, const BlockTree& tree, const Crowding& crowding, double block_ns, double pairs) {
+inline bool mostly_dense(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                         double block_ns, double pairs) {
   constexpr std::uint32_t most = 32, fewest = 5, apart = 13;  // of which some are all along the chain too
   const double search_ns = block_ns - SpaceCost::build_ns;
   // Each of two blocks that are near pays one half.
