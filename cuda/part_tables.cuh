@@ -65,6 +65,7 @@ class PartTables {
     std::uint32_t* const id = id_.reserve(part.size(), stream);
     launch(number_spheres, part.size(), 256, stream, runs, part.size(), id);
     rule.id = id;
+    rule.ascends_from = part.own().begin, rule.ascends_to = part.own().end;
   }
 
   void upload_strands(const ExclusionView& of_whole, const parts::LocalChain& part, ExclusionView& rule,

@@ -65,7 +65,7 @@ ChainView Chain::view() const noexcept {
           size(),
           strand_count(),
           static_cast<std::uint32_t>(t.extra.size()),
-          {t.exclusion.rule, one_open, window_alone, t.exclusion.window, t.exclusion.factor, nullptr,
+          {t.exclusion.rule, one_open, window_alone, t.exclusion.window, t.exclusion.factor, nullptr, 0, 0,
            t.strand_of.data(), t.strands.first.data(), t.strands.closed.data(), t.arc.data(),
            t.loop_length.data(), t.extra_row.empty() ? nullptr : t.extra_row.data(), t.extra.data()},
           extent_,

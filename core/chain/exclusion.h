@@ -50,17 +50,18 @@ struct CATENA_API ExclusionView {
   std::uint32_t window;
   double factor;
   const std::uint32_t* id;  ///< n entries: number on the one open strand that all are of; nullptr: as here
-  const std::uint32_t* strand_of;     ///< n entries: strand of a sphere
-  const std::uint32_t* strand_first;  ///< strands + 1 offsets
-  const std::uint8_t* strand_closed;  ///< one flag a strand
-  const double* arc;                  ///< n entries, arc rule only: arc length from the strand's first sphere
-  const double* loop_length;          ///< one a strand, arc rule only: length of the closed loop
-  const std::uint32_t* extra_row;     ///< n + 1 offsets into extra, or nullptr when there are no extra pairs
-  const std::uint32_t* extra;         ///< partners of a sphere, both directions
+  std::uint32_t ascends_from, ascends_to;  ///< from the one sphere up to the other numbers ascend
+  const std::uint32_t* strand_of;          ///< n entries: strand of a sphere
+  const std::uint32_t* strand_first;       ///< strands + 1 offsets
+  const std::uint8_t* strand_closed;       ///< one flag a strand
+  const double* arc;               ///< n entries, arc rule only: arc length from the strand's first sphere
+  const double* loop_length;       ///< one a strand, arc rule only: length of the closed loop
+  const std::uint32_t* extra_row;  ///< n + 1 offsets into extra, or nullptr when there are no extra pairs
+  const std::uint32_t* extra;      ///< partners of a sphere, both directions
 
   /// True when i and j (i != j) are neighbours. O(1) but for extra pairs, which cost their number at i.
   CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j, float radius_i, float radius_j) const {
-    if (window_alone) return steps(i, j) <= window;
+    if (window_alone) return within_window(i, j, 0, false);
     std::uint32_t first = 0, size = 0;
     bool closed = false;
     if (!one_open_strand) {
@@ -74,9 +75,7 @@ struct CATENA_API ExclusionView {
     } else if (rule == Exclusion::Rule::arc_window && arc_neighbours(i, j, radius_i, radius_j, false, 0)) {
       return true;
     }
-    if (rule == Exclusion::Rule::index_window) {
-      if (within_index_window(steps(i, j), size, closed, window)) return true;
-    }
+    if (rule == Exclusion::Rule::index_window && within_window(i, j, size, closed)) return true;
     return extra_row != nullptr && listed(i, j);
   }
 
@@ -87,10 +86,15 @@ struct CATENA_API ExclusionView {
     const double loop = closed ? loop_length[strand] : 0;
     return within_arc_window(arc[i], arc[j], closed, loop, factor, ri, rj);
   }
-  CATENA_HD std::uint32_t steps(std::uint32_t i, std::uint32_t j) const {
-    if (id != nullptr) i = id[i], j = id[j];
-    return i < j ? j - i : i - j;
+  CATENA_HD bool within_window(std::uint32_t i, std::uint32_t j, std::uint32_t size, bool closed) const {
+    const std::uint32_t apart = distance(i, j);
+    if (id == nullptr) return within_index_window(apart, size, closed, window);
+    // Numbers that ascend are no nearer to one another than their places are: few need be read.
+    if (apart > window && ascends(i) && ascends(j)) return false;
+    return distance(id[i], id[j]) <= window;
   }
+  CATENA_HD bool ascends(std::uint32_t i) const { return i >= ascends_from && i < ascends_to; }
+  CATENA_HD static std::uint32_t distance(std::uint32_t i, std::uint32_t j) { return i < j ? j - i : i - j; }
   CATENA_HD bool listed(std::uint32_t i, std::uint32_t j) const {
     for (std::uint32_t k = extra_row[i]; k < extra_row[i + 1]; ++k)
       if (extra[k] == j) return true;

@@ -60,6 +60,7 @@ TEST(Parts, NumbersSayNeighboursAsTheWholeDoes) {
     for (std::uint32_t k = 0; k < part.size(); ++k) id.push_back(part.id(k));
     ExclusionView rule = whole.view().exclusion;
     rule.id = id.data();
+    rule.ascends_from = part.own().begin, rule.ascends_to = part.own().end;
     std::uint32_t neighbours = 0;
     for (std::uint32_t i = 0; i < part.size(); ++i)
       for (std::uint32_t j = 0; j < part.size(); ++j)
