@@ -9,6 +9,7 @@
 #include "catena/core/chain/chain.h"
 #include "catena/core/hybrid/hybrid_search.h"
 #include "catena/core/scenes/random.h"
+#include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/registry.h"
 
 // No cliff: a chain that differs a little is not searched at a much greater cost. By counts, so that no clock
@@ -148,6 +149,41 @@ TEST(SteadyWork, OverTheStepOfATangle) {
   };
   EXPECT_LT(greatest_jump(stretched, 0.5, 20, crowded), most);
   EXPECT_TRUE(crowded);
+}
+
+/// Pairs of nodes that a search compares.
+struct NodePairs final : EvidenceSink {
+  std::uint64_t pairs = 0;
+  void discarded(std::uint32_t, std::uint32_t) override {}
+  void tested(std::uint32_t, std::uint32_t) override {}
+  void excluded(std::uint32_t, std::uint32_t) override {}
+  void compared(std::uint32_t, std::uint32_t) override { ++pairs; }
+};
+
+/// Sheets of ways back and forth, off the axes: where ways are as long as nodes of the tree the middles of
+/// these say nothing of how they lie.
+TEST(SteadyWork, OfWaysAsLongAsNodes) {
+  const auto pairs_of = [](std::uint32_t way) {
+    constexpr std::uint32_t spheres_in_all = 5 * n, rows = 28;
+    const double along[3] = {0.36, 0.48, 0.8}, across[3] = {0.8, -0.6, 0}, up[3] = {0.48, 0.64, -0.6};
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < spheres_in_all; ++i) {
+      const std::uint32_t row = i / way, k = i % way, sheet = row / rows, of_sheet = row % rows;
+      const double x = 1.6 * (row % 2 == 0 ? k : way - 1 - k), z = 2.5 * sheet,
+                   y = 2.5 * (sheet % 2 == 0 ? of_sheet : rows - 1 - of_sheet);
+      const auto at = [&](int d) { return static_cast<float>(x * along[d] + y * across[d] + z * up[d]); };
+      spheres.push_back({at(0), at(1), at(2), 1});
+    }
+    const Chain chain(std::move(spheres));
+    const auto tree = StrategyRegistry::instance().make("ChainTree");
+    tree->build(chain);
+    NodePairs seen;
+    Collisions found;
+    tree->find_with_evidence(chain, {}, found, seen);
+    return static_cast<double>(seen.pairs);
+  };
+  EXPECT_LT(pairs_of(128), 1.5 * pairs_of(64));
+  EXPECT_LT(pairs_of(256), 1.5 * pairs_of(192));
 }
 
 /// The measure itself sees a cliff: a search that gives the chain's order up at a few meetings jumps.

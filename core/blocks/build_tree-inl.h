@@ -48,19 +48,32 @@ struct ChildrenOfNodes {
   HWY_INLINE Vectors centre(std::uint32_t b) const { return Vectors::load(field[b][0]); }
 };
 
-/// Axes for sixteen nodes and a guess of their centres, from the centres of their children.
+/// What fills boxes evenly has this covariance about their centres; three times as much is added.
+HWY_INLINE Symmetric plus_spread(Symmetric to, const OrientedBoxes& boxes) {
+  for (int k = 0; k < 3; ++k) to = to.plus_square_of(scaled(boxes.axis[k], boxes.half[k]));
+  return to;
+}
+HWY_INLINE Symmetric plus_spread(const Symmetric& to, const Capsules& capsules) {
+  return to.plus_square_of(capsules.half);
+}
+
+/// Axes for sixteen nodes and a guess of their centres, from where their children lie and how these are
+/// spread: else the axes of a path that goes back and forth would be those of where its parts happen to have
+/// their middles.
 template <class Sixteen>
 HWY_INLINE OrientedBoxes guess(const ChildrenOfNodes<Sixteen>& children) {
   constexpr std::uint32_t group = BlockTree::group;
   const Vectors origin = children.centre(0);
   Vectors sum = origin - origin;
-  Symmetric square{sum.x, sum.x, sum.x, sum.x, sum.x, sum.x};
+  const Symmetric none{sum.x, sum.x, sum.x, sum.x, sum.x, sum.x};
+  Symmetric square = none, spread = plus_spread(none, children.child(0));
   for (std::uint32_t b = 1; b < group; ++b) {
     const Vectors p = children.centre(b) - origin;
     sum = sum + p;
-    square = {mul_add(p.x, p.x, square.xx), mul_add(p.x, p.y, square.xy), mul_add(p.x, p.z, square.xz),
-              mul_add(p.y, p.y, square.yy), mul_add(p.y, p.z, square.yz), mul_add(p.z, p.z, square.zz)};
+    square = square.plus_square_of(p);
+    spread = plus_spread(spread, children.child(b));
   }
+  square = square.plus(spread.scaled(Lanes16::all(1.0f / 3)));
   const Vectors mean = scaled(sum, Lanes16::all(1.0f / group));
   OrientedBoxes result;
   principal_axes({neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),

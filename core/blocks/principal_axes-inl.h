@@ -20,6 +20,13 @@ struct Symmetric {
   HWY_INLINE Symmetric scaled(const Lanes16& s) const {
     return {xx * s, xy * s, xz * s, yy * s, yz * s, zz * s};
   }
+  HWY_INLINE Symmetric plus(const Symmetric& m) const {
+    return {xx + m.xx, xy + m.xy, xz + m.xz, yy + m.yy, yz + m.yz, zz + m.zz};
+  }
+  HWY_INLINE Symmetric plus_square_of(const Vectors& v) const {
+    return {mul_add(v.x, v.x, xx), mul_add(v.x, v.y, xy), mul_add(v.x, v.z, xz),
+            mul_add(v.y, v.y, yy), mul_add(v.y, v.z, yz), mul_add(v.z, v.z, zz)};
+  }
   /// With trace 1, unless it is 0.
   HWY_INLINE Symmetric normalized() const {
     return scaled(Lanes16::all(1) / max(trace(), Lanes16::all(1e-30f)));

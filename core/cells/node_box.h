@@ -184,20 +184,46 @@ class NodeFit {
   struct Interval {
     float low, high;
   };
-  /// Axes and about the centre, from the children's centres.
+  using Symmetric = PrincipalAxes::Symmetric;
+
+  /// The covariance of what fills a child evenly, about its centre. Without it the axes of a path that goes
+  /// back and forth would be those of where its parts happen to have their middles.
+  CATENA_HD static Symmetric spread(const BlockCapsule& c) {
+    Symmetric result{};
+    add(c.half, 1.0f / 3, result);
+    return result;
+  }
+  CATENA_HD static Symmetric spread(const NodeBox& b) {
+    Symmetric result{};
+    for (int k = 0; k < 3; ++k) add(b.axis[k], b.half[k] * b.half[k] * (1.0f / 3), result);
+    return result;
+  }
+  CATENA_HD static void add(const Vector32& v, float weight, Symmetric& to) {
+    const Vector32 w{weight * v.x, weight * v.y, weight * v.z};
+    to.xx += w.x * v.x, to.xy += w.x * v.y, to.xz += w.x * v.z;
+    to.yy += w.y * v.y, to.yz += w.y * v.z, to.zz += w.z * v.z;
+  }
+
+  /// Axes and about the centre, from where the children lie and how they are spread.
   CATENA_HD void guess(NodeBox& box) const {
     const Vector32 origin = at_(0).centre;
     const auto p = team_.each([&](std::uint32_t lane) { return at_(lane).centre - origin; });
-    const auto sum = [&](auto of) { return team_.sum([&](std::uint32_t lane) { return of(p[lane]); }); };
-    const Vector32 all{sum([](const Vector32& v) { return v.x; }), sum([](const Vector32& v) { return v.y; }),
-                       sum([](const Vector32& v) { return v.z; })};
+    const auto own = team_.each([&](std::uint32_t lane) { return spread(at_(lane)); });
+    const auto sum = [&](float Vector32::*a) {
+      return team_.sum([&](std::uint32_t lane) { return p[lane].*a; });
+    };
+    const Vector32 all{sum(&Vector32::x), sum(&Vector32::y), sum(&Vector32::z)};
     constexpr float part = 1.0f / Team::lanes;
     const Vector32 mean{all.x * part, all.y * part, all.z * part};
-    const auto moment = [&](float Vector32::*a, float Vector32::*b) {
-      return sum([&](const Vector32& v) { return v.*a * (v.*b); }) - all.*a * (mean.*b);
+    const auto moment = [&](float Vector32::*a, float Vector32::*b, float Symmetric::*of_own) {
+      const float about_origin =
+          team_.sum([&](std::uint32_t lane) { return p[lane].*a * (p[lane].*b) + own[lane].*of_own; });
+      return about_origin - all.*a * (mean.*b);
     };
     const auto x = &Vector32::x, y = &Vector32::y, z = &Vector32::z;
-    PrincipalAxes::of({moment(x, x), moment(x, y), moment(x, z), moment(y, y), moment(y, z), moment(z, z)},
+    using S = Symmetric;
+    PrincipalAxes::of({moment(x, x, &S::xx), moment(x, y, &S::xy), moment(x, z, &S::xz), moment(y, y, &S::yy),
+                       moment(y, z, &S::yz), moment(z, z, &S::zz)},
                       box.axis);
     box.centre = origin + mean;
   }
