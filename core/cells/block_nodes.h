@@ -15,7 +15,7 @@ namespace catena {
 /// here, by work that is bounded for each node. Plain pointers, valid in one memory space.
 struct BlockNodes {
   static constexpr std::uint32_t children = 8, log2_children = 3, most_levels = 8, most_at_top = 1024;
-  static constexpr std::uint32_t most_crowd_at_top = 64;
+  static constexpr std::uint32_t most_crowd_at_top = 128;
 
   /// Two nodes of a level; the top bit of each says that its parent is tangled.
   struct Meeting {
@@ -53,10 +53,10 @@ struct BlockNodes {
   CATENA_HD std::uint32_t nodes() const { return first[top] + count[top]; }
   CATENA_HD std::uint32_t at(std::uint32_t level, std::uint32_t node) const { return first[level] + node; }
 
-  /// How many others a node of a level >= 1 may meet. Twice as many spheres in a row may have as many more
-  /// beside them; at the top, all nodes of a chain in a ball meet one another.
+  /// How many others a node of a level >= 1 may meet: one for eight spheres of its own, so that no level costs
+  /// more than another. At the top all nodes of a chain in a ball meet one another, which is to be seen soon.
   CATENA_HD std::uint32_t crowd(std::uint32_t level) const {
-    return level == 1 ? 32 : level == top ? most_crowd_at_top : 256;
+    return level == top ? most_crowd_at_top : 32u << (log2_children * (level - 1));
   }
   CATENA_HD bool crowded(std::uint32_t level, std::uint32_t node) const {
     return met[at(level, node)] > crowd(level);
