@@ -125,7 +125,7 @@ struct CrowdedSpheres {
     return block(k) * CapsuleBlocks::block + k % CapsuleBlocks::block;
   }
   __device__ bool takes(std::uint32_t k) const {
-    return sphere(k) < size && (blocks.all_crowded || blocks.crowded(block(k)));
+    return (sphere(k) < size) & (blocks.all_crowded || blocks.crowded(block(k)));
   }
   __device__ std::uint32_t expected() const { return blocks.all_crowded ? size : blocks.crowded_spheres(); }
 };

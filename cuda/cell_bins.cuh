@@ -98,30 +98,28 @@ template <class Members>
 __global__ void __launch_bounds__(CellBins::threads, 2)
     put_in_bins(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                 const __grid_constant__ CellBins bins, const __grid_constant__ Members members) {
-  constexpr std::uint32_t own = CellBins::put_together / CellBins::threads, nowhere = CellBins::most;
+  constexpr std::uint32_t own = CellBins::put_together / CellBins::threads;
   __shared__ std::uint32_t of_bins[CellBins::most];  // how many came, then where the first of them goes
   await_previous();
   if (cells.state->in_bins == 0) return;
   const CellTable& table = cells.table_for(members.expected());
   const std::uint32_t log2 = CellBins::log2_buckets(table), all = CellBins::bins(table);
-  const std::uint64_t asked = members.asked();
+  const std::uint32_t asked = members.asked();
   for (std::uint64_t first = std::uint64_t{blockIdx.x} * CellBins::put_together; first < asked;
        first += std::uint64_t{gridDim.x} * CellBins::put_together) {
     for (std::uint32_t b = threadIdx.x; b < all; b += blockDim.x) of_bins[b] = 0;
-    std::uint32_t index[own], bin[own], rank[own];
+    std::uint32_t bin[own], rank[own];
+    Member member[own];
     Sphere sphere[own];
 #pragma unroll
-    for (std::uint32_t k = 0; k < own; ++k) {
-      const std::uint64_t at = first + k * CellBins::threads + threadIdx.x;
-      const bool in = at < asked && members.takes(static_cast<std::uint32_t>(at));
-      bin[k] = in ? 0 : nowhere;
-      index[k] = in ? members.sphere(static_cast<std::uint32_t>(at)) : 0;
-      if (in) sphere[k] = chain.spheres[index[k]];
-    }
+    for (std::uint32_t k = 0; k < own; ++k)
+      member[k] = Member(members, asked, first + k * CellBins::threads + threadIdx.x);
+#pragma unroll
+    for (std::uint32_t k = 0; k < own; ++k) sphere[k] = chain.spheres[member[k].sphere];
     __syncthreads();
 #pragma unroll
     for (std::uint32_t k = 0; k < own; ++k)
-      if (bin[k] != nowhere) {
+      if (member[k].in) {
         bin[k] = cells.bucket_of(table, sphere[k], 0) >> log2;
         rank[k] = atomicAdd(of_bins + bin[k], 1u);
       }
@@ -131,8 +129,8 @@ __global__ void __launch_bounds__(CellBins::threads, 2)
     __syncthreads();
 #pragma unroll
     for (std::uint32_t k = 0; k < own; ++k)
-      if (bin[k] != nowhere)
-        cells.put({bins.sphere, bins.index}, sphere[k], index[k], of_bins[bin[k]] + rank[k]);
+      if (member[k].in)
+        cells.put({bins.sphere, bins.index}, sphere[k], member[k].sphere, of_bins[bin[k]] + rank[k]);
     __syncthreads();
   }
 }

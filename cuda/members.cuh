@@ -22,29 +22,38 @@ __device__ void for_each_of_mine(std::uint32_t count, const Body& body) {
        k += std::uint64_t{gridDim.x} * blockDim.x)
     body(static_cast<std::uint32_t>(k));
 }
+/// Sphere members.sphere(k), or 0 where there is no such member: then `in` is false. Without a branch, so
+/// that what several of these read is on its way together. At least one is asked for.
+struct Member {
+  template <class Members>
+  __device__ Member(const Members& members, std::uint32_t asked, std::uint64_t k) {
+    const auto at = static_cast<std::uint32_t>(k < asked ? k : asked - 1);
+    in = (k < asked) & members.takes(at);
+    sphere = in ? members.sphere(at) : 0;
+  }
+  Member() = default;
+  bool in;
+  std::uint32_t sphere;
+};
 /// The same for members, some at a time: of each first get(sphere), then use(sphere, what it got), so that
 /// what the first ones read is on its way together.
 template <class Members, class Get, class Use>
 __device__ void for_members_together(const Members& members, const Get& get, const Use& use) {
   constexpr std::uint32_t together = 4;
-  const std::uint64_t asked = members.asked(), step = std::uint64_t{gridDim.x} * blockDim.x;
+  const std::uint32_t asked = members.asked();
+  const std::uint64_t step = std::uint64_t{gridDim.x} * blockDim.x;
   for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; first < asked;
        first += together * step) {
-    std::uint32_t sphere[together];
+    Member member[together];
     decltype(get(0u)) got[together];
-    bool in[together];
 #pragma unroll
-    for (std::uint32_t k = 0; k < together; ++k) {
-      const std::uint64_t at = first + k * step;
-      in[k] = at < asked && members.takes(static_cast<std::uint32_t>(at));
-      sphere[k] = in[k] ? members.sphere(static_cast<std::uint32_t>(at)) : 0;
-    }
+    for (std::uint32_t k = 0; k < together; ++k) member[k] = Member(members, asked, first + k * step);
 #pragma unroll
     for (std::uint32_t k = 0; k < together; ++k)
-      if (in[k]) got[k] = get(sphere[k]);
+      if (member[k].in) got[k] = get(member[k].sphere);
 #pragma unroll
     for (std::uint32_t k = 0; k < together; ++k)
-      if (in[k]) use(sphere[k], got[k]);
+      if (member[k].in) use(member[k].sphere, got[k]);
   }
 }
 template <class Members, class Body>

@@ -92,12 +92,15 @@ class CellSearch {
     for (std::uint32_t r = first_row; r < rows; ++r) {
       Row row = this->row(r, of, cell);
       if constexpr (listens) tell_looks(r, of, cell, row);
-      Buckets::Run& of_row = run[r - first_row] = {0, 0};
-      if (row.cells > 0) of_row = take(r, of, row);
-      longer |= static_cast<std::uint32_t>(row.cells > 0 || of_row.end - of_row.first > batch) << r;
+      run[r - first_row] = {0, 0};
+      if (row.cells > 0) run[r - first_row] = take(r, of, row);
+      longer |= static_cast<std::uint32_t>(row.cells > 0) << r;
     }
     PlaceSet found[rows - first_row];
-    for (std::uint32_t k = 0; k < rows - first_row; ++k) found[k] = near(of, run[k]);
+    for (std::uint32_t k = 0; k < rows - first_row; ++k) {
+      longer |= static_cast<std::uint32_t>(run[k].end - run[k].first > batch) << (k + first_row);
+      found[k] = near(of, run[k]);
+    }
     sink_.near(*this, of.level, found);
     if (sink_.any(longer != 0)) look_further(longer, of);
   }
