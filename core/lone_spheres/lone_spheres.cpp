@@ -121,13 +121,32 @@ bool tangled(const ChainView& chain) {
   return 2.0 * met * stretches > others * samples * samples;
 }
 
+/// Most of some runs of eight spheres are nearly straight: blocks tell what is near them.
+bool smooth(const ChainView& chain) {
+  constexpr std::uint32_t runs = 8, run = 8;
+  constexpr double nearly = 0.9;
+  const auto distance = [&](std::uint32_t i, std::uint32_t j) {
+    const Sphere &a = chain.spheres[i], &b = chain.spheres[j];
+    const double x = double{a.x} - b.x, y = double{a.y} - b.y, z = double{a.z} - b.z;
+    return std::sqrt(x * x + y * y + z * z);
+  };
+  std::uint32_t straight = 0;
+  for (std::uint32_t k = 0; k < runs; ++k) {
+    const std::uint32_t first = scattered(k, chain.size - run);
+    double along = 0;
+    for (std::uint32_t i = first + 1; i < first + run; ++i) along += distance(i - 1, i);
+    straight += distance(first, first + run - 1) > nearly * along;
+  }
+  return 4 * straight >= 3 * runs;
+}
+
 }  // namespace
 
 bool LoneSpheres::pay(const ChainView& chain, const LoneCells& cells) {
   constexpr std::uint32_t few = 2048, first = 8, more = 32, beside = 4;
   constexpr double most = 0.65;  // where more are left that costs more than it saves
-  if (chain.size <= few || meet_beside(chain, cells, first, 1) > most * first || !tangled(chain))
-    return false;
+  if (chain.size <= few || meet_beside(chain, cells, first, 1) > most * first) return false;
+  if (!tangled(chain) || smooth(chain)) return false;
   const double alone_beside = 1 - double(meet_beside(chain, cells, more, beside)) / more;
   if (1 - alone_beside > most) return false;
   // So many have about as many pairs that are near as a sphere has others; few enough, and more are looked
@@ -135,6 +154,9 @@ bool LoneSpheres::pay(const ChainView& chain, const LoneCells& cells) {
   constexpr double a_few = 1.5, some = 4;
   constexpr std::uint64_t most_pairs = 6;
   if (pairs_near(chain, 1 / cells.cells_per_unit, a_few) > most_pairs) return false;
+  // Where blocks meet fewer they tell what is near, as those of a smooth tube of spheres with gaps do.
+  constexpr double others = 1.5;
+  if (!look_.everywhere_in(chain, others)) return false;
   return 1 - alone_beside * std::exp(-met_by_each(chain, cells, some)) <= most;
 }
 

@@ -7,6 +7,7 @@
 #include "catena/core/export.h"
 #include "catena/core/lone_spheres/lone_cells.h"
 #include "catena/core/lone_spheres/lone_map.h"
+#include "catena/core/space_tree/crowd_look.h"
 
 namespace catena {
 
@@ -29,6 +30,7 @@ class CATENA_API LoneSpheres {
   double met_by_each(const ChainView& chain, const LoneCells& cells, double times);
 
   LoneMap map_;
+  CrowdLook look_;
   std::vector<Sphere> sample_;
   std::vector<float> fields_;  ///< of the sample
   LargeVector<std::uint32_t> met_;

@@ -113,6 +113,16 @@ TEST(LoneSpheres, AreNotLookedForElsewhere) {
     line.push_back({static_cast<float>(i), 0, 0, 0.5f});
     steps.push_back({5.0f * static_cast<float>(i), dice.unit(), dice.unit(), 0.5f});
   }
+  // A smooth curve of spheres with gaps, whose parts lie among one another: blocks tell them apart.
+  std::vector<Sphere> curve;
+  const double n = 20'000, room = 0.6 * std::sqrt(n), turns = std::floor(std::sqrt(n) / 6);
+  for (int i = 0; i < 20'000; ++i) {
+    const double at = 2 * M_PI * i / n;
+    curve.push_back({static_cast<float>(room * std::cos(turns * at)),
+                     static_cast<float>(room * std::sin((turns + 1) * at)),
+                     static_cast<float>(room * std::sin((turns + 7) * at + 0.3)), 0.075f});
+  }
+  EXPECT_FALSE(pay(curve));
   EXPECT_FALSE(pay(line));
   EXPECT_FALSE(pay(steps));
 }
