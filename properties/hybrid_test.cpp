@@ -13,6 +13,7 @@
 #include "catena/properties/generators/shapes.h"
 #include "catena/properties/sorted_pairs.h"
 #include "catena/reference/reference.h"
+#include "catena/reference/verify.h"
 
 // Every border between the three searches of Hybrid, wherever it is drawn: short chains meet them all where
 // little is called crowded, and little or much dense.
@@ -274,6 +275,31 @@ TEST(Hybrid, AllocatesNothingWhereFramesAreCrowdedByTurns) {
     EXPECT_EQ(found.pairs, right.pairs);
     EXPECT_EQ(right.pair_count > 0, frame == &crowded);
   }
+}
+
+/// What nothing touches is in no tree; its evidence is that of all spheres, and says who was not compared.
+TEST(Hybrid, LeavesOutSpheresThatAreAlone) {
+  for (const std::string threads : {"1", "3"})
+    for (const float radius : {0.5f, 0.05f, 0.0f}) {
+      Dice dice(4);
+      std::vector<Sphere> dust;
+      for (std::uint32_t i = 0; i < 4000; ++i) {
+        const auto at = [&] { return 50 * dice.symmetric(); };
+        dust.push_back({at(), at(), at(), radius});
+      }
+      for (std::uint32_t i = 0; i + 50 < dust.size(); i += 100)
+        dust[i + 50] = dust[i], dust[i + 50].y += radius;
+      const Chain chain(std::move(dust));
+      const auto hybrid = StrategyRegistry::instance().make("Hybrid(threads=" + threads + ")");
+      std::uint64_t proved = 0;
+      const auto v = reference::verify_by_certificate(*hybrid, chain, std::uint64_t{1} << 24, proved);
+      EXPECT_EQ(v.verdict, reference::Verdict::exact) << v.reason;
+      EXPECT_GE(proved, 40u);
+      bool left_out = false;
+      for (const Decision& step : hybrid->plan())
+        left_out |= step.step == "search of spheres that are alone" && step.left_out;
+      EXPECT_TRUE(left_out) << radius;
+    }
 }
 
 }  // namespace

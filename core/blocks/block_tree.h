@@ -61,12 +61,6 @@ struct BlockTree {
     return (level[l].with_the_next[k / group] >> k % group & 1) != 0;
   }
 
-  /// A tree of no spheres.
-  void clear() {
-    blocks = 0;
-    first.clear(), filled.clear(), level.clear();
-  }
-
   /// Every pair is searched as if no node were in a row.
   void forget_rows() {
     for (Level& l : level) {

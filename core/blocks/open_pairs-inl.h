@@ -26,9 +26,10 @@ class OpenPairs {
 
   explicit OpenPairs(const ChainView& chain) : chain_(chain) {}
 
-  /// Sphere i and the lanes of j that are open; `at_once` vectors at most between two calls of full.
-  template <class Bits>
-  HWY_INLINE void add(Bits bits, std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> open) {
+  /// Sphere i, or each lane of i, and the lanes of j that are open; `at_once` vectors at most between two
+  /// calls of full.
+  template <class Bits, class I>
+  HWY_INLINE void add(Bits bits, I i, hn::Vec<Bits> j, hn::Mask<Bits> open) {
     size_ += store_pairs(bits, i, j, open, pairs_.data() + size_);
   }
   static constexpr std::size_t at_once = 8;  ///< of most_lanes

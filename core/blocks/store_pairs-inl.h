@@ -29,6 +29,14 @@ HWY_INLINE std::uint32_t store_pairs(Bits bits, std::uint32_t i, hn::Vec<Bits> j
   hn::StoreInterleaved2(hn::Min(all_i, kept), hn::Max(all_i, kept), bits, &to->i);
   return lanes.size();
 }
+/// Of each lane of i and its counterpart.
+template <class Bits>
+HWY_INLINE std::uint32_t store_pairs(Bits bits, hn::Vec<Bits> i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
+                                     Pair* to) {
+  const Kept<Bits> lanes(keep);
+  hn::StoreInterleaved2(lanes.compress(hn::Min(i, j)), lanes.compress(hn::Max(i, j)), bits, &to->i);
+  return lanes.size();
+}
 
 }  // namespace catena::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

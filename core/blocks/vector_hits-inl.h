@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <span>
 
 #include "catena/core/blocks/open_pairs-inl.h"
@@ -79,17 +78,14 @@ class VectorHits {
   template <bool equal_radii = false>
   HWY_INLINE void test(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others) {
     const Verdict verdict = compare<equal_radii>(sphere, others);
-    store(i, others, hn::RebindMask(Bits(), verdict.may), verdict);
+    store(i, hn::Set(Bits(), i - window_), hn::LoadU(Bits(), others.index),
+          hn::RebindMask(Bits(), verdict.may), verdict);
   }
-  /// Against those whose bits are set.
-  HWY_INLINE void test(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others,
-                       std::uint32_t lanes) {
-    const auto some = static_cast<std::uint16_t>(lanes);
-    std::uint8_t bytes[8] = {};
-    std::memcpy(bytes, &some, sizeof some);
-    const Verdict verdict = compare<false>(sphere, others);
-    store(i, others, hn::And(hn::RebindMask(Bits(), verdict.may), hn::LoadMaskBits(Bits(), bytes)), verdict);
+  /// Spheres that are told to be met by their counterparts, lane by lane, none by itself.
+  HWY_INLINE void add(hn::Vec<Bits> i, hn::Vec<Bits> j, const Verdict& verdict) {
+    store(i, hn::Sub(i, hn::Set(Bits(), window_)), j, hn::RebindMask(Bits(), verdict.may), verdict);
   }
+  float slack() const { return slack_; }
 
   /// Hands over what is left.
   void finish() {
@@ -108,11 +104,12 @@ class VectorHits {
                        hn::Sub(others.field(2), hn::Set(tag, s.z)), reach, slack_);
   }
 
-  HWY_INLINE void store(std::uint32_t i, const VectorOfSpheres& others, hn::Mask<Bits> keep,
+  /// Sphere i, or each lane of i; `first` is the first of its window.
+  template <class I>
+  HWY_INLINE void store(I i, hn::Vec<Bits> first, hn::Vec<Bits> j, hn::Mask<Bits> keep,
                         const Verdict& verdict) {
     // |j - i| > window is one comparison of what wraps, and never true of i itself.
-    const auto j = hn::LoadU(Bits(), others.index);
-    keep = hn::And(keep, hn::Gt(hn::Sub(j, hn::Set(Bits(), i - window_)), hn::Set(Bits(), 2 * window_)));
+    keep = hn::And(keep, hn::Gt(hn::Sub(j, first), hn::Set(Bits(), 2 * window_)));
     const auto undecided = hn::AndNot(hn::RebindMask(Bits(), verdict.certain), keep);
     if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) {
       open_.add(Bits(), i, j, undecided);

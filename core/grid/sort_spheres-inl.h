@@ -105,7 +105,7 @@ class SphereSort {
     std::partial_sum(grid_.part_place.begin(), grid_.part_place.end(), grid_.part_place.begin());
     each([&](std::uint32_t part) {
       std::uint32_t place = grid_.part_place[part];
-      for (std::uint32_t b = first_of(part); b < first_of(part + 1); ++b) {
+      for (std::uint32_t b = first_of(part), end = first_of(part + 1); b < end; ++b) {
         const std::uint32_t spheres = start[b];
         start[b] = place;
         place += spheres;

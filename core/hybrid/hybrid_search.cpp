@@ -9,6 +9,7 @@
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/grid/grid_evidence.h"
 #include "catena/core/hybrid/crowd_evidence.h"
+#include "catena/core/lone_spheres/lone_evidence.h"
 #include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_evidence.h"
 
@@ -27,20 +28,20 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;
+  const bool sparse = leave_out_lone_spheres(chain, team);
   SingleSpheres single{};
   // A block that meets more is dense, in the chain's order and in that of space.
   const double others =
       settings_.dense * SingleSphereCost::shallow(chain.size) * (9 + 0.75 * octaves_beyond_cache(chain.size));
-  const bool at_once = unfilled(chain) || look_.everywhere(chain, others);
+  const bool at_once = sparse || unfilled(chain) || look_.everywhere(chain, others);
   if (parts_.tree.level.empty() != at_once) {
     std::swap(parts_.tree, put_by_.tree);
     std::swap(parts_.crowding, put_by_.crowding);
   }
   if (at_once) {
-    parts_.tree.clear();
     parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
-    parts_.dense_count = chain.size;
-    if (chain.size > 0) single = single_spheres(chain);
+    parts_.dense_count = chain.size - parts_.lone_count;
+    if (!sparse && chain.size > 0) single = single_spheres(chain);
   } else {
     build_block_tree(chain, parts_.tree, team);
     if (!settings_.rows) parts_.tree.forget_rows();
@@ -57,6 +58,16 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     parts_.in_cells = one_level();
   }
   if (!parts_.in_cells) build_sphere_tree(chain, parts_.spheres, dense_, team);
+}
+
+/// Where most are alone: all others are dense then.
+bool HybridSearch::leave_out_lone_spheres(const ChainView& chain, const Team& team) {
+  parts_.lone_count = 0;
+  const std::optional<LoneCells> cells = LoneCells::of(chain.extent, chain.size);
+  if (!cells || !lone_.pay(chain, *cells)) return false;
+  lone_.leave_out(chain, *cells, dense_, team);
+  parts_.lone_count = chain.size - static_cast<std::uint32_t>(dense_.size());
+  return true;
 }
 
 /// Strands are so short that their blocks would be half empty, or more.
@@ -93,9 +104,15 @@ struct HybridSearch::Evidence {
   std::optional<SpaceNodes> space;
   std::optional<GridTrees> cells;
   std::optional<SphereNodes> spheres;
+  SphereTree all;  ///< with those that are alone, if there are any, for these to be apart from nodes of it
 
   Evidence(const ChainView& view, const HybridSearch& of) : chain(view, of.parts_.tree, of.parts_.crowding) {
     std::uint32_t next = chain.end_id();
+    if (of.parts_.lone_count > 0) {
+      build_sphere_tree(view, all, {}, Team());
+      spheres.emplace(all, next);
+      return;
+    }
     if (of.parts_.space.entries > 0)
       next = space.emplace(view, of.parts_.tree, of.parts_.space, next).end_id();
     if (of.parts_.dense_count == 0) return;
@@ -110,6 +127,7 @@ void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::L
                                         EvidenceSink& sink) {
   before_ = met();
   const Evidence nodes(chain, *this);
+  if (parts_.lone_count > 0) return search_beside_lone_spheres(chain, nodes, lane, sink);
   std::optional<SpaceEvidence> space;
   if (nodes.space) {
     space.emplace(chain, *nodes.space, sink);
@@ -124,6 +142,24 @@ void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::L
   if (!nodes.cells) return;
   GridEvidence cells(chain, *nodes.cells, sink);
   search_grid(chain, parts_.grid, grid_queues_[0], lane, cells);
+}
+
+/// The pairs of spheres that are not alone, and then where all pairs are.
+void HybridSearch::search_beside_lone_spheres(const ChainView& chain, const Evidence& nodes,
+                                              PairCollector::Lane& lane, EvidenceSink& sink) {
+  std::span<const std::uint32_t> others;
+  if (parts_.dense_count > 0) {
+    others = {parts_.spheres.index.data(), parts_.spheres.spheres};
+    const SphereNodes unnamed(parts_.spheres, chain.size);
+    NoOnesSink nothing;
+    search_sphere_tree(chain, parts_.spheres, sphere_queues_[0], lane,
+                       SphereEvidence(chain, unnamed, nothing));
+  }
+  LoneSink apart(chain.size, others, sink);
+  Collisions found;
+  PairCollector unheard(chain.size, {}, found, 1);
+  SphereQueues queues;
+  search_sphere_tree(chain, nodes.all, queues, unheard.lane(0), SphereEvidence(chain, *nodes.spheres, apart));
 }
 
 void HybridSearch::show_evidence(const ChainView& chain, BoundsVisitor& visitor) const {
@@ -206,6 +242,7 @@ HybridSearch::Work HybridSearch::work() const {
   work.entries -= before_.entries, work.tests -= before_.tests, work.open -= before_.open;
   work.sixteens -= before_.sixteens;
   work.dense = parts_.dense_count;
+  work.alone = parts_.lone_count;
   work.crowded = std::max(
       work.dense, std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block);
   return work;

@@ -151,16 +151,20 @@ namespace catena {
 HWY_EXPORT(crowded_everywhere_here);
 
 bool CrowdLook::everywhere(const ChainView& chain, double others) {
-  constexpr std::uint32_t few = 2048;
   constexpr double empty = 1e-3;
+  // Of a box that is empty but for so much a chain cannot fill every part.
+  const double width = 2.0 * chain.extent.greatest_radius, side = chain.extent.sides / 3 + width;
+  if (chain.size * width * width * width < empty * side * side * side) return false;
+  return everywhere_in(chain, others);
+}
+
+bool CrowdLook::everywhere_in(const ChainView& chain, double others) {
+  constexpr std::uint32_t few = 2048;
   if (chain.size <= few) return false;
   // Radii that unlike have subnormal squares, at 150 cycles each.
   constexpr float unlike = 0x1p60f;
   if (chain.extent.least_radius > 0 && chain.extent.greatest_radius / unlike > chain.extent.least_radius)
     return false;
-  // Of a box that is empty but for so much a chain cannot fill every part.
-  const double width = 2.0 * chain.extent.greatest_radius, side = chain.extent.sides / 3 + width;
-  if (chain.size * width * width * width < empty * side * side * side) return false;
   return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, capsules_);
 }
 

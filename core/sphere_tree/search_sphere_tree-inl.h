@@ -18,6 +18,7 @@
 #include "catena/core/sphere_tree/sphere_evidence.h"
 #include "catena/core/sphere_tree/sphere_queues.h"
 #include "catena/core/sphere_tree/sphere_tree.h"
+#include "catena/core/sphere_tree/turned_spheres-inl.h"
 #include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -115,7 +116,8 @@ class SphereSearch {
   void against_gathered(std::uint32_t a, const AxisBoxes& box) {
     for (std::uint32_t first = 0; first < groups_; first += group) {
       const std::uint32_t there = lane_bits(static_cast<std::uint32_t>(groups_) - first);
-      const std::uint32_t met = there & meet(box, AxisBoxes::load(q_.boxes.data() + first * box_fields)).bits();
+      const std::uint32_t met =
+          there & meet(box, AxisBoxes::load(q_.boxes.data() + first * box_fields)).bits();
       if constexpr (Sink::listens)
         for_each_lane(there & ~met,
                       [&](std::uint32_t k) { sink_.nodes_apart(0, a, 1, q_.groups[first + k]); });
@@ -146,10 +148,17 @@ class SphereSearch {
     if (nodes_ > SphereQueues::node_limit) meet_nodes(a, box);
   }
 
+  /// All pairs of node a: its spheres against themselves turned by one lane, by two, and so on to eight.
   void within(std::uint32_t a) {
-    const std::uint32_t count = std::min(group, tree_.spheres - a * group);
-    for (std::uint32_t p = 0; p + 1 < count; ++p) test<true>(a * group + p, a, 0xFFFFu & ~lane_bits(p + 1));
-    q_.tests_done += count - 1;
+    if constexpr (Sink::listens)
+      for_each_lane(there(a), [&](std::uint32_t p) {
+        for_each_lane(there(a) & ~lane_bits(p + 1), [&](std::uint32_t k) {
+          sink_.compared(tree_.index[a * group + p], tree_.index[a * group + k]);
+        });
+      });
+    const TurnedSpheres spheres(tree_.fields_of(a), tree_.index.data() + a * group);
+    spheres.meet(hits_);
+    q_.tests_done += group / 2;
   }
 
   /// Node a with those that are queued. Those of the one that the other's box meets are tested against all of
@@ -187,27 +196,20 @@ class SphereSearch {
   }
 
   HWY_NOINLINE void work_off() {
-    for (std::size_t k = 0; k < tests_; ++k) test<false>(q_.tests[k].place, q_.tests[k].node, 0xFFFF);
+    for (std::size_t k = 0; k < tests_; ++k) test(q_.tests[k].place, q_.tests[k].node);
     q_.tests_done += tests_;
     tests_ = 0;
   }
 
-  /// The sphere at a place against those of a node, all or `some` whose bits are set.
-  template <bool some>
-  HWY_INLINE void test(std::uint32_t place, std::uint32_t node, std::uint32_t lanes) {
+  /// The sphere at a place against those of a node.
+  HWY_INLINE void test(std::uint32_t place, std::uint32_t node) {
     const float* const own = tree_.fields_of(place / group) + place % group;
     const Sphere sphere{own[0], own[group], own[2 * group], own[3 * group]};
     const std::uint32_t i = tree_.index[place];
     if constexpr (Sink::listens)
-      for_each_lane(lanes & there(node),
-                    [&](std::uint32_t k) { sink_.compared(i, tree_.index[node * group + k]); });
-    for (std::uint32_t k = 0; k < group; k += sphere_lanes) {
-      const VectorOfSpheres others{tree_.fields_of(node) + k, group, tree_.index.data() + node * group + k};
-      if constexpr (some)
-        hits_.test(i, sphere, others, lanes >> k);
-      else
-        hits_.test(i, sphere, others);
-    }
+      for_each_lane(there(node), [&](std::uint32_t k) { sink_.compared(i, tree_.index[node * group + k]); });
+    for (std::uint32_t k = 0; k < group; k += sphere_lanes)
+      hits_.test(i, sphere, {tree_.fields_of(node) + k, group, tree_.index.data() + node * group + k});
   }
 
   const SphereTree& tree_;

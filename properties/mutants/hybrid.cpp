@@ -77,5 +77,60 @@ class OneRadius final : public FaultyHybrid {
 const RegisterMutant<OneRadius> one_radius{"radii-taken-for-equal",
                                            "one radius read for all where they differ a little"};
 
+/// Leaves spheres out that are alone in wrong cells; all others are searched one by one.
+class FaultyLoneSpheres : public FaultyHybrid {
+ public:
+  FaultyLoneSpheres() : FaultyHybrid({0, 0}) {}
+
+ private:
+  void tamper(const ChainView& chain, Parts& parts) override {
+    const auto cells = LoneCells::of(chain.extent, chain.size);
+    if (!cells) return;
+    LargeVector<std::uint32_t> others;
+    leave_out(chain, *cells, others);
+    parts.dense_count = static_cast<std::uint32_t>(others.size());
+    parts.lone_count = chain.size - parts.dense_count;
+    parts.in_cells = false;
+    parts.space.entries = 0;
+    if (!others.empty()) build_sphere_tree(chain, parts.spheres, others, Team());
+  }
+  virtual void leave_out(const ChainView& chain, const LoneCells& cells,
+                         LargeVector<std::uint32_t>& others) = 0;
+};
+
+class OwnCellAlone final : public FaultyLoneSpheres {
+  void leave_out(const ChainView& chain, const LoneCells& cells,
+                 LargeVector<std::uint32_t>& others) override {
+    LoneCells narrow = cells;
+    narrow.reach = LoneCells::rounding_slack;
+    LoneSpheres().leave_out(chain, narrow, others, Team());
+  }
+};
+const RegisterMutant<OwnCellAlone> own_cell{"lone-spheres-by-their-own-cells",
+                                            "cells that a sphere reaches, told without the radii"};
+
+/// The radii of others are forgotten: half of the least sum of two.
+class ReachOfOne final : public FaultyLoneSpheres {
+  void leave_out(const ChainView& chain, const LoneCells& cells,
+                 LargeVector<std::uint32_t>& others) override {
+    LoneCells narrow = cells;
+    narrow.reach = cells.reach / 2;
+    LoneSpheres().leave_out(chain, narrow, others, Team());
+  }
+};
+const RegisterMutant<ReachOfOne> reach_of_one{"lone-spheres-by-one-radius",
+                                              "one radius, where two must reach"};
+
+/// What is left out is the first that is not alone, too.
+class OneTooMany final : public FaultyLoneSpheres {
+  void leave_out(const ChainView& chain, const LoneCells& cells,
+                 LargeVector<std::uint32_t>& others) override {
+    LoneSpheres().leave_out(chain, cells, others, Team());
+    if (!others.empty()) others.erase(others.begin());
+  }
+};
+const RegisterMutant<OneTooMany> one_too_many{"lone-spheres-and-one-more",
+                                              "a list of the others that begins late"};
+
 }  // namespace
 }  // namespace catena::properties
