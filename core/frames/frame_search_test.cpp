@@ -7,7 +7,9 @@
 #include <random>
 #include <stdexcept>
 
+#include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -156,6 +158,34 @@ TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
   EXPECT_FALSE(frames.plan()[0].left_out);
 }
 
+/// Each way that may not be gone is not, told or seen, and the others are.
+TEST(FrameSearch, GoesNoWayThatMayNotBeGone) {
+  const std::pair<Omission, Way> ways[] = {{Omission::unmoved, Way::unmoved},
+                                           {Omission::still_parts, Way::parts},
+                                           {Omission::shifted, Way::shifted},
+                                           {Omission::far_pairs, Way::kept_list}};
+  for (const auto& [kept, closed] : ways) {
+    Frames frames(yarn(), {info_of(kept).name});
+    const auto expect = [&](Way open, const std::vector<Sphere>& spheres, const Moved& moved = {}) {
+      const Way way = frames.next(spheres, moved);
+      EXPECT_EQ(way == open, open != closed) << info_of(kept).name;
+    };
+    expect(Way::unmoved, frames.spheres());
+    const SphereRange told{700, 760};
+    for (const Moved& moved : {Moved(), Moved(std::span(&told, 1))}) {
+      auto spheres = frames.spheres();
+      for (std::size_t i = told.begin; i < told.end; ++i) spheres[i].x += 0.5f;
+      expect(Way::parts, spheres, moved);
+    }
+    for (const Moved& moved : {Moved(), Moved::along(40)}) {
+      auto spheres = frames.spheres();
+      std::ranges::rotate(spheres, spheres.begin() + 40);
+      expect(Way::shifted, spheres, moved);
+    }
+    expect(Way::kept_list, shaken(frames.spheres(), 0.01f));
+  }
+}
+
 TEST(FrameSearch, ASearchThatFailsLeavesNothingHalfKnown) {
   FrameSearch search({}, true);
   const auto base = StrategyRegistry::instance().make("Hybrid");
@@ -178,6 +208,60 @@ TEST(FrameSearch, ASearchThatFailsLeavesNothingHalfKnown) {
   full(next, {}, exact);
   EXPECT_EQ(found.count, exact.count);
   EXPECT_GT(exact.pair_count, 0u);
+}
+
+/// Whether anything collides, or more pairs than are kept here, is asked of the search as it was asked.
+TEST(FrameSearch, AsksForNoPairsWhereTheyAreOfNoUseOrTooMany) {
+  const Chain chain = yarn();
+  const auto base = StrategyRegistry::instance().make("Hybrid");
+  bool flood = false;
+  std::vector<Request::Want> asked;
+  const FullSearch full = [&](const Chain& c, const Request& r, Collisions& f) {
+    asked.push_back(r.want);
+    if (flood && r.want == Request::Want::pairs) throw PairLimitExceeded(r.pair_limit + 1, r.pair_limit);
+    base->build(c);
+    base->find(c, r, f);
+  };
+  FrameSearch search({}, true);
+  search.begin(true);
+  Collisions found, exact;
+  search.find(chain, {.want = Request::Want::any}, found, full, full, 0);
+  EXPECT_TRUE(found.found);
+  EXPECT_EQ(asked, std::vector{Request::Want::any});
+  full(chain, {.want = Request::Want::counts}, exact);
+  flood = true;
+  for (const bool kept : {false, true}) {
+    asked.clear();
+    EXPECT_EQ(search.update(chain, {}), Way::full);
+    const Request counts{.want = Request::Want::counts};
+    if (kept)
+      found = search.find_kept(chain, counts, full, full, 0);
+    else
+      search.find(chain, counts, found, full, full, 0);
+    EXPECT_EQ(found.count, exact.count);
+    EXPECT_EQ(found.pair_count, exact.pair_count);
+    EXPECT_EQ(asked, (std::vector{Request::Want::pairs, Request::Want::counts}));
+  }
+}
+
+/// What a plan says of a frame is of that frame, whatever way the one before went.
+TEST(FrameSearch, SaysOfAFrameWhatWasDoneForIt) {
+  Frames frames(yarn());
+  auto spheres = frames.spheres();
+  for (std::size_t i = 700; i < 760; ++i) spheres[i] = spheres[i + 1000];
+  EXPECT_EQ(frames.next(spheres), Way::parts);
+  EXPECT_EQ(frames.plan()[0].reason, "80 of 3000 spheres moved") << "in steps of sixteen";
+  EXPECT_EQ(frames.plan()[0].removed, "all but 10 runs of 8");
+  spheres = frames.spheres();
+  std::ranges::rotate(spheres, spheres.begin() + 40);
+  EXPECT_EQ(frames.next(spheres), Way::shifted);
+  EXPECT_EQ(frames.plan()[0].reason, "sphere i is what i +40 was, of 3000");
+  EXPECT_EQ(frames.next(frames.spheres()), Way::unmoved);
+  EXPECT_EQ(frames.plan()[0].reason, "none of 3000 spheres differs");
+  EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::kept_list);
+  const std::string open = frames.plan()[0].removed;
+  EXPECT_NE(open.find(" pairs whose state may change"), std::string::npos) << open;
+  EXPECT_GT(std::stoul(open.substr(open.find_first_of("0123456789"))), 100u) << open;
 }
 
 /// What a caller may do with one: answers that are another frame's, or of some spheres alone, are none of the
@@ -227,6 +311,21 @@ TEST(FrameSearch, OfAnotherRuleTakesNothingFromTheLastFrame) {
     frames.expect_exact(chains[k], {}, std::to_string(k));
     EXPECT_EQ(frames.update(chains[k]), Way::unmoved) << k;
     frames.expect_exact(chains[k], {}, std::to_string(k) + " again");
+  }
+}
+
+/// Under one rule for any number of them.
+TEST(FrameSearch, OfOtherSpheresTakesNothingFromTheLastFrame) {
+  const Chain whole = yarn();
+  const auto first = [&](std::size_t n) {
+    const auto spheres = whole.spheres().first(n);
+    return Chain({spheres.begin(), spheres.end()});
+  };
+  AnyFrames frames;
+  frames.expect_exact(first(2000), {}, "first");
+  for (const std::size_t n : {1999, 2600, 40, 3000, 2999}) {
+    EXPECT_EQ(frames.update(first(n)), Way::full) << n;
+    if (n > 1000) frames.expect_exact(first(n), {}, std::to_string(n));
   }
 }
 
