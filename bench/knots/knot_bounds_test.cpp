@@ -171,6 +171,17 @@ TEST(KnotBounds, HoldForEveryNumberWithinItsErrorAndWidenByTheBlur) {
     }
 }
 
+/// At the sharpest corner the edge before it is the shorter one, or the one after it, as one goes around.
+TEST(PolygonShape, BendsByTheShorterEdgeOnWhicheverSideItIs) {
+  std::vector<Sphere> spheres{{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 4, 0, 0}, {-6, 0.5f, 0, 0}};
+  const double sharpest = pi - std::atan(4);  // at the second
+  for (const bool backwards : {false, true}) {
+    const PolygonShape shape = shape_of(Chain(spheres, Strands::one_closed(4)));
+    EXPECT_NEAR(shape.tightest_bend, 1 / (2 * std::tan(sharpest / 2)), 1e-12) << backwards;
+    std::ranges::reverse(spheres);
+  }
+}
+
 /// A square's corner is the arc of its shorter edge; what its vertices may be wrong by is told both ways.
 TEST(PolygonShape, BendsByTheShorterEdgeAndAsFarAsItsBlurAllows) {
   const Chain rectangle({{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 3, 0, 0}, {0, 3, 0, 0}}, Strands::one_closed(4));
