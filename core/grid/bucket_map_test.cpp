@@ -105,7 +105,7 @@ TEST(BucketMap, BringsEveryMultipleOfTheBucketsIntoRange) {
     ++tried;
     std::vector<Sphere> spheres;
     for (std::uint32_t k = 1; k <= multiples; ++k) {
-      const double edge = double{k} * map.buckets / map.cells_per_unit;
+      const double edge = static_cast<double>(k) * map.buckets / map.cells_per_unit;
       for (const double at : {0.5, -0.25})  // the cell of that number, and the one before
         spheres.push_back({static_cast<float>(edge + at), 0, 0, 1});
     }
