@@ -54,7 +54,8 @@ TEST(VtkLegacyArrays, OfOffsetsAscend) {
   };
   EXPECT_EQ(complaint("a.vtk", offsets("1 2")), "");
   EXPECT_EQ(complaint("a.vtk", offsets("2 2")), "");
-  EXPECT_COMPLAINT("9: offset 2 is 1; offsets ascend from 0 to 3", "a.vtk", offsets("2 1"));
+  const std::string said = complaint("a.vtk", offsets("2 1"));
+  EXPECT_TRUE(said.starts_with("a.vtk:9: offset 2 is 1; offsets ascend from 0 to 3")) << said;
 }
 
 }  // namespace
