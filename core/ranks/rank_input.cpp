@@ -47,7 +47,7 @@ std::pair<std::uint32_t, std::uint32_t> RankInput::frames(const FrameOption& opt
     std::uint32_t first, last;
   } frames{0, 0};
   if (ranks_.rank() == 0)
-    std::tie(frames.first, frames.last) = input_ ? option.of(*input_) : option.of("a .catena file", 1);
+    std::tie(frames.first, frames.last) = input_ ? option.of(*input_) : option.of(spec_, 1);
   const Frames told = all_gather_value(ranks_, frames).front();
   return {told.first, told.last};
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <mutex>
 
+#include "catena/core/commands/command_line.h"
 #include "catena/core/error.h"
 #include "catena/core/ranks/thread_ranks.h"
 #include "catena/core/readers/file_bytes.h"
@@ -120,6 +121,45 @@ TEST(RankInput, HeedsEveryOptionAsOneProcessDoes) {
       refused += !one.refusal.empty() && spec == file.path().string();
     }
   EXPECT_GE(refused, 7) << "some options mean nothing for such a file";
+}
+
+/// What is said of --frame, and of which input, is what one process says.
+TEST(RankInput, KnowsTheFramesThatOneProcessKnows) {
+  const TestFile file("a.catena", "");
+  const Labels none;
+  const Chain hair = open_input("hair:n=50,strands=5").animation->frame(0);
+  WriterRegistry::instance().of(file.path()).write(
+      file.path(), {0, 1, [&](std::uint32_t) { return ExportedFrame{hair}; }, none});
+  using Frames = std::pair<std::uint32_t, std::uint32_t>;
+  int refused = 0;
+  for (const std::string& spec : {file.path().string(), std::string("path1:n=50")})
+    for (const char* said : {"0", "1", "3", "all", "x"}) {
+      FrameOption option;
+      parse_options({"--frame", said}, [&](OptionParser& parser) { option.add_to(parser); });
+      const auto told = [&](const std::function<Frames()>& frames) {
+        try {
+          const auto [first, last] = frames();
+          return std::to_string(first) + " to " + std::to_string(last);
+        } catch (const std::exception& error) {
+          const std::string words = error.what(), before = "rank 0 of 3: ";
+          ++refused;
+          return words.starts_with(before) ? words.substr(before.size()) : words;
+        }
+      };
+      const std::string one = told([&] { return option.of(open_input(spec)); });
+      Frames frames;
+      const std::string several = told([&] {
+        run_in_threads(3, [&](Communicator& c) {
+          together(c, [&] {
+            const Frames mine = RankInput(c, spec, {}, in_memory).frames(option);
+            if (c.rank() == 2) frames = mine;
+          });
+        });
+        return frames;
+      });
+      EXPECT_EQ(several, one) << spec << ' ' << said;
+    }
+  EXPECT_EQ(refused, 2 * (3 + 1));
 }
 
 }  // namespace
