@@ -166,6 +166,8 @@ string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIES COMPILE_DEFINITIONS
   "CATENA_COMMIT_HEADER=\"${commit_header}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\""
   OBJECT_DEPENDS ${commit_header})
+set_source_files_properties(${PROJECT_SOURCE_DIR}/core/installed_files.cpp PROPERTIES COMPILE_DEFINITIONS
+  "CATENA_DATADIR=\"${CMAKE_INSTALL_DATADIR}\"")
 
 catena_part(core nlohmann_json::nlohmann_json Eigen3::Eigen Boost::headers hwy::hwy)
 # What some readers need. Without it they refuse their files with the reason.

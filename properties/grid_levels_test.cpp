@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/sorted_pairs.h"
 #include "catena/reference/reference.h"
+#include "catena/reference/verify.h"
 
 // Great spheres far from one another, and by each a crowd of small ones, which are a level of their own: of
 // the great spheres' cells, which share buckets by chance, each small one looks only into those within its
@@ -53,4 +55,108 @@ TEST(GridLevels, SmallSpheresFindGreatOnesInCellsThatShareBuckets) {
 }
 
 }  // namespace
+/// The pairs of one search, sorted.
+std::vector<Pair> found_by(const char* name, const Chain& chain) {
+  const auto variant = StrategyRegistry::instance().make(name);
+  Collisions found;
+  variant->build(chain);
+  variant->find(chain, {}, found);
+  sort(found.pairs);
+  return std::move(found.pairs);
+}
+
+/// Great ones that are a whole number of vectors and one, which lies far from all others, and by each of them
+/// a crowd of small ones.
+TEST(GridLevels, TheLastOfALevelIsFoundWhereverItLies) {
+  Dice dice(7);
+  for (const std::uint32_t great : {65u, 66u, 128u, 129u, 193u}) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < great; ++k)
+      spheres.push_back({k + 1 == great ? 1e4f : 50 * dice.symmetric(), 50 * dice.symmetric(), 0, 1});
+    for (std::uint32_t k = 0; k < great; ++k)
+      for (std::uint32_t s = 0; s < crowd; ++s)
+        spheres.push_back({spheres[k].x + 0.9f, spheres[k].y, 0.1f * static_cast<float>(s), 0.01f});
+    const Chain chain(spheres);
+    EXPECT_TRUE(found_by("Grid", chain) == reference::find(chain).pairs) << great;
+  }
+}
+
+/// What a level's cells are as wide for may be known to the first of several that share a long chain out.
+TEST(GridLevels, TheGreatestOfALevelIsFoundWhereverItIsInAChain) {
+  constexpr std::uint32_t n = 140'000;
+  for (const std::uint32_t at : {10u, 66'000u, 139'000u}) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < n; ++k)
+      spheres.push_back({3.0f * static_cast<float>(k % 400), 3.0f * static_cast<float>(k / 400), 0,
+                         k % 10 == 9 ? 0.01f : 0.51f});
+    std::vector<Pair> right;
+    for (std::uint32_t k = at; k < at + 500; k += 5) {  // each with one that it reaches and the others do not
+      spheres[k].radius = 1;
+      spheres[k + 2] = {spheres[k].x + 1.5f * (k % 2 == 0 ? 1.0f : -1.0f), spheres[k].y, 0, 0.505f};
+      right.push_back({k, k + 2});
+    }
+    EXPECT_TRUE(found_by("Grid", Chain(spheres)) == right) << at;
+  }
+}
+
+/// One sphere, a strand of its own, beside a crowd of another in the next cell, of all numbers about those for
+/// which there is room: of the crowd all are neighbours.
+TEST(GridLevels, AnyNumberOfCandidatesIsFoundByOneSphere) {
+  for (std::uint32_t crowd_size = 2010; crowd_size < 2110; ++crowd_size) {
+    std::vector<Sphere> spheres{{0.95f, 0, 0, 1}};
+    for (std::uint32_t k = 0; k < crowd_size; ++k)
+      spheres.push_back({2.5f, 0.0001f * static_cast<float>(k), k % 2 == 0 ? 0.0f : 1.3f, 1});
+    const Chain chain(spheres, {{0, 1, crowd_size + 1}, {0, 0}}, Exclusion::index(5000));
+    std::vector<Pair> right;
+    for (std::uint32_t k = 0; k < crowd_size; k += 2) right.push_back({0, k + 1});
+    ASSERT_TRUE(found_by("Grid", chain) == right) << crowd_size;
+  }
+}
+
+/// Every pair of a search in several levels is accounted for, too, once.
+TEST(GridLevels, ProveWhatTheyFind) {
+  std::uint64_t seed = 90;
+  for (const float far : {10.0f, 30.0f, 1e3f, 1e7f})
+    for (int k = 0; k < 3; ++k) {
+      Dice dice(++seed);
+      std::vector<Sphere> spheres;
+      for (std::uint32_t g = 0; g < 25; ++g) {
+        spheres.push_back({far * dice.symmetric(), far * dice.symmetric(), far * dice.symmetric(), 1});
+        for (std::uint32_t s = 0; s < crowd; ++s) {
+          const Sphere& great = spheres[g * (crowd + 1)];
+          spheres.push_back({great.x + 1.1f * dice.symmetric(), great.y + 1.1f * dice.symmetric(),
+                             great.z + 1.1f * dice.symmetric(), s < 4 ? 0.2f : 0.02f});
+        }
+      }
+      // Beside the outermost great one, in the next cell, but out of its reach.
+      const Sphere outermost = *std::ranges::max_element(spheres, {}, &Sphere::x);
+      for (std::uint32_t s = 0; s < 200; ++s)
+        spheres.push_back({outermost.x + 1.3f, outermost.y + 0.3f * dice.symmetric(),
+                           outermost.z + 0.3f * dice.symmetric(), 0.02f});
+      const Chain chain(spheres);
+      const auto grid = StrategyRegistry::instance().make("Grid");
+      std::uint64_t proved = 0;
+      const reference::Verification v = reference::verify_by_certificate(*grid, chain, 1 << 20, proved);
+      EXPECT_EQ(v.verdict, reference::Verdict::exact) << "seed " << seed << ": " << v.reason;
+      EXPECT_EQ(proved, reference::find(chain).pair_count) << "seed " << seed;
+    }
+}
+
+TEST(GridLevels, ReadEachRadiusWhereThatIsAsked) {
+  const Chain equal(std::vector<Sphere>(100, Sphere{0, 0, 0, 1}));
+  for (const auto& [name, once] : {std::pair("Grid", true), std::pair("Grid(radii=each)", false)}) {
+    const auto grid = StrategyRegistry::instance().make(name);
+    Collisions found;
+    grid->build(equal);
+    grid->find(equal, {}, found);
+    bool told = false;
+    for (const Decision& decision : grid->plan())
+      if (decision.step == "radius of each sphere in cells") {
+        told = true;
+        EXPECT_EQ(decision.left_out, once) << name;
+      }
+    EXPECT_TRUE(told) << name;
+  }
+}
+
 }  // namespace catena::properties

@@ -1,4 +1,4 @@
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DFOLDERS=core's;folders [-DFLAGS=...] -P install_test.cmake
+# cmake -DBUILD=... -DSOURCE=... -DVERSION=... -DWORK=... -DFOLDERS=core's;folders [-DFLAGS=...] -P install_test.cmake
 # Installs catena below WORK, builds a stranger's project against it with find_package, and runs it. That project is
 # compiled with -O3 -march=native, as researchers do, and must get the library's bits.
 cmake_minimum_required(VERSION 3.25)
@@ -67,6 +67,18 @@ run(${WORK}/build/consumer CPU1 aCPU2+CPU2 aGPU2@host+GPUv2@host Sweep)
 run(${WORK}/build/library_example)
 run(${WORK}/prefix/bin/catena --version)
 
+# The program reads the files that were installed with it, wherever that was; the library has none.
+execute_process(COMMAND ${WORK}/prefix/bin/catena verify --variant CPU1 --json RESULT_VARIABLE code OUTPUT_VARIABLE verified)
+string(FIND "${verified}" "\"input\":\"${WORK}/prefix/share/catena/examples/" found)
+if(NOT code EQUAL 0 OR found EQUAL -1)
+  message(FATAL_ERROR "the installed program does not verify its sample files (exit code ${code})\n${verified}")
+endif()
+file(GLOB_RECURSE files RELATIVE ${WORK}/library_alone ${WORK}/library_alone/*)
+list(FILTER files EXCLUDE REGEX "^(include|lib[^/]*)/")
+if(files)
+  message(FATAL_ERROR "installed with the library, but not of it: ${files}")
+endif()
+
 # The library and the library's headers compiled elsewhere give the same trees and pairs; with contraction they do not.
 execute_process(COMMAND ${WORK}/build/same_bits RESULT_VARIABLE code OUTPUT_VARIABLE bits)
 message("${bits}")
@@ -87,5 +99,9 @@ endif()
 must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target fast_math)
 must_fail("catena has no component 'engine'; there are: library, program"
           ${configure} -B ${WORK}/unknown_component -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=engine)
+must_fail("that is compatible with requested version \"99.0\""
+          ${configure} -B ${WORK}/other_version -DCMAKE_PREFIX_PATH=${WORK}/prefix -DWANTED_VERSION=99.0)
+run(${configure} -B ${WORK}/same_version -DCMAKE_PREFIX_PATH=${WORK}/library_alone -DWANTED_VERSION=${VERSION}
+    "-DMORE_COMPONENTS=OPTIONAL_COMPONENTS;program")
 must_fail("catena's component 'program' is not installed"
           ${configure} -B ${WORK}/without_program -DCMAKE_PREFIX_PATH=${WORK}/library_alone -DMORE_COMPONENTS=program)

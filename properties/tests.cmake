@@ -71,7 +71,7 @@ if(CATENA_SANITIZE)
   set(sanitize_flags "-fsanitize=${CATENA_SANITIZE}")
 endif()
 add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
-         -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} "-DFOLDERS=${CATENA_LIBRARY_FOLDERS}"
+         -DVERSION=${PROJECT_VERSION} -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} "-DFOLDERS=${CATENA_LIBRARY_FOLDERS}"
          -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
 set_tests_properties(install.find_package PROPERTIES LABELS install)
 

@@ -1,9 +1,7 @@
 # The exact reference (Boost.Multiprecision) and the peers it is compared with (each when it is there).
 catena_part(reference nlohmann_json::nlohmann_json Boost::headers)
 target_compile_definitions(catena_part_reference PRIVATE
-  CATENA_EXAMPLES_IN_SOURCE="${PROJECT_SOURCE_DIR}/core/readers/examples"
-  CATENA_EXAMPLES_INSTALLED="${CMAKE_INSTALL_FULL_DATADIR}/catena/examples")
-
+  CATENA_EXAMPLES_IN_SOURCE="${PROJECT_SOURCE_DIR}/core/readers/examples")
 
 # catena_peer(FILE FOUND PACKAGE [LIBRARIES...]): reference/peers/FILE.cpp has its library where it was FOUND; otherwise
 # `catena list` says why not. Peers belong to the program; the library that others link has none of them.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "catena/core/installed_files.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/scenes/scene.h"
 
@@ -12,7 +13,8 @@ namespace {
 
 std::vector<std::string> sample_files() {
   std::vector<std::string> files;
-  for (const std::filesystem::path folder : {CATENA_EXAMPLES_IN_SOURCE, CATENA_EXAMPLES_INSTALLED}) {
+  for (const auto& folder :
+       {installed_files() / "examples", std::filesystem::path(CATENA_EXAMPLES_IN_SOURCE)}) {
     std::error_code absent;  // a program that was only installed has no source tree, and the other way round
     for (const auto& entry : std::filesystem::directory_iterator(folder, absent))
       if (ReaderRegistry::instance().knows(entry.path())) files.push_back(entry.path().string());

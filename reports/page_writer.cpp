@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "catena/core/error.h"
+#include "catena/core/installed_files.h"
 
 namespace catena::reports {
 namespace {
@@ -18,8 +19,7 @@ namespace {
 /// The folder that holds the package: beside an installed program, or in the source tree.
 std::filesystem::path package_folder() {
   std::error_code ignored;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const auto installed = program.parent_path().parent_path() / CATENA_DATADIR / "catena";
+  const auto installed = installed_files();
   for (const auto& folder : {installed, std::filesystem::path(CATENA_REPORTS_IN_SOURCE)})
     if (std::filesystem::exists(folder / "catena_report" / "__main__.py", ignored)) return folder;
   throw InputError(

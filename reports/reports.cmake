@@ -14,6 +14,6 @@ target_link_libraries(catena_reports PUBLIC catena_program nlohmann_json::nlohma
 target_precompile_headers(catena_reports PRIVATE ${CATENA_PRECOMPILED} <nlohmann/json.hpp>)
 catena_together(catena_reports)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/reports/page_writer.cpp PROPERTIES COMPILE_DEFINITIONS
-  "CATENA_PYTHON=\"${CATENA_PYTHON}\";CATENA_DATADIR=\"${CMAKE_INSTALL_DATADIR}\";CATENA_REPORTS_IN_SOURCE=\"${PROJECT_SOURCE_DIR}/reports\"")
+  "CATENA_PYTHON=\"${CATENA_PYTHON}\";CATENA_REPORTS_IN_SOURCE=\"${PROJECT_SOURCE_DIR}/reports\"")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/reports/catena_report DESTINATION ${CMAKE_INSTALL_DATADIR}/catena COMPONENT program
         OPTIONAL PATTERN "__pycache__" EXCLUDE)

@@ -118,5 +118,96 @@ TEST(KnotBounds, HoldForPolygonsWhoseThicknessAllPairsOfEdgesTell) {
   EXPECT_GT(used, 0.5);  // of the room that the edges give, much
 }
 
+/// A polygon of which no more is known.
+PolygonShape shape_like(double length, double shortest, double longest) {
+  PolygonShape shape{length, shortest, longest};
+  shape.tightest_bend = shape.least_bend = shape.greatest_bend = 1;
+  return shape;
+}
+
+TEST(KnotBounds, AreTheRootsThatTheirDefinitionSays) {
+  for (const double edge : {0.01, 0.1, 0.3, 0.6}) {
+    const PolygonShape shape = shape_like(40, edge, edge);
+    const KnotBounds polygon = bounds_of({.thickness = 1.25}, shape, 0);
+    const double thick = 1.25, h = edge / 2 / thick, dip = thick * (std::sqrt(1 + h * h) - 1),
+                 c = std::atan(h) / h, k = std::asin(h), r = polygon.least;
+    EXPECT_NEAR(r, thick * std::sin(pi * c * r / 2 / thick) - dip, 1e-11) << edge;
+    EXPECT_LT(r, thick) << edge;
+    EXPECT_NEAR(polygon.most, thick * std::sqrt(1 + h * h / 2), 1e-12) << edge;
+    EXPECT_EQ(polygon.least_bend, thick) << edge;
+    const KnotBounds curve = bounds_of({.of = PublishedKnot::Of::curve, .thickness = thick}, shape, 0);
+    EXPECT_EQ(curve.least, thick);
+    EXPECT_NEAR(curve.most, thick * k / h * (std::sqrt(1 + k * k) + k * k / 2), 1e-12) << edge;
+    const KnotBounds type = bounds_of({.of = PublishedKnot::Of::type, .thickness = thick}, shape, 0);
+    EXPECT_EQ(type.least, 0);
+    EXPECT_NEAR(type.most, thick * std::sqrt((1 + h * h) * (1 + h * h / 2)), 1e-12) << edge;
+  }
+  const KnotBounds none = bounds_of({.of = PublishedKnot::Of::curve, .thickness = 1}, shape_like(9, 3, 3), 0);
+  EXPECT_EQ(none.most, std::numeric_limits<double>::infinity()) << "an edge longer than the tube is thick";
+}
+
+/// What holds for any number within the error, and for any vertices within the blur, holds for what is told.
+TEST(KnotBounds, HoldForEveryNumberWithinItsErrorAndWidenByTheBlur) {
+  const PolygonShape shape = shape_like(40, 0.25, 0.375);
+  for (const auto of : {PublishedKnot::Of::polygon, PublishedKnot::Of::curve, PublishedKnot::Of::type})
+    for (const double error : {1e-3, 0.5}) {
+      const KnotBounds told = bounds_of({.of = of, .ropelength = 32, .error = error}, shape, 0);
+      const KnotBounds thick = bounds_of({.of = of, .thickness = 1.25, .error = error / 32}, shape, 0);
+      for (const double off : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+        const KnotBounds one = bounds_of({.of = of, .ropelength = 32 + off * error}, shape, 0);
+        EXPECT_LE(told.least, one.least + 1e-11) << off;
+        EXPECT_GE(told.most, one.most - 1e-11) << off;
+        EXPECT_LE(told.least_bend, one.least_bend + 1e-11) << off;
+        const KnotBounds other = bounds_of({.of = of, .thickness = 1.25 + off * error / 32}, shape, 0);
+        EXPECT_LE(thick.least, other.least + 1e-11) << off;
+        EXPECT_GE(thick.most, other.most - 1e-11) << off;
+        EXPECT_LE(thick.least_bend, other.least_bend + 1e-11) << off;
+      }
+      constexpr double blur = 1e-3, whole = 2 * blur / 0.25;  // of a length that is made of shortest edges
+      const KnotBounds blurred = bounds_of({.of = of, .ropelength = 32, .error = error}, shape, blur);
+      EXPECT_NEAR(blurred.least, std::max(0.0, told.least * (1 - whole) - 2 * blur), 1e-11);
+      EXPECT_NEAR(blurred.most, told.most * (1 + whole) + 2 * blur, 1e-11);
+      EXPECT_NEAR(blurred.least_bend, told.least_bend * (1 - whole), 1e-11);
+    }
+}
+
+/// At the sharpest corner the edge before it is the shorter one, or the one after it, as one goes around.
+TEST(PolygonShape, BendsByTheShorterEdgeOnWhicheverSideItIs) {
+  std::vector<Sphere> spheres{{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 4, 0, 0}, {-6, 0.5f, 0, 0}};
+  const double sharpest = pi - std::atan(4);  // at the second
+  for (const bool backwards : {false, true}) {
+    const PolygonShape shape = shape_of(Chain(spheres, Strands::one_closed(4)));
+    EXPECT_NEAR(shape.tightest_bend, 1 / (2 * std::tan(sharpest / 2)), 1e-12) << backwards;
+    std::ranges::reverse(spheres);
+  }
+}
+
+/// A square's corner is the arc of its shorter edge; what its vertices may be wrong by is told both ways.
+TEST(PolygonShape, BendsByTheShorterEdgeAndAsFarAsItsBlurAllows) {
+  const Chain rectangle({{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 3, 0, 0}, {0, 3, 0, 0}}, Strands::one_closed(4));
+  const auto bend = [](double edge, double turn) { return edge / 2 / std::tan(turn / 2); };
+  constexpr double blur = 0.01, more = 4 * blur / 1 + 4 * blur / 3;
+  const PolygonShape shape = shape_of(rectangle, blur);
+  EXPECT_EQ(shape.shortest_edge, 1);
+  EXPECT_EQ(shape.longest_edge, 3);
+  EXPECT_NEAR(shape.tightest_bend, bend(1, pi / 2), 1e-12);
+  EXPECT_NEAR(shape.least_bend, bend(1 - 2 * blur, pi / 2 + more), 1e-12);
+  EXPECT_NEAR(shape.greatest_bend, bend(1 + 2 * blur, pi / 2 - more), 1e-12);
+  // Whatever vertices there are within the blur, they bend no more and no less.
+  Dice dice(9);
+  for (int k = 0; k < 300; ++k) {
+    std::vector<Sphere> spheres(rectangle.spheres().begin(), rectangle.spheres().end());
+    for (Sphere& s : spheres) {
+      const Vec3 off{dice.symmetric(), dice.symmetric(), dice.symmetric()};
+      const double share = 0.99 * blur / std::max(length(off), 1e-3);
+      s.x += static_cast<float>(share * off.x), s.y += static_cast<float>(share * off.y);
+      s.z += static_cast<float>(share * off.z);
+    }
+    const double moved = shape_of(rectangle.moved(spheres)).tightest_bend;
+    EXPECT_LE(shape.least_bend, moved);
+    EXPECT_GE(shape.greatest_bend, moved);
+  }
+}
+
 }  // namespace
 }  // namespace catena::bench

@@ -182,6 +182,29 @@ TEST(KnownKnots, FindMoreNearlyWhatIsProvedTheFinerTheyAre) {
   }
 }
 
+// Vertices of two edges that a strut ends on may lie half of an edge aside of its ends, each.
+TEST(JudgeKnot, LooksForStrutsAsFarAsTheirVerticesMayBe) {
+  const TightLink link = hopf_link(16);
+  const PublishedKnot told{.name = "told", .thickness = 0.9, .struts = 1, .strut_tolerance = 0.18};
+  const double edge = shape_of(link.centres).longest_edge, strut = 0.9 * 1.18;
+  const auto far = static_cast<float>(std::hypot(strut, edge / std::sqrt(8)));
+  const KnotVerdict v = judged(told, link.centres, 0);
+  EXPECT_EQ(v.contacts_at_most, contacts_at(*variant(), link.centres, far));
+  EXPECT_GT(v.contacts_at_most, contacts_at(*variant(), link.centres, static_cast<float>(strut)));
+  EXPECT_GT(v.contacts_at_most, contacts_at(*variant(), link.centres, static_cast<float>(v.bounds.most)));
+}
+
+// Half circles of n / 2 steps, and straight sides whose edges are no longer than theirs.
+TEST(TightLinks, AChainOfThreeHasEdgesOfAboutOneLength) {
+  for (const std::uint32_t n : {16u, 24u, 100u}) {
+    const TightLink link = chain_of_three(n);
+    const PolygonShape shape = shape_of(link.centres);
+    EXPECT_LE(shape.longest_edge, 2 * pi / (n / 2) + 1e-6) << n;
+    EXPECT_GT(shape.shortest_edge, 0.6 * shape.longest_edge) << n;
+    EXPECT_NEAR(shape.length, 2 * 4 * pi + 4 * pi + 4, 70.0 / n / n) << n;
+  }
+}
+
 TEST(JudgeKnot, RefusesEdgesThatSayNothing) {
   const TightLink link = hopf_link(3);
   EXPECT_THROW(judged(published_knot("hopf"), link.centres, link.blur), InputError);

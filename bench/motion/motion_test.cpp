@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "catena/bench/motion/knot_determinant.h"
 #include "catena/bench/motion/report.h"
 #include "catena/core/motion/knot.h"
+#include "catena/core/motion/rope.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
 namespace {
@@ -104,6 +108,42 @@ TEST(Motion, ShowsWhatAMutantLoses) {
   const MotionResult result = measure_motion(small("mutant:lost-update-now-and-then", 0.5));
   EXPECT_GT(result.missed, 10u);
   EXPECT_EQ(result.invented, 0u);
+}
+
+/// Of one that loses contacts and invents others: what it found and what there is have the rest in common.
+TEST(Motion, TellsWhatIsMissedFromWhatIsInvented) {
+  MotionCase each_step = small("mutant:moved-spheres-one-place-off", 2.5);
+  each_step.frames = 25;  // of a step each, so that what each search found is kept
+  const MotionResult result = measure_motion(each_step);
+  ASSERT_EQ(result.searches, result.frame_contacts.size());
+  std::uint64_t found = 0;
+  for (const auto& pairs : result.frame_contacts) found += pairs.size();
+  EXPECT_GT(result.missed, 5u);
+  EXPECT_GT(result.invented, 5u);
+  EXPECT_EQ(result.contacts - result.missed, found - result.invented);
+}
+
+/// Over what the rope began with and what was done to it.
+TEST(Motion, DriftsByAShareOfAllItsEnergy) {
+  const MotionCase c = small("CPU1", 0.5);
+  motion::RopeMotion::Start start;
+  Random random(c.seed);
+  motion::add_knotted_rope(start, c.n, 1, {}, random);
+  motion::RopeSettings settings;
+  settings.stretching = c.stiffness;
+  const auto place = [](const Vec3& p) {
+    return Sphere{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 1};
+  };
+  motion::RopeMotion rope(settings, start, place, StrategyRegistry::instance().make(c.variant));
+  double error = 0, work = 0;
+  for (int k = 0; k < 120; ++k) {
+    ASSERT_TRUE(rope.step(0.5));
+    error = std::max(error, std::abs(rope.energy().error()));
+    work = std::max(work, rope.energy().work);
+  }
+  const double initial = rope.energy().initial;
+  ASSERT_GT(initial, 0.01);
+  EXPECT_DOUBLE_EQ(measure_motion(c).energy_drift, error / (initial + work));
 }
 
 TEST(Motion, PerturbedStartsAreAsEachByItself) {

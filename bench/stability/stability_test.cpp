@@ -72,6 +72,96 @@ TEST(Stability, ARobustVariantThatMissesAPairIsADefect) {
   EXPECT_EQ(line["not_finite_nodes"], 0);
 }
 
+/// Answers rightly, by a tree of one node, which is no sphere where it is spoilt.
+class OneNode final : public Variant {
+ public:
+  explicit OneNode(double radius) : radius_(radius) {}
+  void build(const Chain& chain) override {
+    chain_ = chain;
+    whole_->build(chain);
+  }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    whole_->find(chain, request, result);
+  }
+  void visit_bounds(BoundsVisitor& visitor) const override {
+    for (std::uint32_t i = 0; i < chain_.size(); ++i) {
+      const Sphere& s = chain_[i];
+      visitor.edge(chain_.size(), Sphere64{0, 0, 0, radius_}, i, Sphere64{s.x, s.y, s.z, s.radius});
+    }
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  const double radius_;
+  Chain chain_;
+  std::unique_ptr<Variant> whole_ = StrategyRegistry::instance().make("CPU1");
+};
+
+TEST(Stability, OneNodeThatIsNoNumberIsEnough) {
+  const Chain chain = open_input("lattice:n=100").animation->frame(0);
+  VariantInfo info;
+  info.name = "OneNode", info.arithmetic = "robust";
+  OneNode sound(1e6), spoilt(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(measure("lattice", info, sound, chain, reference::find(chain)).outcome, Outcome::exact);
+  const Cell cell = measure("lattice", info, spoilt, chain, reference::find(chain));
+  EXPECT_EQ(cell.outcome, Outcome::not_finite);
+  EXPECT_EQ(cell.not_finite_nodes, 1u);
+  EXPECT_TRUE(cell.defect);
+}
+
+/// Throws what is no declared limit.
+class Throwing final : public Variant {
+ public:
+  void build(const Chain&) override { throw std::runtime_error("no memory"); }
+  void find(const Chain&, const Request&, Collisions&) override {}
+  Timings timings() const override { return {}; }
+};
+
+TEST(Stability, AVariantThatThrowsIsWrongAndWasNotAsked) {
+  const Chain chain = open_input("lattice:n=100").animation->frame(0);
+  VariantInfo info;
+  info.name = "Throwing", info.arithmetic = "literal", info.exact = false;
+  Throwing throwing;
+  const Cell cell = measure("lattice", info, throwing, chain, reference::find(chain));
+  EXPECT_EQ(cell.outcome, Outcome::wrong);
+  EXPECT_TRUE(cell.defect);
+  EXPECT_EQ(to_json(cell).count("missing"), 0u) << "nothing was found out about its pairs";
+}
+
+Cell cell_like(const char* variant, Outcome outcome, std::uint64_t missing = 0, std::uint64_t invented = 0) {
+  Cell cell{"knot", variant, "literal", 9, 5, outcome, {}, {}, {}};
+  cell.found.ran = outcome != Outcome::refused && outcome != Outcome::unavailable;
+  cell.found.comparison.missing = missing, cell.found.comparison.invented = invented;
+  cell.found.comparison.worst_margin = 1e-7;
+  return cell;
+}
+
+/// The line of the table that these cells make.
+std::string table_line(const std::vector<Cell>& cells) {
+  testing::internal::CaptureStdout();
+  StabilityReport report(StabilityReport::Form::table, {"knot"}, {"A", "B", "C", "D"}, {"literal"});
+  report.scene(cells);
+  std::string line = testing::internal::GetCapturedStdout();
+  line.erase(0, line.find('\n') + 1);  // the heading
+  while (!line.empty() && (line.back() == ' ' || line.back() == '\n')) line.pop_back();
+  return line;
+}
+
+TEST(Stability, ATableShowsTheWorstOfAnArithmeticAndHowManyAreLikeIt) {
+  const Cell right = cell_like("A", Outcome::exact), few = cell_like("B", Outcome::wrong, 1, 2),
+             more = cell_like("C", Outcome::wrong, 4, 2), refused = cell_like("D", Outcome::refused),
+             absent = cell_like("D", Outcome::unavailable);
+  const std::string pairs = "knot " + std::string(9, ' ') + "5  ";
+  EXPECT_EQ(table_line({right}), pairs + "exact");
+  EXPECT_EQ(table_line({right, right}), pairs + "exact");
+  for (const auto& cells : {std::vector{right, few, more}, std::vector{more, right, few}})
+    EXPECT_EQ(table_line(cells), pairs + "wrong -4 +2 by 1e-07 (2/3)");
+  EXPECT_EQ(table_line({few, right, absent}), pairs + "wrong -1 +2 by 1e-07 (1/2)");
+  EXPECT_EQ(table_line({right, refused}), pairs + "exact") << "a limit is no outcome beside one";
+  EXPECT_EQ(table_line({refused}), pairs + "refused");
+  EXPECT_EQ(table_line({absent}), pairs + "-");
+}
+
 TEST(Stability, RunsEverySceneInEverySetting) {
   const auto specs = stability_scenes(700);
   std::size_t expected = 0;

@@ -101,6 +101,32 @@ TEST(FrameAnswer, HeedsALimitForWhoAsksForPairs) {
   EXPECT_TRUE(answer.standing(50, {.want = Request::Want::any}).found);
 }
 
+/// Whoever asks, and whatever the result held before.
+TEST(FrameAnswer, StatesTheTrueNumberPastALimitAndLeavesNoPairsToWhoWantsNone) {
+  std::mt19937 random(5);
+  const Plain plain = some_pairs(50, 40, random);
+  FrameAnswer answer;
+  answer.copy(plain.all());
+  Collisions result;
+  const auto found = [](const auto& ask) -> std::uint64_t {
+    try {
+      ask();
+    } catch (const PairLimitExceeded& error) {
+      return error.found();
+    }
+    return 0;
+  };
+  EXPECT_EQ(found([&] { answer.standing(50, {.pair_limit = 7}); }), 40u);
+  EXPECT_EQ(found([&] { answer.report(50, {.pair_limit = 7}, result); }), 40u);
+  for (const auto want : {Request::Want::counts, Request::Want::any})
+    for (const SphereRange queries : {SphereRange{}, SphereRange{3, 40}}) {
+      result = {false, 7, std::vector<std::uint32_t>(9, 3), {{1, 2}, {3, 4}}};
+      answer.report(50, {.want = want, .queries = queries}, result);
+      EXPECT_TRUE(result.pairs.empty());
+      EXPECT_TRUE(result.found);
+    }
+}
+
 TEST(FrameAnswer, ReportsOfSomeSpheresAloneWhatIsTheirs) {
   std::mt19937 random(6);
   const Plain plain = some_pairs(50, 40, random);

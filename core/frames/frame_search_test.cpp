@@ -7,7 +7,9 @@
 #include <random>
 #include <stdexcept>
 
+#include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -156,6 +158,34 @@ TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
   EXPECT_FALSE(frames.plan()[0].left_out);
 }
 
+/// Each way that may not be gone is not, told or seen, and the others are.
+TEST(FrameSearch, GoesNoWayThatMayNotBeGone) {
+  const std::pair<Omission, Way> ways[] = {{Omission::unmoved, Way::unmoved},
+                                           {Omission::still_parts, Way::parts},
+                                           {Omission::shifted, Way::shifted},
+                                           {Omission::far_pairs, Way::kept_list}};
+  for (const auto& [kept, closed] : ways) {
+    Frames frames(yarn(), {info_of(kept).name});
+    const auto expect = [&](Way open, const std::vector<Sphere>& spheres, const Moved& moved = {}) {
+      const Way way = frames.next(spheres, moved);
+      EXPECT_EQ(way == open, open != closed) << info_of(kept).name;
+    };
+    expect(Way::unmoved, frames.spheres());
+    const SphereRange told{700, 760};
+    for (const Moved& moved : {Moved(), Moved(std::span(&told, 1))}) {
+      auto spheres = frames.spheres();
+      for (std::size_t i = told.begin; i < told.end; ++i) spheres[i].x += 0.5f;
+      expect(Way::parts, spheres, moved);
+    }
+    for (const Moved& moved : {Moved(), Moved::along(40)}) {
+      auto spheres = frames.spheres();
+      std::ranges::rotate(spheres, spheres.begin() + 40);
+      expect(Way::shifted, spheres, moved);
+    }
+    expect(Way::kept_list, shaken(frames.spheres(), 0.01f));
+  }
+}
+
 TEST(FrameSearch, ASearchThatFailsLeavesNothingHalfKnown) {
   FrameSearch search({}, true);
   const auto base = StrategyRegistry::instance().make("Hybrid");
@@ -178,6 +208,60 @@ TEST(FrameSearch, ASearchThatFailsLeavesNothingHalfKnown) {
   full(next, {}, exact);
   EXPECT_EQ(found.count, exact.count);
   EXPECT_GT(exact.pair_count, 0u);
+}
+
+/// Whether anything collides, or more pairs than are kept here, is asked of the search as it was asked.
+TEST(FrameSearch, AsksForNoPairsWhereTheyAreOfNoUseOrTooMany) {
+  const Chain chain = yarn();
+  const auto base = StrategyRegistry::instance().make("Hybrid");
+  bool flood = false;
+  std::vector<Request::Want> asked;
+  const FullSearch full = [&](const Chain& c, const Request& r, Collisions& f) {
+    asked.push_back(r.want);
+    if (flood && r.want == Request::Want::pairs) throw PairLimitExceeded(r.pair_limit + 1, r.pair_limit);
+    base->build(c);
+    base->find(c, r, f);
+  };
+  FrameSearch search({}, true);
+  search.begin(true);
+  Collisions found, exact;
+  search.find(chain, {.want = Request::Want::any}, found, full, full, 0);
+  EXPECT_TRUE(found.found);
+  EXPECT_EQ(asked, std::vector{Request::Want::any});
+  full(chain, {.want = Request::Want::counts}, exact);
+  flood = true;
+  for (const bool kept : {false, true}) {
+    asked.clear();
+    EXPECT_EQ(search.update(chain, {}), Way::full);
+    const Request counts{.want = Request::Want::counts};
+    if (kept)
+      found = search.find_kept(chain, counts, full, full, 0);
+    else
+      search.find(chain, counts, found, full, full, 0);
+    EXPECT_EQ(found.count, exact.count);
+    EXPECT_EQ(found.pair_count, exact.pair_count);
+    EXPECT_EQ(asked, (std::vector{Request::Want::pairs, Request::Want::counts}));
+  }
+}
+
+/// What a plan says of a frame is of that frame, whatever way the one before went.
+TEST(FrameSearch, SaysOfAFrameWhatWasDoneForIt) {
+  Frames frames(yarn());
+  auto spheres = frames.spheres();
+  for (std::size_t i = 700; i < 760; ++i) spheres[i] = spheres[i + 1000];
+  EXPECT_EQ(frames.next(spheres), Way::parts);
+  EXPECT_EQ(frames.plan()[0].reason, "80 of 3000 spheres moved") << "in steps of sixteen";
+  EXPECT_EQ(frames.plan()[0].removed, "all but 10 runs of 8");
+  spheres = frames.spheres();
+  std::ranges::rotate(spheres, spheres.begin() + 40);
+  EXPECT_EQ(frames.next(spheres), Way::shifted);
+  EXPECT_EQ(frames.plan()[0].reason, "sphere i is what i +40 was, of 3000");
+  EXPECT_EQ(frames.next(frames.spheres()), Way::unmoved);
+  EXPECT_EQ(frames.plan()[0].reason, "none of 3000 spheres differs");
+  EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::kept_list);
+  const std::string open = frames.plan()[0].removed;
+  EXPECT_NE(open.find(" pairs whose state may change"), std::string::npos) << open;
+  EXPECT_GT(std::stoul(open.substr(open.find_first_of("0123456789"))), 100u) << open;
 }
 
 /// What a caller may do with one: answers that are another frame's, or of some spheres alone, are none of the
@@ -230,6 +314,21 @@ TEST(FrameSearch, OfAnotherRuleTakesNothingFromTheLastFrame) {
   }
 }
 
+/// Under one rule for any number of them.
+TEST(FrameSearch, OfOtherSpheresTakesNothingFromTheLastFrame) {
+  const Chain whole = yarn();
+  const auto first = [&](std::size_t n) {
+    const auto spheres = whole.spheres().first(n);
+    return Chain({spheres.begin(), spheres.end()});
+  };
+  AnyFrames frames;
+  frames.expect_exact(first(2000), {}, "first");
+  for (const std::size_t n : {1999, 2600, 40, 3000, 2999}) {
+    EXPECT_EQ(frames.update(first(n)), Way::full) << n;
+    if (n > 1000) frames.expect_exact(first(n), {}, std::to_string(n));
+  }
+}
+
 TEST(FrameSearch, KeepsNoListOfAnotherRule) {
   const Chain first = yarn();
   std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
@@ -265,70 +364,6 @@ TEST(FrameSearch, OfSomeSpheresAloneIsNoAnswerOfAll) {
   frames.expect_exact(chain, {}, "all");
   frames.update(chain);
   frames.expect_exact(chain, {.queries = {10, 700}}, "some of an answer of all");
-}
-
-TEST(ListPolicy, TakesAThickerSkinWhereARebuildIsDearer) {
-  ListPolicy cheap, dear;
-  for (ListPolicy* policy : {&cheap, &dear}) {
-    for (int k = 0; k < 3; ++k) policy->searched(20);
-    EXPECT_LE(policy->skin_for(0.01, 1), 0.5) << "a first one is thin";
-    for (int k = 0; k < 9; ++k) {
-      policy->rebuilt(policy == &cheap ? 5 : 100, 0.01, 0.5, 1);
-      policy->used(4);
-      for (int prunes = 0; prunes < 3; ++prunes) policy->pruned(10, 3e5, 1e5);
-    }
-  }
-  EXPECT_LT(cheap.skin_for(0.01, 1), dear.skin_for(0.01, 1));
-  dear.rebuilt(100, 0.01, 0.1, 1);
-  EXPECT_LE(dear.skin_for(0.01, 1), 0.2) << "twice the last one";
-  EXPECT_LE(dear.skin_for(0.01, 0.05), 0.05) << "the radius";
-  EXPECT_TRUE(dear.pays(0.3, 0.01, 1));
-  for (int k = 0; k < 21; ++k) dear.used(40);
-  EXPECT_FALSE(dear.pays(0.3, 0.01, 1)) << "where it costs more than a full search";
-}
-
-TEST(ListPolicy, HoldsAFullSearchForNoDearerThanOneOfThickerSpheres) {
-  ListPolicy policy;
-  for (int k = 0; k < 3; ++k) policy.searched(20);
-  policy.searched_thicker(30);
-  EXPECT_EQ(policy.full_ms(), 20);
-  policy.searched_thicker(12);
-  EXPECT_EQ(policy.full_ms(), 12);
-}
-
-TEST(ListPolicy, MakesNoListWhereLookingAtEachSphereTakesAsLongAsASearch) {
-  ListPolicy policy;
-  for (int k = 0; k < 3; ++k) policy.searched(0.1);
-  policy.expect(1000);
-  EXPECT_TRUE(policy.pays(0.1, 1e-3, 1));
-  policy.expect(30000);
-  EXPECT_FALSE(policy.pays(0.1, 1e-3, 1));
-}
-
-/// Whatever is lost at each try, n frames take no more than n full searches, a hundredth and a few.
-TEST(FrameAccount, LosesAShareOfAllFramesAtMost) {
-  for (const double loss : {0.1, 1.0, 7.0}) {
-    FrameAccount account;
-    double ms = 0;
-    const int frames = 2000;
-    for (int k = 0; k < frames; ++k) {
-      account.frame();
-      const double took = account.may_try() ? 1 + loss : 1;
-      if (took > 1) account.used(took, 1, 8);
-      ms += took;
-    }
-    EXPECT_LT(ms, 1.01 * frames + 2 + loss) << loss;
-    EXPECT_GT(ms, frames + 10) << "it is tried again";
-  }
-}
-
-/// A frame that took very long, as something else ran, says no more than the most that it may lose.
-TEST(FrameAccount, LosesNoMoreByOneFrameThanItIsTold) {
-  FrameAccount account;
-  account.used(1e9, 1, 2);
-  EXPECT_FALSE(account.may_try());
-  for (int k = 0; k < 150; ++k) account.frame();
-  EXPECT_TRUE(account.may_try());
 }
 
 }  // namespace

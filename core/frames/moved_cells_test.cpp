@@ -41,5 +41,20 @@ TEST(MovedCells, FindThePairsOfAFew) {
   EXPECT_GT(pairs, 1000u);
 }
 
+/// A sphere whose centre is as far as both radii, a little more than their rounded sum, touches all the same.
+TEST(MovedCells, ReachAsFarAsTwoRadiiAreLong) {
+  struct Shown : MovedCells {
+    using MovedCells::reach;
+  } cells;
+  properties::Dice dice(5);
+  int rounded_down = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const float radius = dice.unit(), greatest = 1 + dice.unit();
+    EXPECT_GE(double{cells.reach({0, 0, 0, radius}, greatest)}, double{radius} + greatest);
+    rounded_down += double{radius + greatest} < double{radius} + greatest;
+  }
+  EXPECT_GT(rounded_down, 100);
+}
+
 }  // namespace
 }  // namespace catena

@@ -59,7 +59,7 @@ TEST(BucketMap, TellsEqualSteps) {
 
 TEST(BucketMap, HasAboutTwoBucketsASphereAtMost) {
   for (const std::uint32_t count : {0u, 1u, 1000u, 150000u, 10000000u})
-    for (const float side : {1.f, 100.f, 1e4f, 1e30f}) {
+    for (const float side : {1.f, 20.f, 30.f, 40.f, 100.f, 150.f, 1e4f, 1e30f}) {
       const BucketMap map = map_buckets(1, cube(side), count);
       EXPECT_LE(map.buckets, std::max<std::uint64_t>(2 * std::uint64_t{count}, 512) + 300)
           << count << ' ' << side;
@@ -105,7 +105,7 @@ TEST(BucketMap, BringsEveryMultipleOfTheBucketsIntoRange) {
     ++tried;
     std::vector<Sphere> spheres;
     for (std::uint32_t k = 1; k <= multiples; ++k) {
-      const double edge = double{k} * map.buckets / map.cells_per_unit;
+      const double edge = static_cast<double>(k) * map.buckets / map.cells_per_unit;
       for (const double at : {0.5, -0.25})  // the cell of that number, and the one before
         spheres.push_back({static_cast<float>(edge + at), 0, 0, 1});
     }

@@ -20,7 +20,7 @@ class Objective {
 class Newton {
  public:
   /// Moves `x` to a minimum, until no coordinate moves by more than `tolerance`: the gain of that step being
-  /// quadratic, what remains is rounding. False when it did not get there, in 30 full steps and then 200
+  /// quadratic, what remains is rounding. False when it did not get there, in 200 full steps and then 200
   /// others, or a value was not finite. O(n + contacts) a step for a chain.
   bool minimise(const Objective& objective, Coordinates& x, double tolerance);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "catena/core/motion/contact.h"
@@ -126,6 +127,16 @@ TEST(Rods, DoNotFeelARigidMotionAndResistAFoldWithoutBound) {
   EXPECT_GT(three.bending_energy(fold), 1e6);
 }
 
+TEST(Rods, AreStrainedByWhatTheyAreLongerOrShorterBy) {
+  const Rods rods({30, 2, 2}, {0, 3, 4});
+  Coordinates x = Coordinates::Zero(12);
+  EXPECT_EQ(Rods({30, 2, 2}, {0, 1}).greatest_strain(x), 0) << "no edge";
+  node(x, 1)[0] = 2.25, node(x, 2)[0] = 4;
+  EXPECT_DOUBLE_EQ(rods.greatest_strain(x), 0.125);
+  node(x, 2)[0] = 3.75;
+  EXPECT_DOUBLE_EQ(rods.greatest_strain(x), 0.25);
+}
+
 /// log cosh, from where Newton's full steps fly off.
 struct Valley final : Objective {
   double value(const Coordinates& x) const override { return std::log(std::cosh(x[0])); }
@@ -155,6 +166,26 @@ struct Bottomless final : Objective {
   }
 };
 
+/// A kink, at which each way leads up, though its derivatives say otherwise.
+struct Kink final : Objective {
+  double value(const Coordinates& x) const override { return std::abs(x[0]); }
+  void derivatives(const Coordinates&, Derivatives& out) const override {
+    out.reset(1);
+    out.gradient[0] = 1;
+    out.hessian.emplace_back(0, 0, 1.0);
+  }
+};
+
+/// A wall, at whose foot no way is told.
+struct Wall final : Objective {
+  double value(const Coordinates&) const override { return 1; }
+  void derivatives(const Coordinates&, Derivatives& out) const override {
+    out.reset(1);
+    out.gradient[0] = std::numeric_limits<double>::infinity();
+    out.hessian.emplace_back(0, 0, 1.0);
+  }
+};
+
 TEST(Newton, FindsAMinimumFromWhereFullStepsDoNotAndSaysWhenThereIsNone) {
   Newton newton;
   Coordinates x = Coordinates::Constant(1, 3.0);
@@ -165,6 +196,13 @@ TEST(Newton, FindsAMinimumFromWhereFullStepsDoNotAndSaysWhenThereIsNone) {
   EXPECT_NEAR(std::abs(x[0]), 1, 1e-9);
   x[0] = 0;
   EXPECT_FALSE(newton.minimise(Bottomless{}, x, 1e-9));
+  for (const double at : {0.0, 1e-10}) {
+    x[0] = at;
+    EXPECT_FALSE(newton.minimise(Kink{}, x, 1e-9)) << at;
+  }
+  x[0] = 0;
+  EXPECT_FALSE(newton.minimise(Wall{}, x, 1e-9));
+  EXPECT_EQ(x[0], 0);
 }
 
 }  // namespace

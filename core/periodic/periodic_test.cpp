@@ -7,9 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "catena/core/error.h"
 #include "catena/core/periodic/overlap.h"
-#include "catena/core/strategy/registry.h"
+#include "catena/core/periodic/test_search.h"
 #include "catena/properties/rational_image.h"
 
 namespace catena {
@@ -18,7 +17,6 @@ namespace {
 using properties::image_squared;
 using properties::nearest_squared;
 using properties::Rational;
-using Pairs = std::vector<Pair>;
 
 /// The definition, by rational numbers and every image that may matter: no code of core/.
 bool overlaps(const Sphere& a, const Sphere& b, int nx, int ny, int nz, const PeriodicBox& box) {
@@ -47,16 +45,6 @@ Pairs by_definition(const Chain& chain, const PeriodicBox& box, int boxes) {
       if (found && !chain.neighbours(i, j)) pairs.push_back({i, j});
     }
   return pairs;
-}
-
-Collisions found(const std::string& variant, const Chain& chain, const PeriodicBox& box,
-                 const Request& request = {}) {
-  Periodic periodic(StrategyRegistry::instance().make(variant), box);
-  Collisions result;
-  periodic.build(chain);
-  periodic.find(chain, request, result);
-  std::ranges::sort(result.pairs);
-  return result;
 }
 
 std::vector<std::uint32_t> counts_of(const Pairs& pairs, std::uint32_t n) {
@@ -123,6 +111,23 @@ RC_GTEST_PROP(Periodic, GivesThePairsOfTheDefinition, ()) {
   counts.want = Request::Want::counts, any.want = Request::Want::any;
   RC_ASSERT(found(variant, chain, box, counts).count == counts_of(expected, chain.size()));
   RC_ASSERT(found(variant, chain, box, any).found == !expected.empty());
+}
+
+/// One that has searched other chains in other boxes knows nothing of them.
+RC_GTEST_PROP(Periodic, SearchesOneChainAfterAnother, ()) {
+  Periodic periodic(StrategyRegistry::instance().make("CPU1"), PeriodicBox{{1, 1, 1}});
+  Collisions result;
+  for (auto left = *rc::gen::inRange(2, 4); left > 0; --left) {
+    const auto [chain, box] = any_in_a_box();
+    periodic.set_box(box);
+    periodic.build(chain);
+    periodic.find(chain, {}, result);
+    std::ranges::sort(result.pairs);
+    const Collisions anew = found("CPU1", chain, box);
+    RC_ASSERT(result.pairs == anew.pairs);
+    RC_ASSERT(result.count == anew.count);
+    RC_ASSERT(result.found == anew.found);
+  }
 }
 
 RC_GTEST_PROP(Periodic, AnswersAPartOfTheSpheres, ()) {
@@ -314,117 +319,6 @@ TEST(Periodic, FindsEveryTieAcrossAFaceInBoxesOfAnyWidth) {
           EXPECT_EQ(found("CPU1", apart, box).pair_count, 0u) << width << ' ' << radius << ' ' << shift;
         }
       }
-}
-
-TEST(Periodic, RefusesASphereMoreBoxesAwayThanAreCounted) {
-  const double most = 0x1p20;
-  const auto at = [](double x) {
-    return Chain({{0, 0, 0, 1}, {5, 5, 5, 0}, {static_cast<float>(x), 0, 0, 1}});
-  };
-  EXPECT_EQ(found("CPU1", at(10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
-  EXPECT_EQ(found("CPU1", at(-10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
-  for (const double x : {10 * (most + 2), -10 * (most + 2), 1e30})
-    EXPECT_THROW(found("CPU1", at(x), {{10, 10, 10}}), InputError) << x;
-}
-
-TEST(Periodic, CountsAPairOnceThatTouchesThroughBothFaces) {
-  const Chain chain(
-      {{0, 0, 0, 1}, {9, 9, 9, 0}, {2, 0, 0, 1}});  // a box of twice the reach: touched from both sides
-  const Collisions result = found("CPU1", chain, {{4, 20, 20}});
-  EXPECT_EQ(result.pairs, (Pairs{{0, 2}}));
-  EXPECT_EQ(result.count, (std::vector<std::uint32_t>{1, 0, 1}));
-}
-
-TEST(Periodic, StatesTheTrueNumberPastALimit) {
-  std::vector<Sphere> spheres(40, Sphere{0, 0, 0, 1});
-  for (std::size_t i = 0; i < 20; ++i) spheres[i].x = 9.5f;
-  Request request;
-  request.pair_limit = found("CPU1", Chain(spheres), {{10, 10, 10}}).pair_count;
-  EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pairs.size(), request.pair_limit)
-      << "as many as may be";
-  request.pair_limit = 5;
-  try {
-    found("CPU1", Chain(spheres), {{10, 10, 10}}, request);
-    FAIL();
-  } catch (const PairLimitExceeded& error) {
-    EXPECT_EQ(error.found(), 40u * 39 / 2 - 39);
-  }
-  request.want = Request::Want::counts;
-  EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pair_count, 40u * 39 / 2 - 39)
-      << "a limit on pairs, not on counts";
-}
-
-/// Gives as many candidates as there are spheres at most, so that all others are searched for in parts.
-class FewAtATime final : public Variant {
- public:
-  void build(const Chain& chain) override { all_->build(chain); }
-  void find(const Chain& chain, const Request& request, Collisions& result) override {
-    Request few = request;
-    few.pair_limit = chain.size();
-    all_->find(chain, few, result);
-  }
-  Timings timings() const override { return {}; }
-
- private:
-  const std::unique_ptr<Variant> all_ = StrategyRegistry::instance().make("CPU1");
-};
-
-TEST(Periodic, SearchesAFloodInParts) {
-  std::vector<Sphere> spheres;
-  for (std::uint32_t i = 0; i < 83; ++i)
-    spheres.push_back({i % 3 ? 9.5f : 0, 0.01f * static_cast<float>(i), 0, 1});
-  const Chain chain(std::move(spheres));
-  Periodic in_parts(std::make_unique<FewAtATime>(), {{10, 10, 10}});
-  Collisions result;
-  in_parts.build(chain);
-  in_parts.find(chain, {}, result);
-  std::ranges::sort(result.pairs);
-  const Collisions whole = found("CPU1", chain, {{10, 10, 10}});
-  EXPECT_GT(whole.pair_count, 2 * chain.size());
-  EXPECT_EQ(result.pairs, whole.pairs);
-  EXPECT_EQ(result.count, whole.count);
-}
-
-TEST(Periodic, LeavesNothingOfAnEarlierAnswer) {
-  const Chain apart({{0, 0, 0, 1}, {5, 5, 5, 1}, {5, 0, 5, 1}});
-  for (const auto want : {Request::Want::any, Request::Want::counts, Request::Want::pairs}) {
-    Periodic periodic(StrategyRegistry::instance().make("CPU1"), {{10, 10, 10}});
-    periodic.build(apart);
-    Collisions result{true, 7, {1, 2, 3, 4}, {{0, 2}}};
-    periodic.find(apart, {.want = want}, result);
-    EXPECT_FALSE(result.found);
-    EXPECT_EQ(result.pair_count, 0u);
-    EXPECT_EQ(result.count, std::vector<std::uint32_t>(want == Request::Want::any ? 0 : 3, 0));
-    EXPECT_TRUE(result.pairs.empty());
-  }
-}
-
-TEST(Periodic, RefusesABoxThatIsNone) {
-  const Chain chain({{0, 0, 0, 1}, {3, 0, 0, 1}, {5, 0, 0, 1}});
-  const auto refusal = [&](const PeriodicBox& box) {
-    try {
-      found("CPU1", chain, box);
-      return std::string();
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-  };
-  EXPECT_NE(refusal({{3.9, 9, 9}}).find("the box is 3.9 wide along x, less than twice the reach 2"),
-            std::string::npos);
-  EXPECT_NE(refusal({{-9, 9, 9}}).find("lengths above 0"), std::string::npos);
-  EXPECT_NE(refusal({{0, 0, 0}}).find("lengths above 0"), std::string::npos);
-  for (const PeriodicBox& box : {PeriodicBox{{1e-200, 9, 9}},
-                                 {{9, 9, 1e200}},
-                                 {{9, 9, 9}, 1e-200},
-                                 {{9, 9, 9}, 0, 0, -1e200},
-                                 {{9, 9, 9}, 0x0.fp-100},
-                                 {{9, 9, 0x1.1p100}},
-                                 {{9, 9, 9}, 0, -0x0.fp-100}})
-    EXPECT_NE(refusal(box).find(" where a length or a tilt is due"), std::string::npos) << refusal(box);
-  for (const PeriodicBox& box : {PeriodicBox{{9, 9, 9}, 0x1p-100, -0x1p-100}, {{9, 9, 0x1p100}}})
-    EXPECT_EQ(refusal(box), "");
-  EXPECT_NE(refusal({{NAN, 9, 9}}).find("nan"), std::string::npos);
-  EXPECT_EQ(refusal({{4, 9, 0}}), "");
 }
 
 }  // namespace

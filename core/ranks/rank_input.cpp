@@ -16,11 +16,12 @@ namespace catena::ranks {
 
 namespace {
 
-/// Whether each rank reads its own part: what the options would change of the file, rank 0 does for all.
+/// Whether each rank reads its own part: what the options would change of the file, or mean nothing for it,
+/// rank 0 does for all, or refuses.
 bool in_parts(const std::string& spec, const InputOptions& options) {
   const bool as_it_is = !options.window && !options.arc_window && !options.closed && !options.radius &&
-                        !options.radius_half_spacing && options.reading.format.empty() &&
-                        !options.reading.recentre && options.box_from != BoxFrom::file &&
+                        !options.radius_half_spacing && options.reading == ReadOptions() &&
+                        options.box_from != BoxFrom::file &&
                         options.box_from != BoxFrom::options;
   return as_it_is && spec.ends_with(".catena") && std::filesystem::is_regular_file(spec);
 }
@@ -46,7 +47,7 @@ std::pair<std::uint32_t, std::uint32_t> RankInput::frames(const FrameOption& opt
     std::uint32_t first, last;
   } frames{0, 0};
   if (ranks_.rank() == 0)
-    std::tie(frames.first, frames.last) = input_ ? option.of(*input_) : option.of("a .catena file", 1);
+    std::tie(frames.first, frames.last) = input_ ? option.of(*input_) : option.of(spec_, 1);
   const Frames told = all_gather_value(ranks_, frames).front();
   return {told.first, told.last};
 }

@@ -335,6 +335,23 @@ TEST(PartFile, RefusesWhatIsNoChain) {
   expect_refused(with(strands, std::uint64_t{1}), "strand 0 runs from");
   expect_refused(with(strands + 24, std::uint64_t{4000}), "runs from");
   expect_refused(with(strands + 8, std::uint64_t{7}), "is closed by 7");
+  // The only strand, too, begins with the first sphere; and a file of none is none.
+  const std::string single = binary_of(Chain(std::vector<Sphere>(4)));
+  std::string late = single, strandless = single;
+  late[64 + 4 * 16] = 1;
+  expect_refused(late, "strand 0 runs from sphere 1");
+  strandless[24] = 0, strandless.resize(64 + 4 * 16);
+  expect_refused(strandless, "there is no strand");
+  const std::string arcs = binary_of(Chain(std::vector<Sphere>(4), {}, Exclusion::arc(1.5)));
+  for (const double factor : {1.5, 0.0, -1.5, std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::quiet_NaN()}) {
+    std::string changed = arcs;
+    std::memcpy(changed.data() + 48, &factor, sizeof factor);
+    if (factor == 1.5)
+      EXPECT_EQ(changed, arcs);
+    else
+      expect_refused(changed, fmt::format("with window 0 and factor {} is none", factor));
+  }
   Exclusion joined = Exclusion::index(1);
   joined.extra_pairs = {{0, 2}};
   const std::string paired = binary_of(Chain(std::vector<Sphere>(3), {}, joined));

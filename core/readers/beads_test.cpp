@@ -52,6 +52,14 @@ TEST(LammpsDataReader, TiesMoleculesWithoutBondsAndTakesDiameters) {
   EXPECT_TRUE(spheres.has_radii);
 }
 
+// LAMMPS writes molecule 0 of atoms that are of none.
+TEST(LammpsDataReader, TiesNoAtomsThatAreOfNoMolecule) {
+  const auto curves = read_text(
+      "a.data", "t\n\n4 atoms\n\nAtoms # molecular\n\n1 0 1 0 0 0\n2 0 1 9 9 9\n3 5 1 1 0 0\n4 5 1 2 0 0\n");
+  EXPECT_EQ(curves.strand_closed.size(), 3u);
+  EXPECT_TRUE(curves.joints.empty());
+}
+
 // The columns of a row that are not read are 77, so that one taken for a coordinate shows.
 RC_GTEST_PROP(LammpsDataReader, ReadsEveryStyle, (bool flags, bool kokkos)) {
   const auto styles = lammps_atom_styles();
@@ -79,6 +87,8 @@ TEST(LammpsDataReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT("7: what the columns are, of which there are 6, is not told", "a.data",
                    start + "Atoms\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n");
   EXPECT_COMPLAINT("5: 'edpt' behind Atoms is no style", "a.data", start + "Atoms # edpt\n\n1 1 1 0 0 0\n");
+  EXPECT_COMPLAINT("5: 'full extra' behind Atoms is no style", "a.data",
+                   start + "Atoms # full extra\n\n1 1 1 0 0 0 0\n2 1 1 0 0 0 0\n");
   EXPECT_COMPLAINT("7: an atom of style bond has 6 columns, perhaps 3 image flags more, not 7", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0.5 0 0 0\n2 1 1 0.5 0 0 0\n");
   EXPECT_COMPLAINT("7: an atom of style atomic has 5 columns, perhaps 3 image flags more, not 8", "a.data",
@@ -156,6 +166,47 @@ TEST(LammpsDumpReader, TakesFractionsOfATiltedBoxThatIsNotPeriodicAlongZ) {
                                 "3\n3 7 1\nITEM: ATOMS id xs ys zs\n1 0 0 0\n2 0.5 0.25 0.75\n");
   EXPECT_EQ(curves.boxes, (std::vector<PeriodicBox>{{{10, 5, 0}, 2, 3, 1}}));
   EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{1, 2, 3, 0}, {8.75f, 4, 6, 0}}));
+}
+
+// Whatever the sides of its tilts, the bounds that a dump tells are those of the whole box.
+RC_GTEST_PROP(LammpsDumpReader, TakesTheTrueBoxOfAnyTilts, ()) {
+  const auto whole = [](int low, int high) { return static_cast<double>(*rc::gen::inRange(low, high)); };
+  const double xy = whole(-9, 10), xz = whole(-9, 10), yz = whole(-9, 10);
+  const std::array low{whole(-9, 10), whole(-9, 10), whole(-9, 10)}, length{whole(1, 9), whole(1, 9), whole(1, 9)};
+  std::array<double, 3> least = low, most = low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const double a = corner & 1, b = corner >> 1 & 1, c = corner >> 2;
+    const std::array at{low[0] + a * length[0] + b * xy + c * xz, low[1] + b * length[1] + c * yz,
+                        low[2] + c * length[2]};
+    for (std::size_t k = 0; k < 3; ++k) least[k] = std::min(least[k], at[k]), most[k] = std::max(most[k], at[k]);
+  }
+  const std::string text = fmt::format(
+      "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n{} {} {}\n{} {} {}\n{} {} {}\n"
+      "ITEM: ATOMS id xs ys zs\n1 0 0 0\n",
+      least[0], most[0], xy, least[1], most[1], xz, least[2], most[2], yz);
+  const CurveFile curves = read_text("a.dump", text);
+  RC_ASSERT(curves.boxes == (std::vector<PeriodicBox>{{length, xy, xz, yz}}));
+  RC_ASSERT(curves.spheres[0] ==
+            (Sphere{static_cast<float>(low[0]), static_cast<float>(low[1]), static_cast<float>(low[2]), 0}));
+}
+
+// Each frame names its own columns.
+TEST(LammpsDumpReader, TakesFractionsOnlyInFramesThatSaySo) {
+  const auto frame = [](const std::string& columns, const std::string& row) {
+    return "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 8\n0 8\n0 8\nITEM: ATOMS id " + columns + "\n1 " +
+           row + "\n";
+  };
+  const std::string scaled = frame("xs ys zs", "0.5 0.25 0.75"), plain = frame("x y z", "0.5 0.25 0.75");
+  const Sphere of_scaled{4, 2, 6, 0}, of_plain{0.5f, 0.25f, 0.75f, 0};
+  const CurveFile curves = read_text("a.dump", scaled + plain + scaled);
+  EXPECT_EQ(curves.spheres, (std::vector<Sphere>{of_scaled}));
+  EXPECT_EQ(curves.later_frames, (std::vector<std::vector<Sphere>>{{of_plain}, {of_scaled}}));
+  for (const char* names : {"radius diameter", "diameter radius"}) {
+    const bool first = names[0] == 'r';
+    EXPECT_EQ(read_text("a.dump", frame(std::string("x y z ") + names, first ? "0 0 0 3 8" : "0 0 0 8 3")).spheres[0].radius,
+              3.0f)
+        << names;
+  }
 }
 
 // As versions of LAMMPS before 2010 wrote it.

@@ -78,6 +78,11 @@ TEST(GenomeReaders, TakeRowsOfBlanksForPointsNotForHeaders) {
             (std::vector<Sphere>{{1, 2, 3, 0}, {2, 3, 4, 0}, {3, 4, 5, 0}}));
 }
 
+TEST(GenomeReaders, SkipNamesOfColumnsInCapitals) {
+  EXPECT_EQ(read_text("a.3dg", "CHR\tPOS\tX\tY\tZ\nchr1\t5\t1\t2\t3\n").spheres,
+            (std::vector<Sphere>{{1, 2, 3, 0}}));
+}
+
 TEST(GenomeReaders, ComplainWithFileAndLine) {
   EXPECT_COMPLAINT("1: a point before the first 'CHR name'", "a.nucle3d", "0,0,0,0\n");
   EXPECT_COMPLAINT("2: a point is 'bin,x,y,z'", "a.nucle3d", "CHR chr1\n0,0,0\n");

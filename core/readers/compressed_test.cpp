@@ -84,5 +84,12 @@ TEST(Base64, GoesOnAfterPaddingAndRefusesWhatIsNone) {
     EXPECT_FALSE(Base64(bad).read(1, bytes)) << bad;
 }
 
+// The topology has no need to be packed, too.
+TEST(Gzip, HidesNotWhatLiesBesideAFile) {
+  const TestFile packed("a.dat.gz", gzipped("t = 0\nb = 9 9 9\nE = 0\n0 0 0\n1 0 0\n"));
+  std::ofstream(packed.path().parent_path() / "a.top") << "2 1\n1 A -1 1\n1 C 0 -1\n";
+  EXPECT_EQ(ReaderRegistry::instance().read(packed.path()).strand_first, (std::vector<std::uint32_t>{0, 2}));
+}
+
 }  // namespace
 }  // namespace catena

@@ -59,6 +59,25 @@ TEST(CurveGraph, IsNotCutWhereEdgesAreWrittenTwice) {
   EXPECT_TRUE(curves.joints.empty());
 }
 
+RC_GTEST_PROP(CurveGraph, JoinsOnceWhatIsWrittenAnyNumberOfTimes, (bool keep_free)) {
+  const TestGraph graph = any_graph();
+  TestGraph repeated = graph;
+  for (auto left = *rc::gen::inRange<std::size_t>(0, 9); left > 0 && !graph.edges.empty(); --left) {
+    const Pair edge = *rc::gen::elementOf(graph.edges);
+    repeated.edges.push_back(*rc::gen::arbitrary<bool>() ? edge : Pair{edge.j, edge.i});
+  }
+  const CurveFile curves = arranged(repeated, keep_free);
+  is_the_graph(curves, graph, 0, true, keep_free);
+  for (std::size_t k = 1; k < curves.joints.size(); ++k) RC_ASSERT(curves.joints[k - 1] < curves.joints[k]);
+}
+
+TEST(CurveGraph, JoinsABranchOnceBehindOthers) {
+  CurveFile curves;
+  curves.spheres.resize(5);
+  arrange_along_edges(curves, std::vector<Pair>{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 3}}, false);
+  EXPECT_EQ(curves.joints.size(), 2u);
+}
+
 TEST(CurveGraph, KeepsAPointWithAnEdgeToItself) {
   CurveFile curves;
   curves.spheres.resize(5);

@@ -77,6 +77,14 @@ TEST(MmcifReader, LeavesLigandsOfAnotherLabelOut) {
   EXPECT_EQ(read_text("a.cif", text).spheres.size(), 1u);
 }
 
+// Numbers used twice, without alternatives, are two residues, as in a .pdb file.
+TEST(MmcifReader, TakesNumbersUsedTwiceForTwoResidues) {
+  const std::vector<Atom> atoms{{"ATOM", "CA", "SER", 'A', 1, 1, 0, 0, 0}, {"ATOM", "CA", "THR", 'A', 1, 1, 3, 0, 0}};
+  const CurveFile cif = read_text("a.cif", cif_of(atoms, false, false)), pdb = read_text("a.pdb", pdb_of(atoms));
+  EXPECT_EQ(cif.spheres.size(), 2u);
+  EXPECT_EQ(cif.spheres, pdb.spheres);
+}
+
 // A quote before something else than a blank is part of the word.
 TEST(MmcifReader, TakesAQuoteWithinAQuotedWord) {
   std::string text = cif_of({{"ATOM", "P", "A", 'A', 1, 1, 0, 0, 0}}, true, false);

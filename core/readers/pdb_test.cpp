@@ -130,6 +130,32 @@ TEST(PdbReader, KnowsModifiedResiduesOfTheSequence) {
   EXPECT_EQ(curves.strand_first, (Offsets{0, 3}));
 }
 
+TEST(PdbReader, KnowsEveryResidueOfALineOfTheSequence) {
+  for (std::size_t at = 0; at < 13; ++at) {
+    std::string sequence = "SEQRES   1 A   13  ";
+    for (std::size_t k = 0; k < 13; ++k) sequence += k == at ? "SEP " : "GLY ";
+    const CurveFile curves =
+        read_text("a.pdb", sequence + "\n" + lines({{0}, {3, "HETATM", " CA ", ' ', "SEP", 'A', 2}}));
+    EXPECT_EQ(curves.spheres.size(), 2u) << at;
+  }
+}
+
+// From a phosphorus to the next is farther than from a C-alpha to the next; between the two, what is allowed to either.
+TEST(PdbReader, BreaksByTheLongerStepOfTwoAtoms) {
+  const Atom alpha{0}, phosphorus{0, "ATOM", " P  ", ' ', " DA"};
+  const auto strands = [](Atom first, Atom second, float step) {
+    second.x = step, second.number = 2;
+    return read_text("a.pdb", lines({first, second})).strand_closed.size();
+  };
+  for (const float step : {3.0f, 6.0f, 30.0f}) {
+    const std::size_t longer = strands(phosphorus, phosphorus, step);
+    EXPECT_EQ(strands(alpha, phosphorus, step), longer) << step;
+    EXPECT_EQ(strands(phosphorus, alpha, step), longer) << step;
+  }
+  EXPECT_EQ(strands(phosphorus, alpha, 6), 1u);
+  EXPECT_EQ(strands(alpha, alpha, 6), 2u);
+}
+
 TEST(PdbReader, ReadsModelsAsFrames) {
   const auto model = [](float x, const char* residue = "GLY") {
     return "MODEL        1\n" + lines({{x}, {x + 3, "ATOM", " CA ", ' ', residue, 'A', 2}}) + "ENDMDL\n";

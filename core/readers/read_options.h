@@ -17,6 +17,7 @@ struct ReadOptions {
   std::string topology{};              ///< --topology FILE: where the strands or bonds of a configuration are
   bool recentre = false;               ///< --recentre: an origin is taken off before the rounding to binary32
   std::optional<std::array<double, 3>> origin{};  ///< --origin: this one; otherwise the first point of the file
+  friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
 }  // namespace catena

@@ -120,6 +120,10 @@ TEST(XyzReader, ReadsExtendedXyzAsItsPropertiesSay) {
                    "1\nProperties=species:S:1\nC 0 0 0\n");
   // A position in words is none, and of two ids none is the sphere's.
   EXPECT_COMPLAINT("2: Properties 'pos:S:3' has no pos:R:3", "a.xyz", "1\nProperties=pos:S:3\n0 0 0\n");
+  // A whole number is no radius.
+  const CurveFile whole = read_text("a.xyz", "1\nProperties=pos:R:3:radius:I:1\n1 2 3 9\n");
+  EXPECT_FALSE(whole.has_radii);
+  EXPECT_EQ(whole.warnings, (std::vector<std::string>{"not read: 'radius'"}));
   const CurveFile two_ids = read_text("a.xyz", "1\nProperties=id:I:2:pos:R:3\n8 9 1 2 3\n");
   EXPECT_EQ(two_ids.spheres, (std::vector<Sphere>{{1, 2, 3, 0}}));
   EXPECT_EQ(two_ids.warnings, (std::vector<std::string>{"not read: 'id'"}));

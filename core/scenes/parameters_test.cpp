@@ -1,7 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
@@ -47,6 +50,46 @@ TEST_P(SceneParameters, AreRefusedWhenTheyAreNoNumberAndOtherwiseGiveAValidChain
     for (const char* value :
          {"-1", "0", "1", "-1e300", "1e300", "1e-300", "1e38", "-1e38", "99999999999999999999999"})
       refusal(with(value));
+  }
+}
+
+/// Other values of a parameter, near its default; a number may be twice as large, or be refused.
+std::vector<std::string> others_than(const std::string& value) {
+  if (value == "general" || value == "axes") return {value == "axes" ? "general" : "axes"};
+  if (value == "cubic") return {"face-centred"};
+  if (value == "one") return {"rods"};
+  const double number = std::stod(value);
+  std::vector<std::string> others;
+  for (const double other : {number == 0 ? 3 : 2 * number, number + 2, number / 2})
+    others.push_back(fmt::format("{:.17g}", other));
+  return others;
+}
+
+/// None is read and forgotten: another value gives another chain, unless it is said that it does not.
+TEST_P(SceneParameters, MatterEachOfThem) {
+  const SceneInfo& scene = GetParam();
+  const auto frame = [&](const std::string& more) {
+    const auto animation = SceneRegistry::instance().open(scene.name + ":n=300" + more);
+    return animation->frame(animation->frames() > 1);
+  };
+  for (const ParameterInfo& parameter : scene.parameters) {
+    if (parameter.name == "n" || parameter.name == "variant" || parameter.meaning.starts_with("not used"))
+      continue;
+    const std::string moves = scene.name == "lattice" && parameter.name == "seed" ? ",ulps=1" : "",
+                      more = moves + "," + parameter.name + "=";
+    const Chain plain = frame(moves);
+    const Chain same = frame(more + parameter.default_value);
+    EXPECT_TRUE(std::ranges::equal(same.spheres(), plain.spheres())) << "the default of " << parameter.name;
+    bool differs = false;
+    for (const std::string& value : others_than(parameter.default_value))
+      try {
+        const Chain other = frame(more + value);
+        differs = !std::ranges::equal(other.spheres(), plain.spheres()) ||
+                  other.strand_count() != plain.strand_count();
+        break;
+      } catch (const InputError&) {  // out of its range
+      }
+    EXPECT_TRUE(differs) << parameter.name;
   }
 }
 

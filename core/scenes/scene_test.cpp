@@ -217,6 +217,14 @@ TEST(Scenes, SayWhatThereIsWhenAskedForWhatThereIsNot) {
   EXPECT_TRUE(mentions(refusal("path1:n=1,n=2"), {"twice"}));
 }
 
+/// Along one axis alone, or a radius alone.
+TEST(Scenes, RefuseWhatOverflowsInOnePlaceAlone) {
+  EXPECT_TRUE(mentions(refusal("hair:n=100,strands=1,align=axes,radius=5e36"), {"overflows", "lower radius"}));
+  EXPECT_TRUE(mentions(refusal("rod:n=100,align=axes,radius=1e37"), {"overflows", "lower radius"}));
+  EXPECT_TRUE(mentions(refusal("serpentine:side=2,reach=1048576,radius=1e33"), {"overflows", "lower radius"}));
+  EXPECT_EQ(refusal("serpentine:side=2,reach=1048576,radius=1e32"), "accepted");
+}
+
 TEST(Scenes, AreListedWithTheParametersTheyHave) {
   std::vector<std::string> names;
   for (const SceneInfo& info : SceneRegistry::instance().scenes()) {

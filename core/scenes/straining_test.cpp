@@ -150,6 +150,50 @@ TEST(CollinearAndLattice, TouchExactlyAndOneUlpDecides) {
   EXPECT_LT(moved, 1600u) << "some contacts are lost to the ulp";
 }
 
+/// Whole points in the least cube that has room, of spheres that touch exactly so many steps apart.
+TEST(Serpentine, FillsTheLeastCubeWithSpheresThatReachAsFarAsAsked) {
+  for (const std::uint32_t reach : {1u, 2u, 3u, 5u})
+    for (const std::uint32_t side : {3u, 6u}) {
+      const Chain cube = chain_of("serpentine:n=" + std::to_string(side * side * side - 1) +
+                                  ",reach=" + std::to_string(reach));
+      std::size_t pairs = 0, ties = 0;
+      const auto most = static_cast<int>(side) - 1, far = static_cast<int>(reach);
+      for (int x = -most; x <= most; ++x)
+        for (int y = -most; y <= most; ++y)
+          for (int z = -most; z <= most; ++z) {  // so many places has such a step, seen from both ends
+            const auto places = static_cast<std::size_t>((most + 1 - std::abs(x)) * (most + 1 - std::abs(y)) *
+                                                         (most + 1 - std::abs(z)));
+            const int square = x * x + y * y + z * z;
+            pairs += square > 0 && square <= far * far ? places : 0;
+            ties += square == far * far ? places : 0;
+          }
+      const Chain whole = chain_of("serpentine:side=" + std::to_string(side) + ",reach=" + std::to_string(reach));
+      ASSERT_EQ(whole.size(), side * side * side);
+      EXPECT_TRUE(std::ranges::equal(cube.spheres(), whole.spheres().first(cube.size())));
+      const auto found = contacts(whole);
+      const std::size_t neighbours = whole.size() - 1;  // one step apart, which touch exactly at a reach of 1
+      EXPECT_EQ(found.size(), pairs / 2 - neighbours) << side << ' ' << reach;
+      EXPECT_EQ(exact_ties(whole, found), ties / 2 - (reach == 1 ? neighbours : 0)) << side << ' ' << reach;
+    }
+}
+
+TEST(LatticeMoved, MovesByAsManyUlpsAsAskedAtMost) {
+  const Chain cube = chain_of("lattice:n=1000");
+  for (const int ulps : {1, 2, 5}) {
+    const Chain moved = chain_of("lattice_moved:n=1000,ulps=" + std::to_string(ulps));
+    int greatest = 0;
+    for (std::uint32_t i = 0; i < cube.size(); ++i)
+      for (const float Sphere::*axis : {&Sphere::x, &Sphere::y, &Sphere::z}) {
+        const float from = cube[i].*axis, to = moved[i].*axis;
+        if (from == 0) EXPECT_EQ(to, 0);
+        int steps = 0;
+        for (float v = from; v != to && steps <= ulps; v = std::nextafter(v, to)) ++steps;
+        greatest = std::max(greatest, steps);
+      }
+    EXPECT_EQ(greatest, ulps);
+  }
+}
+
 TEST(Points, TouchExactlyAndPointsOnlyTheirEqual) {
   const Chain chain = chain_of("points:n=1000");
   bool equal_points = false;

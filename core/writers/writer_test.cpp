@@ -174,6 +174,27 @@ TEST(Writers, WriteWhatParaViewShows) {
   EXPECT_EQ(array_of(written("a.vtp", {with_empty_strands}), "strand"), (Numbers{1, 1, 1, 4, 4, 4}));
 }
 
+// Of one sphere no line, closed or not.
+TEST(Writers, WriteClosedStrandsOfOneSphereAsPoints) {
+  const Chain lone(std::vector<Sphere>(2), {{0, 1, 2}, {1, 0}});
+  EXPECT_EQ(written("a.obj", {lone}), "v 0 0 0\nv 0 0 0\np 1\np 2\n");
+  EXPECT_EQ(array_of(written("a.vtp", {lone}), "connectivity"), (std::vector<double>{0, 1}));
+}
+
+// The partner of a sphere may be an image, and the depth is that of the nearest.
+TEST(Writers, WriteHowDeepSpheresOverlapAcrossTheBox) {
+  const Chain chain({{0.25f, 0, 0, 1}, {9.5f, 0, 0, 1}, {1.75f, 0, 0, 1}}, {{0, 1, 2, 3}, {0, 0, 0}});
+  const PeriodicBox box{{10, 10, 10}};
+  Collisions found;
+  found.found = true;
+  found.pairs = {{0, 2}, {0, 1}};
+  found.count = {2, 1, 1};
+  found.pair_count = 2;
+  const std::string text = written("a.vtp", {chain, &found, &box});
+  EXPECT_EQ(array_of(text, "contact"), (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(array_of(text, "depth"), (std::vector<double>{1.25, 1.25, 0.5}));
+}
+
 // By the readers of these formats, where there are any.
 /// As lines and points show it, in the order in which they are read: first the strands with two ends. Of
 /// fewer than three spheres none is closed.

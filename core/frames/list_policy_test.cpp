@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "catena/core/frames/frame_search.h"
+
+namespace catena {
+namespace {
+
+TEST(ListPolicy, TakesAThickerSkinWhereARebuildIsDearer) {
+  ListPolicy cheap, dear;
+  for (ListPolicy* policy : {&cheap, &dear}) {
+    for (int k = 0; k < 3; ++k) policy->searched(20);
+    EXPECT_LE(policy->skin_for(0.01, 1), 0.5) << "a first one is thin";
+    for (int k = 0; k < 9; ++k) {
+      policy->rebuilt(policy == &cheap ? 5 : 100, 0.01, 0.5, 1);
+      policy->used(4);
+      for (int prunes = 0; prunes < 3; ++prunes) policy->pruned(10, 3e5, 1e5);
+    }
+  }
+  EXPECT_LT(cheap.skin_for(0.01, 1), dear.skin_for(0.01, 1));
+  dear.rebuilt(100, 0.01, 0.1, 1);
+  EXPECT_LE(dear.skin_for(0.01, 1), 0.2) << "twice the last one";
+  EXPECT_LE(dear.skin_for(0.01, 0.05), 0.05) << "the radius";
+  EXPECT_TRUE(dear.pays(0.3, 0.01, 1));
+  for (int k = 0; k < 21; ++k) dear.used(40);
+  EXPECT_FALSE(dear.pays(0.3, 0.01, 1)) << "where it costs more than a full search";
+}
+
+TEST(ListPolicy, HoldsAFullSearchForNoDearerThanOneOfThickerSpheres) {
+  ListPolicy policy;
+  for (int k = 0; k < 3; ++k) policy.searched(20);
+  policy.searched_thicker(30);
+  EXPECT_EQ(policy.full_ms(), 20);
+  policy.searched_thicker(12);
+  EXPECT_EQ(policy.full_ms(), 12);
+}
+
+TEST(ListPolicy, MakesNoListWhereLookingAtEachSphereTakesAsLongAsASearch) {
+  ListPolicy policy;
+  for (int k = 0; k < 3; ++k) policy.searched(0.1);
+  policy.expect(1000);
+  EXPECT_TRUE(policy.pays(0.1, 1e-3, 1));
+  policy.expect(30000);
+  EXPECT_FALSE(policy.pays(0.1, 1e-3, 1));
+}
+
+/// Whatever is lost at each try, n frames take no more than n full searches, a hundredth and a few.
+TEST(FrameAccount, LosesAShareOfAllFramesAtMost) {
+  for (const double loss : {0.1, 1.0, 7.0}) {
+    FrameAccount account;
+    double ms = 0;
+    const int frames = 2000;
+    for (int k = 0; k < frames; ++k) {
+      account.frame();
+      const double took = account.may_try() ? 1 + loss : 1;
+      if (took > 1) account.used(took, 1, 8);
+      ms += took;
+    }
+    EXPECT_LT(ms, 1.01 * frames + 2 + loss) << loss;
+    EXPECT_GT(ms, frames + 10) << "it is tried again";
+  }
+}
+
+/// A frame that took very long, as something else ran, says no more than the most that it may lose.
+TEST(FrameAccount, LosesNoMoreByOneFrameThanItIsTold) {
+  FrameAccount account;
+  account.used(1e9, 1, 2);
+  EXPECT_FALSE(account.may_try());
+  for (int k = 0; k < 150; ++k) account.frame();
+  EXPECT_TRUE(account.may_try());
+}
+
+}  // namespace
+}  // namespace catena

@@ -1,0 +1,106 @@
+// Single steps of a rope, by the formulas of its integrator.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "catena/core/motion/knot.h"
+#include "catena/core/motion/rope.h"
+#include "catena/core/strategy/registry.h"
+
+namespace catena::motion {
+namespace {
+
+Sphere stored(const Vec3& p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 1};
+}
+
+/// A straight rope at rest in itself, that moves along.
+RopeMotion::Start gliding(std::uint32_t n, double spacing, double speed) {
+  RopeMotion::Start start;
+  for (std::uint32_t i = 0; i < n; ++i) start.position.push_back({spacing * i, 0, 0});
+  start.velocity.assign(n, {0, speed, 0});
+  start.first = {0, n};
+  return start;
+}
+
+RopeMotion rope(const RopeSettings& settings, const RopeMotion::Start& start,
+                std::unique_ptr<Variant> variant = StrategyRegistry::instance().make("CPU1")) {
+  return {settings, start, stored, std::move(variant)};
+}
+
+TEST(RopeMotion, EndsHaveHalfTheMassOfASphereAndASingleSphereAllOfIt) {
+  constexpr double speed = 0.25;
+  for (const double spacing : {0.5, 1.0, 2.0})
+    for (const std::uint32_t n : {1u, 2u, 3u, 10u}) {
+      const RopeMotion motion = rope({.spacing = spacing}, gliding(n, spacing, speed));
+      const double mass = spacing * (n == 1 ? 1 : n - 1);
+      EXPECT_NEAR(motion.energy().kinetic, mass * speed * speed / 2, 1e-15) << n << " at " << spacing;
+      EXPECT_EQ(motion.energy().initial, motion.energy().kinetic) << n << " at " << spacing;
+    }
+}
+
+// A sphere alone in a drag d: backward Euler leaves v / (1 + d h) of its speed, BDF2 (4 v1 - v0) / 3 over
+// 1 + 2 d h / 3.
+TEST(RopeMotion, BeginsAnewWithBackwardEulerWhereTheStepChanges) {
+  constexpr double drag = 0.3, speed = 0.5;
+  const auto after = [&](std::initializer_list<double> steps) {
+    RopeMotion motion = rope({.pull = 0, .drag = drag}, gliding(1, 1, speed));
+    for (const double h : steps) EXPECT_TRUE(motion.step(h));
+    return motion;
+  };
+  const auto euler = [&](double v, double h) { return v / (1 + drag * h); };
+  const auto bdf2 = [&](double v0, double v1, double h) { return (4 * v1 - v0) / 3 / (1 + 2 * drag * h / 3); };
+  const double one = euler(speed, 0.5), two = bdf2(speed, one, 0.5);
+  EXPECT_NEAR(after({0.5}).velocities()[0].y, one, 1e-12);
+  EXPECT_NEAR(after({0.5, 0.5}).velocities()[0].y, two, 1e-12);
+  EXPECT_NEAR(after({0.5, 0.25}).velocities()[0].y, euler(one, 0.25), 1e-12);
+  EXPECT_NEAR(after({0.5, 0.75}).velocities()[0].y, euler(one, 0.75), 1e-12);
+  EXPECT_NEAR(after({0.5, 0.25, 0.25}).velocities()[0].y, bdf2(one, euler(one, 0.25), 0.25), 1e-12);
+  // What the drag takes in a step is the mean of what it takes at both ends.
+  EXPECT_NEAR(after({0.5}).energy().dissipated, 0.5 * drag * (speed * speed + one * one) / 2, 1e-12);
+  EXPECT_NEAR(after({0.5, 0.5}).energy().dissipated,
+              0.5 * drag * (speed * speed + 2 * one * one + two * two) / 2, 1e-12);
+}
+
+TEST(RopeMotion, HasANeighbourOnEitherSideHoweverFarItIs) {
+  EXPECT_EQ(rope_neighbours(10).window, 1u);
+  EXPECT_EQ(rope_neighbours(3.2).window, 1u);
+  EXPECT_EQ(rope_neighbours(1).window, 3u);
+  EXPECT_EQ(rope_neighbours(0.1).window, 31u);
+}
+
+/// Finds what another does, in the opposite order.
+class Backwards final : public Variant {
+ public:
+  void build(const Chain& chain) override { whole_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    whole_->find(chain, request, found);
+    std::ranges::reverse(found.pairs);
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  std::unique_ptr<Variant> whole_ = StrategyRegistry::instance().make("CPU1");
+};
+
+TEST(RopeMotion, DoesNotDependOnTheOrderOfThePairsAndAddsUpWhatFindingThemTook) {
+  RopeMotion::Start start;
+  Random random(1);
+  add_knotted_rope(start, 80, 1, {}, random);
+  RopeMotion one = rope({}, start), other = rope({}, start, std::make_unique<Backwards>());
+  std::size_t several = 0;
+  double ms = one.find_ms();
+  for (int k = 0; k < 100; ++k) {
+    ASSERT_TRUE(one.step(0.5) && other.step(0.5));
+    EXPECT_TRUE(std::ranges::equal(one.chain().spheres(), other.chain().spheres())) << k;
+    EXPECT_TRUE(std::ranges::is_sorted(other.contacts())) << k;
+    EXPECT_TRUE(std::ranges::equal(one.contacts(), other.contacts())) << k;
+    several += one.contacts().size() > 2;
+    EXPECT_GE(one.find_ms(), ms) << k;
+    ms = one.find_ms();
+  }
+  EXPECT_GT(several, 10u);
+}
+
+}  // namespace
+}  // namespace catena::motion

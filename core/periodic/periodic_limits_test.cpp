@@ -1,0 +1,148 @@
+// What a search in a box refuses, where it ends, and what it leaves behind.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "catena/core/error.h"
+#include "catena/core/periodic/test_search.h"
+
+namespace catena {
+namespace {
+
+TEST(Periodic, RefusesASphereMoreBoxesAwayThanAreCounted) {
+  const double most = 0x1p20;
+  const auto at = [](double x) {
+    return Chain({{0, 0, 0, 1}, {5, 5, 5, 0}, {static_cast<float>(x), 0, 0, 1}});
+  };
+  EXPECT_EQ(found("CPU1", at(10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
+  EXPECT_EQ(found("CPU1", at(-10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
+  for (const double x : {10 * (most + 2), -10 * (most + 2), 1e30})
+    EXPECT_THROW(found("CPU1", at(x), {{10, 10, 10}}), InputError) << x;
+}
+
+TEST(Periodic, CountsAPairOnceThatTouchesThroughBothFaces) {
+  const Chain chain(
+      {{0, 0, 0, 1}, {9, 9, 9, 0}, {2, 0, 0, 1}});  // a box of twice the reach: touched from both sides
+  const Collisions result = found("CPU1", chain, {{4, 20, 20}});
+  EXPECT_EQ(result.pairs, (Pairs{{0, 2}}));
+  EXPECT_EQ(result.count, (std::vector<std::uint32_t>{1, 0, 1}));
+}
+
+TEST(Periodic, StatesTheTrueNumberPastALimit) {
+  std::vector<Sphere> spheres(40, Sphere{0, 0, 0, 1});
+  for (std::size_t i = 0; i < 20; ++i) spheres[i].x = 9.5f;
+  Request request;
+  request.pair_limit = found("CPU1", Chain(spheres), {{10, 10, 10}}).pair_count;
+  EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pairs.size(), request.pair_limit)
+      << "as many as may be";
+  request.pair_limit = 5;
+  try {
+    found("CPU1", Chain(spheres), {{10, 10, 10}}, request);
+    FAIL();
+  } catch (const PairLimitExceeded& error) {
+    EXPECT_EQ(error.found(), 40u * 39 / 2 - 39);
+  }
+  Periodic periodic(StrategyRegistry::instance().make("CPU1"), {{10, 10, 10}});
+  Collisions result;
+  periodic.build(Chain(spheres));
+  EXPECT_THROW(periodic.find(Chain(spheres), request, result), PairLimitExceeded);
+  EXPECT_TRUE(result.pairs.empty()) << "no part of them for all";
+  request.want = Request::Want::counts;
+  EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pair_count, 40u * 39 / 2 - 39)
+      << "a limit on pairs, not on counts";
+}
+
+/// Gives as many candidates as there are spheres at most, so that all others are searched for in parts.
+class FewAtATime final : public Variant {
+ public:
+  void build(const Chain& chain) override { all_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    Request few = request;
+    few.pair_limit = chain.size();
+    all_->find(chain, few, result);
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  const std::unique_ptr<Variant> all_ = StrategyRegistry::instance().make("CPU1");
+};
+
+TEST(Periodic, SearchesAFloodInParts) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < 83; ++i)
+    spheres.push_back({i % 3 ? 9.5f : 0, 0.01f * static_cast<float>(i), 0, 1});
+  const Chain chain(std::move(spheres));
+  Periodic in_parts(std::make_unique<FewAtATime>(), {{10, 10, 10}});
+  Collisions result;
+  in_parts.build(chain);
+  in_parts.find(chain, {}, result);
+  std::ranges::sort(result.pairs);
+  const Collisions whole = found("CPU1", chain, {{10, 10, 10}});
+  EXPECT_GT(whole.pair_count, 2 * chain.size());
+  EXPECT_EQ(result.pairs, whole.pairs);
+  EXPECT_EQ(result.count, whole.count);
+}
+
+TEST(Periodic, LeavesNothingOfAnEarlierAnswer) {
+  const Chain apart({{0, 0, 0, 1}, {5, 5, 5, 1}, {5, 0, 5, 1}});
+  for (const auto want : {Request::Want::any, Request::Want::counts, Request::Want::pairs}) {
+    Periodic periodic(StrategyRegistry::instance().make("CPU1"), {{10, 10, 10}});
+    periodic.build(apart);
+    Collisions result{true, 7, {1, 2, 3, 4}, {{0, 2}}};
+    periodic.find(apart, {.want = want}, result);
+    EXPECT_FALSE(result.found);
+    EXPECT_EQ(result.pair_count, 0u);
+    EXPECT_EQ(result.count, std::vector<std::uint32_t>(want == Request::Want::any ? 0 : 3, 0));
+    EXPECT_TRUE(result.pairs.empty());
+  }
+}
+
+TEST(Periodic, RefusesABoxThatIsNone) {
+  const Chain chain({{0, 0, 0, 1}, {3, 0, 0, 1}, {5, 0, 0, 1}});
+  const auto refusal = [&](const PeriodicBox& box) {
+    try {
+      found("CPU1", chain, box);
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(refusal({{3.9, 9, 9}}).find("the box is 3.9 wide along x, less than twice the reach 2"),
+            std::string::npos);
+  EXPECT_NE(refusal({{-9, 9, 9}}).find("lengths above 0"), std::string::npos);
+  EXPECT_NE(refusal({{0, 0, 0}}).find("lengths above 0"), std::string::npos);
+  for (const PeriodicBox& box : {PeriodicBox{{1e-200, 9, 9}},
+                                 {{9, 9, 1e200}},
+                                 {{9, 9, 9}, 1e-200},
+                                 {{9, 9, 9}, 0, 0, -1e200},
+                                 {{9, 9, 9}, 0x0.fp-100},
+                                 {{9, 9, 0x1.1p100}},
+                                 {{9, 9, 9}, 0, -0x0.fp-100}})
+    EXPECT_NE(refusal(box).find(" where a length or a tilt is due"), std::string::npos) << refusal(box);
+  for (const PeriodicBox& box : {PeriodicBox{{9, 9, 9}, 0x1p-100, -0x1p-100}, {{9, 9, 0x1p100}}})
+    EXPECT_EQ(refusal(box), "");
+  EXPECT_NE(refusal({{NAN, 9, 9}}).find("nan"), std::string::npos);
+  EXPECT_EQ(refusal({{4, 9, 0}}), "");
+}
+
+TEST(Periodic, RefusesAChainThatItWasNotBuiltFor) {
+  const Chain two({{0, 0, 0, 1}, {5, 5, 5, 1}}), three({{0, 0, 0, 1}, {5, 5, 5, 1}, {1, 0, 0, 1}});
+  Periodic periodic(StrategyRegistry::instance().make("CPU1"), {{10, 10, 10}});
+  Collisions result;
+  periodic.build(two);
+  EXPECT_THROW(periodic.find(three, {}, result), std::logic_error);
+  EXPECT_EQ(periodic.timings().find_ms, 0);
+  periodic.find(two, {}, result);
+  EXPECT_GT(periodic.timings().find_ms, 0);
+}
+
+TEST(PeriodicBox, IsWrittenWithEveryTilt) {
+  EXPECT_EQ(written({{1, 2, 0.5}}), "1,2,0.5");
+  EXPECT_EQ(written({{1, 2, 3}, 4, 0, 0}), "1,2,3,4,0,0");
+  EXPECT_EQ(written({{1, 2, 3}, 0, -4, 0}), "1,2,3,0,-4,0");
+  EXPECT_EQ(written({{1, 2, 3}, 0, 0, 0.1}), "1,2,3,0,0,0.1");
+}
+
+}  // namespace
+}  // namespace catena
