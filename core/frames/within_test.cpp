@@ -72,7 +72,9 @@ TEST(Within, IsNeverSaidOfRowsOfSpheresThatAreNot) {
     return [size](const Sphere& a, const Sphere& b) {
       const std::vector<Sphere> now(size, a), thick(size, b), before(size, Sphere{b.x, b.y, b.z, 0});
       const bool all = all_within(now, 0, thick);
-      if (a.radius == 0) EXPECT_EQ(all_near(now, before, b.radius), all) << b.radius;
+      if (a.radius == 0) {
+        EXPECT_EQ(all_near(now, before, b.radius), all) << b.radius;
+      }
       return all;
     };
   };
@@ -95,7 +97,9 @@ TEST(Within, IsSaidOfRowsWhereItIsOfEachSphere) {
         EXPECT_FALSE(all_near(spoilt, before, skin)) << size << ' ' << i;
       }
     }
-    if (size > 0) EXPECT_FALSE(all_within(now, skin, thick)) << size;
+    if (size > 0) {
+      EXPECT_FALSE(all_within(now, skin, thick)) << size;
+    }
   }
 }
 

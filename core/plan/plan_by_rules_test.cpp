@@ -96,7 +96,8 @@ class Made {
   explicit Made(unsigned seed) : dice_(seed) {
     const auto some = [&](const char* name, bool on_device, bool all_pairs) {
       for (unsigned k = below(3); k > 0; --k) {
-        Variant v{.variant = name + std::to_string(k), .on_device = on_device, .all_pairs = all_pairs};
+        Variant v{
+            .variant = name + std::to_string(k), .cost = {}, .on_device = on_device, .all_pairs = all_pairs};
         v.cost.fixed_us = power(0, 2), (all_pairs ? v.cost.sphere_pair_ns : v.cost.sphere_ns) = power(0, 2);
         if (on_device) v.cost.start_ms = power(-1, 3), v.started = [is = below(2) == 0] { return is; };
         if (!on_device && !all_pairs && below(3) > 0)

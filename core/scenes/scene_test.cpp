@@ -92,10 +92,11 @@ TEST_P(EveryScene, MovesAlongItselfAsItSays) {
     Chain before = scene->frame(0);
     for (std::uint32_t f = 1; f < scene->frames(); ++f) {
       Chain chain = scene->frame(f);
-      if (const std::int64_t s = scene->shift(f); s != 0)
+      if (const std::int64_t s = scene->shift(f); s != 0) {
         for (std::int64_t i = std::max<std::int64_t>(0, -s); i < n && i + s < n; ++i)
           ASSERT_EQ(chain[static_cast<std::uint32_t>(i)], before[static_cast<std::uint32_t>(i + s)])
               << "frame " << f << ", sphere " << i;
+      }
       before = std::move(chain);
     }
   }
@@ -219,9 +220,11 @@ TEST(Scenes, SayWhatThereIsWhenAskedForWhatThereIsNot) {
 
 /// Along one axis alone, or a radius alone.
 TEST(Scenes, RefuseWhatOverflowsInOnePlaceAlone) {
-  EXPECT_TRUE(mentions(refusal("hair:n=100,strands=1,align=axes,radius=5e36"), {"overflows", "lower radius"}));
+  EXPECT_TRUE(
+      mentions(refusal("hair:n=100,strands=1,align=axes,radius=5e36"), {"overflows", "lower radius"}));
   EXPECT_TRUE(mentions(refusal("rod:n=100,align=axes,radius=1e37"), {"overflows", "lower radius"}));
-  EXPECT_TRUE(mentions(refusal("serpentine:side=2,reach=1048576,radius=1e33"), {"overflows", "lower radius"}));
+  EXPECT_TRUE(
+      mentions(refusal("serpentine:side=2,reach=1048576,radius=1e33"), {"overflows", "lower radius"}));
   EXPECT_EQ(refusal("serpentine:side=2,reach=1048576,radius=1e32"), "accepted");
 }
 

@@ -167,7 +167,8 @@ TEST(Serpentine, FillsTheLeastCubeWithSpheresThatReachAsFarAsAsked) {
             pairs += square > 0 && square <= far * far ? places : 0;
             ties += square == far * far ? places : 0;
           }
-      const Chain whole = chain_of("serpentine:side=" + std::to_string(side) + ",reach=" + std::to_string(reach));
+      const Chain whole =
+          chain_of("serpentine:side=" + std::to_string(side) + ",reach=" + std::to_string(reach));
       ASSERT_EQ(whole.size(), side * side * side);
       EXPECT_TRUE(std::ranges::equal(cube.spheres(), whole.spheres().first(cube.size())));
       const auto found = contacts(whole);
@@ -185,7 +186,9 @@ TEST(LatticeMoved, MovesByAsManyUlpsAsAskedAtMost) {
     for (std::uint32_t i = 0; i < cube.size(); ++i)
       for (const float Sphere::*axis : {&Sphere::x, &Sphere::y, &Sphere::z}) {
         const float from = cube[i].*axis, to = moved[i].*axis;
-        if (from == 0) EXPECT_EQ(to, 0);
+        if (from == 0) {
+          EXPECT_EQ(to, 0);
+        }
         int steps = 0;
         for (float v = from; v != to && steps <= ulps; v = std::nextafter(v, to)) ++steps;
         greatest = std::max(greatest, steps);

@@ -69,7 +69,9 @@ TEST(Registry, DescribesAVariantByItsStages) {
       EXPECT_EQ(v.all_pairs, whole && first.all_pairs) << v.name;
       EXPECT_EQ(v.has_tree, !whole || first.has_tree) << v.name;
       EXPECT_EQ(v.cost, whole ? first.cost : std::nullopt) << v.name;
-      if (!v.peer && !v.hidden) EXPECT_EQ(v.exact, v.arithmetic == "robust") << v.name;
+      if (!v.peer && !v.hidden) {
+        EXPECT_EQ(v.exact, v.arithmetic == "robust") << v.name;
+      }
 
       std::string why, who;
       for (const StrategyInfo* stage : {&last, &first})
