@@ -8,23 +8,58 @@
 #include "catena/core/chain/make_topology.h"
 #include "catena/core/default_floats.h"
 #include "catena/core/error.h"
+#include "catena/core/sphere_vector.h"
 
 namespace catena {
 namespace {
 
 constexpr std::size_t max_spheres = (std::size_t{1} << 31) - 1;
 
-Extent extent_of(const std::vector<Sphere>& spheres) {
-  if (spheres.empty()) return {};
-  Sphere low = spheres[0], high = spheres[0];
-  for (const Sphere& s : spheres) {
-    low = {std::min(low.x, s.x), std::min(low.y, s.y), std::min(low.z, s.z), std::min(low.radius, s.radius)};
-    high = {std::max(high.x, s.x), std::max(high.y, s.y), std::max(high.z, s.z),
-            std::max(high.radius, s.radius)};
+using namespace sphere_vector;
+
+/// Of some spheres, along each axis and of their radii; the greatest magnitude of all, by its bits.
+struct Range {
+  Four low, high;
+  Bits most{};
+
+  explicit Range(const Sphere& s) : low(four(s)), high(low) { take(s); }
+  void take(const Sphere& s) {
+    const Four sphere = four(s);
+    const Bits bits = magnitude_bits(sphere);
+    low = sphere < low ? sphere : low;
+    high = sphere > high ? sphere : high;
+    most = bits > most ? bits : most;
   }
-  return {low.radius, high.radius,
-          (double{high.x} - low.x) + (double{high.y} - low.y) + (double{high.z} - low.z),
-          std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z, 0.0f})};
+  void join(const Range& other) {
+    low = other.low < low ? other.low : low;
+    high = other.high > high ? other.high : high;
+    most = other.most > most ? other.most : most;
+  }
+  /// Whether all are spheres: finite, and no radius negative.
+  bool are_spheres() const {
+    const Bits wrong = most >= not_finite;
+    return (wrong[0] | wrong[1] | wrong[2] | wrong[3]) == 0 && !(low[3] < 0);
+  }
+  Extent extent() const {
+    return {low[3], high[3],
+            (double{high[0]} - low[0]) + (double{high[1]} - low[1]) + (double{high[2]} - low[2]),
+            std::max({-low[0], -low[1], -low[2], high[0], high[1], high[2], 0.0f})};
+  }
+};
+
+/// Of at least one. Two at a time, as each minimum waits for the one before.
+Range range_of(const std::vector<Sphere>& spheres) {
+  Range range(spheres.front()), other(spheres.back());
+  for (std::size_t k = 1; k + 1 < spheres.size(); k += 2) range.take(spheres[k]), other.take(spheres[k + 1]);
+  range.join(other);
+  return range;
+}
+
+void require_sphere(const Sphere& s, std::size_t i) {
+  if (!std::isfinite(s.x) || !std::isfinite(s.y) || !std::isfinite(s.z) || !std::isfinite(s.radius))
+    throw InputError(
+        fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", i, s.x, s.y, s.z, s.radius));
+  if (s.radius < 0) throw InputError(fmt::format("sphere {} has the negative radius {}", i, s.radius));
 }
 
 }  // namespace
@@ -75,14 +110,11 @@ ChainView Chain::view() const noexcept {
 void Chain::check_spheres() {
   if (spheres_.size() > max_spheres)
     throw InputError(fmt::format("a chain holds at most {} spheres, got {}", max_spheres, spheres_.size()));
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    const Sphere& s = spheres_[i];
-    if (!std::isfinite(s.x) || !std::isfinite(s.y) || !std::isfinite(s.z) || !std::isfinite(s.radius))
-      throw InputError(
-          fmt::format("sphere {} is not finite: x={} y={} z={} radius={}", i, s.x, s.y, s.z, s.radius));
-    if (s.radius < 0) throw InputError(fmt::format("sphere {} has the negative radius {}", i, s.radius));
-  }
-  extent_ = extent_of(spheres_);
+  if (spheres_.empty()) return;
+  const Range range = range_of(spheres_);
+  if (!range.are_spheres())
+    for (std::size_t i = 0; i < spheres_.size(); ++i) require_sphere(spheres_[i], i);
+  extent_ = range.extent();
 }
 
 }  // namespace catena

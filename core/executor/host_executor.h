@@ -9,6 +9,7 @@
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/host_group.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/executor/usable_cores.h"
 #include "catena/core/parameters/parameters.h"
 #include "catena/core/policies/visitor.h"
 #include "catena/core/strategy/evidence.h"
@@ -25,7 +26,7 @@ class HostExecutor {
   explicit HostExecutor(const Parameters& parameters)
       : threads_(static_cast<unsigned>(parameters.unsigned_integer("threads", 0, 1024))),
         split_always_(parameters.given("threads")) {
-    if (threads_ == 0) threads_ = std::max(1u, std::thread::hardware_concurrency());
+    if (threads_ == 0) threads_ = usable_cores();
   }
 
   /// visit(i, visitor) for every sphere i that is asked about: the per-sphere strategies. Pairs come in order

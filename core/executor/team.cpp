@@ -1,7 +1,6 @@
 #include "catena/core/executor/team.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -10,10 +9,6 @@
 #include "catena/core/executor/usable_cores.h"
 
 namespace catena {
-
-unsigned usable_cores() {
-  return static_cast<unsigned>(std::max(1, oneapi::tbb::info::default_concurrency()));
-}
 
 struct Team::Arena {
   explicit Arena(unsigned threads) : arena(static_cast<int>(threads)) {}

@@ -1,23 +1,17 @@
 #pragma once
-#include <bit>
-#include <cstdint>
 #include <span>
 
 #include "catena/core/hierarchy/box.h"
+#include "catena/core/sphere_vector.h"
 
 namespace catena {
 namespace box_around_detail {
 
-/// The x, y, z and radius of a sphere, as every machine has vectors of that size: left to itself the compiler
-/// takes one number after the other.
-typedef float Four __attribute__((vector_size(16)));
-typedef std::int32_t Bits __attribute__((vector_size(16)));
+using sphere_vector::Bits, sphere_vector::Four, sphere_vector::four, sphere_vector::magnitude;
 
-inline Four four(const Sphere& s) { return std::bit_cast<Four>(s); }
 /// The rounded ends along each axis, and something in the fourth place.
 inline Four low_of(Four sphere) { return sphere - sphere[3]; }
 inline Four high_of(Four sphere) { return sphere + sphere[3]; }
-inline Four magnitude(Four value) { return std::bit_cast<Four>(std::bit_cast<Bits>(value) & 0x7FFFFFFF); }
 /// Moved outward; see Box::around.
 inline Four moved_down(Four low) { return low - magnitude(low) * 0x1p-23f; }
 inline Four moved_up(Four high) { return high + magnitude(high) * 0x1p-23f; }

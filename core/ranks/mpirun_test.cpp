@@ -119,6 +119,22 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   EXPECT_NE(run_ranks("detect coincident:n=60 --any").output.find("60 spheres, collides"), std::string::npos);
 }
 
+/// Not a thread a core on each.
+TEST_F(Mpirun, SharesTheCoresOfAMachine) {
+  const ProgramOutcome alone =
+      run_ranks("bench rod:n=60 --repetitions 1", 1, "OMPI_MCA_hwloc_base_binding_policy=none");
+  ASSERT_EQ(alone.code, 0) << alone.output;
+  const std::size_t all = nlohmann::json::parse(alone.output)["of_ranks"][0]["cores"];
+  for (const std::size_t ranks : {2u, 3u}) {
+    const ProgramOutcome r =
+        run_ranks("bench rod:n=60 --repetitions 1", ranks, "OMPI_MCA_hwloc_base_binding_policy=none");
+    ASSERT_EQ(r.code, 0) << r.output;
+    const auto line = nlohmann::json::parse(r.output);
+    ASSERT_EQ(line["of_ranks"].size(), ranks);
+    for (const auto& rank : line["of_ranks"]) EXPECT_EQ(rank["cores"], std::max<std::size_t>(1, all / ranks));
+  }
+}
+
 TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   expect_one_line(run_ranks("detect /nowhere.chain"), "there is no such file");
   expect_one_line(run_ranks("detect coincident:n=60 --pair-limit 5"), "found 812 colliding pairs");

@@ -5,6 +5,7 @@
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
+#include "catena/core/executor/usable_cores.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
@@ -81,12 +82,12 @@ class BenchCommand final : public Command {
   void say(const RankAnswer& answer, const RankWork& work, const std::optional<PeriodicBox>& box,
            std::uint64_t bytes, std::uint64_t messages) {
     struct Share {
-      std::uint64_t spheres, asked, touching, rounds, bytes, messages;
+      std::uint64_t cores, spheres, asked, touching, rounds, bytes, messages;
       PhasePeaks::Kib peak_kib;
     };
-    const auto shares =
-        all_gather_value(ranks_, Share{work.spheres, work.across.blocks_asked, work.across.blocks_touching,
-                                       work.across.rounds, bytes, messages, peaks_.kib()});
+    const auto shares = all_gather_value(
+        ranks_, Share{usable_cores(), work.spheres, work.across.blocks_asked, work.across.blocks_touching,
+                      work.across.rounds, bytes, messages, peaks_.kib()});
     if (ranks_.rank() != 0) return;
     nlohmann::ordered_json line{{"input", input_},
                                 {"n", answer.starts.back()},
@@ -104,7 +105,8 @@ class BenchCommand final : public Command {
       line["phases_peak_kib"][name_of(static_cast<Phase>(k))] = most.peak_kib[k];
     }
     for (const Share& s : shares)
-      line["of_ranks"].push_back({{"spheres", s.spheres},
+      line["of_ranks"].push_back({{"cores", s.cores},
+                                  {"spheres", s.spheres},
                                   {"blocks_asked", s.asked},
                                   {"blocks_touching", s.touching},
                                   {"rounds", s.rounds},

@@ -1,14 +1,18 @@
 #include "catena/core/ranks/mpi/mpi_launcher.h"
 
 #include <fcntl.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/executor/usable_cores.h"
+#include "catena/core/ranks/core_share.h"
 #include "catena/core/ranks/mpi/mpi_communicator.h"
 
 namespace catena::ranks {
@@ -27,6 +31,28 @@ int fall_silent() {
   return standard_error;
 }
 
+Cores usable_by_this_process() {
+  Cores cores;
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) != 0) return cores;
+  for (std::size_t core = 0; core < cores.size(); ++core) cores[core] = CPU_ISSET(core, &set) != 0;
+  return cores;
+}
+
+/// How many cores this rank may keep busy, as others of the same node have theirs.
+unsigned own_cores() {
+  MPI_Comm node;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+  int size = 1, rank = 0;
+  MPI_Comm_size(node, &size);
+  MPI_Comm_rank(node, &rank);
+  const Cores own = usable_by_this_process();
+  std::vector<Cores> all(static_cast<std::size_t>(size));
+  MPI_Allgather(&own, sizeof own, MPI_BYTE, all.data(), sizeof own, MPI_BYTE, node);
+  MPI_Comm_free(&node);
+  return core_share(all, static_cast<std::size_t>(rank));
+}
+
 class MpiLauncher final : public Launcher {
  public:
   /// By what Open MPI's mpirun, and srun with PMIx or PMI-2, tell their processes; MPI_Init takes too long to
@@ -43,6 +69,7 @@ class MpiLauncher final : public Launcher {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     communicator =
         std::make_unique<MpiCommunicator>(MPI_COMM_WORLD, rank == 0 ? STDERR_FILENO : fall_silent());
+    const CoreLimit limit(own_cores());
     const int code = body();
     std::fflush(nullptr);
     communicator.reset();
