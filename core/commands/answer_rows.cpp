@@ -17,6 +17,11 @@ std::vector<std::string> AnswerTables::count_columns() {
   return {"frame", "sphere", "count", "label", "strand", "index"};
 }
 
+void leave_out_unread_pairs(Request& request, const AnswerTables& tables) {
+  const bool read = !tables.pairs.empty() || request.pair_limit != Request{}.pair_limit;
+  if (request.want == Request::Want::pairs && !read) request.want = Request::Want::counts;
+}
+
 void check_answer_options(const Request& request, const AnswerTables& tables) {
   if ((tables.depth || tables.margin) && tables.pairs.empty())
     throw InputError("--depth and --margin are columns of --pairs; name its file, too");
@@ -38,7 +43,12 @@ void put_pair_cells(RowText& row, const AnswerTables& tables, std::uint32_t fram
 }
 
 void put_count_cells(RowText& row, std::uint32_t frame, const NamedSphere& sphere, std::uint64_t count) {
-  row.number(frame).number(sphere.number).number(count).text(sphere.label).text(sphere.strand).number(sphere.index);
+  row.number(frame)
+      .number(sphere.number)
+      .number(count)
+      .text(sphere.label)
+      .text(sphere.strand)
+      .number(sphere.index);
 }
 
 }  // namespace catena

@@ -29,6 +29,10 @@ struct AnswerTables {
 /// Throws InputError when a table is asked for that the request does not fill.
 void check_answer_options(const Request& request, const AnswerTables& tables);
 
+/// Asks for counts instead of pairs where nothing is done with pairs: there is no table of them, and no other
+/// limit to them than the usual one.
+void leave_out_unread_pairs(Request& request, const AnswerTables& tables);
+
 /// A sphere as the rows name it.
 struct NamedSphere {
   std::uint64_t number;

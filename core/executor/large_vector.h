@@ -64,11 +64,19 @@ struct LargeAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
-/// Appends to an array of the standard kind that may become large.
+/// Appends to an array of the standard kind. One that becomes large grows by more than the usual factor of 2,
+/// and to `likely` elements at least: addresses that nothing is written to cost no memory, while memory that
+/// is left behind was touched for nothing, which takes longer than what was written there.
 template <class T>
-void append_large(std::vector<T>& all, std::span<const T> more) {
+void append_large(std::vector<T>& all, std::span<const T> more, std::size_t likely = 0) {
   if (all.capacity() - all.size() < more.size()) {
-    all.reserve(std::max(2 * all.capacity(), all.size() + more.size()));
+    const std::size_t least = all.size() + more.size(), capacity = all.capacity();
+    const bool large = least * sizeof(T) >= large_page;
+    try {
+      all.reserve(std::max({least, 2 * capacity, large ? std::max(8 * capacity, likely) : 0}));
+    } catch (const std::bad_alloc&) {  // where addresses are counted, too (ulimit -v)
+      all.reserve(std::max(least, capacity + capacity / 2));
+    }
     wish_large_pages(all.data(), all.capacity() * sizeof(T));
   }
   all.insert(all.end(), more.begin(), more.end());

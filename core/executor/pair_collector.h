@@ -76,7 +76,7 @@ class PairCollector {
     void keep(std::span<const Pair> pairs) {
       if (owner_.team_ != nullptr) return writer_.write(pairs);
       std::vector<Pair>& all = this == &owner_.first_ ? owner_.result_.pairs : own_;
-      append_large(all, pairs);
+      append_large(all, pairs, owner_.likely_);
     }
 
     /// Stores what is buffered, or `pairs`, while pairs are kept, and tells the other lanes how many were
@@ -142,6 +142,7 @@ class PairCollector {
       : result_(emptied(result, n, request, team)),
         team_(team),
         limit_(request.pair_limit),
+        likely_(static_cast<std::size_t>(std::min(limit_, std::uint64_t{pairs_a_sphere} * n) / lanes)),
         queries_(request.queries.within(n)),
         everything_(queries_ == SphereRange{0, n}),
         any_only_(request.want == Request::Want::any),
@@ -187,7 +188,7 @@ class PairCollector {
       body(first_.writer_);
       for (Lane& lane : others_) body(lane.writer_);
     };
-    pairs_.gather(writers, *team_, result_.pairs);
+    pairs_.gather(writers, result_.pairs);
   }
 
   static Collisions& emptied(Collisions& result, std::uint32_t n, const Request& request, const Team* team) {
@@ -203,9 +204,12 @@ class PairCollector {
     return result;
   }
 
+  static constexpr unsigned pairs_a_sphere = 16;  // where there are many: about as many as in a dense ball
+
   Collisions& result_;
   const Team* const team_;  // null where one thread does it
   const std::uint64_t limit_;
+  const std::size_t likely_;  // pairs of a lane, where there are many
   const SphereRange queries_;
   const bool everything_;  // the queries are all spheres
   const bool any_only_, keep_counts_, pairs_wanted_;
@@ -215,7 +219,7 @@ class PairCollector {
   std::vector<LaneCounts> own_counts_;
   std::vector<LaneCounts>& counts_;  // [lane]
   std::vector<Pair> none_;
-  SharedPairs pairs_{team_ != nullptr ? result_.pairs : none_};
+  SharedPairs pairs_{team_ != nullptr ? result_.pairs : none_, likely_};
   Lane first_;
   std::vector<Lane> others_;
 };

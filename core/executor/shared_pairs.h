@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "catena/core/executor/large_vector.h"
-#include "catena/core/executor/team.h"
 #include "catena/core/pair.h"
 
 namespace catena {
@@ -25,7 +24,7 @@ class SharedPairs {
     void write(std::span<const Pair> pairs) {
       while (!pairs.empty()) {
         if (at_ == end_ && !all_.take_stretch(at_, end_)) {
-          own_.insert(own_.end(), pairs.begin(), pairs.end());
+          append_large(own_, pairs, all_.likely_);
           return;
         }
         const std::size_t fit = std::min(end_ - at_, pairs.size());
@@ -39,16 +38,19 @@ class SharedPairs {
     friend class SharedPairs;
     SharedPairs& all_;
     std::size_t at_ = 0, end_ = 0;  // what is left of its stretch
-    LargeVector<Pair> own_;
+    std::vector<Pair> own_;
   };
 
-  /// Takes the memory of a result, whose pairs are lost.
-  explicit SharedPairs(std::vector<Pair>& result) { memory_.swap(result); }
+  /// Takes the memory of a result, whose pairs are lost. `likely`: how many pairs a thread has addresses for,
+  /// once it has kept many to itself.
+  explicit SharedPairs(std::vector<Pair>& result, std::size_t likely = 0) : likely_(likely) {
+    memory_.swap(result);
+  }
 
   /// All that was written, when the writers are done, in no order. Writers(body) calls body(writer) for each
   /// of them.
   template <class Writers>
-  void gather(const Writers& writers, const Team& team, std::vector<Pair>& result) {
+  void gather(const Writers& writers, std::vector<Pair>& result) {
     std::size_t end = std::min<std::size_t>(taken_.load(), memory_.size());
     std::vector<std::span<Pair>> holes;
     std::vector<Writer*> keepers;
@@ -70,7 +72,7 @@ class SharedPairs {
       else
         hole.front() = memory_[--end], hole = hole.subspan(1);
     }
-    append(end, keepers, team);
+    append(end, keepers);
     result.swap(memory_);
   }
 
@@ -86,7 +88,7 @@ class SharedPairs {
   }
 
   static void fill(std::span<Pair>& hole, std::vector<Writer*>& keepers) {
-    LargeVector<Pair>& own = keepers.back()->own_;
+    std::vector<Pair>& own = keepers.back()->own_;
     const std::size_t some = std::min(own.size(), hole.size());
     std::copy(own.end() - some, own.end(), hole.begin());
     own.resize(own.size() - some);
@@ -94,25 +96,28 @@ class SharedPairs {
     if (own.empty()) keepers.pop_back();
   }
 
-  void append(std::size_t end, const std::vector<Writer*>& keepers, const Team& team) {
-    std::vector<std::size_t> begin{end};
-    for (const Writer* writer : keepers) begin.push_back(begin.back() + writer->own_.size());
-    const std::size_t all = begin.back();
+  void append(std::size_t end, const std::vector<Writer*>& keepers) {
+    memory_.resize(end);
+    if (keepers.empty()) return;
+    std::size_t all = end;
+    for (const Writer* writer : keepers) all += writer->own_.size();
     if (memory_.capacity() < all) {
-      std::vector<Pair> larger;
-      larger.reserve(all + all / 8);  // the next result may be a little larger
-      wish_large_pages(larger.data(), all * sizeof(Pair));
-      larger.assign(memory_.begin(), memory_.begin() + end);
-      memory_.swap(larger);
+      std::vector<Pair>& largest = (*std::ranges::max_element(keepers, {}, [](const Writer* writer) {
+                                     return writer->own_.size();
+                                   }))->own_;
+      if (largest.capacity() >= all) {  // what is here is appended to it, as to any
+        memory_.swap(largest);
+      } else {
+        memory_.reserve(all + all / 8);  // the next result may be a little larger
+        wish_large_pages(memory_.data(), all * sizeof(Pair));
+      }
     }
-    memory_.resize(all);
-    team.for_each_range(
-        static_cast<std::uint32_t>(keepers.size()), 1, [&](std::uint32_t first, std::uint32_t last) {
-          for (std::uint32_t k = first; k < last; ++k)
-            std::copy(keepers[k]->own_.begin(), keepers[k]->own_.end(), memory_.begin() + begin[k]);
-        });
+    // By one thread: for all to copy at once, all would first have to be set to zero.
+    for (const Writer* writer : keepers)
+      memory_.insert(memory_.end(), writer->own_.begin(), writer->own_.end());
   }
 
+  const std::size_t likely_;
   std::vector<Pair> memory_;
   alignas(64) std::atomic<std::size_t> taken_{0};
 };

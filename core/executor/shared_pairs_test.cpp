@@ -11,7 +11,6 @@ namespace {
 
 /// Round after round writers write what they will, and the result of one round is the memory of the next.
 TEST(SharedPairs, GiveWhatWasWrittenWhateverTheEarlierResult) {
-  const Team team(Parameters("test", {Team::threads_parameter()}, "threads=3"));
   std::mt19937 random(7);
   const auto up_to = [&](std::uint32_t most) {
     return std::uniform_int_distribution<std::uint32_t>(0, most)(random);
@@ -20,7 +19,7 @@ TEST(SharedPairs, GiveWhatWasWrittenWhateverTheEarlierResult) {
   std::size_t shrunk = 0, grown = 0;
   for (int round = 0; round < 300; ++round) {
     const std::size_t before = result.size();
-    SharedPairs shared(result);
+    SharedPairs shared(result, up_to(1) * 1'000'000);
     std::vector<SharedPairs::Writer> writers(1 + up_to(4), SharedPairs::Writer(shared));
     std::vector<Pair> all;
     const std::uint32_t most = up_to(1) ? 30'000 : 600, writes = up_to(20);
@@ -32,7 +31,7 @@ TEST(SharedPairs, GiveWhatWasWrittenWhateverTheEarlierResult) {
     const auto each = [&](const auto& body) {
       for (SharedPairs::Writer& writer : writers) body(writer);
     };
-    shared.gather(each, team, result);
+    shared.gather(each, result);
     std::sort(result.begin(), result.end());
     ASSERT_EQ(result, all) << "round " << round;
     (all.size() < before ? shrunk : grown) += 1;
