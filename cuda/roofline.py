@@ -51,7 +51,7 @@ def copy_bytes_per_second():
 def profile(catena, variant, chain):
     log = run("ncu", "--clock-control", "none", "--csv", "--page", "raw", "--print-units", "base",
               "--print-kernel-base", "function", "--metrics", ",".join(name for name, _ in METRICS.values()),
-              catena, "detect", chain, "--variant", variant)
+              catena, "detect", chain, "--variant", variant, "--pair-limit", "4000000000")  # with the pairs
     rows = list(csv.reader(io.StringIO(log[log.index('"ID"'):])))
     column = {name: k for k, name in enumerate(rows[0])}
     kernels = {}

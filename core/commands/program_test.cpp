@@ -228,6 +228,20 @@ TEST_F(Program, TakesWholeNumbersWithAnExponent) {
   expect_says("detect coincident:n=60 --pair-limit 1e3", 0, {"812 pairs"});
 }
 
+TEST_F(Program, KeepsPairsOnlyForWhoReadsThem) {
+  const auto kept = [&](const std::string& options) {
+    const auto line = nlohmann::json::parse(run("detect coincident:n=60 --plan --json" + options).output);
+    for (const auto& step : line["plan"])
+      if (step["step"] == "pair list") return !step["left_out"].get<bool>();
+    ADD_FAILURE() << "no word of pairs";
+    return false;
+  };
+  EXPECT_FALSE(kept(""));
+  EXPECT_TRUE(kept(" --pairs '" + file("p.csv") + "'"));
+  EXPECT_TRUE(kept(" --pair-limit 900"));
+  EXPECT_FALSE(kept(" --counts '" + file("c.csv") + "'"));
+}
+
 TEST_F(Program, PrintsTheFrameItUsed) {
   expect_says("detect path1:n=100,frame=3", 0, {"frame 3: 100 spheres"});
   EXPECT_EQ(nlohmann::json::parse(run("detect path1:n=100,frame=3 --json").output)["frame"], 3);
