@@ -125,6 +125,17 @@ TEST(Parts, HaveAsManyAsTheRoomAsks) {
   expect_same(found, exact, "path1 again");
 }
 
+/// Eleven are needed: no search is to wait while the others have one more.
+TEST(Parts, AreSharedOutEvenlyAmongSearches) {
+  const Chain chain = scene("path1:n=100000");
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=9500,searches=4)");
+  variant->build(chain);
+  Collisions found;
+  variant->find(chain, {}, found);
+  expect_same(found, reference::find(chain), "path1");
+  EXPECT_EQ(step(*variant, "parts"), 12u);
+}
+
 /// Half a path and then a ball of yarn that fills the room for pairs of two parts.
 TEST(Parts, ComeWithHalosWhereTooMuchTouchesOthers) {
   std::vector<Sphere> spheres;
@@ -149,6 +160,20 @@ TEST(Parts, SayWhereThereIsNoRoom) {
   } catch (const CapacityError& error) {
     EXPECT_NE(std::string(error.what()).find("memory of 1000 spheres"), std::string::npos) << error.what();
   }
+}
+
+TEST(Parts, ForgetTheChainBeforeOneThatHasNoRoom) {
+  const Chain fits = scene("path1:n=5000"), has_none(std::vector<Sphere>(5000, Sphere{1, 2, 3, 4}));
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=1000)");
+  Collisions found;
+  variant->build(fits);
+  variant->find(fits, {}, found);
+  expect_same(found, reference::find(fits), "path1");
+  EXPECT_THROW(variant->build(has_none), CapacityError);
+  EXPECT_THROW(variant->find(fits, {}, found), std::logic_error);
+  variant->build(fits);
+  variant->find(fits, {}, found);
+  expect_same(found, reference::find(fits), "path1 again");
 }
 
 TEST(Parts, CountPairsPastTheLimit) {
