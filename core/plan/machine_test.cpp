@@ -120,6 +120,7 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
   for (const Machine::VariantCost& v : machine.costs) {
     EXPECT_GT(v.cost.ms(100000), 0) << v.variant;
     EXPECT_TRUE(std::isfinite(v.cost.ms(100000))) << v.variant;
+    EXPECT_FALSE(v.unavailable && v.unavailable()) << v.variant;
     // Other threads have to wake: no run tells that they cost nothing.
     const auto usual = std::ranges::find(built_in.costs, v.variant, &Machine::VariantCost::variant);
     ASSERT_NE(usual, built_in.costs.end()) << v.variant;
