@@ -370,7 +370,37 @@ TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {
   EXPECT_NE(step(full, "pair list").reason.find("--no-omit pair-list"), std::string::npos);
 }
 
+/// Of yes or no it says which steps that spares, and of which none may be spared.
+TEST(SearchPlan, SaysWhatYesOrNoSpares) {
+  const Machine of = machine();
+  const std::string after_hit = info_of(Omission::after_hit).step,
+                    places = info_of(Omission::other_places).step;
+  const auto steps = [&](std::uint32_t n, const std::vector<std::string>& keep) {
+    return SearchPlan(n, {Want::any}, of, Omissions::without(keep)).steps();
+  };
+  const Plan spared = steps(8192, {}), kept = steps(8192, {"after-hit"});
+  EXPECT_TRUE(step(spared, after_hit).left_out);
+  EXPECT_TRUE(step(spared, places).left_out);
+  EXPECT_EQ(step(spared, places).reason, "a look at every 1024th sphere first, 8 of 8192");
+  EXPECT_FALSE(step(kept, after_hit).left_out);
+  EXPECT_TRUE(step(kept, after_hit).reason.ends_with("; --no-omit after-hit"));
+  EXPECT_FALSE(step(kept, places).left_out);
+  EXPECT_EQ(step(steps(300000, {}), places).reason,
+            "a look at every 1024th sphere first, 292 of 300000, then at one of 256 parts");
+  EXPECT_EQ(step(steps(100, {}), places).reason, "100 spheres: a look pays from 8192 on");
+  EXPECT_THROW(step(SearchPlan(8192, {}, of, {}).steps(), places), std::logic_error);
+}
+
+TEST(SearchPlan, HasNoFurtherThreadsOnOneCore) {
+  Machine of = sixteen_cores();
+  of.cores = 1;
+  const Decision threads = step(SearchPlan(1u << 20, {}, of, {}).steps(), "further threads");
+  EXPECT_TRUE(threads.left_out);
+  EXPECT_EQ(threads.reason, "there is one core");
+}
+
 TEST(SearchPlan, EveryOmissionStatesItsObligation) {
+  EXPECT_THROW(Omissions::without(std::vector<std::string>{"nonsense"}), std::logic_error);
   std::vector<std::string> names = omission_names();
   std::ranges::sort(names);
   EXPECT_TRUE(std::ranges::adjacent_find(names) == names.end());
@@ -417,6 +447,17 @@ TEST(Find, AnswersInOneCallWhateverIsLeftOut) {
     EXPECT_EQ(all.count, exact.count) << input;
     EXPECT_EQ(find(chain, {Want::any}).found, exact.found) << input;
     EXPECT_EQ(find(chain, {Want::counts}).count, exact.count) << input;
+    EXPECT_TRUE(find(chain, {Want::counts}).pairs.empty()) << input;
+    const SphereRange some{0, chain.size() / 2};
+    Collisions of_some = find(chain, {.queries = some});
+    std::ranges::sort(of_some.pairs);
+    std::vector<Pair> expected;
+    for (const Pair& p : exact.pairs)
+      if (some.contains(p.i)) expected.push_back(p);
+    EXPECT_EQ(of_some.pairs, expected) << input;
+    if (exact.pair_count > 0) {
+      EXPECT_THROW(find(chain, {.pair_limit = exact.pair_count - 1}), PairLimitExceeded) << input;
+    }
     for (const std::string& name : omission_names()) {
       const auto kept = StrategyRegistry::instance().make("auto(keep=" + name + ")");
       for (const Want want : {Want::any, Want::counts, Want::pairs}) {
