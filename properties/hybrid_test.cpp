@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/core/executor/pair_collector.h"
@@ -304,6 +305,46 @@ TEST(Hybrid, TellsTheWorkOfTheLastSearchAlone) {
       EXPECT_EQ(once[k].times, again[k].times) << input << ' ' << once[k].step;
     for (const std::size_t k : stages) EXPECT_GT(once.at(k).times, 0u) << input << ' ' << once[k].step;
   }
+}
+
+/// Spheres are alone, or searched one by one, or neither, and of this chain, whatever was searched before.
+TEST(Hybrid, CountsEachSphereOnceWhateverItSearchedBefore) {
+  Dice dice(4);
+  std::vector<Sphere> dust;
+  for (std::uint32_t i = 0; i < 4000; ++i)
+    dust.push_back({50 * dice.symmetric(), 50 * dice.symmetric(), 50 * dice.symmetric(), 0.5f});
+  const Chain sparse(std::move(dust)), row = open_input("path1:n=4000").animation->frame(0);
+  HybridSearch search({64, 1}, 1);
+  const Team team;
+  for (int turn = 0; turn < 2; ++turn) {
+    search.build(sparse.view(), team);
+    EXPECT_GT(search.work().alone, 1000u);
+    EXPECT_EQ(search.work().alone + search.work().dense, sparse.size());
+    search.build(row.view(), team);
+    EXPECT_EQ(search.work().alone, 0u);
+    EXPECT_EQ(search.work().dense, 0u);
+  }
+}
+
+/// Pairs of which binary32 is certain go to the exact stage too, where that may not be left out.
+TEST(Hybrid, AsksTheExactStageOfAllInEachOfItsSearches) {
+  for (const char* input : {"path1:n=5000", "yarn:n=5000", "mixed_radii:n=5000"})
+    for (const char* settings : {"", "crowd=0,dense=0", "crowd=0,dense=1000"}) {
+      const Chain chain = open_input(input).animation->frame(0);
+      const auto open_pairs = [&](const std::string& with) {
+        const auto variant = StrategyRegistry::instance().make("Hybrid(" + with + ")");
+        Collisions found;
+        variant->build(chain);
+        variant->find(chain, {}, found);
+        return std::pair(variant->work().back().times, found.pair_count);
+      };
+      const std::string more = *settings == 0 ? "" : std::string(",") + settings;
+      const auto [usual, pairs] = open_pairs("exact=open" + more);
+      const auto [all, same_pairs] = open_pairs("exact=all" + more);
+      EXPECT_EQ(pairs, same_pairs);
+      EXPECT_GE(all, pairs) << input << ' ' << settings;
+      EXPECT_GT(all, usual) << input << ' ' << settings;
+    }
 }
 
 /// What may not be left out is done, and the plan says so.
