@@ -17,7 +17,7 @@ class Requests final : public Property {
     ask(variant, test.chain, Want::any, any_);
     ask(variant, test.chain, Want::counts, counts_);
     ask(variant, test.chain, Want::pairs, pairs_);
-    less_ = pairs_;  // what an earlier answer left is none of the next one
+    less_ = pairs_;                                // what an earlier answer left is none of the next one
     variant.find(test.chain, {Want::any}, less_);  // less than was prepared for
     if (!less_.pairs.empty()) return "pairs of an earlier answer are left where yes or no was asked";
     if (less_.found != pairs_.found) return "found differs when less is asked for than was prepared";
