@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/hybrid/hybrid_search.h"
+#include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/allocations.h"
 #include "catena/properties/generators/dice.h"
@@ -278,6 +281,97 @@ TEST(Hybrid, AllocatesNothingWhereFramesAreCrowdedByTurns) {
 }
 
 /// What nothing touches is in no tree; its evidence is that of all spheres, and says who was not compared.
+/// What is told of a search is its own, however often it was made, and of each stage that it has.
+TEST(Hybrid, TellsTheWorkOfTheLastSearchAlone) {
+  struct Expected {
+    const char *input, *variant;
+    std::vector<std::size_t> stages;  // by their place in what is told
+  };
+  for (const auto& [input, name, stages] :
+       {Expected{"path1:n=5000", "Hybrid", {0, 2}}, Expected{"yarn:n=20000", "Hybrid(dense=1000)", {1, 2}},
+        Expected{"yarn:n=5000", "Hybrid(crowd=0,dense=0)", {4}},
+        Expected{"mixed_radii:n=5000", "Hybrid(crowd=0,dense=0)", {3, 4}},
+        Expected{"mixed_radii:n=5000", "SphereTree", {0, 1}}}) {
+    const Chain chain = open_input(input).animation->frame(0);
+    const auto variant = StrategyRegistry::instance().make(name);
+    Collisions found;
+    variant->build(chain);
+    variant->find(chain, {}, found);
+    const auto once = variant->work();
+    variant->find(chain, {}, found);
+    const auto again = variant->work();
+    ASSERT_EQ(once.size(), again.size());
+    for (std::size_t k = 0; k < once.size(); ++k)
+      EXPECT_EQ(once[k].times, again[k].times) << input << ' ' << once[k].step;
+    for (const std::size_t k : stages) EXPECT_GT(once.at(k).times, 0u) << input << ' ' << once[k].step;
+  }
+}
+
+/// Spheres are alone, or searched one by one, or neither, and of this chain, whatever was searched before.
+TEST(Hybrid, CountsEachSphereOnceWhateverItSearchedBefore) {
+  Dice dice(4);
+  std::vector<Sphere> dust;
+  for (std::uint32_t i = 0; i < 4000; ++i)
+    dust.push_back({50 * dice.symmetric(), 50 * dice.symmetric(), 50 * dice.symmetric(), 0.5f});
+  const Chain sparse(std::move(dust)), row = open_input("path1:n=4000").animation->frame(0);
+  HybridSearch search({64, 1}, 1);
+  const Team team;
+  for (int turn = 0; turn < 2; ++turn) {
+    search.build(sparse.view(), team);
+    EXPECT_GT(search.work().alone, 1000u);
+    EXPECT_EQ(search.work().alone + search.work().dense, sparse.size());
+    search.build(row.view(), team);
+    EXPECT_EQ(search.work().alone, 0u);
+    EXPECT_EQ(search.work().dense, 0u);
+  }
+}
+
+/// Pairs of which binary32 is certain go to the exact stage too, where that may not be left out.
+TEST(Hybrid, AsksTheExactStageOfAllInEachOfItsSearches) {
+  for (const char* input : {"path1:n=5000", "yarn:n=5000", "mixed_radii:n=5000"})
+    for (const char* settings : {"", "crowd=0,dense=0", "crowd=0,dense=1000"}) {
+      const Chain chain = open_input(input).animation->frame(0);
+      const auto open_pairs = [&](const std::string& with) {
+        const auto variant = StrategyRegistry::instance().make("Hybrid(" + with + ")");
+        Collisions found;
+        variant->build(chain);
+        variant->find(chain, {}, found);
+        return std::pair(variant->work().back().times, found.pair_count);
+      };
+      const std::string more = *settings == 0 ? "" : std::string(",") + settings;
+      const auto [usual, pairs] = open_pairs("exact=open" + more);
+      const auto [all, same_pairs] = open_pairs("exact=all" + more);
+      EXPECT_EQ(pairs, same_pairs);
+      EXPECT_GE(all, pairs) << input << ' ' << settings;
+      EXPECT_GT(all, usual) << input << ' ' << settings;
+    }
+}
+
+/// What may not be left out is done, and the plan says so.
+TEST(Hybrid, DoesWhatItIsToldTo) {
+  const auto left_out = [](const char* input, const std::string& name, const char* step) {
+    const Chain chain = open_input(input).animation->frame(0);
+    const auto variant = StrategyRegistry::instance().make(name);
+    Collisions found;
+    variant->build(chain);
+    variant->find(chain, {}, found);
+    const Plan plan = variant->plan();
+    const auto at = std::ranges::find(plan, step, &Decision::step);
+    EXPECT_NE(at, plan.end()) << step;
+    return at != plan.end() && at->left_out;
+  };
+  EXPECT_TRUE(left_out("path1:n=5000", "Hybrid", "search within straight stretches"));
+  EXPECT_FALSE(left_out("path1:n=5000", "Hybrid(rows=search)", "search within straight stretches"));
+  EXPECT_TRUE(left_out("yarn:n=5000", "Hybrid(crowd=0,dense=0)", "radius of each sphere in cells"));
+  EXPECT_FALSE(
+      left_out("yarn:n=5000", "Hybrid(crowd=0,dense=0,radii=each)", "radius of each sphere in cells"));
+  EXPECT_TRUE(left_out("path1:n=5000", "Hybrid", "order of space"));
+  EXPECT_FALSE(left_out("yarn:n=20000", "Hybrid(dense=1000)", "order of space"));
+  EXPECT_TRUE(left_out("path1:n=5000", "Hybrid", "single spheres"));
+  EXPECT_FALSE(left_out("yarn:n=5000", "Hybrid(crowd=0,dense=0)", "single spheres"));
+  EXPECT_FALSE(left_out("path1:n=5000", "Hybrid", "search of spheres that are alone"));
+}
+
 TEST(Hybrid, LeavesOutSpheresThatAreAlone) {
   for (const std::string threads : {"1", "3"})
     for (const float radius : {0.5f, 0.05f, 0.0f}) {

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "catena/core/commands/plan_report.h"
 #include "catena/core/commands/test_program.h"
 
 namespace catena {
@@ -38,7 +41,25 @@ TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
   EXPECT_TRUE(step(after, "choice of variant").contains("actual_ms"));
 }
 
+TEST(PlanReport, HasAColumnForWhatAnyStepSays) {
+  const Plan plan{{"one", true, "a reason", 1.23456, 7.0, "all of it"}, {"another", false, "why not", 0.5}};
+  EXPECT_EQ(plan_table(plan, "> "),
+            "> step               estimate  actual  removed    because\n"
+            "> one      left out  1.23 ms   7 ms    all of it  a reason\n"
+            "> another  done      0.5 ms                       why not\n");
+  EXPECT_EQ(plan_table({plan[1]}, ""),
+            "step           estimate  because\nanother  done  0.5 ms    why not\n");
+  EXPECT_EQ(
+      to_json(plan).dump(),
+      R"([{"step":"one","left_out":true,"reason":"a reason","estimate_ms":1.23456,"actual_ms":7.0,)"
+      R"("removed":"all of it"},{"step":"another","left_out":false,"reason":"why not","estimate_ms":0.5}])");
+}
+
 TEST_F(PlanProgram, OmitsNothingThatIsSwitchedOff) {
+  const auto run =
+      json("plan yarn:n=3000 --run --counts-only --no-omit hierarchy --no-omit pair-list --json");
+  EXPECT_FALSE(step(run, "pair list")["left_out"]);
+  EXPECT_TRUE(step(json("plan yarn:n=3000 --run --counts-only --json"), "pair list")["left_out"]);
   EXPECT_FALSE(step(json("plan path1:n=20 --no-omit hierarchy --json"), "hierarchy")["left_out"]);
   expect_says("detect path1:n=20 --no-omit hierarchy", 0, {"auto(keep=hierarchy), ChainTree"});
   expect_refused("plan path1:n=20 --no-omit nonsense", "hierarchy");
@@ -99,7 +120,44 @@ TEST_F(PlanProgram, UsesTheFiguresThatCalibrateKeepsAndSaysSoWhenTheyAreDamaged)
   }
   expect_says("plan path1:n=3000", 0, {"figures of " + figures()});
   setenv("XDG_CACHE_HOME", "/dev/null", 1);
-  expect_refused("calibrate", "/dev/null");
+  expect_refused("calibrate", "cannot make /dev/null");
+}
+
+/// What is told is what is kept, to three digits, under the names of the columns.
+TEST_F(PlanProgram, TellsWhatCalibrateKeepsInATable) {
+  const ProgramOutcome told = run("calibrate");
+  ASSERT_EQ(told.code, 0) << told.output;
+  std::istringstream lines(told.output), kept(text_of(figures()));
+  std::string line, row;
+  std::getline(lines, line);
+  EXPECT_EQ(line,
+            "variant                     fixed, us   a sphere, ns   a pair, ns  threads, us       serial  "
+            "start, ms");
+  std::getline(kept, row), std::getline(kept, row);
+  std::size_t variants = 0;
+  for (; std::getline(kept, row) && row != "end"; ++variants) {
+    std::getline(lines, line);
+    std::istringstream words(row), shown(line);
+    std::string variant, name;
+    double fixed = 0, sphere = 0, pair = 0, serial = 0, team = 0, start = 0;
+    words >> variant >> fixed >> sphere >> pair >> serial >> team >> start;
+    shown >> name;
+    EXPECT_EQ(name, variant);
+    for (const double figure : {fixed, sphere, pair, team, serial, start}) {
+      std::string number;
+      shown >> number;
+      EXPECT_EQ(number, fmt::format("{:.3g}", figure)) << line;
+    }
+  }
+  EXPECT_GT(variants, 1u);
+}
+
+TEST_F(PlanProgram, CalibrateNeedsAFolderForWhatItKeeps) {
+  const char* const home = std::getenv("HOME");
+  const std::string before = home != nullptr ? home : "";
+  unsetenv("XDG_CACHE_HOME"), unsetenv("HOME");
+  expect_refused("calibrate", "XDG_CACHE_HOME");
+  if (home != nullptr) setenv("HOME", before.c_str(), 1);
 }
 
 }  // namespace

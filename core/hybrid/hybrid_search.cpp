@@ -23,7 +23,6 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
       sphere_queues_(threads) {}
 
 void HybridSearch::build(const ChainView& chain, const Team& team) {
-  parts_.tree.doubt = parts_.grid.doubt = parts_.spheres.doubt = settings_.doubt;
   parts_.grid.each_radius = settings_.each_radius;
   parts_.space.entries = 0;
   dense_.clear();
@@ -38,6 +37,8 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     std::swap(parts_.tree, put_by_.tree);
     std::swap(parts_.crowding, put_by_.crowding);
   }
+  // Of that tree which is searched now.
+  parts_.tree.doubt = parts_.grid.doubt = parts_.spheres.doubt = settings_.doubt;
   if (at_once) {
     parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
     parts_.dense_count = chain.size - parts_.lone_count;

@@ -69,7 +69,7 @@ TEST(LoneSpheres, LeaveOutNothingThatTouches) {
 
 /// Pairs that just touch, one on either side of a border of cells, or as near to it as numbers are.
 TEST(LoneSpheres, LeaveOutNothingThatTouchesAcrossBorders) {
-  for (const float far : {16.0f, 1000.0f, 60'000.0f, 1e7f}) {
+  for (const float far : {16.0f, 1000.0f, 60'000.0f, 5e5f, 1e6f, 3e6f, 1e7f}) {
     std::vector<Sphere> spheres{{far, 0, 0, 0.5f}};
     const auto cells = LoneCells::of(Chain(spheres).view().extent, 2000);
     ASSERT_TRUE(cells);
@@ -85,6 +85,46 @@ TEST(LoneSpheres, LeaveOutNothingThatTouchesAcrossBorders) {
     }
     EXPECT_EQ(missed(Chain(spheres)), 0u) << far;
   }
+}
+
+/// The last one, however many more than full vectors or full parts of the chain there are.
+TEST(LoneSpheres, LeaveOutNeitherTheFirstNorTheLastThatTouch) {
+  for (const std::uint32_t n : {2u, 3u, 15u, 16u, 17u, 18u, 31u, 33u, 8191u, 8193u, 8205u, 16390u}) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({3.0f * static_cast<float>(i), 0, 0, 0.5f});
+    for (const std::uint32_t with : {0u, (n - 1) / 2}) {
+      spheres[n - 1] = spheres[with], spheres[n - 1].y += 1;
+      const std::vector<std::uint32_t> others = others_of(Chain(spheres));
+      for (const std::uint32_t i : {with, n - 1})
+        EXPECT_TRUE(std::ranges::binary_search(others, i)) << i << " of " << n;
+    }
+  }
+}
+
+/// Two on either side of where the last bit of the map is followed by the first.
+TEST(LoneSpheres, LeaveOutNothingThatTouchesAcrossTheEndOfTheMap) {
+  std::size_t across = 0;
+  for (float x = 32767; x < 32769; x += 1.0f / 64) {
+    const Chain chain({{x, 0, 0, 0.23f}, {x + 0.4375f, 0, 0, 0.23f}});
+    ASSERT_TRUE(Robust::overlap(chain[0], chain[1]));
+    const auto cells = LoneCells::of(chain.view().extent, chain.size());
+    ASSERT_TRUE(cells);
+    ASSERT_EQ(cells->bits, 1u << 15);
+    const auto cell = [&](std::uint32_t i) { return std::floor(chain[i].x * cells->cells_per_unit); };
+    across += cell(0) < 32768 && cell(1) >= 32768;
+    EXPECT_EQ(others_of(chain), (std::vector<std::uint32_t>{0, 1})) << x;
+  }
+  EXPECT_GT(across, 10u);
+}
+
+TEST(LoneSpheres, LeaveOutMostPointsThatAreNowhereNear) {
+  Dice dice(9);
+  std::vector<Sphere> points = dust(dice, 4000, 100, 0);
+  points[3999] = points[7];
+  const std::vector<std::uint32_t> others = others_of(Chain(points));
+  EXPECT_GE(others.size(), 2u);
+  EXPECT_LT(others.size(), 2000u);
+  EXPECT_TRUE(std::ranges::binary_search(others, 7u) && std::ranges::binary_search(others, 3999u));
 }
 
 TEST(LoneSpheres, LeaveOutMostOfWhatIsSparse) {

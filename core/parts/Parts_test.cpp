@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/parts/local_chain.h"
+#include "catena/core/parts/partition.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/sorted_pairs.h"
 #include "catena/properties/testing/every_family.h"
@@ -125,6 +127,22 @@ TEST(Parts, HaveAsManyAsTheRoomAsks) {
   expect_same(found, exact, "path1 again");
 }
 
+/// Eleven are needed: no search is to wait while the others have one more.
+TEST(Parts, AreSharedOutEvenlyAmongSearches) {
+  const Chain chain = scene("path1:n=100000");
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=9500,searches=4)");
+  variant->build(chain);
+  Collisions found;
+  variant->find(chain, {}, found);
+  expect_same(found, reference::find(chain), "path1");
+  EXPECT_EQ(step(*variant, "parts"), 12u);
+  const auto alone = StrategyRegistry::instance().make("Parts(parts=1,room=30000,searches=1)");
+  alone->build(chain);
+  alone->find(chain, {}, found);
+  expect_same(found, reference::find(chain), "path1");
+  EXPECT_EQ(step(*alone, "parts"), 4u);  // three would be more than there is room for
+}
+
 /// Half a path and then a ball of yarn that fills the room for pairs of two parts.
 TEST(Parts, ComeWithHalosWhereTooMuchTouchesOthers) {
   std::vector<Sphere> spheres;
@@ -151,18 +169,84 @@ TEST(Parts, SayWhereThereIsNoRoom) {
   }
 }
 
+TEST(Parts, ForgetTheChainBeforeOneThatHasNoRoom) {
+  const Chain fits = scene("path1:n=5000"), has_none(std::vector<Sphere>(5000, Sphere{1, 2, 3, 4}));
+  const auto variant = StrategyRegistry::instance().make("Parts(parts=1,room=1000)");
+  Collisions found;
+  variant->build(fits);
+  variant->find(fits, {}, found);
+  expect_same(found, reference::find(fits), "path1");
+  EXPECT_THROW(variant->build(has_none), CapacityError);
+  EXPECT_THROW(variant->find(fits, {}, found), std::logic_error);
+  variant->build(fits);
+  variant->find(fits, {}, found);
+  expect_same(found, reference::find(fits), "path1 again");
+}
+
+TEST(Parts, SayHowTheChainWasSharedOut) {
+  struct Expected {
+    const char *variant, *says;
+    bool left_out;
+  };
+  const Chain chain = scene("path1:n=3000");
+  for (const auto& [name, says, left_out] :
+       {Expected{"Parts(parts=1)", "1 part in chain order, each stays where it is", true},
+        Expected{"Parts(parts=2,searches=3)", "2 parts in chain order, each stays where it is", false},
+        Expected{"Parts(parts=4,searches=1)", "4 parts in chain order, which take turns", false},
+        Expected{"Parts(parts=3,order=space,searches=3)", "3 parts by space, each stays where it is", false},
+        Expected{"Parts(parts=5,order=space)", "5 parts by space, which take turns", false}}) {
+    const auto variant = StrategyRegistry::instance().make(name);
+    variant->build(chain);
+    Collisions found;
+    variant->find(chain, {}, found);
+    expect_same(found, reference::find(chain), name);
+    const Plan plan = variant->plan();
+    ASSERT_EQ(plan.size(), 1u);
+    EXPECT_EQ(plan[0].reason, says) << name;
+    EXPECT_EQ(plan[0].left_out, left_out) << name;
+    EXPECT_TRUE(plan[0].actual_ms) << name;
+  }
+}
+
+/// A row whose end comes back beside its begin: by space where more than an eighth is near the other part.
+TEST(Parts, ComeByTheOrderThatHasTheSmallerHalos) {
+  constexpr std::uint32_t n = 8192;
+  const auto hook = [](std::uint32_t beside) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const bool back = i >= n - beside;
+      spheres.push_back({static_cast<float>(back ? n - i : i), back ? 2.f : 0, 0, 1});
+    }
+    return Chain(std::move(spheres));
+  };
+  const Team team(Parameters("test", {Team::threads_parameter()}, "threads=1"));
+  const parts::PartitionOptions measured{};
+  for (const auto& [beside, in_space] : {std::pair{n / 32, false}, std::pair{43 * 32u, true}}) {
+    const parts::Partition partition = parts::part_chain(hook(beside), 2, measured, team);
+    EXPECT_EQ(partition.in_space, in_space) << beside;
+    std::uint64_t in_halos = 0;
+    for (const parts::PartRanges& part : partition.parts)
+      in_halos += parts::spheres_in(part.before) + parts::spheres_in(part.after);
+    EXPECT_GT(in_halos, 0u) << beside;
+    EXPECT_LE(in_halos, n / 8) << beside;
+  }
+}
+
 TEST(Parts, CountPairsPastTheLimit) {
   const Chain chain = scene("yarn:n=3000");
   const auto exact = reference::find(chain);
   const auto variant = StrategyRegistry::instance().make("Parts(parts=4)");
   variant->build(chain);
   Collisions found;
+  variant->find(chain, {}, found);
+  ASSERT_FALSE(found.count.empty());
   try {
     variant->find(chain, {.pair_limit = exact.pair_count / 4}, found);
     FAIL() << "kept more pairs than the limit";
   } catch (const PairLimitExceeded& exceeded) {
     EXPECT_EQ(exceeded.found(), exact.pair_count);
     EXPECT_TRUE(found.pairs.empty());
+    EXPECT_TRUE(found.count.empty());  // what was found before is no answer
   }
   variant->find(chain, {.want = Request::Want::counts}, found);
   EXPECT_EQ(found.count, exact.count);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "catena/core/parts/part_as_chain.h"
@@ -25,6 +26,27 @@ PartRanges any_part(std::uint32_t n, Dice& dice) {
   return {std::move(ranges[0]), std::move(ranges[1]), std::move(ranges[2])};
 }
 
+/// As a device reads them: first the lesser, each once and sorted, and within a closed piece none but the
+/// chain's own further pairs.
+void expect_in_order(const LocalChain& part, const Chain& whole) {
+  EXPECT_EQ(std::ranges::adjacent_find(part.extra(), std::ranges::greater_equal{}), part.extra().end());
+  const auto piece_of = [&](std::uint32_t i) {
+    return std::ranges::upper_bound(part.pieces(), i, {}, &LocalChain::Piece::begin) - part.pieces().begin() -
+           1;
+  };
+  for (const Pair& pair : part.extra()) {
+    EXPECT_LT(pair.i, pair.j);
+    const auto piece = piece_of(pair.i);
+    if (piece != piece_of(pair.j) || !part.pieces()[static_cast<std::size_t>(piece)].closed) continue;
+    const std::uint32_t i = part.id(pair.i), j = part.id(pair.j);
+    EXPECT_TRUE(std::ranges::any_of(whole.exclusion().extra_pairs,
+                                    [&](const Pair& p) {
+                                      return p == Pair{i, j} || p == Pair{j, i};
+                                    }))
+        << i << ' ' << j;
+  }
+}
+
 /// Whatever the rule, the strands and their closing, joints, and what of them a part has: also of a closed
 /// strand that lacks a sphere, and of arcs whose middle is in another part.
 TEST(LocalChain, HasTheNeighboursOfTheWhole) {
@@ -37,6 +59,7 @@ TEST(LocalChain, HasTheNeighboursOfTheWhole) {
       if (part.size() == 0) continue;
       const Chain alone = part_as_chain(whole, part);
       ASSERT_EQ(alone.size(), part.size());
+      expect_in_order(part, whole);
       for (std::uint32_t i = 0; i < part.size(); ++i) {
         ASSERT_EQ(alone[i], whole[part.id(i)]);
         for (std::uint32_t j = 0; j < part.size(); ++j) {

@@ -73,6 +73,20 @@ TEST(CoarseLook, GivesNoNeighboursAndIsTheSameWhateverItLookedAtBefore) {
   EXPECT_GT(found, 8u);
 }
 
+/// Stretches that follow one another touch wherever a chain does: to compare them would be most of the work.
+TEST(CoarseLook, ComparesNoStretchWithTheNextOne) {
+  std::vector<Sphere> straight, back;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    straight.push_back({static_cast<float>(i), 0, 0, 0.5f});
+    back.push_back({static_cast<float>(std::min(i, n - 1 - i)), i < n / 2 ? 0 : 1.5f, 0, 0.5f});
+  }
+  CoarseLook look;
+  EXPECT_FALSE(look.look(Chain(std::move(straight)).view(), {}));
+  EXPECT_EQ(look.compared(), 0u);
+  EXPECT_FALSE(look.look(Chain(std::move(back)).view(), {}));  // beside itself, at a distance
+  EXPECT_GT(look.compared(), 0u);
+}
+
 /// As a frame asks about the contact of the last one: it is found again while it is there.
 TEST(CoarseLook, FindsAContactAgainWhereverItIsAlongTheChain) {
   for (const Chain& chain : chains())

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "catena/core/executor/usable_cores.h"
 #include "catena/core/plan/calibrate.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/timings.h"
@@ -115,11 +116,35 @@ TEST_F(MachineFile, OfVariantsThatAreGoneIsUsedForTheOthers) {
   EXPECT_EQ(std::ranges::count(back.costs, std::string("Gone"), &Machine::VariantCost::variant), 0);
 }
 
+/// A device is known before it is looked for; of the host, only what is there.
+TEST(Machine, KnowsWhatSaysWhatItCosts) {
+  const Machine machine = Machine::built_in();
+  EXPECT_EQ(machine.cores, usable_cores());
+  std::size_t devices = 0;
+  for (const std::string& name : StrategyRegistry::instance().strategy_names()) {
+    const StrategyInfo& info = StrategyRegistry::instance().strategy(name);
+    const bool device = info.place.on_device(), there = !(info.unavailable && info.unavailable());
+    EXPECT_EQ(std::ranges::count(machine.costs, name, &Machine::VariantCost::variant),
+              info.cost && !info.peer && (device || there))
+        << name;
+    devices += info.cost && device;
+  }
+  EXPECT_EQ(std::ranges::count(machine.costs, true, &Machine::VariantCost::on_device), devices);
+}
+
 TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
   const Machine machine = calibrate(), built_in = Machine::built_in();
   for (const Machine::VariantCost& v : machine.costs) {
     EXPECT_GT(v.cost.ms(100000), 0) << v.variant;
     EXPECT_TRUE(std::isfinite(v.cost.ms(100000))) << v.variant;
+    EXPECT_FALSE(v.unavailable && v.unavailable()) << v.variant;
+    // No processor takes less, nor anyone's patience more: figures that are of another unit.
+    const double item_ns = v.all_pairs ? v.cost.sphere_pair_ns : v.cost.sphere_ns;
+    if (!v.on_device) {
+      EXPECT_GT(item_ns, 0.05) << v.variant;
+      EXPECT_LT(item_ns, 1e6) << v.variant;
+      EXPECT_EQ(v.all_pairs ? v.cost.sphere_ns : v.cost.sphere_pair_ns, 0) << v.variant;
+    }
     // Other threads have to wake: no run tells that they cost nothing.
     const auto usual = std::ranges::find(built_in.costs, v.variant, &Machine::VariantCost::variant);
     ASSERT_NE(usual, built_in.costs.end()) << v.variant;

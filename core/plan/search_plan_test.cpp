@@ -1,5 +1,6 @@
 #include "catena/core/plan/search_plan.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,6 +55,8 @@ TEST(SearchPlan, LooksForADeviceOnlyWhereItWouldTakeIt) {
   EXPECT_EQ(chosen(11000, {}, of), "tree");
   EXPECT_EQ(chosen(5, {"device"}, of), "pairs");
   EXPECT_EQ(looks, 2);
+  EXPECT_EQ(step(SearchPlan(11000, {}, of, {}).steps(), "device").reason,
+            "none that is available says what it costs");
 }
 
 TEST(SearchPlan, ADeviceWithoutRoomGivesWayToTheHost) {
@@ -68,10 +71,108 @@ TEST(SearchPlan, ADeviceWithoutRoomGivesWayToTheHost) {
   }
   EXPECT_EQ(on_device.variant(), "tree");
   EXPECT_FALSE(on_device.give_way("no room"));
+  const StrategyInfo* const parts = StrategyRegistry::instance().find_strategy("DeviceParts");
+  EXPECT_EQ(once_in_parts, parts != nullptr && !(parts->unavailable && parts->unavailable()));
   const std::string reason = on_device.steps().front().reason;
   EXPECT_TRUE(
       reason.ends_with(once_in_parts ? "; device: no room; DeviceParts: no room" : "; device: no room"))
       << reason;
+}
+
+TEST(SearchPlan, ADeviceWithoutRoomGivesWayToWhatTheChainsKindAsksFor) {
+  const Machine of = machine();
+  Extent subnormal;
+  subnormal.least_radius = subnormal.greatest_radius = 1e-40f, subnormal.sides = 1;
+  SearchPlan plan(11000, {}, of, {}, subnormal);
+  EXPECT_EQ(plan.variant(), "device");
+  while (plan.on_device()) ASSERT_TRUE(plan.give_way("no room"));
+  EXPECT_EQ(plan.variant(), "Grid");
+}
+
+TEST(SearchPlan, GivesWayToNoneWhereThereIsNone) {
+  Machine of = machine();
+  of.costs.erase(of.costs.begin(), of.costs.end() - 1);
+  SearchPlan plan(100, {}, of, {});
+  ASSERT_EQ(plan.variant(), "device");
+  if (plan.give_way("no room")) {  // in parts, where there is a device
+    EXPECT_EQ(plan.variant(), "DeviceParts");
+    EXPECT_FALSE(plan.give_way("no room"));
+  }
+}
+
+/// The figures of each step are those of what it is about, whatever was chosen.
+TEST(SearchPlan, SaysOfEachStepWhatItIsAboutTakes) {
+  Machine of = machine();
+  of.costs[3].cost.start_ms = 300;
+  of.costs[3].started = [] { return false; };
+  const MachineCost &pairs = of.costs[0].cost, &tree = of.costs[1].cost, &device = of.costs[3].cost;
+  for (const std::uint32_t n : {5u, 200u, 11000u}) {
+    SearchHistory history;
+    history.add(n, 1, 7);
+    const Plan plan = SearchPlan(n, {}, of, {}, {}, {}, history).steps();
+    EXPECT_EQ(step(plan, "hierarchy").left_out, n == 5) << n;
+    EXPECT_EQ(step(plan, "hierarchy").estimate_ms, tree.ms(n)) << n;
+    EXPECT_EQ(
+        step(plan, "hierarchy").reason,
+        fmt::format("{} spheres: tree about {:.3g} ms, pairs about {:.3g} ms", n, tree.ms(n), pairs.ms(n)));
+    EXPECT_EQ(step(plan, "device").estimate_ms, device.ms(n)) << n;
+    EXPECT_TRUE(step(plan, "device").left_out) << n;
+    EXPECT_EQ(
+        step(plan, "device").reason,
+        fmt::format("device about {:.3g} ms, tree about {:.3g} ms{}; not looked for", device.ms(n),
+                    tree.ms(n), n == 11000 ? "; to start it about 300 ms, of which 7 were lost so far" : ""));
+  }
+  of.costs[3].started = [] { return true; };
+  const Decision taken = step(SearchPlan(11000, {}, of, {}).steps(), "device");
+  EXPECT_FALSE(taken.left_out);
+  EXPECT_EQ(taken.reason,
+            fmt::format("device about {:.3g} ms, tree about {:.3g} ms", device.ms(11000), tree.ms(11000)));
+}
+
+/// What a strategy leaves out by itself it is told to do.
+TEST(SearchPlan, TellsAStrategyWhatMayNotBeLeftOut) {
+  Machine of = machine();
+  of.costs = {{"Hybrid", {{.fixed_us = 1, .sphere_ns = 10}}}};
+  const auto named = [&](const std::vector<std::string>& keep) {
+    return SearchPlan(5000, {}, of, Omissions::without(keep)).variant_with_threads();
+  };
+  EXPECT_EQ(named({}), "Hybrid");
+  EXPECT_EQ(named({"straight"}), "Hybrid(rows=search)");
+  EXPECT_EQ(named({"exact"}), "Hybrid(exact=all)");
+  EXPECT_EQ(named({"radii"}), "Hybrid(radii=each)");
+  EXPECT_EQ(named({"straight", "exact", "radii"}), "Hybrid(rows=search,exact=all,radii=each)");
+  of.costs[0].variant = "CPU1";  // which knows none of them
+  EXPECT_EQ(named({"straight", "exact", "radii"}), "CPU1");
+}
+
+TEST(SearchPlan, LooksAtLikelyPlacesWhereThatMayBeLeftOut) {
+  const Machine of = machine();
+  constexpr std::uint32_t n = CoarseLook::least;
+  const auto looks = [&](std::uint32_t spheres, Want want, const std::vector<std::string>& keep) {
+    return SearchPlan(spheres, {want}, of, Omissions::without(keep)).look_first();
+  };
+  EXPECT_TRUE(looks(n, Want::any, {}));
+  EXPECT_FALSE(looks(n - 1, Want::any, {}));
+  EXPECT_FALSE(looks(n, Want::counts, {}));
+  EXPECT_FALSE(looks(n, Want::any, {"other-places"}));
+  EXPECT_FALSE(looks(n, Want::any, {"after-hit"}));
+}
+
+/// A few spheres are compared all with all, whatever their kind, and threads that must be had are the usual
+/// variant's.
+TEST(SearchPlan, AsksForTheKindOnlyWhereItMayTakeThePlaceOfTheTree) {
+  const Machine of = machine();
+  const Chain few = open_input("path1:n=30").animation->frame(0),
+              more = open_input("yarn:n=700").animation->frame(0);
+  const auto plan = [&](const Chain& chain, const std::vector<std::string>& keep) {
+    return SearchPlan(chain.size(), {}, of, Omissions::without(keep), chain.view().extent, chain.spheres());
+  };
+  const SearchPlan of_few = plan(few, {});
+  EXPECT_EQ(of_few.variant(), "pairs");
+  EXPECT_TRUE(of_few.holds_for(few.size(), {}, few.view().extent, few.spheres()));
+  ASSERT_NE(UnusualKind::of(more.size(), more.view().extent, more.spheres()), nullptr);
+  EXPECT_NE(plan(more, {}).variant(), "tree");
+  EXPECT_EQ(plan(more, {"threads"}).variant(), "tree");
 }
 
 TEST(SearchPlan, DoesWhatMayNotBeLeftOut) {
@@ -269,7 +370,37 @@ TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {
   EXPECT_NE(step(full, "pair list").reason.find("--no-omit pair-list"), std::string::npos);
 }
 
+/// Of yes or no it says which steps that spares, and of which none may be spared.
+TEST(SearchPlan, SaysWhatYesOrNoSpares) {
+  const Machine of = machine();
+  const std::string after_hit = info_of(Omission::after_hit).step,
+                    places = info_of(Omission::other_places).step;
+  const auto steps = [&](std::uint32_t n, const std::vector<std::string>& keep) {
+    return SearchPlan(n, {Want::any}, of, Omissions::without(keep)).steps();
+  };
+  const Plan spared = steps(8192, {}), kept = steps(8192, {"after-hit"});
+  EXPECT_TRUE(step(spared, after_hit).left_out);
+  EXPECT_TRUE(step(spared, places).left_out);
+  EXPECT_EQ(step(spared, places).reason, "a look at every 1024th sphere first, 8 of 8192");
+  EXPECT_FALSE(step(kept, after_hit).left_out);
+  EXPECT_TRUE(step(kept, after_hit).reason.ends_with("; --no-omit after-hit"));
+  EXPECT_FALSE(step(kept, places).left_out);
+  EXPECT_EQ(step(steps(300000, {}), places).reason,
+            "a look at every 1024th sphere first, 292 of 300000, then at one of 256 parts");
+  EXPECT_EQ(step(steps(100, {}), places).reason, "100 spheres: a look pays from 8192 on");
+  EXPECT_THROW(step(SearchPlan(8192, {}, of, {}).steps(), places), std::logic_error);
+}
+
+TEST(SearchPlan, HasNoFurtherThreadsOnOneCore) {
+  Machine of = sixteen_cores();
+  of.cores = 1;
+  const Decision threads = step(SearchPlan(1u << 20, {}, of, {}).steps(), "further threads");
+  EXPECT_TRUE(threads.left_out);
+  EXPECT_EQ(threads.reason, "there is one core");
+}
+
 TEST(SearchPlan, EveryOmissionStatesItsObligation) {
+  EXPECT_THROW(Omissions::without(std::vector<std::string>{"nonsense"}), std::logic_error);
   std::vector<std::string> names = omission_names();
   std::ranges::sort(names);
   EXPECT_TRUE(std::ranges::adjacent_find(names) == names.end());
@@ -316,6 +447,17 @@ TEST(Find, AnswersInOneCallWhateverIsLeftOut) {
     EXPECT_EQ(all.count, exact.count) << input;
     EXPECT_EQ(find(chain, {Want::any}).found, exact.found) << input;
     EXPECT_EQ(find(chain, {Want::counts}).count, exact.count) << input;
+    EXPECT_TRUE(find(chain, {Want::counts}).pairs.empty()) << input;
+    const SphereRange some{0, chain.size() / 2};
+    Collisions of_some = find(chain, {.queries = some});
+    std::ranges::sort(of_some.pairs);
+    std::vector<Pair> expected;
+    for (const Pair& p : exact.pairs)
+      if (some.contains(p.i)) expected.push_back(p);
+    EXPECT_EQ(of_some.pairs, expected) << input;
+    if (exact.pair_count > 0) {
+      EXPECT_THROW(find(chain, {.pair_limit = exact.pair_count - 1}), PairLimitExceeded) << input;
+    }
     for (const std::string& name : omission_names()) {
       const auto kept = StrategyRegistry::instance().make("auto(keep=" + name + ")");
       for (const Want want : {Want::any, Want::counts, Want::pairs}) {

@@ -17,9 +17,13 @@ class Requests final : public Property {
     ask(variant, test.chain, Want::any, any_);
     ask(variant, test.chain, Want::counts, counts_);
     ask(variant, test.chain, Want::pairs, pairs_);
+    less_ = pairs_;                                // what an earlier answer left is none of the next one
     variant.find(test.chain, {Want::any}, less_);  // less than was prepared for
+    if (!less_.pairs.empty()) return "pairs of an earlier answer are left where yes or no was asked";
     if (less_.found != pairs_.found) return "found differs when less is asked for than was prepared";
+    less_ = pairs_;
     variant.find(test.chain, {Want::counts}, less_);
+    if (!less_.pairs.empty()) return "pairs of an earlier answer are left where counts were asked";
     if (less_.count != pairs_.count) return "counts differ when less is asked for than was prepared";
     if (pairs_.pairs.size() != pairs_.pair_count)
       return fmt::format("{} pairs, but pair_count {}", pairs_.pairs.size(), pairs_.pair_count);

@@ -43,6 +43,37 @@ class Intervals(unittest.TestCase):
         self.assertAlmostEqual(found.high, 2 * 2 ** math.sqrt(2))
         self.assertEqual(statistics.ratio([2, 4, 8], [1, 2, 4]), statistics.Interval(2.0, 0.5, 8.0))
 
+    def test_ratio_turned_around_is_its_inverse(self):
+        new, old = [3, 4, 4, 4, 5, 20], [1, 1.9, 2, 2, 2, 2.1]  # of which one leans up and one down
+        there, back = statistics.ratio(new, old), statistics.ratio(old, new)
+        self.assertAlmostEqual(there.low * back.high, 1)
+        self.assertAlmostEqual(there.high * back.low, 1)
+        # By hand: down ln 4/3 and ln 2.1/2, up ln 20/4 and ln 2/1.
+        self.assertAlmostEqual(there.low, 2 * math.exp(-math.hypot(math.log(4 / 3), math.log(1.05))))
+        self.assertAlmostEqual(there.high, 2 * math.exp(math.hypot(math.log(5), math.log(2))))
+
+    def test_ratio_of_five_is_in_their_range(self):
+        self.assertEqual(
+            statistics.ratio([2, 3, 4, 5, 8], [1, 2, 2, 2, 4]), statistics.Interval(2.0, 0.5, 8.0)
+        )
+
+    def test_mean_log_is_students(self):
+        # Logarithms 0, 1 and 2 times ln 2: their deviation is ln 2; t of 2 degrees of freedom 4.30265.
+        found = statistics.mean_log([1, 2, 4])
+        reach = 4.30265 * math.log(2) / math.sqrt(3)
+        self.assertAlmostEqual(found.value, 2)
+        self.assertAlmostEqual(math.log(found.high / found.value), reach, places=4)
+        self.assertAlmostEqual(math.log(found.value / found.low), reach, places=4)
+        self.assertEqual(statistics.mean_log([3.0]).low, 0)
+        self.assertEqual(statistics.mean_log([3.0]).high, math.inf)
+
+    def test_share_is_wilsons(self):
+        for number, of, low, high in ((8, 10, 0.490162, 0.943318), (0, 10, 0, 0.277533), (10, 10, 0.722467, 1)):
+            found = statistics.share(number, of)
+            self.assertAlmostEqual(found.value, number / of)
+            self.assertAlmostEqual(found.low, low, places=5)
+            self.assertAlmostEqual(found.high, high, places=5)
+
     def test_ratio(self):
         generator = numpy.random.default_rng(5)
         found = statistics.ratio(generator.normal(3, 0.1, 40), generator.normal(2, 0.1, 40))
@@ -56,6 +87,9 @@ class Intervals(unittest.TestCase):
         self.assertAlmostEqual(found.value, 1.5)
         self.assertAlmostEqual(found.high - found.low, 0, places=6)
         self.assertIsNone(statistics.exponent([10, 20, 30], [1, 2, 3]))
+        # What took no time that a clock sees is on no power law.
+        self.assertAlmostEqual(statistics.exponent([1, 2, 4, 8, 16, 0], [1, 2, 4, 8, 0, 3]).value, 1)
+        self.assertIsNone(statistics.exponent([1, 2, 4, 8], [0, 2, 4, 8]))
 
     def test_exponent_interval_is_students(self):
         # By hand: x = ln n = 0, 1, 2, 3; y = 0, 1, 2.3, 3; slope 1.03, residuals -.03, -.06, .21, -.12, s^2 = .0315,
@@ -71,6 +105,7 @@ class Tests(unittest.TestCase):
         self.assertAlmostEqual(statistics.mann_whitney([1, 2, 3, 4, 5], [6, 7, 8, 9, 10]), 2 / 252)
         self.assertAlmostEqual(statistics.least_p(5, 5), 2 / 252)
         self.assertEqual(statistics.mann_whitney([1, 1], [1, 1]), 1.0)
+        self.assertLess(statistics.mann_whitney([1] * 9, [2] * 9), 0.001)
 
     def test_holm(self):
         # Holm 1979's rule by hand: .01*4, .03*3, .04*2 (not below the one before), .005*... sorted .005 .01
@@ -94,6 +129,11 @@ class Best(unittest.TestCase):
     def test_few_samples_are_told_apart_by_their_ranges(self):
         leader, alike = statistics.best({"a": [1, 2, 3], "b": [2.5, 3, 4], "c": [100, 101, 102]})
         self.assertEqual((leader, alike), ("a", ["b"]))
+        # Ranges that touch are not told apart; fewer than three samples, not within a factor of 2 of the worst.
+        self.assertEqual(statistics.best({"a": [1, 2, 3], "b": [3, 4, 5]}), ("a", ["b"]))
+        self.assertEqual(statistics.best({"a": [1, 1.1, 1.2], "b": [1.3, 1.4, 1.5]}), ("a", []))
+        two = {"a": [1, 1.2], "b": [2.3, 2.5], "c": [2.5, 2.6]}
+        self.assertEqual(statistics.best(two), ("a", ["b"]))
 
 
 if __name__ == "__main__":
