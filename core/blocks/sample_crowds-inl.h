@@ -16,7 +16,6 @@
 #include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/team.h"
-#include "catena/core/space_tree/search_cost.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -213,7 +212,7 @@ class CrowdSample {
   /// What it takes to change to another order, told which: some looks, whatever the chain's length.
   static constexpr double change_ns = 10'000;
   const double change_ = change_ns / chain_.size;
-  const double shallow_ = SingleSphereCost::shallow(chain_.size);
+  const double shallow_ = shallow_share(chain_.size);
 };
 
 }  // namespace catena::HWY_NAMESPACE
