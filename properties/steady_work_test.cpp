@@ -33,7 +33,7 @@ HybridSearch::Work work_of(const Chain& chain, const HybridSearch::Settings& set
   HybridSearch search(settings, 1);
   search.build(view, alone);
   Collisions found;
-  PairCollector collector(n, {Request::Want::counts}, found);
+  PairCollector collector(view.size, {Request::Want::counts}, found);
   search.search(view, collector, alone);
   collector.finish();
   return search.work();
@@ -184,6 +184,27 @@ TEST(SteadyWork, OfWaysAsLongAsNodes) {
   };
   EXPECT_LT(pairs_of(128), 1.5 * pairs_of(64));
   EXPECT_LT(pairs_of(256), 1.5 * pairs_of(192));
+}
+
+/// Wisps of hair, so few that no node can meet more others than the chain's order bears: that their blocks
+/// meet many is told by what a search of them would cost.
+TEST(SteadyWork, OfFewNodesThatAllMeet) {
+  constexpr std::uint32_t strand = 100, strands = 30;
+  Random random(7);
+  std::vector<Sphere> spheres;
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t w = 0; w < strands; ++w) {
+    const double from = 2 * M_PI * random.unit(), root = 3 * std::sqrt(random.unit());
+    first.push_back(w * strand);
+    for (std::uint32_t i = 0; i < strand; ++i) {
+      const double away = root * (1 - 0.007 * i), angle = from + 0.05 * i, bend = 20 * std::cos(0.04 * i);
+      spheres.push_back({static_cast<float>(bend + away * std::cos(angle)),
+                         static_cast<float>(away * std::sin(angle)), static_cast<float>(0.6 * i), 0.25f});
+    }
+  }
+  first.push_back(strands * strand);
+  const Chain chain(std::move(spheres), Strands{.first = std::move(first), .closed = {}});
+  EXPECT_GE(work_of(chain, defaults()).crowded, chain.size());
 }
 
 /// The measure itself sees a cliff: a search that gives the chain's order up at a few meetings jumps.

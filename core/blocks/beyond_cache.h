@@ -11,4 +11,11 @@ inline double octaves_beyond_cache(std::uint32_t spheres) {
   return std::max(0.0, std::log2(spheres / in_cache));
 }
 
+/// Of fewer spheres a tree is less deep, and all of it stays next to the core: what a search of spheres one
+/// by one takes, of that of many.
+inline double shallow_share(std::uint32_t spheres) {
+  constexpr double deep = 20'000, octave = 0.065, least = 0.78;
+  return std::clamp(1 - octave * std::log2(deep / std::max(1u, spheres)), least, 1.0);
+}
+
 }  // namespace catena

@@ -7,8 +7,10 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numbers>
+#include <span>
 
 #include "catena/core/blocks/crowding.h"
 #include "catena/core/blocks/neighbour_blocks.h"
@@ -53,8 +55,8 @@ inline std::uint32_t pays(const Crowding* among, std::uint32_t node) {
 }
 
 /// Counts the blocks whose capsules one may meet, in any order, as often as one pays for them, no further
-/// than just past `enough`, but for those that hold its neighbours alone; the nodes that may hold some; and
-/// the looks on the way to these.
+/// than just past `enough`, but for those that hold its neighbours alone; the nodes that may hold some; the
+/// rows, nodes of which some blocks may be met by their boxes; and the looks on the way to these.
 class NearBlocks {
  public:
   NearBlocks(const ChainView& chain, const BlockTree& tree, std::uint32_t b, std::uint32_t enough,
@@ -67,43 +69,74 @@ class NearBlocks {
                        : b + 1 < other && neighbours.all(b, other);
     };
     const Capsules capsule = Capsules::all(tree.capsules_of(b / group), b % group);
+    const auto box = OrientedBoxes::all(tree.level[0].at(b / group), b / group % group);
+    const Intervals own = intervals(capsule, box.centre, box.axis);
     const auto met = [&](std::uint32_t node) {
+      const std::uint32_t times = pays(among, node);
+      const Capsules theirs = Capsules::load(tree.capsules_of(node));
       std::uint32_t near =
-          may_collide(capsule, Capsules::load(tree.capsules_of(node))) & lane_bits(tree.blocks_of(node));
+          meet(own, intervals(theirs, box.centre, box.axis)) & lane_bits(tree.blocks_of(node));
+      nodes_ += times;
+      if (kept_ < most_kept) node_[kept_++] = node;
+      if (near == 0) return true;
+      rows_ += times;
+      near &= may_collide(capsule, theirs);
       if (neighbours.some())
         for_each_lane(near, [&](std::uint32_t k) {
           if (passed_over(node * group + k)) near &= ~(1u << k);
         });
-      const std::uint32_t times = pays(among, node);
       count_ += times * static_cast<std::uint32_t>(std::popcount(near));
-      nodes_ += times;
+      for (const std::uint32_t beside : {b - 1, b, b + 1})
+        if (beside / group == node) own_ += times * (near >> beside % group & 1);
       return count_ <= enough;
     };
     for_each_met(tree, b / group, met, [&] { return ++looks_ != 0; });
     enough_ = count_ > enough;
+    // Within a block, and with the next along the chain, all is searched, near or not, unless it is ordered.
+    const auto searched = [&](std::uint32_t a, std::uint32_t next) {
+      const bool ordered = (tree.ordered[a / group] >> a % group & 1) != 0;
+      return !ordered && next < tree.blocks && !neighbours.all(a, next);
+    };
+    const bool before = b > 0 && searched(b - 1, b), after = searched(b, b + 1);
+    const bool inside = (b == 0 || before) && after && !neighbours.all(b, b);
+    beside_ = std::uint32_t{before} + after + 2 * inside;
   }
   bool enough() const { return enough_; }
   std::uint32_t count() const { return count_; }
   std::uint32_t nodes() const { return nodes_; }
+  std::uint32_t rows() const { return rows_; }
+  /// Halves that one pays for blocks that are near it, itself and those beside it along the chain among them.
+  std::uint32_t halves() const { return count_ - own_ + beside_; }
   std::uint32_t looks() const { return looks_; }
+  /// The first of those nodes, enough of them.
+  std::span<const std::uint32_t> some_nodes() const { return {node_.data(), kept_}; }
 
  private:
+  static constexpr std::uint32_t most_kept = 128;
+  std::array<std::uint32_t, most_kept> node_;
+  std::uint32_t kept_ = 0;
   bool enough_;
-  std::uint32_t count_ = 0, nodes_ = 0, looks_ = 0;
+  std::uint32_t beside_, own_ = 0, count_ = 0, nodes_ = 0, rows_ = 0, looks_ = 0;
 };
 
-/// About how many spheres a search by cells compares with one in the middle of a block, each pair once: half
-/// of those in a cube around it that is three of its diameters wide; told no further than just past `enough`.
-/// `among` as for NearBlocks.
-inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& tree, std::uint32_t b,
-                                      std::uint32_t enough, const Crowding* among) {
+/// What is near a sphere, about, each pair once.
+struct SpheresAround {
+  std::uint32_t candidates;  ///< that a search by cells compares with it
+  double overlaps;           ///< how many overlap it
+};
+/// Of one in the middle of a block: half of those in a cube around it that is three of its diameters wide,
+/// and of a ball's share of those in one of two, in nodes that its own may meet; told no further than just
+/// past `enough` candidates. `among` as for NearBlocks.
+inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tree, std::uint32_t b,
+                                    const NearBlocks& near_b, std::uint32_t enough, const Crowding* among) {
   constexpr std::uint32_t group = BlockTree::group;
-  const Sphere& middle = tree.spheres(chain, b)[tree.size_of(b) / 2];
+  const std::uint32_t place = tree.size_of(b) / 2;
+  const Sphere& middle = tree.spheres(chain, b)[place];
   const float reach = 3 * middle.radius;
   Capsules cube = Capsules::all(tree.capsules_of(b / group), b % group);
   cube.radius = cube.radius + Lanes16::all(reach * tree.scale);
-  std::uint32_t count = 0;
-  for_each_met(tree, b / group, [&](std::uint32_t node) {
+  std::uint32_t count = 0, beside = 0;
+  for (const std::uint32_t node : near_b.some_nodes()) {
     const std::uint32_t near = may_collide(cube, Capsules::load(tree.capsules_of(node))),
                         times = pays(among, node), those = near & lane_bits(tree.blocks_of(node));
     for_each_lane(those, [&](std::uint32_t k) {
@@ -112,46 +145,54 @@ inline std::uint32_t spheres_in_cells(const ChainView& chain, const BlockTree& t
     });
     for_each_lane(those, [&](std::uint32_t k) {
       const std::uint32_t other = node * group + k;
-      const std::uint32_t within = SphereLanes(tree.spheres(chain, other)).centres_within(middle, reach);
-      count += times * static_cast<std::uint32_t>(std::popcount(within & lane_bits(tree.size_of(other))));
+      const SphereLanes spheres(tree.spheres(chain, other));
+      const std::uint32_t there = lane_bits(tree.size_of(other)),
+                          within = spheres.centres_within(middle, reach) & there;
+      if (within == 0) return;
+      count += times * static_cast<std::uint32_t>(std::popcount(within));
+      // Itself and the two beside it along the chain do not overlap it.
+      const std::uint32_t others = other == b ? there & ~(7u << place >> 1) : there;
+      beside += times * static_cast<std::uint32_t>(
+                            std::popcount(spheres.centres_within(middle, 2 * middle.radius) & others));
     });
-    return count <= 2 * enough;
-  });
-  return count / 2;
+    if (count > 2 * enough) break;
+  }
+  constexpr double ball = std::numbers::pi / 6;
+  return {count / 2, ball * beside / 2};
 }
 
 /// What it costs to search a sphere, about, on one core with AVX-512. Measured on chains of many kinds; a
 /// wrong figure costs time and changes no answer.
 struct SphereCost {
-  static constexpr double near_ns = 51, row_ns = 4, nodes_ns = 107;  ///< of a tree: two of each
-  static constexpr double look_ns = 36;   ///< at the boxes of sixteen nodes, likewise
-  static constexpr double pair_ns = 5.7;  ///< of a tree: a sphere of two that overlap, among eight
-  static constexpr double cells_ns = 32, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
+  static constexpr double near_ns = 25, row_ns = 20, node_ns = 45;  ///< of a tree: two of each
+  static constexpr double look_ns = 36;  ///< at the boxes of sixteen nodes, likewise
+  static constexpr double pair_ns = 5;   ///< of a tree: a sphere of two that overlap, among eight
+  static constexpr double cells_ns = 23, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
   static constexpr double beyond_ns = 10;    ///< an octave that cells leave the cache by
-  static constexpr double tests = 1.5 / 16;  ///< a candidate, as cells end where vectors do not
+  static constexpr double tests = 1.2 / 16;  ///< a candidate, as cells end where vectors do not
 
-  static constexpr double met_ns =
-      row_ns / BlockTree::block + nodes_ns / (BlockTree::block * BlockTree::group);
-  /// Overlaps, of so many candidates: those within a ball, of those in a cube.
-  static constexpr double overlaps = 4.0 / 3 * std::numbers::pi / 27;
+  /// Overlaps, of so many candidates, where these lie anywhere: those within a ball, of those in a cube.
+  static constexpr double usual_overlaps = 4.0 / 3 * std::numbers::pi / 27;
 
-  /// In the chain's order, where a block meets so many, each of which pays one half. Of the nodes that meet a
-  /// block's own it meets four of ten by their boxes; itself and those beside it along the chain it mostly
-  /// need not look into.
+  /// In the chain's order; each of two that are met pays one half.
   static double in_tree(const NearBlocks& near) {
     constexpr double block = BlockTree::block, node = block * BlockTree::group;
-    constexpr std::uint32_t own = 3;
-    const std::uint32_t others = near.count() - std::min(own, near.count());
-    return (others * near_ns / block + near.nodes() * met_ns + near.looks() * look_ns / node) / 2;
+    return ((near.halves() * near_ns + near.rows() * row_ns) / block +
+            (near.nodes() * node_ns + near.looks() * look_ns) / node) /
+           2;
   }
   /// And for the pairs that it finds: a sphere's with those of one block cost as one.
-  static double of_pairs(const NearBlocks& near, std::uint32_t candidates) {
-    return pair_ns * std::min(overlaps * candidates, near.count() / 2.0);
+  static double of_pairs(const NearBlocks& near, double overlaps) {
+    return pair_ns * std::min(overlaps, near.halves() / 2.0);
   }
-  static double most_of_pairs(const NearBlocks& near) { return pair_ns * near.count() / 2; }
+  /// As much as pairs may cost the tree more than cells, which meet as many candidates as are usual then.
+  static double most_of_pairs(const NearBlocks& near) {
+    return (pair_ns - test_ns * tests / usual_overlaps) * near.halves() / 2;
+  }
   /// Looks that cost a node about as much as another that it meets.
   static constexpr std::uint32_t looks_a_node() {
-    return static_cast<std::uint32_t>(met_ns * BlockTree::block * BlockTree::group / look_ns);
+    constexpr double usual_rows = 0.4 * BlockTree::group;
+    return static_cast<std::uint32_t>((node_ns + usual_rows * row_ns) / look_ns);
   }
   /// `beyond` as octaves_beyond_cache() tells it.
   static double in_cells(std::uint32_t candidates, double beyond) {

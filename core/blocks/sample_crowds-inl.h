@@ -40,7 +40,8 @@ class CrowdSample {
     look_at_all(costs);
     if (!left_out && !costs.crowded) return;
     if (5 * costs.of_both() > 4 * std::min(costs.tree.load(), costs.cells.load())) {
-      if (costs.cells < costs.tree) return crowd_all();
+      // What the walk has left out is met in another order anyway; to have two costs looks, too.
+      if (costs.cells < costs.tree || (left_out && 2 * costs.cells < 3 * costs.of_both())) return crowd_all();
       if (!costs.beyond_limit && !left_out) return;
     }
     for_each_group([&](std::uint32_t g) {
@@ -73,6 +74,8 @@ class CrowdSample {
     bool crowded() const { return tree_ns > cells_ns; }
     double spared() const { return crowded() ? tree_ns - cells_ns : 0; }
     bool even() const { return 2 * tree_ns < 3 * cells_ns && 2 * cells_ns < 3 * tree_ns; }
+    /// What is taken for the cheaper one may be the dearer by far: only cells never are.
+    bool doubtful() const { return 2 * tree_ns < 3 * cells_ns && cells_ns < 3 * tree_ns; }
   };
 
   std::uint32_t nodes() const { return crowding_.nodes(); }
@@ -140,22 +143,30 @@ class CrowdSample {
   std::uint32_t end_of(std::uint32_t g) const { return std::min(nodes(), (g + 1) * group); }
 
   /// What most likely all of group g cost. One block tells little where both orders would cost about the
-  /// same, and a crowd with holes costs both: then more are asked. What is spared is told by one of them
-  /// where the others say that it is crowded, as chance would spare something too.
+  /// same, a crowd with holes costs both, and of a few groups each is a good part of the chain: then more are
+  /// asked. What is spared is told by one of them where the others say that it is crowded, as chance would
+  /// spare something too.
   GroupLook look_at(std::uint32_t g, const Crowding* among) const {
-    const std::uint32_t first = g * group, size = end_of(g) - first;
-    const Look middle = look(first + size / 2, among);
-    if (!middle.even()) return {middle, middle.spared()};
-    const std::array<Look, 3> each{middle, look(first + size / 6, among), look(first + 5 * size / 6, among)};
+    constexpr std::uint32_t most = 4, few_groups = 4;
+    const std::uint32_t first = g * group, size = end_of(g) - first, fewest = groups() < few_groups ? 2 : 1;
+    std::array<Look, most> each;
     Look sum{};
-    for (const Look& one : each) {
+    std::uint32_t looks = 0;
+    const auto ask = [&](std::uint32_t node) {
+      const Look one = each[looks++] = look(first + node, among);
       sum.tree_ns += one.tree_ns, sum.cells_ns += one.cells_ns;
       sum.beyond_limit |= one.beyond_limit;
-    }
+    };
+    ask(size / 2);
+    if (fewest > 1) ask(size / 4);
+    if (looks == 1 && !sum.even()) return {sum, sum.spared()};
+    if (looks == 1 || sum.doubtful())
+      for (std::uint32_t k = 0; k < 2; ++k) ask((1 + 4 * k) * size / 6);
     double spared_ns = 0;
-    for (const Look& one : each)
-      if (sum.tree_ns - one.tree_ns > sum.cells_ns - one.cells_ns) spared_ns += one.tree_ns - one.cells_ns;
-    return {{sum.tree_ns / 3, sum.cells_ns / 3, sum.beyond_limit}, spared_ns / 3};
+    for (std::uint32_t k = 0; k < looks; ++k)
+      if (sum.tree_ns - each[k].tree_ns > sum.cells_ns - each[k].cells_ns)
+        spared_ns += each[k].tree_ns - each[k].cells_ns;
+    return {{sum.tree_ns / looks, sum.cells_ns / looks, sum.beyond_limit}, spared_ns / looks};
   }
 
   Look look(std::uint32_t node, const Crowding* among) const {
@@ -167,15 +178,15 @@ class CrowdSample {
     const NearBlocks near(chain_, tree_, b, plenty, among);
     if (near.enough()) return many;
     // Not all of what is near is counted where that can make no difference.
-    const double ns = SphereCost::in_tree(near), most = ns + SphereCost::most_of_pairs(near);
-    if (most <= in_cells(0)) return {most, in_cells(0), false};
-    const std::uint32_t candidates = spheres_in_cells(
-        chain_, tree_, b, SphereCost::candidates((among != nullptr ? 1.5 * most : most) / exact_, beyond_),
-        among);
-    return {ns + SphereCost::of_pairs(near, candidates), in_cells(candidates), false};
+    const double ns = unfilled_ * SphereCost::in_tree(near), most = ns + SphereCost::most_of_pairs(near);
+    if (most <= in_cells(0)) return {ns, in_cells(0), false};
+    const SpheresAround around = spheres_around(
+        chain_, tree_, b, near,
+        SphereCost::candidates((among != nullptr ? 1.5 * most : most) / (exact_ * shallow_), beyond_), among);
+    return {ns + SphereCost::of_pairs(near, around.overlaps), in_cells(around.candidates), false};
   }
   double in_cells(std::uint32_t candidates) const {
-    return exact_ * SphereCost::in_cells(candidates, beyond_);
+    return exact_ * shallow_ * SphereCost::in_cells(candidates, beyond_) + change_;
   }
   /// More others than the limit, or as much is to be looked at on the way to them.
   bool meets_many(std::uint32_t node, const Crowding* among) const {
@@ -196,7 +207,12 @@ class CrowdSample {
   const Team& team_;
   bool walked_ = false;
   const double beyond_ = octaves_beyond_cache(chain_.size);
-  const double exact_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : 6;  ///< times as long in cells
+  const double exact_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : 6;   ///< times as long in cells
+  const double unfilled_ = double{BlockTree::block} * tree_.blocks / chain_.size;  ///< times as many blocks
+  /// What it takes to change to another order, told which: some looks, whatever the chain's length.
+  static constexpr double change_ns = 10'000;
+  const double change_ = change_ns / chain_.size;
+  const double shallow_ = shallow_share(chain_.size);
 };
 
 }  // namespace catena::HWY_NAMESPACE

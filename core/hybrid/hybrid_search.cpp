@@ -31,7 +31,7 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   SingleSpheres single{};
   // A block that meets more is dense, in the chain's order and in that of space.
   const double others =
-      settings_.dense * SingleSphereCost::shallow(chain.size) * (9 + 0.75 * octaves_beyond_cache(chain.size));
+      settings_.dense * shallow_share(chain.size) * (9 + 0.75 * octaves_beyond_cache(chain.size));
   const bool at_once = sparse || unfilled(chain) || look_.everywhere(chain, others);
   if (parts_.tree.level.empty() != at_once) {
     std::swap(parts_.tree, put_by_.tree);

@@ -76,7 +76,7 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
                in_cells = SingleSphereCost::in_cells(near.in_cells, spheres),
                pairs = ball * near.by_reach / 2;
   const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
-  const bool cells = one_width && in_cells < SingleSphereCost::shallow(spheres) * in_space;
+  const bool cells = one_width && in_cells < shallow_share(spheres) * in_space;
   return {cells, one_width ? std::min(in_cells, in_space) : in_space, pairs, radii.greatest};
 }
 

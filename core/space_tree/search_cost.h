@@ -53,12 +53,6 @@ struct SingleSphereCost {
                  beside = std::max(0.0, std::sqrt(near.in_cells) - reach - 2);
     return 28 + 10.7 * reach + 1.2 * octave_bits * beside + 5 * octaves_beyond_cache(spheres);
   }
-  /// Of fewer spheres a tree is less deep, and all of it stays next to the core: so much of that, beside
-  /// what cells take.
-  static double shallow(std::uint32_t spheres) {
-    constexpr double deep = 20'000, octave = 0.065, least = 0.78;
-    return std::clamp(1 - octave * std::log2(deep / std::max(1u, spheres)), least, 1.0);
-  }
   /// So many that are near and less than half as great find room in the cells of the greater ones: where one
   /// is there are about three times as many as around it.
   static bool one_width(double near) { return 3 * near <= 27.0 / 2 * SphereGrid::most_in_a_cell; }

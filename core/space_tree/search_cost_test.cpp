@@ -120,13 +120,13 @@ TEST(SearchCost, OctavesCostWhereCellsHaveWhatIsNotWithinReach) {
 }
 
 TEST(SearchCost, ATreeOfFewerSpheresIsCheaperByDegrees) {
-  EXPECT_EQ(SingleSphereCost::shallow(20'000), 1);
-  EXPECT_EQ(SingleSphereCost::shallow(1'000'000'000), 1);
-  EXPECT_EQ(SingleSphereCost::shallow(0), SingleSphereCost::shallow(1));
-  EXPECT_GT(SingleSphereCost::shallow(0), 0.5);
+  EXPECT_EQ(shallow_share(20'000), 1);
+  EXPECT_EQ(shallow_share(1'000'000'000), 1);
+  EXPECT_EQ(shallow_share(0), shallow_share(1));
+  EXPECT_GT(shallow_share(0), 0.5);
   for (std::uint32_t n = 2; n < 100'000; n += 1 + n / 10) {
-    EXPECT_GE(SingleSphereCost::shallow(n), SingleSphereCost::shallow(n - 1)) << n;
-    EXPECT_LT(SingleSphereCost::shallow(n), 1.09 * SingleSphereCost::shallow(n - n / 2)) << n;
+    EXPECT_GE(shallow_share(n), shallow_share(n - 1)) << n;
+    EXPECT_LT(shallow_share(n), 1.09 * shallow_share(n - n / 2)) << n;
   }
 }
 
