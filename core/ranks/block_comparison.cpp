@@ -29,7 +29,7 @@ std::uint64_t BlockComparison::compare() {
   std::uint32_t block = 0;
   for (std::uint64_t met = 0; block < far_.blocks() && met < most;) {
     near_.clear();
-    met += meet_border(border_, far_, std::min(at_once, most - met), block, near_);
+    met += meet_border(part_, border_, far_, std::min(at_once, most - met), block, near_);
     for (const Meeting& meeting : near_) decide(meeting);
   }
   if (block < far_.blocks()) search_from(block);
@@ -39,8 +39,7 @@ std::uint64_t BlockComparison::compare() {
 }
 
 void BlockComparison::decide(const Meeting& meeting) {
-  const std::span<const Sphere> own = border_.spheres(meeting.own_block),
-                                far = far_.spheres(meeting.far_block);
+  const std::span<const Sphere> own = own_spheres(meeting.own_block), far = far_.spheres(meeting.far_block);
   const std::uint32_t begin = far_.begin(meeting.far_block);
   for (std::uint64_t bits = meeting.may_touch; bits != 0; bits &= bits - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
@@ -80,7 +79,7 @@ void BlockComparison::search(std::span<const std::uint32_t> own_blocks, std::uin
   for (const std::uint32_t b : own_blocks)
     for (std::uint32_t k = 0; k < border_.blocks()[b].size; ++k) {
       slots.push_back(Slot{b} * Block::most + k);
-      spheres.push_back(border_.spheres(b)[k]);
+      spheres.push_back(own_spheres(b)[k]);
     }
   const auto own = static_cast<std::uint32_t>(slots.size());
   spheres.insert(spheres.end(), far_.spheres().begin() + first_far, far_.spheres().end());

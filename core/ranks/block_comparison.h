@@ -21,7 +21,7 @@ class BlockComparison {
   /// Whether a block with this box may touch a sphere of the border's blocks that are to be compared: see
   /// Border::compared.
   bool may_touch(const Box& box, std::uint32_t compared) const {
-    return may_touch_border(border_, box, compared);
+    return may_touch_border(part_, border_, box, compared);
   }
   /// What came of those blocks, by the same `compared`.
   void take(ByteReader& in, std::uint32_t compared) { far_.take(in, part_.rule(), compared); }
@@ -39,6 +39,9 @@ class BlockComparison {
   void search(std::span<const std::uint32_t> own_blocks, std::uint32_t first_far);
   void overlap(Slot own, std::uint32_t far);
   void count_found();
+  std::span<const Sphere> own_spheres(std::uint32_t block) const {
+    return part_.spheres(border_.blocks()[block]);
+  }
 
   const HeldPart& part_;
   const Border& border_;

@@ -91,15 +91,12 @@ Border::Border(Communicator& ranks, const HeldPart& part) : partners_(ranks.size
   const ForeignTops foreign(Tops::of_all(ranks, blocks.box), ranks.rank());
   const NearRanks near = ranks_near(blocks, foreign);
   const auto size = static_cast<std::uint32_t>(near.block.size());
-  blocks_.reserve(size), spheres_.reserve(std::size_t{size} * Block::most);
+  blocks_.reserve(size);
   boxes_.clear(size);
   for (const std::uint64_t key : order_in_space(part.chain().spheres(), blocks, near.block)) {
     const auto at = static_cast<std::uint32_t>(key);
     const auto b = static_cast<std::uint32_t>(blocks_.size());
     blocks_.push_back(blocks.block[near.block[at]]);
-    const std::span<const Sphere> spheres = part.spheres(blocks_.back());
-    spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
-    spheres_.resize(blocks_.size() * Block::most, spheres.back());
     boxes_.set(b, blocks.box[near.block[at]]);
     for (std::size_t k = near.first[at]; k < near.first[at + 1]; ++k)
       partners_[near.rank[k]].told.push_back(b);

@@ -16,19 +16,13 @@ constexpr bool is_compared(std::uint32_t block, std::uint32_t compared) {
 }
 
 /// The blocks of a part that may touch other ranks, as their boxes meet a top of one: a small part of a part
-/// that is compact in space. In the order of Morton codes, with a tree over their boxes, and their spheres
-/// again.
+/// that is compact in space. In the order of Morton codes, with a tree over their boxes.
 class Border {
  public:
   /// All ranks call it. O(blocks), and O(b log b) for b blocks of the border.
   Border(Communicator& ranks, const HeldPart& part);
 
   std::span<const Block> blocks() const { return blocks_; }
-  /// Of a block; those of all lie in one row, eight places a block, as they are near one another and needed
-  /// often, and in the part they are far apart.
-  std::span<const Sphere> spheres(std::uint32_t block) const {
-    return {spheres_.data() + std::size_t{block} * Block::most, blocks_[block].size};
-  }
   const WideBoxTree& boxes() const { return boxes_; }
   /// Whether any block may touch this rank.
   bool near(unsigned rank) const { return partners_[rank].near > 0; }
@@ -51,7 +45,6 @@ class Border {
   };
 
   std::vector<Block> blocks_;
-  LargeVector<Sphere> spheres_;  // [block][Block::most], the last repeated where there are fewer
   WideBoxTree boxes_;
   std::vector<Partner> partners_;  // [rank]
 };

@@ -11,6 +11,7 @@
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/hierarchy/box_around.h"
 #include "catena/core/ranks/meet_border.h"
+#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -18,6 +19,7 @@ namespace {
 
 using ranks::Block;
 using ranks::Border;
+using ranks::HeldPart;
 
 /// test(b) for blocks of the border whose boxes meet this one, ascending, until it says true.
 template <class Test>
@@ -47,12 +49,12 @@ HWY_INLINE bool any_meeting(const WideBoxTree& tree, const Box& box, const Test&
   }
 }
 
-/// Which spheres of a block of the border have a box around them, Box::around of each, that meets this one.
-HWY_INLINE std::uint32_t boxes_meeting(std::span<const Sphere> spheres, const Box& box) {
+/// Which of eight spheres have a box around them, Box::around of each, that meets this one.
+HWY_INLINE std::uint32_t boxes_meeting(const Sphere* spheres, const Box& box) {
   using Tag = Lanes8::Tag;
   Lanes8 centre[3], radius;
   for (std::size_t k = 0; k < Lanes8::parts; ++k)
-    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(spheres.data() + k * Lanes8::width),
+    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(spheres + k * Lanes8::width),
                          centre[0].part[k], centre[1].part[k], centre[2].part[k], radius.part[k]);
   const Lanes8 step = Lanes8::all(0x1p-23f);
   const auto axis = [&](int d) HWY_ATTR {
@@ -60,7 +62,7 @@ HWY_INLINE std::uint32_t boxes_meeting(std::span<const Sphere> spheres, const Bo
     return not_less(Lanes8::all(box.high[d]), low - abs(low) * step) &
            not_less(high + abs(high) * step, Lanes8::all(box.low[d]));
   };
-  return (axis(0) & axis(1) & axis(2)).bits() & lane_bits(static_cast<std::uint32_t>(spheres.size()));
+  return (axis(0) & axis(1) & axis(2)).bits();
 }
 
 /// One block that came, its spheres side by side.
@@ -74,7 +76,8 @@ class FarBlock {
   /// See Meeting.
   HWY_INLINE std::uint64_t may_touch(std::span<const Sphere> own) const {
     std::uint64_t bits = 0;
-    std::uint32_t near = boxes_meeting(own, box_);  // few, as blocks are long
+    std::uint32_t near = lane_bits(static_cast<std::uint32_t>(own.size()));
+    if (own.size() == Block::most) near = boxes_meeting(own.data(), box_);  // few, as blocks are long
     for (; near != 0; near &= near - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(near));
       bits |= std::uint64_t{SphereLanes::may_overlap(lanes_.squares(own[k])).bits() & filled_} << (8 * k);
@@ -100,8 +103,10 @@ class FarBlock {
 
 }  // namespace
 
-std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far, std::uint64_t most,
-                               std::uint32_t& far_block, std::vector<ranks::Meeting>& meetings) {
+std::uint64_t meet_border_here(const HeldPart& part, const Border& border, const ranks::FarBlocks& far,
+                               std::uint64_t most, std::uint32_t& far_block,
+                               std::vector<ranks::Meeting>& meetings) {
+  const std::span<const Block> blocks = border.blocks();
   std::vector<std::uint32_t> own;
   std::uint64_t met = 0;
   for (; far_block < far.blocks() && met < most; ++far_block) {
@@ -111,21 +116,27 @@ std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far
     own.clear();
     any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
       ++met;
-      if (ranks::is_compared(b, compared)) own.push_back(b);  // else the other rank's
+      if (!ranks::is_compared(b, compared)) return false;            // the other rank's
+      const std::span<const Sphere> soon = part.spheres(blocks[b]);  // they lie anywhere in the part
+      hwy::Prefetch(&soon.front()), hwy::Prefetch(&soon.back());
+      own.push_back(b);
       return false;
     });
     const FarBlock block(spheres, box);
     for (const std::uint32_t b : own)
-      if (const std::uint64_t bits = block.may_touch(border.spheres(b)); bits != 0)
+      if (const std::uint64_t bits = block.may_touch(part.spheres(blocks[b])); bits != 0)
         meetings.push_back({far_block, b, bits});
   }
   return met;
 }
 
-bool may_touch_border_here(const Border& border, const Box& box, std::uint32_t compared) {
+bool may_touch_border_here(const HeldPart& part, const Border& border, const Box& box,
+                           std::uint32_t compared) {
   return any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
     if (!ranks::is_compared(b, compared)) return false;
-    return boxes_meeting(border.spheres(b), box) != 0;
+    const std::span<const Sphere> spheres = part.spheres(border.blocks()[b]);
+    return spheres.size() == Block::most ? boxes_meeting(spheres.data(), box) != 0
+                                         : MeetsBox(box).any_of(spheres);
   });
 }
 
@@ -140,13 +151,13 @@ HWY_EXPORT(may_touch_border_here);
 
 namespace ranks {
 
-std::uint64_t meet_border(const Border& border, const FarBlocks& far, std::uint64_t most,
-                          std::uint32_t& far_block, std::vector<Meeting>& meetings) {
-  return HWY_DYNAMIC_DISPATCH(meet_border_here)(border, far, most, far_block, meetings);
+std::uint64_t meet_border(const HeldPart& part, const Border& border, const FarBlocks& far,
+                          std::uint64_t most, std::uint32_t& far_block, std::vector<Meeting>& meetings) {
+  return HWY_DYNAMIC_DISPATCH(meet_border_here)(part, border, far, most, far_block, meetings);
 }
 
-bool may_touch_border(const Border& border, const Box& box, std::uint32_t compared) {
-  return HWY_DYNAMIC_DISPATCH(may_touch_border_here)(border, box, compared);
+bool may_touch_border(const HeldPart& part, const Border& border, const Box& box, std::uint32_t compared) {
+  return HWY_DYNAMIC_DISPATCH(may_touch_border_here)(part, border, box, compared);
 }
 
 }  // namespace ranks

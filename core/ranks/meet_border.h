@@ -20,11 +20,11 @@ struct Meeting {
 /// Appends those with any such spheres for the blocks from *far_block on, and moves that on, to the end or
 /// until `most` boxes or more of the border were met. Returns how many were. Only blocks of the border are
 /// looked at that this rank compares, as the marks of the others say.
-std::uint64_t meet_border(const Border& border, const FarBlocks& far, std::uint64_t most,
-                          std::uint32_t& far_block, std::vector<Meeting>& meetings);
+std::uint64_t meet_border(const HeldPart& part, const Border& border, const FarBlocks& far,
+                          std::uint64_t most, std::uint32_t& far_block, std::vector<Meeting>& meetings);
 
 /// Whether a block with this box may touch a sphere of the border's blocks whose numbers have all bits of
 /// `compared`: one's box meets it.
-bool may_touch_border(const Border& border, const Box& box, std::uint32_t compared);
+bool may_touch_border(const HeldPart& part, const Border& border, const Box& box, std::uint32_t compared);
 
 }  // namespace catena::ranks

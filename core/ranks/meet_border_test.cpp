@@ -41,7 +41,7 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
   std::uint64_t met = 0;
   for (std::uint32_t next = 0; next < far.blocks();) {
     const std::uint32_t before = next;
-    met += meet_border(border, far, most, next, meetings);
+    met += meet_border(part, border, far, most, next, meetings);
     ASSERT_GT(next, before);
   }
   std::set<std::tuple<std::uint32_t, std::uint32_t, int>> may;
@@ -72,7 +72,7 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
             EXPECT_TRUE(may.contains({f, b, static_cast<int>(8 * k + j)})) << f << ' ' << b;
           }
       const std::uint32_t compared = std::bit_floor(b);
-      EXPECT_EQ(may_touch_border(border, box, compared), [&] {
+      EXPECT_EQ(may_touch_border(part, border, box, compared), [&] {
         for (std::uint32_t c = 0; c < border.blocks().size(); ++c)
           if ((c & compared) == compared)
             for (const Sphere& s : part.spheres(border.blocks()[c]))
@@ -80,7 +80,7 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
         return false;
       }());
       if (touches) {
-        EXPECT_TRUE(may_touch_border(border, box, compared));
+        EXPECT_TRUE(may_touch_border(part, border, box, compared));
       }
     }
   EXPECT_GT(overlaps, 0u);
