@@ -280,7 +280,6 @@ TEST(Hybrid, AllocatesNothingWhereFramesAreCrowdedByTurns) {
   }
 }
 
-/// What nothing touches is in no tree; its evidence is that of all spheres, and says who was not compared.
 /// What is told of a search is its own, however often it was made, and of each stage that it has.
 TEST(Hybrid, TellsTheWorkOfTheLastSearchAlone) {
   struct Expected {
@@ -336,13 +335,15 @@ TEST(Hybrid, AsksTheExactStageOfAllInEachOfItsSearches) {
         Collisions found;
         variant->build(chain);
         variant->find(chain, {}, found);
-        return std::pair(variant->work().back().times, found.pair_count);
+        std::ranges::sort(found.pairs);
+        return std::pair(variant->work().back().times, found.pairs);
       };
       const std::string more = *settings == 0 ? "" : std::string(",") + settings;
       const auto [usual, pairs] = open_pairs("exact=open" + more);
       const auto [all, same_pairs] = open_pairs("exact=all" + more);
-      EXPECT_EQ(pairs, same_pairs);
-      EXPECT_GE(all, pairs) << input << ' ' << settings;
+      ASSERT_FALSE(pairs.empty()) << input;
+      EXPECT_EQ(pairs, same_pairs) << input << ' ' << settings;
+      EXPECT_GE(all, pairs.size()) << input << ' ' << settings;
       EXPECT_GT(all, usual) << input << ' ' << settings;
     }
 }
@@ -372,6 +373,7 @@ TEST(Hybrid, DoesWhatItIsToldTo) {
   EXPECT_FALSE(left_out("path1:n=5000", "Hybrid", "search of spheres that are alone"));
 }
 
+/// What nothing touches is in no tree; its evidence is that of all spheres, and says who was not compared.
 TEST(Hybrid, LeavesOutSpheresThatAreAlone) {
   for (const std::string threads : {"1", "3"})
     for (const float radius : {0.5f, 0.05f, 0.0f}) {

@@ -39,17 +39,17 @@ Cores usable_by_this_process() {
   return cores;
 }
 
-/// How many cores this rank may keep busy, as others of the same node have theirs.
+/// How many cores this rank may keep busy, as others of the same machine have theirs.
 unsigned own_cores() {
-  MPI_Comm node;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+  MPI_Comm machine;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   int size = 1, rank = 0;
-  MPI_Comm_size(node, &size);
-  MPI_Comm_rank(node, &rank);
+  MPI_Comm_size(machine, &size);
+  MPI_Comm_rank(machine, &rank);
   const Cores own = usable_by_this_process();
   std::vector<Cores> all(static_cast<std::size_t>(size));
-  MPI_Allgather(&own, sizeof own, MPI_BYTE, all.data(), sizeof own, MPI_BYTE, node);
-  MPI_Comm_free(&node);
+  MPI_Allgather(&own, sizeof own, MPI_BYTE, all.data(), sizeof own, MPI_BYTE, machine);
+  MPI_Comm_free(&machine);
   return core_share(all, static_cast<std::size_t>(rank));
 }
 
