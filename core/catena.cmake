@@ -105,7 +105,7 @@ endfunction()
 
 # The library. Everything is hidden but what says CATENA_API (core/export.h), the standard library's templates too, and
 # it calls its own functions: no other program's copy, compiled with other flags, takes their place.
-set(CATENA_LIBRARY_FOLDERS arithmetic blocks cells chain executor frames grid hierarchy hybrid lone_spheres parameters parts plan policies space_tree sphere_tree strategy)  # of core
+set(CATENA_LIBRARY_FOLDERS arithmetic blocks cells chain executor frames grid hierarchy hybrid parameters parts plan policies space_tree sphere_tree strategy)  # of core
 list(TRANSFORM CATENA_LIBRARY_FOLDERS PREPEND core/ OUTPUT_VARIABLE folders)
 catena_sources(library_sources ${folders} variants)
 add_library(catena SHARED ${library_sources})
@@ -125,7 +125,7 @@ target_compile_features(catena PUBLIC cxx_std_20)
 # nowhere is called with vectors that caller and callee pass differently.) On ARM it refuses to inline Highway's NEON
 # functions, which are compiled for +crypto, into the constructors that it makes itself of structs that hold vectors,
 # unless these are for +crypto too. No such instruction is ever used.
-set(of_many_targets blocks/build_blocks blocks/search_blocks grid/grid_kernels lone_spheres/lone_spheres space_tree/crowd_look space_tree/space_kernels sphere_tree/sphere_kernels)
+set(of_many_targets blocks/build_blocks blocks/search_blocks grid/grid_kernels space_tree/crowd_look space_tree/space_kernels sphere_tree/sphere_kernels)
 list(TRANSFORM of_many_targets REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/\\1.cpp")
 set(for_many_targets)
 if(CATENA_SANITIZE MATCHES "address")

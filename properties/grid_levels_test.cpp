@@ -109,7 +109,8 @@ TEST(GridLevels, AnyNumberOfCandidatesIsFoundByOneSphere) {
     const Chain chain(spheres, {{0, 1, crowd_size + 1}, {0, 0}}, Exclusion::index(5000));
     std::vector<Pair> right;
     for (std::uint32_t k = 0; k < crowd_size; k += 2) right.push_back({0, k + 1});
-    ASSERT_TRUE(found_by("Grid", chain) == right) << crowd_size;
+    for (const char* grid : {"Grid(cells=narrow)", "Grid(cells=wide)"})
+      ASSERT_TRUE(found_by(grid, chain) == right) << crowd_size << ' ' << grid;
   }
 }
 

@@ -32,7 +32,7 @@ void expect_exact(const Chain& chain, const std::string& what, Spread& spread) {
   const Team alone, several(Parameters("test", {Team::threads_parameter()}, "threads=3"));
   const Team& team = chain.size() > 10000 ? several : alone;  // of which each gathers some
   for (const std::uint32_t crowd : {0u, 1u, 4u})
-    for (const double dense : {0.0, 0.4, 0.7, 1.0, 1e6}) {
+    for (const double dense : {0.0, 0.4, 0.7, 1.0, 1.4, 2.0, 1e6}) {
       HybridSearch search({crowd, dense}, team.size());
       search.build(chain.view(), team);
       Collisions found;
@@ -151,7 +151,7 @@ TEST(Hybrid, IsExactOnPatchworks) {
 std::vector<Sphere> three_parts() {
   Dice dice(77);
   std::vector<Sphere> spheres;
-  float at[3] = {-12800, 0, 0}, way[3] = {1, 0, 0};
+  float at[3] = {-19200, 0, 0}, way[3] = {1, 0, 0};
   const auto wind = [&](std::uint32_t steps, float turn, float pull) {
     for (std::uint32_t i = 0; i < steps; ++i) {
       spheres.push_back({at[0], at[1], at[2], 1});
@@ -166,7 +166,7 @@ std::vector<Sphere> three_parts() {
       }
     }
   };
-  wind(8000, 0, 0);
+  wind(12000, 0, 0);
   wind(14000, 0.2f, 0.0006f);
   wind(6000, 0.5f, 0.02f);
   return spheres;
@@ -306,7 +306,7 @@ TEST(Hybrid, TellsTheWorkOfTheLastSearchAlone) {
   }
 }
 
-/// Spheres are alone, or searched one by one, or neither, and of this chain, whatever was searched before.
+/// Spheres are searched one by one or not, all of this chain, whatever was searched before.
 TEST(Hybrid, CountsEachSphereOnceWhateverItSearchedBefore) {
   Dice dice(4);
   std::vector<Sphere> dust;
@@ -317,10 +317,8 @@ TEST(Hybrid, CountsEachSphereOnceWhateverItSearchedBefore) {
   const Team team;
   for (int turn = 0; turn < 2; ++turn) {
     search.build(sparse.view(), team);
-    EXPECT_GT(search.work().alone, 1000u);
-    EXPECT_EQ(search.work().alone + search.work().dense, sparse.size());
+    EXPECT_EQ(search.work().dense, sparse.size());
     search.build(row.view(), team);
-    EXPECT_EQ(search.work().alone, 0u);
     EXPECT_EQ(search.work().dense, 0u);
   }
 }
@@ -370,32 +368,31 @@ TEST(Hybrid, DoesWhatItIsToldTo) {
   EXPECT_FALSE(left_out("yarn:n=20000", "Hybrid(dense=1000)", "order of space"));
   EXPECT_TRUE(left_out("path1:n=5000", "Hybrid", "single spheres"));
   EXPECT_FALSE(left_out("yarn:n=5000", "Hybrid(crowd=0,dense=0)", "single spheres"));
-  EXPECT_FALSE(left_out("path1:n=5000", "Hybrid", "search of spheres that are alone"));
 }
 
-/// What nothing touches is in no tree; its evidence is that of all spheres, and says who was not compared.
-TEST(Hybrid, LeavesOutSpheresThatAreAlone) {
-  for (const std::string threads : {"1", "3"})
-    for (const float radius : {0.5f, 0.05f, 0.0f}) {
-      Dice dice(4);
-      std::vector<Sphere> dust;
-      for (std::uint32_t i = 0; i < 4000; ++i) {
-        const auto at = [&] { return 50 * dice.symmetric(); };
-        dust.push_back({at(), at(), at(), radius});
-      }
-      for (std::uint32_t i = 0; i + 50 < dust.size(); i += 100)
-        dust[i + 50] = dust[i], dust[i + 50].y += radius;
-      const Chain chain(std::move(dust));
-      const auto hybrid = StrategyRegistry::instance().make("Hybrid(threads=" + threads + ")");
-      std::uint64_t proved = 0;
-      const auto v = reference::verify_by_certificate(*hybrid, chain, std::uint64_t{1} << 24, proved);
-      EXPECT_EQ(v.verdict, reference::Verdict::exact) << v.reason;
-      EXPECT_GE(proved, 40u);
-      bool left_out = false;
-      for (const Decision& step : hybrid->plan())
-        left_out |= step.step == "search of spheres that are alone" && step.left_out;
-      EXPECT_TRUE(left_out) << radius;
+/// Strands that are short and lie anywhere are searched one by one in wide cells before any tree is built; laid
+/// out side by side, in the chain's order.
+TEST(Hybrid, BuildsNoTreeOfShortStrandsThatLieAnywhere) {
+  constexpr std::uint32_t strand = 12, n = 12'000;
+  for (const bool anywhere : {true, false}) {
+    Dice dice(5);
+    std::vector<Sphere> spheres;
+    Strands strands;
+    for (std::uint32_t i = 0; i < n; i += strand) {
+      const std::uint32_t s = i / strand;
+      const auto at = [&] { return 25 * dice.symmetric(); };
+      const float y = anywhere ? at() : 1.1f * static_cast<float>(s), z = anywhere ? at() : 0,
+                  x = anywhere ? at() : 0;
+      strands.first.push_back(i);
+      for (std::uint32_t k = 0; k < strand; ++k) spheres.push_back({x + static_cast<float>(k), y, z, 0.5f});
     }
+    strands.first.push_back(n);
+    const Chain chain(std::move(spheres), std::move(strands));
+    HybridSearch search({64, 1}, 1);
+    search.build(chain.view(), Team());
+    EXPECT_EQ(search.nodes() == 0, anywhere);
+    EXPECT_EQ(search.work().dense, anywhere ? n : 0u);
+  }
 }
 
 }  // namespace

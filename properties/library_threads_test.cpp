@@ -49,7 +49,7 @@ TEST(LibraryThreads, GiveTheAnswerOfOne) {
     ASSERT_GT(expected.pairs.size(), 10u);
     for (const char* const name :
          {"Hybrid(threads=3)", "Hybrid(threads=3,crowd=2)", "Hybrid(threads=3,crowd=100000)",
-          "Hybrid(threads=3,crowd=0,dense=1e6)", "Hybrid(threads=3,crowd=0,dense=0)", "Grid(threads=3)",
+          "Hybrid(threads=3,crowd=0,dense=1e6)", "Hybrid(threads=3,crowd=0,dense=0)", "Grid(threads=3,cells=wide)", "Grid(threads=3,cells=narrow)",
           "SphereTree(threads=3)", "aGPU2@host(threads=3)+GPU2@host(threads=3)",
           "Parts(parts=3,searches=2,order=chain)", "Parts(parts=3,searches=4,order=chain)",
           "Parts(parts=3,searches=3,order=space)"}) {

@@ -24,7 +24,7 @@ double cost(const HybridSearch::Work& work) {
   return 4.0 * n + 25.0 * static_cast<double>(work.rows) + 8.0 * static_cast<double>(work.entries) +
          25.0 * static_cast<double>(work.near) + 20.0 * static_cast<double>(work.sixteens) +
          6.0 * static_cast<double>(work.tests) + 6.0 * static_cast<double>(work.crowded) +
-         40.0 * static_cast<double>(work.dense) + (work.alone > 0 ? 10.0 * n : 0.0);
+         40.0 * static_cast<double>(work.dense);
 }
 
 HybridSearch::Work work_of(const Chain& chain, const HybridSearch::Settings& settings) {

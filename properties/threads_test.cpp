@@ -50,7 +50,7 @@ TEST(Threads, ShareOutLargeChains) {
     sort(expected.pairs);
     for (const char* const name :
          {"Hybrid(threads=2)", "Hybrid(threads=3,crowd=2)", "Hybrid(threads=3,crowd=100000)",
-          "Hybrid(threads=3,crowd=0,dense=1e6)", "Hybrid(threads=3,crowd=0,dense=0)", "Grid(threads=3)",
+          "Hybrid(threads=3,crowd=0,dense=1e6)", "Hybrid(threads=3,crowd=0,dense=0)", "Grid(threads=3,cells=wide)", "Grid(threads=3,cells=narrow)",
           "SphereTree(threads=3)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       for (int again = 0; again < 3; ++again) {

@@ -1,21 +1,26 @@
+#include <string>
+
 #include "catena/core/blocks/told_exact.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/grid/told_radii.h"
 #include "catena/core/strategy/evidence_nodes.h"
+#include "catena/core/space_tree/search_cost.h"
 #include "catena/core/strategy/register.h"
 
 namespace catena {
 namespace {
 
 /// Grid: spheres in cells as wide as two of them, a level of cells for each octave of the radii; each against
-/// half of its neighbourhood, a vector of candidates a test.
+/// half of its neighbourhood, a vector of candidates a test. Where little is near, in cells as wide as four
+/// radii of which a sphere reaches but some, and each candidate in a lane of its own.
 template <class Arithmetic>
 class Grid final : public HostSearch, public EvidenceNodes {
  public:
   explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {
     grid_.doubt = doubt_of(parameters);
     grid_.each_radius = reads_each_radius(parameters);
+    cells_ = parameters.choice("cells", {"measured", "wide", "narrow"});
   }
 
   Plan plan() const override {
@@ -35,6 +40,7 @@ class Grid final : public HostSearch, public EvidenceNodes {
  private:
   void construct(const ChainView& chain) override {
     view_ = chain;
+    grid_.wide = cells_ == "wide" || (cells_ == "measured" && wide_cells(chain));
     build_grid(chain, grid_, {}, team_);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
@@ -60,14 +66,16 @@ class Grid final : public HostSearch, public EvidenceNodes {
   const Team team_;
   ChainView view_{};  // of the last build
   SphereGrid grid_;
+  std::string cells_;               // as asked for
   std::vector<GridQueues> queues_;  // [member of the team]
   Done before_;                     // the last search
 };
 
 const RegisterVariant<Grid, Robust> registered{
     {.name = "Grid",
-     .summary = "cells as wide as two spheres, half the neighbourhood each, SIMD",
-     .parameters = {exact_parameter(), radii_parameter(), Team::threads_parameter()}}};
+     .summary = "cells as wide as one or two spheres, half the neighbourhood each, SIMD",
+     .parameters = {{"cells", "measured", "as wide as four radii (wide) or two (narrow), or as a look tells"},
+                    exact_parameter(), radii_parameter(), Team::threads_parameter()}}};
 
 }  // namespace
 }  // namespace catena

@@ -29,8 +29,6 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
             {"order of space", search_.crowded_nodes() == 0,
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                          search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
-            {"search of spheres that are alone", work.alone > 0,
-             fmt::format("{} spheres have nothing in the cells around them", work.alone)},
             {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)},
             told_radii(search_.equal_radii()),
             told_exact(work.open, search_.settings().doubt)};

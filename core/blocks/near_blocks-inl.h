@@ -168,6 +168,7 @@ struct SphereCost {
   static constexpr double look_ns = 36;  ///< at the boxes of sixteen nodes, likewise
   static constexpr double pair_ns = 5;   ///< of a tree: a sphere of two that overlap, among eight
   static constexpr double cells_ns = 23, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
+  static constexpr double wide_ns = 14, wide_pair_ns = 3.2;  ///< by wide cells: a sphere; a candidate
   static constexpr double beyond_ns = 10;    ///< an octave that cells leave the cache by
   static constexpr double tests = 1.2 / 16;  ///< a candidate, as cells end where vectors do not
 
@@ -196,12 +197,17 @@ struct SphereCost {
   }
   /// `beyond` as octaves_beyond_cache() tells it.
   static double in_cells(std::uint32_t candidates, double beyond) {
-    return cells_ns + beyond_ns * beyond + test_ns * (cell_tests + tests * candidates);
+    return beyond_ns * beyond + std::min(wide_ns + wide_pair_ns * candidates, narrow_ns + test_ns * tests * candidates);
   }
   /// So many candidates by which cells are no cheaper than that.
   static std::uint32_t candidates(double ns, double beyond) {
-    return static_cast<std::uint32_t>(std::clamp((ns - in_cells(0, beyond)) / (test_ns * tests), 0.0, 1e6));
+    const double all_ns = ns - beyond_ns * beyond;
+    const double many = std::max((all_ns - narrow_ns) / (test_ns * tests), (all_ns - wide_ns) / wide_pair_ns);
+    return static_cast<std::uint32_t>(std::clamp(many, 0.0, 1e6));
   }
+
+ private:
+  static constexpr double narrow_ns = cells_ns + test_ns * cell_tests;
 };
 
 }  // namespace catena::HWY_NAMESPACE

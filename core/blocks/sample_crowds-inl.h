@@ -53,11 +53,12 @@ class CrowdSample {
   }
 
   /// True when the chain's own order most likely serves all of it, so that looking at every sixteenth node
-  /// would cost more than it can save: of a few nodes none is crowded. What is crowded all the same is met by
+  /// would cost more than it can save: of a few nodes, two at least where there are, none is crowded. What is crowded all the same is met by
   /// the walk; and where that meets few pairs of nodes, what is near within them costs no more than in cells.
   bool sparse() const {
-    constexpr std::uint32_t apart = 16;  // groups
-    for (std::uint32_t g = std::min(apart, groups()) / 2; g < groups(); g += apart)
+    constexpr std::uint32_t most_apart = 16;  // groups
+    const std::uint32_t apart = std::clamp(groups() / 2, 1u, most_apart);
+    for (std::uint32_t g = apart / 2; g < groups(); g += apart)
       if (look_at(g, nullptr).all.crowded()) return false;
     return true;
   }
@@ -170,8 +171,8 @@ class CrowdSample {
   }
 
   Look look(std::uint32_t node, const Crowding* among) const {
-    constexpr std::uint32_t plenty = 256;
-    const Look many{4 * in_cells(0), in_cells(0), true};
+    constexpr std::uint32_t plenty = 256, usual = 8;  // of blocks and candidates in a crowd
+    const Look many{4 * in_cells(usual), in_cells(usual), true};
     // The walk has told which nodes meet too many, and what it took is spent.
     if (walked_ ? crowding_.crowded(node) && among == nullptr : meets_many(node, among)) return many;
     const std::uint32_t b = tree_.some_block_of(node);

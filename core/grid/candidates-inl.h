@@ -28,20 +28,20 @@ struct Run {
   std::uint32_t first, end;
 };
 
-/// Found is as for VectorHits, and has satisfied(), true when nothing more is asked for. Sink has the members
+/// Found is as for VectorHits. Sink has the members
 /// of GridEvidence; NoGridEvidence costs nothing.
 template <class Found, class Sink>
 class Candidates {
  public:
   static constexpr std::uint32_t part = 1024;  ///< candidates at a time where a neighbourhood is too crowded
 
-  Candidates(const ChainView& chain, const SphereGrid& grid, GridQueues& queues, Found& found, Sink& sink)
+  Candidates(const SphereGrid& grid, GridQueues& queues, VectorHits<Found>& hits, Sink& sink)
       : from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         equal_radii_(grid.equal_radii),
         slack_(sphere_slack * grid.doubt),
         q_(queues),
         sink_(sink),
-        hits_(chain, queues.hits, grid.doubt, queues.open_done, found) {}
+        hits_(hits) {}
 
   /// False when so many candidates and spheres are too many for the queues.
   HWY_INLINE bool make_room(std::uint32_t candidates, std::uint32_t spheres) {
@@ -57,11 +57,6 @@ class Candidates {
   void start_over() {
     work_off();
     size_ = 0;
-  }
-
-  void finish() {
-    start_over();
-    hits_.finish();
   }
 
   /// The first spheres of these runs will be asked for, or one alone.
@@ -197,7 +192,7 @@ class Candidates {
   const float slack_;
   GridQueues& q_;
   Sink& sink_;
-  VectorHits<Found> hits_;
+  VectorHits<Found>& hits_;
   std::uint32_t size_ = 0, end_ = 0, tests_ = 0;
 };
 

@@ -29,16 +29,18 @@ class LevelForming {
     grid_.levels.clear();
     grid_.levels.reserve(grid_.octaves.size());
     // Whatever the layouts turn out to be: two buckets a sphere, and what a level has at least.
-    grid_.start.reserve(2 * std::size_t{grid_.spheres()} + 1024 * grid_.octaves.size());
+    grid_.start.reserve(2 * std::size_t{grid_.spheres()} + 1024 * grid_.octaves.size() + SphereGrid::margin);
     std::size_t starts = 0;
     for (std::size_t o = 0, next; o < grid_.octaves.size(); o = next) {
       next = first_left_out(o);
       const std::uint32_t first = grid_.octaves[o].first, end = grid_.octaves[next - 1].end;
-      const BucketMap map = map_buckets(grid_.octaves[o].greatest, box_, end - first);
+      const bool wide = grid_.wide && next - o == grid_.octaves.size();
+      const float greatest = grid_.octaves[o].greatest;
+      const BucketMap map = map_buckets(wide ? 2 * greatest : greatest, box_, end - first);
       const std::array<std::uint32_t, 4> half{step_before(map, 1, 0), step_before(map, -1, 1),
                                               step_before(map, 0, 1), step_before(map, 1, 1)};
       grid_.levels.push_back(
-          {map, rows_around(map), half, box_, grid_.octaves[o].greatest, first, end, starts});
+          {map, rows_around(map), half, box_, greatest, first, end, wide, starts});
       starts += grid_.levels.back().map.buckets + 1;
     }
     // The order of the chain is the better one.
@@ -98,8 +100,8 @@ class LevelForming {
 
   void set_to_zero(std::size_t starts) {
     constexpr std::uint32_t numbers_of_a_task = 1 << 16;
-    grid_.start.resize(starts);
-    team_.for_each_range(static_cast<std::uint32_t>(starts), numbers_of_a_task,
+    grid_.start.resize(starts + SphereGrid::margin);
+    team_.for_each_range(static_cast<std::uint32_t>(grid_.start.size()), numbers_of_a_task,
                          [&](std::uint32_t begin, std::uint32_t end) {
                            std::fill(grid_.start.begin() + begin, grid_.start.begin() + end, 0);
                          });

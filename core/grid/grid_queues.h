@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,9 +32,24 @@ struct GridQueues {
     std::uint32_t candidate;  ///< the first of a vector of candidates
   };
 
+  /// Places of spheres, and of candidates for each in a row of cells, from one to the one before another; a
+  /// vector that is stored may pass the last.
+  struct Rows {
+    static constexpr std::uint32_t spheres = 64, most_of_one = 5 * 3, room = most_of_one * spheres + most_lanes;
+    std::uint32_t size = 0;
+    std::array<std::uint32_t, room> place, from, until;
+  };
+  /// Places of two spheres that are to be compared, likewise past the limit.
+  struct Pairs {
+    static constexpr std::uint32_t limit = 512;
+    std::array<std::uint32_t, limit + 2 * most_lanes> a, b;
+  };
+
   std::uint64_t tests_done = 0;  ///< since this was made
   std::uint64_t open_done = 0;   ///< pairs that binary32 left open, likewise
   CandidateFields candidates{};
+  Rows reached{}, rows{};
+  Pairs pairs{};
   std::vector<Test> tests = std::vector<Test>(test_limit + test_room);
   std::vector<Pair> hits = std::vector<Pair>(hit_limit + most_lanes);
   std::vector<std::uint32_t> groups =

@@ -13,12 +13,13 @@
 #include <span>
 
 #include "catena/core/grid/candidates-inl.h"
+#include "catena/core/grid/lane_pairs-inl.h"
 #include "catena/core/grid/member_buckets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Found and Sink as for Candidates.
+/// Found and Sink as for Candidates; Found has satisfied(), true when nothing more is asked for.
 template <class Found, class Sink>
 class GridSearch {
  public:
@@ -28,7 +29,9 @@ class GridSearch {
         queues_(queues),
         found_(found),
         sink_(sink),
-        candidates_(chain, grid, queues, found, sink) {}
+        hits_(chain, queues.hits, grid.doubt, queues.open_done, found),
+        candidates_(grid, queues, hits_, sink),
+        lanes_(grid, queues, hits_, sink) {}
 
   /// Pairs of level l whose bucket is begin to end - 1, begin even. A sphere is compared with those after it
   /// in its own group of buckets and the bucket behind, and with the four rows of cells that come after its
@@ -36,6 +39,7 @@ class GridSearch {
   void within(std::size_t l, std::uint32_t begin, std::uint32_t end) {
     const Level& level = grid_.levels[l];
     const std::uint32_t* const start = grid_.start.data() + level.starts;
+    if (level.wide) return within_wide(level, start[begin], start[end]);
     const std::uint32_t buckets = level.map.buckets;
     const std::array<std::uint32_t, 4> steps = level.half;
     for (std::uint32_t at = begin; at < end && !found_.satisfied(); at += group * groups_at_a_time) {
@@ -54,7 +58,7 @@ class GridSearch {
         meet(own, runs);
       }
     }
-    candidates_.finish();
+    finish();
   }
 
   /// Members begin to end - 1 of level l against coarser levels, in all 27 cells around each. They come in
@@ -72,7 +76,7 @@ class GridSearch {
         else
           tell_looks(at, at + size, grid_.levels[coarser], GridEvidence::into_none);
     }
-    candidates_.finish();
+    finish();
   }
 
  private:
@@ -108,6 +112,26 @@ class GridSearch {
     std::uint32_t candidates_ = 0;
   };
 
+  /// The same for spheres of wide cells, by their places.
+  void within_wide(const Level& level, std::uint32_t begin, std::uint32_t end) {
+    constexpr std::uint32_t at_a_time = 1024;
+    const auto many = [&](std::uint32_t place, const Run& run) HWY_ATTR {
+      if (HWY_LIKELY(candidates_.make_room(run.end - run.first, 1)))
+        candidates_.test({place, place + 1}, candidates_.gather(std::array{run}), 0);
+      else
+        meet_crowd({place, place + 1}, std::array{run}, false);
+    };
+    for (std::uint32_t at = begin; at < end && !found_.satisfied(); at += at_a_time)
+      lanes_.meet(level, at, std::min(end, at + at_a_time), many);
+    finish();
+  }
+
+  void finish() {
+    lanes_.finish();
+    candidates_.start_over();
+    hits_.finish();
+  }
+
   /// Where three or more buckets begin that lie `step` and one bucket before them on from bucket b.
   static HWY_INLINE std::uint32_t before(std::uint32_t b, std::uint32_t step, std::uint32_t buckets) {
     const std::uint32_t to = b + step;
@@ -123,7 +147,8 @@ class GridSearch {
   }
 
   /// The same, or all candidates, part by part: where they are too many for the queues.
-  HWY_NOINLINE void meet_crowd(const Run& own, const Runs& runs, bool behind) {
+  template <class Some>
+  HWY_NOINLINE void meet_crowd(const Run& own, const Some& runs, bool behind) {
     for (const Run& run : runs) {
       for (Run part{run.first, 0}; part.first < run.end && !found_.satisfied(); part.first = part.end) {
         part.end = std::min(run.end, part.first + Candidates<Found, Sink>::part);
@@ -274,7 +299,9 @@ class GridSearch {
   GridQueues& queues_;
   Found& found_;
   Sink& sink_;
+  VectorHits<Found> hits_;
   Candidates<Found, Sink> candidates_;
+  LanePairs<Found, Sink> lanes_;
 };
 
 }  // namespace catena::HWY_NAMESPACE

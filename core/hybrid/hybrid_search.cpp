@@ -9,9 +9,9 @@
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/grid/grid_evidence.h"
 #include "catena/core/hybrid/crowd_evidence.h"
-#include "catena/core/lone_spheres/lone_evidence.h"
 #include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_evidence.h"
+#include "catena/core/space_tree/tangled.h"
 
 namespace catena {
 
@@ -27,12 +27,8 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;
-  const bool sparse = leave_out_lone_spheres(chain, team);
   SingleSpheres single{};
-  // A block that meets more is dense, in the chain's order and in that of space.
-  const double others =
-      settings_.dense * shallow_share(chain.size) * (9 + 0.75 * octaves_beyond_cache(chain.size));
-  const bool at_once = sparse || unfilled(chain) || look_.everywhere(chain, others);
+  const bool at_once = single_at_once(chain, single);
   if (parts_.tree.level.empty() != at_once) {
     std::swap(parts_.tree, put_by_.tree);
     std::swap(parts_.crowding, put_by_.crowding);
@@ -41,8 +37,7 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   parts_.tree.doubt = parts_.grid.doubt = parts_.spheres.doubt = settings_.doubt;
   if (at_once) {
     parts_.crowding.reset(parts_.tree, settings_.crowd, team.size());
-    parts_.dense_count = chain.size - parts_.lone_count;
-    if (!sparse && chain.size > 0) single = single_spheres(chain);
+    parts_.dense_count = chain.size;
   } else {
     build_block_tree(chain, parts_.tree, team);
     if (!settings_.rows) parts_.tree.forget_rows();
@@ -55,20 +50,32 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
   if (parts_.dense_count == 0) return;
   parts_.in_cells = single.in_cells && cells_fit(chain, single.greatest_radius, team);
   if (parts_.in_cells) {
+    parts_.grid.wide = single.wide;
     build_grid(chain, parts_.grid, dense_, team);
     parts_.in_cells = one_level();
   }
   if (!parts_.in_cells) build_sphere_tree(chain, parts_.spheres, dense_, team);
 }
 
-/// Where most are alone: all others are dense then.
-bool HybridSearch::leave_out_lone_spheres(const ChainView& chain, const Team& team) {
-  parts_.lone_count = 0;
-  const std::optional<LoneCells> cells = LoneCells::of(chain.extent, chain.size);
-  if (!cells || !lone_.pay(chain, *cells)) return false;
-  lone_.leave_out(chain, *cells, dense_, team);
-  parts_.lone_count = chain.size - static_cast<std::uint32_t>(dense_.size());
-  return true;
+/// Whether no order of blocks is worth its while; then single spheres' cost is told too. A block that has
+/// more blocks near it, in the chain's order and in that of space, costs more than its spheres one by one.
+bool HybridSearch::single_at_once(const ChainView& chain, SingleSpheres& single) {
+  if (unfilled(chain)) {
+    if (chain.size > 0) single = single_spheres(chain);
+    return true;
+  }
+  // Between short strands a chain jumps so often that its nodes tell nothing of what is near.
+  constexpr std::uint32_t short_strand = 32;
+  if (chain.size <= std::uint64_t{short_strand} * chain.strand_count && tangled(chain)) {
+    single = single_spheres(chain);
+    if (single.in_cells && single.wide) return true;
+  }
+  constexpr double least = 4, near_ns = 42;
+  const double share = settings_.dense * shallow_share(chain.size), octaves = octaves_beyond_cache(chain.size);
+  if (!look_.everywhere(chain, share * least)) return false;
+  single = single_spheres(chain);
+  const double others = std::min(9 + 0.75 * octaves, single.ns * BlockTree::block / near_ns);
+  return others <= least || look_.everywhere(chain, share * others);
 }
 
 /// Strands are so short that their blocks would be half empty, or more.
@@ -105,15 +112,9 @@ struct HybridSearch::Evidence {
   std::optional<SpaceNodes> space;
   std::optional<GridTrees> cells;
   std::optional<SphereNodes> spheres;
-  SphereTree all;  ///< with those that are alone, if there are any, for these to be apart from nodes of it
 
   Evidence(const ChainView& view, const HybridSearch& of) : chain(view, of.parts_.tree, of.parts_.crowding) {
     std::uint32_t next = chain.end_id();
-    if (of.parts_.lone_count > 0) {
-      build_sphere_tree(view, all, {}, Team());
-      spheres.emplace(all, next);
-      return;
-    }
     if (of.parts_.space.entries > 0)
       next = space.emplace(view, of.parts_.tree, of.parts_.space, next).end_id();
     if (of.parts_.dense_count == 0) return;
@@ -128,7 +129,6 @@ void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::L
                                         EvidenceSink& sink) {
   before_ = met();
   const Evidence nodes(chain, *this);
-  if (parts_.lone_count > 0) return search_beside_lone_spheres(chain, nodes, lane, sink);
   std::optional<SpaceEvidence> space;
   if (nodes.space) {
     space.emplace(chain, *nodes.space, sink);
@@ -143,24 +143,6 @@ void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::L
   if (!nodes.cells) return;
   GridEvidence cells(chain, *nodes.cells, sink);
   search_grid(chain, parts_.grid, grid_queues_[0], lane, cells);
-}
-
-/// The pairs of spheres that are not alone, and then where all pairs are.
-void HybridSearch::search_beside_lone_spheres(const ChainView& chain, const Evidence& nodes,
-                                              PairCollector::Lane& lane, EvidenceSink& sink) {
-  std::span<const std::uint32_t> others;
-  if (parts_.dense_count > 0) {
-    others = {parts_.spheres.index.data(), parts_.spheres.spheres};
-    const SphereNodes unnamed(parts_.spheres, chain.size);
-    NoOnesSink nothing;
-    search_sphere_tree(chain, parts_.spheres, sphere_queues_[0], lane,
-                       SphereEvidence(chain, unnamed, nothing));
-  }
-  LoneSink apart(chain.size, others, sink);
-  Collisions found;
-  PairCollector unheard(chain.size, {}, found, 1);
-  SphereQueues queues;
-  search_sphere_tree(chain, nodes.all, queues, unheard.lane(0), SphereEvidence(chain, *nodes.spheres, apart));
 }
 
 void HybridSearch::show_evidence(const ChainView& chain, BoundsVisitor& visitor) const {
@@ -243,7 +225,6 @@ HybridSearch::Work HybridSearch::work() const {
   work.entries -= before_.entries, work.tests -= before_.tests, work.open -= before_.open;
   work.sixteens -= before_.sixteens;
   work.dense = parts_.dense_count;
-  work.alone = parts_.lone_count;
   work.crowded = std::max(
       work.dense, std::uint64_t{parts_.crowding.crowded_nodes()} * BlockTree::group * BlockTree::block);
   return work;

@@ -7,7 +7,6 @@
 #include "catena/core/executor/team.h"
 #include "catena/core/export.h"
 #include "catena/core/grid/grid_kernels.h"
-#include "catena/core/lone_spheres/lone_spheres.h"
 #include "catena/core/space_tree/crowd_look.h"
 #include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_kernels.h"
@@ -20,10 +19,8 @@ namespace catena {
 /// - the order of space: a SpaceTree of the blocks of nodes that meet more, the *crowded* ones;
 /// - single spheres: of those blocks among them that have so much near them that most of their eight spheres
 ///   must be looked at anyway, the *dense* ones; in cells, a SphereGrid, where their radii are about the same
-///   and enough is near them to share what a cell costs, and else in the order of space, a SphereTree. So are
-///   all spheres of strands too short for blocks, and of chains whose blocks meet many everywhere, as a look
-///   tells before there are any; of those that jump everywhere without much near them, all but what nothing
-///   can touch (LoneSpheres).
+///   and else in the order of space, a SphereTree. So are all spheres of strands too short for blocks, and of
+///   chains whose blocks meet many everywhere, as a look tells before there are any.
 /// Pairs of two dense blocks are the third one's, those of two other crowded nodes the second one's, the rest
 /// the first one's, so that each is met once. What is crowded or dense is told by a look at some nodes and
 /// blocks, and where it is about even both ways cost about the same.
@@ -45,7 +42,6 @@ class CATENA_API HybridSearch {
     std::uint64_t tests = 0;               ///< a sphere against a vector of others
     std::uint64_t open = 0;                ///< pairs of spheres that binary32 left open
     std::uint64_t crowded = 0, dense = 0;  ///< spheres of the last build's, at most
-    std::uint64_t alone = 0;               ///< and those that were left out
   };
 
   HybridSearch(const Settings& settings, unsigned threads);
@@ -79,17 +75,14 @@ class CATENA_API HybridSearch {
     SphereTree spheres;             ///< of them, instead
     std::uint32_t dense_count = 0;  ///< spheres of dense blocks
     bool in_cells = false;          ///< they are in the grid
-    std::uint32_t lone_count = 0;   ///< spheres that are in neither, as nothing touches them
   };
   Parts& parts() { return parts_; }
 
  private:
   struct Evidence;
-  void search_beside_lone_spheres(const ChainView& chain, const Evidence& nodes, PairCollector::Lane& lane,
-                                  EvidenceSink& sink);
   Work met() const;  ///< since this was made
+  bool single_at_once(const ChainView& chain, SingleSpheres& single);
   static bool unfilled(const ChainView& chain);
-  bool leave_out_lone_spheres(const ChainView& chain, const Team& team);
   void build_in_space(const ChainView& chain, SingleSpheres single, const Team& team);
   void gather_dense(const Team& team);
   bool cells_fit(const ChainView& chain, float greatest_radius, const Team& team) const;
@@ -97,7 +90,6 @@ class CATENA_API HybridSearch {
 
   const Settings settings_;
   CrowdLook look_;
-  LoneSpheres lone_;
   Work before_;  ///< met before the last search
   Parts parts_;
   /// Of no spheres while there is a tree; else the memory of the last, as the next frame may need one.

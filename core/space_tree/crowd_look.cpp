@@ -119,7 +119,7 @@ class Meetings {
 
 }  // namespace
 
-bool crowded_everywhere_here(const ChainView& chain, double others, std::vector<float>& capsules) {
+bool crowded_everywhere_here(const ChainView& chain, double others, bool jumps, std::vector<float>& capsules) {
   constexpr std::uint32_t most_groups = 1u << 12;
   const std::uint32_t blocks = chain.size / block;
   // Of these each part meets others about as often as each block is to meet some.
@@ -132,7 +132,9 @@ bool crowded_everywhere_here(const ChainView& chain, double others, std::vector<
   // Where the chain jumps here and there, what it jumps over tells nothing; where it does all along, all
   // does.
   const std::uint32_t broken = sample.make(0);
-  const std::uint32_t passed_over = 2 * std::popcount(broken) > int{group} ? 0 : 0xFFFF;
+  const bool all_along = 2 * std::popcount(broken) > int{group};
+  if (jumps && !all_along) return false;
+  const std::uint32_t passed_over = all_along ? 0 : 0xFFFF;
   for (std::uint32_t g = 0; g < groups; ++g) {
     whole[g] = static_cast<std::uint16_t>(~((g == 0 ? broken : sample.make(g)) & passed_over));
     meetings.add(sample, g, whole[g], {whole.data(), g});
@@ -152,20 +154,16 @@ HWY_EXPORT(crowded_everywhere_here);
 
 bool CrowdLook::everywhere(const ChainView& chain, double others) {
   constexpr double empty = 1e-3;
-  // Of a box that is empty but for so much a chain cannot fill every part.
+  // Of a box that is empty but for so much a chain cannot fill every part, unless it jumps all along.
   const double width = 2.0 * chain.extent.greatest_radius, side = chain.extent.sides / 3 + width;
-  if (chain.size * width * width * width < empty * side * side * side) return false;
-  return everywhere_in(chain, others);
-}
-
-bool CrowdLook::everywhere_in(const ChainView& chain, double others) {
+  const bool jumps = chain.size * width * width * width < empty * side * side * side;
   constexpr std::uint32_t few = 2048;
   if (chain.size <= few) return false;
   // Radii that unlike have subnormal squares, at 150 cycles each.
   constexpr float unlike = 0x1p60f;
   if (chain.extent.least_radius > 0 && chain.extent.greatest_radius / unlike > chain.extent.least_radius)
     return false;
-  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, capsules_);
+  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, jumps, capsules_);
 }
 
 }  // namespace catena

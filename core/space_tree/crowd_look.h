@@ -13,8 +13,6 @@ class CATENA_API CrowdLook {
   /// do, and single spheres may be searched at once. Told by as many blocks as need be to see some of them
   /// meet, the square root of all, about; and where it is not clear, false.
   bool everywhere(const ChainView& chain, double others);
-  /// The same, however empty the chain's box is.
-  bool everywhere_in(const ChainView& chain, double others);
 
  private:
   std::vector<float> capsules_;

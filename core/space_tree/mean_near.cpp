@@ -44,7 +44,7 @@ struct CellsAround {
 };
 
 Flags<lanes> within_reach(const Sphere& s, const Lanes16 (&at)[4]) {
-  const Lanes16 far = Lanes16::all(1.5f) * (at[3] + Lanes16::all(s.radius));
+  const Lanes16 far = at[3] + Lanes16::all(s.radius);
   return (abs(at[0] - Lanes16::all(s.x)) <= far) & (abs(at[1] - Lanes16::all(s.y)) <= far) &
          (abs(at[2] - Lanes16::all(s.z)) <= far);
 }
@@ -65,6 +65,11 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
   std::transform(of.begin(), of.end(), cells.begin(),
                  [&](std::uint32_t i) { return CellsAround(chain.spheres[i], greatest_radius); });
   std::uint64_t by_reach = 0, in_cells = 0, looked_at = 0;  // halves of pairs
+  // A sphere is near itself for certain, whether it is looked at or not.
+  for (const std::uint32_t i : of) {
+    const std::uint32_t look = i / run / parts;
+    if (i / run % parts == scattered(look, parts)) --by_reach, --in_cells;
+  }
   for (std::uint32_t first = 0; first < looks * run; first += lanes) {
     std::uint32_t there = 0;
     for (std::uint32_t k = 0; k < lanes; ++k)
@@ -87,9 +92,12 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
                                              std::popcount((radius <= at[3]).bits() & within));
     }
   }
-  const double times =
-      static_cast<double>(chain.size) / static_cast<double>(looked_at) / static_cast<double>(2 * of.size());
-  return {static_cast<double>(by_reach) * times, static_cast<double>(in_cells) * times};
+  const double times = static_cast<double>(chain.size) / static_cast<double>(looked_at);
+  const auto mean = [&](std::uint64_t seen) {
+    return (static_cast<double>(static_cast<std::int64_t>(seen)) * times / static_cast<double>(of.size()) + 1) / 2;
+  };
+  constexpr double in_reach = 1.5 * 1.5 * 1.5;
+  return {in_reach * mean(by_reach), mean(in_cells)};
 }
 
 }  // namespace catena::HWY_NAMESPACE

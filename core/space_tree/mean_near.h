@@ -9,7 +9,8 @@ namespace catena {
 
 /// Pairs of spheres a sphere of the chain, itself among them, that searches of single spheres look at, about.
 struct NearSpheres {
-  double by_reach;  ///< centres no farther apart along any axis than one and a half times the sum of radii
+  double by_reach;  ///< centres no farther apart along any axis than one and a half times the sum of radii,
+                    ///< as told by those no farther than that sum: boxes that meet
   double
       in_cells;  ///< those in the 27 cells around one, which are as wide as two of the radius that is given
 };

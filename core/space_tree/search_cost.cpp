@@ -68,7 +68,7 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
                       const RadiusSample::Told& radii) {
   constexpr double ball = 4.0 / 3 * std::numbers::pi / 27;  // of what is told to be near, within reach
   // Looks at spheres, for each that is searched: in a crowd of few a wrong guess costs little.
-  constexpr std::uint64_t looks = 4, looks_of_a_few = 16;
+  constexpr std::uint64_t looks = 2, looks_of_a_few = 16;
   const std::uint64_t all = std::min(looks * chain.size, looks_of_a_few * spheres);
   const auto parts = static_cast<std::uint32_t>(std::uint64_t{chain.size} * samples.size() / all + 1);
   const NearSpheres near = mean_near(chain, samples, radii.greatest, parts);
@@ -77,7 +77,16 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
                pairs = ball * near.by_reach / 2;
   const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
   const bool cells = one_width && in_cells < shallow_share(spheres) * in_space;
-  return {cells, one_width ? std::min(in_cells, in_space) : in_space, pairs, radii.greatest};
+  return {cells, one_width ? std::min(in_cells, in_space) : in_space, pairs, radii.greatest,
+          SingleSphereCost::wide_cells(near.in_cells, spheres)};
+}
+
+/// Samples all along a chain.
+std::span<const std::uint32_t> all_along(const ChainView& chain, Samples& samples) {
+  const std::uint32_t count = samples_of(chain.size);
+  const auto begin = [&](std::uint64_t k) { return static_cast<std::uint32_t>(k * chain.size / count); };
+  for (std::uint32_t k = 0; k < count; ++k) samples[k] = begin(k) + scattered(k, begin(k + 1) - begin(k));
+  return {samples.data(), count};
 }
 
 }  // namespace
@@ -85,13 +94,20 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
 SingleSpheres single_spheres(const ChainView& chain) {
   constexpr std::uint32_t apart = 128;  // of those whose radii are asked for
   Samples samples;
-  const std::uint32_t count = samples_of(chain.size);
-  const auto begin = [&](std::uint64_t k) { return static_cast<std::uint32_t>(k * chain.size / count); };
-  for (std::uint32_t k = 0; k < count; ++k) samples[k] = begin(k) + scattered(k, begin(k + 1) - begin(k));
+  const std::span<const std::uint32_t> some = all_along(chain, samples);
   RadiusSample radii(chain);
   for (std::uint32_t k = 0; k < chain.size; k += apart)
     radii.take(chain.spheres[k + scattered(k / apart, std::min(apart, chain.size - k))].radius);
-  return cheaper(chain, chain.size, {samples.data(), count}, radii.told());
+  return cheaper(chain, chain.size, some, radii.told());
+}
+
+bool wide_cells(const ChainView& chain) {
+  if (chain.size == 0) return false;
+  Samples samples;
+  const std::span<const std::uint32_t> some = all_along(chain, samples);
+  const NearSpheres near =
+      mean_near(chain, some, chain.extent.greatest_radius, static_cast<std::uint32_t>(some.size()));
+  return SingleSphereCost::wide_cells(near.in_cells, chain.size);
 }
 
 SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, const Crowding& crowding) {

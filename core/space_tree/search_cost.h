@@ -41,10 +41,20 @@ struct SpaceCost {
 /// What it costs, about, to search one of so many spheres by itself, likewise, where so many are near it as
 /// NearSpheres tells.
 struct SingleSphereCost {
+  static double in_cells(double near, std::uint32_t spheres) {
+    return std::min(in_wide_cells(near, spheres), in_narrow_cells(near)) + 10 * octaves_beyond_cache(spheres);
+  }
+  static bool wide_cells(double near, std::uint32_t spheres) {
+    return in_wide_cells(near, spheres) < in_narrow_cells(near);
+  }
+  /// Each that is near is a pair of its own, and looked up.
+  static double in_wide_cells(double near, std::uint32_t spheres) {
+    return shallow_share(spheres) * (20 + 5 * near);
+  }
   /// A sphere alone in its cell pays for it and for the look at its neighbours. Where very many are near, a
   /// vector of them is not the last.
-  static double in_cells(double near, std::uint32_t spheres) {
-    return 40 + 15 / (1 + near / 4) + near * near / (near + 100) + 10 * octaves_beyond_cache(spheres);
+  static double in_narrow_cells(double near) {
+    return 40 + 15 / (1 + near / 4) + near * near / (near + 100);
   }
   /// Spheres are sorted by size: each bit that tells their octaves is as many more classes to look into,
   /// where much is in cells for the greatest that is not within reach of the others.
@@ -64,11 +74,14 @@ struct SingleSpheres {
   bool in_cells;
   double ns, pairs;
   float greatest_radius = 0;  ///< but for a few
+  bool wide = false;          ///< cells are: see SphereGrid
 };
 /// Those in crowded nodes, by a look at some; or all, where there is no tree. Cells are for radii that come
 /// in one octave, as one in 128 tells, or where the smaller ones are few in cells for the greater.
 CATENA_API SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree,
                                         const Crowding& crowding);
 CATENA_API SingleSpheres single_spheres(const ChainView& chain);
+/// Whether wide cells are for all spheres of a chain, by a look that costs next to nothing.
+CATENA_API bool wide_cells(const ChainView& chain);
 
 }  // namespace catena

@@ -15,6 +15,7 @@ namespace {
 /// Grid, its levels tampered with after the spheres were sorted.
 class FaultyCells : public HostSearch, public EvidenceNodes {
  public:
+  explicit FaultyCells(bool wide = false) { grid_.wide = wide; }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(BoundsVisitor& visitor) const override {
     if (built()) GridTrees(view_, grid_, view_.size).show(visitor);
@@ -74,6 +75,26 @@ class OwnReach final : public FaultyCells {
 };
 const RegisterMutant<OwnReach> reach{"cells-reach-without-the-other",
                                      "a look into coarser cells that forgets how large their spheres are"};
+
+class WideWithoutCorner final : public FaultyCells {
+ public:
+  WideWithoutCorner() : FaultyCells(true) {}
+
+ private:
+  void tamper(SphereGrid::Level& level) override { level.half[3] = level.half[2]; }
+};
+const RegisterMutant<WideWithoutCorner> wide_corner{"wide-cells-forget-a-corner",
+                                                    "of the rows around wide cells one twice and one never"};
+
+class WideOwnReach final : public FaultyCells {
+ public:
+  WideOwnReach() : FaultyCells(true) {}
+
+ private:
+  void tamper(SphereGrid::Level& level) override { level.greatest = 0; }
+};
+const RegisterMutant<WideOwnReach> wide_reach{"wide-cells-reach-without-the-other",
+                                              "the cells that a sphere reaches, told by its own radius"};
 
 /// DeviceGrid's twin, its cells tampered with after the spheres were placed.
 class FaultyHashedCells : public HostSearch, public EvidenceNodes {

@@ -51,7 +51,6 @@ TEST(Proofs, ProveWhatTheyWereReadToProve) {
       {"dot_binary32.g", "58b32e0a1f9400d2"},
       {"excess_binary32.g", "bada2670aa5c189a"},
       {"grid_cells.g", "81c75dc600dbefad"},
-      {"lone_cells.g", "813c84b97d9bf252"},
       {"open_pairs.g", "831855ff8736944e"},
       {"oriented_box_binary32.g", "f4f66b6c4c73db15"},
       {"overlap_binary32.g", "115c10c506635d20"},
@@ -132,13 +131,6 @@ void expect_covered(const std::string& file, const std::string& script,
     EXPECT_NE(proof.find(covered), std::string::npos) << covered;
     EXPECT_NE(proof.find(formula), std::string::npos) << formula;
   }
-}
-
-TEST(Proofs, AreAboutTheConstantsOfTheLoneCells) {
-  expect_covered("core/lone_spheres/lone_cells.h", "lone_cells.g",
-                 {{"rounding_slack = 0x1p-6f,", "rounding_slack = 2^-6", "1b-6"},
-                  {"most_cells = 0x1p16f;", "most_cells = 2^16", "|V| <= 65537"},
-                  {"greatest_sum = 0.46;", "greatest_sum = 0.46", "0.4600001"}});
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheLanes) {
