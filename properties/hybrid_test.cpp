@@ -151,7 +151,7 @@ TEST(Hybrid, IsExactOnPatchworks) {
 std::vector<Sphere> three_parts() {
   Dice dice(77);
   std::vector<Sphere> spheres;
-  float at[3] = {-19200, 0, 0}, way[3] = {1, 0, 0};
+  float at[3] = {-32000, 0, 0}, way[3] = {1, 0, 0};
   const auto wind = [&](std::uint32_t steps, float turn, float pull) {
     for (std::uint32_t i = 0; i < steps; ++i) {
       spheres.push_back({at[0], at[1], at[2], 1});
@@ -166,7 +166,7 @@ std::vector<Sphere> three_parts() {
       }
     }
   };
-  wind(12000, 0, 0);
+  wind(20000, 0, 0);
   wind(14000, 0.2f, 0.0006f);
   wind(6000, 0.5f, 0.02f);
   return spheres;

@@ -55,11 +55,14 @@ class CrowdSample {
   /// True when the chain's own order most likely serves all of it, so that looking at every sixteenth node
   /// would cost more than it can save: of a few nodes, two at least where there are, none is crowded. What is crowded all the same is met by
   /// the walk; and where that meets few pairs of nodes, what is near within them costs no more than in cells.
-  bool sparse() const {
+  bool sparse() {
     constexpr std::uint32_t most_apart = 16;  // groups
     const std::uint32_t apart = std::clamp(groups() / 2, 1u, most_apart);
-    for (std::uint32_t g = apart / 2; g < groups(); g += apart)
-      if (look_at(g, nullptr).all.crowded()) return false;
+    for (std::uint32_t g = apart / 2; g < groups(); g += apart) {
+      const GroupLook look = look_at(g, nullptr);
+      if (seen_ < first_.size()) first_[seen_++] = {g, look};
+      if (look.all.crowded()) return false;
+    }
     return true;
   }
   /// After the walk: it met so few that this stands.
@@ -111,10 +114,17 @@ class CrowdSample {
   }
   void look_at_all(Costs& costs) const {
     for_each_group([&](std::uint32_t g) {
-      const GroupLook look = look_at(g, nullptr);
+      const GroupLook look = first_look(g);
       costs.take(look);
       crowding_.seen_crowded(g) = look.all.crowded();
     });
+  }
+  /// That of sparse(), where it looked; no walk has changed anything since.
+  GroupLook first_look(std::uint32_t g) const {
+    if (!walked_)
+      for (std::size_t k = 0; k < seen_; ++k)
+        if (first_[k].group == g) return first_[k].look;
+    return look_at(g, nullptr);
   }
   void look_at_rest() const {
     for_each_group([&](std::uint32_t g) {
@@ -161,7 +171,7 @@ class CrowdSample {
     ask(size / 2);
     if (fewest > 1) ask(size / 4);
     if (looks == 1 && !sum.even()) return {sum, sum.spared()};
-    if (looks == 1 || sum.doubtful())
+    if (looks == 1 || (fewest == 1 ? sum.doubtful() : sum.even()))
       for (std::uint32_t k = 0; k < 2; ++k) ask((1 + 4 * k) * size / 6);
     double spared_ns = 0;
     for (std::uint32_t k = 0; k < looks; ++k)
@@ -207,6 +217,12 @@ class CrowdSample {
   Crowding& crowding_;
   const Team& team_;
   bool walked_ = false;
+  struct FirstLook {
+    std::uint32_t group;
+    GroupLook look;
+  };
+  std::array<FirstLook, 8> first_;
+  std::size_t seen_ = 0;
   const double beyond_ = octaves_beyond_cache(chain_.size);
   const double exact_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : 6;   ///< times as long in cells
   const double unfilled_ = double{BlockTree::block} * tree_.blocks / chain_.size;  ///< times as many blocks

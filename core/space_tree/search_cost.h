@@ -49,7 +49,7 @@ struct SingleSphereCost {
   }
   /// Each that is near is a pair of its own, and looked up.
   static double in_wide_cells(double near, std::uint32_t spheres) {
-    return shallow_share(spheres) * (20 + 5 * near);
+    return shallow_share(spheres) * (20 + 5.5 * near);
   }
   /// A sphere alone in its cell pays for it and for the look at its neighbours. Where very many are near, a
   /// vector of them is not the last.

@@ -95,7 +95,7 @@ bool in_cells_of(std::uint32_t n, double near, float ratio) {
 }
 
 TEST(SearchCost, FewSpheresAreInTheOrderOfSpaceWhereManyAreInCells) {
-  EXPECT_FALSE(in_cells_of(3000, 300, 1));
+  EXPECT_FALSE(in_cells_of(3000, 600, 1));
   EXPECT_TRUE(in_cells_of(30000, 150, 1));
   for (const std::uint32_t n : {3000u, 30000u})
     for (const double near : {1.0, 4.0, 30.0}) EXPECT_TRUE(in_cells_of(n, near, 1)) << n << ' ' << near;
