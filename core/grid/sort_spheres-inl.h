@@ -13,6 +13,7 @@
 #include "catena/core/executor/team.h"
 #include "catena/core/grid/centre_box-inl.h"
 #include "catena/core/grid/member_buckets-inl.h"
+#include "catena/core/grid/parted_sort-inl.h"
 #include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,9 +32,13 @@ class SphereSort {
           level.end - level.first, members_of_a_task,
           [&](std::uint32_t begin, std::uint32_t end) { work(level.first + begin, level.first + end); });
     };
-    share_out([&](std::uint32_t begin, std::uint32_t end) { count(level, begin, end); });
-    add_up(level);
-    share_out([&](std::uint32_t begin, std::uint32_t end) { place(level, begin, end); });
+    if (team_.size() == 1 && PartedSort::pays(chain_, grid_, level)) {
+      PartedSort(chain_, grid_, level).run();
+    } else {
+      share_out([&](std::uint32_t begin, std::uint32_t end) { count(level, begin, end); });
+      add_up(level);
+      share_out([&](std::uint32_t begin, std::uint32_t end) { place(level, begin, end); });
+    }
     share_out([&](std::uint32_t begin, std::uint32_t end) { copy(begin, end); });
   }
 

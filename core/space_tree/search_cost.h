@@ -42,7 +42,7 @@ struct SpaceCost {
 /// NearSpheres tells.
 struct SingleSphereCost {
   static double in_cells(double near, std::uint32_t spheres) {
-    return std::min(in_wide_cells(near, spheres), in_narrow_cells(near)) + 10 * octaves_beyond_cache(spheres);
+    return std::min(in_wide_cells(near, spheres), in_narrow_cells(near)) + 6 * octaves_beyond_cache(spheres);
   }
   static bool wide_cells(double near, std::uint32_t spheres) {
     return in_wide_cells(near, spheres) < in_narrow_cells(near);
