@@ -145,6 +145,7 @@ TEST_F(Answers, NameEveryFileOnceAndInOneLine) {
   const std::string hair = write("warned.swc", "1 1 0 0 0 1 -1\n2 1 5 0 0 1 9\n");
   const std::string said = run("detect " + hair + " --counts-only").output;
   const std::string warning = said.substr(said.find("catena: "));
+  ASSERT_NE(warning.find("warned.swc"), std::string::npos) << said;
   EXPECT_EQ(warning.find("warned.swc"), warning.rfind("warned.swc")) << said;
   expect_refused("detect path1:n=10 --variant '" + std::string(5000, 'q') + "'", "...");
   expect_refused("detect $'a\\x1b[1m.swc'", "there is no such file");
