@@ -23,7 +23,8 @@ TEST_F(GrowthProgram, TellsTheLawThatItFitted) {
     ASSERT_EQ(json["points"].size(), 4u) << "1000 to 31623 in half decades";
     EXPECT_EQ(json["points"][0]["n"], 1000);
     EXPECT_EQ(json["points"][3]["n"], 31623);
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(json["points"][k]["node_pairs"], growth.points[k].node_pairs);
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_EQ(json["points"][k]["node_pairs"], growth.points[k].node_pairs);
     EXPECT_EQ(json["exponent"], growth.law().exponent);
     EXPECT_EQ(json["low"], growth.law().low);
     EXPECT_EQ(json["high"], growth.law().high);
@@ -36,9 +37,13 @@ TEST_F(GrowthProgram, TellsTheLawThatItFitted) {
 
 TEST_F(GrowthProgram, SaysWhatIsAboveTheLaw) {
   const Growth quadratic = measure_growth("yarn", StrategyRegistry::instance().describe("CPU1"), 32'000);
-  expect_says("growth yarn --n 32000 --variant CPU1", 0,
-              {quadratic.within_four_thirds() ? "within" : "ABOVE", "      1000         498501     498.5 a sphere"});
+  expect_says(
+      "growth yarn --n 32000 --variant CPU1", 0,
+      {quadratic.within_four_thirds() ? "within" : "ABOVE", "      1000         498501     498.5 a sphere"});
   EXPECT_FALSE(quadratic.within_four_thirds());
+  EXPECT_EQ(
+      nlohmann::json::parse(run("growth yarn --n 32000 --variant CPU1 --json").output)["within_four_thirds"],
+      false);
   expect_says("growth yarn --n 32000 --variant Necklace", 0, {"within"});
   expect_refused("growth yarn --n 3e9", "--n must be below 2^31");
 }

@@ -33,13 +33,22 @@ class MarginsProgram : public Program {
     EXPECT_EQ(line["least_margin"], m.least);
     EXPECT_EQ(line["tightest"], (nlohmann::json{m.tightest.i, m.tightest.j}));
     EXPECT_EQ(line["tightest_collides"], m.tightest_collides);
-    EXPECT_EQ(line["condition_number"], m.least == 0 ? nlohmann::json("infinite") : nlohmann::json(1 / m.least));
+    EXPECT_EQ(line["condition_number"],
+              m.least == 0 ? nlohmann::json("infinite") : nlohmann::json(1 / m.least));
   }
 };
 
 TEST_F(MarginsProgram, TellsWhatIsThere) {
   for (const std::string spec : {"yarn:n=600", "lattice:n=600", "grazing:n=600,margin=1e-7", "rod:n=3"})
     expect_shown(lines(spec).at(0), margins_of(open_input(spec).animation->frame(0)));
+}
+
+/// A pair of margin 2^-50 is open in both, and touches not.
+TEST_F(MarginsProgram, TellsWhatNearlyTouches) {
+  const std::string near = write("near.csv", "x,y,z,r\n0,0,0,1\n50,0,0,0\n1,0,0,4.440892098500626e-16\n");
+  expect_shown(lines(near).at(0), margins_of(open_input(file("near.csv")).animation->frame(0)));
+  EXPECT_EQ(lines(near).at(0)["open_in_binary64"], 1);
+  EXPECT_EQ(lines(near).at(0)["touching"], 0);
 }
 
 /// What reading has cost is of the file, the box of the frame.
@@ -72,9 +81,10 @@ TEST_F(MarginsProgram, ShowsThePowersOfTenThatHavePairs) {
   expect_says("margins rod:n=3", 0, {"no pair has a margin below 1\n"});
   const std::string csv = write("a.csv", "x,y,z,r\n0,0,0,1\n50,0,0,0\n1,0,0,1\n90,0,0,0\n3.002,0,0,1\n");
   // |1 - 4| / 4 and |2.002^2 - 4| / 4
-  expect_says("margins " + csv, 0,
-              {"smallest margin 2.001e-03: spheres 2 and 4, apart; condition number 4.997e+02\n",
-               "\n  1e-01 to 1                    1            0\n  1e-03 to 1e-02                0            1\n"});
+  expect_says(
+      "margins " + csv, 0,
+      {"smallest margin 2.001e-03: spheres 2 and 4, apart; condition number 4.997e+02\n",
+       "\n  1e-01 to 1                    1            0\n  1e-03 to 1e-02                0            1\n"});
 }
 
 }  // namespace
