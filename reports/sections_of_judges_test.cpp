@@ -6,6 +6,7 @@
 #include <set>
 
 #include "catena/bench/closed_form/lattice_box.h"
+#include "catena/core/readers/test_file.h"
 #include "catena/core/strategy/register.h"
 #include "catena/reports/test_sections.h"
 
@@ -31,6 +32,12 @@ TEST(Sections, OfWhatIsJudgedHaveEachPublishedNumberOnce) {
     knots += what.starts_with("ropelength");
     exponents += what.starts_with("exponent nu");
     EXPECT_EQ(row.contains("open") || row["agrees"], true) << row;
+    const std::string found = row["found"];
+    if (const auto at = found.find("edges explain ");
+        at != std::string::npos && !published.starts_with("at least")) {
+      const std::string range = found.substr(at + 14);
+      EXPECT_LT(std::stod(range), std::stod(range.substr(range.find(" to ") + 4))) << found;
+    }
     if (what.starts_with("ropelength")) {
       EXPECT_EQ(published.starts_with("at least "), what.find("none") != std::string::npos) << row;
     }
@@ -78,6 +85,16 @@ TEST(Sections, OfMemoryHaveWhatAVariantHolds) {
   EXPECT_LT(held, 20 * least);
   EXPECT_GE(rows[0]["peak_bytes"].get<std::int64_t>(), least);
   EXPECT_LT(rows[0]["peak_bytes"].get<std::int64_t>(), 20 * least);
+  // Millions of pairs: the answer, which the peak has and what is held has not.
+  std::string table = "x,y,z,r\n";
+  for (int k = 0; k < 3000; ++k) table += "0,0,0,1\n";
+  const TestFile file("flood.csv", table);
+  p = profile_of({"aCPU2+CPU2"});
+  p.inputs = {{file.path().string()}};
+  const auto answer = static_cast<std::int64_t>(sizeof(Pair) * (3000 * 2999 / 2 - 2999));
+  const Json flood = section("memory", p);
+  EXPECT_LT(flood[0]["held_bytes"].get<std::int64_t>(), answer / 4);
+  EXPECT_GE(flood[0]["peak_bytes"].get<std::int64_t>(), answer / 2);
 }
 
 TEST(Sections, OfBandwidthAreRatesOfThisMachine) {
