@@ -45,6 +45,17 @@ TEST(Writers, WriteNoLineForAStrandWithoutSpheres) {
   EXPECT_EQ(written("a.obj", 0, 1, chain_of), "v 0 0 0\nv 0 0 0\nv 0 0 0\nl 1 2\np 3\n");
 }
 
+/// So that an arc window crosses branches in it as in the file that it came from.
+TEST(Writers, BringJointsBackFromChain) {
+  const TestFile file("a.chain", "");
+  const std::vector<Pair> joints{{1, 2}};
+  const Chain chain({{0, 0, 0, 1}, {5, 0, 0, 1}, {5, 5, 0, 1}}, {{0, 2, 3}, {0, 0}});
+  WriterRegistry::instance()
+      .of(file.path())
+      .write(file.path(), {0, 1, [&](std::uint32_t) { return ExportedFrame{chain}; }, Labels(), joints});
+  EXPECT_EQ(ReaderRegistry::instance().read(file.path()).joints, joints);
+}
+
 TEST(Writers, NumberStrandsFrom0InXyz) {
   const auto chain_of = [](std::uint32_t) {
     return Chain({{0, 0, 0, 1}, {5, 0, 0, 2}, {9, 0, 0.5f, 1}}, {{0, 2, 3}, {1, 0}});
