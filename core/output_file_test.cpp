@@ -106,7 +106,7 @@ TEST_F(OutputFiles, TwoOfOneNameDoNotMix) {
 
 TEST_F(OutputFiles, ALinkStaysAndItsTargetIsReplaced) {
   fs::create_directory(file("below"));
-  write_file(file("below/a"), "old");
+  write_file(file("below/a"), "old, and longer than the new");
   fs::create_symlink("below/a", file("link"));
   fs::create_symlink(file("link"), file("link to link"));
   fs::create_symlink("new", file("link to nothing"));
@@ -118,6 +118,60 @@ TEST_F(OutputFiles, ALinkStaysAndItsTargetIsReplaced) {
   for (const char* link : {"link", "link to link", "link to nothing"})
     EXPECT_TRUE(fs::is_symlink(file(link))) << link;
   EXPECT_EQ(names(), (std::set<std::string>{"below", "link", "link to link", "link to nothing", "new"}));
+}
+
+/// A number is the name of a descriptor in one folder alone.
+TEST_F(OutputFiles, ANumberIsANameLikeAnyOther) {
+  const int open_already = open(file("other").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  const std::string number = std::to_string(open_already);
+  write_file(file(number), "a file");
+  close(open_already);
+  EXPECT_EQ(text_of(file(number)), "a file");
+  EXPECT_EQ(text_of(file("other")), "");
+}
+
+TEST_F(OutputFiles, MayBeReadByWhomTheUserLets) {
+  const mode_t before = umask(0026);
+  write_file(file("a"), "x");
+  umask(before);
+  EXPECT_EQ(fs::status(file("a")).permissions(), static_cast<fs::perms>(0640));
+}
+
+/// A program that is started meanwhile holds none of them open.
+TEST_F(OutputFiles, AreNotInherited) {
+  const int through = open(file("through").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  ASSERT_EQ(mkfifo(file("fifo").c_str(), 0600), 0);
+  const int reader = open(file("fifo").c_str(), O_RDWR | O_CLOEXEC);
+  const auto inherited = [] {
+    std::set<int> open_still;
+    for (int k = 3; k < 1024; ++k)
+      if (const int flags = fcntl(k, F_GETFD); flags >= 0 && !(flags & FD_CLOEXEC)) open_still.insert(k);
+    return open_still;
+  };
+  const std::set<int> before = inherited();
+  const OutputFile one(file("a")), other("/dev/fd/" + std::to_string(through)), third(file("fifo"));
+  EXPECT_EQ(inherited(), before);
+  close(through), close(reader);
+}
+
+/// What cannot get its name leaves nothing, and what a killed process of our number left is not in the way.
+TEST_F(OutputFiles, LeaveNothingBesideWhatTheyCannotReplace) {
+  std::string left;
+  {
+    OutputFile late(file("a"));
+    fs::create_directory(file("a"));
+    EXPECT_THROW(late.close(), InputError);
+    for (const std::string& name : names())
+      if (name != "a") left = name;
+  }
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+  const std::size_t dash = left.rfind('-') + 1;  // a.PROCESS-NUMBER.unfinished
+  ASSERT_TRUE(left.ends_with(".unfinished")) << left;
+  const std::string next = "b" + left.substr(1, dash - 1) + std::to_string(std::stoi(left.substr(dash)) + 1);
+  std::ofstream(file(next + ".unfinished")) << "half of it";
+  write_file(file("b"), "all");
+  EXPECT_EQ(text_of(file("b")), "all");
+  EXPECT_EQ(names(), (std::set<std::string>{"a", "b"}));
 }
 
 TEST_F(OutputFiles, AFifoIsWrittenThrough) {

@@ -73,6 +73,11 @@ string(FIND "${verified}" "\"input\":\"${WORK}/prefix/share/catena/examples/" fo
 if(NOT code EQUAL 0 OR found EQUAL -1)
   message(FATAL_ERROR "the installed program does not verify its sample files (exit code ${code})\n${verified}")
 endif()
+foreach(file __main__.py assets/report.js templates/page.html paper_tables.json)  # or the source tree's would be taken
+  if(NOT EXISTS ${WORK}/prefix/share/catena/catena_report/${file})
+    message(FATAL_ERROR "the page writer's ${file} is not installed with the program")
+  endif()
+endforeach()
 file(GLOB_RECURSE files RELATIVE ${WORK}/library_alone ${WORK}/library_alone/*)
 list(FILTER files EXCLUDE REGEX "^(include|lib[^/]*)/")
 if(files)

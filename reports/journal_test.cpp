@@ -1,8 +1,10 @@
 #include "catena/reports/journal.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -48,6 +50,45 @@ TEST_F(JournalTest, GoesOnBehindALineThatWasCutOff) {
   std::ofstream(file_, std::ios::app) << R"({"row": {"name": "b")";
   Journal::resume(file_).keep_row({{"name", "c"}}, 1);
   EXPECT_EQ(Journal::resume(file_).rows(), (Json{{{"name", "a"}}, {{"name", "c"}}}));
+}
+
+/// The end of a line may look whole, as the number 12 of 123 does; and what follows a damaged one is not
+/// believed.
+TEST_F(JournalTest, BelievesOnlyLinesThatEndAndOnlyToTheFirstThatIsNone) {
+  Journal::begin(file_, {{"seed", 3}}).keep_row({{"name", "a"}}, 1);
+  std::ofstream(file_, std::ios::app) << R"({"row":{"name":"b"},"seconds":12})";
+  EXPECT_EQ(Journal::resume(file_).rows().size(), 1u);
+  std::ofstream(file_, std::ios::app) << "{\"row\":\n"
+                                      << R"({"row":{"name":"c"},"seconds":3})" << '\n';
+  EXPECT_EQ(Journal::resume(file_).rows().size(), 1u);
+  Journal::resume(file_).keep_row({{"name", "d"}}, 1);
+  EXPECT_EQ(Journal::resume(file_).rows(), (Json{{{"name", "a"}}, {{"name", "d"}}}));
+}
+
+TEST_F(JournalTest, OfSectionsAloneIsNotEmpty) {
+  {
+    Journal journal = Journal::begin(file_, {{"seed", 3}});
+    journal.section("counts", [] { return Json{{"n", 5}}; });
+    EXPECT_FALSE(journal.empty());
+    journal.section("steps", [] { return usleep(2000), Json{{"n", 6}}; });
+  }
+  const Journal journal = Journal::resume(file_);
+  EXPECT_FALSE(journal.empty());
+  EXPECT_GE(journal.section_seconds(), 0.002);
+  EXPECT_EQ(journal.row_seconds(), 0);
+}
+
+TEST_F(JournalTest, SaysWhenALineDoesNotFit) {
+  Journal journal = Journal::begin(file_, {{"seed", 3}});
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{std::filesystem::file_size(file_) + 5, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  EXPECT_THROW(journal.keep_row({{"name", "a"}}, 1), InputError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(Journal::resume(file_).rows().empty()) << "what fitted is no line";
 }
 
 TEST_F(JournalTest, IsNotOverwritten) {

@@ -63,6 +63,17 @@ TEST_F(ReportFolderTest, LosesWhatAnEarlierReportLeftAndNothingElse) {
   EXPECT_EQ(files(), std::set<std::string>{"figures/mine.svg"});
 }
 
+TEST_F(ReportFolderTest, LeavesNoEmptyFolderAndKnowsItsOwnPage) {
+  {
+    ReportFolder folder(path_);
+    report({"index.html", "figures/a.svg"});
+  }
+  ReportFolder again(path_);  // whose page a report is known to have written
+  again.remove_reports();
+  EXPECT_FALSE(fs::exists(path_ / "figures"));
+  EXPECT_TRUE(files().empty());
+}
+
 TEST_F(ReportFolderTest, NeverRemovesOutsideOfIt) {
   ReportFolder folder(path_ / "below");
   std::ofstream(path_ / "mine") << "by hand";

@@ -167,6 +167,23 @@ TEST(LatticeBox, NamesWhatIsWrong) {
   wrong = right;
   --wrong.pair_count;
   EXPECT_NE(fault(box, wrong, false), "");
+  const LatticeBox wide{.side = 5, .reach = 2};
+  const Chain longer = chain_of(wide);
+  variant->build(longer);
+  variant->find(longer, {}, wrong);
+  EXPECT_EQ(fault(wide, wrong, false), "");
+  ++*std::ranges::max_element(wrong.count), --wrong.count.front();
+  EXPECT_NE(fault(wide, wrong, false).find("a sphere has"), std::string::npos) << "as many ends, elsewhere";
+}
+
+TEST(LatticeBox, HasNeighboursOnBothSides) {
+  const LatticeBox rods{.side = 4, .reach = 2, .rods = true}, one{.side = 4, .reach = 2};
+  for (std::uint64_t i = 0; i < 64; ++i)
+    for (std::uint64_t j = 0; j < 64; ++j) {
+      const bool next = i + 1 == j || j + 1 == i;
+      EXPECT_EQ(one.neighbours(i, j), next) << i << ' ' << j;
+      EXPECT_EQ(rods.neighbours(i, j), next && i / 4 == j / 4) << i << ' ' << j;
+    }
 }
 
 }  // namespace

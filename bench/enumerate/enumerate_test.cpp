@@ -208,6 +208,27 @@ TEST(ChainOfWalks, HasStrandsThatDoNotSeeOneAnother) {
   }
 }
 
+/// Towards one another, as far as they go.
+TEST(ChainOfWalks, HasRoomForWalksThatFaceOneAnother) {
+  Walk there, back;
+  for (int n = 0; n < 5; ++n) there = there.then(0), back = back.then(1);
+  std::vector<Walk> walks;
+  for (int k = 0; k < 8; ++k) walks.push_back(k % 2 == 0 ? there : back);
+  for (const float radius : {0.5f, 1.0f, 2.5f})
+    for (const Pair& p : reference::find(chain_of_walks(walks, radius)).pairs) EXPECT_EQ(p.i / 6, p.j / 6) << radius;
+}
+
+TEST(Enumerate, RefusesRadiiThatSayNothing) {
+  const auto variant = StrategyRegistry::instance().make("CPU1");
+  for (const float radius : {-0.1f, 100.1f, std::nanf("")}) try {
+      enumerate_walks(*variant, {.dimensions = 3, .radius = radius, .steps = 2});
+      FAIL() << radius;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("the radius of a walk is 0 to 100 steps, not "))
+          << error.what();
+    }
+}
+
 TEST(Walks, OfAClassAreAsManyAsItsImages) {
   std::uint64_t images = 0;
   for_each_extension(Walk{}, 3, [&](const Walk& first) {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "catena/bench/counts/count_work.h"
 #include "catena/core/error.h"
+#include "catena/core/input/input.h"
 
 namespace catena::bench {
 namespace {
@@ -58,6 +60,11 @@ TEST(Growth, CountsEveryPairOfAllPairs) {
   ASSERT_EQ(growth.points.size(), 1u);
   EXPECT_EQ(growth.points.front().n, 1000u);
   EXPECT_EQ(growth.points.front().node_pairs, 999u * 998 / 2);
+  const auto tree = StrategyRegistry::instance().describe("aCPU2+CPU2");
+  const auto work = count_work(tree, open_input("path1:n=1000").animation->frame(0));
+  EXPECT_GT(work->node_visits, 0u);
+  EXPECT_EQ(measured("path1", "aCPU2+CPU2", 1000).points.front().node_pairs,
+            work->pair_tests + work->node_visits);
 }
 
 TEST(Growth, OfANecklaceIsWithinFourThirds) {
@@ -75,6 +82,12 @@ TEST(GrowthLong, OfANecklaceIsWithinFourThirdsToAMillion) {
 TEST(Growth, RefusesAVariantThatCountsNothing) {
   EXPECT_THROW(measured("yarn", "nanoflann", 10'000), Error);
   EXPECT_THROW(Growth{}.law(), std::logic_error);
+  Growth three{"made", "up", {{1000, 1000}, {4000, 4000}, {16'000, 16'000}}};
+  EXPECT_THROW(three.plain_power(), std::logic_error) << "too few";
+  three.points.push_back({64'000, 0});
+  EXPECT_THROW(three.plain_power(), std::logic_error) << "nothing was counted";
+  three.points.back() = {0, 64'000};
+  EXPECT_THROW(three.plain_power(), std::logic_error);
 }
 
 }  // namespace

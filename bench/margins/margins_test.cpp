@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -47,6 +49,28 @@ TEST(Margins, AreThoseOfThePairByPairDefinition) {
       EXPECT_EQ(found.least, right.least) << spec;
     }
   }
+}
+
+/// By explicit numbers: everything else here adds by the same function.
+TEST(Margins, AreCountedByTheirPowersOfTen) {
+  Margins margins;
+  for (const double margin : {0.0, 1e-300, 2e-12, 2e-3, 9e-3, 0.5, 7.0}) margins.add({0, 2}, true, margin);
+  margins.add({0, 3}, false, 2e-5);
+  std::array<std::uint64_t, Margins::decades> colliding{}, apart{};
+  colliding[15] = 2, colliding[11] = 1, colliding[2] = 2, colliding[0] = 2, apart[4] = 1;
+  EXPECT_EQ(margins.colliding.decade, colliding);
+  EXPECT_EQ(margins.apart.decade, apart);
+  EXPECT_EQ(margins.colliding.pairs, 7u);
+  EXPECT_EQ(margins.apart.pairs, 1u);
+  EXPECT_EQ(margins.touching, 1u);
+}
+
+/// Two spheres of radius 1, sqrt(2) apart: 2 - sqrt(2) = 0.586 must be lost for them to part.
+TEST(Margins, AreOpenWhereRoundingCoversTheDepth) {
+  const float side = 1;
+  const Chain chain({{0, 0, 0, 1}, {50, 0, 0, 0}, {side, side, 0, 1}});
+  for (const auto& [loss, open] : {std::pair{0.58, 0u}, {0.59, 1u}})  // sqrt(3) of it along each of both ways
+    EXPECT_EQ(margins_of(chain, loss / (2 * std::sqrt(3.0))).open_by_rounding, open) << loss;
 }
 
 /// What the stages of the exact overlap leave open is where they stop deciding; of equal margins the least

@@ -126,6 +126,14 @@ TEST(Cases, AreFilteredAsByGoogleBenchmark) {
   EXPECT_THROW(filtered(all, "("), InputError);
 }
 
+TEST(Cases, LeaveOutWhatIsNotAvailable) {
+  auto variants = named({"CPU1", "aCPU2+CPU2"});
+  variants[0].unavailable = "it is not here";
+  for (const Case& c : cases({{"path1:n=100"}}, variants)) EXPECT_EQ(c.variant.name, variants[1].name);
+  variants[1].unavailable = "nor this";
+  EXPECT_TRUE(cases({{"path1:n=100"}}, variants).empty());
+}
+
 TEST(Cases, LeaveOutAllPairsOnLongChains) {
   const auto variants = named({"CPU1", "aCPU2+CPU2"});
   EXPECT_EQ(cases({{"path1:n=20000"}}, variants).size(), 6u);  // CPU1 has no build and no update

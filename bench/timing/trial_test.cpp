@@ -237,6 +237,25 @@ TEST(DeviceTrial, EveryStageOfEveryVariantIsTimed) {
   EXPECT_EQ(stages.size(), 5u);
 }
 
+TEST(Trial, TellsTheMostPairsOfAnyFrameAndComparesOnce) {
+  const auto& registry = StrategyRegistry::instance();
+  Trial frames({"path1:n=100", true}, registry.describe("aCPU2+CPU2"));
+  ASSERT_EQ(frames.prepare(), "");
+  const auto animation = open_input("path1:n=100").animation;
+  std::uint64_t most = 0, last = 0;
+  for (std::uint32_t f = 0; f < animation->frames(); ++f)
+    most = std::max(most, last = reference::find(animation->frame(f)).pair_count);
+  ASSERT_LT(last, most);
+  EXPECT_EQ(frames.pairs(), most);
+  Trial rounded({"coincident:n=60"}, registry.describe("aCPU2+CPU2/literal"));
+  ASSERT_EQ(rounded.prepare(), "");
+  const auto missing = rounded.missing();
+  EXPECT_GT(missing, 0u);
+  rounded.release();
+  ASSERT_EQ(rounded.prepare(), "");
+  EXPECT_EQ(rounded.missing(), missing) << "not counted again";
+}
+
 TEST(Trial, ALabelSaysNInDigits) { EXPECT_EQ(label_of({"path1:spacing=2,n=1e3"}), "path1:spacing=2/n:1000"); }
 
 TEST(Trial, WhatDoesNotMoveHasNoUpdate) {

@@ -113,6 +113,11 @@ TEST_F(Answers, NameStrandsAndRows) {
   EXPECT_EQ(row, nlohmann::json::parse(R"({"frame":0,"i":0,"j":1,"label_i":"p","label_j":"q","strand_i":"a,1",
                                            "strand_j":"b","index_i":0,"index_j":0,"depth":1.0})"));
   expect_refused("detect " + csv + " --depth", "--pairs");
+  // Both in the second strand, where numbers and places in the strand differ.
+  const std::string second =
+      write("second.csv", "chain,x,y,z,r\na,90,0,0,1\nb,0,0,0,1\nb,50,0,0,1\nb,1,0,0,1\n");
+  run("detect " + second + " --pairs '" + file("s.csv") + "'");
+  EXPECT_TRUE(text_of(file("s.csv")).ends_with("\n0,1,3,3,5,b,b,0,2\n")) << text_of(file("s.csv"));
   // A label in no Unicode is shown as far as JSON can.
   const std::string latin = write("latin.csv", "id,x,y,z,r\nM\xFCller,0,0,0,1\nq,9,0,0,1\np,1,0,0,1\n");
   run("detect " + latin + " --pairs '" + file("l.jsonl") + "'");
@@ -145,6 +150,7 @@ TEST_F(Answers, NameEveryFileOnceAndInOneLine) {
   const std::string hair = write("warned.swc", "1 1 0 0 0 1 -1\n2 1 5 0 0 1 9\n");
   const std::string said = run("detect " + hair + " --counts-only").output;
   const std::string warning = said.substr(said.find("catena: "));
+  ASSERT_NE(warning.find("warned.swc"), std::string::npos) << said;
   EXPECT_EQ(warning.find("warned.swc"), warning.rfind("warned.swc")) << said;
   expect_refused("detect path1:n=10 --variant '" + std::string(5000, 'q') + "'", "...");
   expect_refused("detect $'a\\x1b[1m.swc'", "there is no such file");

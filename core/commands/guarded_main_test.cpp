@@ -1,7 +1,10 @@
 #include "catena/core/commands/guarded_main.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -51,6 +54,23 @@ TEST(GuardedMain, SaysEveryExceptionInOneLine) {
   expect_one_line(std::runtime_error("unforeseen"),
                   "program: internal error: unforeseen; please report it with the command line");
   expect_one_line(7, "program: internal error of an unknown kind; please report it with the command line");
+}
+
+/// Lost in the middle, whatever was written after it; the system's reason is long forgotten.
+TEST(GuardedMain, SaysThatOutputWasLostEarlier) {
+  std::fflush(stdout);
+  const Outcome outcome = of([] {
+    const int out = dup(STDOUT_FILENO), full = open("/dev/full", O_WRONLY);
+    dup2(full, STDOUT_FILENO);
+    const std::string lost(1 << 20, 'x');
+    EXPECT_LT(std::fwrite(lost.data(), 1, lost.size(), stdout), lost.size());
+    dup2(out, STDOUT_FILENO);
+    close(out), close(full);
+    return 0;
+  });
+  std::clearerr(stdout);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.said, "program: cannot write the output\n");
 }
 
 }  // namespace

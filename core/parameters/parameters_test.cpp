@@ -59,6 +59,29 @@ TEST(Parameters, ReadSeveralChoices) {
     EXPECT_THROW(read(wrong), InputError) << wrong;
 }
 
+TEST(Parameters, SayWhatIsWrong) {
+  const std::vector<ParameterInfo> declared{{"x", "1", "number"}, {"kind", "a", "which"}};
+  const auto refusal = [](const auto& work) {
+    try {
+      work();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto made = [&](const std::string& text, const std::vector<ParameterInfo>& known) {
+    return refusal([&] { Parameters("scene x", known, text); });
+  };
+  for (const std::string text : {"=1", "=", "x"})
+    EXPECT_EQ(made(text, declared), "scene x: '" + text + "' is not key=value");
+  EXPECT_EQ(made("y=1", {}), "scene x takes no parameters, got 'y'");
+  EXPECT_EQ(made("y=1", declared), "scene x has no parameter 'y'; it has: x, kind");
+  const Parameters wrong("scene x", declared, "x=9,kind=b");
+  EXPECT_EQ(refusal([&] { wrong.real("x", 0, 2); }), "scene x: x=9 must be a number from 0 to 2");
+  EXPECT_EQ(refusal([&] { wrong.choice("kind", {"a", "c"}); }), "scene x: kind=b must be one of: a, c");
+  EXPECT_EQ(wrong.choice("kind", {"a", "b"}), "b");
+}
+
 TEST(DidYouMean, KnowsASlipOfThePen) {
   const std::vector<std::string> known{"path1", "path2", "yarn", "lattice", "aCPU2+CPU2", "CPU1"};
   EXPECT_EQ(did_you_mean("pth1", known), "; did you mean 'path1'?");

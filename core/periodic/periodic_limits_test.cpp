@@ -48,6 +48,7 @@ TEST(Periodic, StatesTheTrueNumberPastALimit) {
   periodic.build(Chain(spheres));
   EXPECT_THROW(periodic.find(Chain(spheres), request, result), PairLimitExceeded);
   EXPECT_TRUE(result.pairs.empty()) << "no part of them for all";
+  EXPECT_LE(result.pairs.capacity(), 2 * request.pair_limit) << "no memory for what is not kept";
   request.want = Request::Want::counts;
   EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pair_count, 40u * 39 / 2 - 39)
       << "a limit on pairs, not on counts";
@@ -122,7 +123,15 @@ TEST(Periodic, RefusesABoxThatIsNone) {
     EXPECT_NE(refusal(box).find(" where a length or a tilt is due"), std::string::npos) << refusal(box);
   for (const PeriodicBox& box : {PeriodicBox{{9, 9, 9}, 0x1p-100, -0x1p-100}, {{9, 9, 0x1p100}}})
     EXPECT_EQ(refusal(box), "");
-  EXPECT_NE(refusal({{NAN, 9, 9}}).find("nan"), std::string::npos);
+  for (const double none : {double{NAN}, double{INFINITY}})
+    for (const PeriodicBox& box : {PeriodicBox{{none, 9, 9}},
+                                   {{9, 9, none}},
+                                   {{9, 9, 9}, none},
+                                   {{9, 9, 9}, 0, none},
+                                   {{9, 9, 9}, 0, 0, none}})
+      EXPECT_NE(refusal(box).find(" where a length or a tilt is due"), std::string::npos) << refusal(box);
+  EXPECT_NE(refusal({{4, 3, 9}, 4}).find("the box is 2.4 wide along x, less"), std::string::npos)
+      << "across the tilt";
   EXPECT_EQ(refusal({{4, 9, 0}}), "");
 }
 
@@ -135,6 +144,24 @@ TEST(Periodic, RefusesAChainThatItWasNotBuiltFor) {
   EXPECT_EQ(periodic.timings().find_ms, 0);
   periodic.find(two, {}, result);
   EXPECT_GT(periodic.timings().find_ms, 0);
+}
+
+/// Beside a share of 2^-14 and less, which integers hold with every digit.
+TEST(PeriodicBox, DecidesByTheLastDigitOfTheSmallestNumbers) {
+  const float large = 0x1p-106f, small = 0x1p-120f;
+  const PeriodicBox box{{1, 1, 1}};
+  for (const float least : {small, 0x1p-129f}) {
+    EXPECT_TRUE(image_overlaps_by_integers({0, 0, 0, large}, {large + least, 0, 0, least}, {}, box));
+    EXPECT_FALSE(image_overlaps_by_integers({0, 0, 0, large}, {large + least, 0, 0, least / 2}, {}, box));
+  }
+}
+
+/// Where the place of the image is rounded onto the other centre, nothing but that rounding is left to doubt.
+TEST(PeriodicBox, DoubtsADistanceThatIsAllRounding) {
+  const PeriodicBox box{{1 + 0x1p-52, 1, 1}};  // three of it are halfway between two numbers
+  const Sphere a{3, 0, 0, 0x1p-61f}, b{-0x1p-50f, 0, 0, 0x1p-61f};
+  EXPECT_FALSE(image_overlaps_by_integers(a, b, {3, 0, 0}, box)) << "2^-52 apart";
+  EXPECT_FALSE(image_overlaps(a, b, {3, 0, 0}, box));
 }
 
 TEST(PeriodicBox, IsWrittenWithEveryTilt) {

@@ -196,6 +196,11 @@ TEST(Overlap, SeesATieAcrossAFace) {
   EXPECT_DOUBLE_EQ(overlap_of({0.5, 6, 0, 3}, {1, 0, 0, 2.5}, &box).depth, 0.5);
   EXPECT_DOUBLE_EQ(overlap_of({0, 0, 0, 1}, {9, 0, 0, 1}).depth, -7);
   EXPECT_THROW(overlap_of({0, 0, 0, 1}, {5, 5, 5, 1}, &box), std::logic_error);
+  // 6, 8, 10: half of this box's width, less so little that rounding takes the way for that to the next
+  // image.
+  const PeriodicBox half{{25, 40, 0}, 30, 0, 0};
+  EXPECT_NEAR(overlap_of({0x1p-50f, 0, 0, 5}, {8, -6, 0, 5}, &half).depth, 0.8 * 0x1p-50, 1e-25);
+  EXPECT_NEAR(overlap_of({8, -6, 0, 5}, {0x1p-50f, 0, 0, 5}, &half).depth, 0.8 * 0x1p-50, 1e-25);
   EXPECT_EQ(overlap_of({1, 2, 3, 0}, {1, 2, 3, 0}).depth, 0) << "two points at one place";
   EXPECT_EQ(overlap_of({1, 2, 3, 0}, {1, 2, 3, 0}).margin, 0);
 }

@@ -47,6 +47,7 @@ TEST(BinaryChain, GivesAnyPartOfItsArrays) {
     const BinaryChain file = opened(bytes);
     ASSERT_EQ(file.header().spheres, chain.size());
     ASSERT_EQ(file.header().strands, chain.strand_count());
+    EXPECT_EQ(file.header().window, chain.exclusion().window);
     const auto& first = chain.strands().first;
     for (std::uint32_t i = 0; i < chain.size(); ++i) {
       std::uint32_t last = 0;

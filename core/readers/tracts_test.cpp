@@ -68,7 +68,25 @@ TEST(TckReader, RefusesTracksInTheHeader) {
                    "mrtrix tracks\ndatatype: Float32LE\nfile: . 0\nEND\n" + std::string(56, '\0'));
 }
 
+TEST(TckReader, ReadsHeadersOfAnyCaseAndALastTrackWithoutItsEnd) {
+  std::string text = "mrtrix tracks\nDataType: Float32LE\nFILE: . 53\nEND\n\n\n\n\n";
+  ASSERT_EQ(text.size(), 53u);
+  for (const float value : {1.f, 2.f, 3.f, 4.f, 5.f, 6.f}) append(text, value);
+  for (int k = 0; k < 3; ++k) append(text, std::numeric_limits<float>::infinity());
+  const CurveFile curves = read_text("a.tck", text);
+  EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{1, 2, 3, 0}, {4, 5, 6, 0}}));
+  EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(curves.strand_closed.size(), 1u);
+}
+
 TEST(TckReader, SaysWhatIsWrong) {
+  EXPECT_COMPLAINT("3: the header lacks", "a.tck", "mrtrix tracks\ndatatype: Float32LE\nEND\n");
+  std::string wide = "mrtrix tracks\ndatatype: Float64LE\nfile: . 49\nEND\n";
+  ASSERT_EQ(wide.size(), 49u);
+  for (const double value : {1., 1e300, 3.}) append(wide, value);
+  EXPECT_NE(complaint("a.tck", wide).find("the coordinate 1e+300 before this is no finite 32-bit float"),
+            std::string::npos);
+
   EXPECT_COMPLAINT("1: the file does not start with", "a.tck", "tracks\n");
   EXPECT_COMPLAINT("2: the datatype 'Float16LE'", "a.tck", "mrtrix tracks\ndatatype: Float16LE\nEND\n");
   EXPECT_COMPLAINT("2: the tracks are in another file", "a.tck", "mrtrix tracks\nfile: b.dat 0\nEND\n");
@@ -121,7 +139,11 @@ RC_GTEST_PROP(TrkReader, ReadsWhatIsWritten, (bool big_endian)) {
   const auto strands = any_strands();
   const auto scalars = *rc::gen::inRange<std::uint16_t>(0, 3),
              properties = *rc::gen::inRange<std::uint16_t>(0, 3);
-  are_the_strands(read_text("a.trk", trk_of(strands, big_endian, scalars, properties, 0)), strands);
+  for (const auto announced : {0, static_cast<int>(strands.size())}) {
+    const CurveFile curves = read_text("a.trk", trk_of(strands, big_endian, scalars, properties, announced));
+    are_the_strands(curves, strands);
+    RC_ASSERT(curves.warnings.empty());
+  }
 }
 
 TEST(TrkReader, SaysWhatIsWrong) {
@@ -129,6 +151,8 @@ TEST(TrkReader, SaysWhatIsWrong) {
             (std::vector<Sphere>{{1, 2, 3, 0}, {4, 5, 6, 0}}));  // a track without points has its properties
   EXPECT_COMPLAINT(" byte 1004: the file is truncated: 12 bytes left, too few for 2 points of 12 bytes",
                    "a.trk", trk_of({{{1, 2, 3, 0}, {4, 5, 6, 0}}}, false, 0, 0, 1).substr(0, 1016));
+  EXPECT_COMPLAINT(" byte 1004: the file is truncated: 24 bytes left, too few for 2 points of 16 bytes",
+                   "a.trk", trk_of({{{1, 2, 3, 0}, {4, 5, 6, 0}}}, false, 1, 0, 1).substr(0, 1028));
   EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 5)).warnings.size(), 1u);
   EXPECT_COMPLAINT(" byte 5: the file does not start with TRACK", "a.trk", "TRUCK");
   EXPECT_COMPLAINT(" byte ", "a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 1).substr(0, 1010));

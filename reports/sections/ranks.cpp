@@ -29,7 +29,8 @@ nlohmann::ordered_json ranks(const Profile& profile) {
         chain, {.ranks = numbers_of_ranks(0, std::min(most, most_timed)), .timed_variant = variant});
     auto points = catena::ranks::to_json(scaling)["points"];
     scaling = catena::ranks::measure_scaling(chain, {.ranks = numbers_of_ranks(most_timed, most)});
-    for (const auto& point : catena::ranks::to_json(scaling)["points"]) points.push_back(point);
+    const auto counted = catena::ranks::to_json(scaling);  // lives as long as the loop over what it holds
+    for (const auto& point : counted["points"]) points.push_back(point);
     chains.push_back({{"input", input}, {"n", chain.size()}, {"points", std::move(points)}});
   }
   if (chains.empty()) return {};

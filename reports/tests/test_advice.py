@@ -5,6 +5,7 @@ import collections
 import json
 import math
 import statistics as plain
+import types
 import unittest
 
 import numpy
@@ -167,6 +168,33 @@ class Ranks(unittest.TestCase):
         self.assertGreater(test.power, profiles.ENOUGH)
         self.assertEqual(test.first, "aGPU2+GPU2")
         self.assertTrue(all(p < 0.05 for p in test.p.values()))
+
+
+class RankTest(unittest.TestCase):
+    """Of 20 chains, whose ratios are known."""
+
+    @staticmethod
+    def p(first, other):
+        found = {
+            name: profiles.Slowdown({f"a/n:{k}": ratio for k, ratio in enumerate(ratios, 1)}, None, 20)
+            for name, ratios in (("first", first), ("other", other))
+        }
+        run = types.SimpleNamespace(info=lambda name: types.SimpleNamespace(recommended=True))
+        return profiles.rank_test(run, found).p["other"]
+
+    def test_it_is_of_the_differences_to_the_first(self):
+        slower, turns = [1 + k / 10 for k in range(1, 21)], [1 + k / 10 if k % 2 else 1 for k in range(1, 21)]
+        others = [1 if k % 2 else 1 + k / 10 for k in range(1, 21)]
+        self.assertLess(self.p([1] * 20, slower), 1e-4)
+        self.assertEqual(self.p(slower, slower), 1)
+        self.assertGreater(self.p(turns, others), 0.5)
+
+
+class InWords(unittest.TestCase):
+    def test_one_length_is_no_range(self):
+        self.assertEqual(advice.chains(None, ["path1/n:1000"]), "1,000 spheres (path1)")
+        self.assertEqual(advice.chains(None, ["b/n:1000", "a/n:1000"]), "1,000 spheres (a and b)")
+        self.assertEqual(advice.chains(None, ["a/n:300", "a/n:1000"]), "300 to 1,000 spheres (a)")
 
 
 class Certain(unittest.TestCase):

@@ -56,6 +56,15 @@ class Verdicts(unittest.TestCase):
         said = " ".join(motion._verdicts(of(self.value), of(self.value).list("motion")).points)
         self.assertIn(f"It missed {3 * starts:,} and invented {5 * starts:,} of {7 * starts:,} contacts", said)
 
+    def test_a_panel_of_the_drift_is_of_one_rope(self):
+        far = [{**line, "offset": 1e7, "energy_drift": 0.5} for line in self.lines]
+        near = [{**line, "offset": 0, "energy_drift": 0.25} for line in self.lines]
+        self.value["catena"]["motion"] = far + near
+        run = of(self.value)
+        panels = motion._drift(report.Report([run]), run, run.list("motion")).panels
+        drifts = {panel.title: {y for series in panel.series for y in series.y} for panel in panels}
+        self.assertEqual(drifts, {"stiffness 100": {0.25}, "stiffness 100, offset 1e+07": {0.5}})
+
     def test_a_rope_that_diverged_does_not_hold(self):
         for line, outcome in zip(self.lines, ("holds", "slipped", "diverged", "holds", "diverged", "holds")):
             line["outcome"] = outcome

@@ -28,6 +28,7 @@ TEST_F(BenchProgram, WritesARunFileThatDescribesItsVariants) {
   EXPECT_TRUE(run["context"].contains("commit"));
 
   EXPECT_EQ(measure("--nonsense=1"), 2);
+  EXPECT_EQ(measure("--help"), 0) << "Google Benchmark's";
 
   // Spreads of what is always 0 are no numbers.
   ASSERT_EQ(measure("--benchmark_repetitions=2 --benchmark_out='" + file("spread.json") + "'"), 0);

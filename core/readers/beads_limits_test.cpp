@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include "catena/core/readers/test_file.h"
+
+/// What files of simulations may leave out or add, and what is refused of them with a reason.
+namespace catena {
+namespace {
+
+void expect_says(const std::string& said, const std::string& words) {
+  EXPECT_NE(said.find(words), std::string::npos) << "got '" << said << "' instead of '" << words << "'";
+}
+
+TEST(LammpsDataReader, RefusesBondsThatNobodyCanPlace) {
+  const std::string header = "t\n\n3 atoms\n1 bonds\n\n",
+                    atoms = "Atoms # bond\n\n1 1 1 0 0 0\n2 1 1 1 0 0\n4 1 1 2 0 0\n\n";
+  expect_says(complaint("a.data", header + "Bonds\n\n1 1 1 2\n\n" + atoms),
+              "the bonds come before the atoms");
+  expect_says(complaint("a.data", header + atoms + "Bonds\n\n1 1 2\n"),
+              "a bond is 'id type atom atom', got 3 columns");
+  expect_says(complaint("a.data", header + atoms + "Bonds\n\n1 1 2 3\n"),
+              "a bond names atom 3, which is not there");
+  EXPECT_EQ(read_text("a.data", header + atoms + "Bonds\n\n1 1 4 2\n").strand_first,
+            (std::vector<std::uint32_t>{0, 2, 3}));
+}
+
+std::string dump(const std::string& bounds, const std::string& columns, const std::string& rows) {
+  return fmt::format("ITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS {}ITEM: ATOMS {}\n{}",
+                     std::ranges::count(rows, '\n'), bounds, columns, rows);
+}
+const std::string cube = "pp pp pp\n0 8\n0 8\n0 8\n";
+
+TEST(LammpsDumpReader, TakesFractionsThatAreUnwrapped) {
+  EXPECT_EQ(read_text("a.dump", dump(cube, "id xsu ysu zsu", "1 1.5 -0.5 0.25\n")).spheres,
+            (std::vector<Sphere>{{12, -4, 2, 0}}));
+}
+
+TEST(LammpsDumpReader, TiesMoleculesThatItNames) {
+  EXPECT_EQ(read_text("a.dump", dump(cube, "id mol x y z", "1 7 0 0 0\n2 7 1 0 0\n3 5 2 0 0\n4 5 3 0 0\n"))
+                .strand_first,
+            (std::vector<std::uint32_t>{0, 2, 4}));
+}
+
+TEST(LammpsDumpReader, RefusesRowsThatAreNotWhatTheirNamesSay) {
+  expect_says(complaint("a.dump", dump(cube, "id x y z", "1 0 0 0 5\n")),
+              "an atom of 5 columns, but 4 are named");
+  expect_says(complaint("a.dump", dump(cube, "id x y", "1 0 0\n")), "the columns lack id, or x y z");
+  expect_says(complaint("a.dump", dump("xy xz yz pp pp pp\n0 8 0\n0 8\n0 8 0\n", "id x y z", "1 0 0 0\n")),
+              "a bound of the box is 'low high', and a tilt where it is tilted");
+}
+
+/// What is no bond in the file that names them.
+TEST(LammpsDumpReader, TakesNothingButTheBondsOfItsTopology) {
+  const TestFile data(
+      "b.data",
+      "t\n\n3 atoms\n1 bonds\n\nMasses\n\n1 12 1 2\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n3 1 1 0 0 "
+      "0\n\nBonds\n\n1 1 1 2\n\nAngles\n\n1 1 3 2 1\n"),
+      file("a.dump", dump(cube, "id x y z", "1 0 0 0\n2 1 0 0\n3 2 0 0\n"));
+  EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.topology = data.path().string()}).strand_first,
+            (std::vector<std::uint32_t>{0, 2, 3}));
+}
+
+std::string oxdna_complaint(const std::string& topology, const std::string& configuration) {
+  const TestFile top("a.top", topology), file("a.conf", configuration);
+  try {
+    ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()});
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(OxdnaReader, RefusesFramesThatAreNotWhole) {
+  const std::string top = "2 1\n1 A -1 1\n1 C 0 -1\n", rows = "0 0 0\n1 0 0\n", box = "b = 9 9 9\n";
+  EXPECT_EQ(oxdna_complaint(top, "t = 0\n" + box + rows), "");
+  expect_says(oxdna_complaint(top, "t = 0\n" + box + "t = 1\n" + box + rows),
+              "frame 0 has 0 nucleotides, the topology 2");
+  expect_says(oxdna_complaint(top, "t = 0\nb = 9 9 9 9\n" + rows), "the box is 'b = X Y Z'");
+  expect_says(oxdna_complaint(top, "t = 0\n" + box + rows + "2 0 0\n"),
+              "frame 0 has more nucleotides than the topology's 2");
+  expect_says(oxdna_complaint("2 1\n1 A 0 0\n1 C -1 -1\n", "t = 0\n" + box + rows),
+              "nucleotide 0 is its own neighbour");
+}
+
+TEST(OxdnaReader, ClosesStrandsThatSayTheyAreCircular) {
+  for (const char* said : {"circular=1", "circular=true", "Circular=True"}) {
+    const TestFile top("a.top", fmt::format("3 1 5->3\nACG type=DNA {}\n", said)),
+        file("a.conf", "t = 0\nb = 9 9 9\n0 0 0\n1 0 0\n2 0 0\n");
+    EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()}).strand_closed,
+              std::vector<std::uint8_t>{1})
+        << said;
+  }
+}
+
+/// a.top beside a.conf.gz.
+TEST(OxdnaReader, FindsTheTopologyBesideAPackedFile) {
+  const TestFile file("a.conf.gz", "");
+  const gzFile packed = gzopen(file.path().c_str(), "wb");
+  gzputs(packed, "t = 0\nb = 9 9 9\n0 0 0\n1 0 0\n");
+  gzclose(packed);
+  std::ofstream(file.path().parent_path() / "a.top") << "2 1\n1 A -1 1\n1 C 0 -1\n";
+  EXPECT_EQ(ReaderRegistry::instance().read(file.path()).spheres.size(), 2u);
+}
+
+}  // namespace
+}  // namespace catena
