@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catena/core/commands/test_program.h"
+#include "catena/properties/testing/device_file.h"
 
 /// The program under mpirun, three processes on whatever cores there are.
 namespace catena {
@@ -139,7 +140,8 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   expect_one_line(run_ranks("detect /nowhere.chain"), "there is no such file");
   expect_one_line(run_ranks("detect coincident:n=60 --pair-limit 5"), "found 812 colliding pairs");
   expect_one_line(run_ranks("detect coincident:n=60 --pairs /nowhere/p.csv"), "cannot write /nowhere/p.csv");
-  expect_one_line(run_ranks("detect coincident:n=60 --pairs /dev/full"), "cannot write /dev/full");
+  if (const auto full = properties::DeviceFile::full(file("full")))
+    expect_one_line(run_ranks("detect coincident:n=60 --pairs '" + *full + "'"), "cannot write " + *full);
   expect_one_line(run_ranks("detect coincident:n=60 --variant Fastest"), "'Fastest'");
   expect_one_line(run_ranks("detect coincident:n=60 --variant CPU1/literal"), "ranks decide exactly");
   expect_one_line(run_ranks("detect coincident:n=60 --box 0.1,9,9"),
