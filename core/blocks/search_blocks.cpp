@@ -4,6 +4,9 @@
 #include "catena/core/blocks/simd_targets.h"
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
+#include <algorithm>
+#include <iterator>
+
 #include "catena/core/blocks/block_kernels.h"
 #include "catena/core/blocks/sample_crowds-inl.h"
 #include "catena/core/blocks/search_blocks-inl.h"
@@ -61,12 +64,13 @@ void search_alone_here(const ChainView& chain, const BlockTree& tree, const Crow
 }
 
 /// What a walk asks for whose pairs of nodes are known, but for those in a row, which a search without evidence
-/// does not meet.
+/// does not meet; and which tells some apart that follow one another in a row, which such a search does meet.
 struct KnownWalk {
   const BlockTree& tree;
   const Crowding& crowding;
-  std::vector<Pair>& in_a_row;
+  std::vector<Pair>&near, &in_a_row;
   void met(std::uint32_t a, std::uint32_t b) const {
+    near.push_back({a, b});
     if (b == a + 1 && tree.with_the_next(0, a)) in_a_row.push_back({a, b});
   }
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
@@ -79,12 +83,16 @@ struct KnownWalk {
 void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                            BlockQueues& queues, PairCollector::Lane& lane, const BlockEvidence& evidence) {
   if (tree.blocks == 0) return;
-  std::vector<Pair> in_a_row;
-  const KnownWalk walk{tree, crowding, in_a_row};
+  std::vector<Pair> near, in_a_row, known;
+  const KnownWalk walk{tree, crowding, near, in_a_row};
   NodeWalk(tree, walk, evidence).run();
+  std::ranges::sort(near);
+  for (const std::vector<Pair>& pairs : crowding.pairs())
+    std::ranges::copy_if(pairs, std::back_inserter(known),
+                         [&](const Pair& nodes) { return std::ranges::binary_search(near, nodes); });
   BlockSearch<BlockEvidence> search(chain, tree, queues, lane, evidence);
   search.run_nodes(crowding, 0, crowding.nodes());
-  for (const std::vector<Pair>& pairs : crowding.pairs()) search.run_pairs(crowding, pairs);
+  search.run_pairs(crowding, known);
   search.run_pairs(crowding, in_a_row);
   search.finish();
 }
