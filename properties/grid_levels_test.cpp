@@ -99,8 +99,8 @@ TEST(GridLevels, TheGreatestOfALevelIsFoundWhereverItIsInAChain) {
   }
 }
 
-/// One sphere, a strand of its own, beside a crowd of another in the next cell, of all numbers about those for
-/// which there is room: of the crowd all are neighbours.
+/// One sphere, a strand of its own, beside a crowd of another in the next cell, of all numbers about those
+/// for which there is room: of the crowd all are neighbours.
 TEST(GridLevels, AnyNumberOfCandidatesIsFoundByOneSphere) {
   for (std::uint32_t crowd_size = 2010; crowd_size < 2110; ++crowd_size) {
     std::vector<Sphere> spheres{{0.95f, 0, 0, 1}};

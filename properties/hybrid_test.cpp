@@ -370,8 +370,8 @@ TEST(Hybrid, DoesWhatItIsToldTo) {
   EXPECT_FALSE(left_out("yarn:n=5000", "Hybrid(crowd=0,dense=0)", "single spheres"));
 }
 
-/// Strands that are short and lie anywhere are searched one by one in wide cells before any tree is built; laid
-/// out side by side, in the chain's order.
+/// Strands that are short and lie anywhere are searched one by one in wide cells before any tree is built;
+/// laid out side by side, in the chain's order.
 TEST(Hybrid, BuildsNoTreeOfShortStrandsThatLieAnywhere) {
   constexpr std::uint32_t strand = 12, n = 12'000;
   for (const bool anywhere : {true, false}) {

@@ -197,7 +197,8 @@ struct SphereCost {
   }
   /// `beyond` as octaves_beyond_cache() tells it.
   static double in_cells(std::uint32_t candidates, double beyond) {
-    return beyond_ns * beyond + std::min(wide_ns + wide_pair_ns * candidates, narrow_ns + test_ns * tests * candidates);
+    return beyond_ns * beyond +
+           std::min(wide_ns + wide_pair_ns * candidates, narrow_ns + test_ns * tests * candidates);
   }
   /// So many candidates by which cells are no cheaper than that.
   static std::uint32_t candidates(double ns, double beyond) {

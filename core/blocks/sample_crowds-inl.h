@@ -53,8 +53,9 @@ class CrowdSample {
   }
 
   /// True when the chain's own order most likely serves all of it, so that looking at every sixteenth node
-  /// would cost more than it can save: of a few nodes, two at least where there are, none is crowded. What is crowded all the same is met by
-  /// the walk; and where that meets few pairs of nodes, what is near within them costs no more than in cells.
+  /// would cost more than it can save: of a few nodes, two at least where there are, none is crowded. What is
+  /// crowded all the same is met by the walk; and where that meets few pairs of nodes, what is near within
+  /// them costs no more than in cells.
   bool sparse() {
     constexpr std::uint32_t most_apart = 16;  // groups
     const std::uint32_t apart = std::clamp(groups() / 2, 1u, most_apart);

@@ -63,8 +63,9 @@ void search_alone_here(const ChainView& chain, const BlockTree& tree, const Crow
   search.finish();
 }
 
-/// What a walk asks for whose pairs of nodes are known, but for those in a row, which a search without evidence
-/// does not meet; and which tells some apart that follow one another in a row, which such a search does meet.
+/// What a walk asks for whose pairs of nodes are known, but for those in a row, which a search without
+/// evidence does not meet; and which tells some apart that follow one another in a row, which such a search
+/// does meet.
 struct KnownWalk {
   const BlockTree& tree;
   const Crowding& crowding;

@@ -79,9 +79,9 @@ TEST(SimdTargets, GiveTheExactPairsEachOfThem) {
   std::set<std::size_t> chosen;
   for (const std::int64_t target : targets) {
     const properties::ForcedTarget forced(target);
-    for (const char* name : {"ChainTree", "ChainTree(rows=search)", "Grid(cells=wide)", "Grid(cells=narrow)", "Hybrid", "Hybrid(rows=search)",
-                             "Hybrid(crowd=0)", "Hybrid(crowd=0,dense=0)", "Hybrid(crowd=0,dense=0.2)",
-                             "Hybrid(crowd=0,dense=1e6)", "SphereTree"}) {
+    for (const char* name : {"ChainTree", "ChainTree(rows=search)", "Grid(cells=wide)", "Grid(cells=narrow)",
+                             "Hybrid", "Hybrid(rows=search)", "Hybrid(crowd=0)", "Hybrid(crowd=0,dense=0)",
+                             "Hybrid(crowd=0,dense=0.2)", "Hybrid(crowd=0,dense=1e6)", "SphereTree"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       for (const Solved& s : solved) {
         Collisions found;

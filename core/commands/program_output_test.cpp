@@ -39,7 +39,8 @@ TEST_F(Program, LosesNoFileToAnother) {
   }
   expect_refused("detect " + in + " --pairs -", "/dev/stdout is the output");
   if (const auto null = properties::DeviceFile::null(file("null")))
-    expect_says("detect " + in + " --pairs '" + *null + "' --counts '" + *null + "'", 0, {"3 spheres, 1 pair"});
+    expect_says("detect " + in + " --pairs '" + *null + "' --counts '" + *null + "'", 0,
+                {"3 spheres, 1 pair"});
   write("g_1.csv", "1\nt\n0 0 0\n1\nt\n1 0 0\n");
   expect_refused(
       "export '" + file("g_1.csv") + "' '" + file("g.csv") + "' --format xyz --radius 1 --frame all",

@@ -49,9 +49,8 @@ class AroundLanes {
     const auto unit = hn::Set(wide, level_.map.cells_per_unit), at = hn::PromoteTo(wide, v);
     const auto own = hn::Mul(at, unit), cell = hn::Floor(own);
     const auto low = hn::Mul(hn::Sub(at, reach), unit), high = hn::Mul(hn::Add(at, reach), unit);
-    const auto bit = [&](hn::Mask<Wide> reached, int number) HWY_ATTR {
-      return hn::IfThenElseZero(reached, hn::Set(wide, 1 << number));
-    };
+    const auto bit = [&](hn::Mask<Wide> reached, int number)
+                         HWY_ATTR { return hn::IfThenElseZero(reached, hn::Set(wide, 1 << number)); };
     const auto bits = hn::Add(bit(hn::Lt(low, cell), before),
                               bit(hn::Le(hn::Add(cell, hn::Set(wide, 1)), high), before + 1));
     const auto near = hn::Lt(hn::Abs(own), hn::Set(wide, BucketMap::far_cell));

@@ -35,7 +35,8 @@ struct GridQueues {
   /// Places of spheres, and of candidates for each in a row of cells, from one to the one before another; a
   /// vector that is stored may pass the last.
   struct Rows {
-    static constexpr std::uint32_t spheres = 64, most_of_one = 5 * 3, room = most_of_one * spheres + most_lanes;
+    static constexpr std::uint32_t spheres = 64, most_of_one = 5 * 3,
+                                   room = most_of_one * spheres + most_lanes;
     std::uint32_t size = 0;
     std::array<std::uint32_t, room> place, from, until;
   };

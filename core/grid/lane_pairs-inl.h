@@ -67,8 +67,8 @@ class LanePairs {
 
   /// Rows of cells around spheres p and following, before `end`, that they reach.
   template <class Many>
-  HWY_INLINE void reach_rows(const Level& level, const AroundLanes& around, std::uint32_t p, std::uint32_t end,
-                             const Many& many) {
+  HWY_INLINE void reach_rows(const Level& level, const AroundLanes& around, std::uint32_t p,
+                             std::uint32_t end, const Many& many) {
     const Bits bits;
     alignas(64) std::uint32_t bucket[lanes], cells[lanes];
     for (std::uint32_t k = 0; k < lanes; k += AroundLanes::lanes)
@@ -92,7 +92,8 @@ class LanePairs {
     };
     const auto before_y = reaches(AroundLanes::before_y), behind_y = reaches(AroundLanes::behind_y),
                behind_z = reaches(AroundLanes::behind_z);
-    const hn::Mask<Bits> rows[] = {behind_y, hn::And(behind_z, before_y), behind_z, hn::And(behind_z, behind_y)};
+    const hn::Mask<Bits> rows[] = {behind_y, hn::And(behind_z, before_y), behind_z,
+                                   hn::And(behind_z, behind_y)};
     for (std::size_t k = 0; k < 4; ++k) {
       const auto on = hn::Add(own, hn::Set(bits, level.half[k]));
       const auto middle = hn::Add(hn::Min(on, hn::Sub(on, buckets)), one);  // the lesser is in range
@@ -111,9 +112,8 @@ class LanePairs {
     const GridQueues::Rows& rows = q_.reached;
     for (std::uint32_t k = 0; k < rows.size; k += lanes) {
       const auto some = hn::FirstN(bits, rows.size - k);
-      const auto bucket = [&](const std::uint32_t* of) HWY_ATTR {
-        return hn::IfThenElseZero(some, hn::LoadU(bits, of + k));
-      };
+      const auto bucket = [&](const std::uint32_t* of)
+                              HWY_ATTR { return hn::IfThenElseZero(some, hn::LoadU(bits, of + k)); };
       list(hn::LoadU(bits, rows.place.data() + k), starts(level, bucket(rows.from.data())),
            starts(level, bucket(rows.until.data())), some, many);
     }
@@ -124,7 +124,8 @@ class LanePairs {
     return hn::GatherIndex(Bits(), grid_.start.data() + level.starts, hn::BitCast(Places(), bucket));
   }
 
-  static HWY_INLINE void append(GridQueues::Rows& to, Lanes place, Lanes from, Lanes until, hn::Mask<Bits> some) {
+  static HWY_INLINE void append(GridQueues::Rows& to, Lanes place, Lanes from, Lanes until,
+                                hn::Mask<Bits> some) {
     const Bits bits;
     const Kept<Bits> kept(some);
     hn::StoreU(kept.compress(place), bits, to.place.data() + to.size);
@@ -192,7 +193,8 @@ class LanePairs {
     const GridQueues::Rows& rows = q_.rows;
     const auto one = hn::Set(bits, 1);
     for (std::uint32_t k = 0; k < rows.size; k += lanes) {
-      const auto place = hn::LoadU(bits, rows.place.data() + k), until = hn::LoadU(bits, rows.until.data() + k);
+      const auto place = hn::LoadU(bits, rows.place.data() + k),
+                 until = hn::LoadU(bits, rows.until.data() + k);
       auto candidate = hn::LoadU(bits, rows.from.data() + k);
       auto some = hn::FirstN(bits, rows.size - k);
       do {
@@ -222,12 +224,10 @@ class LanePairs {
   template <bool equal_radii>
   HWY_INLINE void compare_with(std::uint32_t pairs) {
     const Bits bits;
-    const auto field = [&](const float* of, Lanes at) HWY_ATTR {
-      return hn::GatherIndex(Tag(), of, hn::BitCast(Places(), at));
-    };
-    const auto apart = [&](const LargeVector<float>& of, Lanes a, Lanes b) HWY_ATTR {
-      return hn::Sub(field(of.data(), b), field(of.data(), a));
-    };
+    const auto field = [&](const float* of, Lanes at)
+                           HWY_ATTR { return hn::GatherIndex(Tag(), of, hn::BitCast(Places(), at)); };
+    const auto apart = [&](const LargeVector<float>& of, Lanes a, Lanes b)
+                           HWY_ATTR { return hn::Sub(field(of.data(), b), field(of.data(), a)); };
     const auto index = [&](Lanes at) HWY_ATTR {
       return hn::GatherIndex(bits, grid_.index.data(), hn::BitCast(Places(), at));
     };
@@ -249,7 +249,8 @@ class LanePairs {
   }
 
   /// The spheres of cells next to that of one, behind it, which it does not reach.
-  void tell_unreached(const Level& level, std::uint32_t place, std::uint32_t bucket, std::uint32_t cells) const {
+  void tell_unreached(const Level& level, std::uint32_t place, std::uint32_t bucket,
+                      std::uint32_t cells) const {
     const std::uint32_t* const start = grid_.start.data() + level.starts;
     const std::uint32_t buckets = level.map.buckets;
     const auto reached = [&](int before, int on) {
@@ -257,11 +258,13 @@ class LanePairs {
     };
     constexpr int rows[5][2] = {{0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
     for (std::size_t row = 0; row < 5; ++row) {
-      const bool row_reached = reached(AroundLanes::before_y, rows[row][0]) && reached(AroundLanes::before_z, rows[row][1]);
+      const bool row_reached =
+          reached(AroundLanes::before_y, rows[row][0]) && reached(AroundLanes::before_z, rows[row][1]);
       for (int x = row == 0 ? 1 : -1; x <= 1; ++x) {
         if (row_reached && reached(AroundLanes::before_x, x)) continue;
         const std::uint32_t step = row == 0 ? 0 : level.half[row - 1] + 1,
-                            at = (bucket + step + static_cast<std::uint32_t>(x + static_cast<int>(buckets))) % buckets;
+                            at = (bucket + step + static_cast<std::uint32_t>(x + static_cast<int>(buckets))) %
+                                 buckets;
         for (std::uint32_t p = start[at]; p < start[at + 1]; ++p)
           sink_.apart(grid_.index[place], grid_.index[p]);
       }

@@ -38,10 +38,10 @@ class PartedSort {
       const std::uint32_t at = std::uint64_t{level.end - 1} * k / samples;
       const Sphere &a = chain.spheres[grid.member(at)], &b = chain.spheres[grid.member(at + 1)];
       constexpr double cells = 8;
-      far += std::max({std::abs(double{a.x} - b.x), std::abs(double{a.y} - b.y),
-                       std::abs(double{a.z} - b.z)}) *
-                 level.map.cells_per_unit >
-             cells;
+      far +=
+          std::max({std::abs(double{a.x} - b.x), std::abs(double{a.y} - b.y), std::abs(double{a.z} - b.z)}) *
+              level.map.cells_per_unit >
+          cells;
     }
     return 2 * far > samples;
   }

@@ -42,7 +42,8 @@ TEST(PartedSort, PutsEachSphereWhereOneCountingSortPutsIt) {
         const std::uint32_t buckets = parted.levels[0].map.buckets;
         ASSERT_EQ(parted.start[buckets], each > 1 ? only.size() : chain.size());
         for (std::uint32_t b = 0; b < buckets; ++b) {
-          const auto first = parted.index.begin() + parted.start[b], end = parted.index.begin() + parted.start[b + 1];
+          const auto first = parted.index.begin() + parted.start[b],
+                     end = parted.index.begin() + parted.start[b + 1];
           ASSERT_TRUE(std::is_sorted(first, end)) << "the order of the chain within a bucket";
           ASSERT_TRUE(std::is_permutation(first, end, whole.index.begin() + whole.start[b]));
         }

@@ -119,7 +119,8 @@ class Meetings {
 
 }  // namespace
 
-bool crowded_everywhere_here(const ChainView& chain, double others, bool jumps, std::vector<float>& capsules) {
+bool crowded_everywhere_here(const ChainView& chain, double others, bool jumps,
+                             std::vector<float>& capsules) {
   constexpr std::uint32_t most_groups = 1u << 12;
   const std::uint32_t blocks = chain.size / block;
   // Of these each part meets others about as often as each block is to meet some.

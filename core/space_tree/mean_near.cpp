@@ -94,7 +94,9 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
   }
   const double times = static_cast<double>(chain.size) / static_cast<double>(looked_at);
   const auto mean = [&](std::uint64_t seen) {
-    return (static_cast<double>(static_cast<std::int64_t>(seen)) * times / static_cast<double>(of.size()) + 1) / 2;
+    return (static_cast<double>(static_cast<std::int64_t>(seen)) * times / static_cast<double>(of.size()) +
+            1) /
+           2;
   };
   constexpr double in_reach = 1.5 * 1.5 * 1.5;
   return {in_reach * mean(by_reach), mean(in_cells)};

@@ -23,8 +23,7 @@ bool tangled(const ChainView& chain) {
   constexpr double others = 2.8;
   const std::uint32_t stretches = chain.size / stretch;
   if (stretches == 0) return false;
-  const auto samples =
-      std::clamp(static_cast<std::uint32_t>(3 * std::sqrt(double(stretches))), fewest, most);
+  const auto samples = std::clamp(static_cast<std::uint32_t>(3 * std::sqrt(double(stretches))), fewest, most);
   std::array<CentreCorners, most> boxes;
   std::array<std::uint32_t, most> which;
   std::uint32_t met = 0;

@@ -10,7 +10,8 @@
 namespace catena {
 namespace {
 
-/// Stretches of 128 spheres, each about a place: along a line, or anywhere in a cube of so many of their widths.
+/// Stretches of 128 spheres, each about a place: along a line, or anywhere in a cube of so many of their
+/// widths.
 Chain stretches(std::uint32_t count, bool along_a_line, float widths) {
   properties::Dice dice(3);
   std::vector<Sphere> spheres;

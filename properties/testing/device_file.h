@@ -9,9 +9,9 @@
 
 namespace catena::properties {
 
-/// A device like /dev/null or /dev/full for a test to write: one of its own at this path, for a program with a
-/// fault may put a file in its place. Where none can be made there the machine's own, if it is safe from us; else
-/// nothing.
+/// A device like /dev/null or /dev/full for a test to write: one of its own at this path, for a program with
+/// a fault may put a file in its place. Where none can be made there the machine's own, if it is safe from
+/// us; else nothing.
 class DeviceFile {
  public:
   static std::optional<std::string> null(const std::string& own) { return make(own, "/dev/null", 3); }
