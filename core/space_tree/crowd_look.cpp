@@ -119,7 +119,8 @@ class Meetings {
 
 }  // namespace
 
-bool crowded_everywhere_here(const ChainView& chain, double others, bool jumps,
+/// Where it is `jumping` only if most blocks jump.
+bool crowded_everywhere_here(const ChainView& chain, double others, bool jumping,
                              std::vector<float>& capsules) {
   constexpr std::uint32_t most_groups = 1u << 12;
   const std::uint32_t blocks = chain.size / block;
@@ -134,7 +135,7 @@ bool crowded_everywhere_here(const ChainView& chain, double others, bool jumps,
   // does.
   const std::uint32_t broken = sample.make(0);
   const bool all_along = 2 * std::popcount(broken) > int{group};
-  if (jumps && !all_along) return false;
+  if (jumping && !all_along) return false;
   const std::uint32_t passed_over = all_along ? 0 : 0xFFFF;
   for (std::uint32_t g = 0; g < groups; ++g) {
     whole[g] = static_cast<std::uint16_t>(~((g == 0 ? broken : sample.make(g)) & passed_over));
@@ -157,14 +158,14 @@ bool CrowdLook::everywhere(const ChainView& chain, double others) {
   constexpr double empty = 1e-3;
   // Of a box that is empty but for so much a chain cannot fill every part, unless it jumps all along.
   const double width = 2.0 * chain.extent.greatest_radius, side = chain.extent.sides / 3 + width;
-  const bool jumps = chain.size * width * width * width < empty * side * side * side;
+  const bool jumping = chain.size * width * width * width < empty * side * side * side;
   constexpr std::uint32_t few = 2048;
   if (chain.size <= few) return false;
   // Radii that unlike have subnormal squares, at 150 cycles each.
   constexpr float unlike = 0x1p60f;
   if (chain.extent.least_radius > 0 && chain.extent.greatest_radius / unlike > chain.extent.least_radius)
     return false;
-  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, jumps, capsules_);
+  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, jumping, capsules_);
 }
 
 }  // namespace catena

@@ -64,7 +64,8 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
   std::array<CellsAround, most_samples> cells;
   std::transform(of.begin(), of.end(), cells.begin(),
                  [&](std::uint32_t i) { return CellsAround(chain.spheres[i], greatest_radius); });
-  std::uint64_t by_reach = 0, in_cells = 0, looked_at = 0;  // halves of pairs
+  std::int64_t by_reach = 0, in_cells = 0;  // halves of pairs
+  std::uint64_t looked_at = 0;
   // A sphere is near itself for certain, whether it is looked at or not.
   for (const std::uint32_t i : of) {
     const std::uint32_t look = i / run / parts;
@@ -85,18 +86,17 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
     for (std::size_t k = 0; k < of.size(); ++k) {
       const Sphere& s = chain.spheres[of[k]];
       const std::uint32_t within = within_reach(s, at).bits() & there;
-      in_cells += static_cast<std::uint32_t>(std::popcount(cells[k].have(at).bits() & there));
+      in_cells += std::popcount(cells[k].have(at).bits() & there);
       // Told by the smaller one, or half by each, so that a great one among many does not make the mean.
       const Lanes16 radius = Lanes16::all(s.radius);
-      by_reach += static_cast<std::uint32_t>(std::popcount((radius < at[3]).bits() & within) +
-                                             std::popcount((radius <= at[3]).bits() & within));
+      by_reach += std::popcount((radius < at[3]).bits() & within) +
+                  std::popcount((radius <= at[3]).bits() & within);
     }
   }
-  const double times = static_cast<double>(chain.size) / static_cast<double>(looked_at);
-  const auto mean = [&](std::uint64_t seen) {
-    return (static_cast<double>(static_cast<std::int64_t>(seen)) * times / static_cast<double>(of.size()) +
-            1) /
-           2;
+  const double times =
+      static_cast<double>(chain.size) / static_cast<double>(looked_at) / static_cast<double>(of.size());
+  const auto mean = [&](std::int64_t others) {
+    return (static_cast<double>(std::max(others, std::int64_t{0})) * times + 1) / 2;
   };
   constexpr double in_reach = 1.5 * 1.5 * 1.5;
   return {in_reach * mean(by_reach), mean(in_cells)};
