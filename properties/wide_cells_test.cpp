@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/sorted_pairs.h"
+#include "catena/properties/testing/random_spheres.h"
 #include "catena/reference/reference.h"
 #include "catena/reference/verify.h"
 
@@ -96,15 +98,8 @@ TEST(WideCells, TakeFewerTestsWhereLittleIsNear) {
     return variant->work().at(0).times;
   };
   const auto box = [](float volume) {
-    Dice dice(3);
-    constexpr std::uint32_t n = 20'000;
-    const float side = std::cbrt(static_cast<float>(n) * volume) / 2;
-    std::vector<Sphere> spheres;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const float x = side * dice.symmetric(), y = side * dice.symmetric(), z = side * dice.symmetric();
-      spheres.push_back({x, y, z, 0.5f});
-    }
-    return Chain(std::move(spheres));
+    std::mt19937 dice(3);
+    return Chain(spheres_in_volume(20'000, volume, dice));
   };
   for (const float volume : {5.0f, 20.0f, 100.0f}) {
     const Chain chain = box(volume);

@@ -1,35 +1,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <random>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/grid/grid_kernels.h"
-#include "catena/properties/generators/dice.h"
+#include "catena/properties/testing/random_spheres.h"
 
 // One thread sorts what is beyond its cache part by part; several threads by one counting sort.
 namespace catena {
 namespace {
-
-Chain scattered_spheres(std::uint32_t n, float volume) {
-  properties::Dice dice(11);
-  const float side = std::cbrt(static_cast<float>(n) * volume) / 2;
-  std::vector<Sphere> spheres;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const float x = side * dice.symmetric(), y = side * dice.symmetric(), z = side * dice.symmetric();
-    spheres.push_back({x, y, z, 0.5f});
-  }
-  return Chain(std::move(spheres));
-}
 
 TEST(PartedSort, PutsEachSphereWhereOneCountingSortPutsIt) {
   const Team alone, several(Parameters("test", {Team::threads_parameter()}, "threads=3"));
   for (const float volume : {1.5f, 60.0f})
     for (const std::uint32_t each : {1u, 3u})
       for (const bool wide : {false, true}) {
-        const Chain chain = scattered_spheres(300'000, volume);
+        std::mt19937 dice(11);
+        const Chain chain(properties::spheres_in_volume(300'000, volume, dice));
         std::vector<std::uint32_t> only;
         if (each > 1)
           for (std::uint32_t i = 0; i < chain.size(); i += each) only.push_back(i);
