@@ -8,6 +8,7 @@
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/sorted_pairs.h"
+#include "catena/properties/testing/pairs_found.h"
 #include "catena/reference/reference.h"
 #include "catena/reference/verify.h"
 
@@ -55,16 +56,6 @@ TEST(GridLevels, SmallSpheresFindGreatOnesInCellsThatShareBuckets) {
 }
 
 }  // namespace
-/// The pairs of one search, sorted.
-std::vector<Pair> found_by(const char* name, const Chain& chain) {
-  const auto variant = StrategyRegistry::instance().make(name);
-  Collisions found;
-  variant->build(chain);
-  variant->find(chain, {}, found);
-  sort(found.pairs);
-  return std::move(found.pairs);
-}
-
 /// Great ones that are a whole number of vectors and one, which lies far from all others, and by each of them
 /// a crowd of small ones.
 TEST(GridLevels, TheLastOfALevelIsFoundWhereverItLies) {
@@ -77,7 +68,7 @@ TEST(GridLevels, TheLastOfALevelIsFoundWhereverItLies) {
       for (std::uint32_t s = 0; s < crowd; ++s)
         spheres.push_back({spheres[k].x + 0.9f, spheres[k].y, 0.1f * static_cast<float>(s), 0.01f});
     const Chain chain(spheres);
-    EXPECT_TRUE(found_by("Grid", chain) == reference::find(chain).pairs) << great;
+    EXPECT_TRUE(pairs_found("Grid", chain) == reference::find(chain).pairs) << great;
   }
 }
 
@@ -95,7 +86,7 @@ TEST(GridLevels, TheGreatestOfALevelIsFoundWhereverItIsInAChain) {
       spheres[k + 2] = {spheres[k].x + 1.5f * (k % 2 == 0 ? 1.0f : -1.0f), spheres[k].y, 0, 0.505f};
       right.push_back({k, k + 2});
     }
-    EXPECT_TRUE(found_by("Grid", Chain(spheres)) == right) << at;
+    EXPECT_TRUE(pairs_found("Grid", Chain(spheres)) == right) << at;
   }
 }
 
@@ -110,7 +101,7 @@ TEST(GridLevels, AnyNumberOfCandidatesIsFoundByOneSphere) {
     std::vector<Pair> right;
     for (std::uint32_t k = 0; k < crowd_size; k += 2) right.push_back({0, k + 1});
     for (const char* grid : {"Grid(cells=narrow)", "Grid(cells=wide)"})
-      ASSERT_TRUE(found_by(grid, chain) == right) << crowd_size << ' ' << grid;
+      ASSERT_TRUE(pairs_found(grid, chain) == right) << crowd_size << ' ' << grid;
   }
 }
 

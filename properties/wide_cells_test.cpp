@@ -7,7 +7,7 @@
 
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
-#include "catena/properties/sorted_pairs.h"
+#include "catena/properties/testing/pairs_found.h"
 #include "catena/properties/testing/random_spheres.h"
 #include "catena/reference/reference.h"
 #include "catena/reference/verify.h"
@@ -15,15 +15,6 @@
 // Cells as wide as four radii, of which a sphere looks into those that it reaches.
 namespace catena::properties {
 namespace {
-
-Collisions found_by(const std::string& name, const Chain& chain, const Request& request = {}) {
-  const auto variant = StrategyRegistry::instance().make(name);
-  Collisions found;
-  variant->build(chain);
-  variant->find(chain, request, found);
-  sort(found.pairs);
-  return found;
-}
 
 /// Spheres on a lattice of half a cell, or a bit beside it, about a place: who reaches what, and into which
 /// cell, is as near to changing as it can be.
@@ -50,7 +41,7 @@ TEST(WideCells, FindWhatLiesAtTheirBorders) {
           const Chain chain = beside_borders(dice, n, side, radius, place * radius, dice.one_in(2));
           const reference::Answer right = reference::find(chain);
           pairs += right.pair_count;
-          ASSERT_TRUE(found_by("Grid(cells=wide)", chain).pairs == right.pairs)
+          ASSERT_TRUE(pairs_found("Grid(cells=wide)", chain) == right.pairs)
               << n << ' ' << side << ' ' << radius << ' ' << place;
         }
   EXPECT_GT(pairs, 100'000u);
@@ -84,7 +75,7 @@ TEST(WideCells, FindPointsAndWhatIsFarAway) {
     const Chain chain(std::move(spheres));
     const reference::Answer right = reference::find(chain);
     ASSERT_GT(right.pair_count, 100u);
-    EXPECT_TRUE(found_by("Grid(cells=wide)", chain).pairs == right.pairs) << radius;
+    EXPECT_TRUE(pairs_found("Grid(cells=wide)", chain) == right.pairs) << radius;
   }
 }
 

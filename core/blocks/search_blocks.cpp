@@ -63,17 +63,12 @@ void search_alone_here(const ChainView& chain, const BlockTree& tree, const Crow
   search.finish();
 }
 
-/// What a walk asks for whose pairs of nodes are known, but for those in a row, which a search without
-/// evidence does not meet; and which tells some apart that follow one another in a row, which such a search
-/// does meet.
-struct KnownWalk {
-  const BlockTree& tree;
+/// Gathers the pairs of nodes that a walk with evidence meets. One without meets none that is with the next
+/// in a row, and of others that follow one another in a row some that this one tells apart.
+struct NearWalk {
   const Crowding& crowding;
-  std::vector<Pair>&near, &in_a_row;
-  void met(std::uint32_t a, std::uint32_t b) const {
-    near.push_back({a, b});
-    if (b == a + 1 && tree.with_the_next(0, a)) in_a_row.push_back({a, b});
-  }
+  std::vector<Pair>& near;
+  void met(std::uint32_t a, std::uint32_t b) const { near.push_back({a, b}); }
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
   bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
     return crowding.left_out_group(l, a, parent);
@@ -84,9 +79,12 @@ struct KnownWalk {
 void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
                            BlockQueues& queues, PairCollector::Lane& lane, const BlockEvidence& evidence) {
   if (tree.blocks == 0) return;
-  std::vector<Pair> near, in_a_row, known;
-  const KnownWalk walk{tree, crowding, near, in_a_row};
+  std::vector<Pair> near, known;
+  const NearWalk walk{crowding, near};
   NodeWalk(tree, walk, evidence).run();
+  std::ranges::copy_if(near, std::back_inserter(known), [&](const Pair& nodes) {
+    return nodes.j == nodes.i + 1 && tree.with_the_next(0, nodes.i);
+  });
   std::ranges::sort(near);
   for (const std::vector<Pair>& pairs : crowding.pairs())
     std::ranges::copy_if(pairs, std::back_inserter(known),
@@ -94,7 +92,6 @@ void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const 
   BlockSearch<BlockEvidence> search(chain, tree, queues, lane, evidence);
   search.run_nodes(crowding, 0, crowding.nodes());
   search.run_pairs(crowding, known);
-  search.run_pairs(crowding, in_a_row);
   search.finish();
 }
 

@@ -28,8 +28,7 @@ struct Run {
   std::uint32_t first, end;
 };
 
-/// Found is as for VectorHits. Sink has the members
-/// of GridEvidence; NoGridEvidence costs nothing.
+/// Found is as for VectorHits. Sink has the members of GridEvidence; NoGridEvidence costs nothing.
 template <class Found, class Sink>
 class Candidates {
  public:

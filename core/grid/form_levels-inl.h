@@ -29,7 +29,7 @@ class LevelForming {
     grid_.levels.clear();
     grid_.levels.reserve(grid_.octaves.size());
     // Whatever the layouts turn out to be: two buckets a sphere, and what a level has at least.
-    grid_.start.reserve(2 * std::size_t{grid_.spheres()} + 1024 * grid_.octaves.size() + SphereGrid::margin);
+    grid_.start.reserve(2 * std::size_t{grid_.spheres()} + 1024 * grid_.octaves.size());
     std::size_t starts = 0;
     for (std::size_t o = 0, next; o < grid_.octaves.size(); o = next) {
       next = first_left_out(o);
@@ -100,8 +100,8 @@ class LevelForming {
 
   void set_to_zero(std::size_t starts) {
     constexpr std::uint32_t numbers_of_a_task = 1 << 16;
-    grid_.start.resize(starts + SphereGrid::margin);
-    team_.for_each_range(static_cast<std::uint32_t>(grid_.start.size()), numbers_of_a_task,
+    grid_.start.resize(starts);
+    team_.for_each_range(static_cast<std::uint32_t>(starts), numbers_of_a_task,
                          [&](std::uint32_t begin, std::uint32_t end) {
                            std::fill(grid_.start.begin() + begin, grid_.start.begin() + end, 0);
                          });

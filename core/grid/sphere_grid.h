@@ -24,13 +24,13 @@ struct SphereGrid {
     CentreBox centres;                  ///< of its spheres, at most
     float greatest;                     ///< radius
     std::uint32_t first, end;           ///< its places
-    bool wide;                          ///< its cells are twice as wide
+    bool wide;                          ///< its cells are as wide as four of the greatest radius
     std::size_t starts;  ///< where its part of `start` begins: buckets + 1 places, each where a bucket starts
   };
 
   float doubt = 1;           ///< as BlockTree::doubt
   bool each_radius = false;  ///< radii are read one by one even where they are equal
-  bool wide = false;         ///< cells of a single level are wide: where little is near
+  bool wide = false;         ///< a single level's cells are as wide as four radii: where little is near
   bool equal_radii = false;  ///< all are the same number, of the build; a search reads one
   std::vector<Level> levels;
   LargeVector<std::uint32_t> start;

@@ -70,12 +70,12 @@ bool HybridSearch::single_at_once(const ChainView& chain, SingleSpheres& single)
     single = single_spheres(chain);
     if (single.in_cells && single.wide) return true;
   }
-  constexpr double least = 4, near_ns = 42;
+  constexpr double least = 4;  // in wide cells with nothing near
   const double share = settings_.dense * shallow_share(chain.size),
                octaves = octaves_beyond_cache(chain.size);
   if (!look_.everywhere(chain, share * least)) return false;
   single = single_spheres(chain);
-  const double others = std::min(9 + 0.75 * octaves, single.ns * BlockTree::block / near_ns);
+  const double others = std::min(9 + 0.75 * octaves, single.ns * BlockTree::block / SpaceCost::near_ns);
   return others <= least || look_.everywhere(chain, share * others);
 }
 

@@ -41,6 +41,7 @@ struct SpaceCost {
 /// What it costs, about, to search one of so many spheres by itself, likewise, where so many are near it as
 /// NearSpheres tells.
 struct SingleSphereCost {
+  /// In nanoseconds, by cells of the better width.
   static double in_cells(double near, std::uint32_t spheres) {
     return std::min(in_wide_cells(near, spheres), in_narrow_cells(near)) + 6 * octaves_beyond_cache(spheres);
   }

@@ -43,11 +43,18 @@ class FaultyCells : public HostSearch, public EvidenceNodes {
   GridQueues queues_;
 };
 
+template <bool wide>
 class HalfWithoutCorner final : public FaultyCells {
+ public:
+  HalfWithoutCorner() : FaultyCells(wide) {}
+
+ private:
   void tamper(SphereGrid::Level& level) override { level.half[3] = level.half[2]; }
 };
-const RegisterMutant<HalfWithoutCorner> corner{"cells-forget-a-corner",
-                                               "a half neighbourhood, one row of it twice and one never"};
+const RegisterMutant<HalfWithoutCorner<false>> corner{
+    "cells-forget-a-corner", "a half neighbourhood, one row of it twice and one never"};
+const RegisterMutant<HalfWithoutCorner<true>> wide_corner{
+    "wide-cells-forget-a-corner", "of the rows around wide cells one twice and one never"};
 
 class NeverCoarser final : public FaultyCells {
   void tamper(SphereGrid::Level& level) override {
@@ -70,31 +77,18 @@ class RowTwice final : public FaultyCells {
 const RegisterMutant<RowTwice> row{"cells-look-into-a-row-twice",
                                    "a finer level that looks into eight rows of nine of a coarser one"};
 
+template <bool wide>
 class OwnReach final : public FaultyCells {
-  void tamper(SphereGrid::Level& level) override { level.greatest = 0; }
-};
-const RegisterMutant<OwnReach> reach{"cells-reach-without-the-other",
-                                     "a look into coarser cells that forgets how large their spheres are"};
-
-class WideWithoutCorner final : public FaultyCells {
  public:
-  WideWithoutCorner() : FaultyCells(true) {}
-
- private:
-  void tamper(SphereGrid::Level& level) override { level.half[3] = level.half[2]; }
-};
-const RegisterMutant<WideWithoutCorner> wide_corner{"wide-cells-forget-a-corner",
-                                                    "of the rows around wide cells one twice and one never"};
-
-class WideOwnReach final : public FaultyCells {
- public:
-  WideOwnReach() : FaultyCells(true) {}
+  OwnReach() : FaultyCells(wide) {}
 
  private:
   void tamper(SphereGrid::Level& level) override { level.greatest = 0; }
 };
-const RegisterMutant<WideOwnReach> wide_reach{"wide-cells-reach-without-the-other",
-                                              "the cells that a sphere reaches, told by its own radius"};
+const RegisterMutant<OwnReach<false>> reach{
+    "cells-reach-without-the-other", "a look into coarser cells that forgets how large their spheres are"};
+const RegisterMutant<OwnReach<true>> wide_reach{"wide-cells-reach-without-the-other",
+                                                "the cells that a sphere reaches, told by its own radius"};
 
 /// DeviceGrid's twin, its cells tampered with after the spheres were placed.
 class FaultyHashedCells : public HostSearch, public EvidenceNodes {
