@@ -168,8 +168,8 @@ struct SphereCost {
   static constexpr double look_ns = 36;  ///< at the boxes of sixteen nodes, likewise
   static constexpr double pair_ns = 5;   ///< of a tree: a sphere of two that overlap, among eight
   static constexpr double cells_ns = 23, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
-  static constexpr double wide_ns = 14, wide_pair_ns = 3.5;   ///< by wide cells: a sphere; a candidate
-  static constexpr double beyond_ns = 6;                             ///< an octave that cells leave the cache by
+  static constexpr double wide_ns = 14, wide_pair_ns = 3.5;  ///< by wide cells: a sphere; a candidate
+  static constexpr double beyond_ns = 6;                     ///< an octave that cells leave the cache by
   static constexpr double tests = 1.2 / 16;  ///< a candidate, as cells end where vectors do not
 
   /// Overlaps, of so many candidates, where these lie anywhere: those within a ball, of those in a cube.
