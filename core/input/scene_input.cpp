@@ -8,6 +8,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/input/curve_input.h"
+#include "catena/core/made_once.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/scenes/scene.h"
 
@@ -18,28 +19,40 @@ namespace {
 /// neighbours.
 class WithExclusion final : public Animation {
  public:
-  WithExclusion(std::unique_ptr<Animation> scene, const InputOptions& options) : scene_(std::move(scene)) {
-    const Chain first = scene_->frame(0);
-    rest_ = Chain({first.spheres().begin(), first.spheres().end()}, first.strands(),
-                  chosen_exclusion(options, first.exclusion()));
+  WithExclusion(std::unique_ptr<Animation> scene, const InputOptions& options)
+      : scene_(std::move(scene)), options_(options) {
+    chosen_exclusion(options_, {});  // refused before a sphere is made
   }
   std::uint32_t frames() const override { return scene_->frames(); }
   Chain frame(std::uint32_t f) const override {
-    if (f == 0) return rest_;
-    const Chain moved = scene_->frame(f);
-    return rest_.moved({moved.spheres().begin(), moved.spheres().end()});
+    const Chain& rest = rest_.by([&] {
+      Chain first = scene_->frame(0);
+      const Strands strands = first.strands();
+      Exclusion exclusion = chosen_exclusion(options_, first.exclusion());
+      return Chain(std::move(first).release(), strands, std::move(exclusion));
+    });
+    return f == 0 ? rest : rest.moved(scene_->frame(f).release());
+  }
+  std::optional<ChainByStretches> in_stretches(std::uint32_t f) const override {
+    auto stretches = scene_->in_stretches(f);
+    if (stretches) stretches->exclusion = chosen_exclusion(options_, stretches->exclusion);
+    return stretches;
   }
   std::int64_t shift(std::uint32_t f) const override { return scene_->shift(f); }
 
  private:
   std::unique_ptr<Animation> scene_;
-  Chain rest_;
+  InputOptions options_;
+  MadeOnce<Chain> rest_;
 };
 
 class OneFrame final : public Animation {
  public:
   OneFrame(std::unique_ptr<Animation> scene, std::uint32_t frame) : scene_(std::move(scene)), frame_(frame) {}
   Chain frame(std::uint32_t) const override { return scene_->frame(frame_); }
+  std::optional<ChainByStretches> in_stretches(std::uint32_t) const override {
+    return scene_->in_stretches(frame_);
+  }
 
  private:
   std::unique_ptr<Animation> scene_;

@@ -42,7 +42,7 @@ class Mpirun : public Program {
 TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
   for (const std::string input :
        {"coincident:n=60", "yarn:n=3000,seed=5 --arc-window pi/2", "hair:n=900 --window 3",
-        CATENA_SOURCE_DIR "/core/readers/examples/1A8O.pdb --radius 3"}) {
+        "path1:n=2000,frame=5", CATENA_SOURCE_DIR "/core/readers/examples/1A8O.pdb --radius 3"}) {
     for (const char* order : {"chain", "space"})
       for (const char* kind : {"csv", "jsonl"}) {
         const auto tables = [&](const char* of) {
@@ -133,6 +133,22 @@ TEST_F(Mpirun, SharesTheCoresOfAMachine) {
     const auto line = nlohmann::json::parse(r.output);
     ASSERT_EQ(line["of_ranks"].size(), ranks);
     for (const auto& rank : line["of_ranks"]) EXPECT_EQ(rank["cores"], std::max<std::size_t>(1, all / ranks));
+  }
+}
+
+/// A rank that made all of a scene would hold 60 MiB more.
+TEST_F(Mpirun, MakesNoMoreOfASceneThanItsPart) {
+  for (const char* scene : {"rod:n=5000000", "path2:n=5000000,frame=3 --window 2"}) {
+    const ProgramOutcome r = run_ranks(fmt::format("bench {} --repetitions 1", scene), 4);
+    ASSERT_EQ(r.code, 0) << r.output;
+    const auto ranks = nlohmann::json::parse(r.output)["of_ranks"];
+    std::uint64_t least = ranks[0]["peak_kib"], most = 0;
+    for (const auto& rank : ranks) {
+      least = std::min<std::uint64_t>(least, rank["peak_kib"]);
+      most = std::max<std::uint64_t>(most, rank["peak_kib"]);
+    }
+    EXPECT_GT(least, 0u);
+    EXPECT_LT(most - least, 40u << 10) << scene;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/scenes/animation.h"
 
 namespace catena::ranks {
 
@@ -54,6 +55,9 @@ struct Part {
 
 /// The spheres first, ..., end - 1 of a chain as a part of it. O(their number + log n + strands and extra pairs there).
 Part part_of(const Chain& chain, std::uint32_t first, std::uint32_t end);
+
+/// The same of a chain of which no more is made, under an index window without extra pairs.
+Part part_of(const ChainByStretches& chain, std::uint32_t first, std::uint32_t end);
 
 /// Where rank r of `ranks` begins when n spheres are shared out evenly; n for r = ranks.
 inline SphereId even_start(SphereId n, unsigned ranks, unsigned rank) {

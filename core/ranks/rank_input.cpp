@@ -32,14 +32,20 @@ RankInput::RankInput(Communicator& ranks, const std::string& spec, const InputOp
                      const Open& open)
     : ranks_(ranks), spec_(spec) {
   // Rank 0 decides, as the others may not see the file.
-  const auto parts = all_gather_value(ranks, std::uint8_t{in_parts(spec, options)}).front();
-  if (parts != 0) {
-    file_.emplace(open(spec));
-    return;
-  }
-  if (ranks.rank() != 0) return;
-  input_ = open_input(spec, options);
+  source_ = all_gather_value(ranks, ranks.rank() == 0 ? decide(options) : Source{}).front();
+  if (source_ == Source::file) file_.emplace(open(spec));
+  if (source_ == Source::scene && !input_) input_ = open_input(spec, options);
+}
+
+RankInput::Source RankInput::decide(const InputOptions& options) {
+  if (in_parts(spec_, options)) return Source::file;
+  input_ = open_input(spec_, options);
   show_warnings(*input_);
+  if (!input_->boxes.empty()) return Source::rank_0;
+  const auto scene = input_->animation->in_stretches(0);
+  const bool alone =
+      scene && scene->exclusion.rule == Exclusion::Rule::index_window && scene->exclusion.extra_pairs.empty();
+  return alone ? Source::scene : Source::rank_0;
 }
 
 std::pair<std::uint32_t, std::uint32_t> RankInput::frames(const FrameOption& option) const {
@@ -53,14 +59,19 @@ std::pair<std::uint32_t, std::uint32_t> RankInput::frames(const FrameOption& opt
 }
 
 NamedPart RankInput::part(std::uint32_t frame) const {
-  if (file_) return {read_part(ranks_, *file_), {}};
+  if (source_ == Source::file) return {read_part(ranks_, *file_), {}};
+  const auto start = [&](std::uint32_t n, unsigned rank) {
+    return static_cast<std::uint32_t>(even_start(n, ranks_.size(), rank));
+  };
+  if (source_ == Source::scene) {
+    const auto scene = input_->animation->in_stretches(frame);
+    const unsigned rank = ranks_.rank();
+    return {part_of(*scene, start(scene->size, rank), start(scene->size, rank + 1)), {}};
+  }
   Chain chain;
   if (input_) chain = input_->animation->frame(frame);
   return scatter(ranks_, [&](unsigned rank) {
-    const auto start = [&](unsigned r) {
-      return static_cast<std::uint32_t>(even_start(chain.size(), ranks_.size(), r));
-    };
-    return named_part_of(chain, input_->labels, start(rank), start(rank + 1));
+    return named_part_of(chain, input_->labels, start(chain.size(), rank), start(chain.size(), rank + 1));
   });
 }
 
@@ -77,7 +88,7 @@ std::optional<PeriodicBox> RankInput::box(std::uint32_t frame) const {
 }
 
 std::optional<Chain> RankInput::whole(std::uint32_t frame) const {
-  if (!input_) return {};
+  if (!input_ || ranks_.rank() != 0) return {};
   return input_->animation->frame(frame);
 }
 

@@ -11,8 +11,10 @@
 
 namespace catena::ranks {
 
-/// A scene or a file, opened by ranks: of a .catena file each reads its part, anything else is read by rank 0, which sends
-/// each its part. All ranks call every function. Throws as open_input and BinaryChain do.
+/// A scene or a file, opened by ranks: of a .catena file each reads its part, of a scene each makes its part,
+/// unless an arc window needs the spheres before it, a tolerance all, or a box their images; anything else is
+/// read by rank 0, which sends each its part. All ranks call every function. Throws as open_input and
+/// BinaryChain do.
 class RankInput {
  public:
   /// Opens a file of which parts can be read.
@@ -31,9 +33,13 @@ class RankInput {
   std::optional<Chain> whole(std::uint32_t frame) const;
 
  private:
+  enum class Source : std::uint8_t { rank_0, file, scene };  ///< where each rank has its part from
+  Source decide(const InputOptions& options);
+
   Communicator& ranks_;
   std::string spec_;
-  std::optional<Input> input_;
+  Source source_;
+  std::optional<Input> input_;  ///< on rank 0, unless the source is a file; on all where it is a scene
   std::optional<BinaryChain> file_;
 };
 

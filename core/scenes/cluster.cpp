@@ -12,30 +12,25 @@
 namespace catena {
 namespace {
 
-Chain cluster(const SceneSetup& setup, std::uint32_t shells, Random random) {
+Row cluster(const SceneSetup& setup, std::uint32_t shells, const Random& seeded) {
   // Each shell is a spiral from pole to pole, so that neighbours along the tube are near each other and the
   // cost of a search in chain order stays near n log n.
   const double in_shell = std::max(1.0, (setup.n() - 1.0) / shells), turns = std::sqrt(in_shell) / 2;
   const double size = std::min(0.25, 2 / std::sqrt(in_shell));  // neighbours touch, shells do not
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  std::uint32_t shell_before = shells;
-  double start = 0;
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
-    if (i == 0) {
-      spheres.push_back(setup.place({0, 0, 0}));
-      continue;
-    }
-    const std::uint64_t k = std::uint64_t{i - 1} * shells;
-    const auto shell = static_cast<std::uint32_t>(k / (setup.n() - 1));
-    if (shell != shell_before) start = random.unit(), shell_before = shell;
-    const double along = static_cast<double>(k % (setup.n() - 1)) / (setup.n() - 1.0);  // 0 to 1 in the shell
-    const double z = 2 * along - 1, out = std::sqrt(1 - z * z),
-                 away = std::ldexp(1.0, -static_cast<int>(shell));
-    const auto [cosine, sine] = circle_point(start + turns * along);
-    spheres.push_back(setup.place(away * Vec3{out * cosine, out * sine, z}, away * size));
-  }
-  return Chain(std::move(spheres));
+  return Row::by_steps(setup.n(), [=] {
+    return [=, random = seeded, shell_before = shells, start = 0.0, i = std::uint32_t{0}]() mutable {
+      if (i++ == 0) return setup.place({0, 0, 0});
+      const std::uint64_t k = std::uint64_t{i - 2} * shells;
+      const auto shell = static_cast<std::uint32_t>(k / (setup.n() - 1));
+      if (shell != shell_before) start = random.unit(), shell_before = shell;
+      const double along =
+          static_cast<double>(k % (setup.n() - 1)) / (setup.n() - 1.0);  // 0 to 1 in the shell
+      const double z = 2 * along - 1, out = std::sqrt(1 - z * z),
+                   away = std::ldexp(1.0, -static_cast<int>(shell));
+      const auto [cosine, sine] = circle_point(start + turns * along);
+      return setup.place(away * Vec3{out * cosine, out * sine, z}, away * size);
+    };
+  });
 }
 
 const RegisterScene registered{

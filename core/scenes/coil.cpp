@@ -10,18 +10,15 @@
 namespace catena {
 namespace {
 
-Chain coil(const SceneSetup& setup, double width, double pitch) {
+Row coil(const SceneSetup& setup, double width, double pitch) {
   const double around = 2 * std::numbers::pi * width;
   const double turns_per_sphere = setup.spacing() / std::sqrt(around * around + pitch * pitch);
   const double middle = (setup.n() - 1.0) / 2;
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
     const double turns = turns_per_sphere * (i - middle);
     const auto [cosine, sine] = circle_point(turns);
-    spheres.push_back(setup.place({width * cosine, width * sine, pitch * turns}));
-  }
-  return Chain(std::move(spheres));
+    return setup.place({width * cosine, width * sine, pitch * turns});
+  });
 }
 
 const RegisterScene registered{

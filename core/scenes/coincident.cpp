@@ -6,11 +6,10 @@
 namespace catena {
 namespace {
 
-Chain coincident(const SceneSetup& setup, std::uint32_t together) {
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i) spheres.push_back(setup.place({10.0 * (i / together), 0, 0}));
-  return Chain(std::move(spheres));
+Row coincident(const SceneSetup& setup, std::uint32_t together) {
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
+    return setup.place({10.0 * (i / together), 0, 0});
+  });
 }
 
 const RegisterScene registered{

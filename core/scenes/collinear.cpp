@@ -6,12 +6,10 @@
 namespace catena {
 namespace {
 
-Chain collinear(const SceneSetup& setup) {
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i)
-    spheres.push_back(setup.place({setup.spacing() * (i - static_cast<double>(setup.n() / 2)), 0, 0}));
-  return Chain(std::move(spheres));
+Row collinear(const SceneSetup& setup) {
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
+    return setup.place({setup.spacing() * (i - static_cast<double>(setup.n() / 2)), 0, 0});
+  });
 }
 
 const RegisterScene registered{

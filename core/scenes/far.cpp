@@ -10,13 +10,12 @@
 namespace catena {
 namespace {
 
-Chain far(const SceneSetup& setup, std::uint32_t exponent, Random random) {
+Row far(const SceneSetup& setup, std::uint32_t exponent, const Random& random) {
   const double away = std::ldexp(1.0, static_cast<int>(exponent));
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (const Vec3& centre : random_walk(setup.n(), setup.spacing(), 2, random))
-    spheres.push_back(setup.place(Vec3{away, away, away} + centre));
-  return Chain(std::move(spheres));
+  const RandomWalk walk(setup.spacing(), 2, random);
+  return Row::by_steps(setup.n(), [=] {
+    return [=, next = walk]() mutable { return setup.place(Vec3{away, away, away} + next()); };
+  });
 }
 
 const RegisterScene registered{

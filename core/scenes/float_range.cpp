@@ -13,15 +13,14 @@ namespace {
 /// `exponent` gives the radius as a power of two, from the extent of the tangle in radii.
 using Exponent = int (*)(double extent);
 
-Chain tangle(const SceneSetup& setup, Exponent exponent, Random random) {
-  const std::vector<Vec3> walk = random_walk(setup.n(), setup.spacing(), 2, random);
+Row tangle(const SceneSetup& setup, Exponent exponent, const Random& random) {
+  const RandomWalk walk(setup.spacing(), 2, random);
   double extent = 1;
-  for (const Vec3& centre : walk) extent = std::max(extent, length(centre) + 1);
+  RandomWalk first = walk;
+  for (std::uint32_t i = 0; i < setup.n(); ++i) extent = std::max(extent, length(first()) + 1);
   const double size = std::ldexp(1.0, exponent(extent));
-  std::vector<Sphere> spheres;
-  spheres.reserve(walk.size());
-  for (const Vec3& centre : walk) spheres.push_back(setup.place(size * centre, size));
-  return Chain(std::move(spheres));
+  return Row::by_steps(
+      setup.n(), [=] { return [=, next = walk]() mutable { return setup.place(size * next(), size); }; });
 }
 
 SceneRegistry::Make at(const char* name, Exponent exponent) {

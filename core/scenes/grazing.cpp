@@ -11,19 +11,16 @@
 namespace catena {
 namespace {
 
-Chain grazing(const SceneSetup& setup, double margin, std::uint32_t turn) {
+Row grazing(const SceneSetup& setup, double margin, std::uint32_t turn) {
   // Sphere i + turn lies straight above sphere i, at the distance `pitch`: pitch^2 = 4 (1 - margin).
   const double pitch = 2 * std::sqrt(1 - margin), rise = pitch / turn;
   const double chord = std::sqrt(std::max(0.0, setup.spacing() * setup.spacing() - rise * rise));
   const double width = chord / (2 * circle_point(0.5 / turn).sine);
   const double middle = (setup.n() - 1.0) / 2;
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
     const auto [cosine, sine] = circle_point(static_cast<double>(i % turn) / turn);
-    spheres.push_back(setup.place({width * cosine, width * sine, rise * (i - middle)}));
-  }
-  return Chain(std::move(spheres));
+    return setup.place({width * cosine, width * sine, rise * (i - middle)});
+  });
 }
 
 const RegisterScene registered{

@@ -18,29 +18,33 @@ Vec3 root(std::uint32_t s, double gap) {
   return {out * cosine, out * sine, 0};
 }
 
-Chain hair(const SceneSetup& setup, std::uint32_t strands, double gap, Random random) {
+StillScene hair(const SceneSetup& setup, std::uint32_t strands, double gap, const Random& seeded) {
   const std::uint64_t n = setup.n();
   Strands layout{{0}, {}};
   for (std::uint64_t s = 1; s <= strands; ++s)
     layout.first.push_back(static_cast<std::uint32_t>(n * s / strands));
   const double fade = 1 / (1 + 0.05 * setup.spacing());  // a hair forgets its lean over 20 radii
   const double half_height = setup.spacing() * (n / strands) / 2;
-  std::vector<Sphere> spheres;
-  spheres.reserve(n);
-  for (std::uint32_t s = 0; s < strands; ++s) {
-    const Vec3 start = root(s, gap);
-    Vec3 centre = start - Vec3{0, 0, half_height}, lean;
-    for (std::uint32_t i = layout.first[s]; i < layout.first[s + 1]; ++i) {
-      spheres.push_back(setup.place(centre));
+  const auto from_the_first_root = [=, first = layout.first] {
+    return [=, random = seeded, i = std::uint32_t{0}, s = std::uint32_t{0}, start = Vec3{}, centre = Vec3{},
+            lean = Vec3{}]() mutable {
+      if (i == first[s]) {
+        while (first[s + 1] == i) ++s;  // without spheres
+        start = root(s++, gap);
+        centre = start - Vec3{0, 0, half_height}, lean = {};
+      }
+      const Sphere here = setup.place(centre);
       const Vec3 astray{centre.x - start.x, centre.y - start.y, 0};
       const Vec3 gust = random.cube();
       lean =
           fade * lean + 0.06 * setup.spacing() * Vec3{gust.x, gust.y, 0} - 0.001 * setup.spacing() * astray;
       const Vec3 heading = lean + Vec3{0, 0, 1};
       centre = centre + setup.spacing() / length(heading) * heading;
-    }
-  }
-  return Chain(std::move(spheres), std::move(layout));
+      ++i;
+      return here;
+    };
+  };
+  return StillScene(Row::by_steps(setup.n(), from_the_first_root), std::move(layout));
 }
 
 const RegisterScene registered{

@@ -22,20 +22,21 @@ float moved(float v, std::uint32_t ulps, Random& random) {
   return v;
 }
 
-Chain lattice(const SceneSetup& setup, std::uint32_t ulps, Random random) {
+Row lattice(const SceneSetup& setup, std::uint32_t ulps, const Random& seeded) {
   const std::uint32_t side = side_of_cube(setup.n());
   const double middle = side / 2;
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
+  const auto touching = [=](std::uint32_t i) {
     const auto [x, y, z] = serpentine_cell(i, side);
-    Sphere s =
-        setup.place(setup.spacing() * (Vec3{double(x), double(y), double(z)} - Vec3{middle, middle, middle}));
-    if (ulps > 0)
-      s = {moved(s.x, ulps, random), moved(s.y, ulps, random), moved(s.z, ulps, random), s.radius};
-    spheres.push_back(s);
-  }
-  return Chain(std::move(spheres));
+    return setup.place(setup.spacing() *
+                       (Vec3{double(x), double(y), double(z)} - Vec3{middle, middle, middle}));
+  };
+  if (ulps == 0) return Row::by_number(setup.n(), touching);
+  return Row::by_steps(setup.n(), [=] {
+    return [=, random = seeded, i = std::uint32_t{0}]() mutable {
+      const Sphere s = touching(i++);
+      return Sphere{moved(s.x, ulps, random), moved(s.y, ulps, random), moved(s.z, ulps, random), s.radius};
+    };
+  });
 }
 
 SceneRegistry::Make make(const char* name) {

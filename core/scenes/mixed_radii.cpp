@@ -15,18 +15,18 @@ double near_power_of_two(double e) {
   return std::ldexp(1 + (e - whole), static_cast<int>(whole));
 }
 
-Chain mixed_radii(const SceneSetup& setup, double decades, double jump) {
+Row mixed_radii(const SceneSetup& setup, double decades, double jump) {
   constexpr double bits_a_decade = 3.3219280948873623;
   const double octaves = decades * bits_a_decade;
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  double x = 0;
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
-    const double size = near_power_of_two(octaves * ((i + 0.5) / setup.n() - 0.5));
-    spheres.push_back(setup.place({x, 0, 0}, i % 2 == 0 ? size : size / jump));
-    x += setup.spacing() / 2 * size;  // every second sphere is thick: those touch their like
-  }
-  return Chain(std::move(spheres));
+  return Row::by_steps(setup.n(), [=] {
+    return [=, x = 0.0, i = std::uint32_t{0}]() mutable {
+      const double size = near_power_of_two(octaves * ((i + 0.5) / setup.n() - 0.5));
+      const Sphere here = setup.place({x, 0, 0}, i % 2 == 0 ? size : size / jump);
+      x += setup.spacing() / 2 * size;  // every second sphere is thick: those touch their like
+      ++i;
+      return here;
+    };
+  });
 }
 
 const RegisterScene registered{{"mixed_radii",

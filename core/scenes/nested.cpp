@@ -6,16 +6,13 @@
 namespace catena {
 namespace {
 
-Chain nested(const SceneSetup& setup, std::uint32_t together) {
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
+Row nested(const SceneSetup& setup, std::uint32_t together) {
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
     // All of a group touch the plane x = 3 together * group from the right: |c - c'| = |r - r'|, in whole
     // numbers.
     const double size = 1.0 + i % together, wall = 3.0 * together * (i / together);
-    spheres.push_back(setup.place({wall + size, 0, 0}, size));
-  }
-  return Chain(std::move(spheres));
+    return setup.place({wall + size, 0, 0}, size);
+  });
 }
 
 const RegisterScene registered{

@@ -15,16 +15,15 @@ Vec3 lattice_step(Random& random) {
   return {axis == 0 ? way : 0, axis == 1 ? way : 0, axis == 2 ? way : 0};
 }
 
-Chain points(const SceneSetup& setup, double share, Random random) {
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  Vec3 centre;
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
-    const double size = random.unit() < share ? 0 : 1;
-    spheres.push_back(setup.place(setup.spacing() * centre, size));
-    centre = centre + lattice_step(random);
-  }
-  return Chain(std::move(spheres));
+Row points(const SceneSetup& setup, double share, const Random& seeded) {
+  return Row::by_steps(setup.n(), [=] {
+    return [=, random = seeded, centre = Vec3{}]() mutable {
+      const double size = random.unit() < share ? 0 : 1;
+      const Sphere here = setup.place(setup.spacing() * centre, size);
+      centre = centre + lattice_step(random);
+      return here;
+    };
+  });
 }
 
 const RegisterScene registered{

@@ -1,14 +1,21 @@
 #pragma once
-#include <cstdint>
-#include <vector>
-
 #include "catena/core/scenes/random.h"
 #include "catena/core/scenes/vec3.h"
 
 namespace catena {
 
-/// n points `step` apart, from the origin on: a walk that forgets its direction over the length
-/// `persistence`. O(n).
-std::vector<Vec3> random_walk(std::uint32_t n, double step, double persistence, Random random);
+/// Points `step` apart, from the origin on: a walk that forgets its direction over the length `persistence`.
+class RandomWalk {
+ public:
+  RandomWalk(double step, double persistence, const Random& random);
+
+  /// The next point. O(1).
+  Vec3 operator()();
+
+ private:
+  double step_, kick_;
+  Random random_;
+  Vec3 centre_, heading_{1, 0, 0};
+};
 
 }  // namespace catena

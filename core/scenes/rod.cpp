@@ -6,13 +6,11 @@
 namespace catena {
 namespace {
 
-Chain rod(const SceneSetup& setup) {
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
+Row rod(const SceneSetup& setup) {
   const double middle = (setup.n() - 1.0) / 2;
-  for (std::uint32_t i = 0; i < setup.n(); ++i)
-    spheres.push_back(setup.place({setup.spacing() * (i - middle), 0, 0}));
-  return Chain(std::move(spheres));
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
+    return setup.place({setup.spacing() * (i - middle), 0, 0});
+  });
 }
 
 const RegisterScene registered{{"rod", "straight tube; no pairs", {}}, [](const Parameters& parameters) {

@@ -21,7 +21,7 @@ std::unique_ptr<Animation> open(const std::string& spec) { return SceneRegistry:
 
 std::string refusal(const std::string& spec) {
   try {
-    open(spec);
+    open(spec)->frame(0);
   } catch (const InputError& error) {
     return error.what();
   }

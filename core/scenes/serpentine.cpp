@@ -8,20 +8,19 @@
 namespace catena {
 namespace {
 
-Chain serpentine(const SceneSetup& setup, std::uint32_t side, std::uint32_t reach, bool face_centred,
-                 bool rods) {
+StillScene serpentine(const SceneSetup& setup, std::uint32_t side, std::uint32_t reach, bool face_centred,
+                      bool rods) {
   const std::uint32_t n = side == 0 ? setup.n() : side * side * side;
   if (side == 0) side = side_of_cube(n);
-  std::vector<Sphere> spheres;
-  spheres.reserve(n);
-  for (std::uint32_t i = 0; i < n; ++i)
-    spheres.push_back(setup.place(serpentine_point(serpentine_cell(i, side), side, face_centred), reach / 2.0));
   Strands strands;
   if (rods) {
     for (std::uint32_t first = 0; first < n; first += side) strands.first.push_back(first);
     strands.first.push_back(n);
   }
-  return Chain(std::move(spheres), std::move(strands));
+  const auto place = [=](std::uint32_t i) {
+    return setup.place(serpentine_point(serpentine_cell(i, side), side, face_centred), reach / 2.0);
+  };
+  return StillScene(Row::by_number(n, place), std::move(strands));
 }
 
 const RegisterScene registered{

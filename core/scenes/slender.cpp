@@ -7,13 +7,11 @@
 namespace catena {
 namespace {
 
-Chain slender(const SceneSetup& setup, double slenderness) {
+Row slender(const SceneSetup& setup, double slenderness) {
   const double middle = (setup.n() - 1.0) / 2;
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i)
-    spheres.push_back(setup.place({slenderness * ((i - middle) / setup.n()), 0, 0}));
-  return Chain(std::move(spheres));
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
+    return setup.place({slenderness * ((i - middle) / setup.n()), 0, 0});
+  });
 }
 
 const RegisterScene registered{

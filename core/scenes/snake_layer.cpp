@@ -1,7 +1,8 @@
-// lay_snake: walks the path by arc length and chooses, at each crossing, the bump that gives the wanted
+// snake_row: walks the path by arc length and chooses, at each crossing, the bump that gives the wanted
 // pairs.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -54,11 +55,15 @@ struct Meeting {
   }
 };
 
+/// Lays one sphere after the other. Of those that it laid it keeps the ones near a crossing that is still to
+/// be passed again.
 class SnakeLayer {
  public:
   SnakeLayer(const SnakePath& path, const SceneSetup& setup, std::uint32_t count)
-      : setup_(setup), count_(count), crossings_(path.crossings), spline_(path.control) {
+      : setup_(setup), crossings_(path.crossings), spline_(path.control) {
     std::ranges::sort(crossings_, {}, &SnakePath::Crossing::later);
+    earlier_passes_.resize(crossings_.size());
+    window_ = static_cast<std::size_t>(std::ceil(reach / setup.spacing())) + 1;
     size_ = setup.spacing() * count / spline_.arc_length(0, spline_.points() - 1);
     half_ = std::max(bump_half_width, 3 * setup.spacing()) / size_;
     for (std::size_t k = 1; k < crossings_.size(); ++k) {  // the bumps of a tiny snake must not overlap
@@ -67,24 +72,38 @@ class SnakeLayer {
     }
     const auto [low, high] = bounds(path.control);
     centre_ = 0.5 * (low + high);
-    passed_.reserve(spline_.points());
   }
 
-  std::vector<Sphere> lay() {
-    std::vector<Sphere> row;
-    row.reserve(count_);
-    std::size_t next = 0;  // crossing whose later pass lies ahead
-    for (Place here; row.size() < count_; step(here)) {
-      while (passed_.size() < spline_.points() && spline_.knot(passed_.size()) <= here.t)
-        passed_.push_back(row.size());
-      if (next < crossings_.size() && here.t >= spline_.knot(crossings_[next].later) - half_)
-        bump_ = choose(crossings_[next++], here, row);
-      row.push_back(setup_.place(position(here)));
+  /// The next sphere.
+  Sphere operator()() {
+    for (std::size_t k = 0; k < crossings_.size(); ++k)
+      if (!earlier_passes_[k].begun && spline_.knot(crossings_[k].earlier) <= here_.t)
+        earlier_passes_[k] = {true, window_, {recent_.begin(), recent_.end()}};
+    if (next_ < crossings_.size() && here_.t >= spline_.knot(crossings_[next_].later) - half_) {
+      bump_ = choose(next_, here_);
+      earlier_passes_[next_++] = {.begun = true};
     }
-    return row;
+    const Sphere sphere = setup_.place(position(here_));
+    step(here_);
+    keep(sphere);
+    return sphere;
   }
 
  private:
+  /// The spheres at most `window_` before the control point of a crossing, and as many from there on.
+  struct EarlierPass {
+    bool begun = false;
+    std::size_t awaited = 0;  // of those from there on
+    std::vector<Sphere> spheres = {};
+  };
+
+  void keep(const Sphere& sphere) {
+    for (EarlierPass& pass : earlier_passes_)
+      if (pass.awaited > 0) pass.spheres.push_back(sphere), --pass.awaited;
+    if (recent_.size() == window_) recent_.pop_front();
+    recent_.push_back(sphere);
+  }
+
   static std::pair<Vec3, Vec3> bounds(const std::vector<Vec3>& points) {
     Vec3 low = points[0], high = points[0];
     for (const Vec3& p : points) {
@@ -113,8 +132,8 @@ class SnakeLayer {
   }
 
   /// The bump, starting here, that brings exactly the wanted pairs with the widest margin.
-  Bump choose(const SnakePath::Crossing& crossing, Place here, const std::vector<Sphere>& row) {
-    const double centre = spline_.knot(crossing.later);
+  Bump choose(std::size_t crossing, Place here) {
+    const double centre = spline_.knot(crossings_[crossing].later);
     const Vec3 along = spline_.derivative(centre, here.cursor);
     const Vec3 aside = 1 / length(along) * Vec3{-along.y, along.x, 0};
     Bump best{{0, 0, 2.5}, centre, centre - here.t};  // if all else fails the passes do not touch
@@ -125,7 +144,7 @@ class SnakeLayer {
             setup_.spacing() * (static_cast<double>(shift) / (shifts - 1) - 0.5) * aside +
             Vec3{0, 0, 2.0 * lift / (lifts - 1)};
         bump_ = {displacement, centre, centre - here.t};
-        const Meeting meeting = meet(crossing, here, row);
+        const Meeting meeting = meet(earlier_passes_[crossing].spheres, centre, here);
         if (meeting.better_than(best_meeting)) {
           best = bump_;
           best_meeting = meeting;
@@ -135,18 +154,14 @@ class SnakeLayer {
   }
 
   /// The earlier pass of a crossing, as stored, against the later one under the present bump.
-  Meeting meet(const SnakePath::Crossing& crossing, Place here, const std::vector<Sphere>& row) const {
-    const auto window = static_cast<std::size_t>(std::ceil(reach / setup_.spacing())) + 1;
-    const std::size_t middle = passed_[crossing.earlier];
-    const std::size_t first = middle - std::min(middle, window), last = std::min(row.size(), middle + window);
-    const double centre = spline_.knot(crossing.later);
+  Meeting meet(const std::vector<Sphere>& earlier, double centre, Place here) const {
     const double near = reach / size_;  // in the parameter; its speed along the path is about 1
     Meeting meeting{0, std::numeric_limits<double>::infinity()};
     for (; here.t < centre + near && here.t < spline_.end(); step(here)) {
       if (here.t < centre - near) continue;
       const Sphere a = setup_.place(position(here));
-      for (std::size_t i = first; i < last; ++i) {
-        const double excess = relative_excess(a, row[i]);
+      for (const Sphere& b : earlier) {
+        const double excess = relative_excess(a, b);
         meeting.margin = std::min(meeting.margin, std::abs(excess));
         if (excess <= 0 && ++meeting.pairs > pairs_at_crossing) return meeting;
       }
@@ -161,22 +176,24 @@ class SnakeLayer {
     return dot(apart, apart) / (touching * touching) - 1;
   }
 
-  const SceneSetup& setup_;
-  std::uint32_t count_;
+  SceneSetup setup_;
   std::vector<SnakePath::Crossing> crossings_;  // by their later pass
   CubicSpline spline_;
   double size_ = 0;  // radii per unit of the path
   double half_ = 0;  // half width of a bump, in the parameter
   Vec3 centre_;
-  Bump bump_;                        // the last one chosen; none at first
-  std::vector<std::size_t> passed_;  // by control point: the first sphere at or after it
+  std::size_t window_ = 0;  // spheres to either side of a crossing that its later pass is held against
+  Place here_;
+  Bump bump_;                                // the last one chosen; none at first
+  std::size_t next_ = 0;                     // crossing whose later pass lies ahead
+  std::vector<EarlierPass> earlier_passes_;  // by crossing
+  std::deque<Sphere> recent_;                // the last `window_`
 };
 
 }  // namespace
 
-std::vector<Sphere> lay_snake(const SnakePath& path, const SceneSetup& setup, std::uint32_t count) {
-  if (count == 0) return {};
-  return SnakeLayer(path, setup, count).lay();
+Row snake_row(const SnakePath& path, const SceneSetup& setup, std::uint32_t count) {
+  return Row::by_steps(count, [=] { return SnakeLayer(path, setup, count); });
 }
 
 }  // namespace catena

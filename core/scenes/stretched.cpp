@@ -10,17 +10,16 @@
 namespace catena {
 namespace {
 
-Chain stretched(const SceneSetup& setup, double octaves, Random random) {
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  Vec3 centre;
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
-    spheres.push_back(setup.place(centre));
-    const double e = octaves * random.symmetric(), whole = std::floor(e);
-    const double stretch = std::ldexp(1 + (e - whole), static_cast<int>(whole));
-    centre = centre + setup.spacing() * stretch * random.direction();
-  }
-  return Chain(std::move(spheres));
+Row stretched(const SceneSetup& setup, double octaves, const Random& seeded) {
+  return Row::by_steps(setup.n(), [=] {
+    return [=, random = seeded, centre = Vec3{}]() mutable {
+      const Sphere here = setup.place(centre);
+      const double e = octaves * random.symmetric(), whole = std::floor(e);
+      const double stretch = std::ldexp(1 + (e - whole), static_cast<int>(whole));
+      centre = centre + setup.spacing() * stretch * random.direction();
+      return here;
+    };
+  });
 }
 
 const RegisterScene registered{

@@ -18,16 +18,16 @@ TorusCurve filled_by(std::uint32_t n, double spacing) {
   return {std::max(2u, p), std::max(2u, p) + 1};
 }
 
-Chain tight_knot(const SceneSetup& setup, const TorusCurve& knot, double margin) {
+StillScene tight_knot(const SceneSetup& setup, const TorusCurve& knot, double margin) {
   // t = (2r)^2 and q = d^2 at the nearest place: q = t (1 - margin). One length unit of the curve is 1/r
   // radii.
   const double radius = knot.closest_windings() / 2 / std::sqrt(1 - margin);
   const std::uint32_t n = setup.n();
-  std::vector<Sphere> spheres;
-  spheres.reserve(n);
-  for (const double t : knot.equal_steps(n)) spheres.push_back(setup.place(1 / radius * knot.position(t)));
+  const auto around = [=] {
+    return [=, next = knot.equal_steps(n)] { return setup.place(1 / radius * knot.position(next())); };
+  };
   // What a tube of this thickness can bend into lies nearer than pi r along it: not a contact.
-  return Chain(std::move(spheres), Strands::one_closed(n), Exclusion::arc(bending_window));
+  return StillScene(Row::by_steps(n, around), Strands::one_closed(n), Exclusion::arc(bending_window));
 }
 
 const RegisterScene registered{

@@ -54,24 +54,20 @@ double TorusCurve::arc_length() const {
   return sum / samples;
 }
 
-std::vector<double> TorusCurve::equal_steps(std::uint32_t n) const {
-  if (n == 0) return {};
+std::function<double()> TorusCurve::equal_steps(std::uint32_t n) const {
   // The classical Runge-Kutta method for dt/ds = 1/speed(t), in steps short enough that the last point is one
   // step from the first.
   const std::uint32_t substeps = 64 * (p + q) / n + 1;
   const double h = arc_length() / n / substeps;
-  std::vector<double> parameters;
-  parameters.reserve(n);
-  double t = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    parameters.push_back(t);
+  return [curve = *this, substeps, h, t = 0.0]() mutable {
+    const double here = t;
     for (std::uint32_t k = 0; k < substeps; ++k) {
-      const double k1 = 1 / speed(t), k2 = 1 / speed(t + h / 2 * k1), k3 = 1 / speed(t + h / 2 * k2),
-                   k4 = 1 / speed(t + h * k3);
+      const double k1 = 1 / curve.speed(t), k2 = 1 / curve.speed(t + h / 2 * k1),
+                   k3 = 1 / curve.speed(t + h / 2 * k2), k4 = 1 / curve.speed(t + h * k3);
       t += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     }
-  }
-  return parameters;
+    return here;
+  };
 }
 
 double TorusCurve::closest_windings() const {

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 #include "catena/core/scenes/vec3.h"
 
@@ -16,8 +16,9 @@ struct TorusCurve {
   Vec3 position(double t) const;
   double speed(double t) const;  ///< |d position / dt|
   double arc_length() const;     ///< of the whole curve, to 1e-12 of it
-  /// `n` parameters from 0 on, at equal arc lengths. O(n + p + q).
-  std::vector<double> equal_steps(std::uint32_t n) const;
+  /// Parameters from 0 on, at equal arc lengths, n of them in the whole curve: the next at each call. Cost
+  /// O(1 + (p + q)/n) each.
+  std::function<double()> equal_steps(std::uint32_t n) const;
   /// The least distance of two neighbouring windings, to about 1e-12: half of it is the greatest radius of a
   /// tube that does not cut itself there. For coprime p >= 2 and q. O(1).
   double closest_windings() const;

@@ -12,13 +12,13 @@
 namespace catena {
 namespace {
 
-Chain torus_knot(const SceneSetup& setup, const TorusCurve& knot) {
+StillScene torus_knot(const SceneSetup& setup, const TorusCurve& knot) {
   const std::uint32_t n = setup.n();
   const double size = n * setup.spacing() / knot.arc_length();
-  std::vector<Sphere> spheres;
-  spheres.reserve(n);
-  for (const double t : knot.equal_steps(n)) spheres.push_back(setup.place(size * knot.position(t)));
-  return Chain(std::move(spheres), Strands::one_closed(n));
+  const auto around = [=] {
+    return [=, next = knot.equal_steps(n)] { return setup.place(size * knot.position(next())); };
+  };
+  return StillScene(Row::by_steps(n, around), Strands::one_closed(n));
 }
 
 TorusCurve knot(const Parameters& parameters) {

@@ -7,12 +7,9 @@
 namespace catena {
 namespace {
 
-Chain walk(const SceneSetup& setup, double persistence, Random random) {
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (const Vec3& centre : random_walk(setup.n(), setup.spacing(), persistence, random))
-    spheres.push_back(setup.place(centre));
-  return Chain(std::move(spheres));
+Row walk(const SceneSetup& setup, double persistence, const Random& random) {
+  const RandomWalk walk(setup.spacing(), persistence, random);
+  return Row::by_steps(setup.n(), [=] { return [=, next = walk]() mutable { return setup.place(next()); }; });
 }
 
 const RegisterScene registered{

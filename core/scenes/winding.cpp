@@ -10,19 +10,16 @@
 namespace catena {
 namespace {
 
-Chain winding(const SceneSetup& setup, double width, double contacts) {
+Row winding(const SceneSetup& setup, double width, double contacts) {
   // On the unrolled spool a disc of radius 2 holds 4 pi / (spacing pitch) centres.
   const double pitch = 4 * std::numbers::pi / (setup.spacing() * contacts);
   const double turns_a_sphere = setup.spacing() / (2 * std::numbers::pi * width);
   const double middle = (setup.n() - 1.0) / 2;
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
+  return Row::by_number(setup.n(), [=](std::uint32_t i) {
     const double turns = turns_a_sphere * (i - middle);
     const auto [cosine, sine] = circle_point(turns);
-    spheres.push_back(setup.place({width * cosine, width * sine, pitch * turns}));
-  }
-  return Chain(std::move(spheres));
+    return setup.place({width * cosine, width * sine, pitch * turns});
+  });
 }
 
 const RegisterScene registered{

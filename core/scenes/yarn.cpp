@@ -27,31 +27,31 @@ double cube_root(double v) {
   }
 }
 
-Chain yarn(const SceneSetup& setup, Random random) {
+Row yarn(const SceneSetup& setup, const Random& seeded) {
   const double ball = cube_root(std::max(1u, setup.n()) / density), inner = std::max(ball - skin, ball / 4);
   const double sharpest_step = sharpest * setup.spacing();
-  std::vector<Sphere> spheres;
-  spheres.reserve(setup.n());
-  Vec3 centre, heading{1, 0, 0}, drift;
-  for (std::uint32_t i = 0; i < setup.n(); ++i) {
-    spheres.push_back(setup.place(centre));
-    drift = 0.93 * drift + 0.175 * sharpest_step * random.cube();
-    Vec3 bend = drift;
-    const double out = length(centre);
-    if (out > inner) {
-      // Turn back: bend sideways, towards the centre. A pull along the heading would bend nothing.
-      const Vec3 inward = -1 / out * centre;
-      const Vec3 sideways = inward - dot(inward, heading) * heading;
-      const double size = length(sideways);
-      if (size > 1e-9) bend = bend + 1.5 * sharpest_step * std::min(1.0, (out - inner) / 4) / size * sideways;
-    }
-    const double sharpness = length(bend);
-    if (sharpness > sharpest_step) bend = sharpest_step / sharpness * bend;
-    heading = heading + bend;
-    heading = 1 / length(heading) * heading;
-    centre = centre + setup.spacing() * heading;
-  }
-  return Chain(std::move(spheres));
+  return Row::by_steps(setup.n(), [=] {
+    return [=, random = seeded, centre = Vec3{}, heading = Vec3{1, 0, 0}, drift = Vec3{}]() mutable {
+      const Sphere here = setup.place(centre);
+      drift = 0.93 * drift + 0.175 * sharpest_step * random.cube();
+      Vec3 bend = drift;
+      const double out = length(centre);
+      if (out > inner) {
+        // Turn back: bend sideways, towards the centre. A pull along the heading would bend nothing.
+        const Vec3 inward = -1 / out * centre;
+        const Vec3 sideways = inward - dot(inward, heading) * heading;
+        const double size = length(sideways);
+        if (size > 1e-9)
+          bend = bend + 1.5 * sharpest_step * std::min(1.0, (out - inner) / 4) / size * sideways;
+      }
+      const double sharpness = length(bend);
+      if (sharpness > sharpest_step) bend = sharpest_step / sharpness * bend;
+      heading = heading + bend;
+      heading = 1 / length(heading) * heading;
+      centre = centre + setup.spacing() * heading;
+      return here;
+    };
+  });
 }
 
 const RegisterScene registered{
