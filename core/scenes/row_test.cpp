@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cctype>
 #include <memory>
 #include <stdexcept>
 #include <string>
