@@ -3,6 +3,7 @@ import contextlib
 import dataclasses
 import io
 import math
+import tempfile
 import unittest
 import unittest.mock
 
@@ -117,6 +118,50 @@ class Gate(unittest.TestCase):
         self.assertEqual(inputs, {f"{scene}/n:{n}" for scene in made.SCENES for n in made.SIZES} - {"path1/n:1000"})
 
 
+class Decided(unittest.TestCase):
+    def test_a_loaded_machine_is_told(self):
+        run = pages.of(made.run(repetitions=1))
+        for load, said in ((0.05, False), (0.2, True)):
+            cases = [dataclasses.replace(case(at=at), load=(load, 0.0)) for at in range(3)]
+            self.assertEqual("the machine was loaded" in told(compare._print_notes, run, run, cases), said)
+
+    def test_a_change_that_the_clock_does_not_show_is_no_verdict(self):
+        """All of it is the kernel's, which was quicker beside NEW; two families of five chains."""
+        for change, verdict in ((0.4, gate.SLOWER), (0.9, gate.SLOWER)):
+            cases = [case(at=at, change=change, kernel=-0.5) for at in range(5)]
+            self.assertEqual([family.verdict for family in gate.decide(cases)[0]], [verdict])
+
+    def test_a_place_is_slower_past_what_kernel_and_load_explain(self):
+        own = [case(at=at) for at in range(5)]
+        for kernel in (0.0, 0.3, -0.3):
+            least = math.log(gate.COMMON_RATIO) + abs(kernel) / 2
+            for shift, verdict in ((least + max(0.0, kernel) - 1e-6, gate.SAME), (least + max(0.0, kernel) + 1e-6, gate.SLOWER)):
+                common = gate._common(paired.HOST, numpy.full(5, shift), kernel, True, own)
+                self.assertEqual((common.verdict, round(math.log(common.least), 9)), (verdict, round(least, 9)))
+
+    def test_no_chain_decides_alone(self):
+        """Six that stayed and one, of next to no variance, that is twice as slow."""
+        cases = [case(at=at) for at in range(7)]
+        cases = [dataclasses.replace(c, variance=1e-4) for c in cases]
+        cases[3] = dataclasses.replace(cases[3], variance=1e-6, change=math.log(2))
+        (family,) = gate.decide(cases)[0]
+        self.assertAlmostEqual(math.log(family.ratio), math.log(2) * 4 / 10)
+
+    def test_the_common_change_of_few_families_is_not_fitted(self):
+        for families, fitted in ((gate.FEW - 1, 0), (gate.FEW, 1)):
+            cases = [case(variant=f"V{k}", at=at) for k in range(families) for at in range(2)]
+            self.assertEqual(len(gate.decide(cases)[1]), fitted)
+
+    def test_what_is_answered_in_both_runs_is_not_broken(self):
+        """A repetition that failed beside others that did not."""
+        old, new = made.run(repetitions=6), made.run(repetitions=6)
+        row = next(row for row in new["benchmarks"] if row["name"].startswith("path1/n:1000/GPU1/find"))
+        row |= {"error_occurred": True, "error_message": "once"}
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [str(made.write(folder, value, name)) for value, name in ((old, "old.json"), (new, "new.json"))]
+            self.assertNotIn("no longer answered", told(compare.main, *paths, 1.02))
+
+
 class Certain(unittest.TestCase):
     def test_the_critical_rank_sum_is_the_least_that_rejects(self):
         for size in range(4, 13):
@@ -134,12 +179,32 @@ class Certain(unittest.TestCase):
             share = numpy.mean([test(a, b * factor) and numpy.median(b) * factor > numpy.median(a) for a, b in zip(old, new)])
             self.assertTrue(low <= share <= high, (factor, share))
 
+    def test_nine_in_ten_are_more_than_half(self):
+        run = pages.of(made.run(repetitions=8))
+        with unittest.mock.patch.object(certainty, "smallest_slowdown", side_effect=(1 + k % 11 / 10 for k in range(10_000))):
+            half, most = certainty.certainty(run).smallest
+        sizes = sorted(1 + k % 11 / 10 for k in range(len(run.samples)))
+        self.assertEqual((half, most), tuple(numpy.quantile(sizes, (0.5, 0.9))))
+
 
 class Ranks(unittest.TestCase):
     def test_one_rank_asks_nobody(self):
         model = rank_model.Model(rank_model.Law(2.0, 1.0), 0.125, 100.0, 5000.0, 2000.0, 30_000.0, 1.0)
         self.assertAlmostEqual(model.ms(1000, 1), 0.1)
         self.assertAlmostEqual(model.efficiency(1000, 1), 1.0)
+
+    def test_a_model_is_fitted_to_more_than_four_points_of_few_ranks(self):
+        chains = [chain for chain in made.run(repetitions=1)["catena"]["ranks"]["chains"] if chain["input"].startswith("yarn")]
+        whole = rank_model.model(chains)
+        for chain in chains:
+            for point in chain["points"]:
+                if point["ranks"] > rank_model.FITTED:
+                    point["most_processor_ms"] = {"within": 1e9}
+        self.assertEqual(rank_model.model(chains), whole)
+        for chain in chains:
+            for point in chain["points"][2:]:
+                point.pop("most_processor_ms", None)
+        self.assertIsNone(rank_model.model(chains))  # two chains of two
 
 
 class Arguments(unittest.TestCase):
