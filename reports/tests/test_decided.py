@@ -159,6 +159,15 @@ class Claims(Base):
         self.value["benchmarks"] = [row for row in self.value["benchmarks"] if row["name"].startswith("path1/n:1000/")]
         self.assertIn("at two sizes or more", claims.half(pages.of(self.value)).evidence)
 
+    def test_an_animation_of_both_paths_is_all_of_them_where_no_frame_is_left_out(self):
+        self.catena.update(keyframes=[], animation=[
+            {**self.catena["animation"][0], "input": f"{scene}/n:10000"} for scene in made.SCENES
+        ])
+        for frames, verdict in ((50, claims.HOLDS), (51, claims.UNTESTED)):
+            for scene in self.catena["scenes"]:
+                scene.update(frame=28, frames=frames)
+            self.assertEqual(claims.pairs(pages.of(self.value)).verdict, verdict)
+
     def test_a_win_is_all_of_the_interval(self):
         times = {"aGPU2+GPU2": [0.5, 0.5, 4.0] * 2, "aCPU2+CPU2": [1.0, 1.0, 1.0] * 2}
         self.value["benchmarks"] = [

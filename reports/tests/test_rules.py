@@ -125,6 +125,12 @@ class Decided(unittest.TestCase):
             cases = [dataclasses.replace(case(at=at), load=(load, 0.0)) for at in range(3)]
             self.assertEqual("the machine was loaded" in told(compare._print_notes, run, run, cases), said)
 
+    def test_another_processor_or_device_is_told(self):
+        old = made.run(repetitions=1)
+        for changed, said in (({}, False), ({"cpu": "another"}, True), ({"gpu": "another"}, True)):
+            runs = [pages.of({**old, "context": {**old["context"], **more}}) for more in ({}, changed)]
+            self.assertEqual("note: different machines" in told(compare._print_notes, *runs, [case()]), said, changed)
+
     def test_a_change_that_the_clock_does_not_show_is_no_verdict(self):
         """All of it is the kernel's, which was quicker beside NEW; two families of five chains."""
         for change, verdict in ((0.4, gate.SLOWER), (0.9, gate.SLOWER)):
@@ -168,6 +174,16 @@ class Certain(unittest.TestCase):
             u = certainty.critical(size)
             self.assertLess(certainty._p_of(u, size), certainty.LEVEL)
             self.assertGreaterEqual(certainty._p_of(u - 1, size), certainty.LEVEL)
+
+    def test_a_slowdown_is_seen_from_the_critical_rank_sum_on(self):
+        """Of one draw, which comes as often as any: so many pairs of which the slower one is the greater."""
+        old, new = numpy.array([1.0, 2.1, 3.3, 4.7, 5.9, 7.3]), numpy.array([1.1, 1.9, 3.7, 4.1, 6.7, 7.9])
+        drawn = unittest.mock.Mock()
+        drawn.choice.return_value = numpy.stack([numpy.tile(of, (certainty.DRAWS, 1)) for of in (old, new)])
+        least = certainty.smallest_slowdown(old, drawn)
+        slower = lambda factor: (new[:, None] * factor >= old).sum()  # noqa: E731
+        self.assertGreaterEqual(slower(least * (1 + 1e-12)), certainty.critical(6))
+        self.assertLess(slower(least * (1 - 1e-12)), certainty.critical(6))
 
     def test_a_slowdown_is_seen_in_95_of_100(self):
         """The quantile of what each pair of draws needs."""

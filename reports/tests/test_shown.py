@@ -89,6 +89,12 @@ class Looks(unittest.TestCase):
         self.assertTrue(Figure("k", "", "", [rows]).alternative().endswith("7 1; and 2 more."))
 
 
+    def test_what_no_cell_is_a_map_does_not_tell(self):
+        heat = figure.Heat([[0, 2]], [("good", "c0"), ("bad", "c1"), ("open", "c2")], [["", ""]])
+        panel = Panel("M", Axis("", categories=["x", "y"]), Axis("", categories=["u"]), heat=heat)
+        self.assertEqual(Figure("k", "", "", [panel]).alternative(), "M: of 2 cells 1 good; 1 open.")
+
+
 class Tables(unittest.TestCase):
     two = table.Table("t", "T", "", ["a", "b", "n"], [["x", table.Cell("y", kind="paper"), "1"], ["u", table.Cell("", kind="paper"), "2"]], words=2)
 
