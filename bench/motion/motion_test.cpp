@@ -158,6 +158,15 @@ TEST(Motion, PerturbedStartsAreAsEachByItself) {
     EXPECT_EQ(start.energy_drift, result.energy_drift);
   }
   EXPECT_NE(starts[0].energy_drift, starts[1].energy_drift) << "another start";
+  for (const MotionStart& start : measure_starts(small("mutant:moved-spheres-one-place-off", 2.5), 2)) {
+    MotionCase alone = small("mutant:moved-spheres-one-place-off", 2.5);
+    alone.seed = start.seed;
+    const MotionResult result = measure_motion(alone);
+    EXPECT_EQ(start.contacts, result.contacts);
+    EXPECT_EQ(start.missed, result.missed);
+    EXPECT_EQ(start.invented, result.invented);
+    EXPECT_NE(start.missed, start.invented);
+  }
   for (std::size_t k = 0; k < starts.size(); ++k) EXPECT_EQ(starts[k].seed, k + 1) << "0 is the start itself";
 }
 
