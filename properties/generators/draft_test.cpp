@@ -141,6 +141,16 @@ TEST(Rules, KeepTheJointsThatAreThere) {
   }
 }
 
+TEST(Rules, AWindowIsAboveOneHoweverFewSpheresThereAre) {
+  for (std::uint32_t n = 1; n <= 12; ++n)
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      Dice dice(seed);
+      Draft draft = drawn(dice, n);
+      widen_the_window(draft, dice);
+      EXPECT_GT(draft.exclusion.window, 1u) << n;
+    }
+}
+
 /// How the census marks one chain: names of its traits.
 std::vector<std::string> told(const Chain& chain) {
   Census census;
