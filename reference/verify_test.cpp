@@ -240,6 +240,21 @@ TEST(VerifyInputs, AreEverySceneAndTheSampleFilesAndAllOpen) {
   for (const auto& input : inputs)
     EXPECT_GT(open_for_verification(input, {.takes_box = true}, true).animation->frame(0).size(), 0u)
         << input;
+  const auto files = std::ranges::find_if(inputs, [](const std::string& input) { return input.starts_with('/'); });
+  EXPECT_GT(inputs.end() - files, 5);
+  EXPECT_TRUE(std::is_sorted(files, inputs.end())) << "the same on every machine";
+}
+
+/// A file without radii gets half its spacing, unless a radius is asked for, or it is no sample.
+TEST(VerifyInputs, OfASampleWithoutRadiiHaveHalfItsSpacing) {
+  const std::string file = CATENA_SOURCE_DIR "/core/readers/examples/9_47-cubiclattice.txt";
+  const auto radius = [&](InputOptions options, bool sample) {
+    return open_for_verification(file, options, sample).animation->frame(0)[0].radius;
+  };
+  EXPECT_EQ(radius({}, true), 0.5f);
+  EXPECT_EQ(radius({.radius = 0.25f}, true), 0.25f);
+  EXPECT_EQ(radius({.radius = 0.25f}, false), 0.25f);
+  EXPECT_THROW(radius({}, false), InputError);
 }
 
 }  // namespace
