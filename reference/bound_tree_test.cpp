@@ -98,11 +98,13 @@ TEST(BoundTree, MisplacesANodeShownWithSlabsThatDiffer) {
 TEST(BoundTree, MisplacesWhatHasNoOnePlaceAndBound) {
   const Chain chain = row(2);
   const Sphere64 leaf{0, 0, 0, 0.5};
-  const auto misplaced = [&](const std::vector<std::pair<std::uint32_t, AnyBound>>& parents, std::uint32_t child) {
+  const auto misplaced = [&](const std::vector<std::pair<std::uint32_t, AnyBound>>& parents,
+                             std::uint32_t child) {
     BoundTree tree(chain);
     tree.begin_tree();
     std::uint32_t below = 0;
-    for (const auto& [parent, bound] : parents) tree.add(parent, bound, below++ == 0 ? 0 : child, Everything{});
+    for (const auto& [parent, bound] : parents)
+      tree.add(parent, bound, below++ == 0 ? 0 : child, Everything{});
     tree.check(false);
     return tree.faults().misplaced;
   };

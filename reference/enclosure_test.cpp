@@ -120,8 +120,12 @@ TEST(Enclosure, SquaresThatUnderflowAreLeftToIntegers) {
 /// A leaf is the chain's sphere in each of its numbers.
 TEST(Enclosure, ALeafOfAnotherPlaceIsForeign) {
   const Chain chain({{0, 1, 2, 1}, {4, 0, 0, 1}});
-  for (const auto& [leaf, foreign] : std::initializer_list<std::pair<Sphere64, std::uint64_t>>{
-           {{0, 1, 2, 1}, 0}, {{0.5, 1, 2, 1}, 1}, {{0, 1.5, 2, 1}, 1}, {{0, 1, 2.5, 1}, 1}, {{0, 1, 2, 0.5}, 1}}) {
+  for (const auto& [leaf, foreign] :
+       std::initializer_list<std::pair<Sphere64, std::uint64_t>>{{{0, 1, 2, 1}, 0},
+                                                                 {{0.5, 1, 2, 1}, 1},
+                                                                 {{0, 1.5, 2, 1}, 1},
+                                                                 {{0, 1, 2.5, 1}, 1},
+                                                                 {{0, 1, 2, 0.5}, 1}}) {
     EnclosureChecker checker(chain);
     checker.tree({.nested = true});
     checker.edge(2, Sphere64{0, 0, 0, 9}, 0, leaf);

@@ -31,7 +31,8 @@ TEST_F(VerifyProgram, CertifiesWhatIsExact) {
   const std::string scene = "coincident:n=60";
   const auto pairs = find(open_input(scene).animation->frame(0)).pair_count;
   ASSERT_GT(pairs, 0u);
-  const auto found = rows(scene + " --certify --variant aCPU2+CPU2 --variant aCPU2+CPU2/literal --variant CPU1");
+  const auto found =
+      rows(scene + " --certify --variant aCPU2+CPU2 --variant aCPU2+CPU2/literal --variant CPU1");
   ASSERT_EQ(found.size(), 3u);
   for (const auto& [variant, row] : found) {
     EXPECT_EQ(row["exact_pairs"], pairs) << row;

@@ -128,8 +128,14 @@ TEST(Verify, SaysWhatDiffers) {
             "largest margin 1.2e+00");
   EXPECT_EQ(reason(Spoilt(report_neighbours)), "1 neighbours reported");
   EXPECT_EQ(reason(Spoilt(repeat_a_pair)), "1 pairs repeated");
-  EXPECT_EQ(reason(Spoilt([](Collisions& c) { c.pairs.push_back({3, 2}), ++c.pair_count; })), "1 pairs not i < j < n");
-  EXPECT_EQ(reason(Spoilt([](Collisions& c) { c.pairs.push_back({3, 10}), ++c.pair_count; })), "1 pairs not i < j < n");
+  EXPECT_EQ(reason(Spoilt([](Collisions& c) {
+              c.pairs.push_back({3, 2}), ++c.pair_count;
+            })),
+            "1 pairs not i < j < n");
+  EXPECT_EQ(reason(Spoilt([](Collisions& c) {
+              c.pairs.push_back({3, 10}), ++c.pair_count;
+            })),
+            "1 pairs not i < j < n");
   EXPECT_EQ(reason(Spoilt(miscount)), "1 counts wrong; 1 counts unlike its pairs");
   EXPECT_EQ(reason(Spoilt([](Collisions& c) { ++c.pair_count; })), "wrong total");
   EXPECT_EQ(reason(Spoilt(miscount), 3), "1 counts wrong (compared by counts: a flood of pairs)");
@@ -240,7 +246,8 @@ TEST(VerifyInputs, AreEverySceneAndTheSampleFilesAndAllOpen) {
   for (const auto& input : inputs)
     EXPECT_GT(open_for_verification(input, {.takes_box = true}, true).animation->frame(0).size(), 0u)
         << input;
-  const auto files = std::ranges::find_if(inputs, [](const std::string& input) { return input.starts_with('/'); });
+  const auto files =
+      std::ranges::find_if(inputs, [](const std::string& input) { return input.starts_with('/'); });
   EXPECT_GT(inputs.end() - files, 5);
   EXPECT_TRUE(std::is_sorted(files, inputs.end())) << "the same on every machine";
 }

@@ -36,7 +36,8 @@ class Fickle final : public Variant {
     using enum Request::Want;
     if (fault == Fault::counts && request.want == counts) ++found.count[0];
     if (fault == Fault::any && request.want == any) found.found = !found.found;
-    const bool lose = fault == Fault::all || (fault == Fault::update && updated_) || (fault == Fault::second && number_ % 2 == 1);
+    const bool lose = fault == Fault::all || (fault == Fault::update && updated_) ||
+                      (fault == Fault::second && number_ % 2 == 1);
     if (lose && request.want == pairs) found.pairs.pop_back();
   }
   Timings timings() const override { return tree_->timings(); }
@@ -50,9 +51,9 @@ class Fickle final : public Variant {
 /// Of a fault: the rows that are not identical.
 std::set<std::string> differing(Fickle::Fault fault) {
   static const bool registered = [] {
-    StrategyRegistry::instance().add_variant({.name = "Fickle", .summary = "as a test asks", .has_tree = true},
-                                             arithmetic_info<Robust>(),
-                                             [](const Parameters&) { return std::make_unique<Fickle>(); }, true);
+    StrategyRegistry::instance().add_variant(
+        {.name = "Fickle", .summary = "as a test asks", .has_tree = true}, arithmetic_info<Robust>(),
+        [](const Parameters&) { return std::make_unique<Fickle>(); }, true);
     return true;
   }();
   EXPECT_TRUE(registered);
@@ -73,7 +74,8 @@ std::set<std::string> differing(Fickle::Fault fault) {
     }
   }
   Fickle::fault = Fickle::Fault::none;
-  EXPECT_EQ(all, (std::set<std::string>{"hierarchy", "pair list", "counts and pair list", "rebuild", "new build"}));
+  EXPECT_EQ(
+      all, (std::set<std::string>{"hierarchy", "pair list", "counts and pair list", "rebuild", "new build"}));
   return found;
 }
 

@@ -32,9 +32,9 @@ TEST(MotionVerdicts, AreOfEachVariantAndOffset) {
   const auto lines = motion_verdicts({row("CPU1", 1e4, 0, 32), row("CPU1", 1e4, 7, 0), row("CPU1", 100, 0, 0),
                                       row("aCPU2+CPU2", 1e4, 0, 0), row("CPU1", 100, 7, 0)});
   const std::string held = "stiffness 100: holds at step 2; stiffness 10000: holds at step 2.";
-  EXPECT_EQ(lines, (std::vector<std::string>{"CPU1, 0 radii from the origin: " + held,
-                                             "CPU1, 7 radii from the origin: " + held,
-                                             "aCPU2+CPU2, 0 radii from the origin: stiffness 10000: holds at step 2."}));
+  EXPECT_EQ(lines, (std::vector<std::string>{
+                       "CPU1, 0 radii from the origin: " + held, "CPU1, 7 radii from the origin: " + held,
+                       "aCPU2+CPU2, 0 radii from the origin: stiffness 10000: holds at step 2."}));
 }
 
 class MotionProgram : public Program {
@@ -52,7 +52,9 @@ class MotionProgram : public Program {
 };
 
 TEST_F(MotionProgram, MeasuresEachStiffnessOffsetStepAndVariant) {
-  const auto found = rows("--stiffness 100 --stiffness 200 --step 1 --step 0.5 --offset 0 --offset 8 --variant CPU1 --duration 1");
+  const auto found = rows(
+      "--stiffness 100 --stiffness 200 --step 1 --step 0.5 --offset 0 --offset 8 --variant CPU1 --duration "
+      "1");
   ASSERT_EQ(found.size(), 8u);
   std::size_t k = 0;
   for (const double stiffness : {100.0, 200.0})
@@ -64,7 +66,9 @@ TEST_F(MotionProgram, MeasuresEachStiffnessOffsetStepAndVariant) {
         EXPECT_EQ(line["step"], step);
         EXPECT_EQ(line["reference_step"], 0.5 / 8);
       }
-  EXPECT_EQ(rows("--stiffness 100 --step 1 --offset 0 --variant CPU1 --duration 1 --reference-step 0.25")[0]["reference_step"], 0.25);
+  EXPECT_EQ(rows("--stiffness 100 --step 1 --offset 0 --variant CPU1 --duration 1 --reference-step 0.25")
+                [0]["reference_step"],
+            0.25);
 }
 
 /// An exact variant that misses contacts fails the command; a rounded one may.
@@ -83,7 +87,9 @@ TEST_F(MotionProgram, RefusesWhatIsNoMotionAndCountsWhatIsLeftOut) {
     expect_refused(little + option, "--duration and --reference-step must be finite numbers");
   for (const char* option : {"--step nan", "--stiffness nan", "--offset nan"})
     expect_refused(little + option, "must be finite numbers");
-  expect_says(little + "--seconds 0 --stiffness 100 --stiffness 200 --step 1 --step 2 --offset 0 --variant CPU1 --variant Grid",
+  expect_says(little +
+                  "--seconds 0 --stiffness 100 --stiffness 200 --step 1 --step 2 --offset 0 --variant CPU1 "
+                  "--variant Grid",
               0, {"8 motions left out: --seconds 0 were over"});
 }
 

@@ -155,7 +155,8 @@ TEST(Motion, IsThatOfTheRopeWhereItIsStored) {
   motion::RopeSettings settings;
   settings.stretching = c.stiffness;
   const auto place = [](const Vec3& p) {
-    return Sphere{static_cast<float>(p.x + 4e6), static_cast<float>(p.y + 4e6), static_cast<float>(p.z + 4e6), 1};
+    return Sphere{static_cast<float>(p.x + 4e6), static_cast<float>(p.y + 4e6), static_cast<float>(p.z + 4e6),
+                  1};
   };
   motion::RopeMotion rope(settings, start, place, StrategyRegistry::instance().make(c.variant));
   const auto frames = measure_motion(c).frame_contacts;

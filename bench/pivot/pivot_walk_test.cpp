@@ -131,15 +131,16 @@ TEST(AtOnce, AnswersAsARebuildDoes) {
 }
 
 TEST(AtOnce, IsWrittenUnderItsKeys) {
-  const AtOnce seen{.points = 9, .pivots = 4, .attempts = 7, .acceptance = 0.5, .us_per_attempt = 2, .rebuild_us = 6, .agree = false};
-  EXPECT_EQ(to_json(seen), (nlohmann::ordered_json{{"n", 9},
-                                                   {"pivots", 4},
-                                                   {"attempts", 7},
-                                                   {"acceptance", 0.5},
-                                                   {"us_per_attempt", 2.0},
-                                                   {"rebuild_us", 6.0},
-                                                   {"times", 3.0},
-                                                   {"agree", false}}));
+  const AtOnce seen{.points = 9,
+                    .pivots = 4,
+                    .attempts = 7,
+                    .acceptance = 0.5,
+                    .us_per_attempt = 2,
+                    .rebuild_us = 6,
+                    .agree = false};
+  EXPECT_EQ(to_json(seen).dump(),
+            R"({"n":9,"pivots":4,"attempts":7,"acceptance":0.5,"us_per_attempt":2.0,"rebuild_us":6.0,)"
+            R"("times":3.0,"agree":false})");
 }
 
 TEST(AtOnce, TurnsAWalkAsItsPivotsDo) {

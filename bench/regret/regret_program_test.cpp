@@ -34,7 +34,9 @@ TEST_F(RegretProgram, SumsUpItsLines) {
   }
   ASSERT_EQ(ratios.size(), 3u) << text;
   double mean = 0, most = 0, above = 0, all = 0;
-  ASSERT_EQ(std::sscanf(end.c_str(), "geometric mean %lf, the most %lf; above 1.05: %lf of %lf", &mean, &most, &above, &all), 4)
+  ASSERT_EQ(std::sscanf(end.c_str(), "geometric mean %lf, the most %lf; above 1.05: %lf of %lf", &mean, &most,
+                        &above, &all),
+            4)
       << end;
   double logs = 0, rounded = 6e-4 / mean;
   for (const double ratio : ratios) logs += std::log(ratio) / 3, rounded += 6e-4 / ratio;
@@ -49,7 +51,8 @@ TEST_F(RegretProgram, TakesInputsOrSizesAndSaysWhatIsLeftOut) {
   expect_refused("regret path1:n=300 --n 5", "--n sizes the scenes when no input is named");
   const ProgramOutcome left = run("regret winding:n=300000 rod:n=40 " + little + "--variant CPU1 --json");
   EXPECT_EQ(left.code, 0) << left.output;
-  EXPECT_NE(left.output.find("catena regret: winding/n:300000 is left out: "), std::string::npos) << left.output;
+  EXPECT_NE(left.output.find("catena regret: winding/n:300000 is left out: "), std::string::npos)
+      << left.output;
   EXPECT_EQ(std::ranges::count(left.output, '{'), 1) << left.output;
   // What is said of a file is heeded: without radii it cannot be searched.
   const std::string line = write("a.xyz", "3\n\nA 0 0 0\nA 2 0 0\nA 4 0 0\n");

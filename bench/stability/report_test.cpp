@@ -37,9 +37,8 @@ Cell wrong(const std::string& variant, std::uint64_t missing, std::uint64_t inve
 
 /// What the line of a cell says of its outcome.
 std::string outcome(const Cell& of) {
-  const std::string line = printed([&] {
-    StabilityReport(Form::cells, {"knot"}, {"A"}, {"literal"}).scene({of});
-  });
+  const std::string line =
+      printed([&] { StabilityReport(Form::cells, {"knot"}, {"A"}, {"literal"}).scene({of}); });
   return line.substr(line.find("  5  ") + 5);
 }
 
@@ -65,9 +64,8 @@ TEST(StabilityReport, TellsACellInShort) {
 /// The worst of an arithmetic: a defect before an outcome, then the wrong pairs, whichever way they are.
 TEST(StabilityReport, ShowsTheWorst) {
   const auto worst = [](const std::vector<Cell>& cells) {
-    const std::string text = printed([&] {
-      StabilityReport(Form::table, {"knot"}, {"A"}, {"literal"}).scene(cells);
-    });
+    const std::string text =
+        printed([&] { StabilityReport(Form::table, {"knot"}, {"A"}, {"literal"}).scene(cells); });
     const std::string line = text.substr(text.find("  5  ") + 5);
     return line.substr(0, line.find_last_not_of(" \n") + 1);
   };
@@ -77,13 +75,16 @@ TEST(StabilityReport, ShowsTheWorst) {
   defect.defect = true;
   for (const auto& cells : {std::vector{defect, wrong("B", 1, 0)}, std::vector{wrong("B", 1, 0), defect}})
     EXPECT_EQ(worst(cells), "unenclosed 25 % (1/2)");
-  for (const auto& cells : {std::vector{wrong("A", 1, 0), wrong("B", 0, 3)}, std::vector{wrong("A", 0, 3), wrong("B", 1, 0)}})
+  for (const auto& cells :
+       {std::vector{wrong("A", 1, 0), wrong("B", 0, 3)}, std::vector{wrong("A", 0, 3), wrong("B", 1, 0)}})
     EXPECT_EQ(worst(cells), "wrong -0 +3 by 1e-07");
 }
 
 TEST(StabilityReport, HasAHeadOfItsFormAndArithmeticsInTheirOrder) {
   const auto head = [](Form form) {
-    return printed([&] { StabilityReport(form, {"knot"}, {"A"}, {"double", "robust", "literal", "robust"}); });
+    return printed([&] {
+      StabilityReport(form, {"knot"}, {"A"}, {"double", "robust", "literal", "robust"});
+    });
   };
   const std::string table = head(Form::table);
   EXPECT_EQ(table.substr(0, 15), "scene     pairs");
@@ -98,7 +99,12 @@ TEST(StabilityReport, HasAHeadOfItsFormAndArithmeticsInTheirOrder) {
 TEST(StabilityReport, EndsWithWhatWasLeftOutAndWhatIsADefect) {
   const auto end = [](const std::vector<Cell>& cells, Form form = Form::cells) {
     std::optional<StabilityReport> report;
-    printed([&] { report.emplace(form, std::vector<std::string>{"knot"}, std::vector<std::string>{"A"}, std::vector<std::string>{"literal"}).scene(cells); });
+    printed([&] {
+      report
+          .emplace(form, std::vector<std::string>{"knot"}, std::vector<std::string>{"A"},
+                   std::vector<std::string>{"literal"})
+          .scene(cells);
+    });
     return printed([&] { report->finish(); });
   };
   std::vector<Cell> cells;
@@ -117,7 +123,8 @@ TEST(StabilityReport, EndsWithWhatWasLeftOutAndWhatIsADefect) {
 }
 
 TEST(NotFiniteNodes, AreCountedOnceWhereverTheyStand) {
-  constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double inf = std::numeric_limits<double>::infinity(),
+                   nan = std::numeric_limits<double>::quiet_NaN();
   NotFiniteNodes nodes;
   nodes.sphere(9, {0, 0, 0, inf}, 1, {0, 0, 0, 1});
   EXPECT_EQ(nodes.count(), 0u) << "an infinite radius is an honest bound";
@@ -132,7 +139,8 @@ TEST(NotFiniteNodes, AreCountedOnceWhereverTheyStand) {
 /// Of each two spheres, which is as few as are asked, the later one: it lies alone.
 TEST(StabilityRun, AsksTheMiddleOfEachPart) {
   std::vector<Sphere> spheres;
-  for (int i = 0; i < 512; ++i) spheres.push_back({i % 2 == 0 ? 0.0f : 10.0f * static_cast<float>(i), 0, 0, 1});
+  for (int i = 0; i < 512; ++i)
+    spheres.push_back({i % 2 == 0 ? 0.0f : 10.0f * static_cast<float>(i), 0, 0, 1});
   EXPECT_EQ(estimated_overlaps(Chain(spheres)), 0);
   EXPECT_EQ(estimated_seconds("aCPU2+CPU2", open_input("rod:n=49999").animation->frame(0), 0), 0);
 }

@@ -16,18 +16,41 @@ namespace {
 TEST(WorkPrecisionJson, HasEveryNumberUnderItsKey) {
   WorkPrecision result;
   result.left_out = {"A: too long", "B: too long"};
-  Point p{.tube = "helix", .variant = "A", .arithmetic = "literal", .n = 9, .tube_error = 0.5, .stored_error = 0.25,
-          .repetitions = 3, .tolerance = 0.125, .offset = 7};
-  p.answer_error = 0.75, p.exact_pairs = 11, p.missing = 2, p.invented = 3, p.worst_margin = 0.375, p.depth_error = 0.625;
+  Point p{.tube = "helix",
+          .variant = "A",
+          .arithmetic = "literal",
+          .n = 9,
+          .tube_error = 0.5,
+          .stored_error = 0.25,
+          .repetitions = 3,
+          .tolerance = 0.125,
+          .offset = 7};
+  p.answer_error = 0.75, p.exact_pairs = 11, p.missing = 2, p.invented = 3, p.worst_margin = 0.375,
+  p.depth_error = 0.625;
   p.time = {1, 2, 4, 8};
   result.points = {p, p};
   result.points[1].tolerance.reset(), result.points[1].dominated_by = 0;
   result.points[1].worst_margin = std::numeric_limits<double>::infinity();
-  const nlohmann::ordered_json first{
-      {"tube", "helix"}, {"offset", 7.0}, {"n", 9}, {"variant", "A"}, {"arithmetic", "literal"}, {"tube_error", 0.5},
-      {"stored_error", 0.25}, {"answer_error", 0.75}, {"exact_pairs", 11}, {"missing", 2}, {"invented", 3},
-      {"worst_margin", 0.375}, {"depth_error", 0.625}, {"repetitions", 3}, {"least_ms", 1.0}, {"lower_quartile_ms", 2.0},
-      {"median_ms", 4.0}, {"upper_quartile_ms", 8.0}, {"front", true}, {"tolerance", 0.125}};
+  const nlohmann::ordered_json first{{"tube", "helix"},
+                                     {"offset", 7.0},
+                                     {"n", 9},
+                                     {"variant", "A"},
+                                     {"arithmetic", "literal"},
+                                     {"tube_error", 0.5},
+                                     {"stored_error", 0.25},
+                                     {"answer_error", 0.75},
+                                     {"exact_pairs", 11},
+                                     {"missing", 2},
+                                     {"invented", 3},
+                                     {"worst_margin", 0.375},
+                                     {"depth_error", 0.625},
+                                     {"repetitions", 3},
+                                     {"least_ms", 1.0},
+                                     {"lower_quartile_ms", 2.0},
+                                     {"median_ms", 4.0},
+                                     {"upper_quartile_ms", 8.0},
+                                     {"front", true},
+                                     {"tolerance", 0.125}};
   nlohmann::ordered_json second = first;
   second.erase("tolerance");
   second["worst_margin"] = "infinite", second["front"] = false, second["dominated_by"] = 0;
@@ -44,7 +67,9 @@ TEST(WorkPrecisionJson, HasEveryNumberUnderItsKey) {
 TEST(WorkPrecision, IsInRadiiAndSaysWhatWasRefused) {
   Tube thick = straight_rod(), thin = thick;
   thick.radius = 4, thick.length *= 4;
-  const auto of = [](const Tube& tube) { return work_precision(tube, {20}, {"CPU1"}, 1, 0x1p18 * tube.radius, {0.1}).points; };
+  const auto of = [](const Tube& tube) {
+    return work_precision(tube, {20}, {"CPU1"}, 1, 0x1p18 * tube.radius, {0.1}).points;
+  };
   const auto one = of(thin), four = of(thick);
   ASSERT_EQ(one.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -64,7 +89,8 @@ TEST(WorkPrecision, IsInRadiiAndSaysWhatWasRefused) {
 class WorkPrecisionProgram : public Program {
  protected:
   nlohmann::json points(const std::string& options) const {
-    const ProgramOutcome told = run("work-precision straight_rod --offset 0 --variant CPU1 --repetitions 1 --json " + options);
+    const ProgramOutcome told =
+        run("work-precision straight_rod --offset 0 --variant CPU1 --repetitions 1 --json " + options);
     EXPECT_EQ(told.code, 0) << told.output;
     return nlohmann::json::parse(told.output)["points"];
   }
@@ -85,8 +111,9 @@ TEST_F(WorkPrecisionProgram, MeasuresTheSizesAndTolerancesThatAreAsked) {
 }
 
 TEST_F(WorkPrecisionProgram, NamesWhoBeatsAPoint) {
-  const std::string text =
-      run("work-precision straight_rod --offset 0 --n 3000 --n 100 --variant CPU1 --variant Grid --repetitions 5").output;
+  const std::string text = run("work-precision straight_rod --offset 0 --n 3000 --n 100 --variant CPU1 "
+                               "--variant Grid --repetitions 5")
+                               .output;
   std::istringstream lines(text);
   std::set<std::string> there, better;  // "Grid, n = 3000"
   for (std::string line; std::getline(lines, line);) {
@@ -97,7 +124,8 @@ TEST_F(WorkPrecisionProgram, NamesWhoBeatsAPoint) {
     const std::string by = "dominated by ";
     if (const auto at = line.find(by); at != std::string::npos) {
       better.insert(line.substr(at + by.size()));
-      EXPECT_EQ(line.substr(line.rfind(' ') + 1), n) << "fewer spheres make a greater error, and here no more take less";
+      EXPECT_EQ(line.substr(line.rfind(' ') + 1), n)
+          << "fewer spheres make a greater error, and here no more take less";
     }
   }
   EXPECT_EQ(there.size(), 4u) << text;

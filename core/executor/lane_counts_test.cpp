@@ -13,11 +13,13 @@
 namespace catena {
 namespace {
 
-/// Counts past what a byte holds, handed over page by page in parts, again and again; what an unfinished search
-/// left is forgotten.
+/// Counts past what a byte holds, handed over page by page in parts, again and again; what an unfinished
+/// search left is forgotten.
 TEST(LaneCounts, AddUpWhateverALaneCounted) {
   Random random(4);
-  const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random.unit() * static_cast<double>(n)); };
+  const auto below = [&](std::size_t n) {
+    return static_cast<std::uint32_t>(random.unit() * static_cast<double>(n));
+  };
   LaneCounts lanes[2];
   for (int round = 0; round < 60; ++round) {
     const std::size_t size = round % 4 == 3 ? 5000 : 9001;  // pages of 4,096, the last one cut
@@ -25,11 +27,12 @@ TEST(LaneCounts, AddUpWhateverALaneCounted) {
     std::vector<std::uint32_t> expected(size), counts(size, 0);
     for (LaneCounts& lane : lanes) {
       lane.reset(size);
-      const std::uint32_t often = below(size), times = below(1400);
+      constexpr std::uint32_t around[] = {254, 255, 256, 257, 511, 512};  // what a byte holds
+      const std::uint32_t often = 20 + below(size - 20), times = round < 6 ? around[round] : below(1400);
       for (std::uint32_t k = 0; k < times; ++k) lane.add(often), ++expected[often];
       std::vector<Pair> pairs;
-      for (int k = 0; k < 300; ++k) {
-        pairs.push_back({below(20), below(size)});
+      for (std::uint32_t k = 0; k < (round < 6 ? around[round] : 300); ++k) {
+        pairs.push_back({round < 6 ? 0 : below(20), 1 + below(19)});
         ++expected[pairs.back().i], ++expected[pairs.back().j];
       }
       lane.add(pairs);

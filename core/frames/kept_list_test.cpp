@@ -36,7 +36,8 @@ double sticks_out(const Chain& now, const Chain& first, double skin) {
   double most = -skin;
   for (std::uint32_t i = 0; i < now.size(); ++i) {
     const Sphere &a = now[i], &b = first[i];
-    most = std::max(most, std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z) + a.radius - b.radius - skin);
+    most = std::max(most, std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z) + a.radius -
+                              b.radius - skin);
   }
   return most;
 }
@@ -61,7 +62,8 @@ TEST(KeptList, HoldsWhileEachSphereIsInItsThickOne) {
       if (frame > 0) {
         std::vector<Sphere> spheres(now.spheres().begin(), now.spheres().end());
         for (std::uint32_t i = 0; i < now.size(); ++i) {
-          spheres[i].x += static_cast<float>(step * drift[i].x), spheres[i].y += static_cast<float>(step * drift[i].y);
+          spheres[i].x += static_cast<float>(step * drift[i].x),
+              spheres[i].y += static_cast<float>(step * drift[i].y);
           spheres[i].z += static_cast<float>(step * drift[i].z);
           spheres[i].radius *= i % 7 == 0 ? 1.01f : i % 7 == 1 ? 0.99f : 1.0f;
         }
@@ -116,18 +118,23 @@ TEST(MovedCells, AreOfNoUseWhereTheyWouldBeEndlessOrOfNoWidth) {
   const std::vector<std::uint32_t> moved{0, 2};
   MovedCells cells;
   EXPECT_TRUE(cells.lay_out(Chain({{0, 0, 0, 1}, {2, 0, 0, 1}, {9, 0, 0, 1}}).view(), moved));
-  EXPECT_FALSE(cells.lay_out(Chain({{-2e38f, 0, 0, 1e38f}, {2, 0, 0, 1}, {2e38f, 0, 0, 1e38f}}).view(), moved));
-  EXPECT_FALSE(cells.lay_out(Chain({{0, 0, 0, 1e-44f}, {0, 0, 0, 1e-44f}, {4e-44f, 0, 0, 1e-44f}}).view(), moved));
+  EXPECT_FALSE(
+      cells.lay_out(Chain({{-2e38f, 0, 0, 1e38f}, {2, 0, 0, 1}, {2e38f, 0, 0, 1e38f}}).view(), moved));
+  EXPECT_FALSE(
+      cells.lay_out(Chain({{0, 0, 0, 1e-44f}, {0, 0, 0, 1e-44f}, {4e-44f, 0, 0, 1e-44f}}).view(), moved));
 }
 
-/// What a joint keeps apart are two spheres of the chain, not of its path: a chain that goes on along itself has
-/// other pairs then, whoever says that it did.
+/// What a joint keeps apart are two spheres of the chain, not of its path: a chain that goes on along itself
+/// has other pairs then, whoever says that it did.
 TEST(FrameSearch, AShiftedChainOfJointsIsSearchedAnew) {
   std::vector<Sphere> path;
-  for (int i = 0; i < 60; ++i) path.push_back({static_cast<float>(i % 10), i / 10 % 2 == 0 ? 0.0f : 1.5f, 0, 0.875f});
+  for (int i = 0; i < 60; ++i)
+    path.push_back({static_cast<float>(i % 10), i / 10 % 2 == 0 ? 0.0f : 1.5f, 0, 0.875f});
   Exclusion joints = Exclusion::index(1);
   joints.extra_pairs = {{3, 5}, {8, 11}, {20, 40}};
-  const auto window = [&](std::size_t at) { return std::vector<Sphere>(path.begin() + at, path.begin() + at + 50); };
+  const auto window = [&](std::size_t at) {
+    return std::vector<Sphere>(path.begin() + at, path.begin() + at + 50);
+  };
   Chain chain(window(0), {}, joints);
   FrameSearch search(Omissions::without({}), true);
   Collisions found;

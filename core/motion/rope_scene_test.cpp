@@ -81,7 +81,8 @@ TEST(Rope, LaysRopesInASquare) {
 /// A variant that loses contacts lets the rope go where another would not.
 TEST(Rope, AnswersToTheContactsThatItsVariantFinds) {
   const std::string spec = "rope:n=80,rope=80,duration=60,frames=3";
-  EXPECT_FALSE(same(open(spec)->frame(2), open(spec + ",variant=mutant:grid-truncates-toward-zero")->frame(2)));
+  EXPECT_FALSE(
+      same(open(spec)->frame(2), open(spec + ",variant=mutant:grid-truncates-toward-zero")->frame(2)));
 }
 
 TEST(Rope, SaysWhatIsWrong) {

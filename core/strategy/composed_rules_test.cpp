@@ -35,7 +35,8 @@ TEST(Registry, SaysWhichArithmeticsAndPartnersThereAre) {
   EXPECT_TRUE(other.starts_with("CPU2 takes another tree than Boxes makes; with Boxes go: ")) << other;
   EXPECT_NE(other.find("BoxesAgainstBoxes"), std::string::npos) << other;
   EXPECT_EQ(other.find("GPU2"), std::string::npos) << other;
-  const std::string device = "; catena is built without devices here, and 'aGPU2@host' runs the same on the host";
+  const std::string device =
+      "; catena is built without devices here, and 'aGPU2@host' runs the same on the host";
   if (registry().find_strategy("aGPU2") == nullptr) {
     EXPECT_TRUE(refusal("aGPU2+CPU2").ends_with(device)) << refusal("aGPU2+CPU2");
   }

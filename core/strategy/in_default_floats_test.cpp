@@ -17,7 +17,9 @@ class Asked : public Variant {
   explicit Asked(std::vector<std::string>& asked) : asked_(asked) {}
   void prepare(const Request& request) override { note("prepare", request.pair_limit); }
   void build(const Chain& chain) override { note("build", chain.size()); }
-  void update(const Chain& chain, const Moved& moved) override { note("update", chain.size() + 10 * static_cast<std::uint64_t>(moved.shift())); }
+  void update(const Chain& chain, const Moved& moved) override {
+    note("update", chain.size() + 10 * static_cast<std::uint64_t>(moved.shift()));
+  }
   void find(const Chain&, const Request& request, Collisions& found) override {
     note("find", request.pair_limit);
     found.pair_count = 7;
@@ -34,7 +36,9 @@ class Asked : public Variant {
   Accounting evidence() const override { return Accounting::each_pair; }
 
  protected:
-  void note(const std::string& what, std::uint64_t number) const { asked_.push_back(what + " " + std::to_string(number)); }
+  void note(const std::string& what, std::uint64_t number) const {
+    asked_.push_back(what + " " + std::to_string(number));
+  }
 
  private:
   std::vector<std::string>& asked_;
@@ -82,11 +86,13 @@ TEST(InDefaultFloats, PassesAllOnAsItIs) {
     variant.visit_bounds(ignored);
     variant.visit_evidence(ignored);
     EXPECT_EQ(variant.find_kept(chain, request).pair_count, keeping ? 11u : 7u);
-    EXPECT_EQ(asked, (std::vector<std::string>{"prepare 5", "build 3", "update 23", "find 5", "find_with_evidence 5",
-                                               "visit_bounds 0", keeping ? "visit_evidence 0" : "visit_bounds 0",
-                                               keeping ? "find_kept 5" : "find 5"}));
+    EXPECT_EQ(asked,
+              (std::vector<std::string>{"prepare 5", "build 3", "update 23", "find 5", "find_with_evidence 5",
+                                        "visit_bounds 0", keeping ? "visit_evidence 0" : "visit_bounds 0",
+                                        keeping ? "find_kept 5" : "find 5"}));
     const Timings told = variant.timings();
-    EXPECT_EQ((std::vector{told.build_ms, told.find_ms, told.transfer_ms, told.start_ms}), (std::vector<double>{1, 2, 3, 4}));
+    EXPECT_EQ((std::vector{told.build_ms, told.find_ms, told.transfer_ms, told.start_ms}),
+              (std::vector<double>{1, 2, 3, 4}));
     ASSERT_EQ(variant.plan().size(), 1u);
     EXPECT_EQ(variant.plan()[0].reason, "reason");
     ASSERT_EQ(variant.work().size(), 1u);
@@ -107,7 +113,8 @@ TEST(Composed, TellsWhatItsTraversalDecided) {
   std::vector<std::string> steps;
   for (const Decision& decision : variant->plan()) steps.push_back(decision.step);
   ASSERT_GE(steps.size(), 2u);
-  EXPECT_EQ((std::vector<std::string>{steps.end() - 2, steps.end()}), (std::vector<std::string>{"range checks", "more threads"}));
+  EXPECT_EQ((std::vector<std::string>{steps.end() - 2, steps.end()}),
+            (std::vector<std::string>{"range checks", "more threads"}));
 }
 
 }  // namespace

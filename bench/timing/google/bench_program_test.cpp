@@ -49,15 +49,18 @@ TEST_F(BenchProgram, MeasuresEveryInputAtItsSizes) {
   const auto labels = [&](const std::string& options) {
     const auto program = std::filesystem::path(CATENA_PROGRAM).parent_path() / "catena_bench";
     std::set<std::string> found;
-    std::istringstream lines(
-        shell("'" + program.string() + "' --benchmark_list_tests --benchmark_filter=/CPU1/find " + options + " > '" + file("out") + "'")
-            .output);
+    std::istringstream lines(shell("'" + program.string() +
+                                   "' --benchmark_list_tests --benchmark_filter=/CPU1/find " + options +
+                                   " > '" + file("out") + "'")
+                                 .output);
     for (std::string line; std::getline(lines, line);) found.insert(line.substr(0, line.find("/CPU1/")));
     return found;
   };
   using Labels = std::set<std::string>;
-  EXPECT_EQ(labels("--scene path1:n=70 --scene yarn:seed=2,n=80 --scene rod --scene yarn:seed=2 --n 50 --n 60"),
-            (Labels{"path1/n:70", "yarn:seed=2/n:80", "rod/n:50", "rod/n:60", "yarn:seed=2/n:50", "yarn:seed=2/n:60"}));
+  EXPECT_EQ(
+      labels("--scene path1:n=70 --scene yarn:seed=2,n=80 --scene rod --scene yarn:seed=2 --n 50 --n 60"),
+      (Labels{"path1/n:70", "yarn:seed=2/n:80", "rod/n:50", "rod/n:60", "yarn:seed=2/n:50",
+              "yarn:seed=2/n:60"}));
   Labels ordinary;
   for (const SceneInfo& scene : SceneRegistry::instance().scenes())
     if (scene.strains.empty() && scene.name != "rope") ordinary.insert(scene.name + "/n:40");
