@@ -3,6 +3,7 @@
 
 #include "catena/bench/motion/report.h"
 #include "catena/core/commands/test_program.h"
+#include "catena/core/environment.h"
 
 namespace catena::bench {
 namespace {
@@ -39,6 +40,9 @@ TEST(MotionVerdicts, AreOfEachVariantAndOffset) {
 
 class MotionProgram : public Program {
  protected:
+  void SetUp() override {
+    if (environment().at("build type") != "Release") GTEST_SKIP() << "measures in a Release build only";
+  }
   const std::string little = "motion --frames 2 --starts 1 --repetitions 1 ";
   std::vector<nlohmann::json> rows(const std::string& options, int code = 0) const {
     const ProgramOutcome told = run(little + "--n 60 --json " + options);

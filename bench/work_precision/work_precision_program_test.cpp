@@ -8,6 +8,7 @@
 #include "catena/bench/work_precision/json.h"
 #include "catena/bench/work_precision/work_precision.h"
 #include "catena/core/commands/test_program.h"
+#include "catena/core/environment.h"
 
 namespace catena::bench {
 namespace {
@@ -88,6 +89,9 @@ TEST(WorkPrecision, IsInRadiiAndSaysWhatWasRefused) {
 
 class WorkPrecisionProgram : public Program {
  protected:
+  void SetUp() override {
+    if (environment().at("build type") != "Release") GTEST_SKIP() << "measures in a Release build only";
+  }
   nlohmann::json points(const std::string& options) const {
     const ProgramOutcome told =
         run("work-precision straight_rod --offset 0 --variant CPU1 --repetitions 1 --json " + options);

@@ -4,6 +4,7 @@
 
 #include "catena/core/commands/test_program.h"
 #include "catena/core/commands/variant_json.h"
+#include "catena/core/environment.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/strategy/registry.h"
 
@@ -12,6 +13,9 @@ namespace {
 
 class BenchProgram : public Program {
  protected:
+  void SetUp() override {
+    if (environment().at("build type") != "Release") GTEST_SKIP() << "measures in a Release build only";
+  }
   /// Runs catena_bench, which lies beside catena; its exit code.
   int measure(const std::string& options) const {
     const auto program = std::filesystem::path(CATENA_PROGRAM).parent_path() / "catena_bench";
