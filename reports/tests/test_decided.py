@@ -12,7 +12,10 @@ import made
 import pages
 from catena_report import choice, claims, paper, profiles, report, statistics, table, variant, waits, whole_file, work
 from catena_report import __main__ as command
-from catena_report.sections import advice, animation, arithmetic, environment, judged, slowdown, stability, summary, tube_errors
+from catena_report.sections import (
+    advice, animation, arithmetic, environment, judged, paper_tables,
+    slowdown, stability, summary, tube_errors,
+)
 from catena_report.sections import claims as claims_section
 from test_stability import LINE
 
@@ -101,6 +104,12 @@ class Chosen(Base):
         self.assertEqual(advice._times((choice.PAPERS, ratio), "none").text, "2.00 [1.50, 3.00] times")
         self.assertEqual(advice._times(("GPU1", ratio), "none").text, "2.00 [1.50, 3.00] times (GPU1)")
         self.assertEqual(advice._times(None, "none").text, "none")
+
+    def test_the_papers_own_is_said_to_be_it(self):
+        for row in self.value["benchmarks"]:
+            row["real_time"] = (1.0 if "/aCPU2+CPU2/whole" in row["name"] else 9.0) * (1 + row.get("repetition_index", 0) / 100)
+        row = advice.summary_table(self.report()).rows[0]
+        self.assertEqual((row[0].text, row[4].text), (choice.PAPERS, "this is it"))
 
     def test_chains_at_one_place_are_set_side_by_side_and_none_is_at_no_height(self):
         for scene in self.catena["scenes"]:
@@ -235,6 +244,24 @@ class Errors(Base):
         ]
         panel = arithmetic.figure(self.report(), pages.of(self.value)).panels[0]
         self.assertEqual([series.y for series in panel.series], [[40.0, 40.0, 40.0]])
+
+    def test_who_refused_every_scene_has_no_column_and_is_named_with_the_reason(self):
+        refused = {"outcome": "refused", "reason": "too long"}
+        self.catena["stability"] = [
+            {**LINE, "scene": scene, "variant": name, **(refused if name == "GPU1" or (name, scene) == ("aCPU2+Dual", "a") else {})}
+            for scene in "ab" for name in ("aCPU2+CPU2", "aCPU2+Dual", "GPU1")
+        ]
+        figure = next(b for b in stability.build(self.report()).blocks if hasattr(b, "panels"))
+        self.assertEqual(figure.panels[0].x.categories, ["aCPU2+CPU2", "aCPU2+Dual"])
+        self.assertIn("Left out, since refused on every scene: GPU1 (too long).", figure.caption)
+
+    def test_a_margin_of_none_is_no_place_on_a_logarithm(self):
+        self.catena["stability"] = [{**LINE, "scene": f"grazing:n=5,margin={m}"} for m in (-1e-7, 0, 1e-8, 1e-4)]
+        self.assertEqual([list(lines) for lines in arithmetic.sweep(pages.of(self.value), "grazing").values()], [[1e-8, 1e-4]])
+
+    def test_stages_of_the_papers_tables(self):
+        stages = {(row[0].text, row[1].text) for row in self.table(paper_tables).rows}
+        self.assertLess({("aGPU2", "construction"), ("GPU2", "traversal"), ("aGPU2 + GPU2", "whole call")}, stages)
 
     def test_scenes_of_unlike_sizes_keep_them(self):
         lines = [{**LINE, "scene": f"far:n={n}", "n": n} for n in (5, 6)]
