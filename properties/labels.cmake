@@ -19,7 +19,7 @@ set(simulation SnakeProperty Yarn PulledRope.StretchesByThePullOverTheStiffness 
 # Repeats on far more input what other tests execute already.
 set(volume Sizes Flood Extremes)
 # What several threads do, for ThreadSanitizer.
-set(threads Threads HostGroup PairCollector)
+set(threads Threads HostGroup HostExecutor PairCollector)
 # Which tests notice a mutant of the sources: seconds kill most, and only the others meet those that take a minute.
 set(kills-in-seconds Golden Corpus Program Mutants.WithoutABugTheirBasePasses TreeShape Certificate Robust ExactSign Composed
     Work Level PairCollector)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "catena/reference/bounds.h"
@@ -91,6 +92,32 @@ TEST(BoundTree, MisplacesANodeShownWithSlabsThatDiffer) {
     tree.check(false);
     EXPECT_EQ(tree.faults().misplaced, same ? 0u : 1u);
   }
+}
+
+/// Shown as one kind, then as another; below a leaf; with a number that no tree of so many spheres has.
+TEST(BoundTree, MisplacesWhatHasNoOnePlaceAndBound) {
+  const Chain chain = row(2);
+  const Sphere64 leaf{0, 0, 0, 0.5};
+  const auto misplaced = [&](const std::vector<std::pair<std::uint32_t, AnyBound>>& parents,
+                             std::uint32_t child) {
+    BoundTree tree(chain);
+    tree.begin_tree();
+    std::uint32_t below = 0;
+    for (const auto& [parent, bound] : parents)
+      tree.add(parent, bound, below++ == 0 ? 0 : child, Everything{});
+    tree.check(false);
+    return tree.faults().misplaced;
+  };
+  const Capsule64 capsule{{0, 0, 0}, {1, 0, 0}, 9};
+  const Box64 box{{-9, -9, -9}, {9, 9, 9}};
+  EXPECT_EQ(misplaced({{2, box}, {2, box}}, 1), 0u);
+  EXPECT_EQ(misplaced({{2, capsule}, {2, capsule}}, 1), 0u);
+  EXPECT_EQ(misplaced({{2, box}, {2, capsule}}, 1), 1u);
+  EXPECT_EQ(misplaced({{2, capsule}, {2, box}}, 1), 1u);
+  EXPECT_EQ(misplaced({{2, box}, {2, Sphere64{0, 0, 0, 20}}}, 1), 1u);
+  EXPECT_EQ(misplaced({{2, box}, {0, leaf}}, 1), 1u) << "a leaf has nothing below it";
+  EXPECT_EQ(misplaced({{15, box}, {15, box}}, 1), 0u);
+  EXPECT_EQ(misplaced({{2, box}, {16, box}}, 1), 1u) << "eight nodes a sphere";
 }
 
 }  // namespace

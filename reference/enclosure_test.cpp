@@ -105,6 +105,34 @@ TEST(Enclosure, Shortfall) {
   EXPECT_EQ(shortfall({0, 0, 0, 0}, {1, 0, 0, 0}), infinity);
 }
 
+/// Where the squares of three coordinates are lost one by one, and that of the radius is not.
+TEST(Enclosure, SquaresThatUnderflowAreLeftToIntegers) {
+  const double unit = 0x1p-537, away = 0.63 * unit;  // unit^2 is the least number; 3 * 0.63^2 = 1.19
+  const Sphere64 parent{0, 0, 0, unit}, point{away, away, away, 0};
+  ASSERT_EQ(away * away, 0);
+  ASSERT_GT(unit * unit, 0);
+  EXPECT_FALSE(encloses(parent, point));
+  EXPECT_FALSE(encloses_by_integers(parent, point));
+  EXPECT_TRUE(separate(parent, point));
+  EXPECT_TRUE(separate_by_integers(parent, point));
+}
+
+/// A leaf is the chain's sphere in each of its numbers.
+TEST(Enclosure, ALeafOfAnotherPlaceIsForeign) {
+  const Chain chain({{0, 1, 2, 1}, {4, 0, 0, 1}});
+  for (const auto& [leaf, foreign] :
+       std::initializer_list<std::pair<Sphere64, std::uint64_t>>{{{0, 1, 2, 1}, 0},
+                                                                 {{0.5, 1, 2, 1}, 1},
+                                                                 {{0, 1.5, 2, 1}, 1},
+                                                                 {{0, 1, 2.5, 1}, 1},
+                                                                 {{0, 1, 2, 0.5}, 1}}) {
+    EnclosureChecker checker(chain);
+    checker.tree({.nested = true});
+    checker.edge(2, Sphere64{0, 0, 0, 9}, 0, leaf);
+    EXPECT_EQ(checker.report().foreign_leaves, foreign);
+  }
+}
+
 TEST(Enclosure, CheckerReportsViolationsAndForeignLeaves) {
   const Chain chain({{0, 0, 0, 1}, {2, 0, 0, 1}, {4, 0, 0, 1}});
   EnclosureChecker checker(chain);

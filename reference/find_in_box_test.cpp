@@ -109,6 +109,11 @@ TEST(FindInBox, CountsPastTheLimitAndRefusesNarrowBoxes) {
   const Answer counted = find_in_box(chain, box, 0);
   EXPECT_FALSE(counted.has_pairs);
   EXPECT_TRUE(counted.pairs.empty());
+  const Chain crowd({{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}}, {{0, 1, 2, 3}, {0, 0, 0}});
+  for (const std::uint64_t limit : {2, 3}) {
+    EXPECT_EQ(find_in_box(crowd, box, limit).pairs.size(), limit == 3 ? 3u : 0u) << "all or none";
+    EXPECT_EQ(find_in_box(crowd, box, limit).pair_count, 3u);
+  }
   EXPECT_EQ(counted.count, (std::vector<std::uint32_t>{1, 0, 1}));
   EXPECT_THROW(find_in_box(chain, {{3, 0, 0}}, 1), InputError);
   EXPECT_THROW(find_in_box(Chain({{1e9f, 0, 0, 1}}, {{0, 1}, {0}}), box, 1), InputError);
@@ -123,6 +128,8 @@ TEST(FindInBox, NearPairsEndExactly) {
     return found;
   };
   EXPECT_EQ(near({1, 2, 3, 0}, {1, 2, 3, 0}), 1u) << "two points at one place";
+  EXPECT_EQ(near({1, 2, 3, 1}, {1, 2, 3, 0.5}), 1u) << "about one place, at a margin of 1";
+  EXPECT_EQ(near({1, 2, 3, 1}, {10, 2, -6, 0.5}), 1u) << "boxes away";
   EXPECT_EQ(near({0, 0, 0, 0}, {0x1p-149f, 0, 0, 0}), 0u);
   for (const float step : {0x1p-53f, 0.0f, -0x1p-53f})
     EXPECT_EQ(near({step, 0, 0, 1}, {2, 2, 0, 1}), step > 0 ? 1u : 0u) << step;

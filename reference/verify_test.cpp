@@ -116,6 +116,39 @@ TEST(Verify, RoundingExcusesNoLeafOfAnotherChainAndNoNodeOfTwoBounds) {
   }
 }
 
+/// What is wrong, and no more: of neighbours no margin, of pairs not that their counts differ too.
+TEST(Verify, SaysWhatDiffers) {
+  const auto reason = [](Spoilt variant, std::uint64_t limit = 1000) {
+    return verify(variant, false, rod(), exact_answer(rod(), limit)).reason;
+  };
+  EXPECT_EQ(reason(Spoilt(lose_a_pair)), "largest margin 0.0e+00");
+  EXPECT_EQ(reason(Spoilt([](Collisions& c) {
+              c.pairs.push_back({0, 3}), ++c.pair_count, ++c.count[0], ++c.count[3];
+            })),
+            "largest margin 1.2e+00");
+  EXPECT_EQ(reason(Spoilt(report_neighbours)), "1 neighbours reported");
+  EXPECT_EQ(reason(Spoilt(repeat_a_pair)), "1 pairs repeated");
+  EXPECT_EQ(reason(Spoilt([](Collisions& c) {
+              c.pairs.push_back({3, 2}), ++c.pair_count;
+            })),
+            "1 pairs not i < j < n");
+  EXPECT_EQ(reason(Spoilt([](Collisions& c) {
+              c.pairs.push_back({3, 10}), ++c.pair_count;
+            })),
+            "1 pairs not i < j < n");
+  EXPECT_EQ(reason(Spoilt(miscount)), "1 counts wrong; 1 counts unlike its pairs");
+  EXPECT_EQ(reason(Spoilt([](Collisions& c) { ++c.pair_count; })), "wrong total");
+  EXPECT_EQ(reason(Spoilt(miscount), 3), "1 counts wrong (compared by counts: a flood of pairs)");
+  const auto tree = [](double radius, std::uint32_t leaves) {
+    return [=](BoundsVisitor& visitor) {
+      for (std::uint32_t i = 0; i < leaves; ++i)
+        visitor.edge(10, Sphere64{4.5, 0, 0, radius}, i, Sphere64{double(i), 0, 0, 1});
+    };
+  };
+  EXPECT_EQ(reason(Spoilt(nothing, tree(5, 10))), "20.0 % unenclosed, worst by 1.0e-01 of the parent");
+  EXPECT_EQ(reason(Spoilt(nothing, tree(6, 8))), "not a tree: 1 roots, 2 spheres lost, 0 nodes shared");
+}
+
 TEST(Verify, PastTheLimitCountsAreCompared) {
   EXPECT_EQ(verdict(Spoilt(nothing), false, 3), Verdict::exact);
   EXPECT_EQ(verdict(Spoilt(miscount), false, 3), Verdict::wrong);
@@ -213,6 +246,22 @@ TEST(VerifyInputs, AreEverySceneAndTheSampleFilesAndAllOpen) {
   for (const auto& input : inputs)
     EXPECT_GT(open_for_verification(input, {.takes_box = true}, true).animation->frame(0).size(), 0u)
         << input;
+  const auto files =
+      std::ranges::find_if(inputs, [](const std::string& input) { return input.starts_with('/'); });
+  EXPECT_GT(inputs.end() - files, 5);
+  EXPECT_TRUE(std::is_sorted(files, inputs.end())) << "the same on every machine";
+}
+
+/// A file without radii gets half its spacing, unless a radius is asked for, or it is no sample.
+TEST(VerifyInputs, OfASampleWithoutRadiiHaveHalfItsSpacing) {
+  const std::string file = CATENA_SOURCE_DIR "/core/readers/examples/9_47-cubiclattice.txt";
+  const auto radius = [&](InputOptions options, bool sample) {
+    return open_for_verification(file, options, sample).animation->frame(0)[0].radius;
+  };
+  EXPECT_EQ(radius({}, true), 0.5f);
+  EXPECT_EQ(radius({.radius = 0.25f}, true), 0.25f);
+  EXPECT_EQ(radius({.radius = 0.25f}, false), 0.25f);
+  EXPECT_THROW(radius({}, false), InputError);
 }
 
 }  // namespace

@@ -146,6 +146,32 @@ TEST(Motion, DriftsByAShareOfAllItsEnergy) {
   EXPECT_DOUBLE_EQ(measure_motion(c).energy_drift, error / (initial + work));
 }
 
+/// Moved along every axis, frame by frame.
+TEST(Motion, IsThatOfTheRopeWhereItIsStored) {
+  const MotionCase c = small("CPU1", 0.5, 4e6);
+  motion::RopeMotion::Start start;
+  Random random(c.seed);
+  motion::add_knotted_rope(start, c.n, 1, {}, random);
+  motion::RopeSettings settings;
+  settings.stretching = c.stiffness;
+  const auto place = [](const Vec3& p) {
+    return Sphere{static_cast<float>(p.x + 4e6), static_cast<float>(p.y + 4e6), static_cast<float>(p.z + 4e6),
+                  1};
+  };
+  motion::RopeMotion rope(settings, start, place, StrategyRegistry::instance().make(c.variant));
+  const auto frames = measure_motion(c).frame_contacts;
+  ASSERT_EQ(frames.size(), c.frames);
+  const double interval = c.duration / (c.frames - 1);
+  const int steps = static_cast<int>(std::lround(interval / 0.5));
+  std::size_t contacts = 0;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    for (int s = 0; f > 0 && s < steps; ++s) ASSERT_TRUE(rope.step(interval / steps));
+    EXPECT_TRUE(std::ranges::equal(frames[f], rope.contacts())) << f;
+    contacts += frames[f].size();
+  }
+  EXPECT_GT(contacts, 10u);
+}
+
 TEST(Motion, PerturbedStartsAreAsEachByItself) {
   const auto starts = measure_starts(small("aCPU2+CPU2", 2.5), 3);
   ASSERT_EQ(starts.size(), 3u);
@@ -158,6 +184,15 @@ TEST(Motion, PerturbedStartsAreAsEachByItself) {
     EXPECT_EQ(start.energy_drift, result.energy_drift);
   }
   EXPECT_NE(starts[0].energy_drift, starts[1].energy_drift) << "another start";
+  for (const MotionStart& start : measure_starts(small("mutant:moved-spheres-one-place-off", 2.5), 2)) {
+    MotionCase alone = small("mutant:moved-spheres-one-place-off", 2.5);
+    alone.seed = start.seed;
+    const MotionResult result = measure_motion(alone);
+    EXPECT_EQ(start.contacts, result.contacts);
+    EXPECT_EQ(start.missed, result.missed);
+    EXPECT_EQ(start.invented, result.invented);
+    EXPECT_NE(start.missed, start.invented);
+  }
   for (std::size_t k = 0; k < starts.size(); ++k) EXPECT_EQ(starts[k].seed, k + 1) << "0 is the start itself";
 }
 

@@ -130,6 +130,19 @@ TEST(AtOnce, AnswersAsARebuildDoes) {
   }
 }
 
+TEST(AtOnce, IsWrittenUnderItsKeys) {
+  const AtOnce seen{.points = 9,
+                    .pivots = 4,
+                    .attempts = 7,
+                    .acceptance = 0.5,
+                    .us_per_attempt = 2,
+                    .rebuild_us = 6,
+                    .agree = false};
+  EXPECT_EQ(to_json(seen).dump(),
+            R"({"n":9,"pivots":4,"attempts":7,"acceptance":0.5,"us_per_attempt":2.0,"rebuild_us":6.0,)"
+            R"("times":3.0,"agree":false})");
+}
+
 TEST(AtOnce, TurnsAWalkAsItsPivotsDo) {
   PivotWalk walk(40);
   Random random(9);

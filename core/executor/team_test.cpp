@@ -60,6 +60,18 @@ TEST(Team, ThrowsWhatARangeThrows) {
   }
 }
 
+TEST(Team, OfOneIsTheCaller) {
+  const Team alone;
+  EXPECT_EQ(alone.size(), 1u);
+  EXPECT_EQ(alone.member(), 0u);
+  std::vector<std::uint32_t> seen;
+  alone.for_each_range(5, 2, [&](std::uint32_t begin, std::uint32_t end) {
+    EXPECT_EQ(alone.member(), 0u);
+    for (std::uint32_t k = begin; k < end; ++k) seen.push_back(k);
+  });
+  EXPECT_EQ(seen, (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+}
+
 TEST(Team, MayBeCalledByATeam) {
   const Team outer(threads("2")), inner(threads("2"));
   std::atomic<int> done = 0;

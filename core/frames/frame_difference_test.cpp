@@ -43,6 +43,28 @@ TEST(FrameDifference, EverySphereThatDiffersIsInARange) {
   EXPECT_TRUE(in(ranges, 5));
 }
 
+/// In steps of 16, those side by side as one, the last one cut at the end.
+TEST(FrameDifference, RangesThatMeetAreOne) {
+  const std::vector<Sphere> before = row(203);
+  std::vector<Sphere> now = before;
+  std::vector<SphereRange> ranges;
+  ranges.reserve(2);
+  for (const std::uint32_t i : {17u, 40u, 50u, 202u}) now[i].x += 1;
+  ASSERT_TRUE(differing(before, now, 59, ranges));
+  EXPECT_EQ(ranges, (std::vector<SphereRange>{{16, 64}, {192, 203}}));
+  EXPECT_FALSE(differing(before, now, 58, ranges)) << "48 and 11";
+}
+
+/// Of 61 spheres spread from the first to the last.
+TEST(FrameDifference, TheShareIsOfSpheresFromEndToEnd) {
+  const std::vector<Sphere> before = row(61);
+  for (const std::uint32_t i : {0u, 30u, 60u}) {
+    std::vector<Sphere> now = before;
+    now[i].x += 1;
+    EXPECT_DOUBLE_EQ(share_that_differs(before, now), 1 / 61.0) << i;
+  }
+}
+
 TEST(FrameDifference, StopsWhereThereIsTooMuchOfIt) {
   const std::vector<Sphere> before = row(1000);
   std::vector<Sphere> now = before;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "catena/core/error.h"
+#include "catena/core/motion/knot.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/test_pairs.h"
 
@@ -55,6 +57,34 @@ TEST(Rope, RepeatsTwoRopesAndKeepsTheOthersApart) {
   for (const Pair& p : test::touching_pairs(chain.spheres())) EXPECT_EQ(p.i / 80, p.j / 80);
 }
 
+/// In rows and columns about the origin, each rope as far from the next as another.
+TEST(Rope, LaysRopesInASquare) {
+  const auto ropes = open("rope:n=320,rope=80,frames=1,align=axes");
+  const Chain chain = ropes->frame(0);
+  double y = 0, z = 0;
+  for (const Sphere& s : chain.spheres()) y += s.y / 320.0, z += s.z / 320.0;
+  const auto apart = [&](std::uint32_t a, std::uint32_t b) {
+    const Sphere &p = chain[80 * a + 40], &q = chain[80 * b + 40];
+    return std::pair(std::round(double{q.y} - p.y), std::round(double{q.z} - p.z));
+  };
+  const double room = motion::knot_room;
+  EXPECT_EQ(apart(0, 1), std::pair(room, 0.0));
+  EXPECT_EQ(apart(0, 2), std::pair(0.0, room));
+  EXPECT_EQ(apart(0, 3), std::pair(room, room));
+  double first_y = 0, first_z = 0;  // of one rope: its knot may lie aside of its root
+  const Chain one = open("rope:n=80,rope=80,frames=1,align=axes")->frame(0);
+  for (const Sphere& s : one.spheres()) first_y += s.y / 80.0, first_z += s.z / 80.0;
+  EXPECT_NEAR(y, first_y, 1e-3);
+  EXPECT_NEAR(z, first_z, 1e-3);
+}
+
+/// A variant that loses contacts lets the rope go where another would not.
+TEST(Rope, AnswersToTheContactsThatItsVariantFinds) {
+  const std::string spec = "rope:n=80,rope=80,duration=60,frames=3";
+  EXPECT_FALSE(
+      same(open(spec)->frame(2), open(spec + ",variant=mutant:grid-truncates-toward-zero")->frame(2)));
+}
+
 TEST(Rope, SaysWhatIsWrong) {
   const auto refusal = [](const std::string& spec, std::uint32_t frame) -> std::string {
     try {
@@ -66,7 +96,11 @@ TEST(Rope, SaysWhatIsWrong) {
   };
   EXPECT_NE(refusal("rope:variant=CPU7", 0).find("CPU1"), std::string::npos);
   EXPECT_NE(refusal("rope:step=0", 0).find("step=0"), std::string::npos);
-  EXPECT_NE(refusal("rope:n=120,step=1e5,stiffness=1e9", 40).find("lower step"), std::string::npos);
+  const std::string diverges = refusal("rope:n=120,step=1e5,stiffness=1e9", 40);
+  EXPECT_NE(diverges.find("lower step=100000"), std::string::npos) << diverges;
+  const auto frame = std::stoul(diverges.substr(diverges.find("before frame ") + 13));
+  EXPECT_EQ(refusal("rope:n=120,step=1e5,stiffness=1e9", static_cast<std::uint32_t>(frame - 1)), "accepted");
+  EXPECT_EQ(refusal("rope:n=120,step=1e5,stiffness=1e9", static_cast<std::uint32_t>(frame)), diverges);
 }
 
 }  // namespace

@@ -218,5 +218,14 @@ TEST(OverhandKnot, HasItsSpacingAndIsLoose) {
   }
 }
 
+/// However long it is, what leads into the knot and out of it lies straight along x.
+TEST(OverhandKnot, HasStraightEnds) {
+  const auto points = overhand_knot(600, 1);
+  for (std::size_t i = 0; i < 200; ++i) {
+    const Vec3 in = points[i + 1] - points[i], out = points[599 - i] - points[598 - i];
+    for (const Vec3& step : {in, out}) EXPECT_NEAR(std::abs(step.x), 1, 1e-6) << i;
+  }
+}
+
 }  // namespace
 }  // namespace catena::motion

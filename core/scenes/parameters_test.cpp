@@ -99,5 +99,63 @@ TEST_P(SceneParameters, RefuseAbsurdNumbersOfSpheres) {
   for (const char* n : {"0", "1", "2", "3", "1e1"}) EXPECT_EQ(refusal(GetParam().name + ":n=" + n), "") << n;
 }
 
+struct Range {
+  const char *scene, *key;
+  std::vector<const char*> outside;
+};
+
+/// Just past either end of what makes sense: refused by a line that has the value as it was written.
+TEST(SceneParameters, HaveEndsPastWhichTheyAreRefused) {
+  const std::vector<Range> ranges{{"rod", "spacing", {"0.049", "101"}},
+                                  {"rod", "radius", {"0", "1e301"}},
+                                  {"cluster", "shells", {"0", "1001"}},
+                                  {"coil", "width", {"0.09", "1.1e9"}},
+                                  {"coil", "pitch", {"-1e-9", "1.1e9"}},
+                                  {"coincident", "together", {"0", "2147483649"}},
+                                  {"far", "exponent", {"121"}},
+                                  {"grazing", "margin", {"-1.1", "0.51"}},
+                                  {"grazing", "turn", {"7", "1048577"}},
+                                  {"hair", "strands", {"0", "1048577"}},
+                                  {"hair", "gap", {"-1e-9", "1.1e9"}},
+                                  {"lattice", "ulps", {"1001"}},
+                                  {"lattice_moved", "ulps", {"1001"}},
+                                  {"mixed_radii", "decades", {"-1e-9", "75.1"}},
+                                  {"mixed_radii", "jump", {"0.9", "1.1e30"}},
+                                  {"nested", "together", {"0", "1048577"}},
+                                  {"points", "share", {"-1e-9", "1.1"}},
+                                  {"rope", "rope", {"0", "1000001"}},
+                                  {"rope", "frames", {"0", "1000001"}},
+                                  {"rope", "stiffness", {"0.9", "1.1e12"}},
+                                  {"rope", "step", {"9e-7", "1.1e6"}},
+                                  {"rope", "duration", {"9e-7", "1.1e6"}},
+                                  {"serpentine", "side", {"1291"}},
+                                  {"serpentine", "reach", {"1048577"}},
+                                  {"slender", "slenderness", {"9e-4", "1.1e12"}},
+                                  {"stretched", "octaves", {"-1e-9", "60.1"}},
+                                  {"tight_knot", "p", {"1", "1001"}},  // 0: as many as fit
+                                  {"tight_knot", "margin", {"-1.1", "0.51"}},
+                                  {"torus_knot", "p", {"0", "1001"}},
+                                  {"torus_knot", "q", {"0", "1001"}},
+                                  {"walk", "persistence", {"0.09", "1.1e9"}},
+                                  {"winding", "width", {"0.9", "1.1e9"}},
+                                  {"winding", "contacts", {"0.9", "1.1e6"}}};
+  for (const auto& [scene, key, outside] : ranges)
+    for (const char* value : outside) {
+      const std::string why = refusal(fmt::format("{}:n=2,{}={}", scene, key, value));
+      EXPECT_NE(why.find(fmt::format("{}={}", key, value)), std::string::npos) << scene << ": " << why;
+    }
+}
+
+/// Where no coordinate is far from 0 the radius alone overflows, and what made it so is named.
+TEST(SceneParameters, RefuseARadiusThatOverflowsByItself) {
+  for (const char* n : {"0", "1"}) {
+    const std::string rod = std::string("rod:n=") + n;
+    EXPECT_NE(refusal(rod + ",radius=1e39").find("the radius overflows binary32"), std::string::npos);
+    EXPECT_NE(refusal(rod + ",radius=1e39").find("lower radius"), std::string::npos);
+    EXPECT_NE(refusal(rod + ",scale=1e39").find("lower scale"), std::string::npos);
+    EXPECT_EQ(refusal(rod + ",radius=1e39,scale=1e-3"), "");
+  }
+}
+
 }  // namespace
 }  // namespace catena

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catena/core/chain/bending_window.h"
+#include "catena/core/error.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/setup.h"
 #include "catena/core/scenes/still.h"
@@ -41,7 +42,9 @@ const RegisterScene registered{
     [](const Parameters& parameters) {
       const SceneSetup setup("tight_knot", parameters);
       const auto p = static_cast<std::uint32_t>(parameters.unsigned_integer("p", 0, 1000));
-      const TorusCurve knot = p < 2 ? filled_by(setup.n(), setup.spacing()) : TorusCurve{p, p + 1};
+      if (p == 1)
+        throw InputError("scene tight_knot: p=1 has no second winding to touch; give 2 or more, or 0");
+      const TorusCurve knot = p == 0 ? filled_by(setup.n(), setup.spacing()) : TorusCurve{p, p + 1};
       return std::make_unique<StillScene>(tight_knot(setup, knot, parameters.real("margin", -1, 0.5)));
     }};
 

@@ -122,6 +122,12 @@ const std::vector<Made> made{
        return c.size() > 10 && c.size() < 40 &&
               !std::ranges::is_sorted(c.spheres().subspan(5), {}, &Sphere::x);
      }},
+    {"lattice", "smaller than whole numbers",
+     [](const Chain& c) {
+       return any(c, [](const Sphere& s) { return s.x != 0 && std::abs(s.x) < 0x1p-30f; });
+     }},
+    {"lattice", "larger than whole numbers",
+     [](const Chain& c) { return any(c, [](const Sphere& s) { return std::abs(s.x) > 0x1p30f; }); }},
     {"touching", "a bystander",
      [](const Chain& c) { return any(c, [](const Sphere& s) { return s.x == 1000; }); }},
     {"touching", "a tie", [](const Chain& c) { return c.size() < 60 && tightest(c) == 0; }},
@@ -148,6 +154,7 @@ TEST(Mutation, ChangesTheRuleTooAndGrowsNoChainPastItsSize) {
     Dice dice(seed);
     const Chain chain = mutate(plain, dice, 12);
     EXPECT_LE(chain.size(), 12u);
+    EXPECT_LE(mutate(plain, dice, 5).size(), 5u);
     strands += chain.strand_count() > 1, windows += chain.exclusion().window > 1;
     arcs += chain.exclusion().rule == Exclusion::Rule::arc_window,
         joints += !chain.exclusion().extra_pairs.empty();

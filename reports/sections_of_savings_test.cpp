@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "catena/core/strategy/register.h"
+#include "catena/reports/test_sections.h"
+
+/// That a row of savings says `identical` of what is, and not of what is not; and who is quickest.
+namespace catena::reports {
+namespace {
+
+/// A tree that answers rightly but where a test asks it not to.
+class Fickle final : public Variant {
+ public:
+  enum class Fault { none, slow, all, counts, any, update, second };
+  static inline Fault fault = Fault::none;
+  static inline int made = 0;
+
+  Fickle() : number_(made++) {}
+  void build(const Chain& chain) override {
+    updated_ = false;
+    tree_->build(chain);
+  }
+  void update(const Chain& chain, const Moved& moved) override {
+    updated_ = !updated_;
+    tree_->update(chain, moved);
+  }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    if (fault == Fault::slow) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    tree_->find(chain, request, found);
+    using enum Request::Want;
+    if (fault == Fault::counts && request.want == counts) ++found.count[0];
+    if (fault == Fault::any && request.want == any) found.found = !found.found;
+    const bool lose = fault == Fault::all || (fault == Fault::update && updated_) ||
+                      (fault == Fault::second && number_ % 2 == 1);
+    if (lose && request.want == pairs) found.pairs.pop_back();
+  }
+  Timings timings() const override { return tree_->timings(); }
+
+ private:
+  std::unique_ptr<Variant> tree_ = StrategyRegistry::instance().make("aCPU2+CPU2");
+  const int number_;
+  bool updated_ = false;  ///< an odd number of times since the build
+};
+
+/// Of a fault: the rows that are not identical.
+std::set<std::string> differing(Fickle::Fault fault) {
+  static const bool registered = [] {
+    StrategyRegistry::instance().add_variant(
+        {.name = "Fickle", .summary = "as a test asks", .has_tree = true}, arithmetic_info<Robust>(),
+        [](const Parameters&) { return std::make_unique<Fickle>(); }, true);
+    return true;
+  }();
+  EXPECT_TRUE(registered);
+  Profile p = profile_of({"CPU1", "Fickle"});
+  p.wants_inputs = p.coherent_inputs = {{"winding:n=300"}};
+  p.short_chains = {1000};
+  Fickle::fault = fault;
+  std::set<std::string> found, all;
+  for (const std::string what : {"hierarchy", "lists", "builds"}) {
+    Profile one = p;  // so that each begins with the first of them that is made
+    if (what != "hierarchy") one.short_chains.clear();
+    if (what != "lists") one.wants_inputs.clear();
+    if (what != "builds") one.coherent_inputs.clear();
+    Fickle::made = 0;
+    for (const Json& row : section("savings", one)) {
+      all.insert(row["what"]);
+      if (row["identical"] == false) found.insert(row["what"]);
+    }
+  }
+  Fickle::fault = Fickle::Fault::none;
+  EXPECT_EQ(
+      all, (std::set<std::string>{"hierarchy", "pair list", "counts and pair list", "rebuild", "new build"}));
+  return found;
+}
+
+TEST(Sections, OfSavingsSayWhereTheAnswerIsAnother) {
+  using enum Fickle::Fault;
+  using Rows = std::set<std::string>;
+  EXPECT_EQ(differing(none), Rows{});
+  EXPECT_EQ(differing(all), (Rows{"hierarchy"}));
+  EXPECT_EQ(differing(counts), (Rows{"pair list"}));
+  EXPECT_EQ(differing(any), (Rows{"counts and pair list"}));
+  EXPECT_EQ(differing(second), (Rows{"new build"}));
+  EXPECT_TRUE(differing(update).contains("rebuild"));
+}
+
+TEST(Sections, OfSavingsAreOfTheQuickestTree) {
+  differing(Fickle::Fault::none);  // registers it
+  Profile p = profile_of({"CPU1", "Fickle", "aCPU2+CPU2"});
+  p.short_chains = {200};
+  Fickle::fault = Fickle::Fault::slow;
+  const Json rows = section("savings", p);
+  Fickle::fault = Fickle::Fault::none;
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0]["reason"], "200 spheres: aCPU2+CPU2 against CPU1");
+}
+
+}  // namespace
+}  // namespace catena::reports
