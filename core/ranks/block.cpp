@@ -11,17 +11,20 @@ std::uint64_t blocks_of(std::span<const Piece> pieces) {
 }
 
 LargeVector<Box> boxes_of_stretches(std::span<const Piece> pieces, std::span<const Sphere> spheres) {
-  const std::uint64_t blocks = blocks_of(pieces);
-  LargeVector<Box> boxes((blocks + stretch - 1) / stretch);
+  const auto for_each_end = [&](const auto& body) {
+    Stretches stretches(pieces);
+    for_each_block(pieces, [&](const Block& block) {
+      if (stretches.end_with(block)) body(block.begin + block.size);
+    });
+  };
+  std::size_t count = 0;
+  for_each_end([&](std::uint32_t) { ++count; });
+  LargeVector<Box> boxes(count);
   Box* to = boxes.data();
-  std::uint64_t left = blocks;
-  std::uint32_t begin = 0, in_it = 0;
-  for_each_block(pieces, [&](const Block& block) {
-    --left;
-    if (++in_it < stretch && left > 0) return;
-    const std::uint32_t end = block.begin + block.size;
+  std::uint32_t begin = 0;
+  for_each_end([&](std::uint32_t end) {
     *to++ = box_around(spheres.subspan(begin, end - begin));
-    begin = end, in_it = 0;
+    begin = end;
   });
   return boxes;
 }

@@ -39,9 +39,30 @@ void for_some_blocks(std::span<const Piece> pieces, std::uint64_t step, const Vi
 
 std::uint64_t blocks_of(std::span<const Piece> pieces);
 
-/// Blocks of a part that follow one another, eight but for the last, are a stretch: of each the box around
-/// its spheres.
-constexpr std::uint32_t stretch = 8;
+/// Blocks of a part that follow one another are a stretch: up to eight, and none beyond the end of a piece,
+/// as the next piece may be anywhere. But a stretch has the spheres of a full block at least, so that many
+/// pieces of few spheres are not as many stretches; only the last may have less.
+class Stretches {
+ public:
+  static constexpr std::uint32_t most = 8;  ///< blocks
+
+  explicit Stretches(std::span<const Piece> pieces) : pieces_(pieces) {}
+  /// Whether the next block, in their order, is the last of its stretch.
+  bool end_with(const Block& block) {
+    const Piece& piece = pieces_[block.piece];
+    const bool ends_piece = block.begin + block.size == piece.begin + piece.size;
+    spheres_ += block.size;
+    const bool ends =
+        ++blocks_ == most || (ends_piece && (spheres_ >= Block::most || &piece == &pieces_.back()));
+    if (ends) blocks_ = spheres_ = 0;
+    return ends;
+  }
+
+ private:
+  std::span<const Piece> pieces_;
+  std::uint32_t blocks_ = 0, spheres_ = 0;  ///< of the stretch, so far
+};
+/// Of each the box around its spheres.
 LargeVector<Box> boxes_of_stretches(std::span<const Piece> pieces, std::span<const Sphere> spheres);
 
 /// The sphere that tells where a block is.

@@ -34,33 +34,50 @@ TEST(Block, EveryOneIsVisitedAndSomeEvenly) {
   }
 }
 
+/// Whatever pieces there are: eight blocks at most, and where a piece ends none of the next, unless there
+/// were too few spheres.
 TEST(Block, AStretchIsAroundItsBlocks) {
   std::mt19937 dice(3);
   const Strand strand{0, 1000, 0, 0, 0};
-  for (const std::uint32_t blocks : {0u, 1u, 7u, 8u, 9u, 40u}) {
-    std::vector<Piece> pieces;
-    std::uint32_t spheres = 0;
-    for (std::uint32_t k = 0; k < blocks; ++k) {
-      const std::uint32_t size = 1 + dice() % Block::most;  // a block a piece
-      pieces.push_back({2 * spheres, spheres, size, strand}), spheres += size;
-    }
-    const std::vector<Sphere> all = random_spheres(spheres, dice, 1);
-    const LargeVector<Box> boxes = boxes_of_stretches(pieces, all);
-    ASSERT_EQ(boxes.size(), (blocks + stretch - 1) / stretch);
-    std::vector<std::vector<Sphere>> of_stretch(boxes.size());
-    std::uint32_t b = 0;
-    for_each_block(pieces, [&](const Block& block) {
-      auto& of_this = of_stretch[b++ / stretch];
-      of_this.insert(of_this.end(), all.begin() + block.begin, all.begin() + block.begin + block.size);
-    });
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      const Box exact = box_around(of_stretch[k]);
-      for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_EQ(boxes[k].low[axis], exact.low[axis]) << blocks << ' ' << k;
-        EXPECT_EQ(boxes[k].high[axis], exact.high[axis]) << blocks << ' ' << k;
+  std::size_t full = 0, ended = 0, went_on = 0;
+  for (const std::uint32_t longest : {1u, 8u, 30u, 300u})
+    for (const std::uint32_t count : {0u, 1u, 7u, 8u, 9u, 40u}) {
+      std::vector<Piece> pieces;
+      std::uint32_t spheres = 0;
+      for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t size = 1 + dice() % longest;
+        pieces.push_back({2 * spheres, spheres, size, strand}), spheres += size;
+      }
+      const std::vector<Sphere> all = random_spheres(spheres, dice, 1);
+      std::vector<std::vector<Block>> stretches;
+      for_each_block(pieces, [&](const Block& block) {
+        std::uint32_t so_far = 0;
+        if (!stretches.empty())
+          for (const Block& before : stretches.back()) so_far += before.size;
+        const bool next_piece = stretches.empty() || stretches.back().back().piece != block.piece;
+        const bool begins =
+            stretches.empty() || stretches.back().size() == 8 || (next_piece && so_far >= Block::most);
+        if (!stretches.empty()) {
+          full += begins && stretches.back().size() == 8;
+          ended += begins && stretches.back().size() < 8;
+          went_on += !begins && next_piece;
+        }
+        if (begins) stretches.emplace_back();
+        stretches.back().push_back(block);
+      });
+      const LargeVector<Box> boxes = boxes_of_stretches(pieces, all);
+      ASSERT_EQ(boxes.size(), stretches.size());
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const Block &first = stretches[k].front(), &last = stretches[k].back();
+        const Box exact =
+            box_around(std::span(all).subspan(first.begin, last.begin + last.size - first.begin));
+        for (int axis = 0; axis < 3; ++axis) {
+          EXPECT_EQ(boxes[k].low[axis], exact.low[axis]) << count << ' ' << k;
+          EXPECT_EQ(boxes[k].high[axis], exact.high[axis]) << count << ' ' << k;
+        }
       }
     }
-  }
+  EXPECT_TRUE(full > 50 && ended > 50 && went_on > 50) << full << ' ' << ended << ' ' << went_on;
 }
 
 TEST(WideBoxTree, SaysWhetherAnyBoxMeets) {

@@ -23,11 +23,14 @@ Blocks blocks_near_others(Communicator& ranks, const HeldPart& part) {
   near.reserve(stretches.size());
   for (const Box& box : stretches) near.push_back(foreign.meet(box));
   Blocks found;
-  const auto most = static_cast<std::size_t>(std::ranges::count(near, 1)) * stretch;
+  const auto most = static_cast<std::size_t>(std::ranges::count(near, 1)) * Stretches::most;
   found.block.reserve(most), found.box.reserve(most);
-  std::uint64_t b = 0;
+  Stretches ends(part.pieces());
+  std::size_t at = 0;
   for_each_block(part.pieces(), [&](const Block& block) {
-    if (near[b++ / stretch] == 0) return;
+    const bool is_near = near[at] != 0;
+    at += ends.end_with(block);
+    if (!is_near) return;
     const Box box = box_around(part.spheres(block));
     if (foreign.meet(box)) found.block.push_back(block), found.box.push_back(box);
   });

@@ -101,13 +101,13 @@ std::uint32_t middle_of(const Cubes& cubes, const Range& range) {
 }
 
 /// One box around all, then the tops; nothing for no blocks. The largest is parted, where the highest bit of
-/// its cubes' codes changes, until there are as many.
-std::vector<Box> tops_of(const Cubes& cubes) {
+/// its cubes' codes changes, until there are `most`.
+std::vector<Box> tops_of(const Cubes& cubes, std::size_t most) {
   if (cubes.box.empty()) return {};
   const auto smaller = [](const Range& a, const Range& b) { return a.size < b.size; };
   std::vector<Range> ranges{range_of(cubes, 0, static_cast<std::uint32_t>(cubes.box.size()))}, single;
   std::vector<Box> tops{ranges[0].box};
-  while (!ranges.empty() && ranges.size() + single.size() < Tops::most) {
+  while (!ranges.empty() && ranges.size() + single.size() < most) {
     std::ranges::pop_heap(ranges, smaller);
     const Range largest = ranges.back();
     ranges.pop_back();
@@ -130,7 +130,7 @@ std::vector<Box> tops_of(const Cubes& cubes) {
 }  // namespace
 
 Tops Tops::of_all(Communicator& ranks, std::span<const Box> boxes) {
-  const std::vector<Box> own = tops_of(cubes_of(boxes));
+  const std::vector<Box> own = tops_of(cubes_of(boxes), most_of(ranks.size()));
   return Tops(ranks.all_gather(ByteWriter().put_all(std::span<const Box>(own)).take()));
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,11 +10,15 @@
 
 namespace catena::ranks {
 
-/// The tops of the trees of all ranks: up to 64 boxes a rank, each around blocks that are near in space, all
-/// blocks in one.
+/// The tops of the trees of all ranks: boxes of each, around blocks that are near in space, all blocks in
+/// one.
 class Tops {
  public:
-  static constexpr std::uint32_t most = 64;
+  /// Boxes of a rank, of so many: more are finer, but all ranks read those of all.
+  static std::uint32_t most_of(unsigned ranks) {
+    constexpr std::uint32_t of_all = 1u << 13, most = 256, fewest = 64;
+    return std::clamp(of_all / ranks, fewest, most);
+  }
 
   /// Every rank gives its own, by boxes around blocks; for some of them they say where it is, but not all
   /// that it may touch. O(blocks) time, O(ranks) memory.
