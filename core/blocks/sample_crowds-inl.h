@@ -120,9 +120,9 @@ class CrowdSample {
       crowding_.seen_crowded(g) = look.all.crowded();
     });
   }
-  /// That of sparse(), where it looked; no walk has changed anything since.
+  /// That of sparse(), where it looked, unless the walk has found a crowd since.
   GroupLook first_look(std::uint32_t g) const {
-    if (!walked_)
+    if (!walked_ || !crowding_.some())
       for (std::size_t k = 0; k < seen_; ++k)
         if (first_[k].group == g) return first_[k].look;
     return look_at(g, nullptr);
