@@ -49,6 +49,12 @@ endif()
 # #include.
 set(CATENA_PRECOMPILED <algorithm> <cmath> <cstdint> <functional> <memory> <optional> <string> <vector> <fmt/format.h>)
 
+# catena_is_of_many_targets(FILE OUT): whether the file is compiled once for each instruction set.
+function(catena_is_of_many_targets source out)
+  file(STRINGS ${source} line REGEX "HWY_TARGET_INCLUDE" LIMIT_COUNT 1)
+  set(${out} ${line} PARENT_SCOPE)
+endfunction()
+
 # catena_together(TARGET): compiles up to six files of a folder as one, which takes some half of what they take alone, as
 # they share headers and templates; names in their anonymous namespaces must differ. Alone stay, so that a name can be
 # taken twice, files of folders where a new variant, scene, reader, writer, property or section is a new file; also what is
@@ -63,7 +69,7 @@ function(catena_together target)
   list(SORT sources)
   foreach(source IN LISTS sources)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)
-    file(STRINGS ${source} of_many_targets REGEX "HWY_TARGET_INCLUDE" LIMIT_COUNT 1)
+    catena_is_of_many_targets(${source} of_many_targets)
     if(name MATCHES "\\.cpp$" AND NOT name MATCHES "${CATENA_ALONE}" AND NOT of_many_targets)
       get_filename_component(folder ${name} DIRECTORY)
       string(MAKE_C_IDENTIFIER ${folder} folder)
@@ -125,8 +131,6 @@ target_compile_features(catena PUBLIC cxx_std_20)
 # nowhere is called with vectors that caller and callee pass differently.) On ARM it refuses to inline Highway's NEON
 # functions, which are compiled for +crypto, into the constructors that it makes itself of structs that hold vectors,
 # unless these are for +crypto too. No such instruction is ever used.
-set(of_many_targets blocks/build_blocks blocks/search_blocks grid/grid_kernels space_tree/crowd_look space_tree/space_kernels sphere_tree/sphere_kernels)
-list(TRANSFORM of_many_targets REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/\\1.cpp")
 set(for_many_targets)
 if(CATENA_SANITIZE MATCHES "address")
   list(APPEND for_many_targets --param=asan-instrumentation-with-call-threshold=0 -fno-sanitize=object-size)
@@ -135,7 +139,13 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
   list(APPEND for_many_targets -march=armv8-a+crypto)
 endif()
 if(for_many_targets)
-  set_source_files_properties(${of_many_targets} PROPERTIES COMPILE_OPTIONS "${for_many_targets}" SKIP_PRECOMPILE_HEADERS ON)
+  catena_sources(sources core bench)
+  foreach(source IN LISTS sources)
+    catena_is_of_many_targets(${source} of_many_targets)
+    if(of_many_targets)
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${for_many_targets}" SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
 endif()
 # Whoever builds trees by the library's headers must get the bits of the library's own.
 target_compile_options(catena INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>
