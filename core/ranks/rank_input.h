@@ -38,7 +38,7 @@ class RankInput {
 
   Communicator& ranks_;
   std::string spec_;
-  Source source_;
+  Source source_ = Source::rank_0;
   std::optional<Input> input_;  ///< on rank 0, unless the source is a file; on all where it is a scene
   std::optional<BinaryChain> file_;
 };

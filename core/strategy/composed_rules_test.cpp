@@ -4,25 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "catena/core/error.h"
 #include "catena/core/hierarchy/bounds_visitor.h"
 #include "catena/core/input/input.h"
-#include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/test_registry.h"
 
 /// What composes with what, by its words; and a composed variant from chain to chain of other sizes.
 namespace catena {
 namespace {
 
-const StrategyRegistry& registry() { return StrategyRegistry::instance(); }
-
-std::string refusal(const std::string& name) {
-  try {
-    registry().make(name);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::refusal, test::registry;
 
 TEST(Registry, ListsVariantsByName) {
   for (const bool hidden : {false, true})

@@ -7,20 +7,12 @@
 #include <set>
 
 #include "catena/core/error.h"
+#include "catena/core/strategy/test_registry.h"
 
 namespace catena {
 namespace {
 
-const StrategyRegistry& registry() { return StrategyRegistry::instance(); }
-
-std::string refusal(const std::string& name) {
-  try {
-    registry().make(name);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::refusal, test::registry;
 
 TEST(Registry, EveryStrategyFileIsRegistered) {
   // A strategy file that the build dropped would be tested by nothing.
