@@ -121,6 +121,7 @@ TEST_F(RoundsTest, ARefusedVariantIsAnErrorWithItsReason) {
   for (const auto& row : result.benchmarks) {
     EXPECT_TRUE(row["error_occurred"]);
     EXPECT_EQ(row["repetitions"], 1);
+    EXPECT_FALSE(row.contains("at_fault")) << "a refusal is no fault";
     EXPECT_NE(row["error_message"].get<std::string>().find("1536"), std::string::npos);
   }
 }
