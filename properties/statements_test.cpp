@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfenv>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <new>
@@ -29,7 +30,7 @@ struct Told {
   int builds = 0, updates = 0;
   int unsearched = 0;  ///< updates since the last find
   Request prepared;
-  bool told_all = true;  ///< by the last update
+  bool told_all = true, told_none = false;  ///< by the last update
 };
 struct Question {
   const Told& told;
@@ -55,6 +56,7 @@ class Faulty final : public Variant {
   void build(const Chain& chain) override { ++told_.builds, told_.told_all = true, begin(chain); }
   void update(const Chain& chain, const Moved& moved) override {
     ++told_.updates, ++told_.unsearched, told_.told_all = moved.everything() && moved.shift() == 0;
+    told_.told_none = !moved.everything() && moved.ranges().empty();
     begin(chain);
   }
   void find(const Chain& chain, const Request& request, Collisions& result) override {
@@ -202,6 +204,14 @@ TEST(Statements, NoticeAPairThatIsLostInAChangedChain) {
                       [&](const Question& q, Collisions& found) {
                         std::erase(found.pairs, test.exact.pairs.front());
                         static_cast<void>(q);
+                      }},
+                 "are left", test);
+  // Some radii grow by more than the last bit.
+  expect_noticed("larger radii only add pairs",
+                 {.spoil =
+                      [&](const Question& q, Collisions& found) {
+                        if (q.chain[1].radius > 1.2f * test.chain[1].radius)
+                          std::erase(found.pairs, test.exact.pairs.front());
                       }},
                  "are left", test);
 }
@@ -368,6 +378,10 @@ TEST(Statements, NoticeUpdatesThatAreNoBuilds) {
                  }),
                  "told what moved");
   expect_noticed("update is build", after_update([](const Told& told, Collisions& found) {
+                   if (told.told_none) drop_a_pair(found);
+                 }),
+                 "told what moved");
+  expect_noticed("update is build", after_update([](const Told& told, Collisions& found) {
                    if (told.updates % 2 == 0) drop_a_pair(found);
                  }),
                  "on the way back");
@@ -454,6 +468,22 @@ TEST(Statements, NoticeFramesThatAreAnsweredWrongly) {
                    if (!q.told.told_all) drop_a_pair(found);
                  }),
                  ", parts: ");
+  // What a film of a short chain is made of.
+  const auto miscounted = [&](auto when) {
+    return spoilt([=](const Question& q, Collisions& found) {
+      if (q.request.want == Want::pairs && when(q.chain)) ++found.count[0];
+    });
+  };
+  const float radius = test.chain[0].radius;
+  expect_noticed("frame after frame",
+                 miscounted([](const Chain& c) { return c[c.size() / 2] == c[c.size() / 8]; }),
+                 ", shift but for a sphere: ");
+  expect_noticed("frame after frame", miscounted([](const Chain& c) { return c[0].x != std::floor(c[0].x); }),
+                 ", drift: ");
+  expect_noticed("frame after frame", miscounted([=](const Chain& c) { return c[0].radius > radius; }),
+                 ", growth: ");
+  expect_noticed("frame after frame", miscounted([=](const Chain& c) { return c[0].radius < radius; }),
+                 ", shrinking: ");
   // Frames that are not searched are updated all the same.
   expect_noticed("frame after frame", spoilt([](const Question& q, Collisions& found) {
                    if (q.told.unsearched > 1) drop_a_pair(found);

@@ -144,6 +144,12 @@ TEST(KnotBounds, AreTheRootsThatTheirDefinitionSays) {
   }
   const KnotBounds none = bounds_of({.of = PublishedKnot::Of::curve, .thickness = 1}, shape_like(9, 3, 3), 0);
   EXPECT_EQ(none.most, std::numeric_limits<double>::infinity()) << "an edge longer than the tube is thick";
+  // Of the bounds that edges do not let be told the lower one is nothing, not something.
+  EXPECT_EQ(bounds_of({.thickness = 1}, shape_like(9, 3, 3), 0).least, 0);
+  // A curve may bend as its shortest edge lets it, by the angle that its longest one may turn.
+  const KnotBounds uneven =
+      bounds_of({.of = PublishedKnot::Of::curve, .thickness = 1.25}, shape_like(40, 0.25, 0.5), 0);
+  EXPECT_NEAR(uneven.least_bend, 0.25 / (2 * std::tan(std::asin(0.5 / 2.5))), 1e-12);
 }
 
 /// What holds for any number within the error, and for any vertices within the blur, holds for what is told.

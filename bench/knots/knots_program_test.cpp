@@ -23,6 +23,12 @@ class KnotsProgram : public Program {
     EXPECT_EQ(json["longest_edge"], v.shape.longest_edge);
     EXPECT_EQ(json["published"]["ropelength"], v.bounds.ropelength);
     EXPECT_EQ(json["published"]["thickness"], v.bounds.thickness);
+    EXPECT_EQ(json["published"].contains("struts"), v.published.struts > 0);
+    ASSERT_EQ(json.contains("first_contact"), v.contact.has_value());
+    if (v.contact) {
+      EXPECT_EQ(json["first_contact"]["radius"], v.contact->radius);
+      EXPECT_EQ(json["first_contact"]["pair"], (nlohmann::json{v.contact->pair.i, v.contact->pair.j}));
+    }
     EXPECT_EQ(json["least"], v.bounds.least);
     EXPECT_EQ(json["most"], v.bounds.most);
     EXPECT_EQ(json["ropelength"], v.ropelength());

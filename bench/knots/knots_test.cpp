@@ -263,6 +263,31 @@ TEST(SpoiledKnots, ASearchThatMissesContactsFindsTooThickATube) {
   EXPECT_FALSE(judge_knot(most, trefoil.published, trefoil.centres, 0).within());
 }
 
+/// Each of what a verdict may say, of a knot that is within but for that.
+TEST(JudgeKnot, SaysTheOneThingThatIsWrong) {
+  KnotVerdict right;
+  right.bounds = {.thickness = 1, .least = 0.5, .most = 2, .least_bend = 0.5};
+  right.shape.tightest_bend = right.shape.greatest_bend = 3, right.shape.least_bend = 1.5;  // about 3
+  right.contact = FirstContact{3, {2, 7}};
+  right.published.struts = 8, right.contacts_at_most = 2;
+  EXPECT_EQ(right.fault(), "") << "what the bend may be is within, as four struts are for a contact";
+  const auto said = [&](const auto& change) {
+    KnotVerdict wrong = right;
+    change(wrong);
+    EXPECT_FALSE(wrong.within());
+    return wrong.fault();
+  };
+  EXPECT_EQ(said([](KnotVerdict& v) { v.contact->radius = 0.25f; }),
+            "spheres 2 and 7 touch at a radius of 0.25, below 0.5");
+  EXPECT_EQ(said([](KnotVerdict& v) { v.contact.reset(), v.searched_to = 1.25; }),
+            "spheres up to a radius of 1.25 do not touch");
+  EXPECT_EQ(said([](KnotVerdict& v) { v.shape.greatest_bend = 0.25; }),
+            "it bends to a radius of 0.25, below 0.5");
+  EXPECT_EQ(said([](KnotVerdict& v) { v.shape.least_bend = 2.5; }),
+            "spheres up to a radius of 3 fit in, above 2");
+  EXPECT_EQ(said([](KnotVerdict& v) { v.contacts_at_most = 1; }), "1 contacts cannot be those of 8 struts");
+}
+
 // Of a regular polygon thickness and ropelength are known, and no two vertices are a contact: its bend
 // decides.
 TEST(JudgeKnot, TakesABendForTheThicknessWhereNothingTouches) {

@@ -46,7 +46,6 @@ struct RigidMove {
   Vec3 shift;
 
   Vec3 operator()(const Vec3& v) const { return turn(v) + shift; }
-  RigidMove after(const RigidMove& first) const { return {turn.after(first.turn), (*this)(first.shift)}; }
 };
 
 /// A ball about centres of spheres; rounded to nearest, so it encloses them but for rounding.

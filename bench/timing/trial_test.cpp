@@ -10,6 +10,7 @@
 #include "catena/core/input/input.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/writers/writer.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/verify.h"
 
@@ -43,7 +44,9 @@ TEST(Trial, TimesEachStageByItsOwnClock) {
   EXPECT_EQ(trial.run(Stage::build), TimesTold::build_ms);
   EXPECT_EQ(trial.run(Stage::update), TimesTold::update_ms);
   EXPECT_EQ(trial.run(Stage::find), TimesTold::find_ms);
-  EXPECT_GE(trial.run(Stage::whole), TimesTold::slept_ms);
+  const double whole_ms = trial.run(Stage::whole);
+  EXPECT_GE(whole_ms, TimesTold::slept_ms);
+  EXPECT_NE(whole_ms, TimesTold::find_ms);
 }
 
 TEST(Trial, BuildsWhereItTimesABuild) {
@@ -107,6 +110,34 @@ TEST(Trial, AThrowIsTheVariantsFaultAndARefusalIsNot) {
   Trial wrong({"lattice:n=60"}, registry.describe("mutant:less-for-less-equal"));
   EXPECT_TRUE(wrong.prepare().starts_with("wrong answer: "));
   EXPECT_TRUE(wrong.at_fault());
+}
+
+/// What a rounded variant gets wrong is allowed; another answer than pairs once and counts of them is not.
+TEST(Trial, AMalformedAnswerIsAFaultOfARoundedVariantToo) {
+  VariantInfo info = StrategyRegistry::instance().describe("mutant:duplicate-over-two-lanes");
+  info.exact = false;
+  Trial twice({"coincident:n=60"}, info);
+  EXPECT_TRUE(twice.prepare().starts_with("wrong answer: ")) << twice.prepare();
+  EXPECT_TRUE(twice.at_fault());
+}
+
+/// What is compared after an update, too, is counted once.
+TEST(Trial, CountsWhatIsWrongOfAFrameOnce) {
+  const Chain far = open_input("far:n=500,exponent=24").animation->frame(0);
+  const TestFile film("far.xyz", "");
+  const Labels none;
+  WriterRegistry::instance()
+      .of(film.path())
+      .write(film.path(), {0, 2, [&](std::uint32_t) { return ExportedFrame{far}; }, none});
+  for (const std::string variant : {"aCPU2+CPU2/literal", "aGPU2@host+GPU2@host/literal"}) {
+    const VariantInfo info = StrategyRegistry::instance().describe(variant);
+    Trial still({"far:n=500,exponent=24"}, info), moving({film.path().string()}, info);
+    ASSERT_EQ(still.prepare(), "");
+    ASSERT_EQ(moving.prepare(), "");
+    EXPECT_GT(still.missing() + still.invented(), 0u) << variant;
+    EXPECT_EQ(moving.missing(), still.missing()) << variant;
+    EXPECT_EQ(moving.invented(), still.invented()) << variant;
+  }
 }
 
 /// Four frames whose pairs are found in their own box only: what touches across a face lies apart in every

@@ -22,6 +22,16 @@ TEST(PairCollector, KeepsTheOrderOfLanes) {
   EXPECT_TRUE(result.found);
 }
 
+TEST(PairCollector, HeedsWhatIsAskedOfSomeSpheresAlone) {
+  Collisions result;
+  PairCollector collector(10, {.queries = {3, 6}}, result, 1);
+  for (std::uint32_t i = 0; i < 10; ++i) collector.lane(0).count(i, i + 1);
+  collector.lane(0).pair(2, 5), collector.lane(0).pair(3, 9), collector.lane(0).pair(6, 7);
+  collector.finish();
+  EXPECT_EQ(result.pairs, (std::vector<Pair>{{3, 9}}));
+  EXPECT_EQ(result.count, (std::vector<std::uint32_t>{0, 0, 0, 4, 5, 6, 0, 0, 0, 0}));
+}
+
 TEST(PairCollector, ExactlyTheLimitIsKeptAndOneMoreIsAnErrorWithTheTrueNumber) {
   for (std::uint64_t found : {100u, 101u, 20000u}) {
     Collisions result;

@@ -1,11 +1,14 @@
 #include "catena/core/frames/frame_search.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <random>
 #include <stdexcept>
+#include <thread>
 
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
@@ -289,6 +292,44 @@ class AnyFrames {
   FrameSearch search_{{}, true};
   std::unique_ptr<Variant> base_ = StrategyRegistry::instance().make("Hybrid");
 };
+
+/// The estimate is of the full search that was left out, the other time is that of what was done.
+TEST(FrameSearch, TellsItsTimesAndItsListAsTheyAre) {
+  constexpr double slept_ms = 20;
+  const auto base = StrategyRegistry::instance().make("Hybrid");
+  auto kept = std::make_unique<KeptList>();
+  const KeptList& list = *kept;
+  FrameSearch frames({}, true, std::move(kept));
+  const FullSearch slow = [&](const Chain& c, const Request& r, Collisions& f) {
+    std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(slept_ms));
+    base->build(c);
+    base->find(c, r, f);
+  };
+  Chain chain = yarn();
+  Collisions found;
+  const auto next = [&](const std::vector<Sphere>& spheres) {
+    chain = chain.moved(spheres);
+    frames.update(chain, {});
+    frames.find(chain, {}, found, slow, slow, 0);
+    return frames.plan().at(0);
+  };
+  frames.begin(true);
+  frames.find(chain, {}, found, slow, slow, 0);
+  EXPECT_TRUE(frames.plan().empty()) << "there was nothing to decide about a first frame";
+  std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
+  const Decision still = next(spheres);
+  ASSERT_EQ(frames.way(), Way::unmoved);
+  EXPECT_GE(still.estimate_ms.value(), slept_ms);
+  EXPECT_LT(still.actual_ms.value(), slept_ms);
+  EXPECT_EQ(still.removed, fmt::format("{:.3g} ms of a full search", *still.estimate_ms));
+  for (int k = 1; k <= 2; ++k) {  // makes the list, then uses it
+    const Decision by_list = next(spheres = shaken(spheres, 0.001f));
+    ASSERT_EQ(frames.way(), Way::kept_list);
+    EXPECT_EQ(by_list.reason, fmt::format("each of 3000 spheres is within a skin of {:.3g}", list.skin()));
+    EXPECT_EQ(by_list.removed, fmt::format("all but {} pairs whose state may change", list.open_size()));
+    EXPECT_EQ(by_list.actual_ms.value() >= slept_ms, k == 1);
+  }
+}
 
 TEST(FrameSearch, OfAnotherRuleTakesNothingFromTheLastFrame) {
   const Chain first = yarn();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "catena/core/ranks/thread_ranks.h"
@@ -48,6 +49,26 @@ TEST(Border, IsComparedByBothOfTwoRanksAboutEvenly) {
           for (const std::uint32_t b : border.told(other)) EXPECT_EQ(b & border.compared(other), 0u);
         }
       });
+}
+
+/// Blocks that follow one another in a border are near in space: stripes of it are, and so what a rank tells.
+TEST(Border, IsInTheOrderOfSpace) {
+  run_in_threads(2, [&](Communicator& ranks) {
+    const HeldPart part(walk(ranks.rank(), 1000));
+    const Border border(ranks, part);
+    const std::span<const Block> blocks = border.blocks();
+    ASSERT_GT(blocks.size(), 100u);
+    const auto apart = [&](std::size_t a, std::size_t b) {
+      const Sphere &p = part.spheres(blocks[a])[0], &q = part.spheres(blocks[b])[0];
+      return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z);
+    };
+    float successive = 0, half_a_border = 0;
+    for (std::size_t k = 0; k + 1 < blocks.size(); ++k) {
+      successive += apart(k, k + 1);
+      half_a_border += apart(k, (k + blocks.size() / 2) % blocks.size());
+    }
+    EXPECT_LT(successive, half_a_border / 2);
+  });
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "catena/core/ranks/thread_ranks.h"
 #include "catena/properties/generators/family.h"
 
@@ -20,6 +22,7 @@ Labels named(const Chain& chain, bool spheres, bool strands) {
 /// names, or the numbers where it has none.
 TEST(Directory, NamesSpheresAsTheirFileDoes) {
   std::uint64_t seed = 0, later = 0;
+  std::atomic<int> joints = 0;
   for (const char* family : {"strands", "closed", "joints"})
     for (int round = 0; round < 12; ++round) {
       properties::Dice dice(++seed);
@@ -47,6 +50,12 @@ TEST(Directory, NamesSpheresAsTheirFileDoes) {
           return named_part_of(chain, labels, static_cast<std::uint32_t>(starts[rank]),
                                static_cast<std::uint32_t>(starts[rank + 1]));
         });
+        const Part right = part_of(chain, static_cast<std::uint32_t>(starts[c.rank()]),
+                                   static_cast<std::uint32_t>(starts[c.rank() + 1]));
+        EXPECT_EQ(part.part.spheres, right.spheres);
+        EXPECT_EQ(part.part.arcs, right.arcs);
+        EXPECT_EQ(part.part.extra, right.extra);
+        joints += !right.extra.empty() && c.rank() > 0;
         const Directory directory(part, with_spheres);
         for (SphereId id = starts[c.rank()]; id < starts[c.rank() + 1]; ++id) expect_named(id, directory.at(id));
         const std::vector<SphereId> mine(ids.begin() + c.rank(), ids.end());
@@ -57,6 +66,7 @@ TEST(Directory, NamesSpheresAsTheirFileDoes) {
       later += of_strands && ranks > 1 && chain.strand_count() > 1;
     }
   EXPECT_GT(later, 2u);
+  EXPECT_GT(joints, 2);
 }
 
 /// What a rank sends itself is no traffic.

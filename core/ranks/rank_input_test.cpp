@@ -1,14 +1,18 @@
 #include "catena/core/ranks/rank_input.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <mutex>
 
 #include "catena/core/commands/command_line.h"
+#include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
+#include "catena/core/periodic/periodic.h"
 #include "catena/core/ranks/thread_ranks.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/test_file.h"
@@ -160,6 +164,89 @@ TEST(RankInput, KnowsTheFramesThatOneProcessKnows) {
       EXPECT_EQ(several, one) << spec << ' ' << said;
     }
   EXPECT_EQ(refused, 2 * (3 + 1));
+}
+
+/// Of some frames, in boxes of their own: a file that the ranks do not read.
+std::string moving_dump() {
+  std::string text;
+  for (int f = 0; f < 3; ++f) {
+    text += fmt::format(
+        "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n11\nITEM: BOX BOUNDS pp pp pp\n0 {}\n0 30\n0 30\n"
+        "ITEM: ATOMS id type x y z\n",
+        f, 40 - 18 * f);
+    for (int i = 0; i < 11; ++i) text += fmt::format("{} 1 {} {} {}\n", i + 1, i, f, i * f % 5);
+  }
+  return text;
+}
+
+using Fields = std::vector<std::array<double, 8>>;
+Fields fields(const std::vector<Piece>& pieces) {
+  Fields all;
+  for (const auto& [first, begin, size, strand] : pieces)
+    all.push_back({double(first), double(begin), double(size), double(strand.first), double(strand.size),
+                   strand.loop_length, double(strand.closed), double(strand.number)});
+  return all;
+}
+
+/// Each frame's spheres, strands and box, and what is wrong with that frame, are what one process has.
+TEST(RankInput, HasOfEveryFrameWhatOneProcessHas) {
+  const TestFile dump("a.lammpstrj", moving_dump());
+  InputOptions options{.takes_box = true};
+  options.radius = 2;
+  for (const std::string& spec :
+       {dump.path().string(), std::string("path1:n=50"), std::string("hair:n=40,strands=4")})
+    for (const std::uint32_t f : {0u, 1u, 2u}) {
+      const bool file = spec == dump.path();
+      const InputOptions& said = file ? options : InputOptions{};
+      const Input input = open_input(spec, said);
+      if (f >= input.animation->frames()) continue;
+      const Chain chain = input.animation->frame(f);
+      const PeriodicBox* const box = box_of(input.boxes, f);
+      EXPECT_EQ(box != nullptr, file);
+      std::string refusal;
+      try {
+        run_in_threads(3, [&](Communicator& c) {
+          together(c, [&] {
+            const RankInput by_ranks(c, spec, said, in_memory);
+            Part part = by_ranks.part(f).part;
+            const Part right = even_part_of(chain, 3, c.rank());
+            EXPECT_EQ(part.spheres, right.spheres) << spec << ' ' << f;
+            EXPECT_EQ(fields(part.pieces), fields(right.pieces)) << spec << ' ' << f;
+            const auto told = by_ranks.box(f);
+            EXPECT_EQ(told, box != nullptr ? std::optional(*box) : std::nullopt);
+            const auto whole = by_ranks.whole(f);
+            EXPECT_EQ(whole.has_value(), c.rank() == 0);
+            if (whole) {
+              EXPECT_TRUE(std::ranges::equal(whole->spheres(), chain.spheres()));
+            }
+            RankWork work;
+            search_frame(c, by_ranks, f, told, std::move(part), {}, work);
+          });
+        });
+      } catch (const RankFailed& error) {
+        refusal = error.what();
+      }
+      const bool narrow = file && f == 2;  // 4 wide, as a sphere is
+      EXPECT_EQ(refusal.find(spec + " frame 2: ") != std::string::npos, narrow)
+          << spec << ' ' << f << refusal;
+    }
+}
+
+TEST(RankInput, SaysOnceWhatHadToBeAssumed) {
+  const TestFile dump("a.lammpstrj", moving_dump());
+  InputOptions options;
+  options.radius = 0.25f, options.box_from = BoxFrom::none;
+  const auto shown = [](const std::function<void()>& run) {
+    testing::internal::CaptureStderr();
+    run();
+    return testing::internal::GetCapturedStderr();
+  };
+  const std::string spec = dump.path().string();
+  const std::string one = shown([&] { show_warnings(open_input(spec, options)); });
+  EXPECT_NE(one, "");
+  EXPECT_EQ(
+      shown([&] { run_in_threads(3, [&](Communicator& c) { RankInput(c, spec, options, in_memory); }); }),
+      one);
 }
 
 }  // namespace

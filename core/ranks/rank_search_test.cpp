@@ -168,6 +168,22 @@ TEST(ReturnedAnswers, GoHomeByNumbersOf64Bits) {
   });
 }
 
+/// Also runs that are longer than what is read of a message at once.
+TEST(ReturnedAnswers, OfLongRunsAreComplete) {
+  constexpr std::uint32_t size = 5000;
+  std::vector<std::uint32_t> counts(size);
+  std::iota(counts.begin(), counts.end(), 1u);
+  run_in_threads(2, [&](Communicator& c) {
+    const std::vector<SphereId> starts{0, size, size};
+    std::vector<std::uint64_t> twice(counts.begin(), counts.end());
+    for (auto& count : twice) count *= 2;
+    const std::vector<Counted> more{{2, 5}};
+    const auto found = return_counts(c, starts, std::vector<CountRun>{{0, counts}}, more);
+    twice[2] += 10;
+    EXPECT_EQ(found, c.rank() == 0 ? twice : std::vector<std::uint64_t>());
+  });
+}
+
 TEST(RankSearch, KeepsToTheLimitOfAllRanks) {
   const Chain chain = chain_of("coincident:n=60");
   for (const std::uint64_t limit : {0u, 100u, 811u, 812u}) {

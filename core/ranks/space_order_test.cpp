@@ -94,6 +94,20 @@ TEST(PartInSpace, IsTheSameInAnyNumberOfRounds) {
   }
 }
 
+/// So many blocks at a time, and no more.
+TEST(PartInSpace, GoesInAsManyRoundsAsAreAskedFor) {
+  const Chain chain = chain_of("yarn:n=4000");
+  const auto messages = [&](std::uint32_t blocks_at_once) {
+    std::uint64_t of_rank_0 = 0;
+    run_in_threads(2, [&](Communicator& c) {
+      part_in_space(c, even_part_of(chain, 2, c.rank()), blocks_at_once);
+      if (c.rank() == 0) of_rank_0 = c.traffic().messages;
+    });
+    return of_rank_0;
+  };
+  EXPECT_GT(messages(8), messages(0) + 5);
+}
+
 /// By the definition: how many ranks a block may touch beside its own.
 TEST(TouchingShare, IsOneForEachOtherRankThatABlockMeets) {
   const auto shares = [](const Chain& chain, unsigned ranks) {
@@ -108,6 +122,11 @@ TEST(TouchingShare, IsOneForEachOtherRankThatABlockMeets) {
     for (int i = 0; i < 600; ++i) spheres.push_back({step * static_cast<float>(i), 0, 0, 1});
     return Chain(std::move(spheres));
   };
+  // Of a sample, too: the second half of a chain goes back over the first.
+  std::vector<Sphere> there;
+  for (int i = 0; i < 80000; ++i) there.push_back({3.0f * static_cast<float>(i), 0, 0, 1});
+  there.insert(there.end(), there.rbegin(), there.rend());
+  for (const double share : shares(Chain(std::move(there)), 2)) EXPECT_NEAR(share, 1, 0.01);
   for (const unsigned ranks : {1u, 2u, 3u, 5u}) {
     EXPECT_EQ(shares(apart(0), ranks), std::vector<double>(ranks, ranks - 1.0)) << "all in one place";
     EXPECT_EQ(shares(apart(3), ranks), std::vector<double>(ranks, 0)) << "none touches another";

@@ -98,6 +98,15 @@ TEST(Shrinking, EveryStepIsAChainAndItEnds) {
   }
 }
 
+/// Among them one that a sphere is taken out of, which leaves two strands.
+TEST(Shrinking, CutsAStrandWhereASphereWas) {
+  Simplifications candidates(Chain(std::vector<Sphere>(5, Sphere{1, 2, 3, 1})));
+  std::vector<std::vector<std::uint32_t>> strands;
+  while (const auto chain = candidates.next())
+    if (chain->strand_count() > 1) strands.push_back(chain->strands().first);
+  EXPECT_EQ(strands, (std::vector<std::vector<std::uint32_t>>{{0, 1, 4}, {0, 2, 4}, {0, 3, 4}}));
+}
+
 TEST(RapidCheck, ShrinksToAChain) {
   std::ostringstream ignored;
   const auto result = rc::detail::checkTestable([](const Chain& chain) { RC_ASSERT(chain.size() < 4); });

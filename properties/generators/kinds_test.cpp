@@ -49,6 +49,17 @@ Kind spheres(std::uint32_t n) {
 }
 double tightest(const Chain& c) { return reference::all_pairs(c).tightest.margin; }
 
+/// The spheres on both sides of a bystander, which is 1000 of the first radius away.
+bool touch_along_all_axes(const Chain& c) {
+  for (std::uint32_t i = 2; i < c.size(); ++i) {
+    const double x = double{c[i].x} - c[i - 2].x, y = double{c[i].y} - c[i - 2].y,
+                 z = double{c[i].z} - c[i - 2].z, reach = double{c[i].radius} + c[i - 2].radius;
+    if (c[i - 1].x != 1000 * c[0].radius) continue;
+    if (x != 0 && y != 0 && z != 0 && x * x + y * y + z * z == reach * reach) return true;
+  }
+  return false;
+}
+
 struct Made {
   const char *family, *what;
   Kind kind;
@@ -122,6 +133,7 @@ const std::vector<Made> made{
        return c.size() > 10 && c.size() < 40 &&
               !std::ranges::is_sorted(c.spheres().subspan(5), {}, &Sphere::x);
      }},
+    {"touching", "exactly, by steps along all axes", touch_along_all_axes},
     {"lattice", "smaller than whole numbers",
      [](const Chain& c) {
        return any(c, [](const Sphere& s) { return s.x != 0 && std::abs(s.x) < 0x1p-30f; });
@@ -160,6 +172,21 @@ TEST(Mutation, ChangesTheRuleTooAndGrowsNoChainPastItsSize) {
         joints += !chain.exclusion().extra_pairs.empty();
   }
   for (const std::size_t times : {strands, windows, arcs, joints}) EXPECT_GT(times, 10u);
+}
+
+/// Of two spheres, of which one lies in the other.
+TEST(Mutation, PutsASphereToTouchFromWithinAndMovesOneByAPartOfRadii) {
+  const Chain plain(std::vector<Sphere>{{0, 0, 0, 8}, {1, 0, 0, 2}});
+  std::size_t touching = 0, moved = 0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    Dice dice(seed);
+    const Chain chain = mutate(plain, dice, 2);
+    if (chain.size() < 2) continue;
+    touching += chain[1] == Sphere{1, 0, 0, 7};
+    moved += std::abs(chain[0].y) > 0.1f && std::abs(chain[0].y) < 16;
+  }
+  EXPECT_GT(touching, 10u);
+  EXPECT_GT(moved, 10u);
 }
 
 /// Pairs and joints on both sides of 2^16, and across it.

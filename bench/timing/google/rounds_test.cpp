@@ -66,6 +66,9 @@ TEST_F(RoundsTest, TakeOneSampleOfEveryCaseInAFreshRandomOrder) {
       const auto& row = result.benchmarks[round * all.size() + k];
       EXPECT_EQ(row["repetition_index"], round);
       EXPECT_EQ(row["repetitions"], 7);
+      EXPECT_EQ(row["name"], all[row["family_index"].get<std::size_t>()].name() + "/manual_time");
+      EXPECT_GT(row["load_one_ms"].get<double>(), 0) << row["name"];
+      EXPECT_GT(row["load_all_ms"].get<double>(), 0) << row["name"];
       EXPECT_EQ(row["run_type"], "iteration");
       EXPECT_GT(row["real_time"].get<double>(), 0) << row["name"];
       EXPECT_LE(row["least_ms"].get<double>(), row["real_time"].get<double>() * (1 + 1e-9)) << row["name"];
@@ -117,6 +120,8 @@ TEST_F(RoundsTest, ARefusedVariantIsAnErrorWithItsReason) {
   ASSERT_EQ(result.benchmarks.size(), all.size());
   for (const auto& row : result.benchmarks) {
     EXPECT_TRUE(row["error_occurred"]);
+    EXPECT_EQ(row["repetitions"], 1);
+    EXPECT_FALSE(row.contains("at_fault")) << "a refusal is no fault";
     EXPECT_NE(row["error_message"].get<std::string>().find("1536"), std::string::npos);
   }
 }
@@ -161,7 +166,14 @@ TEST_F(RoundsTest, GoOnAfterAnInterruptionWhereTheyWere) {
   for (auto& row : before.benchmarks)
     if (row.contains("iterations")) row["iterations"] = 3;  // on a quicker machine it may have been more
   stopping.most_samples = 5;
-  const auto after = measure_in_rounds(all, stopping, {}, before.benchmarks);
+  auto rows = before.benchmarks;
+  rows.insert(rows.begin(), rows[0]), rows[0]["name"] = "of a case that is gone";
+  std::vector<nlohmann::ordered_json> taken;
+  const auto after = measure_in_rounds(
+      all, stopping, [&](const auto& row) { taken.push_back(row); }, rows);
+  EXPECT_EQ(after.benchmarks.size(), before.benchmarks.size() + taken.size()) << "each is taken as it comes";
+  for (std::size_t k = 0; k < taken.size(); ++k)
+    EXPECT_EQ(taken[k]["name"], after.benchmarks[before.benchmarks.size() + k]["name"]);
   EXPECT_EQ(after.rounds, 5u);
   EXPECT_TRUE(after.not_reached.empty());
   for (const Case& c : all) {
