@@ -123,18 +123,24 @@ TEST(Motion, TellsWhatIsMissedFromWhatIsInvented) {
   EXPECT_EQ(result.contacts - result.missed, found - result.invented);
 }
 
-/// Over what the rope began with and what was done to it.
-TEST(Motion, DriftsByAShareOfAllItsEnergy) {
-  const MotionCase c = small("CPU1", 0.5);
+/// The rope of a case, stored so far from the origin along every axis.
+motion::RopeMotion rope_of(const MotionCase& c, double away) {
   motion::RopeMotion::Start start;
   Random random(c.seed);
   motion::add_knotted_rope(start, c.n, 1, {}, random);
   motion::RopeSettings settings;
   settings.stretching = c.stiffness;
-  const auto place = [](const Vec3& p) {
-    return Sphere{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 1};
+  const auto place = [away](const Vec3& p) {
+    return Sphere{static_cast<float>(p.x + away), static_cast<float>(p.y + away),
+                  static_cast<float>(p.z + away), 1};
   };
-  motion::RopeMotion rope(settings, start, place, StrategyRegistry::instance().make(c.variant));
+  return {settings, start, place, StrategyRegistry::instance().make(c.variant)};
+}
+
+/// Over what the rope began with and what was done to it.
+TEST(Motion, DriftsByAShareOfAllItsEnergy) {
+  const MotionCase c = small("CPU1", 0.5);
+  motion::RopeMotion rope = rope_of(c, 0);
   double error = 0, work = 0;
   for (int k = 0; k < 120; ++k) {
     ASSERT_TRUE(rope.step(0.5));
@@ -149,16 +155,7 @@ TEST(Motion, DriftsByAShareOfAllItsEnergy) {
 /// Moved along every axis, frame by frame.
 TEST(Motion, IsThatOfTheRopeWhereItIsStored) {
   const MotionCase c = small("CPU1", 0.5, 4e6);
-  motion::RopeMotion::Start start;
-  Random random(c.seed);
-  motion::add_knotted_rope(start, c.n, 1, {}, random);
-  motion::RopeSettings settings;
-  settings.stretching = c.stiffness;
-  const auto place = [](const Vec3& p) {
-    return Sphere{static_cast<float>(p.x + 4e6), static_cast<float>(p.y + 4e6), static_cast<float>(p.z + 4e6),
-                  1};
-  };
-  motion::RopeMotion rope(settings, start, place, StrategyRegistry::instance().make(c.variant));
+  motion::RopeMotion rope = rope_of(c, 4e6);
   const auto frames = measure_motion(c).frame_contacts;
   ASSERT_EQ(frames.size(), c.frames);
   const double interval = c.duration / (c.frames - 1);

@@ -13,7 +13,6 @@ class Row {
   /// The next sphere at each call.
   using Walk = std::function<Sphere()>;
 
-  Row() = default;
   /// Sphere i is at(i): a stretch costs as much as it is long.
   static Row by_number(std::uint32_t size, std::function<Sphere(std::uint32_t i)> at);
   /// Each sphere follows from those before it: `start` begins at the first of them again, so that a stretch
@@ -29,7 +28,7 @@ class Row {
   using From = std::function<Walk(std::uint32_t first)>;
   Row(std::uint32_t size, From from) : size_(size), from_(std::move(from)) {}
 
-  std::uint32_t size_ = 0;
+  std::uint32_t size_;
   From from_;
 };
 
