@@ -11,13 +11,14 @@
 #include <thread>
 
 #include "catena/core/error.h"
-#include "catena/core/input/input.h"
+#include "catena/core/frames/test_yarn.h"
 #include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
 namespace {
 
+using test::shaken, test::yarn;
 using Way = FrameSearch::Way;
 
 /// Frames of a chain, each searched; every full search of it is counted.
@@ -67,13 +68,6 @@ class Frames {
   Collisions found_;
   unsigned searches_ = 0;
 };
-
-Chain yarn() { return open_input("yarn:n=3000").animation->frame(0); }
-
-std::vector<Sphere> shaken(std::vector<Sphere> spheres, float by) {
-  for (std::size_t i = 0; i < spheres.size(); ++i) (&spheres[i].x)[i % 3] += i % 2 ? by : -by;
-  return spheres;
-}
 
 TEST(FrameSearch, GoesTheWayThatAFrameAllows) {
   Frames frames(yarn());
@@ -267,35 +261,9 @@ TEST(FrameSearch, SaysOfAFrameWhatWasDoneForIt) {
   EXPECT_GT(std::stoul(open.substr(open.find_first_of("0123456789"))), 100u) << open;
 }
 
-/// What a caller may do with one: answers that are another frame's, or of some spheres alone, are none of the
-/// next.
-class AnyFrames {
- public:
-  AnyFrames() { search_.begin(true); }
-  Way update(const Chain& chain, const Moved& moved = {}) { return search_.update(chain, moved); }
-  void expect_exact(const Chain& chain, const Request& request, const std::string& what) {
-    const FullSearch full = [this](const Chain& c, const Request& r, Collisions& f) {
-      base_->build(c);
-      base_->find(c, r, f);
-    };
-    Collisions found, right;
-    search_.find(chain, request, found, full, full, 0);
-    full(chain, request, right);
-    std::ranges::sort(found.pairs);
-    std::ranges::sort(right.pairs);
-    EXPECT_EQ(found.pairs, right.pairs) << what;
-    EXPECT_EQ(found.count, right.count) << what;
-    EXPECT_GT(right.pair_count, 0u) << what;
-  }
-
- private:
-  FrameSearch search_{{}, true};
-  std::unique_ptr<Variant> base_ = StrategyRegistry::instance().make("Hybrid");
-};
-
 /// The estimate is of the full search that was left out, the other time is that of what was done.
 TEST(FrameSearch, TellsItsTimesAndItsListAsTheyAre) {
-  constexpr double slept_ms = 20;
+  constexpr double slept_ms = 200;  // far more than a list takes, on a busy machine too
   const auto base = StrategyRegistry::instance().make("Hybrid");
   auto kept = std::make_unique<KeptList>();
   const KeptList& list = *kept;
@@ -329,82 +297,6 @@ TEST(FrameSearch, TellsItsTimesAndItsListAsTheyAre) {
     EXPECT_EQ(by_list.removed, fmt::format("all but {} pairs whose state may change", list.open_size()));
     EXPECT_EQ(by_list.actual_ms.value() >= slept_ms, k == 1);
   }
-}
-
-TEST(FrameSearch, OfAnotherRuleTakesNothingFromTheLastFrame) {
-  const Chain first = yarn();
-  const std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
-  const auto n = first.size();
-  Exclusion joined = Exclusion::index(1);
-  joined.extra_pairs = {{5, 900}};
-  const Chain chains[] = {Chain(spheres),
-                          Chain(spheres, {}, Exclusion::index(4)),
-                          Chain(spheres, {{0, 1000, n}, {0, 0}}, Exclusion::index(4)),
-                          Chain(spheres, {{0, 1500, n}, {0, 0}}, Exclusion::index(4)),
-                          Chain(spheres, {{0, 1500, n}, {1, 0}}, Exclusion::index(4)),
-                          Chain(spheres, {}, joined),
-                          Chain(spheres, {}, Exclusion::arc(1.5)),
-                          Chain(spheres, {}, Exclusion::arc(3))};
-  AnyFrames frames;
-  frames.expect_exact(chains[0], {}, "first");
-  for (std::size_t k = 1; k < std::size(chains); ++k) {
-    EXPECT_EQ(frames.update(chains[k]), Way::full) << k;
-    frames.expect_exact(chains[k], {}, std::to_string(k));
-    EXPECT_EQ(frames.update(chains[k]), Way::unmoved) << k;
-    frames.expect_exact(chains[k], {}, std::to_string(k) + " again");
-  }
-}
-
-/// Under one rule for any number of them.
-TEST(FrameSearch, OfOtherSpheresTakesNothingFromTheLastFrame) {
-  const Chain whole = yarn();
-  const auto first = [&](std::size_t n) {
-    const auto spheres = whole.spheres().first(n);
-    return Chain({spheres.begin(), spheres.end()});
-  };
-  AnyFrames frames;
-  frames.expect_exact(first(2000), {}, "first");
-  for (const std::size_t n : {1999, 2600, 40, 3000, 2999}) {
-    EXPECT_EQ(frames.update(first(n)), Way::full) << n;
-    if (n > 1000) frames.expect_exact(first(n), {}, std::to_string(n));
-  }
-}
-
-TEST(FrameSearch, KeepsNoListOfAnotherRule) {
-  const Chain first = yarn();
-  std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
-  AnyFrames frames;
-  frames.expect_exact(Chain(spheres, {}, Exclusion::index(40)), {}, "first");
-  for (const std::uint32_t window : {40u, 1u, 1u}) {
-    spheres = shaken(spheres, 0.01f);
-    const Chain chain(spheres, {}, Exclusion::index(window));
-    frames.update(chain);
-    frames.expect_exact(chain, {}, "window " + std::to_string(window));
-  }
-}
-
-TEST(FrameSearch, HeedsWhatMovedInFramesThatWereNotSearched) {
-  Chain chain = yarn();
-  AnyFrames frames;
-  frames.expect_exact(chain, {}, "first");
-  for (const std::uint32_t at : {100u, 900u}) {
-    std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
-    for (std::uint32_t i = at; i < at + 40; ++i) spheres[i] = spheres[i + 1000];
-    chain = chain.moved(spheres);
-    const SphereRange told{at, at + 40};
-    frames.update(chain, Moved(std::span(&told, 1)));
-  }
-  frames.expect_exact(chain, {}, "the first one's were not searched");
-}
-
-TEST(FrameSearch, OfSomeSpheresAloneIsNoAnswerOfAll) {
-  const Chain chain = yarn();
-  AnyFrames frames;
-  frames.expect_exact(chain, {.queries = {10, 700}}, "some");
-  frames.update(chain);
-  frames.expect_exact(chain, {}, "all");
-  frames.update(chain);
-  frames.expect_exact(chain, {.queries = {10, 700}}, "some of an answer of all");
 }
 
 }  // namespace
