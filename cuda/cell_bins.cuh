@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
+#include <cub/block/block_load.cuh>
 #include <cub/block/block_reduce.cuh>
 #include <cub/block/block_scan.cuh>
+#include <cub/block/block_store.cuh>
 
 #include "catena/core/cells/sphere_cells.h"
 #include "catena/core/parameters/parameters.h"
@@ -17,7 +19,7 @@ namespace catena::cuda {
 /// of its own somewhere in memory; what goes to few places at a time, and within each to its neighbourhood,
 /// is written several times as fast. Plain pointers into a device's memory.
 struct CellBins {
-  static constexpr std::uint32_t most = 4096, threads = 512, put_together = 8 * threads;
+  static constexpr std::uint32_t most = 16384, threads = 512, put_together = 8 * threads;
 
   std::uint32_t* count;  ///< by bin; all 0 between sorts
   std::uint32_t* begin;  ///< by bin, and one more: where it begins in `sphere`
@@ -25,10 +27,12 @@ struct CellBins {
   Sphere* sphere;        ///< as SphereCells::sphere
   std::uint32_t* index;  ///< as SphereCells::index
 
-  /// Buckets of a bin are 2 to the power of this; whole chunks of Buckets.
+  /// Buckets of a bin are 2 to the power of this; whole chunks of Buckets. Those bins that are sorted at a time
+  /// should have room in the device's cache with what they are sorted to, but each asks for more places.
   CATENA_HD static std::uint32_t log2_buckets(const CellTable& table) {
+    const std::uint64_t bins = table.buckets > many_buckets ? most : most / 2;
     std::uint32_t log2 = least_log2;
-    while (std::uint64_t{most} << log2 < table.buckets) ++log2;
+    while (bins << log2 < table.buckets) ++log2;
     return log2;
   }
   CATENA_HD static std::uint32_t bins(const CellTable& table) {
@@ -40,7 +44,7 @@ struct CellBins {
   }
 
  private:
-  static constexpr std::uint32_t least_log2 = 10;
+  static constexpr std::uint32_t least_log2 = 10, many_buckets = 1u << 24;
   static_assert(1u << least_log2 == Buckets::chunk);
 };
 
@@ -48,7 +52,7 @@ template <class Members>
 __global__ void __launch_bounds__(CellBins::threads, 3)
     count_in_bins(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                   const __grid_constant__ CellBins bins, const __grid_constant__ Members members) {
-  __shared__ std::uint32_t of_bins[CellBins::most];
+  extern __shared__ std::uint32_t of_bins[];
   await_previous();
   if (!members.any()) return;
   const CellTable& table = cells.table_for(members.expected());
@@ -65,32 +69,41 @@ __global__ void __launch_bounds__(CellBins::threads, 3)
     if (of_bins[bin] != 0) atomicAdd(bins.count + bin, of_bins[bin]);
 }
 
-/// By one block: counts become begins, and 0 again.
-static __global__ void __launch_bounds__(1024)
-    begin_bins(const __grid_constant__ SphereCells cells, const __grid_constant__ CellBins bins) {
-  constexpr std::uint32_t own = CellBins::most / 1024;
-  using Scan = cub::BlockScan<std::uint32_t, 1024>;
-  using Reduce = cub::BlockReduce<std::uint32_t, 1024>;
+/// By one block, some bins at a time: counts become begins, and 0 again.
+template <class Members>
+__global__ void __launch_bounds__(1024)
+    begin_bins(const __grid_constant__ SphereCells cells, const __grid_constant__ CellBins bins,
+               const __grid_constant__ Members members) {
+  constexpr std::uint32_t threads = 1024, own = 4;
+  static_assert(CellBins::most % (threads * own) == 0);
+  using Scan = cub::BlockScan<std::uint32_t, threads>;
+  using Reduce = cub::BlockReduce<std::uint32_t, threads>;
   __shared__ typename Scan::TempStorage room;
   __shared__ typename Reduce::TempStorage room_of_greatest;
   await_previous();
-  std::uint32_t count[own], begin[own], all, greatest = 0;
-  for (std::uint32_t k = 0; k < own; ++k) {
-    std::uint32_t& from = bins.count[own * threadIdx.x + k];
-    count[k] = from;
-    greatest = max(greatest, count[k]);
-    from = 0;
+  if (!members.any()) return;
+  const std::uint32_t all = CellBins::bins(cells.table_for(members.expected()));
+  std::uint32_t base = 0, greatest = 0;
+  for (std::uint32_t first = 0; first < all; first += threads * own) {
+    std::uint32_t count[own], begin[own], sum;
+    cub::LoadDirectBlockedVectorized(threadIdx.x, bins.count + first, count);
+    for (const std::uint32_t of_bin : count) greatest = max(greatest, of_bin);
+    Scan(room).ExclusiveSum(count, begin, sum);
+    for (std::uint32_t& from : begin) from += base;
+    for (std::uint32_t& of_bin : count) of_bin = 0;
+    cub::StoreDirectBlockedVectorized(threadIdx.x, bins.count + first, count);
+    cub::StoreDirectBlockedVectorized(threadIdx.x, bins.begin + first, begin);
+    cub::StoreDirectBlockedVectorized(threadIdx.x, bins.next + first, begin);
+    base += sum;
+    __syncthreads();
   }
-  Scan(room).ExclusiveSum(count, begin, all);
   greatest =
       Reduce(room_of_greatest).Reduce(greatest, [](std::uint32_t a, std::uint32_t b) { return max(a, b); });
-  for (std::uint32_t k = 0; k < own; ++k)
-    bins.begin[own * threadIdx.x + k] = bins.next[own * threadIdx.x + k] = begin[k];
   if (threadIdx.x != 0) return;
-  bins.begin[CellBins::most] = all;
-  if (all == 0 || greatest > CellBins::most_in_one(all)) return;
+  bins.begin[all] = base;
+  if (base == 0 || greatest > CellBins::most_in_one(base)) return;
   cells.state->in_bins = 1;  // for the kernels after this one
-  cells.state->places[0] = all;
+  cells.state->places[0] = base;
 }
 
 /// Each block takes spheres that follow one another, as most of these go to few bins.
@@ -99,7 +112,7 @@ __global__ void __launch_bounds__(CellBins::threads, 2)
     put_in_bins(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                 const __grid_constant__ CellBins bins, const __grid_constant__ Members members) {
   constexpr std::uint32_t own = CellBins::put_together / CellBins::threads;
-  __shared__ std::uint32_t of_bins[CellBins::most];  // how many came, then where the first of them goes
+  extern __shared__ std::uint32_t of_bins[];  // how many came, then where the first of them goes
   await_previous();
   if (cells.state->in_bins == 0) return;
   const CellTable& table = cells.table_for(members.expected());
@@ -212,8 +225,9 @@ class DeviceCellBins {
   void enqueue(const ChainView& chain, const SphereCells& cells, const Members& members,
                cudaStream_t stream) {
     const CellTable& largest = cells.table_for(chain.size);
-    const std::size_t of_buckets = sizeof(std::uint32_t) << CellBins::log2_buckets(largest);
-    if (of_buckets > most_shared()) return;
+    const std::size_t of_buckets = sizeof(std::uint32_t) << CellBins::log2_buckets(largest),
+                      of_bins = sizeof(std::uint32_t) * most_bins(cells, chain.size);
+    if (std::max(of_buckets, of_bins) > most_shared()) return;
     if (CellBins::most > count_.capacity())  // between sorts all counts are 0
       CATENA_CUDA(cudaMemsetAsync(count_.reserve(CellBins::most, stream), 0,
                                   CellBins::most * sizeof(std::uint32_t), stream));
@@ -225,16 +239,24 @@ class DeviceCellBins {
     const auto blocks = [&](std::uint32_t together, unsigned most) {
       return std::min((chain.size + together - 1) / together, most);
     };
-    launch_next<count_in_bins<Members>>(blocks(CellBins::threads, 396), CellBins::threads, stream, chain,
-                                        cells, bins, members);
-    launch_next<begin_bins>(1, 1024, stream, cells, bins);
-    launch_next<put_in_bins<Members>>(blocks(CellBins::put_together, 1056), CellBins::threads, stream, chain,
-                                      cells, bins, members);
+    launch_next_sharing<count_in_bins<Members>>(blocks(CellBins::threads, 396), CellBins::threads, of_bins,
+                                                stream, chain, cells, bins, members);
+    launch_next<begin_bins<Members>>(1, 1024, stream, cells, bins, members);
+    launch_next_sharing<put_in_bins<Members>>(blocks(CellBins::put_together, 1056), CellBins::threads, of_bins,
+                                              stream, chain, cells, bins, members);
     launch_next_sharing<sort_bins<Members>>(CellBins::bins(largest), CellBins::threads, of_buckets, stream,
                                             cells, bins, members);
   }
 
  private:
+  /// Of any table that so many spheres or fewer may have.
+  static std::uint32_t most_bins(const SphereCells& cells, std::uint32_t spheres) {
+    const CellTable* const largest = &cells.table_for(spheres);
+    std::uint32_t most = 0;
+    for (const CellTable* table = cells.table; table <= largest; ++table)
+      most = std::max(most, CellBins::bins(*table));
+    return most;
+  }
   /// Bytes that a block can have beside what the kernel itself has.
   static std::size_t most_shared() {
     int device = 0, shared = 0;
