@@ -27,8 +27,8 @@ struct CellBins {
   Sphere* sphere;        ///< as SphereCells::sphere
   std::uint32_t* index;  ///< as SphereCells::index
 
-  /// Buckets of a bin are 2 to the power of this; whole chunks of Buckets. Those bins that are sorted at a time
-  /// should have room in the device's cache with what they are sorted to, but each asks for more places.
+  /// Buckets of a bin are 2 to the power of this; whole chunks of Buckets. Those bins that are sorted at a
+  /// time should have room in the device's cache with what they are sorted to, but each asks for more places.
   CATENA_HD static std::uint32_t log2_buckets(const CellTable& table) {
     const std::uint64_t bins = table.buckets > many_buckets ? most : most / 2;
     std::uint32_t log2 = least_log2;
@@ -242,8 +242,8 @@ class DeviceCellBins {
     launch_next_sharing<count_in_bins<Members>>(blocks(CellBins::threads, 396), CellBins::threads, of_bins,
                                                 stream, chain, cells, bins, members);
     launch_next<begin_bins<Members>>(1, 1024, stream, cells, bins, members);
-    launch_next_sharing<put_in_bins<Members>>(blocks(CellBins::put_together, 1056), CellBins::threads, of_bins,
-                                              stream, chain, cells, bins, members);
+    launch_next_sharing<put_in_bins<Members>>(blocks(CellBins::put_together, 1056), CellBins::threads,
+                                              of_bins, stream, chain, cells, bins, members);
     launch_next_sharing<sort_bins<Members>>(CellBins::bins(largest), CellBins::threads, of_buckets, stream,
                                             cells, bins, members);
   }
