@@ -25,13 +25,12 @@ class HilbertCurve {
   static HWY_INLINE Bits place(Bits x, Bits y, Bits z, int levels) {
     // Skilling 2004: down from the greatest cubes, what is below each is turned as the curve runs through it.
     const auto turn = [&x](Bits& v, int l) HWY_ATTR {
-      const Bits below((1u << l) - 1), set = Bits(0u) - (v >> l & Bits(1u));
-      const Bits exchanged = (x ^ v) & below & ~set;
-      x = x ^ ((set & below) | exchanged);
-      v = v ^ exchanged;
+      const Bits below((1u << l) - 1), set = spread_bit(v, l), differ = x ^ v;
+      x = x ^ (below & (set | differ));  // all of it where set, else what differs
+      v = v ^ (below & differ & ~set);   // the two exchanged, then
     };
     for (int l = levels - 1; l > 0; --l) {
-      x = x ^ ((Bits(0u) - (x >> l & Bits(1u))) & Bits((1u << l) - 1));
+      x = x ^ (Bits((1u << l) - 1) & spread_bit(x, l));
       turn(y, l);
       turn(z, l);
     }
@@ -47,6 +46,12 @@ class HilbertCurve {
   }
 
  private:
+  /// All bits set where bit l is.
+  static HWY_INLINE std::uint32_t spread_bit(std::uint32_t v, int l) { return 0 - (v >> l & 1); }
+  template <class Bits>
+  static HWY_INLINE Bits spread_bit(Bits v, int l) {
+    return (v << (31 - l)).sign();
+  }
   /// Two zeros after each bit of ten.
   template <class Bits>
   static HWY_INLINE Bits spread(Bits v) {

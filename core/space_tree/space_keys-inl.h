@@ -27,9 +27,13 @@ struct Bits32 {
   friend HWY_INLINE Bits32 operator&(Bits32 a, Bits32 b) { return Bits32(hn::And(a.v, b.v)); }
   friend HWY_INLINE Bits32 operator|(Bits32 a, Bits32 b) { return Bits32(hn::Or(a.v, b.v)); }
   friend HWY_INLINE Bits32 operator^(Bits32 a, Bits32 b) { return Bits32(hn::Xor(a.v, b.v)); }
-  friend HWY_INLINE Bits32 operator-(Bits32 a, Bits32 b) { return Bits32(hn::Sub(a.v, b.v)); }
   friend HWY_INLINE Bits32 operator~(Bits32 a) { return Bits32(hn::Not(a.v)); }
   friend HWY_INLINE Bits32 operator<<(Bits32 a, int by) { return Bits32(hn::ShiftLeftSame(a.v, by)); }
+  /// The uppermost bit in every place.
+  HWY_INLINE Bits32 sign() const {
+    const hn::RebindToSigned<Tag> with_sign;
+    return Bits32(hn::BitCast(Tag(), hn::BroadcastSignBit(hn::BitCast(with_sign, v))));
+  }
   friend HWY_INLINE Bits32 operator>>(Bits32 a, int by) { return Bits32(hn::ShiftRightSame(a.v, by)); }
 };
 
@@ -127,6 +131,7 @@ inline void make_keys_of_middles(const SpaceRows& rows, const SpaceGrid& grid,
   for_sixteen(entries, [&](const std::uint64_t* some, std::uint32_t count) HWY_ATTR {
     const Middles m(rows, some);
     std::uint32_t key[Middles::group];
+    std::uint64_t with_key[Middles::group];
     for (std::size_t k = 0; k < Lanes16::parts; ++k) {
       const Bits32 place = HilbertCurve::place(cube(m.at.x.part[k], grid.low[0], grid),
                                                cube(m.at.y.part[k], grid.low[1], grid),
@@ -134,8 +139,14 @@ inline void make_keys_of_middles(const SpaceRows& rows, const SpaceGrid& grid,
       const Bits32 all = class_of(m.size.part[k], grid.greatest) << 3 * SpaceGrid::bits | place;
       hn::StoreU(all.v, Bits32::Tag(), key + k * Lanes16::width);
     }
-    for (std::uint32_t k = 0; k < count; ++k)
-      to[k] = std::uint64_t{key[k]} << 32 | static_cast<std::uint32_t>(some[k]);
+    const hn::CappedTag<std::uint64_t, Middles::group> entry;
+    const hn::Rebind<std::uint32_t, decltype(entry)> of_entry;
+    const auto lower = hn::Set(entry, 0xFFFFFFFFu);
+    for (std::uint32_t k = 0; k < Middles::group; k += static_cast<std::uint32_t>(hn::Lanes(entry))) {
+      const auto upper = hn::ShiftLeft<32>(hn::PromoteTo(entry, hn::LoadU(of_entry, key + k)));
+      hn::StoreU(hn::Or(upper, hn::And(hn::LoadU(entry, some + k), lower)), entry, with_key + k);
+    }
+    std::copy_n(with_key, count, to);
     to += count;
   });
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <span>
 
+#include "catena/core/blocks/transpose-inl.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/space_tree/axis_boxes-inl.h"
@@ -61,17 +62,20 @@ class SphereBuild {
     if (node >= tree_.nodes()) return put_nowhere(box);
     constexpr std::uint32_t ahead = 2 * group;
     const std::uint32_t first = node * group, last = tree_.spheres - 1;
-    float* const to = tree_.fields_of(node);
+    const Sphere* from[group];
     for (std::uint32_t k = 0; k < group; ++k) {
       if (first + k + ahead <= last) hwy::Prefetch(chain_.spheres + tree_.order[first + k + ahead]);
       const std::uint32_t i = tree_.order[std::min(first + k, last)];
-      const Sphere& s = chain_.spheres[i];
-      to[k] = s.x, to[group + k] = s.y, to[2 * group + k] = s.z, to[3 * group + k] = s.radius;
+      from[k] = chain_.spheres + i;
       tree_.index[first + k] = i;
     }
-    const Lanes16 radius = Lanes16::load(to + 3 * group), outward = Lanes16::all(0x1p-23f);
+    Lanes16 field[SphereTree::sphere_fields];  // x y z radius
+    transpose_rows([&](std::size_t k) { return &from[k]->x; }, field);
+    float* const to = tree_.fields_of(node);
+    for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f) field[f].store(to + f * group);
+    const Lanes16 radius = field[3], outward = Lanes16::all(0x1p-23f);
     for (std::uint32_t d = 0; d < 3; ++d) {
-      const Lanes16 at = Lanes16::load(to + d * group), low = at - radius, high = at + radius;
+      const Lanes16 low = field[d] - radius, high = field[d] + radius;
       box[d * group] = least(neg_mul_add(abs(low), outward, low));
       box[(3 + d) * group] = -least(neg_mul_add(abs(high), outward, Lanes16::all(0) - high));
     }
