@@ -10,6 +10,7 @@
 #include <bit>
 #include <numeric>
 
+#include "catena/core/blocks/transpose-inl.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/grid/centre_box-inl.h"
 #include "catena/core/grid/member_buckets-inl.h"
@@ -130,16 +131,21 @@ class SphereSort {
   }
 
   void copy(std::uint32_t begin, std::uint32_t end) {
-    const auto one = [&](std::uint32_t place) {
+    constexpr std::uint32_t group = 16;
+    std::uint32_t place = begin;
+    for (; place + group <= end; place += group) {
+      if (place + ahead + group <= end)
+        for (std::uint32_t k = 0; k < group; ++k)
+          hwy::Prefetch(chain_.spheres + grid_.index[place + ahead + k]);
+      Lanes16 field[4];
+      transpose_rows([&](std::size_t k) { return &chain_.spheres[grid_.index[place + k]].x; }, field);
+      field[0].store(grid_.x.data() + place), field[1].store(grid_.y.data() + place);
+      field[2].store(grid_.z.data() + place), field[3].store(grid_.radius.data() + place);
+    }
+    for (; place < end; ++place) {
       const Sphere& s = chain_.spheres[grid_.index[place]];
       grid_.x[place] = s.x, grid_.y[place] = s.y, grid_.z[place] = s.z, grid_.radius[place] = s.radius;
-    };
-    std::uint32_t place = begin;
-    for (; place + ahead < end; ++place) {
-      hwy::Prefetch(chain_.spheres + grid_.index[place + ahead]);
-      one(place);
     }
-    for (; place < end; ++place) one(place);
   }
 
   static constexpr std::uint32_t members_of_a_task = 8192;
