@@ -6,6 +6,8 @@
 #define CATENA_CORE_BLOCKS_BUILD_TREE_INL_H
 #endif
 
+#include <algorithm>
+
 #include "catena/core/blocks/build_blocks-inl.h"
 #include "catena/core/blocks/oriented_boxes-inl.h"
 #include "catena/core/blocks/rows-inl.h"
@@ -24,28 +26,34 @@ struct ChildrenOfNodes {
   /// From `nodes` groups of sixteen, one after the other.
   HWY_INLINE ChildrenOfNodes(const float* groups, std::uint32_t nodes, std::uint32_t children_of_last) {
     constexpr std::size_t stride = std::size_t{group} * Sixteen::fields;
-    alignas(64) float copies[group * stride];
-    if (nodes < group || children_of_last < group) {
-      for (std::uint32_t k = 0; k < group; ++k) {
-        const std::uint32_t node = std::min(k, nodes - 1), used = node + 1 < nodes ? group : children_of_last;
-        for (std::uint32_t f = 0; f < Sixteen::fields; ++f)
-          for (std::uint32_t b = 0; b < group; ++b)
-            copies[k * stride + f * group + b] = groups[node * stride + f * group + std::min(b, used - 1)];
+    if (nodes == group && children_of_last == group) {
+      transpose_all([=](std::size_t k) { return groups + k * stride; });
+    } else {
+      const float* const last = groups + (nodes - 1) * stride;
+      alignas(64) float filled[stride];
+      for (std::size_t f = 0; f < stride; f += group) {
+        std::copy_n(last + f, children_of_last, filled + f);
+        std::fill_n(filled + f + children_of_last, group - children_of_last, last[f + children_of_last - 1]);
       }
-      groups = copies;
-    }
-    for (std::uint32_t f = 0; f < Sixteen::fields; ++f) {
-      for (std::uint32_t b = 0; b < group; b += 4) {
-        Lanes16 four[4];
-        transpose(groups + f * group + b, stride, four);
-        for (std::uint32_t k = 0; k < 4; ++k) four[k].store(field[b + k][f]);
-      }
+      transpose_all([&](std::size_t k) { return k + 1 < nodes ? groups + k * stride : filled; });
     }
   }
   HWY_INLINE Sixteen child(std::uint32_t b) const { return Sixteen::load(field[b][0]); }
   /// Child b of the next node; of the last lane's there is none.
   HWY_INLINE Sixteen next_child(std::uint32_t b) const { return Sixteen::load(field[b][0] + 1); }
   HWY_INLINE Vectors centre(std::uint32_t b) const { return Vectors::load(field[b][0]); }
+
+ private:
+  template <class Children>
+  HWY_INLINE void transpose_all(const Children& children_of) {
+    for (std::uint32_t f = 0; f < Sixteen::fields; ++f) {
+      for (std::uint32_t b = 0; b < group; b += 4) {
+        Lanes16 four[4];
+        transpose_rows([&](std::size_t k) { return children_of(k) + f * group + b; }, four);
+        for (std::uint32_t k = 0; k < 4; ++k) four[k].store(field[b + k][f]);
+      }
+    }
+  }
 };
 
 /// What fills boxes evenly has this covariance about their centres; three times as much is added.
