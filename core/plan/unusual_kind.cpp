@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/hierarchy/box.h"
+#include "catena/core/plan/row_look.h"
 
 namespace catena {
 namespace {
 
-enum Kind { wide, subnormal, crowded, short_crowded, short_dense, short_scattered, short_sparse };
+enum Kind { wide, subnormal, crowded, short_apart, short_like, short_lattice, short_unlike };
 
 const UnusualKind& info(Kind kind) {
   static const std::array<UnusualKind, 7> all{{
@@ -18,12 +20,13 @@ const UnusualKind& info(Kind kind) {
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
        true, 6},
-      {"Grid",
-       "at most 2,048 spheres of like radii, which fill a quarter of their box to six times all of it"},
-      {"SphereTree", "at most 2,048 spheres, which fill their box more than six times or have unlike radii"},
+      {"ChainTree", "at most 2,048 spheres, of which rows of eight are near few others"},
+      {"Grid", "301 to 2,048 spheres of like radii, of which rows of eight are near many others"},
       {"SphereTree",
-       "at most 2,048 spheres, of which those that follow one another lie anywhere in their box"},
-      {"ChainTree", "at most 2,048 spheres, in a box that is mostly empty"},
+       "at most 2,048 spheres in a small box, or at most 300 of which rows are near many others"},
+      {"SphereTree",
+       "at most 2,048 spheres, which fill their box more than six times or have unlike radii, and of which "
+       "rows of eight are near many others"},
   }};
   return all[kind];
 }
@@ -76,22 +79,24 @@ Course course(std::span<const Sphere> spheres) {
   return {beside / some, along > 0 ? across / along : 0};
 }
 
-/// Most spheres that follow one another at a distance of a block's lie apart by a good part of their box, by
-/// some of them: then blocks in the chain's order lie among one another, and tell nothing apart.
-bool scattered(const Extent& extent, std::span<const Sphere> spheres) {
-  constexpr std::size_t some = 16, row = 8, few = 256, many = 512;
-  constexpr double good_part = 0.2;
-  if (spheres.size() < few) return false;  // in a small box all lie so, and it matters little
-  std::size_t apart = 0;
-  for (std::size_t k = 0; k < some; ++k) {
-    const std::size_t i = k * (spheres.size() - row) / (some - 1);
-    const Sphere &a = spheres[i], &b = spheres[i + row - 1];
-    const double sides =
-        std::abs(double{a.x} - b.x) + std::abs(double{a.y} - b.y) + std::abs(double{a.z} - b.z);
-    apart += sides > good_part * extent.sides;
+/// Of a few spheres, by how their rows of eight lie: where many are near one, a tree of these tells little
+/// apart. Measured, with the limits below, over the registry's scenes and 69 other kinds of chain.
+Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
+  constexpr double few_rows = 6, spheres_a_row = 160, dense = 6, loose = 0.35, sparse = 0.25, smooth = 0.98;
+  constexpr double most_filled = 3, some_rows = 5, anywhere = 0.25;
+  constexpr std::uint32_t very_few = 300, few = 512, many = 700;
+  const RowLook look = RowLook::at(spheres);
+  const bool apart = look.near <= std::min(few_rows, n / spheres_a_row) && look.straight > anywhere;
+  if (!like || filled > dense) return apart ? short_apart : short_unlike;
+  if (filled <= loose) return apart ? short_apart : n > very_few ? short_like : short_lattice;
+  if (n > few) {
+    // Blocks of a smooth tube are told apart by their capsules.
+    const Course c = course(spheres);
+    if (c.straight > smooth && filled * c.beside <= sparse) return short_apart;
   }
-  // Blocks that meet all others cost more the more there are.
-  return apart >= (spheres.size() < many ? 13 : 11);
+  return n > many && look.near > some_rows && filled < most_filled && look.straight > anywhere
+             ? short_like
+             : short_lattice;
 }
 
 }  // namespace
@@ -99,11 +104,9 @@ bool scattered(const Extent& extent, std::span<const Sphere> spheres) {
 const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres) {
   // Measured over the registry's scenes and walks in boxes of any fill: these take 0.2 to 0.9 of the usual
   // variant's time.
-  constexpr double widest = 0x1p60, sparse = 0.25, full = 0.2, dense = 6, very_dense = 10;
-  constexpr double few_meet = 0.5, most_meet = 0.7, smooth = 0.98;
-  // No node of 128 spheres of a few can meet so many others that it is crowded; very few are searched before
-  // it is seen how they lie.
-  constexpr std::uint32_t few = 2048, very_few = 512;
+  constexpr double widest = 0x1p60, sparse = 0.25, full = 0.2, very_dense = 10;
+  constexpr double few_meet = 0.5, most_meet = 0.7;
+  constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
     if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius &&
         !spheres.empty() && share_that_meets(spheres) < few_meet)
@@ -112,12 +115,9 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius;
     if (n <= few) {
-      if (filled <= sparse) return &info(scattered(extent, spheres) ? short_scattered : short_sparse);
-      if (!like || filled > dense) return &info(short_dense);
-      if (n <= very_few) return &info(short_crowded);
-      // Blocks of a smooth tube are told apart by their capsules.
-      const Course c = course(spheres);
-      return &info(c.straight > smooth && filled * c.beside <= sparse ? short_sparse : short_crowded);
+      // The chain's order is the only one that scales its numbers.
+      if (!squares_in_range(extent.greatest_radius) && filled <= sparse) return &info(short_apart);
+      return spheres.empty() ? nullptr : &info(short_kind(n, filled, like, spheres));
     }
     if (like && filled > full && filled <= very_dense && filled * course(spheres).beside > full &&
         !spheres.empty() && share_that_meets(spheres) > most_meet)

@@ -1,0 +1,71 @@
+#include "catena/core/plan/row_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "catena/core/space_tree/scattered.h"
+
+namespace catena {
+namespace {
+
+constexpr std::uint32_t row_size = 8;
+
+/// Where some of a row's spheres lie along an axis, about.
+struct Interval {
+  float low, high;
+  Interval(float a, float b, float c, float radius)
+      : low(std::min(std::min(a, b), c) - radius), high(std::max(std::max(a, b), c) + radius) {}
+  bool meets(const Interval& other) const { return (low <= other.high) & (other.low <= high); }
+};
+struct RowBox {
+  Interval x, y, z;
+  RowBox(const Sphere& a, const Sphere& b, const Sphere& c, float radius)
+      : x(a.x, b.x, c.x, radius), y(a.y, b.y, c.y, radius), z(a.z, b.z, c.z, radius) {}
+  explicit RowBox(const Sphere* of)
+      : RowBox(of[0], of[row_size / 2], of[row_size - 1],
+               std::max(std::max(of[0].radius, of[row_size / 2].radius), of[row_size - 1].radius)) {}
+  bool meets(const RowBox& other) const { return x.meets(other.x) & y.meets(other.y) & z.meets(other.z); }
+};
+
+double along_the_axes(const Sphere& a, const Sphere& b) {
+  return std::abs(double{a.x} - b.x) + std::abs(double{a.y} - b.y) + std::abs(double{a.z} - b.z);
+}
+
+}  // namespace
+
+RowLook RowLook::at(std::span<const Sphere> spheres) {
+  constexpr std::uint32_t least = 4, few = 16;
+  const auto rows = static_cast<std::uint32_t>(spheres.size() / row_size), some = rows < few ? 2u : 4u;
+  RowLook look;
+  if (rows < least) return look;
+  std::uint32_t near = 0, looks = 0, taken = 0;
+  double across = 0, along = 0;
+  const auto take = [&](std::uint32_t own) {
+    const Sphere* const first = spheres.data() + own * row_size;
+    across += along_the_axes(first[0], first[row_size - 1]);
+    for (const std::uint32_t at : {0u, row_size / 2 - 1, row_size - 2})
+      along += along_the_axes(first[at], first[at + 1]);
+    const RowBox box(first);
+    for (std::uint32_t apart = 2; apart < rows; apart *= 2) {
+      // Those from `apart` to 2 apart - 1 away.
+      const auto of = [&](std::uint32_t all) {
+        return std::max(std::min(2 * apart, all + 1), apart) - apart;
+      };
+      const std::uint32_t before = of(own), behind = of(rows - 1 - own);
+      if (before + behind == 0) break;
+      const std::uint32_t one = scattered(++looks, before + behind);
+      const std::uint32_t other = one < before ? own - apart - one : own + apart + (one - before);
+      if (box.meets(RowBox(spheres.data() + other * row_size))) near += before + behind;
+    }
+    ++taken;
+  };
+  for (std::uint32_t k = 0; k < some; ++k) take((2 * k + 1) * rows / (2 * some));
+  if (near > 0 && rows >= few)  // or nothing more will be found
+    for (std::uint32_t k = 0; k < some; ++k) take(k * rows / some);
+  look.near = static_cast<double>(near) / taken;
+  if (along > 0) look.straight = across / ((row_size - 1) * along / 3);
+  return look;
+}
+
+}  // namespace catena
