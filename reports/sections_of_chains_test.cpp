@@ -96,9 +96,10 @@ TEST(Sections, OfTheViewerShowWhatIsThere) {
   const TestFile file("boxes.xyz", in_boxes({"8", "20", "20"}));
   bench::WorkloadSpec boxed{file.path().string(), true};
   boxed.options.radius = 1;
-  p.shown = {{"path1:n=100", true}, {"far:n=300,exponent=24"}, boxed};
+  const std::string missing_some = "far:n=300,exponent=24", inventing_some = "collinear:n=300,align=general";
+  p.shown = {{"path1:n=100", true}, {missing_some}, boxed, {inventing_some}};
   const Json views = section("viewer", p);
-  ASSERT_EQ(views.size(), 3u);
+  ASSERT_EQ(views.size(), 4u);
   const auto animation = open_input("path1:n=100").animation;
   std::uint64_t most = 0;
   std::uint32_t busiest = 0;
@@ -122,23 +123,26 @@ TEST(Sections, OfTheViewerShowWhatIsThere) {
     EXPECT_EQ(level["level"], height++);
     for (const Sphere& s : array_of<Sphere>(level["spheres"])) EXPECT_GT(s.radius, 0);
   }
-  const Chain far = open_input("far:n=300,exponent=24").animation->frame(0);
-  const auto exact = reference::find(far).pairs;
-  const auto wrong = views[1]["wrong"];
-  ASSERT_EQ(wrong.size(), 1u) << "the rounded one alone";
-  EXPECT_EQ(wrong[0]["variant"], "aCPU2+CPU2/literal");
-  Collisions found;
-  const auto rounded = StrategyRegistry::instance().make("aCPU2+CPU2/literal");
-  rounded->build(far), rounded->find(far, {}, found);
-  std::ranges::sort(found.pairs);
   const auto without = [](const std::vector<Pair>& all, const std::vector<Pair>& those) {
     Json rest = Json::array();
     for (const Pair& pair : all)
       if (!std::ranges::binary_search(those, pair)) rest.push_back({pair.i, pair.j});
     return rest;
   };
-  EXPECT_EQ(wrong[0]["missing"], without(exact, found.pairs));
-  EXPECT_EQ(wrong[0]["invented"], without(found.pairs, exact));
+  for (const auto& [view, scene] : {std::pair(1u, missing_some), {3u, inventing_some}}) {
+    const Chain chain = open_input(scene).animation->frame(0);
+    const auto exact = reference::find(chain).pairs;
+    const auto wrong = views[view]["wrong"];
+    ASSERT_EQ(wrong.size(), 1u) << "the rounded one alone";
+    EXPECT_EQ(wrong[0]["variant"], "aCPU2+CPU2/literal");
+    Collisions found;
+    const auto rounded = StrategyRegistry::instance().make("aCPU2+CPU2/literal");
+    rounded->build(chain), rounded->find(chain, {}, found);
+    std::ranges::sort(found.pairs);
+    EXPECT_EQ(wrong[0]["missing"], without(exact, found.pairs));
+    EXPECT_EQ(wrong[0]["invented"], without(found.pairs, exact));
+    EXPECT_FALSE(wrong[0][view == 1 ? "missing" : "invented"].empty());
+  }
   const Input melt = open_input(boxed.input, boxed.options);
   ASSERT_EQ(views[2]["frames"].size(), 3u);
   for (const Json& frame : views[2]["frames"]) {

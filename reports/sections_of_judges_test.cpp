@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -21,14 +22,23 @@ TEST(Sections, OfWhatIsJudgedHaveEachPublishedNumberOnce) {
   EXPECT_TRUE(section("judged", p).empty());
   p.judged_steps = 4, p.judged_side = 6, p.judged_n = 32'000, p.judged_moves = 6400;
   std::map<std::string, std::string> walks, formulas;
-  std::size_t laws = 0, knots = 0, exponents = 0;
+  std::size_t opens = 0, closed = 0, laws = 0, knots = 0, exponents = 0;
   for (const Json& row : section("judged", p)) {
     const std::string what = row["what"], published = row["published"];
     if (what.ends_with(" lattice")) {
       EXPECT_TRUE(walks.emplace(what, published).second) << what;
     }
     if (row["source"] == "closed form") formulas[what] = published;
-    laws += published == "O(n^(4/3))";
+    if (published == "O(n^(4/3))") {
+      ++laws;
+      const std::string interval = std::string(row["found"]).substr(std::string(row["found"]).find('[') + 1);
+      const double low = std::stod(interval), high = std::stod(interval.substr(interval.find(", ") + 2));
+      if (std::abs(high - low - 1) > 1e-2) {  // not told apart by three digits
+        EXPECT_EQ(row.contains("open"), high - low > 1) << row;
+        opens += high - low > 1, closed += high - low < 1;
+      }
+      EXPECT_EQ(row["agrees"], low <= 4.0 / 3) << row;
+    }
     knots += what.starts_with("ropelength");
     exponents += what.starts_with("exponent nu");
     EXPECT_EQ(row.contains("open") || row["agrees"], true) << row;
@@ -54,6 +64,8 @@ TEST(Sections, OfWhatIsJudgedHaveEachPublishedNumberOnce) {
     EXPECT_EQ(formulas[fmt::format("pairs of {}, {} of them exact ties", box.scene(), box.ties())],
               std::to_string(box.pairs()));
   EXPECT_EQ(laws, 9u);
+  EXPECT_GT(opens, 0u);
+  EXPECT_GT(closed, 0u);
   EXPECT_EQ(knots, 4u);
   EXPECT_EQ(exponents, 2u);
 }

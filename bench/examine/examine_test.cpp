@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/input/input.h"
@@ -34,10 +35,13 @@ TEST(Examine, CountsEveryParentOnItsLevel) {
 TEST(Examine, NamesTheWorstShortfallOfAnyChild) {
   class Worst final : public SphereBoundsVisitor {
    public:
-    void sphere(std::uint32_t, const Sphere64& parent, std::uint32_t, const Sphere64& child) override {
-      if (!reference::encloses(parent, child)) most = std::max(most, reference::shortfall(parent, child));
+    void sphere(std::uint32_t id, const Sphere64& parent, std::uint32_t, const Sphere64& child) override {
+      if (reference::encloses(parent, child)) return;
+      most = std::max(most, reference::shortfall(parent, child));
+      failing.insert(id);
     }
     double most = 0;
+    std::set<std::uint32_t> failing;
   };
   for (const char* scene : {"rod:n=1000", "far:n=300,exponent=20", "yarn:n=500", "mixed_radii:n=400"}) {
     const Chain chain = open_input(scene).animation->frame(0);
@@ -50,6 +54,8 @@ TEST(Examine, NamesTheWorstShortfallOfAnyChild) {
     double of_levels = 0;
     for (const LevelExamined& level : e.levels) of_levels = std::max(of_levels, level.worst_shortfall);
     EXPECT_EQ(of_levels, worst.most) << scene;
+    EXPECT_EQ(e.all.failing, worst.failing.size()) << scene;
+    EXPECT_LT(e.all.failing, e.all.parents) << scene;
   }
 }
 

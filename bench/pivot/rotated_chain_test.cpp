@@ -108,6 +108,43 @@ TEST(RotatedChain, AnswersTheSameWhenItListsAllPairsAnew) {
   for (const Place& place : places()) EXPECT_EQ(fault<ListsOften>(place, ++seed), "") << place.n;
 }
 
+/// The same, and how often.
+struct CountsLists : ListsOften {
+  static inline int lists = 0;
+  static double skin(double rounding) { return ++lists, ListsOften::skin(rounding); }
+};
+
+/// A list is made anew when the drifts of the moves since have eaten up its skin, and when the chain has
+/// shrunk to less than a quarter: by the definition, attempt by attempt.
+TEST(RotatedChain, ListsAllPairsAnewAsDriftsAndExtentsSay) {
+  int by_drift = 0, by_extent = 0;
+  for (const Vec3& start : {Vec3{}, Vec3{-3e4, 2e5, 1e4}}) {
+    constexpr std::uint32_t n = 300;
+    CountsLists::lists = 0;
+    RotatedChain<CountsLists> chain(n, 0.1f, start);
+    EXPECT_EQ(CountsLists::lists, 1);
+    Random random(5);
+    double listed = chain.tree().extent(), drift = 0, skin = ListsOften::skin(0x1p-22 * listed);
+    for (int k = 0; k < 600; ++k) {
+      const RotationPivot move = random_move(n, random);
+      const double before = chain.tree().extent();
+      auto turned = chain.tree();
+      turned.turn(move);
+      const double after = turned.extent(), drifted = drift + 0x1p-33 * std::max(before, after);
+      const bool spent = drifted + 0x1p-22 * after >= skin;
+      CountsLists::lists = 0;
+      const bool made = chain.attempt(move), shrunk = made && !spent && 4 * after < listed;
+      ASSERT_EQ(CountsLists::lists, spent || shrunk) << k;
+      by_drift += spent, by_extent += shrunk;
+      if (!made) continue;
+      drift = drifted;
+      if (spent || shrunk) drift = 0, listed = after, skin = ListsOften::skin(0x1p-22 * after);
+    }
+  }
+  EXPECT_GT(by_drift, 50);
+  EXPECT_GT(by_extent, 0);
+}
+
 struct BoundsWithoutSlack : RotationRule {
   static double reach(double diameter, double, double) { return diameter; }
 };
@@ -195,6 +232,7 @@ TEST(RotatedChain, RefusesWhatIsNoChain) {
   EXPECT_THROW(RotatedChain<>(1), InputError);
   EXPECT_THROW(RotatedChain<>((1u << 22) + 1), InputError);
   EXPECT_THROW(RotatedChain<>(10, 1.0f), InputError);
+  EXPECT_THROW(RotatedChain<>(2, 1.0f), InputError) << "also where it has no pair but neighbours";
   EXPECT_THROW(RotatedChain<>(10, -0.5f), InputError);
   EXPECT_THROW(RotatedChain<>(10, std::nanf("")), InputError);
 }

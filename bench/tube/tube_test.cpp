@@ -65,6 +65,23 @@ TEST_P(EveryTube, CoveringSpheresMissNothingAndFineChainsFindEveryContact) {
   EXPECT_EQ(errors.back().invented, 0u);
 }
 
+/// A straight piece beside a bend: the gap is that of the bend, whichever comes first.
+TEST(TubeError, TellsTheGreatestGapAlongTheTube) {
+  constexpr double bend = 4, piece = 8;
+  const auto around = [](double s) {
+    return Vec3{bend * std::sin(s / bend), bend * (1 - std::cos(s / bend)), 0};
+  };
+  const Vec3 end = around(piece), ahead{std::cos(piece / bend), std::sin(piece / bend), 0};
+  const Tube arc{"arc", piece, 1, false, around};
+  const Tube first{"first", 2 * piece, 1, false,
+                   [=](double s) { return s < piece ? around(s) : end + (s - piece) * ahead; }};
+  const Tube last{"last", 2 * piece, 1, false, [=](double s) { return first.position(2 * piece - s); }};
+  const double gap = tube_error(arc, {}, 81).gap;
+  EXPECT_GT(gap, 1.1 * tube_error(straight_rod(), {}, 401).gap);
+  EXPECT_NEAR(tube_error(first, {}, 161).gap, gap, 1e-12);
+  EXPECT_NEAR(tube_error(last, {}, 161).gap, gap, 1e-12);
+}
+
 TEST(StraightRod, HasTheErrorsThatGeometryGives) {
   const Tube rod = straight_rod();
   EXPECT_TRUE(approaches(rod).empty());

@@ -41,6 +41,20 @@ TEST(Chain, NamesTheSphereThatIsNotValid) {
   expect_refused(spheres, {}, {}, "sphere 2 has the negative radius -1");
 }
 
+TEST(Chain, ChecksASphereWhereverItIs) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (std::uint32_t n = 1; n <= 9; ++n)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      auto spheres = row(n);
+      spheres[i].y = nan;
+      expect_refused(spheres, {}, {}, "sphere " + std::to_string(i) + " is not finite");
+      spheres[i] = {0, 70, 0, 9};
+      const Extent extent = Chain(spheres).view().extent;
+      EXPECT_EQ(extent.greatest_coordinate, 70) << n << ' ' << i;
+      EXPECT_EQ(extent.greatest_radius, 9) << n << ' ' << i;
+    }
+}
+
 TEST(Chain, RefusesImpossibleStrandsAndRules) {
   expect_refused(row(5), {{0, 3, 4}, {}}, {}, "offsets must run from 0 to 5");
   expect_refused(row(5), {{1, 5}, {}}, {}, "offsets must run from 0 to 5");
@@ -100,6 +114,23 @@ TEST(Chain, ArcWindowGoesRoundAClosedStrand) {
 
 /// Steps of whole lengths, so that arcs are exact and many pairs lie at the very limit, ahead or around the
 /// end; by the definition, on the shortest way along the strand.
+/// Lengths are of a strand, wherever the one before it ends.
+TEST(Chain, ArcsBeginAnewWithEachStrand) {
+  std::vector<Sphere> ring;
+  for (int i = 0; i < 12; ++i)
+    ring.push_back({static_cast<float>(std::cos(i * std::numbers::pi / 6)),
+                    static_cast<float>(std::sin(i * std::numbers::pi / 6)), 0, 0.3f});
+  std::vector<Sphere> both(1, Sphere{500, 0, 0, 0.3f});
+  both.insert(both.end(), ring.begin(), ring.end());
+  const Chain alone(ring, Strands::one_closed(12), Exclusion::arc(2)),
+      second(both, {{0, 1, 13}, {0, 1}}, Exclusion::arc(2));
+  EXPECT_EQ(second.view().exclusion.loop_length[1], alone.view().exclusion.loop_length[0]);
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(second.view().exclusion.arc[i + 1], alone.view().exclusion.arc[i]);
+    for (std::uint32_t j = 0; j < 12; ++j) EXPECT_EQ(second.neighbours(i + 1, j + 1), alone.neighbours(i, j));
+  }
+}
+
 TEST(Chain, WindowsEndAtTheirLimitAheadAndAroundTheEnd) {
   std::uint64_t at_the_limit = 0, around = 0;
   for (std::uint32_t n = 1; n <= 9; ++n)
@@ -179,6 +210,10 @@ TEST(Chain, ExtraPairsHoldBothWaysAndOnce) {
               chain.neighbours(9, 0));
   EXPECT_FALSE(chain.neighbours(2, 9));
   EXPECT_EQ(chain.exclusion().extra_pairs, (std::vector<Pair>{{0, 9}, {2, 8}}));
+  const Chain one(row(10), {}, rule);
+  EXPECT_TRUE(one.neighbours(2, 8) && one.neighbours(8, 2));
+  EXPECT_FALSE(one.view().exclusion.window_alone) << "searches ask for no pairs where the window is all";
+  EXPECT_TRUE(Chain(row(10)).view().exclusion.window_alone);
 }
 
 TEST(Chain, MovedKeepsNeighboursAndChecksItsSpheres) {
@@ -186,6 +221,7 @@ TEST(Chain, MovedKeepsNeighboursAndChecksItsSpheres) {
   const Chain moved = chain.moved(row(6, 50));
   EXPECT_TRUE(moved.neighbours(0, 2)) << "arc lengths are those of the chain as it was made";
   EXPECT_THROW(chain.moved(row(5)), InputError);
+  EXPECT_THROW(chain.moved(row(7)), InputError);
   auto bad = row(6);
   bad[1].radius = -1;
   EXPECT_THROW(chain.moved(bad), InputError);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +65,29 @@ TEST(Joints, TieALoopToItsOwnStrand) {
   EXPECT_EQ(pairs_across_joints(loop, one, Pairs{{1, 5}}, Exclusion::index(1)), (Pairs{{1, 5}}));
   EXPECT_EQ(pairs_across_joints(loop, one, Pairs{{1, 5}}, Exclusion::index(2)),
             (Pairs{{0, 5}, {1, 4}, {1, 5}, {2, 5}}));
+}
+
+TEST(Joints, AreToldOnceWhereALongWayIsFoundFirst) {
+  // From 0 over joints: to 2 at once, by 10, or by 1 and 1.
+  const std::vector<Sphere> spheres{{0, 0, 0, 9}, {0, 1, 0, 1}, {0, 1, 1, 1}, {0, 1, 2, 1}};
+  const Strands each{{0, 1, 2, 3, 4}, {0, 0, 0, 0}};
+  const Pairs all{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  EXPECT_EQ(pairs_across_joints(spheres, each, Pairs{{0, 3}, {0, 2}, {0, 1}, {1, 2}, {2, 3}, {1, 3}},
+                                Exclusion::arc(3)),
+            all);
+  const std::vector<Sphere> detour{{0, 0, 0, 9}, {5, 5, 0, 1}, {0, 6, 0, 1}, {1, 0, 0, 1}, {5, 0, 0, 1}};
+  const auto pairs = pairs_across_joints(detour, {{0, 1, 2, 3, 4, 5}, {0, 0, 0, 0, 0}},
+                                         Pairs{{0, 2}, {2, 1}, {0, 3}, {3, 4}, {4, 1}}, Exclusion::arc(9));
+  EXPECT_EQ(std::ranges::adjacent_find(pairs), pairs.end());
+}
+
+TEST(Joints, TakeNoNoticeOfClosedStrandsOfFewSpheres) {
+  // A joint between the first and the last; closed strands of none, one and two spheres do not matter.
+  const std::vector<Sphere> spheres(tree.begin(), tree.begin() + 5);
+  for (const std::uint8_t closed : {std::uint8_t{0}, std::uint8_t{1}})
+    EXPECT_EQ(pairs_across_joints(spheres, {{0, 0, 1, 1, 3, 5}, {closed, closed, closed, closed, 0}},
+                                  Pairs{{0, 4}}, Exclusion::index(2)),
+              (Pairs{{0, 3}, {0, 4}}));
 }
 
 TEST(Joints, MustNameTwoSpheres) {

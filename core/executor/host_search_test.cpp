@@ -5,6 +5,9 @@
 #include <chrono>
 #include <functional>
 #include <thread>
+#include <vector>
+
+#include "catena/core/error.h"
 
 namespace catena {
 namespace {
@@ -16,12 +19,25 @@ class OnePair final : public HostSearch {
  public:
   std::function<void()> constructing = [] {}, searching = [] {};
 
+  Accounting evidence() const override { return Accounting::each_pair; }
+
  private:
   void construct(const ChainView&) override { constructing(); }
   void search(const ChainView&, PairCollector& collector) override {
     searching();
     collector.lane(0).collide(0, 2);
   }
+  void search_with_evidence(const ChainView&, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    sink.tested(0, 2);
+    lane.collide(0, 2);
+  }
+};
+
+struct Tested final : EvidenceSink {
+  void discarded(std::uint32_t, std::uint32_t) override {}
+  void tested(std::uint32_t i, std::uint32_t j) override { pairs.push_back({i, j}); }
+  void excluded(std::uint32_t, std::uint32_t) override {}
+  std::vector<Pair> pairs;
 };
 
 TEST(HostSearch, HasNothingBuiltWhereABuildFails) {
@@ -36,6 +52,20 @@ TEST(HostSearch, HasNothingBuiltWhereABuildFails) {
   variant.constructing = [] { throw std::runtime_error("no memory"); };
   EXPECT_THROW(variant.build(row(3)), std::runtime_error);
   EXPECT_THROW(variant.find(row(3), {}, found), std::logic_error);
+}
+
+TEST(HostSearch, AnswersWhatIsAskedAlsoWhereItShowsEvidence) {
+  OnePair variant;
+  variant.build(row(3));
+  Collisions found;
+  Tested shown;
+  variant.find_with_evidence(row(3), {}, found, shown);
+  EXPECT_EQ(found.pairs, (std::vector<Pair>{{0, 2}}));
+  EXPECT_EQ(shown.pairs, found.pairs);
+  variant.find_with_evidence(row(3), {.want = Request::Want::counts}, found, shown);
+  EXPECT_TRUE(found.pairs.empty());
+  EXPECT_EQ(found.count, (std::vector<std::uint32_t>{1, 0, 1}));
+  EXPECT_THROW(variant.find_with_evidence(row(3), {.pair_limit = 0}, found, shown), PairLimitExceeded);
 }
 
 TEST(HostSearch, TimesBothStages) {

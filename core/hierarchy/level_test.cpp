@@ -47,6 +47,34 @@ TEST(SubtreeStage, SlotsFollowFigure10) {
   }
 }
 
+/// Stages follow until one block holds their roots; the top ends with the last slot of the tree, and there is
+/// none where one root is left.
+TEST(SubtreeStage, FollowsWhileABlockDoesNotHoldItsRoots) {
+  for (const std::uint32_t subtree : {2u, 3u, 8u})
+    for (const std::uint32_t block : {2u, 3u, 4u})
+      for (std::uint32_t n = 1; n <= 150; ++n) {
+        HierarchyView<Sphere> tree{};
+        tree.leaves = n;
+        std::uint32_t roots = n, stages = 0, tops = 0;
+        policy::aGPU2<Robust>::build(
+            tree, subtree, block,
+            [&](const policy::SubtreeStage& stage) {
+              EXPECT_TRUE(stages++ == 0 || roots > block) << n;
+              EXPECT_EQ(stage.subtrees(), (roots + subtree - 1) / subtree);
+              roots = stage.subtrees();
+            },
+            [&](const Level& level, std::uint32_t next, std::uint32_t root_slot) {
+              ++tops;
+              EXPECT_EQ(level.size, roots);
+              EXPECT_GT(level.size, 1u);
+              EXPECT_EQ(next + level.size - 2, root_slot);
+            });
+        EXPECT_LE(roots, block) << n;
+        EXPECT_EQ(tops, roots > 1 ? 1u : 0u) << n;
+        EXPECT_EQ(tree.root, 2 * n - 2);
+      }
+}
+
 TEST(HostGroup, AMissingBarrierIsSeenEveryTime) {
   int data[8] = {}, copy[8] = {};
   int* const d = data;

@@ -105,6 +105,17 @@ TEST(BoxChoice, ArcLengthsAreThoseOfWholeTubes) {
   EXPECT_TRUE(chain.neighbours(1, 2));
   EXPECT_TRUE(chain.neighbours(0, 2));
   EXPECT_FALSE(chain.neighbours(0, 3));
+  // A branch of the third atom, across another face.
+  const TestFile branched("a.data",
+                          "t\n\n6 atoms\n5 bonds\n\n0 8 xlo xhi\n0 8 ylo yhi\n0 8 zlo zhi\n\nAtoms # bond\n\n"
+                          "1 1 1 6.5 0.5 4\n2 1 1 7.5 0.5 4\n3 1 1 0.5 0.5 4\n4 1 1 1.5 0.5 4\n"
+                          "5 1 1 0.5 7.5 4\n6 1 1 0.5 6.5 4\n\n"
+                          "Bonds\n\n1 1 1 2\n2 1 2 3\n3 1 3 4\n4 1 3 5\n5 1 5 6\n");
+  const Chain tree = open_input(branched.path().string(), options).animation->frame(0);
+  ASSERT_EQ(tree.strand_count(), 2u);
+  EXPECT_EQ(tree[4].y, 7.5f);
+  for (const Pair& near : {Pair{2, 4}, {1, 4}, {3, 4}, {2, 5}}) EXPECT_TRUE(tree.neighbours(near.i, near.j));
+  for (const Pair& far : {Pair{0, 4}, {1, 5}, {3, 5}}) EXPECT_FALSE(tree.neighbours(far.i, far.j));
 }
 
 }  // namespace

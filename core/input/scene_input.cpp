@@ -102,9 +102,11 @@ std::unique_ptr<Animation> open_scene(const std::string& spec, const InputOption
     throw InputError(
         fmt::format("{}: a scene knows which of its strands are closed; leave out --closed", spec));
   const ReadOptions& reading = options.reading;
-  if (!reading.columns.empty() || !reading.atom.empty() || reading.recentre)
-    throw InputError(
-        fmt::format("{}: --columns, --atom, --recentre and --origin are for files, not for scenes", spec));
+  if (!reading.columns.empty() || !reading.atom.empty() || !reading.array.empty() ||
+      !reading.topology.empty() || reading.recentre)
+    throw InputError(fmt::format(
+        "{}: --columns, --atom, --array, --topology, --recentre and --origin are for files, not for scenes",
+        spec));
   std::string scene_spec = spec;
   const auto frame = take_frame(scene_spec);
   auto animation = SceneRegistry::instance().open(scene_spec);

@@ -66,6 +66,10 @@ TEST(BccReader, SaysWhatIsWrong) {
   EXPECT_EQ(read_text("a.bcc", one + "x").warnings.size(), 1u);
   EXPECT_COMPLAINT(" byte 3: the first three bytes are not BCC", "a.bcc", "HAIR");
   EXPECT_COMPLAINT(" byte 4: the numbers have 8 and 8 bytes", "a.bcc", "BCC\x88" + one.substr(4));
+  EXPECT_COMPLAINT(" byte 4: the numbers have 8 and 4 bytes", "a.bcc", "BCC\x84" + one.substr(4));
+  EXPECT_COMPLAINT(" byte 4: the numbers have 4 and 8 bytes", "a.bcc", "BCC\x48" + one.substr(4));
+  EXPECT_COMPLAINT(" byte 80: curves: 1, with control points: 1, but the header says 2", "a.bcc",
+                   header("BCCDC0\3\2", 1, 2) + one.substr(64) + std::string(12, '\0'));
   EXPECT_COMPLAINT(" byte 6: curves of type 'B0' are not known to go through", "a.bcc", "BCCDB0" + one.substr(6));
   for (const std::string type : {"CH", "CB", "C9", "P0"})
     EXPECT_COMPLAINT(" byte 6: curves of type '" + type + "'", "a.bcc", "BCCD" + type + one.substr(6));

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
 #include <functional>
+#include <limits>
 
 #include "catena/core/readers/test_file.h"
 #include "catena/core/writers/writer.h"
@@ -109,6 +111,64 @@ TEST(BinaryChain, RefusesAPairThatIsNoneOfItsSpheres) {
     else
       EXPECT_THROW(read(), InputError) << pair.i << ' ' << pair.j;
   }
+}
+
+/// What a reader of all of it says, after these bytes came over those at `at`; "" where nothing is wrong.
+template <class Value>
+std::string said_of(std::string bytes, std::size_t at, const Value& value) {
+  std::memcpy(bytes.data() + at, &value, sizeof value);
+  try {
+    const BinaryChain file = opened(bytes);
+    const auto& header = file.header();
+    for (std::uint64_t k = 0; k < header.strands; ++k) file.strand(k);
+    file.spheres(2, header.spheres);
+    file.pairs(2, header.spheres);
+    if (header.rule == 1) file.arcs(2, header.spheres);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(BinaryChain, SaysOfEachNumberWhatNoChainHas) {
+  const std::vector<Sphere> spheres(6, Sphere{1, 2, 3, 4});
+  const Strands strands{{0, 2, 4, 6}, {0, 1, 0}};
+  const std::string arcs = bytes_of(Chain(spheres, strands, Exclusion::arc(1.5)));
+  const std::size_t window_at = offsetof(BinaryChain::Header, window),
+                    spheres_at = sizeof(BinaryChain::Header), strands_at = spheres_at + 6 * sizeof(Sphere),
+                    one = sizeof(BinaryChain::Strand), arcs_at = strands_at + 3 * one;
+  const std::uint64_t zero = 0, two = 2, seven = 7;
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(said_of(arcs, strands_at, zero), "");
+  EXPECT_EQ(said_of(arcs, strands_at, two), "a.catena: strand 0 runs from sphere 2 to 2");
+  EXPECT_EQ(said_of(arcs, strands_at + one, seven), "a.catena: strand 0 runs from sphere 0 to 7");
+  EXPECT_EQ(said_of(arcs, strands_at + 2 * one, std::uint64_t{1}),
+            "a.catena: strand 1 runs from sphere 2 to 1");
+  EXPECT_EQ(said_of(arcs, strands_at + 2 * one + 8, two),
+            "a.catena: strand 2 is closed by 2, with a loop of length 0");
+  EXPECT_EQ(said_of(arcs, strands_at + one + 16, infinity),
+            "a.catena: strand 1 is closed by 1, with a loop of length inf");
+  EXPECT_EQ(said_of(arcs, spheres_at + 5 * sizeof(Sphere) + 12, -1.0f),
+            "a.catena: sphere 5 has the negative radius -1");
+  EXPECT_EQ(said_of(arcs, arcs_at + 5 * sizeof(double), infinity),
+            "a.catena: the arc length inf of sphere 5 is not finite");
+  const std::string pairs =
+      bytes_of(Chain(spheres, strands, {Exclusion::Rule::index_window, 1, 0, {Pair{2, 4}, Pair{3, 5}}}));
+  EXPECT_EQ(said_of(pairs, window_at, std::uint32_t{0}),
+            "a.catena: the exclusion rule 0 with window 0 and factor 0 is none");
+  // Not sorted, so that those of spheres from 2 to 6 seem to have one of sphere 7 among them.
+  EXPECT_EQ(said_of(pairs, arcs_at, BinaryChain::Neighbours{7, 8}),
+            "a.catena: the pair 7 8 does not name two of the spheres in their order, of which there are 6");
+}
+
+TEST(BinaryChain, FindsNoPairOfAnotherPartAmongItsOwn) {
+  const std::string bytes = bytes_of(
+      Chain(std::vector<Sphere>(6), {}, {Exclusion::Rule::index_window, 1, 0, {Pair{1, 3}, Pair{1, 4}}}));
+  std::string unsorted = bytes;
+  const BinaryChain::Neighbours late{4, 5};
+  std::memcpy(unsorted.data() + bytes.size() - 2 * sizeof late, &late, sizeof late);
+  EXPECT_EQ(opened(bytes).pairs(0, 3).size(), 2u);
+  EXPECT_THROW(opened(unsorted).pairs(0, 3), InputError);
 }
 
 }  // namespace

@@ -143,6 +143,7 @@ TEST(ChainFormat, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("3: pair 0 1 does not name two of the spheres, of which there are 1", "a.chain",
                    start + "joints 1\n0 1\nstrand open 1\n0 0 0 1\nend\n");
   EXPECT_COMPLAINT("3: sphere 5 cannot be its own neighbour", "a.chain", start + "pairs 1\n5 5\nend\n");
+  EXPECT_COMPLAINT("2: 'end 1': expected 'window K'", "a.chain", start + "end 1\n");
   EXPECT_COMPLAINT("4: there is more after 'end'", "a.chain", start + "strand open 0\nend\nend\n");
 }
 

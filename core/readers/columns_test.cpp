@@ -29,6 +29,7 @@ RC_GTEST_PROP(XyzrReader, ReadsWhatIsWritten, (bool commas)) {
 
 TEST(XyzrReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("2: a point is 'x y z r', got 3 columns", "a.xyzr", "0 0 0 1\n1 0 0\n");
+  EXPECT_COMPLAINT("1: a point is 'x y z r', got 5 columns", "a.xyzr", "0 0 0 1 2\n");
   EXPECT_COMPLAINT("1: radius '-1' is negative", "a.xyzr", "0 0 0 -1\n");
   EXPECT_EQ(read_text("a.xyzr", "# r\n0 0 0 1\n").labels.of(0), "2");
 }
@@ -83,7 +84,15 @@ TEST(GenomeReaders, SkipNamesOfColumnsInCapitals) {
             (std::vector<Sphere>{{1, 2, 3, 0}}));
 }
 
+TEST(GenomeReaders, TakeNoNoticeOfColumnsAfterTheFifth) {
+  const CurveFile curves = read_text("a.3dg", "chr1 5 1 2 3 0.5 B\n");
+  EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{1, 2, 3, 0}}));
+  EXPECT_TRUE(curves.warnings.empty());
+}
+
 TEST(GenomeReaders, ComplainWithFileAndLine) {
+  EXPECT_COMPLAINT("1: a chromosome is 'CHR name'", "a.nucle3d", "CHR chr 1\n0,0,0,0\n");
+  EXPECT_COMPLAINT("2: position 'POS' is not a whole number", "a.3dg", "chr1 5 0 0 0\nCHR POS X Y Z\n");
   EXPECT_COMPLAINT("1: a point before the first 'CHR name'", "a.nucle3d", "0,0,0,0\n");
   EXPECT_COMPLAINT("2: a point is 'bin,x,y,z'", "a.nucle3d", "CHR chr1\n0,0,0\n");
   EXPECT_COMPLAINT("4: 'chr1/m' comes back after another", "a.nucle3d",

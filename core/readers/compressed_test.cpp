@@ -53,7 +53,8 @@ RC_GTEST_PROP(Inflated, IsOfTheSizeThatWasTold, ()) {
   std::string got = "before";
   RC_ASSERT(append_inflated(packed, content.size(), got));
   RC_ASSERT(got == "before" + content);
-  for (const std::uint64_t wrong : {content.size() + 1, content.size() - 1, ~std::uint64_t{0}})
+  for (const std::uint64_t wrong :
+       {content.size() + 1, content.size() - 1, std::uint64_t{1} << 60, ~std::uint64_t{0}})
     RC_ASSERT(!append_inflated(packed, wrong, got));
   RC_ASSERT(!append_inflated(std::string_view(packed).substr(0, packed.size() - 1), content.size(), got));
 }
@@ -63,6 +64,9 @@ TEST(Gzip, FilesAreReadByTheNameInside) {
   EXPECT_EQ(read_text("a.XYZR", gzipped("0 0 0 1\n")).spheres.size(), 1u);  // and by their first bytes
   EXPECT_COMPLAINT("1: a point is", "a.xyzr.gz", gzipped("0 0\n"));
   EXPECT_COMPLAINT(" the gzip data is damaged or cut off", "a.xyzr.gz", gzipped("0 0 0 1\n").substr(0, 20));
+  const std::string packed = gzipped("0 0 0 1\n");  // ends with a sum and the size, of four bytes each
+  EXPECT_EQ(complaint("a.xyzr.gz", packed.substr(0, packed.size() - 1)),
+            "a.xyzr.gz: the gzip data is damaged or cut off after 8 bytes of content; check it with gzip -t");
   EXPECT_COMPLAINT(" holds nothing when unpacked", "a.xyzr.gz", gzipped(""));
 }
 

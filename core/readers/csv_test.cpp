@@ -49,6 +49,10 @@ TEST(CsvReader, GathersTheRowsOfAStrandThatComesBackAndSaysSo) {
   ASSERT_EQ(curves.warnings.size(), 1u);
   EXPECT_EQ(curves.warnings[0],
             "line 4: a strand comes back after another, 3 times in all; the rows of a name are one strand");
+  EXPECT_EQ(
+      read_text("a.csv", "strand,x,y,z\na,0,0,0\nb,5,0,0\na,1,0,0\n").warnings,
+      std::vector<std::string>{"line 4: a strand comes back after another, 1 time in all; the rows of a "
+                               "name are one strand"});
 }
 
 RC_GTEST_PROP(CsvReader, TakesTheRowsOfANameInTheirOrder, ()) {
@@ -78,6 +82,12 @@ TEST(CsvReader, NamesTheColumnsThatItDoesNotRead) {
   const auto curves = read_text("a.csv", "x,y,z,pressure,\"a,b\"\n0,0,0,1,2\n");
   ASSERT_EQ(curves.warnings.size(), 1u);
   EXPECT_EQ(curves.warnings[0], "not read: columns 'pressure', 'a,b'");
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(read_text("a.csv", "x,y,z,p\n0,0,0,1\n").warnings, Texts{"not read: column 'p'"});
+  const std::string six = "x,y,z,a,b,c,e,f,g", named = "'a', 'b', 'c', 'e', 'f', 'g'";
+  EXPECT_EQ(read_text("a.csv", six + "\n0,0,0,1,1,1,1,1,1\n").warnings, Texts{"not read: columns " + named});
+  EXPECT_EQ(read_text("a.csv", six + ",h\n0,0,0,1,1,1,1,1,1,1\n").warnings,
+            Texts{"not read: columns " + named + ", ..."});
 }
 
 TEST(CsvReader, TakesADoubledQuotationMarkForOne) {
@@ -102,6 +112,12 @@ TEST(CsvReader, TakesTheColumnsThatTheUserNames) {
     const auto curves = ReaderRegistry::instance().read(file->path(), {.columns = {"z", "y", "x", "r"}});
     EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{3, 2, 1, 4}, {7, 6, 5, 8}}));
   }
+  // A header has words for all three: any other first line is a point, and a damaged one is no header.
+  for (const char* damaged : {"a,2,3\n1,2,3\n", "1,b,3\n1,2,3\n", "1,2,c\n1,2,3\n", "a,b,3\n1,2,3\n"}) {
+    const TestFile file("a.csv", damaged);
+    EXPECT_THROW(ReaderRegistry::instance().read(file.path(), {.columns = {"x", "y", "z"}}), InputError)
+        << damaged;
+  }
 }
 
 TEST(CsvReader, ReadsWhichStrandsAreClosed) {
@@ -117,6 +133,8 @@ TEST(CsvReader, ReadsWhichStrandsAreClosed) {
 TEST(CsvReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("1: columns 'x (mm)' and 'r (um)' tell different units", "a.csv",
                    "x (mm),y (mm),z (mm),r (um)\n0,0,0,1\n");
+  EXPECT_COMPLAINT("1: columns 'z (mm)' and 'd (um)' tell different units", "a.csv",
+                   "x,y,z (mm),d (um)\n0,0,0,1\n");
   EXPECT_TRUE(complaint("a.csv", "x (mm),y [mm],z,r( mm ),id (um)\n0,0,0,1,a\n").empty());
   EXPECT_COMPLAINT("1: the columns must name x, y and z", "a.csv", "1,2,3\n");
   EXPECT_COMPLAINT("1: columns 1 and 2 mean the same", "a.csv", "x,X,y,z\n");

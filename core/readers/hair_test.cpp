@@ -46,6 +46,11 @@ TEST(HairReader, ThicknessIsADiameter) {
   EXPECT_TRUE(own.has_radii);
   EXPECT_EQ(own.spheres[4].radius, 2.5f);
   EXPECT_TRUE(own.warnings.empty());
+  for (const float unused : {-1.0f, std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_EQ(read_text("a.hair", header({2, 5, 3 | 4, 0, unused}) + segments_2_1 + floats(15) + floats(5, 1))
+                  .spheres[4]
+                  .radius,
+              2.5f);
   const auto common = read_text("a.hair", header({2, 5, 3, 0, 0.5f}) + segments_2_1 + floats(15));
   EXPECT_TRUE(common.has_radii);
   EXPECT_EQ(common.spheres[4].radius, 0.25f);
@@ -71,6 +76,8 @@ TEST(HairReader, ComplainsOfWhatDoesNotFit) {
                    header({1, ~0u, 2, ~0u - 1}) + floats(3));
   const std::string nan = little(std::numeric_limits<float>::quiet_NaN());
   EXPECT_COMPLAINT(" byte 132: y is nan", "a.hair", header({1, 2, 2, 1}) + floats(1) + nan + floats(4));
+  const std::string infinite = little(-std::numeric_limits<float>::infinity());
+  EXPECT_COMPLAINT(" byte 132: y is -inf", "a.hair", header({1, 2, 2, 1}) + floats(1) + infinite + floats(4));
   EXPECT_COMPLAINT(" byte 24: the thickness -1", "a.hair",
                    header({2, 5, 3, 0, -1}) + segments_2_1 + floats(15));
   EXPECT_COMPLAINT(" holds no points", "a.hair", header({0, 0, 2}));

@@ -55,6 +55,15 @@ TEST(Labels, AreTheNumbersOfTheSpheresWhereThereAreNone) {
   EXPECT_EQ(Labels().size(), 0u);
 }
 
+TEST(Labels, SurelyDifferInWhateverOrder) {
+  EXPECT_TRUE(Labels().surely_differ());
+  using All = std::vector<std::int64_t>;
+  for (const All& all : {All{3, 2, 1}, All{7, 8, 1, 2}, All{5, 9, 6}})
+    EXPECT_TRUE(labels_of(all).surely_differ());
+  for (const All& all : {All{3, 3}, All{7, 8, 1, 8}, All{5, 6, 7, 1, 2, 3, 4, 5}})
+    EXPECT_FALSE(labels_of(all).surely_differ());
+}
+
 TEST(Labels, RefuseWhatTheyCannotSay) {
   Labels numbers, texts;
   numbers.add(7);

@@ -42,7 +42,6 @@ bool is_tiny(std::string_view text) {
 std::string fortran_with_e(std::string_view text, const char* stop) {
   const auto at = static_cast<std::size_t>(stop - text.data());
   if (at == 0 || at + 1 >= text.size() || (text[at] != 'D' && text[at] != 'd')) return {};
-  if (text.substr(0, at).find_first_of("eE") != std::string_view::npos) return {};
   std::string with_e(text);
   with_e[at] = 'e';
   return with_e;

@@ -39,9 +39,11 @@ TEST(NumberText, RefusesWhatIsNoFiniteNumber) {
 TEST(NumberText, TellsTooLargeFromTooSmall) {
   for (const char* text : {"1e39", "-3.5e38", "1e400", "1e99999999999999999999", "3.4028236e38"})
     EXPECT_EQ(parse_float(text).problem, "is too large for a 32-bit float") << text;
-  for (const char* text : {"1e-60", "1e-400", "-1e-99999999999999999999", "0e999999999999999999999"}) {
+  for (const char* text :
+       {"1e-60", "1e-400", "-1e-400", "-1e-99999999999999999999", "0e9999", "0e999999999999999999999"}) {
     EXPECT_EQ(parse_float(text).problem, "") << text;
     EXPECT_EQ(parse_float(text).value, 0.0f) << text;
+    EXPECT_EQ(std::signbit(parse_float(text).value), text[0] == '-') << text;
   }
   EXPECT_EQ(parse_float("0." + std::string(500, '0') + "1").value, 0.0f);
   EXPECT_EQ(parse_float("0." + std::string(500, '0') + "1").problem, "");

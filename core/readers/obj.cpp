@@ -98,7 +98,7 @@ class Obj {
     const std::int64_t written = lines_.integer(text.substr(0, text.find('/')), "vertex");
     const auto known = static_cast<std::int64_t>(curves_.spheres.size());
     const std::int64_t index = written < 0 ? known + written : written - 1;
-    if (index < 0 || index >= 0x7FFFFFFF || written == 0)
+    if (index < 0 || index >= 0x7FFFFFFF)
       lines_.fail(fmt::format("vertex {} is not one of those before it, counted from 1", in_quotes(text)));
     if (index > greatest_) greatest_ = index, greatest_line_ = lines_.line_number();
     return static_cast<std::uint32_t>(index);

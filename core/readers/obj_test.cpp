@@ -66,6 +66,8 @@ TEST(ObjReader, ComplainsWithFileAndLine) {
                    "v 0 0 0\nf 1 1 1\n");
   EXPECT_COMPLAINT("2: vertex 2 of 1 is named", "a.obj", "v 0 0 0\nl 1 2\n");
   EXPECT_COMPLAINT("3: vertex 3 of 2 is named", "a.obj", "v 0 0 0\nv 1 0 0\nl 1 2 3\n");
+  EXPECT_COMPLAINT("2: vertex 9 of 2 is named", "a.obj", "v 0 0 0\nl 1 9\nl 9 1\nl 1 2\nv 1 0 0\n");
+  EXPECT_COMPLAINT("2: a point needs a vertex", "a.obj", "v 0 0 0\np\nl 1 1\n");
   EXPECT_COMPLAINT("2: vertex '0' is not", "a.obj", "v 0 0 0\nl 0 1\n");
   EXPECT_COMPLAINT("2: vertex '-2' is not", "a.obj", "v 0 0 0\nl -2 1\n");
   EXPECT_COMPLAINT("2: a line needs two vertices", "a.obj", "v 0 0 0\nl 1\n");

@@ -208,7 +208,51 @@ TEST(PdbReader, RefusesShiftedColumns) {
   EXPECT_EQ(read_text("a.pdb", line({1, "ATOM", "CA  ", ' ', "ALA"})).spheres.size(), 1u);  // left in its field
 }
 
+TEST(PdbReader, RefusesASingleFieldThatIsShifted) {
+  const std::string right = line({1, "ATOM", " CA ", ' ', "ALA"});
+  struct Field {
+    std::size_t column;
+    std::string text, reason;
+  };
+  const std::string coordinate = "a coordinate does not end in column 38, 46 or 54";
+  for (const auto& [column, text, reason] : {Field{13, "  CA", "no atom's name starts in column 13 or 14"},
+                                             {12, "CA   ", "column 12, before the atom's name, is not blank"},
+                                             {31, "  1.000 ", coordinate},
+                                             {39, "  1.000 ", coordinate},
+                                             {47, "  1.000 ", coordinate}}) {
+    std::string shifted = right;
+    shifted.replace(column - 1, text.size(), text);
+    EXPECT_EQ(complaint("a.pdb", shifted),
+              "a.pdb:1: " + reason + "; the columns of this line are not those of the format");
+  }
+}
+
+TEST(PdbReader, TakesResiduesOfFourLettersAndLinesThatEndWithTheCoordinates) {
+  std::string atom = line({1, "ATOM", " CA ", ' ', "ALA"}).substr(0, 54);
+  atom.replace(17, 4, "DGUA");
+  const CurveFile curves = read_text("a.pdb", atom + "\n");
+  EXPECT_EQ(xs(curves), std::vector<float>{1});
+  EXPECT_EQ(curves.labels.of(0), "A/DGUA1/CA");
+}
+
+// "CA" from column 13 on may be either: an alpha carbon that is left in its field, or calcium.
+TEST(PdbReader, TellsCalciumFromAlphaCarbons) {
+  const auto with = [](const char* record, const char* residue, const char* element) {
+    std::string atom = line({3, record, "CA  ", ' ', residue, 'A', 2});
+    atom.pop_back();
+    return xs(read_text("a.pdb", line({0}) + atom + std::string(76 - atom.size(), ' ') + element + "\n"));
+  };
+  const std::vector<float> both{0, 3}, first{0};
+  EXPECT_EQ(with("ATOM", "ALA", ""), both);
+  EXPECT_EQ(with("ATOM", "ALA", " C"), both);
+  EXPECT_EQ(with("ATOM", "ALA", "Ca"), first);
+  EXPECT_EQ(with("ATOM", " CA", ""), first);
+  EXPECT_EQ(with("HETATM", "MSE", ""), first);
+}
+
 TEST(PdbReader, ComplainsWithFileAndLine) {
+  EXPECT_COMPLAINT("1: an atom's coordinates end at column 54, the line at 53", "a.pdb",
+                   line({0}).substr(0, 53) + "\n");
   EXPECT_COMPLAINT("2: an atom's coordinates end at column 54, the line at 50", "a.pdb",
                    "REMARK\n" + line({0}).substr(0, 50) + "\n");
   std::string overflow = line({0});

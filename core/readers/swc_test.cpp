@@ -39,6 +39,9 @@ TEST(SwcReader, StartsAStrandAtAMissingParentAndSaysSo) {
   ASSERT_EQ(curves.warnings.size(), 1u);
   EXPECT_NE(curves.warnings[0].find("line 3: sample 3 has the parent 77"), std::string::npos)
       << curves.warnings[0];
+  EXPECT_EQ(read_text("a.swc", "1 3 0 0 0 1 -1\n3 3 5 0 0 1 77\n4 3 6 0 0 1 3\n5 3 7 0 0 1 78\n").warnings,
+            std::vector<std::string>{"line 2: sample 3 has the parent 77, which is not in the file; 2 such "
+                                     "samples start each a strand of its own"});
 }
 
 TEST(SwcReader, TiesManyBranchesToTheSampleTheyGrowFrom) {

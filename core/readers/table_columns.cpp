@@ -46,7 +46,7 @@ void TableColumns::require_one_unit(std::span<const std::string_view> names) {
     const std::size_t begin = name.find_first_of("[("), end = name.find_first_of("])");
     const bool of_length = role && (*role == Role::x || *role == Role::y || *role == Role::z ||
                                     *role == Role::radius || *role == Role::diameter);
-    if (!of_length || begin == std::string_view::npos || end < begin) continue;
+    if (!of_length || begin == std::string_view::npos) continue;
     const std::string_view unit = trimmed(name.substr(begin + 1, end - begin - 1));
     if (told.empty()) told = unit, teller = name;
     if (unit != told)

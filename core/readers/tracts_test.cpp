@@ -179,6 +179,13 @@ TEST(TfxReader, SaysWhatIsWrong) {
   std::string bytes;
   append(bytes, 3.0f);
   EXPECT_COMPLAINT(" byte 4: the version is 3", "a.tfx", bytes);
+  std::string later;
+  append(later, 5.0f), append(later, 1u), append(later, 1u), append(later, 16u);
+  EXPECT_COMPLAINT(" byte 4: the version is 5", "a.tfx", later + std::string(16, '\0'));
+  std::string cut_off;
+  append(cut_off, 4.0f), append(cut_off, 1u), append(cut_off, 2u), append(cut_off, 16u);
+  EXPECT_COMPLAINT(" byte 16: the file is truncated: 31 bytes left, too few for 2 points of 16 bytes",
+                   "a.tfx", cut_off + std::string(31, '\0'));
   bytes.clear();
   append(bytes, 4.0f), append(bytes, 0xFFFFFFFFu), append(bytes, 0xFFFFFFFFu),
       append(bytes, std::uint32_t{16});

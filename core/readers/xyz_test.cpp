@@ -53,7 +53,10 @@ TEST(XyzReader, RefusesRowsThatCanBeReadInSeveralWays) {
       "1: 4 numbers in a row can be read in several ways; say which: --columns x,y,z,_, --columns "
       "x,y,z,r, --columns id,x,y,z",
       "a.xyz", "10 0 0 1\n20 0 0 1\n30 0 0 1\n");
-  EXPECT_COMPLAINT("3: 4 numbers in a row", "a.xyz", "2\ntitle\n6 7 0 0\n6 8 0 0\n");
+  EXPECT_COMPLAINT(
+      "3: 4 numbers in a row can be read in several ways; say which: --columns x,y,z,_, --columns "
+      "x,y,z,r, --columns element,x,y,z",
+      "a.xyz", "2\ntitle\n6 7 0 0\n6 8 0 0\n");
   EXPECT_COMPLAINT("1: a word and 4 numbers", "a.txt", "C 1 0 0 0.5\nC 2 0 0 0.5\n");
   EXPECT_COMPLAINT("3: a word and 4 numbers", "a.xyz", "2\ntitle\nC 1 0 0 0.5\nC 2 0 0 0.5\n");
   EXPECT_COMPLAINT(
@@ -72,6 +75,8 @@ TEST(XyzReader, TakesTheColumnsThatTheUserNames) {
   const CurveFile radii = read_as({"x", "y", "z", "r"}, "10 0 0 1\n20 0 0 2\n");
   EXPECT_TRUE(radii.has_radii);
   EXPECT_EQ(radii.spheres, (std::vector<Sphere>{{10, 0, 0, 1}, {20, 0, 0, 2}}));
+  // A header has nothing to say where the user names the columns.
+  EXPECT_EQ(read_as({"z", "y", "x"}, "x y z\n1 2 3\n").spheres, (std::vector<Sphere>{{3, 2, 1, 0}}));
   const CurveFile ids = read_as({"id", "x", "y", "z"}, "10 1 0 1\n20 2 0 1\nEND\n7 3 0 1\n");
   EXPECT_EQ(ids.spheres[1], (Sphere{2, 0, 1, 0}));
   EXPECT_EQ(ids.strand_first, (Offsets{0, 2, 3}));
@@ -97,6 +102,9 @@ TEST(XyzReader, RefusesColumnsThatDoNotFit) {
   };
   EXPECT_NE(refusal({"x", "y", "z"}, "1 2 3 4\n").find(":1: the row has 4 columns, not 3"),
             std::string::npos);
+  EXPECT_NE(refusal({"strand", "x", "y", "z"}, "a 1 2 3\nEND\na 4 5 6\n")
+                .find(":2: a strand ends where its name changes; leave the END out"),
+            std::string::npos);
   EXPECT_NE(refusal({"x", "y", "z", "q"}, "1 2 3 4\n").find("'q' is no column"), std::string::npos);
   EXPECT_NE(refusal({"x", "y", "_"}, "1 2 3\n").find("must name x, y and z"), std::string::npos);
   EXPECT_NE(refusal({"x", "y", "z", "x"}, "1 2 3 4\n").find("columns 1 and 4 mean the same"),
@@ -104,78 +112,6 @@ TEST(XyzReader, RefusesColumnsThatDoNotFit) {
   EXPECT_NE(refusal({"x", "y", "z"}, "1 1 0 0 0 1 -1\n", "a.swc")
                 .find("--columns means nothing for a SWC neuron file"),
             std::string::npos);
-}
-
-TEST(XyzReader, ReadsExtendedXyzAsItsPropertiesSay) {
-  const CurveFile curves =
-      read_text("a.xyz",
-                "2\nLattice=\"9 0 0 0 9 0 0 0 9\" "
-                "Properties=species:S:1:forces:R:3:pos:R:3:radius:R:1:id:I:1 pbc=\"T T T\"\n"
-                "C 9 9 9 1 2 3 0.5 17\nO 9 9 9 4 5 6 0.25 3\n");
-  EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{1, 2, 3, 0.5f}, {4, 5, 6, 0.25f}}));
-  EXPECT_TRUE(curves.has_radii);
-  EXPECT_EQ(curves.labels.of(0), "17");
-  EXPECT_EQ(curves.warnings, (std::vector<std::string>{"not read: 'forces'"}));
-  EXPECT_COMPLAINT("2: Properties 'species:S:1' has no pos:R:3", "a.xyz",
-                   "1\nProperties=species:S:1\nC 0 0 0\n");
-  // A position in words is none, and of two ids none is the sphere's.
-  EXPECT_COMPLAINT("2: Properties 'pos:S:3' has no pos:R:3", "a.xyz", "1\nProperties=pos:S:3\n0 0 0\n");
-  // A whole number is no radius.
-  const CurveFile whole = read_text("a.xyz", "1\nProperties=pos:R:3:radius:I:1\n1 2 3 9\n");
-  EXPECT_FALSE(whole.has_radii);
-  EXPECT_EQ(whole.warnings, (std::vector<std::string>{"not read: 'radius'"}));
-  const CurveFile two_ids = read_text("a.xyz", "1\nProperties=id:I:2:pos:R:3\n8 9 1 2 3\n");
-  EXPECT_EQ(two_ids.spheres, (std::vector<Sphere>{{1, 2, 3, 0}}));
-  EXPECT_EQ(two_ids.warnings, (std::vector<std::string>{"not read: 'id'"}));
-  EXPECT_COMPLAINT("2: Properties 'pos:R' is not", "a.xyz", "1\nProperties=pos:R\nC 0 0 0\n");
-  EXPECT_COMPLAINT("2: Properties: '99999999999999' of 'pos'", "a.xyz",
-                   "1\nProperties=pos:R:99999999999999\nC 0 0 0\n");
-  EXPECT_COMPLAINT("3: the row has 3 columns, not 4", "a.xyz", "1\nProperties=species:S:1:pos:R:3\n0 0 0\n");
-}
-
-/// One frame of a sphere, with this title.
-CurveFile titled(const std::string& title) {
-  return read_text("a.xyz", "1\n" + title + " Properties=species:S:1:pos:R:3\nC 0 0 0\n");
-}
-
-TEST(XyzReader, TakesTheLatticeAsAPeriodicBoxUnlessPbcSaysOtherwise) {
-  using Boxes = std::vector<PeriodicBox>;
-  for (const std::string lattice :
-       {"Lattice=\"9 0 0 1 8 0 -2 3.5 7\"", "lattice = '9 0 0 1 8 0 -2 3.5 7'",
-        "Lattice={9 0 0 1 8 0 -2 3.5 7}", "Lattice=[[9, 0, 0], [1, 8, 0], [-2, 3.5, 7]]"}) {
-    EXPECT_EQ(titled(lattice).boxes, (Boxes{{{9, 8, 7}, 1, -2, 3.5}})) << lattice;
-    EXPECT_TRUE(titled(lattice).box_is_periodic);
-    EXPECT_EQ(titled("pbc=\"T F T\" " + lattice).boxes, (Boxes{{{9, 0, 7}, 1, -2, 3.5}}));
-    EXPECT_EQ(titled(lattice + " pbc=[True, true, 0]").boxes, (Boxes{{{9, 8, 0}, 1, -2, 3.5}}));
-    EXPECT_EQ(titled(lattice + " pbc=\"0 1 t\"").boxes, (Boxes{{{0, 8, 7}, 1, -2, 3.5}}));
-    EXPECT_TRUE(titled(lattice + " pbc=\"F F F\"").boxes.empty());
-    EXPECT_TRUE(titled(lattice).warnings.empty());
-  }
-  EXPECT_TRUE(titled("pbc=\"T T T\"").boxes.empty());
-  for (const char* turned :
-       {"0 9 0 9 0 0 0 0 9", "9 1 0 0 9 0 0 0 9", "9 0 0 0 9 1 0 0 9", "-9 0 0 0 9 0 0 0 9"}) {
-    const CurveFile curves = titled(std::string("Lattice=\"") + turned + "\"");
-    EXPECT_TRUE(curves.boxes.empty());
-    ASSERT_EQ(curves.warnings.size(), 1u) << turned;
-    EXPECT_TRUE(curves.warnings[0].starts_with("line 2: the Lattice is left out, and nothing is periodic"));
-  }
-  const std::string end = "\nC 0 0 0\n";
-  EXPECT_COMPLAINT("2: Lattice '\"9 9 9\"' has 3 numbers, not 9", "a.xyz", "1\nLattice=\"9 9 9\"" + end);
-  EXPECT_COMPLAINT("2: Lattice: 'a' is not a number", "a.xyz", "1\nLattice=\"a 0 0 0 9 0 0 0 9\"" + end);
-  EXPECT_COMPLAINT("2: pbc '\"T T\"' is not T or F three times", "a.xyz", "1\npbc=\"T T\"" + end);
-}
-
-TEST(XyzReader, TakesTheBoxOfEachFrame) {
-  const auto frame = [](const std::string& lattice) { return "1\n" + lattice + "\nC 0 0 0\n"; };
-  const std::string nine = frame("Lattice=\"9 0 0 0 9 0 0 0 9\""),
-                    eight = frame("Lattice=\"8 0 0 0 8 0 0 0 8\""),
-                    turned = frame("Lattice=\"0 9 0 9 0 0 0 0 9\""), none = frame("t");
-  EXPECT_EQ(read_text("a.xyz", nine + eight).boxes, (std::vector<PeriodicBox>{{{9, 9, 9}}, {{8, 8, 8}}}));
-  EXPECT_TRUE(read_text("a.xyz", turned + turned).boxes.empty());
-  EXPECT_COMPLAINT("5: this frame and the first differ in having a periodic Lattice", "a.xyz", nine + none);
-  EXPECT_COMPLAINT("5: this frame and the first differ in having a periodic Lattice", "a.xyz", none + nine);
-  EXPECT_COMPLAINT("5: this Lattice does not lie along the axes", "a.xyz", nine + turned);
-  EXPECT_COMPLAINT("5: this Lattice lies along the axes, the first does not", "a.xyz", turned + nine);
 }
 
 // Every number of a file in one row: one short line, and soon.
@@ -243,8 +179,8 @@ TEST(XyzReader, ReadsFramesAsAnAnimation) {
 }
 
 TEST(XyzReader, EndEndsAStrand) {
-  const auto curves = read_text("a.xyz", "7 0 0\n8 0 0\nEND\n9 0 0\n9 1 0\nend\n");
-  EXPECT_EQ(curves.strand_first, (Offsets{0, 2, 4}));
+  const auto curves = read_text("a.xyz", "7 0 0\n8 0 0\nEND\n9 0 0\n9 1 0\nEndMdl\n5 0 0\nend\n");
+  EXPECT_EQ(curves.strand_first, (Offsets{0, 2, 4, 5}));
   EXPECT_EQ(curves.spheres[2].x, 9.0f);
   EXPECT_EQ(curves.labels.of(2), "4");
 }
@@ -258,6 +194,7 @@ TEST(XyzReader, WarnsOfWhatItAssumes) {
 TEST(XyzReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("2: the row has 2 columns, not 3", "a.xyz", "0 0 0\n1 1\n");
   EXPECT_COMPLAINT("1: 5 points are announced, 2 follow", "a.xyz", "5\nt\n0 0 0\n1 1 1\n");
+  EXPECT_COMPLAINT("1: 2 points are announced, 1 follow", "a.xyz", "2\nt\n0 0 0\n2\nt\n0 0 0\n1 0 0\n");
   EXPECT_COMPLAINT("2: y 'nan' is not a finite number", "a.xyz", "0 0 0\n0 nan 0\n");
   EXPECT_COMPLAINT("1: x '1e40' is too large", "a.xyz", "1e40 0 0\n");
   EXPECT_COMPLAINT("1: number of points '-3'", "a.xyz", "-3\n0 0 0\n");

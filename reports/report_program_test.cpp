@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catena/core/commands/test_program.h"
+#include "catena/core/environment.h"
+#include "catena/reports/journal.h"
+
+/// `catena report` as a user runs it: what is asked for is what is measured, and an interrupted run goes on
+/// with it.
+namespace catena::reports {
+namespace {
+
+class ReportProgram : public Program {
+ protected:
+  /// The run that was written, or nothing where this program measures nothing.
+  nlohmann::json measured(const std::string& arguments) const {
+    const ProgramOutcome r = run("report " + arguments + " --output '" + file("r") + "'");
+    if (r.output.find("libbenchmark-dev") != std::string::npos ||
+        r.output.find("Release build") != std::string::npos)
+      return {};
+    EXPECT_EQ(r.code, 0) << r.output;
+    EXPECT_TRUE(std::filesystem::exists(file("r") + "/run.json")) << r.output;
+    EXPECT_FALSE(std::filesystem::exists(file("r") + "/run.journal"));
+    EXPECT_FALSE(std::filesystem::exists(file("r") + "/index.html")) << "--no-page";
+    return nlohmann::json::parse(text_of(file("r") + "/run.json"));
+  }
+};
+
+TEST_F(ReportProgram, MeasuresWhatIsAskedForAndSaysHow) {
+  const std::string points = write("a.xyz", "0 0 0\n1 0 0\n2 0 0\n");
+  const std::string asked =
+      "--scene " + points +
+      " --radius '0.5' --variant 'CPU1' --variant 'aCPU2+CPU2' --seconds 60 --repetitions 3 "
+      "--seed 7";
+  const auto run = measured(asked + " --no-page");
+  if (run.is_null()) GTEST_SKIP() << "it cannot measure";
+  const auto& own = run["catena"];
+  EXPECT_EQ(own["command"], "catena report --quick " + asked);
+  EXPECT_EQ(own["profile"], "custom");
+  EXPECT_EQ(own["stopping"]["seed"], 7);
+  EXPECT_EQ(own["stopping"]["share"], 0);
+  EXPECT_EQ(own["stopping"]["seconds"], 60);
+  EXPECT_EQ(own["stopping"]["most_samples"], 3);
+  EXPECT_EQ(own["stopping"]["rounds"], 3);
+  for (const char* section : {"stability", "judged", "ranks", "motion", "keyframes", "tube_errors", "examine",
+                              "coherence", "animation", "regret", "steps"})
+    EXPECT_FALSE(own.contains(section)) << section << " is of other chains, or of frames that follow";
+  EXPECT_EQ(own["viewer"].size(), 1u);
+  EXPECT_EQ(own["wants"].size() % 2, 0u);
+}
+
+TEST_F(ReportProgram, GoesOnWithTheOptionsOfTheRunThatWasInterrupted) {
+  const std::string points = file("a.xyz");
+  write("a.xyz", "0 0 0\n1 0 0\n2 0 0\n");
+  const nlohmann::ordered_json options{{"profile", "quick"},
+                                       {"scenes", {points}},
+                                       {"input", {"--radius", "0.5"}},
+                                       {"variants", {"CPU1", "aCPU2+CPU2"}},
+                                       {"filter", "find"},
+                                       {"seconds", 60.0},
+                                       {"repetitions", 4},
+                                       {"seed", 9},
+                                       {"no_page", true}};
+  std::filesystem::create_directories(file("r"));
+  auto here = environment();
+  Journal::begin(file("r") + "/run.journal", {{"options", options}, {"environment", here}});
+  const auto run = measured("--resume");
+  if (run.is_null()) GTEST_SKIP() << "it cannot measure";
+  EXPECT_EQ(
+      run["catena"]["command"],
+      fmt::format("catena report --quick --scene '{}' --radius '0.5' --variant 'CPU1' --variant 'aCPU2+CPU2' "
+                  "--benchmark_filter 'find' --seconds 60 --repetitions 4 --seed 9",
+                  points));
+  EXPECT_EQ(run["catena"]["stopping"]["rounds"], 4);
+  for (const auto& row : run["benchmarks"])
+    EXPECT_NE(std::string(row["name"]).find("/find"), std::string::npos) << row["name"];
+  here.begin()->second = "another";
+  Journal::begin(file("r") + "/run.journal", {{"options", options}, {"environment", here}});
+  expect_refused("report --resume --output '" + file("r") + "'",
+                 fmt::format("the interrupted run had the {} 'another', this is '", here.begin()->first));
+}
+
+}  // namespace
+}  // namespace catena::reports
