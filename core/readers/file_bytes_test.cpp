@@ -12,7 +12,7 @@ TEST(InQuotes, ShowFortyLettersAndNothingThatIsNone) {
   EXPECT_EQ(in_quotes(""), "''");
   EXPECT_EQ(in_quotes(std::string(40, 'a')), "'" + std::string(40, 'a') + "'");
   EXPECT_EQ(in_quotes(std::string(41, 'a')), "'" + std::string(40, 'a') + "...'");
-  EXPECT_EQ(in_quotes("a\tb\n\x1f ~\x7f\xc3\xa9"), "'a?b?? ~???'");
+  EXPECT_EQ(in_quotes("a\tb\n\x1f ~\x7f\xc3\xa9"), "'a?b?? ~??\?'");
 }
 
 }  // namespace
