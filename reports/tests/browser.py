@@ -64,6 +64,11 @@ def wait(driver, condition, seconds=30):
     return WebDriverWait(driver, seconds, poll_frequency=0.05).until(condition)
 
 
+def next_frame(driver):
+    """Waits until what was drawn up to now is on the screen."""
+    driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
+
+
 def pixels(element):
     """What is on the screen where `element` is: height x width x 3 (0 to 1). The element is scrolled into view; one
     that is larger than the window costs a second, as the page is laid out anew for it.

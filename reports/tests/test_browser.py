@@ -1,7 +1,6 @@
 """The page in a browser, offline: plots drawn by pixels, a variant toggled, a chain picked, quick to open, silent console."""
 import pathlib
 import tempfile
-import time
 import unittest
 
 import browser
@@ -28,7 +27,7 @@ class Page(unittest.TestCase):
         figure = driver.find_element("id", "figure-" + key)
         driver.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", figure)
         browser.wait(driver, lambda _: figure.get_attribute("data-drawn"))
-        time.sleep(0.2)
+        browser.next_frame(driver)
         return figure
 
     @unittest.skipUnless(interactive.library(), "python3-plotly is not installed")
