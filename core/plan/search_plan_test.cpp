@@ -242,26 +242,33 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
 /// Spheres that touch those beside them in a block, in no order: each takes a host several times as long as
 /// in a tube.
 TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
-  std::vector<Sphere> spheres;
-  for (std::uint32_t k = 0; k < 8000; ++k) {
-    const std::uint32_t at = k * 3001 % 8000;
-    spheres.push_back(
-        {static_cast<float>(at % 20), static_cast<float>(at / 20 % 20), static_cast<float>(at / 400), 0.5f});
-  }
-  const Chain crowded(std::move(spheres));
   Machine of = sixteen_cores();
   const auto plan = [&](const ChainView& chain) {
     return SearchPlan(chain.size, {}, of, {}, chain.extent, {chain.spheres, chain.size});
   };
-  EXPECT_EQ(plan(crowded.view()).variant(), "Grid");
-  EXPECT_GT(plan(crowded.view()).threads(), 1u);
-  EXPECT_TRUE(plan(crowded.view()).holds_for(8000, {}, crowded.view().extent, crowded.spheres()));
+  // A lattice in no order, and in rows that go on elsewhere.
+  const auto crowded = [](std::uint32_t row) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < 8000; ++k) {
+      const std::uint32_t at = k / row * 3001 % (8000 / row) * row + k % row;
+      spheres.push_back({static_cast<float>(at % 20), static_cast<float>(at / 20 % 20),
+                         static_cast<float>(at / 400), 0.5f});
+    }
+    return Chain(std::move(spheres));
+  };
+  for (const auto& [row, variant] : {std::pair(1u, "Hybrid"), {20u, "Grid"}}) {
+    const Chain chain = crowded(row);
+    EXPECT_EQ(plan(chain.view()).variant(), variant) << row;
+    EXPECT_GT(plan(chain.view()).threads(), 1u) << row;
+    EXPECT_TRUE(plan(chain.view()).holds_for(8000, {}, chain.view().extent, chain.spheres())) << row;
+    EXPECT_GT(plan(chain.view()).estimate_ms(), SearchPlan(8000, {}, of, {}).estimate_ms()) << row;
+  }
   EXPECT_EQ(SearchPlan(8000, {}, of, {}).threads(), 1u);
-  EXPECT_GT(plan(crowded.view()).estimate_ms(), SearchPlan(8000, {}, of, {}).estimate_ms());
   // What was measured counts more than what such chains take.
   SearchHistory history;
   for (int k = 0; k < 2; ++k) history.add(8000, 2, 0);
-  const ChainView view = crowded.view();
+  const Chain chain = crowded(1);
+  const ChainView view = chain.view();
   EXPECT_EQ(SearchPlan(8000, {}, of, {}, view.extent, {view.spheres, view.size}, history).estimate_ms(),
             SearchPlan(8000, {}, of, {}, Extent(), {}, history).estimate_ms());
 }

@@ -12,14 +12,24 @@
 namespace catena {
 namespace {
 
-enum Kind { wide, subnormal, crowded, short_apart, short_like, short_lattice, short_unlike };
+enum Kind {
+  wide,
+  subnormal,
+  crowded,
+  crowded_anywhere,
+  short_apart,
+  short_like,
+  short_lattice,
+  short_unlike
+};
 
 const UnusualKind& info(Kind kind) {
-  static const std::array<UnusualKind, 7> all{{
+  static const std::array<UnusualKind, 8> all{{
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another, in a chain whose parts lie apart"},
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
        true, 6},
+      {"Hybrid", "spheres of like radii that fill their box, in no order", true, 6},
       {"ChainTree", "at most 2,048 spheres, of which rows of eight are near few others"},
       {"Grid", "301 to 2,048 spheres of like radii, of which rows of eight are near many others"},
       {"SphereTree",
@@ -79,11 +89,14 @@ Course course(std::span<const Sphere> spheres) {
   return {beside / some, along > 0 ? across / along : 0};
 }
 
+/// RowLook::straight of spheres that lie anywhere.
+constexpr double anywhere = 0.25;
+
 /// Of a few spheres, by how their rows of eight lie: where many are near one, a tree of these tells little
 /// apart. Measured, with the limits below, over the registry's scenes and 69 other kinds of chain.
 Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
   constexpr double few_rows = 6, spheres_a_row = 160, dense = 6, loose = 0.35, sparse = 0.25, smooth = 0.98;
-  constexpr double most_filled = 3, some_rows = 5, anywhere = 0.25;
+  constexpr double most_filled = 3, some_rows = 5;
   constexpr std::uint32_t very_few = 300, few = 512, many = 700;
   const RowLook look = RowLook::at(spheres);
   const bool apart = look.near <= std::min(few_rows, n / spheres_a_row) && look.straight > anywhere;
@@ -121,7 +134,7 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     }
     if (like && filled > full && filled <= very_dense && filled * course(spheres).beside > full &&
         !spheres.empty() && share_that_meets(spheres) > most_meet)
-      return &info(crowded);
+      return &info(RowLook::at(spheres).straight > anywhere ? crowded : crowded_anywhere);
   }
   return nullptr;
 }

@@ -132,6 +132,7 @@ TEST(UnusualKind, OfSpheresThatLieAnywhereIsToldByTheirNumberAndRadii) {
   EXPECT_EQ(kind_of(anywhere(2048, 30, 30, 30, 0.3f)), "Grid");
   const Chain many(anywhere(2049, 30, 30, 30, 0.3f));
   EXPECT_EQ(UnusualKind::of(many.size(), many.view().extent, many.spheres()), nullptr);
+  EXPECT_EQ(kind_of(anywhere(3000, 15, 15, 15, 0.5f)), "Hybrid") << "that fill their box";
   auto unlike = anywhere(2000, 30, 30, 30, 0.3f);
   unlike[7].radius = 0.601f;
   EXPECT_EQ(kind_of(unlike), "SphereTree");
