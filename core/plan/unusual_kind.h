@@ -9,8 +9,8 @@
 namespace catena {
 
 /// A kind of chain for which another variant is quicker than the one that is quickest for most, told by what
-/// is known since its numbers were checked, and where radii are very unlike by some spheres, which say
-/// whether its order follows its place in space. Every variant gives the same answer.
+/// is known since its numbers were checked, and by some spheres, which say whether its order follows its
+/// place in space. Every variant gives the same answer.
 struct CATENA_API UnusualKind {
   std::string variant;   ///< the quicker one
   std::string reason;    ///< with which figure decides
@@ -18,7 +18,7 @@ struct CATENA_API UnusualKind {
   double times = 1;      ///< about what a sphere takes a host, of what it takes in a usual chain
 
   /// Null for a usual chain, and where the extent is not known, {}. `spheres`: all of them, or none where
-  /// they are not known. O(1).
+  /// they are not known: then few kinds can be told. O(log n).
   static const UnusualKind* of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres);
 };
 
