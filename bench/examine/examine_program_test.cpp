@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "catena/bench/examine/examine.h"
 #include "catena/bench/examine/json.h"
@@ -11,22 +10,6 @@
 
 namespace catena::bench {
 namespace {
-
-using Texts = std::vector<std::string>;
-
-Texts lines_of(const std::string& text) {
-  Texts lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-Texts words_of(const std::string& line) {
-  Texts words;
-  std::istringstream in(line);
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
 
 struct Examined {
   explicit Examined(const std::string& spec, const std::string& arithmetic) {

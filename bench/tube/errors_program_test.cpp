@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "catena/bench/tube/contacts.h"
 #include "catena/bench/tube/errors_line.h"
@@ -12,22 +11,6 @@
 
 namespace catena::bench {
 namespace {
-
-using Texts = std::vector<std::string>;
-
-Texts lines_of(const std::string& text) {
-  Texts lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-Texts words_of(const std::string& line) {
-  Texts words;
-  std::istringstream in(line);
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
 
 TEST(ErrorsLine, SaysEachNumberUnderItsName) {
   TubeErrors errors{"a", 1.5, {7, 0.5, 0.25, 0.125, 1.25, 9, 2, 3, 4, 0.75, 0.375}, {}};

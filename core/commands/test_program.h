@@ -24,6 +24,21 @@ inline std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
+using Texts = std::vector<std::string>;
+
+inline Texts lines_of(const std::string& text) {
+  Texts lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+inline Texts words_of(const std::string& line) {
+  Texts words;
+  std::istringstream in(line);
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
 /// The program as a user runs it: its exit codes, its one line for bad input, its files and its JSON. In a
 /// folder of its own.
 class Program : public testing::Test {
