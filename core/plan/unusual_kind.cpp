@@ -17,26 +17,32 @@ enum Kind {
   subnormal,
   crowded,
   crowded_anywhere,
+  short_extreme,
+  short_smooth,
   short_apart,
   short_like,
-  short_lattice,
-  short_unlike
+  short_single,
+  short_unlike,
+  kinds
 };
 
 const UnusualKind& info(Kind kind) {
-  static const std::array<UnusualKind, 8> all{{
+  static const std::array<UnusualKind, kinds> all{{
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another, in a chain whose parts lie apart"},
       {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
        true, 6},
       {"Hybrid", "spheres of like radii that fill their box, in no order", true, 6},
+      {"ChainTree", "at most 2,048 spheres in a box that is mostly empty, whose squares leave binary32"},
+      {"ChainTree", "513 to 2,048 spheres of a smooth tube"},
       {"ChainTree", "at most 2,048 spheres, of which rows of eight are near few others"},
-      {"Grid", "301 to 2,048 spheres of like radii, of which rows of eight are near many others"},
+      {"Grid", "301 to 2,048 spheres of like radii, whose order tells little of what is near"},
       {"SphereTree",
-       "at most 2,048 spheres in a small box, or at most 300 of which rows are near many others"},
+       "at most 2,048 spheres in a small box, or at most 300 whose order tells little of what is near"},
       {"SphereTree",
-       "at most 2,048 spheres, which fill their box more than six times or have unlike radii, and of which "
-       "rows of eight are near many others"},
+       "at most 2,048 spheres that fill their box more than six times or have unlike radii, whose order "
+       "tells "
+       "little of what is near"},
   }};
   return all[kind];
 }
@@ -91,25 +97,26 @@ Course course(std::span<const Sphere> spheres) {
 
 /// RowLook::straight of spheres that lie anywhere.
 constexpr double anywhere = 0.25;
+/// fill() of a box that is mostly empty.
+constexpr double sparse = 0.25;
 
 /// Of a few spheres, by how their rows of eight lie: where many are near one, a tree of these tells little
 /// apart. Measured, with the limits below, over the registry's scenes and 69 other kinds of chain.
 Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
-  constexpr double few_rows = 6, spheres_a_row = 160, dense = 6, loose = 0.35, sparse = 0.25, smooth = 0.98;
+  constexpr double few_rows = 6, spheres_a_row = 160, dense = 6, loose = 0.35, smooth = 0.98;
   constexpr double most_filled = 3, some_rows = 5;
   constexpr std::uint32_t very_few = 300, few = 512, many = 700;
   const RowLook look = RowLook::at(spheres);
   const bool apart = look.near <= std::min(few_rows, n / spheres_a_row) && look.straight > anywhere;
   if (!like || filled > dense) return apart ? short_apart : short_unlike;
-  if (filled <= loose) return apart ? short_apart : n > very_few ? short_like : short_lattice;
+  if (filled <= loose) return apart ? short_apart : n > very_few ? short_like : short_single;
   if (n > few) {
     // Blocks of a smooth tube are told apart by their capsules.
     const Course c = course(spheres);
-    if (c.straight > smooth && filled * c.beside <= sparse) return short_apart;
+    if (c.straight > smooth && filled * c.beside <= sparse) return short_smooth;
   }
-  return n > many && look.near > some_rows && filled < most_filled && look.straight > anywhere
-             ? short_like
-             : short_lattice;
+  return n > many && look.near > some_rows && filled < most_filled && look.straight > anywhere ? short_like
+                                                                                               : short_single;
 }
 
 }  // namespace
@@ -117,7 +124,7 @@ Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Spher
 const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres) {
   // Measured over the registry's scenes and walks in boxes of any fill: these take 0.2 to 0.9 of the usual
   // variant's time.
-  constexpr double widest = 0x1p60, sparse = 0.25, full = 0.2, very_dense = 10;
+  constexpr double widest = 0x1p60, full = 0.2, very_dense = 10;
   constexpr double few_meet = 0.5, most_meet = 0.7;
   constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
@@ -129,7 +136,7 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     const bool like = extent.greatest_radius <= 2 * extent.least_radius;
     if (n <= few) {
       // The chain's order is the only one that scales its numbers.
-      if (!squares_in_range(extent.greatest_radius) && filled <= sparse) return &info(short_apart);
+      if (!squares_in_range(extent.greatest_radius) && filled <= sparse) return &info(short_extreme);
       return spheres.empty() ? nullptr : &info(short_kind(n, filled, like, spheres));
     }
     if (like && filled > full && filled <= very_dense && filled * course(spheres).beside > full &&

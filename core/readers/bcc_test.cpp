@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstring>
 #include <string>
 #include <vector>
 
+#include "catena/core/readers/test_bytes.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_floats.h"
 
@@ -15,13 +15,6 @@ struct Curve {
   std::vector<Sphere> points;
   bool closed;
 };
-
-template <class Number>
-void append(std::string& bytes, Number number) {
-  char raw[sizeof number];
-  std::memcpy(raw, &number, sizeof number);
-  bytes.append(raw, sizeof number);
-}
 
 std::string header(const std::string& start, std::uint64_t curves, std::uint64_t points) {
   std::string bytes = start;

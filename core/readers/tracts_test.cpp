@@ -2,20 +2,13 @@
 #include <cstring>
 #include <limits>
 
+#include "catena/core/readers/test_bytes.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_graph.h"
 
 /// Tracts and hair: binary strands of points without radii.
 namespace catena {
 namespace {
-
-template <class T>
-void append(std::string& bytes, T value, bool big_endian = false) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  if (big_endian) std::ranges::reverse(raw);
-  bytes.append(raw, sizeof raw);
-}
 
 std::vector<std::vector<Sphere>> any_strands() {
   std::vector<std::vector<Sphere>> strands(*rc::gen::inRange<std::size_t>(1, 5));

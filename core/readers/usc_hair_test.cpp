@@ -3,20 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstring>
 
+#include "catena/core/readers/test_bytes.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_floats.h"
 
 namespace catena {
 namespace {
-
-template <class Number>
-void append(std::string& bytes, Number number) {
-  char raw[sizeof number];
-  std::memcpy(raw, &number, sizeof number);
-  bytes.append(raw, sizeof number);
-}
 
 // As .usc, and as the .data that its publishers write; a strand may have one point, or none.
 RC_GTEST_PROP(UscHair, ReadsWhatIsWritten, ()) {

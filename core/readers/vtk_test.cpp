@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "catena/core/readers/test_bytes.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_graph.h"
-#include "catena/core/readers/test_vtk.h"
 
 namespace catena {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <bit>
 
+#include "catena/core/readers/test_bytes.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_graph.h"
-#include "catena/core/readers/test_vtk.h"
 #include "catena/core/readers/vtk_xml_data.h"
 #include "catena/reports/base64.h"
 

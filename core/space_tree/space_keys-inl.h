@@ -24,16 +24,16 @@ struct Bits32 {
 
   HWY_INLINE explicit Bits32(std::uint32_t all) : v(hn::Set(Tag(), all)) {}
   HWY_INLINE explicit Bits32(hn::Vec<Tag> bits) : v(bits) {}
-  friend HWY_INLINE Bits32 operator&(Bits32 a, Bits32 b) { return Bits32(hn::And(a.v, b.v)); }
-  friend HWY_INLINE Bits32 operator|(Bits32 a, Bits32 b) { return Bits32(hn::Or(a.v, b.v)); }
-  friend HWY_INLINE Bits32 operator^(Bits32 a, Bits32 b) { return Bits32(hn::Xor(a.v, b.v)); }
-  friend HWY_INLINE Bits32 operator~(Bits32 a) { return Bits32(hn::Not(a.v)); }
-  friend HWY_INLINE Bits32 operator<<(Bits32 a, int by) { return Bits32(hn::ShiftLeftSame(a.v, by)); }
   /// The uppermost bit in every place.
   HWY_INLINE Bits32 sign() const {
     const hn::RebindToSigned<Tag> with_sign;
     return Bits32(hn::BitCast(Tag(), hn::BroadcastSignBit(hn::BitCast(with_sign, v))));
   }
+  friend HWY_INLINE Bits32 operator&(Bits32 a, Bits32 b) { return Bits32(hn::And(a.v, b.v)); }
+  friend HWY_INLINE Bits32 operator|(Bits32 a, Bits32 b) { return Bits32(hn::Or(a.v, b.v)); }
+  friend HWY_INLINE Bits32 operator^(Bits32 a, Bits32 b) { return Bits32(hn::Xor(a.v, b.v)); }
+  friend HWY_INLINE Bits32 operator~(Bits32 a) { return Bits32(hn::Not(a.v)); }
+  friend HWY_INLINE Bits32 operator<<(Bits32 a, int by) { return Bits32(hn::ShiftLeftSame(a.v, by)); }
   friend HWY_INLINE Bits32 operator>>(Bits32 a, int by) { return Bits32(hn::ShiftRightSame(a.v, by)); }
 };
 
