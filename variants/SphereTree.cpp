@@ -20,7 +20,7 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   std::vector<WorkDone> work() const override {
     const Done all = done();
     return {{"node, node", all.nodes - before_.nodes},
-            {"sphere, sixteen spheres", all.tests - before_.tests},
+            {"sphere, vector of spheres", all.tests - before_.tests},
             {"pair of spheres, beyond binary32", all.open - before_.open}};
   }
 

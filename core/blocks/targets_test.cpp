@@ -116,5 +116,27 @@ TEST(SimdTargets, AnswerFrameAfterFrameEachOfThem) {
   }
 }
 
+/// What is weighed against other searches' steps must be in their unit: half as wide a vector, twice the
+/// tests.
+TEST(SimdTargets, CountVectorsOfTheirOwnWidth) {
+  properties::Dice dice(1);
+  const Chain chain(properties::tangle(dice, 2100));
+  std::set<std::uint64_t> spheres_tested;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    const properties::ForcedTarget forced(target);
+    const unsigned lanes = target == HWY_AVX3 ? 16 : target == HWY_AVX2 ? 8 : target == HWY_SCALAR ? 1 : 4;
+    const auto variant = StrategyRegistry::instance().make("SphereTree");
+    Collisions found;
+    variant->build(chain);
+    variant->find(chain, {}, found);
+    const auto work = variant->work();
+    const auto tests = std::ranges::find(work, "sphere, vector of spheres", &WorkDone::step);
+    ASSERT_NE(tests, work.end());
+    spheres_tested.insert(tests->times * lanes);
+  }
+  EXPECT_GT(*spheres_tested.begin(), chain.size());
+  EXPECT_LT(*spheres_tested.rbegin(), *spheres_tested.begin() * 1.01) << "boxes differ by a rounding";
+}
+
 }  // namespace
 }  // namespace catena

@@ -63,7 +63,8 @@ class SphereSearch {
   }
 
  private:
-  static constexpr std::uint32_t group = SphereTree::group, box_fields = SphereTree::box_fields;
+  static constexpr std::uint32_t group = SphereTree::group, box_fields = SphereTree::box_fields,
+                                 vectors = group / sphere_lanes;  // of a node's spheres
   using Bits = hn::RebindToUnsigned<SphereTag>;
 
   HWY_INLINE AxisBoxes box_of(std::uint32_t node) const {
@@ -158,7 +159,7 @@ class SphereSearch {
       });
     const TurnedSpheres spheres(tree_.fields_of(a), tree_.index.data() + a * group);
     spheres.meet(hits_);
-    q_.tests_done += group / 2;
+    q_.tests_done += group / 2 * vectors;
   }
 
   /// Node a with those that are queued. Those of the one that the other's box meets are tested against all of
@@ -197,7 +198,7 @@ class SphereSearch {
 
   HWY_NOINLINE void work_off() {
     for (std::size_t k = 0; k < tests_; ++k) test(q_.tests[k].place, q_.tests[k].node);
-    q_.tests_done += tests_;
+    q_.tests_done += tests_ * vectors;
     tests_ = 0;
   }
 

@@ -18,8 +18,10 @@ struct SphereQueues {
     std::uint32_t node;   ///< all of whose spheres it is tested against
   };
 
-  std::uint64_t nodes_done = 0, tests_done = 0;  ///< since this was made
-  std::uint64_t open_done = 0;                   ///< pairs that binary32 left open, likewise
+  // Since this was made:
+  std::uint64_t nodes_done = 0;  ///< two nodes
+  std::uint64_t tests_done = 0;  ///< a sphere against a vector of others, as in GridQueues
+  std::uint64_t open_done = 0;   ///< pairs that binary32 left open
   std::vector<std::uint32_t> groups = std::vector<std::uint32_t>(group_limit);
   std::vector<float> boxes = std::vector<float>(group_limit * 6);  ///< of these, as SphereTree::boxes
   std::vector<std::uint32_t> nodes = std::vector<std::uint32_t>(node_limit + group);

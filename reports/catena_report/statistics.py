@@ -1,5 +1,6 @@
 """The statistics of the report. Times are skewed and few, so everything rests on medians and ranks."""
 import dataclasses
+import functools
 import math
 
 import numpy
@@ -18,6 +19,7 @@ class Interval:
         return self.low <= number <= self.high
 
 
+@functools.cache
 def rank_of_bound(size):
     """The greatest k with P(Binomial(size, 1/2) < k) <= 2.5 %, 0 when there is none: the k-th samples from both
     ends hold the median between them in at least 95 % of cases. As bench/timing/median_interval.cpp.
@@ -89,6 +91,11 @@ def exponent(ns, times):
 
 def mann_whitney(a, b):
     """Two-sided p: exact for small samples without ties, asymptotic otherwise."""
+    return _mann_whitney(tuple(a), tuple(b))
+
+
+@functools.lru_cache(1 << 14)  # several sections compare the same samples
+def _mann_whitney(a, b):
     if len(set(a) | set(b)) == 1:
         return 1.0
     return float(scipy.stats.mannwhitneyu(a, b, alternative="two-sided").pvalue)
