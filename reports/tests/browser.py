@@ -41,8 +41,7 @@ def opened(page, width=1400, height=900, dark=False, flags=()):
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
     try:
-        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                               {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        resize(driver, width, height)
         if dark:
             driver.execute_cdp_cmd("Emulation.setEmulatedMedia",
                                    {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
@@ -51,6 +50,12 @@ def opened(page, width=1400, height=900, dark=False, flags=()):
     finally:
         driver.quit()
         shutil.rmtree(profile, ignore_errors=True)
+
+
+def resize(driver, width, height):
+    """A window of `width` x `height` CSS pixels."""
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                           {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
 
 
 def errors(driver):
@@ -73,26 +78,43 @@ def pixels(element):
     """What is on the screen where `element` is: height x width x 3 (0 to 1). The element is scrolled into view; one
     that is larger than the window costs a second, as the page is laid out anew for it.
     """
+    driver = element.parent
+    driver.execute_script("arguments[0].scrollIntoView({behavior: 'instant', block: 'nearest'})", element)
+    return pictures([element])[0]
+
+
+def pictures(elements):
+    """What is on the screen where each is, as it is scrolled: by one shot where all are in the window."""
+    driver = elements[0].parent
+    boxes, whole, right, down = driver.execute_script("""
+        const boxes = arguments[0].map(e => e.getBoundingClientRect());
+        const whole = boxes.every(b => b.x >= 0 && b.y >= 0 && b.right <= innerWidth && b.bottom <= innerHeight);
+        return [boxes.map(b => [b.x, b.y, b.width, b.height]), whole, scrollX, scrollY]""", elements)
+    if not whole:
+        return [_shot(driver, x + right, y + down, width, height) for x, y, width, height in boxes]
+    window = _shot(driver)
+    return [window[round(y):round(y + height), round(x):round(x + width)] for x, y, width, height in boxes]
+
+
+def _shot(driver, *area):
     import base64
 
     import matplotlib.image
-    driver = element.parent
-    x, y, width, height, whole, right, down = driver.execute_script("""
-        arguments[0].scrollIntoView({behavior: "instant", block: "nearest"});
-        const box = arguments[0].getBoundingClientRect();
-        const whole = box.x >= 0 && box.y >= 0 && box.right <= innerWidth && box.bottom <= innerHeight;
-        return [box.x, box.y, box.width, box.height, whole, scrollX, scrollY]""", element)
-    beyond = {} if whole else {"captureBeyondViewport": True, "clip": {
-        "x": x + right, "y": y + down, "width": width, "height": height, "scale": 1}}
-    shot = driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png", **beyond})
-    image = matplotlib.image.imread(io.BytesIO(base64.b64decode(shot["data"])), format="png")[..., :3]
-    return image[round(y):round(y + height), round(x):round(x + width)] if whole else image
+    clip = {"captureBeyondViewport": True, "clip": {**dict(zip(("x", "y", "width", "height"), area)), "scale": 1}}
+    shot = driver.execute_cdp_cmd(
+        "Page.captureScreenshot", {"format": "png", "optimizeForSpeed": True, **(clip if area else {})})
+    return matplotlib.image.imread(io.BytesIO(base64.b64decode(shot["data"])), format="png")[..., :3]
 
 
 def painted(element, least=0.002):
-    """Whether at least this share of the element's pixels differs from its commonest colour: drawn, not only there."""
+    """Whether the element is drawn, not only there."""
+    return coloured(pixels(element), least)
+
+
+def coloured(picture, least=0.002):
+    """Whether at least this share of its pixels differs from the commonest colour."""
     import numpy
-    colours = (pixels(element) * 255).round().astype(numpy.uint32)
+    colours = (picture * 255).round().astype(numpy.uint32)
     packed = colours[..., 0] << 16 | colours[..., 1] << 8 | colours[..., 2]
     _, counts = numpy.unique(packed, return_counts=True)
     return 1 - counts.max() / packed.size >= least
