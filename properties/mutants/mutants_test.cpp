@@ -62,8 +62,8 @@ std::optional<std::string> failure(Property& property, const Subject& subject, V
 /// property -> number of cases it took to see that something is wrong.
 using Kills = std::map<std::string, std::size_t>;
 
-/// Runs every property on the small cases, then on the others until one kills, then what is asked of every chain on
-/// the giants.
+/// Runs every property on the small cases until so many have killed, then on the others until one kills, then what is
+/// asked of every chain on the giants.
 Kills kill(const Subject& subject) {
   Kills kills;
   struct Run {
@@ -73,7 +73,8 @@ Kills kill(const Subject& subject) {
   std::vector<Run> runs;
   for (auto& property : PropertyRegistry::instance().make_all())
     if (property->applies_to(subject)) runs.push_back({std::move(property), subject.make()});
-  for (std::size_t k = 0; k < cases().size() && (k < cases().small() || kills.empty()); ++k)
+  constexpr std::size_t many = 6;  // more say nothing new of the mutant, and little of the properties
+  for (std::size_t k = 0; k < cases().size() && (k < cases().small() ? kills.size() < many : kills.empty()); ++k)
     for (const Run& run : runs)
       if (!kills.contains(run.property->name()) && failure(*run.property, subject, *run.variant, cases()[k]))
         kills[run.property->name()] = k + 1;
