@@ -36,11 +36,7 @@ TEST_F(GrowthProgram, TellsTheLawThatItFitted) {
 }
 
 TEST_F(GrowthProgram, SaysWhatIsAboveTheLaw) {
-  const Growth quadratic = measure_growth("yarn", StrategyRegistry::instance().describe("CPU1"), 32'000);
-  expect_says(
-      "growth yarn --n 32000 --variant CPU1", 0,
-      {quadratic.within_four_thirds() ? "within" : "ABOVE", "      1000         498501     498.5 a sphere"});
-  EXPECT_FALSE(quadratic.within_four_thirds());
+  expect_says("growth yarn --n 32000 --variant CPU1", 0, {"ABOVE", "      1000         498501     498.5 a sphere"});
   EXPECT_EQ(
       nlohmann::json::parse(run("growth yarn --n 32000 --variant CPU1 --json").output)["within_four_thirds"],
       false);
