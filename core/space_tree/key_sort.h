@@ -9,20 +9,21 @@
 
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/space_tree/digit_sort.h"
 
 namespace catena {
 
 /// Sorts numbers of 64 bits by a team: shared out by some of them that part the rest about evenly (a sample
-/// sort), and each share by vectors.
+/// sort), each share by digits, and few by vectors, which compare them sooner than digits are counted.
 class KeySort {
  public:
   /// Fewer are sorted by the caller alone; so few may be sorted by several members of the team at once.
   static constexpr std::size_t few = 1 << 14;
 
-  /// Keys that are all different. O(n log n).
+  /// Keys that are all different; where upper halves are alike the lower ones rise. O(n).
   void operator()(std::span<std::uint64_t> keys, const Team& team) {
-    while (sorters_.size() < team.size()) sorters_.emplace_back();
-    if (team.size() == 1 || keys.size() < few) return sort(keys, team);
+    while (sorters_.size() < team.size()) sorters_.emplace_back(), rooms_.emplace_back();
+    if (team.size() == 1 || keys.size() < few) return sort(keys, rooms_[team.member()], team);
     shares_ = shares_a_member * team.size();
     choose_borders(keys);
     const auto parts = static_cast<std::uint32_t>((keys.size() + part - 1) / part);
@@ -40,9 +41,11 @@ class KeySort {
     each_key([&](std::uint32_t& next, std::uint64_t key) { copy_[next++] = key; });
     team.for_each_range(shares_, 1, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t s = begin; s < end; ++s) {
-        const std::span<std::uint64_t> share(copy_.data() + first_[s], copy_.data() + first_[s + 1]);
-        sort(share, team);
-        std::copy(share.begin(), share.end(), keys.begin() + first_[s]);
+        const std::size_t size = first_[s + 1] - first_[s];
+        const std::span<std::uint64_t> share(copy_.data() + first_[s], size),
+            to = keys.subspan(first_[s], size);
+        const std::span<std::uint64_t> sorted = sort(share, to, team);
+        if (sorted.data() != to.data()) std::copy(sorted.begin(), sorted.end(), to.begin());
       }
     });
   }
@@ -51,8 +54,20 @@ class KeySort {
   static constexpr std::size_t part = 1 << 13;
   static constexpr std::uint32_t shares_a_member = 4, samples_a_share = 32;
 
-  void sort(std::span<std::uint64_t> keys, const Team& team) {
+  static constexpr std::size_t digits_pay = 1 << 10;
+
+  void sort(std::span<std::uint64_t> keys, LargeVector<std::uint64_t>& room, const Team& team) {
+    if (keys.size() >= digits_pay && room.size() < keys.size()) room.clear(), room.resize(keys.size());
+    const std::span<std::uint64_t> sorted =
+        sort(keys, {room.data(), std::min(room.size(), keys.size())}, team);
+    if (sorted.data() != keys.data()) std::copy(sorted.begin(), sorted.end(), keys.begin());
+  }
+  /// Where they are then, in `keys` or in `room`.
+  std::span<std::uint64_t> sort(std::span<std::uint64_t> keys, std::span<std::uint64_t> room,
+                                const Team& team) {
+    if (keys.size() >= digits_pay) return sort_by_digits(keys, room);
     sorters_[team.member()](keys.data(), keys.size(), hwy::SortAscending());
+    return keys;
   }
 
   void choose_borders(std::span<const std::uint64_t> keys) {
@@ -84,7 +99,9 @@ class KeySort {
     first_[shares_] = place;
   }
 
-  std::deque<hwy::Sorter> sorters_;  // [member]: they have memory of their own
+  // [member]: they have memory of their own
+  std::deque<hwy::Sorter> sorters_;
+  std::deque<LargeVector<std::uint64_t>> rooms_;
   std::uint32_t shares_ = 0;
   std::vector<std::uint64_t> borders_;
   std::vector<std::uint32_t> next_, first_;  // [part][share], [share]

@@ -9,7 +9,7 @@ namespace catena {
 
 /// Single spheres in the order of space, for where much is near, or radii are mixed: sorted by class of size
 /// and along a space-filling curve, sixteen that follow one another a node, in boxes along the axes of space;
-/// sixteen nodes the next, and so on. A place in that order is a *place*. 22 bytes a sphere, and 8 that the
+/// sixteen nodes the next, and so on. A place in that order is a *place*. 22 bytes a sphere, and 16 that the
 /// sort takes.
 struct SphereTree {
   static constexpr std::uint32_t group = 16;
