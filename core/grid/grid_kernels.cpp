@@ -36,6 +36,8 @@ void search_grid_here(const ChainView& chain, const SphereGrid& grid, std::size_
   evidence != nullptr ? run(*evidence) : run(nothing);
 }
 
+std::uint32_t spheres_of_a_vector_here() { return sphere_lanes; }
+
 }  // namespace catena::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -44,6 +46,7 @@ namespace catena {
 
 HWY_EXPORT(build_grid_here);
 HWY_EXPORT(search_grid_here);
+HWY_EXPORT(spheres_of_a_vector_here);
 
 void build_grid(const ChainView& chain, SphereGrid& grid, std::span<const std::uint32_t> only,
                 const Team& team) {
@@ -65,6 +68,8 @@ void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& que
   });
   evidence.rest();
 }
+
+std::uint32_t spheres_of_a_vector() { return HWY_DYNAMIC_DISPATCH(spheres_of_a_vector_here)(); }
 
 }  // namespace catena
 #endif

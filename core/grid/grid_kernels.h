@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <span>
 
 #include "catena/core/executor/pair_collector.h"
@@ -23,5 +24,9 @@ CATENA_API void search_grid(const ChainView& chain, const SphereGrid& grid, std:
 /// The same to the lane, by the caller alone, slower, and tells `evidence` of all pairs of those spheres.
 CATENA_API void search_grid(const ChainView& chain, const SphereGrid& grid, GridQueues& queues,
                             PairCollector::Lane& lane, GridEvidence& evidence);
+
+/// So many spheres a vector of these searches holds on this machine: 16 with AVX-512, 8 with AVX2, else 4
+/// or 1.
+CATENA_API std::uint32_t spheres_of_a_vector();
 
 }  // namespace catena

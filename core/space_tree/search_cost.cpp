@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "catena/core/grid/grid_kernels.h"
 #include "catena/core/space_tree/mean_near.h"
 #include "catena/core/space_tree/scattered.h"
 
@@ -90,6 +91,11 @@ std::span<const std::uint32_t> all_along(const ChainView& chain, Samples& sample
 }
 
 }  // namespace
+
+double SingleSphereCost::in_wide_cells(double near, std::uint32_t spheres) {
+  const bool wide_vectors = spheres_of_a_vector() == 16;
+  return shallow_share(spheres) * (wide_vectors ? 20 + 5.5 * near : 28 + 7 * near);
+}
 
 SingleSpheres single_spheres(const ChainView& chain) {
   constexpr std::uint32_t apart = 128;  // of those whose radii are asked for

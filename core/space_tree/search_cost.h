@@ -48,10 +48,8 @@ struct SingleSphereCost {
   static bool wide_cells(double near, std::uint32_t spheres) {
     return in_wide_cells(near, spheres) < in_narrow_cells(near);
   }
-  /// Each that is near is a pair of its own, and looked up.
-  static double in_wide_cells(double near, std::uint32_t spheres) {
-    return shallow_share(spheres) * (20 + 5.5 * near);
-  }
+  /// Each that is near is a pair of its own, and looked up: by AVX-512 at once, else one by one.
+  CATENA_API static double in_wide_cells(double near, std::uint32_t spheres);
   /// A sphere alone in its cell pays for it and for the look at its neighbours. Where very many are near, a
   /// vector of them is not the last.
   static double in_narrow_cells(double near) {
