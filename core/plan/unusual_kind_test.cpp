@@ -66,7 +66,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr);
   EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
   for (const std::uint32_t n : {100u, 3000u})
-    EXPECT_EQ(UnusualKind::of(n, {1, 1, 2 * std::cbrt(n), 0}, {}), nullptr) << "where they lie is not known";
+    EXPECT_EQ(UnusualKind::of(n, {1, 1, 3 * std::cbrt(n), 0}, {}), nullptr) << "where they lie is not known";
 }
 
 /// Very few spheres are searched before it is seen how they lie.
