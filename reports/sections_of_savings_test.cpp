@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/register.h"
 #include "catena/reports/test_sections.h"
 
@@ -99,6 +102,41 @@ TEST(Sections, OfSavingsAreOfTheQuickestTree) {
   Fickle::fault = Fickle::Fault::none;
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0]["reason"], "200 spheres: aCPU2+CPU2 against CPU1");
+}
+
+/// Each step that auto leaves out stands once, under the first task that lets it, beside what it takes to do
+/// it.
+TEST(Sections, OfSavingsHaveWhatAutoLeavesOutByWhatLetsIt) {
+  Profile p = profile_of({"CPU1"});
+  p.planned_inputs = {"path1:n=20", "path1:n=3000"};
+  EXPECT_TRUE(section("savings", p).empty()) << "without auto";
+  p = profile_of({"auto"});
+  p.planned_inputs = {"path1:n=20", "path1:n=3000"};
+  const std::map<std::string, std::string> tasks{
+      {"pair-list", ", only counts"},          {"after-hit", ", only yes or no"},
+      {"unmoved", ", unmoved frames"},         {"still-parts", ", a hundredth moved"},
+      {"far-pairs", ", shaken by 0.02 radii"}, {"shifted", ", the next frame"}};
+  std::set<std::string> of_few, of_many;
+  for (const Json& row : section("savings", p)) {
+    const std::string reason = row["reason"], last = reason.substr(reason.rfind(' ') + 1);
+    const std::string name = last.substr(0, last.size() - 1);
+    const auto omission = std::ranges::find(all_omissions(), name, &OmissionInfo::name);
+    ASSERT_NE(omission, all_omissions().end()) << reason;
+    EXPECT_EQ(row["what"], omission->step + (tasks.contains(name) ? tasks.at(name) : "")) << reason;
+    EXPECT_TRUE(reason.ends_with(" (--no-omit " + name + ")")) << reason;
+    EXPECT_TRUE(row["identical"]) << row;
+    EXPECT_TRUE((row["input"] == "path1/n:20" ? of_few : of_many).insert(name).second) << row;
+    if (name == "still-parts") {
+      EXPECT_LE(std::stoul(reason), 3000u / 50) << "parts of a few spheres";
+    }
+    if (name == "unmoved") {
+      EXPECT_LT(std::ranges::min(row["without_ms"].get<std::vector<double>>()),
+                std::ranges::min(row["with_ms"].get<std::vector<double>>()));
+    }
+  }
+  EXPECT_TRUE(of_few.contains("hierarchy"));
+  for (const char* name : {"pair-list", "after-hit", "unmoved", "still-parts", "shifted", "exact"})
+    EXPECT_TRUE(of_many.contains(name)) << name;
 }
 
 }  // namespace

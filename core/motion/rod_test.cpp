@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -166,12 +167,14 @@ struct Bottomless final : Objective {
   }
 };
 
-/// A kink, at which each way leads up, though its derivatives say otherwise.
+/// A kink, at which each way leads up, though its derivatives say otherwise: by so much.
 struct Kink final : Objective {
-  double value(const Coordinates& x) const override { return std::abs(x[0]); }
+  double lowest, slope;
+  explicit Kink(double at_least = 0, double told = 1) : lowest(at_least), slope(told) {}
+  double value(const Coordinates& x) const override { return lowest + std::abs(x[0]); }
   void derivatives(const Coordinates&, Derivatives& out) const override {
     out.reset(1);
-    out.gradient[0] = 1;
+    out.gradient[0] = slope;
     out.hessian.emplace_back(0, 0, 1.0);
   }
 };
@@ -203,6 +206,30 @@ TEST(Newton, FindsAMinimumFromWhereFullStepsDoNotAndSaysWhenThereIsNone) {
   x[0] = 0;
   EXPECT_FALSE(newton.minimise(Wall{}, x, 1e-9));
   EXPECT_EQ(x[0], 0);
+  EXPECT_FALSE(newton.minimise(Kink(1), x, 1e-9)) << "there is much to gain, as it is told";
+  EXPECT_TRUE(newton.minimise(Kink(1, 1e-6), x, 1e-9)) << "less than the rounding of the value";
+  EXPECT_FALSE(newton.minimise(Kink(-std::numeric_limits<double>::infinity()), x, 1e-9));
+}
+
+/// Where full steps do not converge, no step after them leads up.
+TEST(Newton, Descends) {
+  struct Watched final : Objective {
+    mutable std::vector<double> passed;
+    double value(const Coordinates& x) const override { return Valley{}.value(x); }
+    void derivatives(const Coordinates& x, Derivatives& out) const override {
+      passed.push_back(value(x));
+      Valley{}.derivatives(x, out);
+    }
+  };
+  for (const double start : {2.0, 2.5, 4.0}) {
+    Coordinates x = Coordinates::Constant(1, start);
+    const Watched valley;
+    EXPECT_TRUE(Newton().minimise(valley, x, 1e-9));
+    const auto& passed = valley.passed;
+    const auto again = std::find(passed.rbegin(), passed.rend(), passed.front());
+    EXPECT_LT(passed.rend() - again, std::ssize(passed)) << "it began again";
+    EXPECT_TRUE(std::is_sorted(passed.rbegin(), again)) << start;
+  }
 }
 
 }  // namespace

@@ -71,11 +71,25 @@ TEST(Rope, LaysRopesInASquare) {
   EXPECT_EQ(apart(0, 1), std::pair(room, 0.0));
   EXPECT_EQ(apart(0, 2), std::pair(0.0, room));
   EXPECT_EQ(apart(0, 3), std::pair(room, room));
-  double first_y = 0, first_z = 0;  // of one rope: its knot may lie aside of its root
-  const Chain one = open("rope:n=80,rope=80,frames=1,align=axes")->frame(0);
-  for (const Sphere& s : one.spheres()) first_y += s.y / 80.0, first_z += s.z / 80.0;
+  double first_y = 0, first_z = 0;  // of a knot about its root, which it may lie aside of
+  for (const Vec3& p : motion::overhand_knot(80, 1)) first_y += p.y / 80, first_z += p.z / 80;
   EXPECT_NEAR(y, first_y, 1e-3);
   EXPECT_NEAR(z, first_z, 1e-3);
+  const Chain three = open("rope:n=240,rope=80,frames=1,align=axes")->frame(0);
+  EXPECT_LT(three[80].z - three[0].z, 1) << "the last row is not full";
+}
+
+/// Its spheres stay as far apart as they are asked to be, and know their neighbours by it.
+TEST(Rope, HasItsSpacing) {
+  const auto rope = open("rope:n=60,rope=60,spacing=0.5,frames=3,duration=2,align=axes");
+  for (std::uint32_t f = 0; f < 3; ++f) {
+    const Chain chain = rope->frame(f);
+    EXPECT_EQ(chain.exclusion().window, motion::rope_neighbours(0.5).window);
+    for (std::uint32_t i = 1; i < chain.size(); ++i) {
+      const Sphere &s = chain[i - 1], &t = chain[i];
+      EXPECT_NEAR(std::hypot(t.x - s.x, t.y - s.y, t.z - s.z), 0.5, 1e-3) << f << ' ' << i;
+    }
+  }
 }
 
 /// A variant that loses contacts lets the rope go where another would not.

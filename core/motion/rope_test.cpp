@@ -79,6 +79,11 @@ TEST(FreeRope, KeepsItsMomentumThroughContacts) {
     ASSERT_TRUE(motion.step(0.5));
     contacts += motion.contacts().size();
     EXPECT_LT(length(momentum(motion) - before), 1e-9);
+    double strain = 0;
+    const auto now = motion.positions();
+    for (std::size_t i = 1; i < now.size(); ++i)
+      strain = std::max(strain, std::abs(length(now[i] - now[i - 1]) / settings.spacing - 1));
+    EXPECT_NEAR(motion.greatest_strain(), strain, 1e-15);
   }
   EXPECT_GT(contacts, 20u);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -52,6 +53,55 @@ TEST(RowLook, FindsWhatIsNearAlongTheChain) {
       EXPECT_GE(look.near, 0.6 * 2 * (away - 1)) << n << ' ' << away;
       EXPECT_LE(look.near, 1.6 * 2 * (away - 1)) << n << ' ' << away;
     }
+}
+
+/// One of the three spheres that are looked at, by its place on any axis or by its radius, is where all rows
+/// are near one another.
+TEST(RowLook, TakesEachOfTheSpheresThatItLooksAt) {
+  constexpr std::uint32_t rows = 50;
+  for (const std::uint32_t near : {0u, 4u, 7u})
+    for (float Sphere::*const axis : {&Sphere::x, &Sphere::y, &Sphere::z})
+      for (const float side : {1.f, -1.f}) {
+        std::vector<Sphere> reaching, thick;
+        for (std::uint32_t i = 0; i < 8 * rows; ++i) {
+          Sphere s{0, 0, 0, 0.1f};
+          s.*axis = side * 100 * static_cast<float>(i / 8 + 1);
+          thick.push_back(s), reaching.push_back(s);
+          if (i % 8 == near) thick.back().radius = 1e4f, reaching.back().*axis = 0;
+        }
+        EXPECT_GE(RowLook::at(reaching).near, rows - 3) << near << ' ' << side;
+        EXPECT_GE(RowLook::at(thick).near, rows - 3) << near;
+      }
+}
+
+/// To and fro across the way, along whichever axis: eight steps of the fourteen lead on.
+TEST(RowLook, SeesEveryAxis) {
+  for (float Sphere::*const on : {&Sphere::x, &Sphere::y, &Sphere::z})
+    for (float Sphere::*const across : {&Sphere::x, &Sphere::y, &Sphere::z}) {
+      if (on == across) continue;
+      std::vector<Sphere> spheres(400, {0, 0, 0, 0.1f});
+      for (std::size_t i = 0; i < spheres.size(); ++i)
+        spheres[i].*on = -static_cast<float>(i), spheres[i].*across = static_cast<float>(i % 2);
+      EXPECT_DOUBLE_EQ(RowLook::at(spheres).straight, 8.0 / 14);
+    }
+}
+
+/// On average over chains of many lengths it is what is near, to some hundredths: neither the nearest of a
+/// stretch stands for all of it, nor one side for both.
+TEST(RowLook, IsRightOnAverage) {
+  constexpr float away = 24;
+  double near = 0, all = 0;
+  for (std::uint32_t rows = 200; rows < 400; ++rows) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < 8 * rows; ++i)
+      spheres.push_back({static_cast<float>(i / 8), 0, 0, away / 2});
+    near += RowLook::at(spheres).near;
+    for (std::uint32_t k = 0; k < rows; ++k)  // those beside it left out
+      all += (std::min(away, static_cast<float>(k)) + std::min(away, static_cast<float>(rows - 1 - k)) -
+              (k > 0) - (k + 1 < rows)) /
+             rows;
+  }
+  EXPECT_NEAR(near / all, 1, 0.1);
 }
 
 TEST(RowLook, TellsAnOrderFromNone) {

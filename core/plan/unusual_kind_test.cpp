@@ -65,7 +65,8 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   const Chain chain(specked);
   EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr);
   EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
-  EXPECT_EQ(UnusualKind::of(100, chain.view().extent, {}), nullptr) << "where they lie is not known";
+  for (const std::uint32_t n : {100u, 3000u})
+    EXPECT_EQ(UnusualKind::of(n, {1, 1, 3 * std::cbrt(n), 0}, {}), nullptr) << "where they lie is not known";
 }
 
 /// Very few spheres are searched before it is seen how they lie.
@@ -80,6 +81,40 @@ TEST(UnusualKind, OfASmoothTubeIsSeenFrom513SpheresOn) {
   }
 }
 
+/// An extent of like radii in which so many spheres fill so much.
+Extent filled(std::uint32_t n, double fill) { return {1, 1, 3 * (2 * std::cbrt(n / fill) - 2), 0}; }
+
+/// More than 700 that are near many others, in order, in a box that is neither empty nor full: whatever of
+/// it is missing, and without a smooth tube, single spheres in a tree.
+TEST(UnusualKind, OfAFewLikeSpheresIsToldByEachOfItsSigns) {
+  const auto coil = [](std::uint32_t n, double straight) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const auto t = static_cast<float>(i / 8), u = static_cast<float>(i % 8 * straight);
+      spheres.push_back({u, std::cos(t), std::sin(t) + 0.3f * static_cast<float>(i % 2), 1});
+    }
+    return Chain(std::move(spheres));
+  };
+  const auto line = [](std::uint32_t n, float step, float aside) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i)
+      spheres.push_back({step * static_cast<float>(i), aside * static_cast<float>(i % 2), 0, 1});
+    return Chain(std::move(spheres));
+  };
+  const auto kind = [](const Chain& chain, double fill) {
+    return UnusualKind::of(chain.size(), filled(chain.size(), fill), chain.spheres())->variant;
+  };
+  EXPECT_EQ(kind(coil(1000, 1), 1), "Grid");
+  EXPECT_EQ(kind(coil(700, 1), 1), "SphereTree") << "too few";
+  EXPECT_EQ(kind(coil(701, 1), 1), "Grid");
+  EXPECT_EQ(kind(coil(1000, 1), 3.5), "SphereTree") << "too full";
+  EXPECT_EQ(kind(coil(1000, 0), 1), "SphereTree") << "in no order";
+  EXPECT_EQ(kind(line(1000, 5, 5), 1), "SphereTree") << "near none";
+  EXPECT_EQ(kind(line(1000, 0.1f, 0), 1), "ChainTree") << "a smooth tube";
+  EXPECT_EQ(kind(line(1000, 2, 0), 1), "SphereTree") << "whose spheres do but touch";
+  EXPECT_EQ(kind(line(1000, 0.1f, 0.1f), 1), "SphereTree") << "that is not smooth";
+}
+
 /// So many spheres in a box of these sides, anywhere.
 std::vector<Sphere> anywhere(std::uint32_t n, float x, float y, float z, float radius) {
   std::mt19937 dice(n);
@@ -89,9 +124,21 @@ std::vector<Sphere> anywhere(std::uint32_t n, float x, float y, float z, float r
   return spheres;
 }
 
-std::string kind_of(const std::vector<Sphere>& spheres) {
+const UnusualKind* unusual(const std::vector<Sphere>& spheres) {
   const Chain chain(spheres);
-  return UnusualKind::of(chain.size(), chain.view().extent, chain.spheres())->variant;
+  return UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
+}
+std::string kind_of(const std::vector<Sphere>& spheres) { return unusual(spheres)->variant; }
+
+/// The chain's order alone scales its numbers; in a box that is not empty they tell more by themselves.
+TEST(UnusualKind, OfNumbersWhoseSquaresLeaveBinary32IsTheChainsOrderInAnEmptyBox) {
+  for (const float scale : {1e-25f, 1e25f}) {
+    auto empty = anywhere(700, 30, 30, 30, 0.3f), full = anywhere(700, 3, 3, 3, 0.3f);
+    for (auto* spheres : {&empty, &full})
+      for (Sphere& s : *spheres) s = {scale * s.x, scale * s.y, scale * s.z, scale * s.radius};
+    EXPECT_EQ(kind_of(empty), "ChainTree") << scale;
+    EXPECT_EQ(kind_of(full), "SphereTree") << scale;
+  }
 }
 
 /// What lies anywhere in a box is never searched in the chain's order, however thin or long the box is.
@@ -121,6 +168,8 @@ TEST(UnusualKind, OfAFewSpheresInOrderIsTheChainsOrder) {
     }
     EXPECT_EQ(kind_of(straight), "ChainTree") << n;
     EXPECT_EQ(kind_of(coil), "ChainTree") << n;
+    coil[7].radius *= 2.1f;
+    EXPECT_EQ(kind_of(coil), "ChainTree") << n << ", of unlike radii";
     EXPECT_NE(kind_of(flat), "ChainTree") << n;
   }
 }
@@ -132,11 +181,17 @@ TEST(UnusualKind, OfSpheresThatLieAnywhereIsToldByTheirNumberAndRadii) {
   EXPECT_EQ(kind_of(anywhere(2048, 30, 30, 30, 0.3f)), "Grid");
   const Chain many(anywhere(2049, 30, 30, 30, 0.3f));
   EXPECT_EQ(UnusualKind::of(many.size(), many.view().extent, many.spheres()), nullptr);
+  EXPECT_EQ(unusual(anywhere(3000, 3, 3, 3, 0.5f)), nullptr) << "more than full";
   EXPECT_EQ(kind_of(anywhere(3000, 15, 15, 15, 0.5f)), "Hybrid") << "that fill their box";
   auto unlike = anywhere(2000, 30, 30, 30, 0.3f);
+  unlike[7].radius = 2 * 0.3f;
+  EXPECT_EQ(kind_of(unlike), "Grid");
   unlike[7].radius = 0.601f;
   EXPECT_EQ(kind_of(unlike), "SphereTree");
-  EXPECT_EQ(kind_of(anywhere(2000, 4, 4, 4, 0.3f)), "SphereTree") << "more than full";
+  const auto filled_box = anywhere(2000, 3, 3, 3, 0.3f);
+  const UnusualKind* const full = unusual(filled_box);
+  EXPECT_EQ(full->variant, "SphereTree");
+  EXPECT_NE(full->reason.find("fill their box more than six times"), std::string::npos) << full->reason;
 }
 
 }  // namespace

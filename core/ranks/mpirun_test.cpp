@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "catena/core/commands/test_program.h"
@@ -115,7 +117,15 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   EXPECT_EQ(line["pairs"], 812);
   EXPECT_EQ(line["ranks"], 4);
   EXPECT_EQ(line["max_count"], 28);
-  EXPECT_EQ(run_ranks("detect path1:n=100 --frame all").code, 0);
+  const ProgramOutcome frames = run_ranks("detect path1:n=100 --frame all --json");
+  EXPECT_EQ(frames.code, 0);
+  std::vector<std::uint64_t> sent;
+  std::istringstream lines(frames.output);
+  for (std::string own; std::getline(lines, own);)
+    sent.push_back(nlohmann::json::parse(own)["most_bytes_sent"]);
+  ASSERT_GT(sent.size(), 10u);
+  EXPECT_GT(sent.front(), 0u);
+  EXPECT_LT(sent.back(), 2 * sent.front()) << "of a frame, not of all so far";
   EXPECT_NE(run_ranks("detect rod:n=60 --any").output.find("does not collide"), std::string::npos);
   EXPECT_NE(run_ranks("detect coincident:n=60 --any").output.find("60 spheres, collides"), std::string::npos);
 }

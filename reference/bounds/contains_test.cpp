@@ -152,7 +152,7 @@ TEST(BoundsContain, ProperBoundsOnly) {
   const Sphere64 point{0, 0, 0, 0};
   const Slab zero{{0, 0, 0}, -1, 1}, odd{{nan, 0, 0}, -1, 1}, far{{infinity, 0, 0}, -1, 1},
       closed{{1, 0, 0}, 1, -1}, no_end{{1, 0, 0}, nan, 1}, past{{1, 0, 0}, infinity, infinity},
-      good{{1, 0, 0}, -1, 1};
+      before{{1, 0, 0}, -infinity, -infinity}, good{{1, 0, 0}, -1, 1};
   const auto slabs = [](const Slab& s, double x = 0) { return Slabs64{{x, 0, 0}, {&s, 1}}; };
   const Box64 cube{{-1, -1, -1}, {1, 1, 1}};
   std::vector<AnyBound> bad{Sphere64{nan, 0, 0, 1},
@@ -163,6 +163,7 @@ TEST(BoundsContain, ProperBoundsOnly) {
                             Capsule64{{0, 0, 0}, {0, 0, nan}, infinity},
                             Capsule64{{0, 0, 0}, {0, 0, 0}, -1},
                             Capsule64{{0, 0, 0}, {infinity, 0, 0}, 1},
+                            Capsule64{{0, infinity, 0}, {0, 0, 0}, 1},
                             Capsule64{{0, 0, 0}, {0, 0, 0}, nan},
                             slabs(zero),
                             slabs(odd),
@@ -170,6 +171,7 @@ TEST(BoundsContain, ProperBoundsOnly) {
                             slabs(closed),
                             slabs(no_end),
                             slabs(past),
+                            slabs(before),
                             slabs(good, nan),
                             slabs(good, infinity)};
   for (const double end : {nan, 2.0, infinity}) {
@@ -177,6 +179,7 @@ TEST(BoundsContain, ProperBoundsOnly) {
     box.low.y = end;
     bad.push_back(box);
   }
+  bad.push_back(Box64{{-1, -infinity, -1}, {1, -infinity, 1}});
   for (const AnyBound& b : bad) {
     EXPECT_FALSE(contains(b, point)) << bad.size();
     EXPECT_FALSE(contains_by_integers(b, point));
@@ -208,7 +211,13 @@ TEST(BoundsContain, InfiniteEndsAndRadii) {
   const Box64 half{{-infinity, -infinity, -infinity}, {infinity, infinity, 5 + 1e30}};
   EXPECT_FALSE(contains(half, s));  // 5 + 1e30 is rounded
   EXPECT_TRUE(contains(half, Sphere64{0, 0, 0, 1e30}));
-  EXPECT_FALSE(contains(half, all));
+  const Slab up{{0, 0, 1}, 0, infinity};
+  for (const AnyBound& part : {AnyBound(half), AnyBound(Slabs64{{0, 0, 0}, {&up, 1}})}) {
+    EXPECT_FALSE(contains(part, all));
+    EXPECT_FALSE(contains_by_integers(part, all));
+    EXPECT_EQ(shortfall(part, all), infinity);
+    EXPECT_LE(shortfall(part, Sphere64{0, 0, 1, 1}), 0);
+  }
   const double most = std::numeric_limits<double>::max();
   EXPECT_FALSE(contains(Box64{{-most, -most, -most}, {most, most, most}}, Sphere64{most, 0, 0, most}));
   EXPECT_TRUE(contains(Box64{{0, -most, -most}, {infinity, most, most}}, Sphere64{most, 0, 0, most}));
@@ -221,6 +230,10 @@ TEST(BoundsContain, Shortfall) {
   EXPECT_DOUBLE_EQ(shortfall(Slabs64{{1, 0, 0}, {&x, 1}}, Sphere64{1, 5, 5, 1}), -0.5);  // 1 of 2 to spare
   EXPECT_DOUBLE_EQ(shortfall(Box64{{0, 0, 0}, {4, 8, 2}}, Sphere64{1, 1, 1, 3}), 0.5);   // out by 2 of 4
   EXPECT_DOUBLE_EQ(shortfall(Capsule64{{0, 0, 0}, {8, 0, 0}, 1}, Sphere64{4, 3, 0, 2}), 1);  // out by 4 of 4
+  EXPECT_DOUBLE_EQ(shortfall(Capsule64{{0, 0, 0}, {8, 0, 0}, 1}, Sphere64{11, 0, 0, 2}), 1) << "past its end";
+  EXPECT_DOUBLE_EQ(shortfall(Box64{{0, 0, 0}, {4, 8, 20}}, Sphere64{3, 4, 10, 3}), 0.2);  // out along x alone
+  EXPECT_DOUBLE_EQ(shortfall(Box64{{0, 0, -infinity}, {4, 8, 2}}, Sphere64{1, 1, 1, 3}),
+                   0.5);  // 8 wide at most
   EXPECT_DOUBLE_EQ(shortfall(Capsule64{{0, 0, 0}, {0, 0, 0}, 4}, Sphere64{1, 0, 0, 1}), -0.5);
   EXPECT_EQ(shortfall(Box64{{0, 0, 0}, {0, 0, 0}}, Sphere64{1, 0, 0, 1}), infinity);
   EXPECT_EQ(shortfall(Box64{{0, 0, 0}, {0, 0, 0}}, Sphere64{0, 0, 0, 0}), 0);

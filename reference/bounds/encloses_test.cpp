@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "catena/reference/bounds.h"
@@ -44,13 +46,27 @@ TEST(BoundsEnclose, EachKindInEachOther) {
                                     Box64{{-4, -4, -4}, {4, 4, 4}}, Slabs64{{0, 0, 0}, cube}, Everything{}};
   const std::vector<AnyBound> in{Sphere64{0, 0, 0, 4}, Capsule64{{0, 0, -2}, {0, 0, 2}, 2},
                                  Box64{{-4, -4, -4}, {4, 4, 4}}},
-      out{Sphere64{8, 0, 0, 4}, Capsule64{{0, 0, 0}, {0, 0, 2}, 7}, Box64{{-4, -4, -8}, {4, 4, 4}}};
+      out{Sphere64{8, 0, 0, 4}, Capsule64{{0, 0, 0}, {0, 0, 2}, 7}, Box64{{-4, -4, -8}, {4, 4, 4}},
+          Box64{{-4, -4, -4}, {4, 4, 8}}};
   for (const AnyBound& o : outer) {
     const bool everything = std::holds_alternative<Everything>(o);
     for (const AnyBound& i : in) EXPECT_TRUE(encloses(o, i)) << o.index() << i.index();
     for (const AnyBound& i : out) EXPECT_EQ(encloses(o, i), everything) << o.index() << i.index();
     EXPECT_EQ(encloses(o, Everything{}), everything);
     EXPECT_EQ(encloses(o, Sphere64{0, 0, 0, infinity}), everything);
+  }
+}
+
+/// A box of which one corner is out, and it alone, whichever it is.
+TEST(BoundsEnclose, EachCornerOfABox) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto ends = [&](int axis) {
+      return corner >> axis & 1 ? std::pair(-1.0, 4.5) : std::pair(-4.5, 1.0);
+    };
+    const auto [x, y, z] = std::array{ends(0), ends(1), ends(2)};
+    const Box64 box{{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+    EXPECT_FALSE(encloses(Sphere64{0, 0, 0, 7}, box)) << corner;
+    EXPECT_TRUE(encloses(Sphere64{0, 0, 0, 8}, box)) << corner;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catena/reference/bounds.h"
+#include "catena/reference/bounds/segments.h"
 #include "catena/reference/testing/bodies.h"
 #include "catena/reference/testing/nasty.h"
 
@@ -93,6 +94,24 @@ RC_GTEST_PROP(BoundsEstimates, AgreeWithIntegersAtCornersOfBoxes, ()) {
     const Sphere64 s{box.high.x + x, box.high.y + y, box.high.z + z, std::sqrt(x * x + y * y + z * z)};
     for (const double r : {std::nextafter(s.radius, 0), s.radius, std::nextafter(s.radius, infinity)})
       expect_agreement(box, Sphere64{s.x, s.y, s.z, r});
+  }
+}
+
+RC_GTEST_PROP(BoundsEstimates, AgreeWithIntegersOnNeedles, ()) {
+  // Long and thin ones that all but meet, at a distance that their lengths' rounding moves.
+  const auto number = [] { return *rc::gen::inRange(-1000000, 1000001) / 997.0; };
+  const auto vector = [&] { return Vector64{number(), number(), number()}; };
+  const Vector64 p = vector(), u = vector(), v = vector();
+  const double s = *rc::gen::inRange(0, 1001) / 1000.0, t = *rc::gen::inRange(0, 1001) / 1000.0;
+  const Vector64 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double small = 0x1p-40, distance = small * std::hypot(n.x, n.y, n.z);
+  const Vector64 q{p.x + s * u.x - t * v.x + small * n.x, p.y + s * u.y - t * v.y + small * n.y,
+                   p.z + s * u.z - t * v.z + small * n.z};
+  const Segment64 a{p, {p.x + u.x, p.y + u.y, p.z + u.z}}, b{q, {q.x + v.x, q.y + v.y, q.z + v.z}};
+  const double step = 0x1p-54 * (std::fabs(p.x) + std::hypot(u.x, u.y, u.z) + std::hypot(v.x, v.y, v.z));
+  for (int k = -8; k <= 8; ++k) {
+    const double reach = std::fabs(distance + k * step);
+    RC_ASSERT(compare_distance(a, b, reach, 0) == compare_distance_by_integers(a, b, reach, 0));
   }
 }
 

@@ -105,6 +105,14 @@ RC_GTEST_PROP(BoundsSeparate, ParallelAndDegenerateCapsules, ()) {
     expect_separate(a.with_radius(reach), b, false, scale);
     expect_separate(a.with_radius(std::nextafter(reach, 0)), b, true, scale);
   }
+  // Beside the middle of one, one of the ends of the other.
+  const int aside = *rc::gen::inRange(-4, 5);
+  for (const int end : {-1, 1}) {
+    const Body across{Kind::capsule, aside * f.axes[0] + (away + 3) * f.axes[1], {3 * end * f.axes[1]}, 0};
+    const double reach = static_cast<double>(away * f.length);
+    expect_separate(a.with_radius(reach), across, false, scale);
+    expect_separate(a.with_radius(std::nextafter(reach, 0)), across, true, scale);
+  }
   // A capsule without length is a sphere, and a box without size a point.
   const Whole c = testing::any_whole(9);
   const Body ball{Kind::sphere, c, {}, 3}, pill{Kind::capsule, c, {{0, 0, 0}}, 3},
@@ -132,6 +140,10 @@ TEST(BoundsSeparate, InfiniteEnds) {
   for (const AnyBound& all : {AnyBound(Everything{}), AnyBound(Sphere64{0, 0, 0, infinity}),
                               AnyBound(Slabs64{}), AnyBound(Capsule64{{0, 0, 0}, {1, 0, 0}, infinity})}) {
     EXPECT_FALSE(separate(all, half));
+    EXPECT_FALSE(separate_by_integers(all, half));
+    EXPECT_FALSE(separate_by_integers(half, all));
+    EXPECT_FALSE(separate_by_integers(all, Sphere64{0, 0, 0, 1}));
+    EXPECT_FALSE(separate_by_integers(Sphere64{0, 0, 0, 1}, all));
     EXPECT_FALSE(separate(all, Slabs64{{0, 0, 0}, {&up, 1}}));
     EXPECT_FALSE(separate(all, all));
   }
@@ -163,6 +175,13 @@ TEST(BoundsSeparate, NumbersOfBothEndsOfTheRange) {
   EXPECT_FALSE(separate(needle, Box64{{0, 0, 0}, {least, least, 0}}));
   EXPECT_FALSE(separate(needle, Capsule64{{0, most, 0}, {0, 0, 0}, 0}));
   EXPECT_TRUE(separate(Sphere64{0, most, 0, most}, Capsule64{{1, -least, 0}, {2, 0, 0}, 0}));
+  // Squares that underflow to a few steps, and a direction whose square does.
+  const double small = 0x1p-537;
+  const Box64 below{{-1, -1, -1}, {0, 0, 0}};
+  const Slab part{{0x1p-600, 0, 0}, 2 * 0x1p-600, 3 * 0x1p-600};
+  EXPECT_FALSE(separate(below, Sphere64{0.75 * small, 0.75 * small, -0.5, 1.2 * small}));
+  EXPECT_FALSE(separate(Slabs64{{0, 0, 0}, {&part, 1}}, Sphere64{1.5, 0, 0, 1}));
+  EXPECT_FALSE(contains(Slabs64{{0, 0, 0}, {&part, 1}}, Sphere64{2.5, 0, 0, 1}));
 }
 
 }  // namespace

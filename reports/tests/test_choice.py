@@ -162,7 +162,11 @@ class Waits(unittest.TestCase):
 
     def test_a_variant_of_two_stages_is_no_call_by_one_of_them(self):
         value = self.of(lambda name: "/whole" not in name and not ("/aCPU2+Dual/build" in name))
-        self.assertEqual(set(waits.end_to_end(pages.of(value))["path1/n:1000"]), {"aCPU2+CPU2"})
+        run = pages.of(value)
+        found = waits.end_to_end(run)["path1/n:1000"]
+        self.assertEqual(set(found), {"aCPU2+CPU2"})
+        build, find = (run.samples[("path1/n:1000", "aCPU2+CPU2", stage)] for stage in ("build", "find"))
+        numpy.testing.assert_allclose(found["aCPU2+CPU2"], build + find)
 
     def test_only_what_is_all_on_the_device_can_stay_there(self):
         value = self.of(lambda name: True, "aCPU2+GPU2")
@@ -189,6 +193,9 @@ class Waits(unittest.TestCase):
         for row in value["benchmarks"]:
             row["transfer_ms"] = {"build": 8.0, "find": 1.0}.get(row["name"].split("/")[-2], 0.0)
         numpy.testing.assert_allclose(waits.moving(pages.of(value))["path1/n:1000"]["aGPU2+GPU2"], still)
+        for row in value["benchmarks"]:  # the way back is what the find moves beside the way up
+            row["transfer_ms"] = {"build": 1.0, "find": 4.0}.get(row["name"].split("/")[-2], 0.0)
+        numpy.testing.assert_allclose(waits.moving(pages.of(value))["path1/n:1000"]["aGPU2+GPU2"], still + 3)
 
 
 class Together(unittest.TestCase):

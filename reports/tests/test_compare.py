@@ -152,7 +152,19 @@ class Counts(unittest.TestCase):
     def test_a_trade_is_left_to_the_times(self):
         code, out = self.changed(pair_tests=0.5, node_visits=1.3)
         self.assertEqual(code, 0)
-        self.assertIn("work traded", out)
+        for key in ("pair_tests", "node_visits"):
+            self.assertIn(f"work traded (times decide): path1/n:1000/aGPU2+GPUv2: {key}", out)
+
+    def test_of_a_thousand_missed_pairs_one_more_or_less_is_told(self):
+        old, fewer, more = (made.run() for _ in range(3))
+        for run, missing in ((old, 1000.0), (fewer, 999.0), (more, 1001.0)):
+            for row in run["benchmarks"]:
+                if row["name"].startswith("path2/n:1000/aCPU2+CPU2/literal/find"):
+                    row["missing"] = missing
+        for new, code, title in ((fewer, 0, "less work"), (more, 1, "more work")):
+            told = compared(old, new)
+            self.assertEqual(told[0], code)
+            self.assertIn(f"{title}, by count: path2/n:1000/aCPU2+CPU2/literal: missing 1,000 ->", told[1])
 
     def test_a_pair_more_that_is_missed_is_a_regression(self):
         new = made.run()

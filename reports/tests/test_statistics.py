@@ -56,6 +56,9 @@ class Intervals(unittest.TestCase):
         self.assertEqual(
             statistics.ratio([2, 3, 4, 5, 8], [1, 2, 2, 2, 4]), statistics.Interval(2.0, 0.5, 8.0)
         )
+        six, five = [2, 3, 4, 4, 5, 8], [1, 2, 2, 2, 4]
+        self.assertEqual(statistics.ratio(six, five), statistics.Interval(2.0, 0.5, 8.0))
+        self.assertEqual(statistics.ratio(five, six), statistics.Interval(0.5, 0.125, 2.0))
 
     def test_mean_log_is_students(self):
         # Logarithms 0, 1 and 2 times ln 2: their deviation is ln 2; t of 2 degrees of freedom 4.30265.

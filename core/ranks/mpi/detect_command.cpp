@@ -73,6 +73,7 @@ class DetectCommand final : public Command {
       const Directory directory(pairs || counts ? part : none, tables_.depth || tables_.margin);
       clock_ = {};
       RankWork work;
+      const std::uint64_t sent_before = ranks_.traffic().bytes;
       const std::optional<PeriodicBox> box = input.box(f);
       const RankAnswer answer = search_frame(ranks_, input, f, box, std::move(part.part), options, work);
       if (request_.want == Request::Want::pairs && answer.pair_count > request_.pair_limit) {
@@ -80,7 +81,7 @@ class DetectCommand final : public Command {
         return;
       }
       const std::uint32_t frame = written_frame(input_) + f;
-      say(frame, answer, work);
+      say(frame, answer, work, ranks_.traffic().bytes - sent_before);
       meet_fault("write", ranks_.rank());
       if (pairs) pairs->append(pair_rows(ranks_, tables_, frame, directory, answer, box ? &*box : nullptr));
       if (counts) counts->append(count_rows(tables_, frame, directory, answer));
@@ -96,16 +97,12 @@ class DetectCommand final : public Command {
   }
 
   /// What rank 0 prints; the others have their share in it.
-  void say(std::uint32_t frame, const RankAnswer& answer, const RankWork& work) const {
+  void say(std::uint32_t frame, const RankAnswer& answer, const RankWork& work, std::uint64_t sent) const {
     struct Share {
-      std::uint64_t most, spheres, blocks_asked, bytes, messages;
+      std::uint64_t most, spheres, blocks_asked, bytes;
       PhaseClock::Milliseconds ms;
-    } share{answer.count.empty() ? 0 : *std::ranges::max_element(answer.count),
-            work.spheres,
-            work.across.blocks_asked,
-            ranks_.traffic().bytes,
-            ranks_.traffic().messages,
-            clock_.ms()};
+    } share{answer.count.empty() ? 0 : *std::ranges::max_element(answer.count), work.spheres,
+            work.across.blocks_asked, sent, clock_.ms()};
     const auto shares = all_gather_value(ranks_, share);
     if (ranks_.rank() != 0) return;
     const auto greatest = [&](auto Share::*field) {

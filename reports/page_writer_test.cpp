@@ -1,0 +1,61 @@
+#include "catena/reports/page_writer.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+/// How the page writer is run, told by what Python runs before any package: a file usercustomize.py, which
+/// ends it as the last argument says.
+namespace catena::reports {
+namespace {
+
+constexpr const char* before_the_package = R"(
+import os, signal, sys
+print(os.environ["PYTHONPATH"], signal.getsignal(signal.SIGINT) is signal.SIG_IGN, *sys.orig_argv[1:], flush=True)
+if sys.orig_argv[-1] == "exit":
+    os._exit(7)
+ends = getattr(signal, sys.orig_argv[-1])
+if ends == signal.SIGINT:
+    signal.signal(ends, signal.SIG_DFL)
+os.kill(os.getpid(), ends)
+)";
+
+TEST(PageWriter, HasThePackageItsArgumentsAndInterrupts) {
+  namespace fs = std::filesystem;
+  const fs::path base = testing::TempDir() + fmt::format("catena_python_{}", getpid());
+  for (int minor = 9; minor < 20; ++minor) {
+    const fs::path site = base / "lib" / fmt::format("python3.{}", minor) / "site-packages";
+    fs::create_directories(site);
+    std::ofstream(site / "usercustomize.py") << before_the_package;
+  }
+  setenv("PYTHONUSERBASE", base.c_str(), 1);
+  setenv("PYTHONPATH", "/nowhere", 1);
+  const auto run = [](const std::string& how, int code) {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(run_page_writer({"--output", how}), code) << how;
+    return testing::internal::GetCapturedStdout();
+  };
+  const auto handler = [](int) {};
+  for (const bool ignored : {false, true}) {
+    std::signal(SIGINT, ignored ? SIG_IGN : +handler);
+    const std::string how = ignored ? "SIGKILL" : "exit", said = run(how, ignored ? 2 : 7);
+    EXPECT_TRUE(
+        said.ends_with(fmt::format(" {} -m catena_report --output {}\n", ignored ? "True" : "False", how)))
+        << said;
+    EXPECT_TRUE(fs::exists(fs::path(said.substr(0, said.find(' '))) / "catena_report" / "__main__.py"))
+        << said;
+    EXPECT_EQ(std::signal(SIGINT, SIG_DFL), ignored ? SIG_IGN : +handler) << "as it was before";
+  }
+  EXPECT_EXIT(run_page_writer({"SIGINT"}); std::exit(0), testing::KilledBySignal(SIGINT), "");
+  unsetenv("PYTHONUSERBASE");
+  unsetenv("PYTHONPATH");
+  fs::remove_all(base);
+}
+
+}  // namespace
+}  // namespace catena::reports
