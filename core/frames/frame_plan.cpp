@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "catena/core/frames/frame_search.h"
 
 // What is said of how a frame was searched.
@@ -22,8 +24,10 @@ Plan FrameSearch::plan() const {
       return {left_out(Omission::still_parts, fmt::format("{} of {} spheres moved", moved_, n),
                        fmt::format("all but {} runs of {}", compared_, RunTree::run))};
     case Way::shifted:
-      return {left_out(Omission::shifted, fmt::format("sphere i is what i {:+} was, of {}", shift_, n),
-                       fmt::format("all but {} runs of {}", compared_, RunTree::run))};
+      return {left_out(
+          Omission::shifted,
+          fmt::format("sphere i is what i {} {} was, of {}", shift_ < 0 ? '-' : '+', std::abs(shift_), n),
+          fmt::format("all but {} runs of {}", compared_, RunTree::run))};
     case Way::kept_list:
       return {left_out(Omission::far_pairs,
                        fmt::format("each of {} spheres is within a skin of {:.3g}", n, list_->skin()),

@@ -252,7 +252,7 @@ TEST(FrameSearch, SaysOfAFrameWhatWasDoneForIt) {
   spheres = frames.spheres();
   std::ranges::rotate(spheres, spheres.begin() + 40);
   EXPECT_EQ(frames.next(spheres), Way::shifted);
-  EXPECT_EQ(frames.plan()[0].reason, "sphere i is what i +40 was, of 3000");
+  EXPECT_EQ(frames.plan()[0].reason, "sphere i is what i + 40 was, of 3000");
   EXPECT_EQ(frames.next(frames.spheres()), Way::unmoved);
   EXPECT_EQ(frames.plan()[0].reason, "none of 3000 spheres differs");
   EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::kept_list);
