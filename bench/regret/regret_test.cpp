@@ -34,6 +34,15 @@ TEST(Regret, HoldsAutoAgainstTheQuickestOfTheOthers) {
   EXPECT_EQ(many.input, "yarn/n:3000");
 }
 
+/// By the wall clock where auto takes several threads, be it only after some searches.
+TEST(Regret, OfSeveralThreadsIsByTheWallClock) {
+  const std::vector<VariantInfo> one{registry().describe("Hybrid")};
+  for (const char* input : {"slender:n=8000", "rod:n=100"}) {
+    const Regret r = regret({input}, one, little());
+    EXPECT_EQ(r.processor, r.chosen.find("threads=") == std::string::npos) << r.chosen;
+  }
+}
+
 /// CPU1, after it has kept the processor busy for so many milliseconds. Hidden, so that no other test meets
 /// it.
 class Busy final : public Variant {

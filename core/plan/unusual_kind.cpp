@@ -8,6 +8,7 @@
 #include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/plan/row_look.h"
+#include "catena/core/plan/slow_subnormals.h"
 
 namespace catena {
 namespace {
@@ -29,7 +30,8 @@ enum Kind {
 const UnusualKind& info(Kind kind) {
   static const std::array<UnusualKind, kinds> all{{
       {"aCPU2+Dual", "radii of which one is more than 2^60 times another, in a chain whose parts lie apart"},
-      {"Grid", "radii that are subnormal, with which other searches multiply, at 150 cycles each"},
+      {"Grid",
+       "radii that are subnormal, with which other searches multiply, which this machine does slowly"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
        true, 6},
       {"Hybrid", "spheres of like radii that fill their box, in no order", true, 6},
@@ -131,7 +133,8 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     if (extent.least_radius > 0 && extent.greatest_radius > widest * extent.least_radius &&
         !spheres.empty() && share_that_meets(spheres) < few_meet)
       return &info(wide);
-    if (extent.greatest_radius < std::numeric_limits<float>::min()) return &info(subnormal);
+    if (extent.greatest_radius < std::numeric_limits<float>::min() && subnormals_are_slow())
+      return &info(subnormal);
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius;
     if (n <= few) {
