@@ -43,7 +43,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
     EXPECT_EQ(find(chain).count, exact.count) << input;
     const auto planned = StrategyRegistry::instance().make("auto");
     planned->build(chain);
-    EXPECT_EQ(planned->answered_by(), kind->variant) << input;
+    EXPECT_TRUE(planned->answered_by().starts_with(kind->variant)) << input << ": " << planned->answered_by();
     const std::string reason = planned->plan().front().reason;
     EXPECT_NE(reason.find(kind->reason), std::string::npos) << reason;
   }
