@@ -44,7 +44,8 @@ TEST(Work, IsTheSameInEveryRunAndForTheSameSearch) {
     if (info.unavailable) continue;
     const auto work = count_work(info, chain);
     EXPECT_EQ(work, count_work(info, chain)) << info.name;
-    if (!work || info.all_pairs) continue;
+    if (!work || info.all_pairs || info.name == "ResidentBlocks")
+      continue;  // all pairs too: an example on a device
     // ChainTree's wide nodes are visited by fewer than one a sphere; a sweep has none.
     const std::uint64_t visits = info.name == "ChainTree" ? chain.size() / 8 : chain.size();
     if (info.name != "SweepAndPrune") {

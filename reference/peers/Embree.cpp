@@ -2,6 +2,7 @@
 
 #ifdef CATENA_HAS_PEER
 #include <embree3/rtcore.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <cfenv>
@@ -59,8 +60,8 @@ class Embree final : public Peer {
   static constexpr float least_extent = 0x1p-60f;  ///< outweighs what scaling rounds, and has a normal square
 
   void make(const ChainView& chain) override {
-    one_thread_.execute([&] {
-      if (!device_) device_.reset(rtcNewDevice("threads=1,set_affinity=0"));
+    on_one_core([&] {
+      if (!device_) device_.reset(rtcNewDevice("set_affinity=0"));
       require();
       scene_.reset(rtcNewScene(device_.get()));
       rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
@@ -77,14 +78,21 @@ class Embree final : public Peer {
   }
 
   void move(const ChainView& chain) override {
-    one_thread_.execute([&] { commit(chain); });
+    on_one_core([&] { commit(chain); });
   }
 
   void offer(const ChainView&, const Candidates& candidates) override {
     Offered offered(candidates);
-    one_thread_.execute([&] { rtcCollide(scene_.get(), scene_.get(), collide, &offered); });
+    on_one_core([&] { rtcCollide(scene_.get(), scene_.get(), collide, &offered); });
     require();
     offered.decide();
+  }
+
+  /// Embree's own `threads=1` would hold all of this process to one core for as long as its device lives.
+  template <class Work>
+  void on_one_core(const Work& work) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    one_thread_.execute(work);
   }
 
   void commit(const ChainView& chain) {

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "catena/core/error.h"
+#include "catena/core/executor/usable_cores.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/reference/all_pairs.h"
 #include "catena/reference/compare.h"
@@ -58,6 +59,18 @@ class Peers : public ::testing::TestWithParam<VariantInfo> {
   }
   const std::string& name() const { return GetParam().name; }
 };
+
+/// Searches of several threads are timed beside it, in one process.
+TEST_P(Peers, LeaveTheCoresToOthers) {
+  const unsigned cores = usable_cores();
+  const auto variant = StrategyRegistry::instance().make(name());
+  Collisions found;
+  const Chain chain(std::vector<Sphere>(20, Sphere{0, 0, 0, 1}));
+  variant->build(chain);
+  EXPECT_EQ(usable_cores(), cores);
+  variant->find(chain, {}, found);
+  EXPECT_EQ(usable_cores(), cores);
+}
 
 TEST_P(Peers, AgreeWhereNoPairIsNearTouching) {
   EXPECT_TRUE(rc::check([&] {
