@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catena/core/blocks/simd_targets.h"
+#include "catena/core/grid/grid_kernels.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/forced_target.h"
@@ -124,7 +125,6 @@ TEST(SimdTargets, CountVectorsOfTheirOwnWidth) {
   std::set<std::uint64_t> spheres_tested;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     const properties::ForcedTarget forced(target);
-    const unsigned lanes = target == HWY_AVX3 ? 16 : target == HWY_AVX2 ? 8 : target == HWY_SCALAR ? 1 : 4;
     const auto variant = StrategyRegistry::instance().make("SphereTree");
     Collisions found;
     variant->build(chain);
@@ -132,7 +132,7 @@ TEST(SimdTargets, CountVectorsOfTheirOwnWidth) {
     const auto work = variant->work();
     const auto tests = std::ranges::find(work, "sphere, vector of spheres", &WorkDone::step);
     ASSERT_NE(tests, work.end());
-    spheres_tested.insert(tests->times * lanes);
+    spheres_tested.insert(tests->times * spheres_of_a_vector());
   }
   EXPECT_GT(*spheres_tested.begin(), chain.size());
   EXPECT_LT(*spheres_tested.rbegin(), *spheres_tested.begin() * 1.01) << "boxes differ by a rounding";

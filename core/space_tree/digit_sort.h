@@ -7,10 +7,10 @@
 
 namespace catena {
 
-/// Sorts numbers by their upper 32 bits, by digits of nine bits and the lowest first (LSD radix sort); those
-/// that are alike there keep their order. `room` is as long as `keys`; either is written, and the one that is
-/// returned holds the result. O(n): two passes that look, and one for each nine of the bits between those
-/// that are not the same in all.
+/// Sorts numbers, fewer than 2^32, by their upper 32 bits, by digits of nine bits and the lowest first (LSD
+/// radix sort); those that are alike there keep their order. `room` is as long as `keys`; either is written,
+/// and the one that is returned holds the result. O(n): two passes that look, and one for each nine of the
+/// bits between those that are not the same in all.
 ///
 /// Keys are taken from both ends at once, as those that follow one another are often of one digit: each would
 /// wait for the count that the one before has just changed.

@@ -21,7 +21,7 @@ class KeySort {
   /// Fewer are sorted by the caller alone; so few may be sorted by several members of the team at once.
   static constexpr std::size_t few = 1 << 14;
 
-  /// Keys that are all different; where upper halves are alike the lower ones rise. O(n).
+  /// Keys that are all different; where upper halves are alike the lower ones rise. O(n log n).
   void operator()(std::span<std::uint64_t> keys, const Team& team) {
     while (sorters_.size() < team.size()) sorters_.emplace_back(), rooms_.emplace_back();
     if (team.size() == 1 || keys.size() < few) return sort(keys, rooms_[team.member()], team);

@@ -36,7 +36,9 @@ foreach(name sections ${alone})
   else()
     add_test(NAME report.${name} COMMAND ${CATENA_REPORT_PYTHON} -B -m unittest -v ${files_of_${name}}
              WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/reports/tests)
-    set_tests_properties(report.${name} PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=[0-9]+\\)")
+    if(NOT name STREQUAL "sections")  # of hundreds, one that is skipped says nothing of the others
+      set_tests_properties(report.${name} PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=[0-9]+\\)")
+    endif()
   endif()
   set_tests_properties(report.${name} PROPERTIES LABELS report TIMEOUT 900 COST 50)
 endforeach()
