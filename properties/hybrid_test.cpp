@@ -266,7 +266,7 @@ TEST(Hybrid, AllocatesNothingWhereFramesAreCrowdedByTurns) {
   const Chain crowded(std::move(dust)), apart(std::move(line));
   const auto hybrid = StrategyRegistry::instance().make("Hybrid");
   hybrid->build(crowded);
-  hybrid->update(apart);
+  for (const Chain* frame : {&apart, &crowded, &apart}) hybrid->update(*frame);
   for (const Chain* frame : {&crowded, &apart, &crowded}) {
     const std::uint64_t before = calls();
     hybrid->update(*frame);

@@ -72,7 +72,7 @@ Profile quick() {
   p.wants_inputs = over_n("path1", {10'000});
   append(p.wants_inputs, over_n("yarn", {5000}));
   p.coherent_inputs = over_n("path1", {10'000});
-  p.planned_inputs = {"path1:n=20", "path1:n=10000", "yarn:n=10000"};
+  p.planned_inputs = {"path1:n=20", "path1:n=10000", "yarn:n=10000", "cluster:n=10000"};
   p.regret_inputs = over_n("path1", {4, 16, 100});
   append(p.regret_inputs, bench::all_scenes(1000));
   p.short_chains = {10, 30, 100, 300, 1000, 3000};

@@ -29,6 +29,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
             {"order of space", search_.crowded_nodes() == 0,
              fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                          search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
+            search_.told_order(),
             {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)},
             told_radii(search_.equal_radii()),
             told_exact(work.open, search_.settings().doubt)};
@@ -50,6 +51,10 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   void construct(const ChainView& chain) override {
     view_ = chain;
     search_.build(chain, team_);
+  }
+  void construct_again(const ChainView& chain) override {
+    view_ = chain;
+    search_.build(chain, team_, SpaceSort::where_needed);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     search_.search(chain, collector, team_);

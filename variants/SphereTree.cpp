@@ -1,5 +1,6 @@
 #include "catena/core/blocks/told_exact.h"
 #include "catena/core/executor/host_search.h"
+#include "catena/core/space_tree/told_order.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
@@ -16,7 +17,10 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
     tree_.doubt = doubt_of(parameters);
   }
 
-  Plan plan() const override { return {told_exact(done().open - before_.open, tree_.doubt)}; }
+  Plan plan() const override {
+    return {told_order(tree_.spheres, tree_.kept.frames()),
+            told_exact(done().open - before_.open, tree_.doubt)};
+  }
   std::vector<WorkDone> work() const override {
     const Done all = done();
     return {{"node, node", all.nodes - before_.nodes},
@@ -33,6 +37,9 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   void construct(const ChainView& chain) override {
     spheres_ = chain.size;
     build_sphere_tree(chain, tree_, {}, team_);
+  }
+  void construct_again(const ChainView& chain) override {
+    build_sphere_tree(chain, tree_, {}, team_, SpaceSort::where_needed);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     before_ = done();

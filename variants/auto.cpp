@@ -35,6 +35,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
 
   void build(const Chain& chain) override {
     contact_.reset();
+    stands_ = nullptr;
     begin(chain, false, [&] { frames_.begin(request_.frames_follow); });
   }
 
@@ -185,9 +186,11 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     with_room([&] {
       built_ = false;
       searcher_ = &held();
+      const bool moved = std::exchange(stands_, nullptr) == searcher_;
       searcher_->prepare(request);
-      searcher_->build(chain);
+      moved&& omissions_.may(Omission::sort) ? searcher_->update(chain) : searcher_->build(chain);
       built_ = true;
+      stands_ = searcher_;
     });
   }
 
@@ -209,11 +212,13 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   /// Of another chain; that of the last build is none any more.
   void search_other(const Chain& chain, const Request& request, Collisions& result) {
     built_ = false;
+    stands_ = nullptr;
     with_room([&] {
       if (!built_) build_searcher(chain, request);
       searcher_->find(chain, request, result);
     });
     built_ = false;
+    stands_ = nullptr;
   }
 
   /// Where a device has no room for what is planned, again by what the plan has for that.
@@ -225,6 +230,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
         const std::string gone = plan_->variant();
         if (!plan_->give_way(none.what())) throw;
         built_ = false;
+        stands_ = nullptr;
         std::erase_if(held_, [&](const Held& h) { return h.name == gone; });  // its memory is needed
       }
   }
@@ -261,6 +267,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   };
   std::vector<Held> held_;
   Variant* searcher_ = nullptr;           ///< of held_
+  const Variant* stands_ = nullptr;  ///< that whose last build was of an earlier frame of the same spheres
   bool built_ = false;                    ///< the searcher, on the chain of the last build or update
   std::optional<std::uint32_t> spheres_;  ///< of the last build or update
   Timings timings_, build_timings_;

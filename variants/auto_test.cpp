@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <random>
@@ -145,6 +146,44 @@ TEST(Auto, LearnsNothingFromSearchesOfSomeSpheres) {
   }
   variant->build(chain);
   EXPECT_EQ(variant->plan().front().estimate_ms, thought);
+}
+
+/// What is searched whole is put into the order of the frame before while that serves, unless it may not be.
+TEST(Auto, KeepsAnOrderInSpaceFromFrameToFrame) {
+  std::mt19937 dice(4);
+  const auto below = [&](float side) { return std::uniform_real_distribution<float>(0, side)(dice); };
+  for (const std::uint32_t spheres : {1000u, 3000u}) {
+    std::vector<Sphere> gas;
+    const float side = 2 * std::cbrt(static_cast<float>(spheres));
+    while (gas.size() < spheres) gas.push_back({below(side), below(side), below(side), 0.2f + below(1.4f)});
+    const auto keeps = StrategyRegistry::instance().make("auto"),
+               sorts = StrategyRegistry::instance().make("auto(keep=sort)");
+    const auto left_out = [](const Variant& variant) {
+      const Plan plan = variant.plan();
+      const auto step = std::ranges::find(plan, info_of(Omission::sort).step, &Decision::step);
+      return step != plan.end() && step->left_out;
+    };
+    int kept = 0;
+    for (int frame = 0; frame < 12; ++frame) {
+      // In the middle all lie elsewhere.
+      for (Sphere& s : gas) frame == 6 ? void(s.x = side - s.y) : void(s.x += below(0.4f) - 0.2f);
+      const Chain chain(gas);
+      const reference::Answer exact = reference::find(chain);
+      ASSERT_GT(exact.pair_count, 100u);
+      for (Variant* const variant : {keeps.get(), sorts.get()}) {
+        if (frame == 0) variant->prepare({.frames_follow = true});
+        frame == 0 ? variant->build(chain) : variant->update(chain);
+        Collisions found;
+        variant->find(chain, {}, found);
+        properties::sort(found.pairs);
+        EXPECT_EQ(found.pairs, exact.pairs) << frame;
+      }
+      kept += left_out(*keeps);
+      EXPECT_FALSE(left_out(*sorts)) << spheres << ' ' << frame;
+    }
+    EXPECT_GT(kept, 4) << spheres;
+    EXPECT_LT(kept, 12) << spheres;
+  }
 }
 
 /// It shows what it built, which is this frame; where a frame before answers it has nothing to show.

@@ -12,12 +12,11 @@ namespace catena {
 class HostSearch : public Variant {
  public:
   void build(const Chain& chain) final {
-    const Stopwatch watch;
-    built_ = false;
-    construct(chain.view());
-    spheres_ = chain.size();
-    built_ = true;
-    timings_.build_ms = watch.ms();
+    make(chain, [&] { construct(chain.view()); });
+  }
+  void update(const Chain& chain, const Moved&) final {
+    const bool same_spheres = built_ && chain.size() == spheres_;
+    make(chain, [&] { same_spheres ? construct_again(chain.view()) : construct(chain.view()); });
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) final {
@@ -44,6 +43,8 @@ class HostSearch : public Variant {
  protected:
   /// Makes what `search` needs. What it throws leaves nothing built.
   virtual void construct(const ChainView& chain) = 0;
+  /// The same for the spheres of the last one, moved; what that left may be of use.
+  virtual void construct_again(const ChainView& chain) { construct(chain); }
   /// Reports every colliding pair, once, to the collector's lanes.
   virtual void search(const ChainView& chain, PairCollector& collector) = 0;
   /// The same to one lane, by the caller alone, and to the sink what was left out; where evidence() says that
@@ -58,6 +59,15 @@ class HostSearch : public Variant {
   bool built() const { return built_; }
 
  private:
+  template <class Construct>
+  void make(const Chain& chain, const Construct& construct) {
+    const Stopwatch watch;
+    built_ = false;
+    construct();
+    spheres_ = chain.size();
+    built_ = true;
+    timings_.build_ms = watch.ms();
+  }
   void check(const Chain& chain) const {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
   }

@@ -12,6 +12,7 @@
 #include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_evidence.h"
 #include "catena/core/space_tree/tangled.h"
+#include "catena/core/space_tree/told_order.h"
 
 namespace catena {
 
@@ -22,13 +23,13 @@ HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
       grid_queues_(threads),
       sphere_queues_(threads) {}
 
-void HybridSearch::build(const ChainView& chain, const Team& team) {
+void HybridSearch::build(const ChainView& chain, const Team& team, SpaceSort sort) {
   parts_.grid.each_radius = settings_.each_radius;
   parts_.space.entries = 0;
   dense_.clear();
   parts_.dense_count = 0;
   SingleSpheres single{};
-  const bool at_once = single_at_once(chain, single);
+  const bool at_once = single_at_once(chain, sort, single);
   if (parts_.tree.level.empty() != at_once) {
     std::swap(parts_.tree, put_by_.tree);
     std::swap(parts_.crowding, put_by_.crowding);
@@ -43,8 +44,10 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     if (!settings_.rows) parts_.tree.forget_rows();
     find_crowds(chain, parts_.tree, settings_.crowd, parts_.crowding, team);
     if (parts_.crowding.crowded_nodes() > 0) {
-      single = single_spheres(chain, parts_.tree, parts_.crowding);
-      build_in_space(chain, single, team);
+      single = single_spheres(chain, parts_.tree, parts_.crowding, sort);
+      build_in_space(chain, single, team, sort);
+      // Then the next frames need not be looked at so closely.
+      if (parts_.dense_count == chain.size) looked_.at_once = true, looked_.single = single;
     }
   }
   if (parts_.dense_count == 0) return;
@@ -54,27 +57,38 @@ void HybridSearch::build(const ChainView& chain, const Team& team) {
     build_grid(chain, parts_.grid, dense_, team);
     parts_.in_cells = one_level();
   }
-  if (!parts_.in_cells) build_sphere_tree(chain, parts_.spheres, dense_, team);
+  if (!parts_.in_cells) build_sphere_tree(chain, parts_.spheres, dense_, team, sort);
 }
 
-/// Whether no order of blocks is worth its while; then single spheres' cost is told too. A block that has
-/// more blocks near it, in the chain's order and in that of space, costs more than its spheres one by one.
-bool HybridSearch::single_at_once(const ChainView& chain, SingleSpheres& single) {
+/// Whether no order of blocks is worth its while; then single spheres' cost is told too. What was seen of the
+/// frame before holds while little moves.
+bool HybridSearch::single_at_once(const ChainView& chain, SpaceSort sort, SingleSpheres& single) {
+  if (sort == SpaceSort::anew || !looked_.frames.still(chain)) {
+    looked_.frames.looked(chain);
+    looked_.at_once = look_at(chain, sort, looked_.single);
+  }
+  single = looked_.single;
+  return looked_.at_once;
+}
+
+/// A block that has more blocks near it, in the chain's order and in that of space, costs more than its
+/// spheres one by one.
+bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres& single) {
   if (unfilled(chain)) {
-    if (chain.size > 0) single = single_spheres(chain);
+    if (chain.size > 0) single = single_spheres(chain, sort);
     return true;
   }
   // Between short strands a chain jumps so often that its nodes tell nothing of what is near.
   constexpr std::uint32_t short_strand = 32;
   if (chain.size <= std::uint64_t{short_strand} * chain.strand_count && tangled(chain)) {
-    single = single_spheres(chain);
+    single = single_spheres(chain, sort);
     if (single.in_cells && single.wide) return true;
   }
   constexpr double least = 4;  // in wide cells with nothing near
   const double share = settings_.dense * shallow_share(chain.size),
                octaves = octaves_beyond_cache(chain.size);
   if (!look_.everywhere(chain, share * least)) return false;
-  single = single_spheres(chain);
+  single = single_spheres(chain, sort);
   const double others = std::min(9 + 0.75 * octaves, single.ns * BlockTree::block / SpaceCost::near_ns);
   return others <= least || look_.everywhere(chain, share * others);
 }
@@ -84,9 +98,10 @@ bool HybridSearch::unfilled(const ChainView& chain) {
   return chain.strand_count > 1 && std::uint64_t{count_blocks(chain)} * (BlockTree::block / 2) >= chain.size;
 }
 
-void HybridSearch::build_in_space(const ChainView& chain, SingleSpheres single, const Team& team) {
+void HybridSearch::build_in_space(const ChainView& chain, SingleSpheres single, const Team& team,
+                                  SpaceSort sort) {
   single.ns *= settings_.dense;
-  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, single, entry_queues_, team);
+  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, single, entry_queues_, team, sort);
   if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
     parts_.dense_count = chain.size;  // their list need not be made
   } else {
@@ -201,6 +216,16 @@ bool HybridSearch::one_level() const {
   constexpr std::uint32_t few = 64;  // one in so many
   const std::uint32_t others = parts_.dense_count - parts_.grid.levels.front().end;
   return others <= parts_.dense_count / few;
+}
+
+Decision HybridSearch::told_order() const {
+  std::uint32_t sorted = 0, frames = 0;
+  const auto take = [&](std::uint32_t entries, const KeptOrder& kept) {
+    sorted += entries, frames = std::max(frames, kept.frames());
+  };
+  if (parts_.space.entries > 0) take(parts_.space.entries, parts_.space.kept);
+  if (parts_.dense_count > 0 && !parts_.in_cells) take(parts_.spheres.spheres, parts_.spheres.kept);
+  return catena::told_order(sorted, frames);
 }
 
 HybridSearch::Work HybridSearch::met() const {

@@ -10,7 +10,9 @@
 #include "catena/core/space_tree/crowd_look.h"
 #include "catena/core/space_tree/search_cost.h"
 #include "catena/core/space_tree/space_kernels.h"
+#include "catena/core/space_tree/steady_frames.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
+#include "catena/core/strategy/plan.h"
 
 namespace catena {
 
@@ -47,8 +49,9 @@ class CATENA_API HybridSearch {
   HybridSearch(const Settings& settings, unsigned threads);
 
   /// O(n log n), of which only n / 8 is sorted; does not allocate when n and the crowd have not grown, in a
-  /// team of one. What it throws leaves nothing built.
-  void build(const ChainView& chain, const Team& team);
+  /// team of one. What it throws leaves nothing built. Of spheres of the last build, moved, `sort` may leave
+  /// out what still holds of them: orders in space, and looks that tell which of the three is cheapest.
+  void build(const ChainView& chain, const Team& team, SpaceSort sort = SpaceSort::anew);
   /// Reports every colliding pair, once. As many lanes as the team has members.
   void search(const ChainView& chain, PairCollector& collector, const Team& team);
   /// The same to one lane, by the caller alone, slower; every pair is accounted for to the sink, once.
@@ -63,6 +66,8 @@ class CATENA_API HybridSearch {
   /// Nodes in which, and from which to the next, nothing is searched, as their blocks follow one another.
   std::uint32_t rows() const { return parts_.tree.rows(); }
 
+  /// What of it is sorted in space, and when.
+  Decision told_order() const;
   /// The search in cells reads one radius for all.
   bool equal_radii() const { return parts_.dense_count > 0 && parts_.in_cells && parts_.grid.equal_radii; }
 
@@ -81,15 +86,22 @@ class CATENA_API HybridSearch {
  private:
   struct Evidence;
   Work met() const;  ///< since this was made
-  bool single_at_once(const ChainView& chain, SingleSpheres& single);
+  bool single_at_once(const ChainView& chain, SpaceSort sort, SingleSpheres& single);
+  bool look_at(const ChainView& chain, SpaceSort sort, SingleSpheres& single);
   static bool unfilled(const ChainView& chain);
-  void build_in_space(const ChainView& chain, SingleSpheres single, const Team& team);
+  void build_in_space(const ChainView& chain, SingleSpheres single, const Team& team, SpaceSort sort);
   void gather_dense(const Team& team);
   bool cells_fit(const ChainView& chain, float greatest_radius, const Team& team) const;
   bool one_level() const;
 
   const Settings settings_;
   CrowdLook look_;
+  /// What the last look told, and of which frames that holds.
+  struct {
+    SteadyFrames frames;
+    bool at_once = false;
+    SingleSpheres single{};
+  } looked_;
   Work before_;  ///< met before the last search
   Parts parts_;
   /// Of no spheres while there is a tree; else the memory of the last, as the next frame may need one.

@@ -7,8 +7,8 @@
 namespace catena {
 namespace {
 
-const std::array<OmissionInfo, 13>& table() {
-  static const std::array<OmissionInfo, 13> all{{
+const std::array<OmissionInfo, 14>& table() {
+  static const std::array<OmissionInfo, 14> all{{
       {Omission::hierarchy, "hierarchy", "hierarchy",
        "all pairs are compared instead, by the same exact test"},
       {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
@@ -36,6 +36,9 @@ const std::array<OmissionInfo, 13>& table() {
        "sphere i is bit for bit what i + s was, and the window of neighbours goes by |i - j| alone"},
       {Omission::far_pairs, "far-pairs", "search of pairs farther apart than their skins",
        "each sphere lies, by a bound rounded up, within the thicker sphere that the list was made of"},
+      {Omission::sort, "sort", "sort in space",
+       "whatever order its spheres are in, a node encloses them as they are now: only how many nodes meet "
+       "depends on it"},
   }};
   return all;
 }

@@ -24,6 +24,7 @@ enum class Omission {
   still_parts,
   shifted,
   far_pairs,
+  sort,
 };
 
 struct CATENA_API OmissionInfo {

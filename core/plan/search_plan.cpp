@@ -26,6 +26,7 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
     : n_(n),
       asked_(request.want),
       want_(request.want),
+      frames_follow_(request.frames_follow),
       machine_(machine),
       omissions_(omissions),
       lost_ms_(history.lost_ms()) {
@@ -92,8 +93,9 @@ unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
 }
 
 const UnusualKind* SearchPlan::look_at(const Extent& extent, std::span<const Sphere> spheres) const {
-  return chosen_ != all_pairs_ && omissions_.may(Omission::threads) ? UnusualKind::of(n_, extent, spheres)
-                                                                    : nullptr;
+  return chosen_ != all_pairs_ && omissions_.may(Omission::threads)
+             ? UnusualKind::of(n_, extent, spheres, frames_follow_)
+             : nullptr;
 }
 
 double SearchPlan::ms(const Machine::VariantCost& v, unsigned threads) const {

@@ -29,7 +29,8 @@ class CATENA_API SearchPlan {
   /// about what was thought.
   bool holds_for(std::uint32_t n, const Request& request, const Extent& extent,
                  std::span<const Sphere> spheres = {}, const SearchHistory& history = {}) const {
-    return n == n_ && request.want == asked_ && seen_ == look_at(extent, spheres) && is_true_to(history);
+    return n == n_ && request.want == asked_ && request.frames_follow == frames_follow_ &&
+           seen_ == look_at(extent, spheres) && is_true_to(history);
   }
   /// Says what building and searching took by this plan; nothing of a device, and of few spheres.
   void tell(double took_ms, SearchHistory& history) const;
@@ -82,6 +83,7 @@ class CATENA_API SearchPlan {
 
   std::uint32_t n_;
   Request::Want asked_, want_;
+  bool frames_follow_;
   const Machine& machine_;
   Omissions omissions_;
   Candidate tree_ = nullptr, all_pairs_ = nullptr,

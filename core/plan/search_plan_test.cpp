@@ -198,6 +198,7 @@ TEST(SearchPlan, HoldsForChainsThatWouldBePlannedAlike) {
                 plan.variant() == SearchPlan(1000, {}, of, {}, other).variant());
     EXPECT_FALSE(plan.holds_for(1001, {}, first));
     EXPECT_FALSE(plan.holds_for(1000, {Want::any}, first));
+    EXPECT_FALSE(plan.holds_for(1000, {.frames_follow = true}, first));
   }
 }
 

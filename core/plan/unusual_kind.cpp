@@ -24,6 +24,7 @@ enum Kind {
   short_like,
   short_single,
   short_unlike,
+  short_moving,
   kinds
 };
 
@@ -45,6 +46,10 @@ const UnusualKind& info(Kind kind) {
        "at most 2,048 spheres that fill their box more than six times or have unlike radii, whose order "
        "tells "
        "little of what is near"},
+      {"SphereTree",
+       "301 to 2,048 spheres of like radii, whose order tells little of what is near, in frames: they are "
+       "sorted in space for "
+       "several at once"},
   }};
   return all[kind];
 }
@@ -123,7 +128,8 @@ Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Spher
 
 }  // namespace
 
-const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres) {
+const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres,
+                                   bool frames_follow) {
   // Measured over the registry's scenes and walks in boxes of any fill: these take 0.2 to 0.9 of the usual
   // variant's time.
   constexpr double widest = 0x1p60, full = 0.2, very_dense = 10;
@@ -140,7 +146,9 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     if (n <= few) {
       // The chain's order is the only one that scales its numbers.
       if (!squares_in_range(extent.greatest_radius) && filled <= sparse) return &info(short_extreme);
-      return spheres.empty() ? nullptr : &info(short_kind(n, filled, like, spheres));
+      if (spheres.empty()) return nullptr;
+      const Kind kind = short_kind(n, filled, like, spheres);
+      return &info(kind == short_like && frames_follow ? short_moving : kind);
     }
     if (like && filled > full && filled <= very_dense && filled * course(spheres).beside > full &&
         !spheres.empty() && share_that_meets(spheres) > most_meet)

@@ -18,8 +18,10 @@ struct CATENA_API UnusualKind {
   double times = 1;      ///< about what a sphere takes a host, of what it takes in a usual chain
 
   /// Null for a usual chain, and where the extent is not known, {}. `spheres`: all of them, or none where
-  /// they are not known: then few kinds can be told. O(log n).
-  static const UnusualKind* of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres);
+  /// they are not known: then few kinds can be told. `frames_follow`: the chain will move, and what is sorted
+  /// once serves several frames. O(log n).
+  static const UnusualKind* of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres,
+                               bool frames_follow = false);
 };
 
 }  // namespace catena

@@ -111,7 +111,12 @@ TEST(UnusualKind, OfAFewLikeSpheresIsToldByEachOfItsSigns) {
   const auto kind = [](const Chain& chain, double fill) {
     return UnusualKind::of(chain.size(), filled(chain.size(), fill), chain.spheres())->variant;
   };
+  const auto moving = [](const Chain& chain, double fill) {
+    return UnusualKind::of(chain.size(), filled(chain.size(), fill), chain.spheres(), true)->variant;
+  };
   EXPECT_EQ(kind(coil(1000, 1), 1), "Grid");
+  EXPECT_EQ(moving(coil(1000, 1), 1), "SphereTree") << "sorted once for several frames";
+  EXPECT_EQ(moving(line(1000, 0.1f, 0), 1), "ChainTree");
   EXPECT_EQ(kind(coil(700, 1), 1), "SphereTree") << "too few";
   EXPECT_EQ(kind(coil(701, 1), 1), "Grid");
   EXPECT_EQ(kind(coil(1000, 1), 3.5), "SphereTree") << "too full";

@@ -29,7 +29,6 @@ class SpaceBuild {
     space_.gathered.resize(team_.size());
     for (SpaceTree::Gathered& own : space_.gathered) own.clear();
     set_origin();
-    constexpr std::uint32_t nodes_of_a_task = 32;
     team_.for_each_range(crowding_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
       SpaceTree::Gathered& own = space_.gathered[team_.member()];
       for (std::uint32_t g = begin; g < end && !own.broken_up(); ++g)
@@ -39,26 +38,48 @@ class SpaceBuild {
                         [](const SpaceTree::Gathered& own) { return own.broken_up(); });
   }
 
-  void build() {
+  void build(SpaceSort sort) {
     join();
     const auto n = static_cast<std::uint32_t>(space_.unsorted().size());
-    space_.order.sort({space_.unsorted()[0].low, sizeof(SpaceTree::Unsorted) / sizeof(float), n}, team_);
-    make_room(n);
-    constexpr std::uint32_t nodes_of_a_task = 32;
-    team_.for_each_range(space_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t k = begin * group; k < end * group; ++k) lay_out(k);
-    });
-    for (std::size_t l = 1; l < space_.boxes.size(); ++l) {
-      const auto groups = static_cast<std::uint32_t>(space_.boxes[l].size() / (group * box_fields));
-      team_.for_each_range(groups, nodes_of_a_task / group, [&](std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t k = begin * group; k < end * group; ++k) enclose(l, k);
-      });
+    if (sort == SpaceSort::anew || !kept(n)) {
+      space_.kept.forget();
+      space_.order.sort({space_.unsorted()[0].low, sizeof(SpaceTree::Unsorted) / sizeof(float), n}, team_);
+      lay_out_all(n);
+      space_.kept.sorted(n, boxes());
     }
+    for (std::size_t l = 2; l < space_.boxes.size(); ++l) enclose_all(l);
   }
 
  private:
   static constexpr std::uint32_t group = SpaceTree::group, block = BlockTree::block,
-                                 fields = BlockTree::capsule_fields, box_fields = SpaceTree::box_fields;
+                                 fields = BlockTree::capsule_fields, box_fields = SpaceTree::box_fields,
+                                 nodes_of_a_task = 32;
+
+  /// The order of the last tree serves as many entries, which are laid out by it then: it is one of numbers,
+  /// whatever these are of.
+  bool kept(std::uint32_t n) {
+    if (!space_.kept.may_serve(n)) return false;
+    lay_out_all(n);
+    return space_.kept.serves(boxes());
+  }
+  /// Around nodes, which are none where there is but one.
+  BoxGroups boxes() const {
+    return space_.boxes.size() < 2 ? BoxGroups{nullptr, 0} : BoxGroups{space_.boxes_of(1, 0), space_.nodes()};
+  }
+
+  void lay_out_all(std::uint32_t n) {
+    make_room(n);
+    team_.for_each_range(space_.nodes(), nodes_of_a_task, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t k = begin * group; k < end * group; ++k) lay_out(k);
+    });
+    if (space_.boxes.size() > 1) enclose_all(1);
+  }
+  void enclose_all(std::size_t l) {
+    const auto groups = static_cast<std::uint32_t>(space_.boxes[l].size() / (group * box_fields));
+    team_.for_each_range(groups, nodes_of_a_task / group, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t k = begin * group; k < end * group; ++k) enclose(l, k);
+    });
+  }
 
   /// The first sphere of all that are crowded; near enough to all where these are near one another.
   void set_origin() {

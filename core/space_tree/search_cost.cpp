@@ -66,14 +66,15 @@ class RadiusSample {
 
 /// Some of so many spheres of a chain are searched one by one, and these are samples of them.
 SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<const std::uint32_t> samples,
-                      const RadiusSample::Told& radii) {
+                      const RadiusSample::Told& radii, SpaceSort sort) {
   constexpr double ball = 4.0 / 3 * std::numbers::pi / 27;  // of what is told to be near, within reach
   // Looks at spheres, for each that is searched: in a crowd of few a wrong guess costs little.
   constexpr std::uint64_t looks = 2, looks_of_a_few = 16;
   const std::uint64_t all = std::min(looks * chain.size, looks_of_a_few * spheres);
   const auto parts = static_cast<std::uint32_t>(std::uint64_t{chain.size} * samples.size() / all + 1);
   const NearSpheres near = mean_near(chain, samples, radii.greatest, parts);
-  const double in_space = SingleSphereCost::in_space(near, radii.bits, spheres),
+  const double sorted = sort == SpaceSort::anew ? 0 : SingleSphereCost::sort_ns();
+  const double in_space = SingleSphereCost::in_space(near, radii.bits, spheres) - sorted,
                in_cells = SingleSphereCost::in_cells(near.in_cells, spheres),
                pairs = ball * near.by_reach / 2;
   const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
@@ -97,14 +98,16 @@ double SingleSphereCost::in_wide_cells(double near, std::uint32_t spheres) {
   return shallow_share(spheres) * (wide_vectors ? 20 + 5.5 * near : 28 + 7 * near);
 }
 
-SingleSpheres single_spheres(const ChainView& chain) {
+double SingleSphereCost::sort_ns() { return spheres_of_a_vector() == 16 ? 12 : 17; }
+
+SingleSpheres single_spheres(const ChainView& chain, SpaceSort sort) {
   constexpr std::uint32_t apart = 128;  // of those whose radii are asked for
   Samples samples;
   const std::span<const std::uint32_t> some = all_along(chain, samples);
   RadiusSample radii(chain);
   for (std::uint32_t k = 0; k < chain.size; k += apart)
     radii.take(chain.spheres[k + scattered(k / apart, std::min(apart, chain.size - k))].radius);
-  return cheaper(chain, chain.size, some, radii.told());
+  return cheaper(chain, chain.size, some, radii.told(), sort);
 }
 
 bool wide_cells(const ChainView& chain) {
@@ -116,7 +119,8 @@ bool wide_cells(const ChainView& chain) {
   return SingleSphereCost::wide_cells(near.in_cells, chain.size);
 }
 
-SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, const Crowding& crowding) {
+SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
+                             SpaceSort sort) {
   Samples samples;
   RadiusSample radii(chain);
   const std::uint32_t crowded = crowding.crowded_nodes(),
@@ -131,7 +135,7 @@ SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, cons
     if (found < count && std::uint64_t{seen} * count >= std::uint64_t{found} * crowded) samples[found++] = i;
     ++seen;
   }
-  return cheaper(chain, spheres, {samples.data(), found}, radii.told());
+  return cheaper(chain, spheres, {samples.data(), found}, radii.told(), sort);
 }
 
 }  // namespace catena

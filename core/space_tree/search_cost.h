@@ -10,6 +10,7 @@
 #include "catena/core/export.h"
 #include "catena/core/grid/sphere_grid.h"
 #include "catena/core/space_tree/mean_near.h"
+#include "catena/core/space_tree/space_order.h"
 
 namespace catena {
 
@@ -55,6 +56,8 @@ struct SingleSphereCost {
   static double in_narrow_cells(double near) {
     return 40 + 15 / (1 + near / 4) + near * near / (near + 100);
   }
+  /// Of a search in space, what it takes to sort.
+  CATENA_API static double sort_ns();
   /// Spheres are sorted by size: each bit that tells their octaves is as many more classes to look into,
   /// where much is in cells for the greatest that is not within reach of the others.
   static double in_space(const NearSpheres& near, double octave_bits, std::uint32_t spheres) {
@@ -78,8 +81,8 @@ struct SingleSpheres {
 /// Those in crowded nodes, by a look at some; or all, where there is no tree. Cells are for radii that come
 /// in one octave, as one in 128 tells, or where the smaller ones are few in cells for the greater.
 CATENA_API SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree,
-                                        const Crowding& crowding);
-CATENA_API SingleSpheres single_spheres(const ChainView& chain);
+                                        const Crowding& crowding, SpaceSort sort = SpaceSort::anew);
+CATENA_API SingleSpheres single_spheres(const ChainView& chain, SpaceSort sort = SpaceSort::anew);
 /// Whether wide cells are for all spheres of a chain, by a look that costs next to nothing.
 CATENA_API bool wide_cells(const ChainView& chain);
 

@@ -13,7 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                           const SingleSpheres& single, std::span<SpaceQueue> queues, const Team& team) {
+                           const SingleSpheres& single, std::span<SpaceQueue> queues, const Team& team,
+                           SpaceSort sort) {
   space.entries = 0;
   // Short strands leave blocks unfilled.
   const double of_a_block = static_cast<double>(chain.size) / tree.blocks, block_ns = single.ns * of_a_block,
@@ -21,7 +22,7 @@ void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& cr
   if (mostly_dense(chain, tree, crowding, block_ns, pairs)) return;
   SpaceBuild build(chain, tree, crowding, space, team);
   if (!build.collect()) return;
-  build.build();
+  build.build(sort);
   judge_density(space, crowding, queues, block_ns, pairs, team);
 }
 
@@ -49,8 +50,9 @@ HWY_EXPORT(build_space_tree_here);
 HWY_EXPORT(search_space_tree_here);
 
 void build_space_tree(const ChainView& chain, BlockTree& tree, Crowding& crowding, SpaceTree& space,
-                      const SingleSpheres& single, std::span<SpaceQueue> queues, const Team& team) {
-  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, single, queues, team);
+                      const SingleSpheres& single, std::span<SpaceQueue> queues, const Team& team,
+                      SpaceSort sort) {
+  HWY_DYNAMIC_DISPATCH(build_space_tree_here)(chain, tree, crowding, space, single, queues, team, sort);
 }
 
 void search_space_tree(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,

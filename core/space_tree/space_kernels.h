@@ -20,7 +20,7 @@ namespace catena {
 /// members. O(n log n), of blocks; does not allocate when the crowd has not grown, in a team of one.
 CATENA_API void build_space_tree(const ChainView& chain, BlockTree& tree, Crowding& crowding,
                                  SpaceTree& space, const SingleSpheres& single, std::span<SpaceQueue> queues,
-                                 const Team& team);
+                                 const Team& team, SpaceSort sort = SpaceSort::anew);
 
 /// Reports every colliding pair of spheres in crowded nodes to the collector, once, but for those of two
 /// dense blocks, of one block, and of two that follow one another. As many lanes and queues as the team has

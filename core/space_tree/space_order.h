@@ -18,6 +18,10 @@ struct BoxRows {
   std::uint32_t size;
 };
 
+/// When a tree in space is built of what the last one was built of, moved: whether it is sorted anew, or only
+/// where the order of the last one does not serve any more.
+enum class SpaceSort { anew, where_needed };
+
 /// Sorts boxes or spheres in space: by class of size, a factor of 8 each and the greatest first, and in a
 /// class along Hilbert's curve through the cubes of the box of their middles, 512 a side, and of cubes with
 /// many of them. Equal ones keep their order. The same for any team.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/space_tree/kept_order.h"
 #include "catena/core/space_tree/space_order.h"
 
 namespace catena {
@@ -50,6 +51,7 @@ struct SpaceTree {
   LargeVector<Unsorted>& unsorted() { return gathered[0].entries; }
   std::vector<Part>& parts() { return gathered[0].parts; }
   SpaceOrder order;
+  KeptOrder kept;
 
   std::uint32_t nodes() const { return (entries + group - 1) / group; }
   const float* boxes_of(std::size_t level, std::uint32_t g) const {

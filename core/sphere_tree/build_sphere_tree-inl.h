@@ -25,24 +25,42 @@ class SphereBuild {
   SphereBuild(const ChainView& chain, SphereTree& tree, const Team& team)
       : chain_(chain), tree_(tree), team_(team) {}
 
-  void run(std::span<const std::uint32_t> only) {
+  void run(std::span<const std::uint32_t> only, SpaceSort sort) {
     tree_.spheres = only.empty() ? chain_.size : static_cast<std::uint32_t>(only.size());
-    tree_.order.sort(chain_, only, team_);
-    make_room();
-    constexpr std::uint32_t nodes_of_a_task = 64 * group;
-    const auto for_each = [&](std::uint32_t count, const auto& body) {
-      team_.for_each_range((count + group - 1) / group, nodes_of_a_task / group,
-                           [&](std::uint32_t begin, std::uint32_t end) {
-                             for (std::uint32_t k = begin * group; k < end * group; ++k) body(k);
-                           });
-    };
-    for_each(tree_.nodes(), [&](std::uint32_t node) { lay_out(node); });
+    if (sort == SpaceSort::anew || !kept(only)) {
+      tree_.kept.forget();
+      tree_.order.sort(chain_, only, team_);
+      make_room();
+      lay_out_all();
+      tree_.kept.sorted(tree_.spheres, boxes());
+      tree_.only.assign(only.begin(), only.end());
+    }
     for (std::size_t l = 1; l < tree_.boxes.size(); ++l)
       for_each(tree_.count(l), [&](std::uint32_t k) { enclose(l, k); });
   }
 
  private:
   static constexpr std::uint32_t group = SphereTree::group, box_fields = SphereTree::box_fields;
+
+  /// The order of the last tree serves these spheres, which are laid out by it then.
+  bool kept(std::span<const std::uint32_t> only) {
+    if (!std::ranges::equal(only, tree_.only) || !tree_.kept.may_serve(tree_.spheres)) return false;
+    lay_out_all();
+    return tree_.kept.serves(boxes());
+  }
+  BoxGroups boxes() const { return {tree_.boxes.empty() ? nullptr : tree_.boxes_of(0, 0), tree_.nodes()}; }
+
+  void lay_out_all() {
+    for_each(tree_.nodes(), [&](std::uint32_t node) { lay_out(node); });
+  }
+  template <class Body>
+  void for_each(std::uint32_t count, const Body& body) const {
+    constexpr std::uint32_t nodes_of_a_task = 64 * group;
+    team_.for_each_range((count + group - 1) / group, nodes_of_a_task / group,
+                         [&](std::uint32_t begin, std::uint32_t end) {
+                           for (std::uint32_t k = begin * group; k < end * group; ++k) body(k);
+                         });
+  }
 
   void make_room() {
     const std::uint32_t nodes = tree_.nodes();

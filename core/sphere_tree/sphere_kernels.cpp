@@ -12,8 +12,8 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 void build_sphere_tree_here(const ChainView& chain, SphereTree& tree, std::span<const std::uint32_t> only,
-                            const Team& team) {
-  SphereBuild(chain, tree, team).run(only);
+                            const Team& team, SpaceSort sort) {
+  SphereBuild(chain, tree, team).run(only, sort);
 }
 
 void search_sphere_tree_here(const ChainView& chain, const SphereTree& tree, std::uint32_t begin,
@@ -33,8 +33,8 @@ HWY_EXPORT(build_sphere_tree_here);
 HWY_EXPORT(search_sphere_tree_here);
 
 void build_sphere_tree(const ChainView& chain, SphereTree& tree, std::span<const std::uint32_t> only,
-                       const Team& team) {
-  HWY_DYNAMIC_DISPATCH(build_sphere_tree_here)(chain, tree, only, team);
+                       const Team& team, SpaceSort sort) {
+  HWY_DYNAMIC_DISPATCH(build_sphere_tree_here)(chain, tree, only, team, sort);
 }
 
 void search_sphere_tree(const ChainView& chain, const SphereTree& tree, std::span<SphereQueues> queues,

@@ -11,9 +11,11 @@
 namespace catena {
 
 /// Sorts the spheres of a chain, or `only` those of these ascending indices where it is not empty, and
-/// encloses them in nodes. O(n log n); does not allocate when n has not grown, in a team of one.
+/// encloses them in nodes. O(n log n), and O(n) where they need not be sorted anew; does not allocate when n
+/// has not grown, in a team of one.
 CATENA_API void build_sphere_tree(const ChainView& chain, SphereTree& tree,
-                                  std::span<const std::uint32_t> only, const Team& team);
+                                  std::span<const std::uint32_t> only, const Team& team,
+                                  SpaceSort sort = SpaceSort::anew);
 
 /// Reports every colliding pair of the tree's spheres to the collector, once. As many lanes and queues as the
 /// team has members.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catena/core/executor/large_vector.h"
+#include "catena/core/space_tree/kept_order.h"
 #include "catena/core/space_tree/space_order.h"
 
 namespace catena {
@@ -10,7 +11,7 @@ namespace catena {
 /// Single spheres in the order of space, for where much is near, or radii are mixed: sorted by class of size
 /// and along a space-filling curve, sixteen that follow one another a node, in boxes along the axes of space;
 /// sixteen nodes the next, and so on. A place in that order is a *place*. 22 bytes a sphere, and 8 or 16 that
-/// the sort takes.
+/// the sort takes. The spheres' next frame may be put into the same order; nodes are made anew.
 struct SphereTree {
   static constexpr std::uint32_t group = 16;
   /// Fields of a node's spheres: x y z radius; what fills the last node up has no x (NaN), which meets
@@ -26,6 +27,8 @@ struct SphereTree {
   /// [level]: boxes of nodes, of sixteen nodes, and so on to a single group; groups of sixteen.
   std::vector<LargeVector<float>> boxes;
   SpaceOrder order;
+  KeptOrder kept;
+  LargeVector<std::uint32_t> only;  ///< of these spheres of the chain; empty where of all
 
   std::uint32_t nodes() const { return (spheres + group - 1) / group; }
   /// Boxes of a level that enclose something.

@@ -33,8 +33,9 @@ class CATENA_API Variant {
   virtual void build(const Chain& chain) = 0;
 
   /// Stage 1 again for the same spheres, moved, of which only those of `moved` differ from the last build or
-  /// update. What find gives, and the shape of the tree, are those of build; its bounds enclose, but need not
-  /// be those of build unless the strategy promises it. Does not allocate once warm.
+  /// update. What find gives, and the shape of the tree that visit_bounds shows, are those of build; its
+  /// bounds enclose, but need not be those of build unless the strategy promises it. What was looked at or
+  /// sorted for an earlier frame may serve this one. Does not allocate once warm.
   virtual void update(const Chain& chain, const Moved& moved = {}) {
     static_cast<void>(moved);
     build(chain);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "catena/core/executor/host_search.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
@@ -21,13 +22,23 @@ class FaultySpheres : public HostSearch, public EvidenceNodes {
  protected:
   static constexpr std::uint32_t group = SphereTree::group;
 
-  virtual void tamper(SphereTree& tree) = 0;
+  virtual void tamper(SphereTree&) {}
+  /// After an update, which may have kept an order.
+  virtual void tamper_updated(SphereTree& tree, const std::vector<LargeVector<float>>& boxes_before) {
+    static_cast<void>(boxes_before);
+    tamper(tree);
+  }
 
  private:
   void construct(const ChainView& chain) override {
     spheres_ = chain.size;
     build_sphere_tree(chain, tree_, {}, team());
     if (tree_.spheres > 0) tamper(tree_);
+  }
+  void construct_again(const ChainView& chain) override {
+    const std::vector<LargeVector<float>> boxes = tree_.boxes;
+    build_sphere_tree(chain, tree_, {}, team(), SpaceSort::where_needed);
+    if (tree_.spheres > 0) tamper_updated(tree_, boxes);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     search_sphere_tree(chain, tree_, {&queues_, 1}, collector, team());
@@ -103,6 +114,29 @@ class SixteenInOneBox final : public FaultySpheres {
 const RegisterMutant<SixteenInOneBox> one_box{
     "sphere-tree-goes-down-with-the-first",
     "nodes that go down the tree together, of which the first alone is asked"};
+
+/// An order is kept, and with it the boxes.
+class BoxesOfTheLastFrame final : public FaultySpheres {
+  void tamper_updated(SphereTree& tree, const std::vector<LargeVector<float>>& boxes_before) override {
+    tree.boxes = boxes_before;
+  }
+};
+const RegisterMutant<BoxesOfTheLastFrame> old_boxes{
+    "sphere-tree-keeps-its-boxes",
+    "an order that is kept from frame to frame, and with it the boxes around what moved"};
+
+/// An order is kept, of which the first sphere stands where the second does.
+class OrderWithoutOne final : public FaultySpheres {
+  void tamper_updated(SphereTree& tree, const std::vector<LargeVector<float>>&) override {
+    if (tree.spheres < 2) return;
+    tree.index[1] = tree.index[0];
+    for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f)
+      tree.fields_of(0)[f * group + 1] = tree.fields_of(0)[f * group];
+  }
+};
+const RegisterMutant<OrderWithoutOne> without_one{
+    "sphere-tree-keeps-an-order-without-one",
+    "an order kept from frame to frame that is not one of all spheres"};
 
 }  // namespace
 }  // namespace catena::properties

@@ -35,6 +35,21 @@ inline Chain anchored_frame(const Chain& chain) {
   return chain.moved(std::move(spheres));
 }
 
+/// A frame in which every sphere moves by a part of its radius, each by another, and none beyond what is
+/// finite: what was sorted in space lies in much the same order still.
+inline Chain shaken_frame(const Chain& chain) {
+  std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    Sphere& s = spheres[i];
+    const auto move = [&](float& x, std::size_t often) {
+      const float by = s.radius / (i % often == 0 ? 8 : 32);
+      x += x > 0 ? -by : by;
+    };
+    move(s.x, 2), move(s.y, 3), move(s.z, 5);
+  }
+  return chain.moved(std::move(spheres));
+}
+
 /// A frame in which some stretches move and the rest stays, and those stretches: the first of them the first
 /// sphere alone, one in the middle, one across a power of two, one the last sphere.
 inline std::pair<Chain, std::vector<SphereRange>> partly_moved_frame(const Chain& chain) {

@@ -46,7 +46,7 @@ class Update final : public Property {
   const std::vector<Frame>& frames_of(const Case& test) {
     return frames_(test, [&] {
       std::vector<Frame> frames;
-      for (const auto frame : {moved_frame, thinned_frame, anchored_frame})
+      for (const auto frame : {moved_frame, thinned_frame, anchored_frame, shaken_frame})
         frames.push_back({Case::of(frame(test.chain)), true, {}});
       auto [chain, ranges] = partly_moved_frame(test.chain);
       frames.push_back({Case::of(std::move(chain)), false, std::move(ranges)});

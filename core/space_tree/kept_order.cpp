@@ -1,0 +1,65 @@
+#include "catena/core/space_tree/kept_order.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace catena {
+namespace {
+
+// Searches of a tenth more pairs take as long as a sort where there is most to search.
+constexpr double as_near = 1.1;
+constexpr std::uint32_t most_frames = 64, longest_wait = 31;
+
+}  // namespace
+
+void KeptOrder::sorted(std::uint32_t entries, const BoxGroups& around) {
+  entries_ = entries;
+  frames_ = 0;
+  std::fill(middling_, middling_ + axes, 0.0);
+  for (std::uint32_t k = 0; k < around.boxes; ++k)
+    for (std::uint32_t d = 0; d < axes; ++d) {
+      middling_[d] += (double{around.field(k, axes + d)} - around.field(k, d)) / around.boxes;
+    }
+  // Where all lie in a plane they take up some room too.
+  const double least = *std::max_element(middling_, middling_ + axes) * 0x1p-10;
+  for (double& side : middling_) side = std::max(side, least);
+  then_ = spread(around);
+}
+
+bool KeptOrder::may_serve(std::uint32_t entries) {
+  if (entries == 0 || entries != entries_ || frames_ >= most_frames) return false;
+  if (waits_ == 0) return true;
+  --waits_;
+  return false;
+}
+
+bool KeptOrder::serves(const BoxGroups& around) {
+  ++frames_;
+  const Spread now = spread(around);
+  // Spheres that come together have more to meet; one that leaves all others makes room for none.
+  const bool serve = now.sum <= as_near * then_.sum && now.sum * then_.all <= as_near * then_.sum * now.all;
+  wait_ = serve ? 0 : std::min(longest_wait, 2 * wait_ + 1);
+  waits_ = wait_;
+  return serve;
+}
+
+KeptOrder::Spread KeptOrder::spread(const BoxGroups& around) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Spread spread;
+  double low[axes], high[axes];
+  std::fill(low, low + axes, infinity), std::fill(high, high + axes, -infinity);
+  for (std::uint32_t k = 0; k < around.boxes; ++k) {
+    double room = 1;
+    for (std::uint32_t d = 0; d < axes; ++d) {
+      const double from = around.field(k, d), to = around.field(k, axes + d);
+      low[d] = std::min(low[d], from), high[d] = std::max(high[d], to);
+      room *= to - from + middling_[d];
+    }
+    spread.sum += room;
+  }
+  spread.all = 1;
+  for (std::uint32_t d = 0; d < axes; ++d) spread.all *= high[d] - low[d] + middling_[d];
+  return spread;
+}
+
+}  // namespace catena
