@@ -73,8 +73,8 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
   const std::uint64_t all = std::min(looks * chain.size, looks_of_a_few * spheres);
   const auto parts = static_cast<std::uint32_t>(std::uint64_t{chain.size} * samples.size() / all + 1);
   const NearSpheres near = mean_near(chain, samples, radii.greatest, parts);
-  const double sorted = sort == SpaceSort::anew ? 0 : SingleSphereCost::sort_ns();
-  const double in_space = SingleSphereCost::in_space(near, radii.bits, spheres) - sorted,
+  const double kept = sort == SpaceSort::anew ? 0 : SingleSphereCost::kept_order_ns;
+  const double in_space = SingleSphereCost::in_space(near, radii.bits, spheres) - kept,
                in_cells = SingleSphereCost::in_cells(near.in_cells, spheres),
                pairs = ball * near.by_reach / 2;
   const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
@@ -97,8 +97,6 @@ double SingleSphereCost::in_wide_cells(double near, std::uint32_t spheres) {
   const bool wide_vectors = spheres_of_a_vector() == 16;
   return shallow_share(spheres) * (wide_vectors ? 20 + 5.5 * near : 28 + 7 * near);
 }
-
-double SingleSphereCost::sort_ns() { return spheres_of_a_vector() == 16 ? 12 : 17; }
 
 SingleSpheres single_spheres(const ChainView& chain, SpaceSort sort) {
   constexpr std::uint32_t apart = 128;  // of those whose radii are asked for

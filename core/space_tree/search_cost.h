@@ -56,8 +56,9 @@ struct SingleSphereCost {
   static double in_narrow_cells(double near) {
     return 40 + 15 / (1 + near / 4) + near * near / (near + 100);
   }
-  /// Of a search in space, what it takes to sort.
-  CATENA_API static double sort_ns();
+  /// So much less where the order of an earlier frame serves: more than it takes to sort, as the price below
+  /// is that of the dearest of a kind, and then the cheaper ones are all worth it.
+  static constexpr double kept_order_ns = 24;
   /// Spheres are sorted by size: each bit that tells their octaves is as many more classes to look into,
   /// where much is in cells for the greatest that is not within reach of the others.
   static double in_space(const NearSpheres& near, double octave_bits, std::uint32_t spheres) {
