@@ -13,8 +13,8 @@ namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-constexpr float greatest = std::numeric_limits<float>::max();
-constexpr float least = std::numeric_limits<float>::denorm_min();
+constexpr float greatest_float = std::numeric_limits<float>::max();
+constexpr float least_float = std::numeric_limits<float>::denorm_min();
 
 /// q and t as rationals: another way from floats to exact numbers than that of exact_gap.cpp.
 struct RationalSquares {
@@ -58,23 +58,27 @@ TEST(ExactGap, OneStepAroundTouching) {
   EXPECT_EQ(gap_sign({0, 0, 0, 1}, {out, 0, 0, 1}), 1);
   EXPECT_EQ(gap_sign({0, 0, 0, 1}, {in, 0, 0, 1}), -1);
   // A step of the smallest number there is, far below an ulp of the sum of squares, even in binary64.
-  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, least, 0, 1}), 1);
+  EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, least_float, 0, 1}), 1);
   EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, 0, 0, 1 + 0x1p-23f}), -1);
   EXPECT_EQ(gap_sign({0, 0, 0, 1}, {2, 0, 0, testing::nudged(1, -1)}), 1);
-  EXPECT_EQ(gap_sign({least, 0, 0, 1}, {2, 0, 0, 1}), -1);
-  EXPECT_EQ(margin({0, 0, 0, 1}, {2, least, 0, 1}), 0x1p-300);
+  EXPECT_EQ(gap_sign({least_float, 0, 0, 1}, {2, 0, 0, 1}), -1);
+  EXPECT_EQ(margin({0, 0, 0, 1}, {2, least_float, 0, 1}), 0x1p-300);
 }
 
 TEST(ExactGap, EndsOfTheRange) {
-  EXPECT_EQ(gap_sign({0, 0, 0, least}, {2 * least, 0, 0, least}), 0);
-  EXPECT_EQ(gap_sign({0, 0, 0, least}, {2 * least, least, 0, least}), 1);
-  EXPECT_EQ(gap_sign({-greatest, 0, 0, greatest}, {greatest, 0, 0, greatest}), 0);
-  EXPECT_EQ(gap_sign({-greatest, 0, 0, greatest}, {greatest, least, 0, greatest}), 1);
-  EXPECT_EQ(gap_sign({-greatest, -greatest, -greatest, greatest}, {greatest, greatest, greatest, greatest}),
+  EXPECT_EQ(gap_sign({0, 0, 0, least_float}, {2 * least_float, 0, 0, least_float}), 0);
+  EXPECT_EQ(gap_sign({0, 0, 0, least_float}, {2 * least_float, least_float, 0, least_float}), 1);
+  EXPECT_EQ(gap_sign({-greatest_float, 0, 0, greatest_float}, {greatest_float, 0, 0, greatest_float}), 0);
+  EXPECT_EQ(
+      gap_sign({-greatest_float, 0, 0, greatest_float}, {greatest_float, least_float, 0, greatest_float}), 1);
+  EXPECT_EQ(gap_sign({-greatest_float, -greatest_float, -greatest_float, greatest_float},
+                     {greatest_float, greatest_float, greatest_float, greatest_float}),
             1);
-  EXPECT_EQ(margin({-greatest, -greatest, -greatest, greatest}, {greatest, greatest, greatest, greatest}), 2);
-  EXPECT_EQ(margin({-greatest, 0, 0, least}, {greatest, 0, 0, 0}),
-            std::ldexp(double{greatest}, 150) * std::ldexp(double{greatest}, 150));
+  EXPECT_EQ(margin({-greatest_float, -greatest_float, -greatest_float, greatest_float},
+                   {greatest_float, greatest_float, greatest_float, greatest_float}),
+            2);
+  EXPECT_EQ(margin({-greatest_float, 0, 0, least_float}, {greatest_float, 0, 0, 0}),
+            std::ldexp(double{greatest_float}, 150) * std::ldexp(double{greatest_float}, 150));
 }
 
 /// Half way between two numbers, but for 2^-200: (1 + 2^-54 + 2^-200 - 1/4) / (1/4).
@@ -86,9 +90,9 @@ TEST(ExactGap, RoundsByAllDigits) {
 
 TEST(ExactGap, Points) {
   EXPECT_EQ(gap_sign({1, 2, 3, 0}, {1, 2, 3, 0}), 0);
-  EXPECT_EQ(gap_sign({0, 0, 0, 0}, {least, 0, 0, 0}), 1);
+  EXPECT_EQ(gap_sign({0, 0, 0, 0}, {least_float, 0, 0, 0}), 1);
   EXPECT_EQ(margin({1, 2, 3, 0}, {1, 2, 3, 0}), 0);
-  EXPECT_EQ(margin({0, 0, 0, 0}, {least, 0, 0, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(margin({0, 0, 0, 0}, {least_float, 0, 0, 0}), std::numeric_limits<double>::infinity());
   EXPECT_EQ(margin({0, 0, 0, 1}, {0, 0, 0, 1}), 1);
 }
 

@@ -17,11 +17,11 @@ VariantInfo info(const char* name, const char* arithmetic) {
 }
 
 std::string printed(const std::vector<VerifyRow>& rows) {
-  testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStdout();
   VerifyReport report(false);
   for (const VerifyRow& row : rows) report.row(row);
   report.finish();
-  return testing::internal::GetCapturedStdout();
+  return ::testing::internal::GetCapturedStdout();
 }
 
 /// A rounded variant that is wrong is told, but says nothing about those that promise to be exact.
@@ -128,11 +128,11 @@ TEST(VerifyReport, WritesARowAsJson) {
   v.shape.depth = 21, v.shape.nodes = 22;
   v.certificate = CertificateReport{.discarded = 23, .tested = 24, .excluded = 25, .tree = {}};
   const auto json = [&](const Verification& result) {
-    testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStdout();
     VerifyReport report(true);
     report.row({"x", 7, 9, 5, of, result});
     report.finish();
-    return nlohmann::ordered_json::parse(testing::internal::GetCapturedStdout());
+    return nlohmann::ordered_json::parse(::testing::internal::GetCapturedStdout());
   };
   nlohmann::ordered_json expected{{"input", "x"},
                                   {"frame", 7},

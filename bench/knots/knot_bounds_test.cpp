@@ -19,7 +19,7 @@ namespace {
 
 using properties::Dice;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3 centre(const Chain& chain, std::uint32_t i) {
   const Sphere& s = chain[i % chain.size()];

@@ -22,7 +22,7 @@ namespace {
 using properties::Dice;
 using properties::Subject;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 std::unique_ptr<Variant> variant(const std::string& name = "Hybrid") {

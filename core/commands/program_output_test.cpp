@@ -13,8 +13,6 @@
 namespace catena {
 namespace {
 
-using Outcome = ProgramOutcome;
-
 /// Whatever a format cannot hold is said, each in a line of its own, and nothing where nothing is lost.
 // What is read is not written over, by whatever name, and no table over another.
 TEST_F(Program, LosesNoFileToAnother) {
@@ -62,7 +60,7 @@ TEST_F(Program, SaysWhatAnExportLoses) {
        {Lost{"", "a.chain", {}}, Lost{" --window 3", "a.chain", {}}, Lost{"", "a.csv", {joints}},
         Lost{" --window 2", "a.csv", {rule, joints}}, Lost{" --arc-window pi/2", "a.csv", {rule, joints}},
         Lost{"", "a.obj", {radii, joints}}, Lost{" --window 3", "a.catena", {}}}) {
-    const Outcome r = run("export " + neuron + " '" + file(out) + "'" + options);
+    const ProgramOutcome r = run("export " + neuron + " '" + file(out) + "'" + options);
     EXPECT_EQ(r.code, 0) << r.output;
     for (const std::string& line : lines)
       EXPECT_NE(r.output.find("holds no " + line), std::string::npos) << r.output;
@@ -88,9 +86,9 @@ TEST_F(Program, WritesPairsAndCounts) {
 TEST_F(Program, WritesThroughWhatIsNoRegularFile) {
   const std::string csv = "frame,sphere,count,label,strand,index\n0,0,1,0,0,0\n0,1,0,1,0,1\n0,2,1,2,0,2\n",
                     scene = "detect coincident:n=3 --counts ";
-  const Outcome both = run(scene + "/dev/stdout --any");
+  const ProgramOutcome both = run(scene + "/dev/stdout --any");
   EXPECT_EQ(both.code, 2) << "--any counts nothing";
-  const Outcome printed = run(scene + "/dev/stdout");
+  const ProgramOutcome printed = run(scene + "/dev/stdout");
   EXPECT_EQ(printed.code, 0);
   EXPECT_NE(printed.output.find(csv), std::string::npos) << printed.output;
   EXPECT_NE(printed.output.find("1 pair, at most 1 a sphere"), std::string::npos) << printed.output;
@@ -121,11 +119,12 @@ TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
            "margins path1:n=10", "enumerate --walks 3", "closed-form --side 3 --reach 1",
            "scaling path1:n=300", "pivot --n 50 --moves 64", "knots --n 16", "plan path1:n=10 --json",
            "export path1:n=10 '" + file("x.csv") + "'", "examine --help", "growth --help"}) {
-    const Outcome full = shell("XDG_CACHE_HOME='" + file("cache") + "' catena " + command + " > /dev/full");
+    const ProgramOutcome full =
+        shell("XDG_CACHE_HOME='" + file("cache") + "' catena " + command + " > /dev/full");
     EXPECT_EQ(full.code, 2) << command;
     EXPECT_EQ(full.output, "catena: cannot write the output: No space left on device\n") << command;
   }
-  const Outcome closed = shell("catena detect coincident:n=60 --pairs '" + file("p.csv") + "' >&-");
+  const ProgramOutcome closed = shell("catena detect coincident:n=60 --pairs '" + file("p.csv") + "' >&-");
   EXPECT_EQ(closed.code, 2);
   EXPECT_EQ(closed.output, "catena: cannot write the output: Bad file descriptor\n");
   EXPECT_EQ(std::ranges::count(text_of(file("p.csv")), '\n'), 813) << "what is printed got into the table";
@@ -142,7 +141,7 @@ TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
 }
 
 TEST_F(Program, EndsQuietlyWhenNobodyReadsOn) {
-  const Outcome left =
+  const ProgramOutcome left =
       shell("{ sleep 0.5; catena detect path1:n=3000 --frame all --json; echo $? >&2; } | true > '" +
             file("out") + "'");  // whoever read has gone for certain: a pipe would hold all of it
   EXPECT_EQ(left.output, "2\n");
@@ -151,7 +150,7 @@ TEST_F(Program, EndsQuietlyWhenNobodyReadsOn) {
 TEST_F(Program, LeavesNothingBehindWhenAFileCannotBeWrittenToItsEnd) {
   const std::string folder = file("tables");
   std::filesystem::create_directories(folder);
-  const Outcome cut =
+  const ProgramOutcome cut =
       shell("cd '" + folder + "'; ulimit -f 1; catena detect coincident:n=100 --pairs p --counts c");
   EXPECT_EQ(cut.code, 2);
   EXPECT_TRUE(cut.output.ends_with("catena: cannot write p: File too large\n")) << cut.output;

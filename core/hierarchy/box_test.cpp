@@ -11,8 +11,6 @@
 namespace catena {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// The sign of low - (centre - radius) in exact arithmetic: both of the sum's two parts are exact in
 /// binary64.
 int above(float low, float centre, float radius) {
@@ -29,7 +27,8 @@ RC_GTEST_PROP(Box, EnclosesTheSphereAndIsAFewStepsLarger, ()) {
     RC_ASSERT(above(box.low[axis], centre[axis], s.radius) <= 0);
     RC_ASSERT(above(-box.high[axis], -centre[axis], s.radius) <= 0);
     float tight = box.low[axis];
-    for (int step = 0; step < 3; ++step) tight = std::nextafter(tight, infinity);
+    for (int step = 0; step < 3; ++step)
+      tight = std::nextafter(tight, std::numeric_limits<float>::infinity());
     RC_ASSERT(above(tight, centre[axis], s.radius) > 0);
   }
 }

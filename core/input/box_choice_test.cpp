@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "catena/core/error.h"
+#include "catena/core/input/test_refusal.h"
 #include "catena/core/readers/test_file.h"
 
 namespace catena {
@@ -61,15 +62,6 @@ TEST(BoxChoice, SaysWhatIsLeftOut) {
   EXPECT_EQ(warning("melt.data", {.radius = 0.5f}),
             "the box of the file, 8 x 8 x 8, is left out; --box none says that it is to be");
   EXPECT_EQ(warning("melt.dump", heeding(BoxFrom::none)), "");
-}
-
-std::string refusal(const std::string& spec, const InputOptions& options) {
-  try {
-    open_input(spec, options);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
 }
 
 // Where a box is not heeded, no answer without it is given for one with it.

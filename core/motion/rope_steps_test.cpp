@@ -7,14 +7,11 @@
 #include "catena/core/motion/knot.h"
 #include "catena/core/motion/rod.h"
 #include "catena/core/motion/rope.h"
+#include "catena/core/motion/test_rope.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::motion {
 namespace {
-
-Sphere stored(const Vec3& p) {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 1};
-}
 
 /// A straight rope at rest in itself, that moves along.
 RopeMotion::Start gliding(std::uint32_t n, double spacing, double speed) {
@@ -23,11 +20,6 @@ RopeMotion::Start gliding(std::uint32_t n, double spacing, double speed) {
   start.velocity.assign(n, {0, speed, 0});
   start.first = {0, n};
   return start;
-}
-
-RopeMotion rope(const RopeSettings& settings, const RopeMotion::Start& start,
-                std::unique_ptr<Variant> variant = StrategyRegistry::instance().make("CPU1")) {
-  return {settings, start, stored, std::move(variant)};
 }
 
 TEST(RopeMotion, EndsHaveHalfTheMassOfASphereAndASingleSphereAllOfIt) {

@@ -8,14 +8,11 @@
 #include <string>
 
 #include "catena/core/motion/knot.h"
+#include "catena/core/motion/test_rope.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::motion {
 namespace {
-
-Sphere stored(const Vec3& p) {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 1};
-}
 
 RopeMotion::Start knotted(std::uint32_t n) {
   RopeMotion::Start start;
@@ -33,11 +30,6 @@ RopeMotion::Start bow(std::uint32_t n, double radius) {
     start.position.push_back({radius * std::cos(turn * i), radius * std::sin(turn * i), 0});
   start.velocity.resize(n);
   return start;
-}
-
-RopeMotion rope(const RopeSettings& settings, const RopeMotion::Start& start,
-                const std::string& variant = "aCPU2+CPU2") {
-  return {settings, start, stored, StrategyRegistry::instance().make(variant)};
 }
 
 constexpr RopeSettings free_rope{.stretching = 100, .pull = 0, .drag = 0};
@@ -149,7 +141,9 @@ TEST(PulledRope, MovesTheSameBitsWithEveryExactVariant) {
   for (const VariantInfo& info : StrategyRegistry::instance().variants()) {
     if (info.unavailable || info.on_device() || !info.exact)
       continue;
-    EXPECT_EQ(run(rope({}, knotted(80), info.name), 60, 0.5).end, expected.end) << info.name;
+    EXPECT_EQ(run(rope({}, knotted(80), StrategyRegistry::instance().make(info.name)), 60, 0.5).end,
+              expected.end)
+        << info.name;
   }
 }
 

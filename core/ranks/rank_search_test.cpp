@@ -18,6 +18,7 @@
 #include "catena/core/ranks/answers.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/part_file.h"
+#include "catena/core/ranks/test_chain.h"
 #include "catena/core/ranks/thread_ranks.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/writers/writer.h"
@@ -28,10 +29,6 @@
 
 namespace catena::ranks {
 namespace {
-
-Chain chain_of(const std::string& spec, const InputOptions& options = {}) {
-  return open_input(spec, options).animation->frame(0);
-}
 
 /// What all ranks found, put together.
 struct Whole {
@@ -275,8 +272,8 @@ TEST(LatticePart, GivesTheClosedFormOnAnyRanks) {
     });
 }
 
-/// A file in memory.
-BinaryChain in_memory(const std::string& bytes) {
+/// A file of these bytes.
+BinaryChain of_bytes(const std::string& bytes) {
   return {"a.catena", bytes.size(), [&bytes](std::uint64_t at, std::span<std::byte> part) {
             ASSERT_LE(at + part.size(), bytes.size());
             std::memcpy(part.data(), bytes.data() + at, part.size());
@@ -312,7 +309,7 @@ TEST(PartFile, GivesEachRankItsPartOfAnyChain) {
       EXPECT_EQ(binary_of(make_chain(read_text("a.catena", bytes), {})), bytes) << family.name << ' ' << seed;
       for (const unsigned ranks : {1u, 3u, 7u})
         run_in_threads(ranks, [&](Communicator& c) {
-          EXPECT_TRUE(same(read_part(c, in_memory(bytes)), evenly(chain)(c)))
+          EXPECT_TRUE(same(read_part(c, of_bytes(bytes)), evenly(chain)(c)))
               << family.name << ' ' << seed << ": rank " << c.rank();
         });
       extra += !chain.exclusion().extra_pairs.empty();
@@ -330,8 +327,8 @@ void expect_refused(const std::string& bytes, const std::string& because) {
 TEST(PartFile, RefusesWhatIsNoChain) {
   const std::string whole = binary_of(chain_of("hair:n=40"));
   for (std::size_t size : {std::size_t{0}, std::size_t{63}, std::size_t{64}, whole.size() - 1})
-    EXPECT_THROW(in_memory(whole.substr(0, size)), InputError) << size;
-  EXPECT_THROW(in_memory(whole + "x"), InputError);
+    EXPECT_THROW(of_bytes(whole.substr(0, size)), InputError) << size;
+  EXPECT_THROW(of_bytes(whole + "x"), InputError);
   const auto with = [&](std::size_t at, auto value) {
     std::string changed = whole;
     std::memcpy(changed.data() + at, &value, sizeof value);

@@ -12,14 +12,13 @@
 #include "catena/core/ranks/local_search.h"
 #include "catena/core/ranks/phase_clock.h"
 #include "catena/core/ranks/rank_search.h"
+#include "catena/core/ranks/test_chain.h"
 #include "catena/core/ranks/thread_ranks.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/reference/reference.h"
 
 namespace catena::ranks {
 namespace {
-
-Chain chain_of(const std::string& spec) { return open_input(spec).animation->frame(0); }
 
 struct Searched {
   std::vector<RankAnswer> answers;

@@ -9,12 +9,11 @@
 #include "catena/core/hierarchy/box_around.h"
 #include "catena/core/input/input.h"
 #include "catena/core/ranks/block.h"
+#include "catena/core/ranks/test_chain.h"
 #include "catena/core/ranks/thread_ranks.h"
 
 namespace catena::ranks {
 namespace {
-
-Chain chain_of(const std::string& spec) { return open_input(spec).animation->frame(0); }
 
 /// The parts that so many ranks get, by their numbers.
 std::vector<Part> parts_in_space(const Chain& chain, unsigned ranks, std::uint32_t blocks_at_once = 0) {

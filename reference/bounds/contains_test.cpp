@@ -17,10 +17,9 @@ namespace {
 
 using testing::Body, testing::Frame, testing::Kind, testing::Shown, testing::Whole;
 using Rational = boost::multiprecision::cpp_rational;
-constexpr double infinity = std::numeric_limits<double>::infinity(),
-                 nan = std::numeric_limits<double>::quiet_NaN();
+using testing::any_scale, testing::infinity;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double any_scale() { return std::ldexp(1.0, *rc::gen::inRange(-900, 900)); }
 Sphere64 ball(Whole centre, double radius, double scale) {
   const Vector64 c = centre.scaled(scale);
   return {c.x, c.y, c.z, radius * scale};
@@ -63,10 +62,8 @@ RC_GTEST_PROP(BoundsContain, BallThatTouchesIsInAndOneStepMoreIsNot, ()) {
                                                                  static_cast<double>(past * f.length)));
 }
 
-Rational square(const std::array<Rational, 3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-Rational dot(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using testing::dot;
+Rational square(const std::array<Rational, 3>& v) { return dot(v, v); }
 std::array<Rational, 3> minus(const Vector64& a, const Vector64& b) {
   return {Rational(a.x) - Rational(b.x), Rational(a.y) - Rational(b.y), Rational(a.z) - Rational(b.z)};
 }

@@ -14,7 +14,7 @@ namespace catena::reference {
 namespace {
 
 using testing::Body, testing::Kind, testing::Shown;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using testing::infinity;
 
 RC_GTEST_PROP(BoundsEnclose, WhatIsInIsContainedAndNotSeparate, ()) {
   Body outer = testing::any_body(testing::any_kind()), inner = testing::any_body(testing::any_kind());

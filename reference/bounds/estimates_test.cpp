@@ -15,8 +15,8 @@
 namespace catena::reference {
 namespace {
 
+using testing::infinity;
 using testing::Kind;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A bound of that kind of numbers that `number` draws; the slabs are kept in `slabs`.
 template <class Number>

@@ -9,8 +9,8 @@
 namespace catena::reference {
 namespace {
 
+using testing::any_scale, testing::infinity;
 using testing::Body, testing::Kind, testing::Shown, testing::Whole;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Asks in both orders, with and without estimates, as it is and seen in a mirror.
 void expect_separate(const Body& a, const Body& b, bool separate_, double scale) {
@@ -22,8 +22,6 @@ void expect_separate(const Body& a, const Body& b, bool separate_, double scale)
     RC_ASSERT(separate_by_integers(q, p) == separate_);
   }
 }
-double any_scale() { return std::ldexp(1.0, *rc::gen::inRange(-900, 900)); }
-
 RC_GTEST_PROP(BoundsSeparate, TouchingIsNotAndOneStepMoreIs, ()) {
   // Extreme points of the two along a direction meet, or are as far apart along it as the sum of the radii.
   const Body a = testing::any_body(testing::any_kind());

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "catena/reference/testing/bodies.h"
+
 /// What binary64 is certain of, against rationals: all of a bound lies between the ends, by whatever they are
 /// rounded.
 namespace catena::reference {
@@ -16,7 +18,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Point = std::array<Rational, 3>;
 
-Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using testing::dot;
 Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

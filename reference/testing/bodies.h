@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include "catena/core/hierarchy/bound.h"
@@ -12,6 +13,11 @@
 /// Bodies of integer coordinates whose extreme points are known exactly, as bounds of every kind: for tests
 /// only.
 namespace catena::reference::testing {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A power of two, of any size that leaves the squares of whole numbers room.
+inline double any_scale() { return std::ldexp(1.0, *rc::gen::inRange(-900, 900)); }
 
 struct Whole {
   std::int64_t x, y, z;
@@ -27,6 +33,11 @@ struct Whole {
 };
 inline Whole cross(Whole a, Whole b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class Number>
+Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 enum class Kind { sphere, capsule, box, slabs };
