@@ -18,7 +18,7 @@
 namespace catena::properties {
 namespace {
 
-constexpr std::uint32_t crowds = 250, crowd = 12;
+constexpr std::uint32_t crowds = 250, of_a_crowd = 12;
 
 Chain great_and_small(Dice& dice, float far) {
   std::vector<Sphere> spheres, small;
@@ -28,7 +28,7 @@ Chain great_and_small(Dice& dice, float far) {
     float way[3] = {dice.symmetric(), dice.symmetric(), dice.symmetric()};
     if (dice.one_in(2)) way[dice.below(3)] *= 1e6f;  // as far along an axis as any that touch
     const float length = std::hypot(way[0], way[1], way[2]) + 1e-9f;
-    for (std::uint32_t s = 0; s < crowd; ++s) {
+    for (std::uint32_t s = 0; s < of_a_crowd; ++s) {
       const float radius = 0.2f * dice.unit(), away = (1 + radius) * dice.pick({0.7f, 0.999f, 1.0f}) / length;
       small.push_back({great.x + away * way[0], great.y + away * way[1], great.z + away * way[2], radius});
     }
@@ -65,7 +65,7 @@ TEST(GridLevels, TheLastOfALevelIsFoundWhereverItLies) {
     for (std::uint32_t k = 0; k < great; ++k)
       spheres.push_back({k + 1 == great ? 1e4f : 50 * dice.symmetric(), 50 * dice.symmetric(), 0, 1});
     for (std::uint32_t k = 0; k < great; ++k)
-      for (std::uint32_t s = 0; s < crowd; ++s)
+      for (std::uint32_t s = 0; s < of_a_crowd; ++s)
         spheres.push_back({spheres[k].x + 0.9f, spheres[k].y, 0.1f * static_cast<float>(s), 0.01f});
     const Chain chain(spheres);
     EXPECT_TRUE(pairs_found("Grid", chain) == reference::find(chain).pairs) << great;
@@ -114,8 +114,8 @@ TEST(GridLevels, ProveWhatTheyFind) {
       std::vector<Sphere> spheres;
       for (std::uint32_t g = 0; g < 25; ++g) {
         spheres.push_back({far * dice.symmetric(), far * dice.symmetric(), far * dice.symmetric(), 1});
-        for (std::uint32_t s = 0; s < crowd; ++s) {
-          const Sphere& great = spheres[g * (crowd + 1)];
+        for (std::uint32_t s = 0; s < of_a_crowd; ++s) {
+          const Sphere& great = spheres[g * (of_a_crowd + 1)];
           spheres.push_back({great.x + 1.1f * dice.symmetric(), great.y + 1.1f * dice.symmetric(),
                              great.z + 1.1f * dice.symmetric(), s < 4 ? 0.2f : 0.02f});
         }

@@ -35,7 +35,6 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
 
   void build(const Chain& chain) override {
     contact_.reset();
-    stands_ = nullptr;
     begin(chain, false, [&] { frames_.begin(request_.frames_follow); });
   }
 
@@ -121,6 +120,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   void begin(const Chain& chain, bool updates, const See& see) {
     spheres_.reset();
     built_ = false;
+    topology_ = chain.view().topology;
+    if (!updates) stands_ = nullptr;
     way_ = FrameSearch::Way::full;
     const Extent extent = chain.view().extent;
     if (!plan_ || !plan_->holds_for(chain.size(), request_, extent, chain.spheres(), history_))
@@ -209,16 +210,18 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     }
     drop_unasked(request.want, result);
   }
-  /// Of another chain; that of the last build is none any more.
+  /// Of another chain; that of the last build is none any more. It may be of the same spheres, only thicker.
   void search_other(const Chain& chain, const Request& request, Collisions& result) {
+    const bool same_spheres =
+        chain.size() == spheres_ && topology_ != 0 && chain.view().topology == topology_;
     built_ = false;
-    stands_ = nullptr;
+    if (!same_spheres) stands_ = nullptr;
     with_room([&] {
       if (!built_) build_searcher(chain, request);
       searcher_->find(chain, request, result);
     });
     built_ = false;
-    stands_ = nullptr;
+    if (!same_spheres) stands_ = nullptr;
   }
 
   /// Where a device has no room for what is planned, again by what the plan has for that.
@@ -267,6 +270,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   };
   std::vector<Held> held_;
   Variant* searcher_ = nullptr;           ///< of held_
+  std::uint64_t topology_ = 0;            ///< of the last build or update; see ChainView
   const Variant* stands_ = nullptr;  ///< that whose last build was of an earlier frame of the same spheres
   bool built_ = false;                    ///< the searcher, on the chain of the last build or update
   std::optional<std::uint32_t> spheres_;  ///< of the last build or update

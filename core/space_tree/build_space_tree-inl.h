@@ -64,7 +64,9 @@ class SpaceBuild {
   }
   /// Around nodes, which are none where there is but one.
   BoxGroups boxes() const {
-    return space_.boxes.size() < 2 ? BoxGroups{nullptr, 0} : BoxGroups{space_.boxes_of(1, 0), space_.nodes()};
+    if (space_.boxes.size() < 2) return {nullptr, 0};
+    return {space_.boxes_of(1, 0), space_.nodes(), chain_.extent.least_radius * tree_.scale,
+            chain_.extent.greatest_radius * tree_.scale};
   }
 
   void lay_out_all(std::uint32_t n) {

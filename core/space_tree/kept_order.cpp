@@ -23,7 +23,8 @@ void KeptOrder::sorted(std::uint32_t entries, const BoxGroups& around) {
   // Where all lie in a plane they take up some room too.
   const double least = *std::max_element(middling_, middling_ + axes) * 0x1p-10;
   for (double& side : middling_) side = std::max(side, least);
-  then_ = spread(around);
+  least_radius_ = around.least_radius, greatest_radius_ = around.greatest_radius;
+  then_ = spread(around, 0);
 }
 
 bool KeptOrder::may_serve(std::uint32_t entries) {
@@ -35,7 +36,12 @@ bool KeptOrder::may_serve(std::uint32_t entries) {
 
 bool KeptOrder::serves(const BoxGroups& around) {
   ++frames_;
-  const Spread now = spread(around);
+  // Thicker spheres, as a list of near pairs is made of, are in no other order.
+  const double least = double{around.least_radius} - least_radius_,
+               greatest = double{around.greatest_radius} - greatest_radius_,
+               grown = least > 0 ? std::max(0.0, std::min(least, greatest))
+                                 : std::min(0.0, std::max(least, greatest));
+  const Spread now = spread(around, grown);
   // Spheres that come together have more to meet; one that leaves all others makes room for none.
   const bool serve = now.sum <= as_near * then_.sum && now.sum * then_.all <= as_near * then_.sum * now.all;
   wait_ = serve ? 0 : std::min(longest_wait, 2 * wait_ + 1);
@@ -43,7 +49,7 @@ bool KeptOrder::serves(const BoxGroups& around) {
   return serve;
 }
 
-KeptOrder::Spread KeptOrder::spread(const BoxGroups& around) const {
+KeptOrder::Spread KeptOrder::spread(const BoxGroups& around, double grown) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Spread spread;
   double low[axes], high[axes];
@@ -53,12 +59,13 @@ KeptOrder::Spread KeptOrder::spread(const BoxGroups& around) const {
     for (std::uint32_t d = 0; d < axes; ++d) {
       const double from = around.field(k, d), to = around.field(k, axes + d);
       low[d] = std::min(low[d], from), high[d] = std::max(high[d], to);
-      room *= to - from + middling_[d];
+      room *= std::max(0.0, to - from - 2 * grown) + middling_[d];
     }
     spread.sum += room;
   }
   spread.all = 1;
-  for (std::uint32_t d = 0; d < axes; ++d) spread.all *= high[d] - low[d] + middling_[d];
+  for (std::uint32_t d = 0; d < axes; ++d)
+    spread.all *= std::max(0.0, high[d] - low[d] - 2 * grown) + middling_[d];
   return spread;
 }
 

@@ -6,10 +6,11 @@
 
 namespace catena {
 
-/// Boxes, sixteen a group: low x y z, high x y z, sixteen numbers each.
+/// Boxes, sixteen a group: low x y z, high x y z, sixteen numbers each; and the radii of what they enclose.
 struct BoxGroups {
   const float* first;
   std::uint32_t boxes;
+  float least_radius = 0, greatest_radius = 0;
 
   float field(std::uint32_t box, std::uint32_t f) const {
     constexpr std::uint32_t group = 16, fields = 6;
@@ -40,14 +41,16 @@ class CATENA_API KeptOrder {
   struct Spread {
     double sum = 0, all = 0;
   };
-  Spread spread(const BoxGroups& around) const;
+  /// Of boxes that grew by so much on each side since it was sorted, as they are without that.
+  Spread spread(const BoxGroups& around, double grown) const;
 
   std::uint32_t entries_ = 0;
   static constexpr std::uint32_t axes = 3;
-  double middling_[axes] = {};          ///< sides of boxes, when it was sorted
-  Spread then_;                         ///< likewise
-  std::uint32_t frames_ = 0;            ///< since
-  std::uint32_t wait_ = 0, waits_ = 0;  ///< frames after the next failure, and from now
+  double middling_[axes] = {};                    ///< sides of boxes, when it was sorted
+  float least_radius_ = 0, greatest_radius_ = 0;  ///< likewise
+  Spread then_;                                   ///< likewise
+  std::uint32_t frames_ = 0;                      ///< since
+  std::uint32_t wait_ = 0, waits_ = 0;            ///< frames after the next failure, and from now
 };
 
 }  // namespace catena

@@ -28,13 +28,18 @@ class Boxes {
     for (std::uint32_t d = 0; d < 3; ++d) at(box, d) = low[d], at(box, 3 + d) = high[d];
     return *this;
   }
-  operator BoxGroups() const { return {fields_.data(), boxes_}; }
+  Boxes& radii(float least, float greatest) {
+    least_radius_ = least, greatest_radius_ = greatest;
+    return *this;
+  }
+  operator BoxGroups() const { return {fields_.data(), boxes_, least_radius_, greatest_radius_}; }
 
  private:
   static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   float& at(std::uint32_t box, std::uint32_t f) { return fields_[(box / 16 * 6 + f) * 16 + box % 16]; }
   std::uint32_t boxes_;
   std::vector<float> fields_;
+  float least_radius_ = 0, greatest_radius_ = 0;
 };
 
 /// Cubes in a row, each so wide and so far from the last.
@@ -94,6 +99,23 @@ TEST(KeptOrder, IsNotMadeToServeByOneThatLeaves) {
   Boxes apart = row(count, 1.2f);
   apart.set(count - 1, 1e6f, 1e6f + 1);
   EXPECT_FALSE(kept.serves(apart));
+}
+
+/// As spheres are of which a list of near pairs is made.
+TEST(KeptOrder, ServesSpheresThatAreAllThicker) {
+  const auto thick = [](float by) {
+    Boxes boxes(40);
+    for (std::uint32_t k = 0; k < 40; ++k)
+      boxes.set(k, 2 * static_cast<float>(k) - by, 2 * static_cast<float>(k) + 1 + by);
+    return boxes.radii(0.25f + by, 0.5f + by);
+  };
+  for (const float by : {0.1f, 0.5f, 2.0f}) {
+    KeptOrder thinner = sorted(thick(0)), thicker = sorted(thick(by));
+    EXPECT_TRUE(thinner.serves(thick(by))) << by;
+    EXPECT_TRUE(thicker.serves(thick(0))) << by;
+    EXPECT_FALSE(sorted(thick(0)).serves(thick(by).radii(0.25f, 0.5f + by))) << by << ", not all";
+    EXPECT_FALSE(sorted(thick(0)).serves(thick(by).radii(0.25f + by, 0.5f))) << by << ", not all";
+  }
 }
 
 TEST(KeptOrder, TellsBoxesInAPlaneFromOneAnother) {

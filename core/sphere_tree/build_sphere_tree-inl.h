@@ -48,7 +48,10 @@ class SphereBuild {
     lay_out_all();
     return tree_.kept.serves(boxes());
   }
-  BoxGroups boxes() const { return {tree_.boxes.empty() ? nullptr : tree_.boxes_of(0, 0), tree_.nodes()}; }
+  BoxGroups boxes() const {
+    return {tree_.boxes.empty() ? nullptr : tree_.boxes_of(0, 0), tree_.nodes(), chain_.extent.least_radius,
+            chain_.extent.greatest_radius};
+  }
 
   void lay_out_all() {
     for_each(tree_.nodes(), [&](std::uint32_t node) { lay_out(node); });
