@@ -181,6 +181,8 @@ TEST(Auto, KeepsAnOrderInSpaceFromFrameToFrame) {
       kept += left_out(*keeps);
       EXPECT_FALSE(left_out(*sorts)) << spheres << ' ' << frame;
     }
+    keeps->build(Chain(gas));
+    EXPECT_FALSE(left_out(*keeps)) << "a build is of no earlier frame, wherever its spheres lie";
     EXPECT_GT(kept, 4) << spheres;
     EXPECT_LT(kept, 12) << spheres;
   }

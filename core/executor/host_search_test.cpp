@@ -18,11 +18,13 @@ Chain row(std::uint32_t size) { return Chain(std::vector<Sphere>(size, Sphere{0,
 class OnePair final : public HostSearch {
  public:
   std::function<void()> constructing = [] {}, searching = [] {};
+  int constructed_again = 0;
 
   Accounting evidence() const override { return Accounting::each_pair; }
 
  private:
   void construct(const ChainView&) override { constructing(); }
+  void construct_again(const ChainView&) override { constructing(), ++constructed_again; }
   void search(const ChainView&, PairCollector& collector) override {
     searching();
     collector.lane(0).collide(0, 2);
@@ -52,6 +54,29 @@ TEST(HostSearch, HasNothingBuiltWhereABuildFails) {
   variant.constructing = [] { throw std::runtime_error("no memory"); };
   EXPECT_THROW(variant.build(row(3)), std::runtime_error);
   EXPECT_THROW(variant.find(row(3), {}, found), std::logic_error);
+}
+
+/// What an earlier frame left may be of use to one of as many spheres, where it was built as a whole.
+TEST(HostSearch, ConstructsAgainOnlyWhatStands) {
+  OnePair variant;
+  Collisions found;
+  const auto updates_again = [&](std::uint32_t size) {
+    const int before = variant.constructed_again;
+    variant.update(row(size), {});
+    EXPECT_NO_THROW(variant.find(row(size), {}, found));
+    return variant.constructed_again > before;
+  };
+  EXPECT_FALSE(updates_again(3)) << "there is nothing yet";
+  EXPECT_TRUE(updates_again(3));
+  EXPECT_FALSE(updates_again(4));
+  EXPECT_TRUE(updates_again(4));
+  variant.build(row(4));
+  EXPECT_EQ(variant.constructed_again, 2) << "a build is no update";
+  variant.constructing = [] { throw std::runtime_error("no memory"); };
+  EXPECT_THROW(variant.update(row(4), {}), std::runtime_error);
+  EXPECT_THROW(variant.find(row(4), {}, found), std::logic_error);
+  variant.constructing = [] {};
+  EXPECT_FALSE(updates_again(4)) << "of what a failure left";
 }
 
 TEST(HostSearch, AnswersWhatIsAskedAlsoWhereItShowsEvidence) {

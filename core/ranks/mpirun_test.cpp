@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "catena/bench/closed_form/lattice_box.h"
 #include "catena/core/commands/test_program.h"
 #include "catena/properties/testing/device_file.h"
 
@@ -40,6 +42,27 @@ class Mpirun : public Program {
     EXPECT_NE(r.output.find(because), std::string::npos) << r.output;
   }
 };
+
+/// Each number under its own name: what they are to one another.
+void expect_work_of_ranks(const nlohmann::json& line) {
+  std::set<double> ms, kib;
+  for (const auto& phase : line["phases_ms"]) ms.insert(phase.get<double>());
+  for (const auto& phase : line["phases_peak_kib"]) kib.insert(phase.get<double>());
+  EXPECT_GT(ms.size(), 1u) << line;
+  EXPECT_GT(kib.size(), 1u) << line;
+  EXPECT_LT(*ms.rbegin(), line["whole_ms"]) << line;
+  std::uint64_t asked = 0, touching = 0, most_kib = 0;
+  for (const auto& rank : line["of_ranks"]) {
+    asked += rank["blocks_asked"].get<std::uint64_t>();
+    touching += rank["blocks_touching"].get<std::uint64_t>();
+    most_kib = std::max(most_kib, rank["peak_kib"].get<std::uint64_t>());
+    EXPECT_LT(rank["rounds"], rank["messages"]) << line;
+    EXPECT_LT(rank["messages"], rank["bytes"]) << line;
+  }
+  EXPECT_GT(touching, 0u) << line;
+  EXPECT_LT(touching, asked) << line;
+  EXPECT_LE(*kib.rbegin(), most_kib) << line;
+}
 
 TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
   for (const std::string input :
@@ -107,27 +130,59 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
   const ProgramOutcome limit = run_ranks("detect yarn:n=3000,seed=5 --box 30,0,25 --pair-limit 5");
   expect_one_line(limit, "more than the limit of 5");
   const ProgramOutcome timed = run_ranks("bench yarn:n=2000 --box 30,30,30 --repetitions 1");
-  EXPECT_NE(timed.output.find("\"box\":\"30,30,30\""), std::string::npos) << timed.output;
+  ASSERT_EQ(timed.code, 0) << timed.output;
+  const auto line = nlohmann::json::parse(timed.output);
+  EXPECT_EQ(line["box"], "30,30,30");
+  EXPECT_EQ(line["n"], 2000);
+  EXPECT_EQ(line["repetitions"], 1);
+  const std::string pairs = fmt::format(" {} pairs", line["pairs"].get<std::uint64_t>());
+  EXPECT_NE(verified.output.find(pairs), std::string::npos) << timed.output;
+  expect_work_of_ranks(line);
 }
 
 TEST_F(Mpirun, SaysWhatAllFoundOnce) {
-  const ProgramOutcome r = run_ranks("detect coincident:n=60 --json", 4);
+  const ProgramOutcome r = run_ranks("detect coincident:n=60 --json --order chain", 4);
   ASSERT_EQ(r.code, 0) << r.output;
   const auto line = nlohmann::json::parse(r.output);
   EXPECT_EQ(line["pairs"], 812);
   EXPECT_EQ(line["ranks"], 4);
   EXPECT_EQ(line["max_count"], 28);
+  EXPECT_EQ(line["order"], "chain");
+  EXPECT_EQ(line["most_spheres"], 60 / 4);
+  EXPECT_LT(line["most_blocks_asked"], line["most_bytes_sent"]);
   const ProgramOutcome frames = run_ranks("detect path1:n=100 --frame all --json");
   EXPECT_EQ(frames.code, 0);
   std::vector<std::uint64_t> sent;
   std::istringstream lines(frames.output);
-  for (std::string own; std::getline(lines, own);)
-    sent.push_back(nlohmann::json::parse(own)["most_bytes_sent"]);
+  for (std::string own; std::getline(lines, own);) {
+    const auto frame = nlohmann::json::parse(own);
+    EXPECT_EQ(frame["frame"], sent.size());
+    sent.push_back(frame["most_bytes_sent"]);
+  }
   ASSERT_GT(sent.size(), 10u);
   EXPECT_GT(sent.front(), 0u);
   EXPECT_LT(sent.back(), 2 * sent.front()) << "of a frame, not of all so far";
-  EXPECT_NE(run_ranks("detect rod:n=60 --any").output.find("does not collide"), std::string::npos);
-  EXPECT_NE(run_ranks("detect coincident:n=60 --any").output.find("60 spheres, collides"), std::string::npos);
+  const auto says = [&](const std::string& what, const std::string& words) {
+    const std::string told = run_ranks("detect " + what).output;
+    EXPECT_NE(told.find(words), std::string::npos) << told;
+  };
+  says("rod:n=60 --any --order chain", "60 spheres, does not collide; 3 ranks in chain order");
+  says("coincident:n=60 --any --order space", "60 spheres, collides; 3 ranks by space");
+}
+
+/// Of a chain that each rank makes its part of: what one process tells, and of a wrong answer that it is.
+TEST_F(Mpirun, EndsWith1WhereAFormulaKnowsBetter) {
+  const bench::LatticeBox box{.side = 5, .reach = 2};
+  const ProgramOutcome told =
+      run_ranks("closed-form --side 5 --reach 2 --variant mutant:less-for-less-equal --json");
+  EXPECT_EQ(told.code, 1) << told.output;
+  const auto line = nlohmann::json::parse(told.output);
+  EXPECT_EQ(line["n"], box.spheres());
+  EXPECT_EQ(line["closed_form"], box.pairs());
+  EXPECT_EQ(line["ties"], box.ties());
+  EXPECT_LT(line["pairs"], box.pairs());
+  EXPECT_EQ(line["fault"],
+            fmt::format("{} pairs instead of {}", line["pairs"].get<std::uint64_t>(), box.pairs()));
 }
 
 /// Not a thread a core on each.
@@ -142,7 +197,12 @@ TEST_F(Mpirun, SharesTheCoresOfAMachine) {
     ASSERT_EQ(r.code, 0) << r.output;
     const auto line = nlohmann::json::parse(r.output);
     ASSERT_EQ(line["of_ranks"].size(), ranks);
-    for (const auto& rank : line["of_ranks"]) EXPECT_EQ(rank["cores"], std::max<std::size_t>(1, all / ranks));
+    std::size_t spheres = 0;
+    for (const auto& rank : line["of_ranks"]) {
+      EXPECT_EQ(rank["cores"], std::max<std::size_t>(1, all / ranks));
+      spheres += rank["spheres"].get<std::size_t>();
+    }
+    EXPECT_EQ(spheres, 60u);
   }
 }
 

@@ -4,15 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
-
-#include "catena/core/chain/chain.h"
-#include "catena/core/executor/pair_collector.h"
-#include "catena/core/sphere_tree/sphere_kernels.h"
-#include "catena/properties/generators/dice.h"
-#include "catena/properties/sorted_pairs.h"
 
 namespace catena {
 namespace {
@@ -75,6 +68,8 @@ TEST(KeptOrder, ServesWhileBoxesTakeUpNoMoreRoom) {
     EXPECT_TRUE(kept.serves(row(count, 1.02f, 2.02f))) << count;
     EXPECT_TRUE(kept.serves(row(count, 0.98f, 1.98f))) << count;
     EXPECT_FALSE(kept.serves(row(count, 1.2f))) << count << " that grow";
+    kept.sorted(500, row(count, 0.5f));
+    EXPECT_FALSE(kept.serves(row(count, 1))) << count << " that were smaller when they were sorted last";
   }
 }
 
@@ -91,6 +86,21 @@ TEST(KeptOrder, DoesNotServeWhatComesTogether) {
   KeptOrder kept = sorted(row(count, 1));
   // As wide as before, in half the room on each axis.
   EXPECT_FALSE(kept.serves(row(count, 1, 1)));
+  // Nor squares along one axis.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto squares = [&](float apart) {
+      Boxes boxes(count);
+      for (std::uint32_t k = 0; k < count; ++k) {
+        std::array<float, 3> low{}, high{1, 1, 1};
+        low[axis] = apart * static_cast<float>(k), high[axis] += low[axis], high[(axis + 1) % 3] = 0;
+        boxes.set(k, low, high);
+      }
+      return boxes;
+    };
+    KeptOrder of_squares = sorted(squares(2));
+    EXPECT_TRUE(of_squares.serves(squares(2))) << axis;
+    EXPECT_FALSE(of_squares.serves(squares(1))) << axis;
+  }
 }
 
 TEST(KeptOrder, IsNotMadeToServeByOneThatLeaves) {
@@ -131,6 +141,23 @@ TEST(KeptOrder, TellsBoxesInAPlaneFromOneAnother) {
   EXPECT_FALSE(kept.serves(flat(1.5f)));
 }
 
+/// What is long along one axis grows by much where it grows across by half.
+TEST(KeptOrder, TellsEachAxisByItsOwnWidth) {
+  for (std::size_t along = 0; along < 3; ++along) {
+    const auto needles = [&](float width) {
+      Boxes boxes(20);
+      for (std::uint32_t k = 0; k < 20; ++k) {
+        std::array<float, 3> low{}, high{width, width, width};
+        for (std::size_t d = 0; d < 3; ++d) low[d] = static_cast<float>(3 * k), high[d] += low[d];
+        high[along] = low[along] + 30;
+        boxes.set(k, low, high);
+      }
+      return boxes;
+    };
+    EXPECT_FALSE(sorted(needles(1)).serves(needles(1.5f))) << along;
+  }
+}
+
 TEST(KeptOrder, ServesPoints) {
   KeptOrder kept = sorted(row(20, 0, 0));
   EXPECT_TRUE(kept.serves(row(20, 0, 0)));
@@ -158,10 +185,14 @@ TEST(KeptOrder, IsSortedAgainAfterSixtyFourFrames) {
 
 TEST(KeptOrder, IsTriedLessOftenWhereItDoesNotServe) {
   KeptOrder kept = sorted(row(40, 1));
-  std::uint32_t tries = 0;
+  std::uint32_t tries = 0, waited = 0, wait = 0;
   for (std::uint32_t frame = 0; frame < 1000; ++frame) {
-    if (kept.may_serve(500)) {
+    if (!kept.may_serve(500)) {
+      ++waited;
+    } else {
       ++tries;
+      EXPECT_EQ(waited, wait) << "twice as long each time, and one, and at last as long as five times";
+      wait = std::min(2 * wait + 1, 31u), waited = 0;
       EXPECT_FALSE(kept.serves(row(40, 3)));
     }
     kept.sorted(500, row(40, 1));
@@ -171,113 +202,6 @@ TEST(KeptOrder, IsTriedLessOftenWhereItDoesNotServe) {
   while (!kept.may_serve(500)) kept.sorted(500, row(40, 1));
   EXPECT_TRUE(kept.serves(row(40, 1)));
   EXPECT_TRUE(kept.may_serve(500)) << "and at once again where it does";
-}
-
-/// Frames, each made of the last.
-using Move = Sphere (*)(const Sphere&, properties::Dice&);
-
-struct Told {
-  std::uint32_t kept = 0;  ///< frames that another order than their own served
-  double most_work = 0;    ///< in a frame, of that in its own order
-};
-
-std::uint64_t work_of(const Chain& chain, const SphereTree& tree, std::vector<Pair>& pairs) {
-  std::vector<SphereQueues> queues(1);
-  Collisions found;
-  PairCollector collector(chain.size(), {}, found);
-  search_sphere_tree(chain.view(), tree, queues, collector, Team());
-  collector.finish();
-  properties::sort(found.pairs);
-  pairs = found.pairs;
-  return 4 * queues[0].nodes_done + queues[0].tests_done;
-}
-
-Told frames(Move move, std::uint32_t count = 40) {
-  properties::Dice dice(5);
-  std::vector<Sphere> spheres;
-  for (int k = 0; k < 4000; ++k)
-    spheres.push_back({20 * dice.symmetric(), 20 * dice.symmetric(), 20 * dice.symmetric(), 1});
-  SphereTree kept, fresh;
-  Told told;
-  build_sphere_tree(Chain(spheres).view(), kept, {}, Team());
-  for (std::uint32_t frame = 0; frame < count; ++frame) {
-    for (Sphere& s : spheres) s = move(s, dice);
-    const Chain chain(spheres);
-    build_sphere_tree(chain.view(), kept, {}, Team(), SpaceSort::where_needed);
-    build_sphere_tree(chain.view(), fresh, {}, Team());
-    std::vector<Pair> pairs, right;
-    const auto work = static_cast<double>(work_of(chain, kept, pairs)),
-               least = static_cast<double>(work_of(chain, fresh, right));
-    EXPECT_EQ(pairs, right);
-    EXPECT_FALSE(right.empty());
-    told.kept += !std::ranges::equal(kept.index, fresh.index);
-    told.most_work = std::max(told.most_work, work / least);
-  }
-  return told;
-}
-
-TEST(KeptOrder, OfAShakenTubeServesForManyFramesWithoutMuchMoreWork) {
-  const Told told = frames([](const Sphere& s, properties::Dice& dice) {
-    const auto by = [&] { return 0.02f * dice.symmetric(); };
-    return Sphere{s.x + by(), s.y + by(), s.z + by(), s.radius};
-  });
-  EXPECT_EQ(told.kept, 40u);
-  EXPECT_LT(told.most_work, 1.15);
-}
-
-TEST(KeptOrder, ServesNothingThatLiesElsewhereInEachFrame) {
-  const Told told = frames([](const Sphere& s, properties::Dice& dice) {
-    return Sphere{20 * dice.symmetric(), 20 * dice.symmetric(), 20 * dice.symmetric(), s.radius};
-  });
-  EXPECT_EQ(told.kept, 0u);
-}
-
-/// However a tube moves, a kept order takes no more work than its own would, but for a little.
-TEST(KeptOrder, NeverTakesMuchMoreWork) {
-  const auto most_work = [](Move move) { return frames(move).most_work; };
-  constexpr double a_little = 1.25;
-  EXPECT_LT(most_work([](const Sphere& s, properties::Dice& dice) {
-              return dice.one_in(100) ? Sphere{20 * dice.symmetric(), 20 * dice.symmetric(),
-                                               20 * dice.symmetric(), s.radius}
-                                      : s;
-            }),
-            a_little)
-      << "one in a hundred jumps";
-  EXPECT_LT(most_work([](const Sphere& s, properties::Dice& dice) {
-              return dice.one_in(2000) ? Sphere{20 * dice.symmetric(), 20 * dice.symmetric(),
-                                                20 * dice.symmetric(), s.radius}
-                                       : s;
-            }),
-            a_little)
-      << "one or two jump";
-  EXPECT_LT(most_work([](const Sphere& s, properties::Dice& dice) {
-              const auto by = [&] { return 0.5f * dice.symmetric(); };
-              return Sphere{s.x + by(), s.y + by(), s.z + by(), s.radius};
-            }),
-            a_little)
-      << "all move by half a radius";
-  EXPECT_LT(most_work([](const Sphere& s, properties::Dice&) {
-              return Sphere{s.x + 0.1f * s.y, s.y, s.z, s.radius};
-            }),
-            a_little)
-      << "shear";
-  EXPECT_LT(most_work([](const Sphere& s, properties::Dice&) {
-              return Sphere{s.x * std::cos(0.1f) - s.y * std::sin(0.1f),
-                            s.x * std::sin(0.1f) + s.y * std::cos(0.1f), s.z, s.radius};
-            }),
-            a_little)
-      << "a turn";
-  EXPECT_LT(most_work([](const Sphere& s, properties::Dice& dice) {
-              const auto by = [&] { return 0.3f * dice.symmetric(); };
-              return Sphere{0.97f * s.x + by(), 0.97f * s.y + by(), 0.97f * s.z + by(), s.radius};
-            }),
-            a_little)
-      << "what comes together and is shaken";
-  EXPECT_LT(most_work([](const Sphere& s, properties::Dice&) {
-              return Sphere{-s.y, s.z, s.x, s.radius};
-            }),
-            a_little)
-      << "axes change places";
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
+#include <string>
 #include <vector>
 
 #include "catena/core/blocks/block_kernels.h"
@@ -19,13 +21,15 @@ struct Built {
   BlockTree tree;
   Crowding crowding;
   SpaceTree space;
-  explicit Built(const ChainView& chain) {
+  Built() = default;
+  explicit Built(const ChainView& chain) { build(chain, SpaceSort::anew); }
+  void build(const ChainView& chain, SpaceSort sort) {
     const Team alone;
     SpaceQueue queue;
     build_block_tree(chain, tree, alone);
     find_crowds(chain, tree, 0, crowding, alone);
     if (crowding.crowded_nodes() > 0)
-      build_space_tree(chain, tree, crowding, space, {false, 1e6, 0}, {&queue, 1}, Team());
+      build_space_tree(chain, tree, crowding, space, {false, 1e6, 0}, {&queue, 1}, Team(), sort);
   }
 };
 
@@ -45,8 +49,7 @@ bool holds(const SpaceTree& space, std::uint32_t entry, const Sphere& s, float s
   return true;
 }
 
-void expect_sound(const Chain& chain, const std::string& what, std::uint32_t& parts) {
-  const Built built(chain.view());
+void expect_sound(const Chain& chain, const Built& built, const std::string& what, std::uint32_t& parts) {
   const SpaceTree& space = built.space;
   if (space.entries == 0) return;
   std::map<std::uint32_t, std::vector<std::uint32_t>> spheres_of;  // by block
@@ -77,6 +80,12 @@ void expect_sound(const Chain& chain, const std::string& what, std::uint32_t& pa
         EXPECT_LE(field(space, l, k / SpaceTree::group, d), field(space, l - 1, k, d)) << what;
         EXPECT_GE(field(space, l, k / SpaceTree::group, 3 + d), field(space, l - 1, k, 3 + d)) << what;
       }
+  for (std::size_t l = 0; l < space.boxes.size(); ++l)
+    EXPECT_EQ(space.boxes[l].size() == SpaceTree::group * SpaceTree::box_fields, l + 1 == space.boxes.size())
+        << what << ": a single group is the top";
+}
+void expect_sound(const Chain& chain, const std::string& what, std::uint32_t& parts) {
+  expect_sound(chain, Built(chain.view()), what, parts);
 }
 
 TEST(SpaceTree, HoldsEachSphereOfACrowdOnceAndInItsBoxes) {
@@ -95,6 +104,36 @@ TEST(SpaceTree, HoldsEachSphereOfACrowdOnceAndInItsBoxes) {
           {static_cast<float>(i), static_cast<float>(k % 8) * 1.5f, static_cast<float>(k / 8), 0.6f});
   expect_sound(Chain(hair), "hair", parts);
   EXPECT_GT(parts, 50u) << "no block was cut";
+}
+
+/// Frames of which one lies as the last did, and one elsewhere, and one that is shorter: an order is kept of
+/// the first alone, and whatever is kept holds what is there now.
+TEST(SpaceTree, IsSoundWhateverOrderItKept) {
+  const auto wound = [](std::uint32_t n) {
+    properties::Dice dice(1);
+    std::vector<Sphere> spheres;
+    float at[3] = {0, 0, 0}, way[3] = {1, 0, 0};
+    for (std::uint32_t i = 0; i < n; ++i) {
+      spheres.push_back({at[0], at[1], at[2], 1});
+      for (int d = 0; d < 3; ++d) at[d] += way[d] += 0.2f * dice.symmetric() - 0.02f * at[d] - 0.05f * way[d];
+    }
+    return spheres;
+  };
+  std::vector<Sphere> spheres = wound(5000);
+  Built built;
+  std::uint32_t parts = 0;
+  const auto frames_kept = [&](const Chain& chain) {
+    built.build(chain.view(), SpaceSort::where_needed);
+    EXPECT_GT(built.space.entries, 100u);
+    expect_sound(chain, built, std::to_string(chain.size()), parts);
+    return built.space.kept.frames();
+  };
+  EXPECT_EQ(frames_kept(Chain(spheres)), 0u);
+  for (Sphere& s : spheres) s.x += 0.1f * s.y;
+  EXPECT_EQ(frames_kept(Chain(spheres)), 1u);
+  std::ranges::swap_ranges(spheres | std::views::take(1024), spheres | std::views::drop(3000));
+  EXPECT_EQ(frames_kept(Chain(spheres)), 0u);
+  EXPECT_EQ(frames_kept(Chain(wound(1500))), 0u);
 }
 
 TEST(SpaceOrder, SortsEveryBoxOnceGreatOnesFirst) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
@@ -10,9 +10,9 @@
 namespace catena {
 namespace {
 
-std::vector<Sphere> rod(std::uint32_t n) {
+std::vector<Sphere> rod(std::uint32_t n, float radius = 1) {
   std::vector<Sphere> spheres;
-  for (std::uint32_t k = 0; k < n; ++k) spheres.push_back({2.0f * static_cast<float>(k), 0, 0, 1});
+  for (std::uint32_t k = 0; k < n; ++k) spheres.push_back({2 * radius * static_cast<float>(k), 0, 0, radius});
   return spheres;
 }
 
@@ -30,16 +30,21 @@ TEST(SteadyFrames, AreThoseOfWhichALookWasTaken) {
     EXPECT_TRUE(still(rod(n), rod(n))) << n;
     EXPECT_FALSE(still(rod(n), rod(n + 1))) << n;
   }
+  SteadyFrames last;
+  for (const std::uint32_t n : {100u, 50u}) last.looked(Chain(rod(n)).view());
+  EXPECT_TRUE(last.still(Chain(rod(50)).view()));
+  EXPECT_FALSE(last.still(Chain(rod(100)).view())) << "nor those of the look before";
 }
 
 TEST(SteadyFrames, EndWhereSpheresMoveByHalfARadiusOrGrowByIt) {
-  for (const float by : {0.3f, 0.6f}) {
-    const auto moved = [&](auto change) {
-      std::vector<Sphere> spheres = rod(300);
+  for (const auto& [part, radius] : {std::pair(0.3f, 1.0f), {0.6f, 1.0f}, {0.3f, 8.0f}, {0.6f, 0.1f}}) {
+    const auto moved = [radius = radius](auto change) {
+      std::vector<Sphere> spheres = rod(300, radius);
       for (Sphere& s : spheres) change(s);
-      return still(rod(300), spheres);
+      return still(rod(300, radius), spheres);
     };
-    const bool little = by < 0.5f;
+    const bool little = part < 0.5f;
+    const float by = part * radius;
     EXPECT_EQ(moved([&](Sphere& s) { s.x += by; }), little) << by;
     EXPECT_EQ(moved([&](Sphere& s) { s.y -= by; }), little) << by;
     EXPECT_EQ(moved([&](Sphere& s) { s.z += by; }), little) << by;
@@ -55,9 +60,28 @@ TEST(SteadyFrames, EndWhereATenthGoesFar) {
       if (k * 7919 % one_in == 0) spheres[k].y = 50;
     return still(rod(2000), spheres);
   };
+  for (const std::uint32_t n : {1u, 2u, 15u, 16u}) {
+    std::vector<Sphere> spheres = rod(n);
+    spheres.back().y = 50;
+    EXPECT_EQ(still(rod(n), spheres), n == 16) << "one of " << n << ", of which one in sixteen may";
+  }
   EXPECT_FALSE(jump(1));
   EXPECT_FALSE(jump(5));
   EXPECT_TRUE(jump(1000));
+  std::vector<Sphere> all_but_each_hundredth = rod(6400);
+  for (std::size_t k = 0; k < all_but_each_hundredth.size(); ++k)
+    if (k % 100 != 0) all_but_each_hundredth[k].y = 50;
+  EXPECT_FALSE(still(rod(6400), all_but_each_hundredth)) << "whatever periods the chain has";
+}
+
+TEST(SteadyFrames, EndWhereLittleStepsHaveGoneFar) {
+  SteadyFrames frames;
+  std::vector<Sphere> spheres = rod(100);
+  frames.looked(Chain(spheres).view());
+  for (int step = 1; step < 4; ++step) {
+    for (Sphere& s : spheres) s.z += 0.2f;
+    EXPECT_EQ(frames.still(Chain(spheres).view()), step < 3) << step;
+  }
 }
 
 TEST(SteadyFrames, EndAfterSixteen) {
@@ -77,6 +101,7 @@ TEST(SteadyFrames, OfPointsAreNone) {
   std::vector<Sphere> moved = points;
   for (Sphere& s : moved) s.x += 1;
   EXPECT_FALSE(still(points, moved));
+  EXPECT_FALSE(still(points, points)) << "what moves by no radius is not known";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "catena/core/sphere_tree/sphere_tree.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,9 +34,17 @@ bool holds(const SphereTree& tree, std::uint32_t node, const Sphere& s) {
   return true;
 }
 
-void expect_sound(const Chain& chain, const SphereTree& tree, const std::string& what) {
+std::vector<std::uint32_t> all_of(const Chain& chain) {
+  std::vector<std::uint32_t> all(chain.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+/// It holds these spheres, which ascend.
+void expect_sound(const Chain& chain, const SphereTree& tree, const std::string& what,
+                  const std::vector<std::uint32_t>& spheres) {
   constexpr std::uint32_t group = SphereTree::group;
-  ASSERT_EQ(tree.spheres, chain.size()) << what;
+  ASSERT_EQ(tree.spheres, spheres.size()) << what;
   std::vector<std::uint32_t> all;
   for (std::uint32_t place = 0; place < tree.spheres; ++place) {
     const std::uint32_t i = tree.index[place];
@@ -47,7 +56,13 @@ void expect_sound(const Chain& chain, const SphereTree& tree, const std::string&
   for (std::uint32_t place = tree.spheres; place < tree.nodes() * group; ++place)
     EXPECT_TRUE(std::isnan(tree.fields_of(place / group)[place % group])) << what;
   std::ranges::sort(all);
-  for (std::uint32_t i = 0; i < tree.spheres; ++i) ASSERT_EQ(all[i], i) << what;
+  ASSERT_EQ(all, spheres) << what;
+  for (std::size_t l = 0; l < tree.boxes.size(); ++l) {
+    EXPECT_EQ(tree.count(l) <= group, l + 1 == tree.boxes.size()) << what << ": a single group is the top";
+    for (std::uint32_t k = tree.count(l); k % group != 0; ++k)
+      for (std::uint32_t d = 0; d < 3; ++d)
+        EXPECT_GT(field(tree, l, k, d), field(tree, l, k, 3 + d)) << what << ": what fills a group up meets";
+  }
   for (std::size_t l = 1; l < tree.boxes.size(); ++l)
     for (std::uint32_t k = 0; k < tree.count(l - 1); ++k)
       for (std::uint32_t d = 0; d < 3; ++d) {
@@ -64,8 +79,59 @@ TEST(SphereTree, HoldsEachSphereOnceAndInItsBoxes) {
       const Chain chain = properties::generate(family, dice, size);
       SphereTree tree;
       build_sphere_tree(chain.view(), tree, {}, Team());
-      expect_sound(chain, tree, family.name);
+      expect_sound(chain, tree, family.name, all_of(chain));
     }
+}
+
+/// An order is kept of the very spheres that were sorted, wherever they are now: not of as many others.
+TEST(SphereTree, KeepsAnOrderOfTheSameSpheresAlone) {
+  using Indices = std::vector<std::uint32_t>;
+  properties::Dice dice(12);
+  const auto dust = [&](std::uint32_t count) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < count; ++k)
+      spheres.push_back({20 * dice.symmetric(), 20 * dice.symmetric(), 20 * dice.symmetric(), 0.7f});
+    return spheres;
+  };
+  std::vector<Sphere> spheres = dust(4501);  // three levels of nodes, and two of half of them
+  Indices odd, even, other_middle, other_end;
+  for (std::uint32_t i = 0; i < 4500; ++i) (i % 2 == 0 ? even : odd).push_back(i);
+  other_middle = other_end = odd;
+  ++other_middle[1000], ++other_end.back();
+  const Chain few(dust(2250));
+  SphereTree tree;
+  const auto frames_kept = [&](const Chain& chain, const Indices& only) {
+    build_sphere_tree(chain.view(), tree, only, Team(), SpaceSort::where_needed);
+    expect_sound(chain, tree, fmt::format("{} of {}", only.size(), chain.size()),
+                 only.empty() ? all_of(chain) : only);
+    return tree.kept.frames();
+  };
+  EXPECT_EQ(frames_kept(Chain(spheres), even), 0u) << "nothing was sorted yet";
+  for (const Indices& only : {odd, other_middle, odd, other_end, Indices(), even, Indices()}) {
+    EXPECT_EQ(frames_kept(Chain(spheres), only), 0u);
+    for (Sphere& s : spheres) s.x += 0.05f * dice.symmetric(), s.z += 0.05f * dice.symmetric();
+    EXPECT_EQ(frames_kept(Chain(spheres), only), 1u) << only.size();
+  }
+  EXPECT_EQ(frames_kept(Chain(spheres), even), 0u);
+  EXPECT_EQ(frames_kept(few, {}), 0u) << "as many, but all of another chain";
+  EXPECT_EQ(frames_kept(few, {}), 1u);
+  EXPECT_EQ(frames_kept(Chain(spheres), even), 0u);
+  // A build is the same whatever was built before.
+  SphereTree fresh;
+  for (Sphere& s : spheres) s.x += 0.05f * dice.symmetric();
+  const Chain moved(spheres);
+  build_sphere_tree(moved.view(), tree, even, Team());
+  build_sphere_tree(moved.view(), fresh, even, Team());
+  EXPECT_TRUE(std::ranges::equal(tree.index, fresh.index));
+  // Nor is it kept where a few went elsewhere, be they the last.
+  for (const std::uint32_t first : {0u, tree.spheres - 40}) {
+    tree = {};
+    build_sphere_tree(moved.view(), tree, even, Team());
+    std::vector<Sphere> scattered = spheres;
+    for (std::uint32_t k = first; k < first + 40; ++k)
+      scattered[tree.index[k]] = spheres[tree.index[(k + 100 * (k - first + 1)) % tree.spheres]];
+    EXPECT_EQ(frames_kept(Chain(scattered), even), 0u) << first;
+  }
 }
 
 TEST(SphereTree, IsTheSameForAnyTeam) {

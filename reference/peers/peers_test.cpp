@@ -68,8 +68,13 @@ TEST_P(Peers, LeaveTheCoresToOthers) {
   const Chain chain(std::vector<Sphere>(20, Sphere{0, 0, 0, 1}));
   variant->build(chain);
   EXPECT_EQ(usable_cores(), cores);
+  const Timings built = variant->timings();
   variant->find(chain, {}, found);
   EXPECT_EQ(usable_cores(), cores);
+  EXPECT_GT(built.build_ms, 0);
+  EXPECT_EQ(built.find_ms, 0);
+  EXPECT_EQ(variant->timings().build_ms, built.build_ms);
+  EXPECT_GT(variant->timings().find_ms, 0);
 }
 
 TEST_P(Peers, AgreeWhereNoPairIsNearTouching) {
@@ -119,11 +124,26 @@ TEST_P(Peers, FollowAMovingChain) {
     EXPECT_GT(exact.pair_count, 500u);
     EXPECT_TRUE(compare(chain, exact, found).right()) << turn;
   }
+  // Another chain is built.
+  for (const std::size_t size : {700u, 1000u}) {
+    std::vector<Sphere> spheres = tangle(1);
+    spheres.resize(size);
+    const Chain other(std::move(spheres));
+    variant->update(other);
+    Collisions found;
+    variant->find(other, {}, found);
+    EXPECT_TRUE(compare(other, find(other), found).right()) << size;
+  }
 }
 
 TEST_P(Peers, TakeNoSpheresOneSphereAndAFlood) {
   EXPECT_EQ(found_by(name(), Chain()).pair_count, 0u);
   EXPECT_EQ(found_by(name(), Chain({{0, 0, 0, 1}})).count.size(), 1u);
+  // Two strands of a sphere each, which touch along an axis, and there alone.
+  for (const Sphere& other : {Sphere{5, 3, 3, 1}, {3, 5, 3, 1}, {3, 3, 5, 1}})
+    for (const Chain& two :
+         {Chain({{3, 3, 3, 1}, other}, {{0, 1, 2}, {}}), Chain({other, {3, 3, 3, 1}}, {{0, 1, 2}, {}})})
+      EXPECT_EQ(found_by(name(), two).pair_count, 1u);
   const Chain flood(std::vector<Sphere>(300, Sphere{1, 2, 3, 0}));
   EXPECT_EQ(found_by(name(), flood).pair_count, 300u * 299 / 2 - 299);
   EXPECT_THROW(found_by(name(), flood, {Request::Want::pairs, 5}), PairLimitExceeded);
