@@ -148,6 +148,23 @@ TEST(Auto, LearnsNothingFromSearchesOfSomeSpheres) {
   EXPECT_EQ(variant->plan().front().estimate_ms, thought);
 }
 
+/// A frame of another number of spheres is a chain of its own.
+TEST(Auto, BuildsWhatIsUpdatedToAnotherLength) {
+  const Chain first = fold(true), other = open_input("yarn:n=2500").animation->frame(0);
+  for (const char* name : {"auto", "auto(frames=always)"}) {
+    const auto variant = StrategyRegistry::instance().make(name);
+    variant->prepare({.frames_follow = true});
+    variant->build(first);
+    for (const Chain* const frame : {&first, &other, &other, &first}) {
+      variant->update(*frame);
+      Collisions found;
+      variant->find(*frame, {}, found);
+      properties::sort(found.pairs);
+      EXPECT_EQ(found.pairs, reference::find(*frame).pairs) << name;
+    }
+  }
+}
+
 /// What is searched whole is put into the order of the frame before while that serves, unless it may not be.
 TEST(Auto, KeepsAnOrderInSpaceFromFrameToFrame) {
   std::mt19937 dice(4);

@@ -408,6 +408,24 @@ TEST(SearchPlan, HasNoFurtherThreadsOnOneCore) {
   EXPECT_EQ(threads.reason, "there is one core");
 }
 
+/// A tangle of a few spheres is sorted once for several frames.
+TEST(SearchPlan, OfFramesTakesWhatKeepsAnOrder) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    const auto turn = static_cast<float>(i / 8), along = static_cast<float>(i % 8);
+    spheres.push_back(
+        {along, 4 * std::cos(turn), 4 * std::sin(turn) + 0.3f * static_cast<float>(i % 2), 0.4f});
+  }
+  const Chain chain(std::move(spheres));
+  const auto variant_of = [&](bool frames_follow) {
+    return SearchPlan(chain.size(), {.frames_follow = frames_follow}, Machine::here(), {},
+                      chain.view().extent, chain.spheres())
+        .variant();
+  };
+  EXPECT_EQ(variant_of(false), "Grid");
+  EXPECT_EQ(variant_of(true), "SphereTree");
+}
+
 TEST(SearchPlan, EveryOmissionStatesItsObligation) {
   EXPECT_THROW(Omissions::without(std::vector<std::string>{"nonsense"}), std::logic_error);
   std::vector<std::string> names = omission_names();

@@ -7,9 +7,8 @@ namespace catena {
 Decision told_order(std::uint32_t entries, std::uint32_t frames) {
   if (entries == 0) return {"sort in space", true, "nothing is put in an order of space"};
   return {"sort in space", frames > 0,
-          frames > 0
-              ? fmt::format("what {} frames ago was near in an order of {} is so still", frames, entries)
-              : fmt::format("{} in an order of their own", entries)};
+          frames > 0 ? fmt::format("{} lie in much the order of {} frames ago", entries, frames)
+                     : fmt::format("{} are put into an order of their own", entries)};
 }
 
 }  // namespace catena
