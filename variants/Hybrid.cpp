@@ -25,14 +25,16 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
 
   Plan plan() const override {
     const HybridSearch::Work work = search_.work();
-    return {told_rows(search_.rows(), search_.nodes()),
-            {"order of space", search_.crowded_nodes() == 0,
-             fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
-                         search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)},
-            search_.told_order(),
-            {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)},
-            told_radii(search_.equal_radii()),
-            told_exact(work.open, search_.settings().doubt)};
+    Plan steps{told_rows(search_.rows(), search_.nodes()),
+               {"order of space", search_.crowded_nodes() == 0,
+                fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
+                            search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)}};
+    if (search_.sorts()) steps.push_back(search_.told_order());
+    steps.push_back(
+        {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)});
+    steps.push_back(told_radii(search_.equal_radii()));
+    steps.push_back(told_exact(work.open, search_.settings().doubt));
+    return steps;
   }
 
   std::vector<WorkDone> work() const override {

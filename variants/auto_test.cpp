@@ -6,6 +6,7 @@
 #include <memory>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "catena/core/input/input.h"
@@ -169,12 +170,13 @@ TEST(Auto, BuildsWhatIsUpdatedToAnotherLength) {
 TEST(Auto, KeepsAnOrderInSpaceFromFrameToFrame) {
   std::mt19937 dice(4);
   const auto below = [&](float side) { return std::uniform_real_distribution<float>(0, side)(dice); };
-  for (const std::uint32_t spheres : {1000u, 3000u}) {
+  for (const std::uint32_t spheres : {700u, 2000u}) {
     std::vector<Sphere> gas;
     const float side = 2 * std::cbrt(static_cast<float>(spheres));
     while (gas.size() < spheres) gas.push_back({below(side), below(side), below(side), 0.2f + below(1.4f)});
-    const auto keeps = StrategyRegistry::instance().make("auto"),
-               sorts = StrategyRegistry::instance().make("auto(keep=sort)");
+    // No list of near pairs answers, and so few are searched by one thread whatever it takes here.
+    const auto keeps = StrategyRegistry::instance().make("auto(keep=far-pairs)"),
+               sorts = StrategyRegistry::instance().make("auto(keep=far-pairs+sort)");
     const auto left_out = [](const Variant& variant) {
       const Plan plan = variant.plan();
       const auto step = std::ranges::find(plan, info_of(Omission::sort).step, &Decision::step);

@@ -61,10 +61,11 @@ void HybridSearch::build(const ChainView& chain, const Team& team, SpaceSort sor
 }
 
 /// Whether no order of blocks is worth its while; then single spheres' cost is told too. What was seen of the
-/// frame before holds while little moves.
+/// frame before holds while little moves; what was seen of a first one not, which had all to sort.
 bool HybridSearch::single_at_once(const ChainView& chain, SpaceSort sort, SingleSpheres& single) {
-  if (sort == SpaceSort::anew || !looked_.frames.still(chain)) {
+  if (sort == SpaceSort::anew || looked_.sort != sort || !looked_.frames.still(chain)) {
     looked_.frames.looked(chain);
+    looked_.sort = sort;
     looked_.at_once = look_at(chain, sort, looked_.single);
   }
   single = looked_.single;

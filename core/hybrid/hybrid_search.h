@@ -66,7 +66,9 @@ class CATENA_API HybridSearch {
   /// Nodes in which, and from which to the next, nothing is searched, as their blocks follow one another.
   std::uint32_t rows() const { return parts_.tree.rows(); }
 
-  /// What of it is sorted in space, and when.
+  /// Some of it is sorted in space.
+  bool sorts() const { return parts_.space.entries > 0 || (parts_.dense_count > 0 && !parts_.in_cells); }
+  /// How much, and when it was.
   Decision told_order() const;
   /// The search in cells reads one radius for all.
   bool equal_radii() const { return parts_.dense_count > 0 && parts_.in_cells && parts_.grid.equal_radii; }
@@ -99,6 +101,7 @@ class CATENA_API HybridSearch {
   /// What the last look told, and of which frames that holds.
   struct {
     SteadyFrames frames;
+    SpaceSort sort = SpaceSort::anew;  ///< of its build
     bool at_once = false;
     SingleSpheres single{};
   } looked_;

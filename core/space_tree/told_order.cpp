@@ -5,7 +5,6 @@
 namespace catena {
 
 Decision told_order(std::uint32_t entries, std::uint32_t frames) {
-  if (entries == 0) return {"sort in space", true, "nothing is put in an order of space"};
   return {"sort in space", frames > 0,
           frames > 0 ? fmt::format("{} lie in much the order of {} frames ago", entries, frames)
                      : fmt::format("{} are put into an order of their own", entries)};
