@@ -138,15 +138,6 @@ TEST(Sections, OfSavingsHaveWhatAutoLeavesOutByWhatLetsIt) {
   EXPECT_FALSE(of_many.contains("sort")) << "in the chain's order";
   for (const char* name : {"pair-list", "after-hit", "unmoved", "still-parts", "shifted", "exact"})
     EXPECT_TRUE(of_many.contains(name)) << name;
-
-  p.planned_inputs = {"cluster:n=3000"};
-  const Json in_space = section("savings", p);
-  const auto sort = std::ranges::find_if(in_space, [](const Json& row) {
-    return row["what"].get<std::string>().starts_with(info_of(Omission::sort).step);
-  });
-  ASSERT_NE(sort, in_space.end());
-  EXPECT_EQ((*sort)["what"], info_of(Omission::sort).step + ", shaken by 0.02 radii");
-  EXPECT_TRUE((*sort)["identical"]);
 }
 
 }  // namespace
