@@ -55,11 +55,11 @@ function(catena_is_of_many_targets source out)
   set(${out} ${line} PARENT_SCOPE)
 endfunction()
 
-# catena_together(TARGET): compiles up to six files of a folder as one, which takes some half of what they take alone, as
-# they share headers and templates (all tests half of 13 minutes on two slow cores); names in their anonymous namespaces must differ. Alone stay, so that a name can be
-# taken twice, files of folders where a new variant, scene, reader, writer, property or section is a new file; also what is
-# compiled for many instruction sets, as such a file includes itself. Sanitizers and what goes without precompiled headers
-# compile every file alone, and so find a missing #include.
+# catena_together(TARGET): compiles up to six files of a folder as one, which takes some half of what they take alone, or a
+# third where they are tests, as they share headers and templates; names in their anonymous namespaces must differ. Alone
+# stay, so that a name can be taken twice, files of folders where a new variant, scene, reader, writer, property or section
+# is a new file; also what is compiled for many instruction sets, as such a file includes itself. Sanitizers and what goes
+# without precompiled headers compile every file alone, and so find a missing #include.
 set(CATENA_ALONE "^(variants|core/(scenes|readers|writers)|properties/(generators|statements|mutants|counterexamples)|reports/sections)/")
 function(catena_together target)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR CATENA_SANITIZE)

@@ -68,7 +68,7 @@ class CATENA_API HybridSearch {
 
   /// Some of it is sorted in space.
   bool sorts() const { return parts_.space.entries > 0 || (parts_.dense_count > 0 && !parts_.in_cells); }
-  /// How much, and when it was.
+  /// How much is, and when it was; see told_order.
   Decision told_order() const;
   /// The search in cells reads one radius for all.
   bool equal_radii() const { return parts_.dense_count > 0 && parts_.in_cells && parts_.grid.equal_radii; }

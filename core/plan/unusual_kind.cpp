@@ -48,8 +48,7 @@ const UnusualKind& info(Kind kind) {
        "little of what is near"},
       {"SphereTree",
        "301 to 2,048 spheres of like radii, whose order tells little of what is near, in frames: they are "
-       "sorted in space for "
-       "several at once"},
+       "sorted in space for several at once"},
   }};
   return all[kind];
 }

@@ -17,9 +17,8 @@ void KeptOrder::sorted(std::uint32_t entries, const BoxGroups& around) {
   frames_ = 0;
   std::fill(middling_, middling_ + axes, 0.0);
   for (std::uint32_t k = 0; k < around.boxes; ++k)
-    for (std::uint32_t d = 0; d < axes; ++d) {
+    for (std::uint32_t d = 0; d < axes; ++d)
       middling_[d] += (double{around.field(k, axes + d)} - around.field(k, d)) / around.boxes;
-    }
   // Where all lie in a plane they take up some room too.
   const double least = *std::max_element(middling_, middling_ + axes) * 0x1p-10;
   for (double& side : middling_) side = std::max(side, least);

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
-#include "catena/core/executor/pair_collector.h"
 #include "catena/core/space_tree/kept_order.h"
-#include "catena/core/sphere_tree/sphere_kernels.h"
+#include "catena/core/sphere_tree/test_search.h"
 #include "catena/properties/generators/dice.h"
-#include "catena/properties/sorted_pairs.h"
 
 namespace catena {
 namespace {
@@ -22,15 +20,10 @@ struct Told {
   double most_work = 0;    ///< in a frame, of that in its own order
 };
 
-std::uint64_t work_of(const Chain& chain, const SphereTree& tree, std::vector<Pair>& pairs) {
-  std::vector<SphereQueues> queues(1);
-  Collisions found;
-  PairCollector collector(chain.size(), {}, found);
-  search_sphere_tree(chain.view(), tree, queues, collector, Team());
-  collector.finish();
-  properties::sort(found.pairs);
-  pairs = found.pairs;
-  return 4 * queues[0].nodes_done + queues[0].tests_done;
+double work_of(const Chain& chain, const SphereTree& tree, std::vector<Pair>& pairs) {
+  SphereQueues queues;
+  pairs = pairs_of(chain, tree, queues);
+  return static_cast<double>(4 * queues.nodes_done + queues.tests_done);
 }
 
 Told frames(Move move, std::uint32_t count = 40) {
@@ -47,8 +40,7 @@ Told frames(Move move, std::uint32_t count = 40) {
     build_sphere_tree(chain.view(), kept, {}, Team(), SpaceSort::where_needed);
     build_sphere_tree(chain.view(), fresh, {}, Team());
     std::vector<Pair> pairs, right;
-    const auto work = static_cast<double>(work_of(chain, kept, pairs)),
-               least = static_cast<double>(work_of(chain, fresh, right));
+    const double work = work_of(chain, kept, pairs), least = work_of(chain, fresh, right);
     EXPECT_EQ(pairs, right);
     EXPECT_FALSE(right.empty());
     told.kept += !std::ranges::equal(kept.index, fresh.index);

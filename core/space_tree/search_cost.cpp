@@ -86,8 +86,7 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
 /// Samples all along a chain.
 std::span<const std::uint32_t> all_along(const ChainView& chain, Samples& samples) {
   const std::uint32_t count = samples_of(chain.size);
-  const auto begin = [&](std::uint64_t k) { return static_cast<std::uint32_t>(k * chain.size / count); };
-  for (std::uint32_t k = 0; k < count; ++k) samples[k] = begin(k) + scattered(k, begin(k + 1) - begin(k));
+  for (std::uint32_t k = 0; k < count; ++k) samples[k] = sample_along(k, count, chain.size);
   return {samples.data(), count};
 }
 

@@ -9,8 +9,7 @@ namespace catena {
 namespace {
 
 const Sphere& sample_of(const ChainView& chain, std::uint32_t k, std::uint32_t samples) {
-  const auto begin = [&](std::uint64_t j) { return static_cast<std::uint32_t>(j * chain.size / samples); };
-  return chain.spheres[begin(k) + scattered(k, begin(k + 1) - begin(k))];
+  return chain.spheres[sample_along(k, samples, chain.size)];
 }
 
 /// How far it moved and grew, in its radii.

@@ -10,8 +10,9 @@ namespace catena {
 
 /// Single spheres in the order of space, for where much is near, or radii are mixed: sorted by class of size
 /// and along a space-filling curve, sixteen that follow one another a node, in boxes along the axes of space;
-/// sixteen nodes the next, and so on. A place in that order is a *place*. 22 bytes a sphere, and 8 or 16 that
-/// the sort takes. The spheres' next frame may be put into the same order; nodes are made anew.
+/// sixteen nodes the next, and so on. A place in that order is a *place*. 22 bytes a sphere, 26 of some
+/// of a chain, and 8 or 16 that the sort takes. The spheres' next frame may be put into the same order; nodes
+/// are made anew.
 struct SphereTree {
   static constexpr std::uint32_t group = 16;
   /// Fields of a node's spheres: x y z radius; what fills the last node up has no x (NaN), which meets

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
-#include "catena/core/executor/pair_collector.h"
-#include "catena/core/sphere_tree/sphere_kernels.h"
+#include "catena/core/sphere_tree/test_search.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/generators/family.h"
@@ -153,13 +152,8 @@ TEST(SphereTree, IsTheSameForAnyTeam) {
 }
 
 std::vector<Pair> pairs_of(const Chain& chain, const SphereTree& tree) {
-  std::vector<SphereQueues> queues(1);
-  Collisions found;
-  PairCollector collector(chain.size(), {}, found);
-  search_sphere_tree(chain.view(), tree, queues, collector, Team());
-  collector.finish();
-  properties::sort(found.pairs);
-  return found.pairs;
+  SphereQueues queues;
+  return pairs_of(chain, tree, queues);
 }
 
 /// Later groups of nodes, and itself, that one's box meets.
