@@ -36,6 +36,9 @@ if(CATENA_SANITIZE)
   target_link_options(catena_options INTERFACE -fsanitize=${CATENA_SANITIZE})
 endif()
 
+if(CATENA_INSTRUCTION_SETS STREQUAL "FEW")
+  target_compile_definitions(catena_options INTERFACE CATENA_FEW_INSTRUCTION_SETS)
+endif()
 if(CATENA_SANITIZE MATCHES "thread")
   set_source_files_properties(${PROJECT_SOURCE_DIR}/core/executor/team.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=thread SKIP_PRECOMPILE_HEADERS ON)
 endif()
@@ -58,11 +61,11 @@ endfunction()
 # catena_together(TARGET): compiles up to six files of a folder as one, which takes some half of what they take alone, or a
 # third where they are tests, as they share headers and templates; names in their anonymous namespaces must differ. Alone
 # stay, so that a name can be taken twice, files of folders where a new variant, scene, reader, writer, property or section
-# is a new file; also what is compiled for many instruction sets, as such a file includes itself. Sanitizers and what goes
-# without precompiled headers compile every file alone, and so find a missing #include.
+# is a new file; also what is compiled for many instruction sets, as such a file includes itself. What goes without
+# precompiled headers compiles every file alone, and so finds a missing #include.
 set(CATENA_ALONE "^(variants|core/(scenes|readers|writers)|properties/(generators|statements|mutants|counterexamples)|reports/sections)/")
 function(catena_together target)
-  if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR CATENA_SANITIZE)
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
