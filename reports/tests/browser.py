@@ -83,6 +83,13 @@ def pixels(element):
     return pictures([element])[0]
 
 
+def in_window(element):
+    """Whether all of it can be seen, as the page is scrolled."""
+    return element.parent.execute_script(
+        "const b = arguments[0].getBoundingClientRect();"
+        "return b.x >= 0 && b.y >= 0 && b.right <= innerWidth && b.bottom <= innerHeight", element)
+
+
 def pictures(elements):
     """What is on the screen where each is, as it is scrolled: by one shot where all are in the window."""
     driver = elements[0].parent

@@ -37,14 +37,14 @@ class Opened:
             "const done = arguments[2]; catenaViewer.show(arguments[0], arguments[1] ?? undefined).then(done);", name, frame)
 
     def settle(self):
-        """Until nothing has been drawn for half a second, and nothing is waiting to be: a flight has landed."""
-        end, before = time.monotonic() + 60, None
+        """Until nothing was drawn in some of the browser's frames, and nothing is waiting to be: a flight has landed."""
+        end, renders = time.monotonic() + 60, []
         while time.monotonic() < end:
-            now = self.run("return scene.requested ? null : scene.renders")
-            if now and now == before:
+            browser.next_frame(self.driver)
+            renders.append(self.run("return scene.requested ? null : scene.renders"))
+            if renders[-1] and renders[-4:] == 4 * renders[-1:]:
                 return
-            before = now
-            time.sleep(0.5)
+            time.sleep(0.05)
         raise AssertionError("the viewer never comes to rest")
 
     def picture(self):
