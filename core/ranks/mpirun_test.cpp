@@ -64,6 +64,13 @@ void expect_work_of_ranks(const nlohmann::json& line) {
   EXPECT_LE(*kib.rbegin(), most_kib) << line;
 }
 
+/// Of a search in chain order, which takes something in each phase but for that in which spheres change
+/// ranks.
+void expect_phases_in_chain_order(const nlohmann::json& phases) {
+  EXPECT_EQ(phases.size(), 7u) << phases;
+  for (const auto& [phase, took] : phases.items()) EXPECT_EQ(took == 0, phase == "repartition") << phases;
+}
+
 TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
   for (const std::string input :
        {"coincident:n=60", "yarn:n=3000,seed=5 --arc-window pi/2", "hair:n=900 --window 3",
@@ -109,18 +116,21 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
   wider.replace(wider.find("0 8\n"), 3, "0 12");  // in which nothing touches through a face
   const std::string changing = write("changing.dump", frame + wider + frame);
   for (const std::string& input : std::vector<std::string>{
-           changing + " --radius 0.5 --frame all", "yarn:n=3000,seed=5 --box 30,0,25",
+           changing + " --radius 0.5", "yarn:n=3000,seed=5 --box 30,0,25",
            "hair:n=900 --window 3 --box 20,20,20,3,-2,1", "yarn:n=500 --arc-window pi/2 --box 300,300,300"}) {
     for (const char* order : {"chain", "space"}) {
+      const bool all = order == std::string("chain");
+      const char* const frames = !input.starts_with(changing) ? "" : all ? " --frame all" : " --frame 2";
       const auto tables = [&](const char* of) {
-        return fmt::format(" --pairs '{0}.csv' --counts '{0}.counts.csv' --depth --margin", file(of));
+        return fmt::format("{0} --pairs '{1}.csv' --counts '{1}.counts.csv'{2} --margin", frames, file(of),
+                           all ? " --depth" : "");
       };
       const ProgramOutcome alone = run("detect " + input + tables("alone"));
       ASSERT_EQ(alone.code, 0) << alone.output;
       const ProgramOutcome ranks = run_ranks("detect " + input + tables("ranks") + " --order " + order);
       ASSERT_EQ(ranks.code, 0) << ranks.output;
       for (const std::string end : {".csv", ".counts.csv"}) {
-        EXPECT_GT(text_of(file("alone" + end)).size(), 100u) << input;
+        EXPECT_GT(std::ranges::count(text_of(file("alone" + end)), '\n'), 1) << input;
         EXPECT_EQ(text_of(file("alone" + end)), text_of(file("ranks" + end))) << input << " " << order;
       }
     }
@@ -150,6 +160,13 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   EXPECT_EQ(line["order"], "chain");
   EXPECT_EQ(line["most_spheres"], 60 / 4);
   EXPECT_LT(line["most_blocks_asked"], line["most_bytes_sent"]);
+  expect_phases_in_chain_order(line["phases_ms"]);
+  // Pairs that nobody reads are none of the work, nor is a limit on them.
+  const ProgramOutcome counts =
+      run_ranks("detect coincident:n=60 --json --order chain --counts-only --pair-limit 5", 4);
+  ASSERT_EQ(counts.code, 0) << counts.output;
+  for (const char* same : {"pairs", "max_count", "most_blocks_asked", "most_bytes_sent"})
+    EXPECT_EQ(nlohmann::json::parse(counts.output)[same], line[same]) << same;
   const ProgramOutcome frames = run_ranks("detect path1:n=100 --frame all --json");
   EXPECT_EQ(frames.code, 0);
   std::vector<std::uint64_t> sent;
@@ -167,6 +184,7 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
     EXPECT_NE(told.find(words), std::string::npos) << told;
   };
   says("rod:n=60 --any --order chain", "60 spheres, does not collide; 3 ranks in chain order");
+  says("coincident:n=60 --pair-limit 812", "60 spheres, 812 pairs, at most 28 a sphere; 3 ranks ");
   says("coincident:n=60 --any --order space", "60 spheres, collides; 3 ranks by space");
 }
 
@@ -192,10 +210,13 @@ TEST_F(Mpirun, SharesTheCoresOfAMachine) {
   ASSERT_EQ(alone.code, 0) << alone.output;
   const std::size_t all = nlohmann::json::parse(alone.output)["of_ranks"][0]["cores"];
   for (const std::size_t ranks : {2u, 3u}) {
-    const ProgramOutcome r =
-        run_ranks("bench rod:n=60 --repetitions 1", ranks, "OMPI_MCA_hwloc_base_binding_policy=none");
+    const ProgramOutcome r = run_ranks("bench rod:n=60 --repetitions 1 --order chain", ranks,
+                                       "OMPI_MCA_hwloc_base_binding_policy=none");
     ASSERT_EQ(r.code, 0) << r.output;
     const auto line = nlohmann::json::parse(r.output);
+    expect_phases_in_chain_order(line["phases_ms"]);
+    expect_phases_in_chain_order(line["phases_peak_kib"]);
+    EXPECT_EQ(line["order"], "chain");
     ASSERT_EQ(line["of_ranks"].size(), ranks);
     std::size_t spheres = 0;
     for (const auto& rank : line["of_ranks"]) {
@@ -234,7 +255,10 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
                   "coincident:n=60 frame 0: the box is 0.1 wide along x, less than twice the reach");
   const std::string table = "x,y,z,r\n0,0,0,1\n9,0,0,1\n1,0,0,1\n", in = write("in.csv", table);
   expect_one_line(run_ranks("detect " + in + " --pairs " + in), "is read, and would be lost");
+  expect_one_line(run_ranks("detect yarn:n=50 --topology " + in + " --counts " + in),
+                  "is read, and would be lost");
   EXPECT_EQ(text_of(file("in.csv")), table);
+  expect_one_line(run_ranks("detect coincident:n=60 --depth"), "--depth and --margin are columns of --pairs");
   expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
 }
 
