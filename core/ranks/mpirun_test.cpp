@@ -12,6 +12,9 @@
 
 #include "catena/bench/closed_form/lattice_box.h"
 #include "catena/core/commands/test_program.h"
+#include "catena/core/input/input.h"
+#include "catena/core/ranks/rank_search.h"
+#include "catena/core/ranks/thread_ranks.h"
 #include "catena/properties/testing/device_file.h"
 
 /// The program under mpirun, three processes on whatever cores there are.
@@ -62,6 +65,22 @@ void expect_work_of_ranks(const nlohmann::json& line) {
   EXPECT_GT(touching, 0u) << line;
   EXPECT_LT(touching, asked) << line;
   EXPECT_LE(*kib.rbegin(), most_kib) << line;
+}
+
+struct RankDid {
+  ranks::RankWork work;
+  ranks::Traffic sent;
+};
+/// What each of so many does that counts in chain order, as a thread of this process.
+std::vector<RankDid> in_threads(const char* input, unsigned size) {
+  const Chain chain = open_input(input).animation->frame(0);
+  const ranks::RankOptions options{.order = ranks::Order::chain, .request = {.want = Request::Want::counts}};
+  std::vector<RankDid> did(size);
+  ranks::run_in_threads(size, [&](ranks::Communicator& c) {
+    search(c, ranks::even_part_of(chain, size, c.rank()), options, did[c.rank()].work);
+    did[c.rank()].sent = c.traffic();
+  });
+  return did;
 }
 
 /// Of a search in chain order, which takes something in each phase but for that in which spheres change
@@ -167,6 +186,13 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   ASSERT_EQ(counts.code, 0) << counts.output;
   for (const char* same : {"pairs", "max_count", "most_blocks_asked", "most_bytes_sent"})
     EXPECT_EQ(nlohmann::json::parse(counts.output)[same], line[same]) << same;
+  std::uint64_t asked = 0, bytes = 0;
+  for (const RankDid& rank : in_threads("coincident:n=60", 4)) {
+    asked = std::max(asked, rank.work.across.blocks_asked);
+    bytes = std::max(bytes, rank.sent.bytes);
+  }
+  EXPECT_EQ(line["most_blocks_asked"], asked);
+  EXPECT_EQ(line["most_bytes_sent"], bytes);
   const ProgramOutcome frames = run_ranks("detect path1:n=100 --frame all --json");
   EXPECT_EQ(frames.code, 0);
   std::vector<std::uint64_t> sent;
@@ -209,21 +235,29 @@ TEST_F(Mpirun, SharesTheCoresOfAMachine) {
       run_ranks("bench rod:n=60 --repetitions 1", 1, "OMPI_MCA_hwloc_base_binding_policy=none");
   ASSERT_EQ(alone.code, 0) << alone.output;
   const std::size_t all = nlohmann::json::parse(alone.output)["of_ranks"][0]["cores"];
-  for (const std::size_t ranks : {2u, 3u}) {
-    const ProgramOutcome r = run_ranks("bench rod:n=60 --repetitions 1 --order chain", ranks,
+  for (const unsigned size : {2u, 3u}) {
+    const ProgramOutcome r = run_ranks("bench coincident:n=61 --repetitions 3 --order chain", size,
                                        "OMPI_MCA_hwloc_base_binding_policy=none");
     ASSERT_EQ(r.code, 0) << r.output;
     const auto line = nlohmann::json::parse(r.output);
     expect_phases_in_chain_order(line["phases_ms"]);
     expect_phases_in_chain_order(line["phases_peak_kib"]);
     EXPECT_EQ(line["order"], "chain");
-    ASSERT_EQ(line["of_ranks"].size(), ranks);
-    std::size_t spheres = 0;
-    for (const auto& rank : line["of_ranks"]) {
-      EXPECT_EQ(rank["cores"], std::max<std::size_t>(1, all / ranks));
-      spheres += rank["spheres"].get<std::size_t>();
+    ASSERT_EQ(line["of_ranks"].size(), size);
+    const std::vector<RankDid> did = in_threads("coincident:n=61", size);
+    for (std::size_t k = 0; k < size; ++k) {  // of one repetition
+      nlohmann::json rank = line["of_ranks"][k];
+      EXPECT_GT(rank["peak_kib"], 0);
+      rank.erase("peak_kib");
+      const ranks::AcrossWork& across = did[k].work.across;
+      EXPECT_EQ(rank, nlohmann::json({{"cores", std::max<std::size_t>(1, all / size)},
+                                      {"spheres", did[k].work.spheres},
+                                      {"blocks_asked", across.blocks_asked},
+                                      {"blocks_touching", across.blocks_touching},
+                                      {"rounds", across.rounds},
+                                      {"bytes", did[k].sent.bytes},
+                                      {"messages", did[k].sent.messages}}));
     }
-    EXPECT_EQ(spheres, 60u);
   }
 }
 
