@@ -218,7 +218,7 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
 TEST_F(Mpirun, EndsWith1WhereAFormulaKnowsBetter) {
   const bench::LatticeBox box{.side = 5, .reach = 2};
   const ProgramOutcome told =
-      run_ranks("closed-form --side 5 --reach 2 --variant mutant:less-for-less-equal --json");
+      run_ranks("closed-form --side 5 --reach 2 --variant mutant:less-for-less-equal --order chain --json");
   EXPECT_EQ(told.code, 1) << told.output;
   const auto line = nlohmann::json::parse(told.output);
   EXPECT_EQ(line["n"], box.spheres());
@@ -227,6 +227,15 @@ TEST_F(Mpirun, EndsWith1WhereAFormulaKnowsBetter) {
   EXPECT_LT(line["pairs"], box.pairs());
   EXPECT_EQ(line["fault"],
             fmt::format("{} pairs instead of {}", line["pairs"].get<std::uint64_t>(), box.pairs()));
+  EXPECT_EQ(line["order"], "chain");
+  expect_phases_in_chain_order(line["phases_peak_kib"]);
+  const ProgramOutcome in_words =
+      run_ranks("closed-form --side 5 --reach 2 --variant mutant:less-for-less-equal --order space");
+  EXPECT_EQ(in_words.code, 1);
+  for (const std::string& words :
+       {fmt::format("closed form {} pairs, {} of them exact ties\n", box.pairs(), box.ties()),
+        std::string("3 ranks, shared out by space: "), std::string(" pairs, WRONG: ")})
+    EXPECT_NE(in_words.output.find(words), std::string::npos) << words << in_words.output;
 }
 
 /// Not a thread a core on each.
