@@ -174,6 +174,7 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   ASSERT_EQ(r.code, 0) << r.output;
   const auto line = nlohmann::json::parse(r.output);
   EXPECT_EQ(line["pairs"], 812);
+  EXPECT_EQ(line["n"], 60);
   EXPECT_EQ(line["ranks"], 4);
   EXPECT_EQ(line["max_count"], 28);
   EXPECT_EQ(line["order"], "chain");
