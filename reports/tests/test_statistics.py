@@ -91,6 +91,7 @@ class Intervals(unittest.TestCase):
         self.assertAlmostEqual(found.value, 1.5)
         self.assertAlmostEqual(found.high - found.low, 0, places=6)
         self.assertIsNone(statistics.exponent([10, 20, 30], [1, 2, 3]))
+        self.assertIsNone(statistics.exponent([10, 10, 20, 30], [1, 2, 3, 4]))
         # What took no time that a clock sees is on no power law.
         self.assertAlmostEqual(statistics.exponent([1, 2, 4, 8, 16, 0], [1, 2, 4, 8, 0, 3]).value, 1)
         self.assertIsNone(statistics.exponent([1, 2, 4, 8], [0, 2, 4, 8]))
