@@ -12,6 +12,9 @@
 
 #include "catena/bench/closed_form/lattice_box.h"
 #include "catena/core/commands/test_program.h"
+#include "catena/core/input/input.h"
+#include "catena/core/ranks/rank_search.h"
+#include "catena/core/ranks/thread_ranks.h"
 #include "catena/properties/testing/device_file.h"
 
 /// The program under mpirun, three processes on whatever cores there are.
@@ -64,6 +67,29 @@ void expect_work_of_ranks(const nlohmann::json& line) {
   EXPECT_LE(*kib.rbegin(), most_kib) << line;
 }
 
+struct RankDid {
+  ranks::RankWork work;
+  ranks::Traffic sent;
+};
+/// What each of so many does that counts in chain order, as a thread of this process.
+std::vector<RankDid> in_threads(const char* input, unsigned size) {
+  const Chain chain = open_input(input).animation->frame(0);
+  const ranks::RankOptions options{.order = ranks::Order::chain, .request = {.want = Request::Want::counts}};
+  std::vector<RankDid> did(size);
+  ranks::run_in_threads(size, [&](ranks::Communicator& c) {
+    search(c, ranks::even_part_of(chain, size, c.rank()), options, did[c.rank()].work);
+    did[c.rank()].sent = c.traffic();
+  });
+  return did;
+}
+
+/// Of a search in chain order, which takes something in each phase but for that in which spheres change
+/// ranks.
+void expect_phases_in_chain_order(const nlohmann::json& phases) {
+  EXPECT_EQ(phases.size(), 7u) << phases;
+  for (const auto& [phase, took] : phases.items()) EXPECT_EQ(took == 0, phase == "repartition") << phases;
+}
+
 TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
   for (const std::string input :
        {"coincident:n=60", "yarn:n=3000,seed=5 --arc-window pi/2", "hair:n=900 --window 3",
@@ -109,18 +135,21 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
   wider.replace(wider.find("0 8\n"), 3, "0 12");  // in which nothing touches through a face
   const std::string changing = write("changing.dump", frame + wider + frame);
   for (const std::string& input : std::vector<std::string>{
-           changing + " --radius 0.5 --frame all", "yarn:n=3000,seed=5 --box 30,0,25",
+           changing + " --radius 0.5", "yarn:n=3000,seed=5 --box 30,0,25",
            "hair:n=900 --window 3 --box 20,20,20,3,-2,1", "yarn:n=500 --arc-window pi/2 --box 300,300,300"}) {
     for (const char* order : {"chain", "space"}) {
+      const bool all = order == std::string("chain");
+      const char* const frames = !input.starts_with(changing) ? "" : all ? " --frame all" : " --frame 2";
       const auto tables = [&](const char* of) {
-        return fmt::format(" --pairs '{0}.csv' --counts '{0}.counts.csv' --depth --margin", file(of));
+        return fmt::format("{0} --pairs '{1}.csv' --counts '{1}.counts.csv'{2} --margin", frames, file(of),
+                           all ? " --depth" : "");
       };
       const ProgramOutcome alone = run("detect " + input + tables("alone"));
       ASSERT_EQ(alone.code, 0) << alone.output;
       const ProgramOutcome ranks = run_ranks("detect " + input + tables("ranks") + " --order " + order);
       ASSERT_EQ(ranks.code, 0) << ranks.output;
       for (const std::string end : {".csv", ".counts.csv"}) {
-        EXPECT_GT(text_of(file("alone" + end)).size(), 100u) << input;
+        EXPECT_GT(std::ranges::count(text_of(file("alone" + end)), '\n'), 1) << input;
         EXPECT_EQ(text_of(file("alone" + end)), text_of(file("ranks" + end))) << input << " " << order;
       }
     }
@@ -145,11 +174,26 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   ASSERT_EQ(r.code, 0) << r.output;
   const auto line = nlohmann::json::parse(r.output);
   EXPECT_EQ(line["pairs"], 812);
+  EXPECT_EQ(line["n"], 60);
   EXPECT_EQ(line["ranks"], 4);
   EXPECT_EQ(line["max_count"], 28);
   EXPECT_EQ(line["order"], "chain");
   EXPECT_EQ(line["most_spheres"], 60 / 4);
   EXPECT_LT(line["most_blocks_asked"], line["most_bytes_sent"]);
+  expect_phases_in_chain_order(line["phases_ms"]);
+  // Pairs that nobody reads are none of the work, nor is a limit on them.
+  const ProgramOutcome counts =
+      run_ranks("detect coincident:n=60 --json --order chain --counts-only --pair-limit 5", 4);
+  ASSERT_EQ(counts.code, 0) << counts.output;
+  for (const char* same : {"pairs", "max_count", "most_blocks_asked", "most_bytes_sent"})
+    EXPECT_EQ(nlohmann::json::parse(counts.output)[same], line[same]) << same;
+  std::uint64_t asked = 0, bytes = 0;
+  for (const RankDid& rank : in_threads("coincident:n=60", 4)) {
+    asked = std::max(asked, rank.work.across.blocks_asked);
+    bytes = std::max(bytes, rank.sent.bytes);
+  }
+  EXPECT_EQ(line["most_blocks_asked"], asked);
+  EXPECT_EQ(line["most_bytes_sent"], bytes);
   const ProgramOutcome frames = run_ranks("detect path1:n=100 --frame all --json");
   EXPECT_EQ(frames.code, 0);
   std::vector<std::uint64_t> sent;
@@ -167,6 +211,7 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
     EXPECT_NE(told.find(words), std::string::npos) << told;
   };
   says("rod:n=60 --any --order chain", "60 spheres, does not collide; 3 ranks in chain order");
+  says("coincident:n=60 --pair-limit 812", "60 spheres, 812 pairs, at most 28 a sphere; 3 ranks ");
   says("coincident:n=60 --any --order space", "60 spheres, collides; 3 ranks by space");
 }
 
@@ -174,7 +219,7 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
 TEST_F(Mpirun, EndsWith1WhereAFormulaKnowsBetter) {
   const bench::LatticeBox box{.side = 5, .reach = 2};
   const ProgramOutcome told =
-      run_ranks("closed-form --side 5 --reach 2 --variant mutant:less-for-less-equal --json");
+      run_ranks("closed-form --side 5 --reach 2 --variant mutant:less-for-less-equal --order chain --json");
   EXPECT_EQ(told.code, 1) << told.output;
   const auto line = nlohmann::json::parse(told.output);
   EXPECT_EQ(line["n"], box.spheres());
@@ -183,6 +228,15 @@ TEST_F(Mpirun, EndsWith1WhereAFormulaKnowsBetter) {
   EXPECT_LT(line["pairs"], box.pairs());
   EXPECT_EQ(line["fault"],
             fmt::format("{} pairs instead of {}", line["pairs"].get<std::uint64_t>(), box.pairs()));
+  EXPECT_EQ(line["order"], "chain");
+  expect_phases_in_chain_order(line["phases_peak_kib"]);
+  const ProgramOutcome in_words =
+      run_ranks("closed-form --side 5 --reach 2 --variant mutant:less-for-less-equal --order space");
+  EXPECT_EQ(in_words.code, 1);
+  for (const std::string& words :
+       {fmt::format("closed form {} pairs, {} of them exact ties\n", box.pairs(), box.ties()),
+        std::string("3 ranks, shared out by space: "), std::string(" pairs, WRONG: ")})
+    EXPECT_NE(in_words.output.find(words), std::string::npos) << words << in_words.output;
 }
 
 /// Not a thread a core on each.
@@ -191,18 +245,29 @@ TEST_F(Mpirun, SharesTheCoresOfAMachine) {
       run_ranks("bench rod:n=60 --repetitions 1", 1, "OMPI_MCA_hwloc_base_binding_policy=none");
   ASSERT_EQ(alone.code, 0) << alone.output;
   const std::size_t all = nlohmann::json::parse(alone.output)["of_ranks"][0]["cores"];
-  for (const std::size_t ranks : {2u, 3u}) {
-    const ProgramOutcome r =
-        run_ranks("bench rod:n=60 --repetitions 1", ranks, "OMPI_MCA_hwloc_base_binding_policy=none");
+  for (const unsigned size : {2u, 3u}) {
+    const ProgramOutcome r = run_ranks("bench coincident:n=61 --repetitions 3 --order chain", size,
+                                       "OMPI_MCA_hwloc_base_binding_policy=none");
     ASSERT_EQ(r.code, 0) << r.output;
     const auto line = nlohmann::json::parse(r.output);
-    ASSERT_EQ(line["of_ranks"].size(), ranks);
-    std::size_t spheres = 0;
-    for (const auto& rank : line["of_ranks"]) {
-      EXPECT_EQ(rank["cores"], std::max<std::size_t>(1, all / ranks));
-      spheres += rank["spheres"].get<std::size_t>();
+    expect_phases_in_chain_order(line["phases_ms"]);
+    expect_phases_in_chain_order(line["phases_peak_kib"]);
+    EXPECT_EQ(line["order"], "chain");
+    ASSERT_EQ(line["of_ranks"].size(), size);
+    const std::vector<RankDid> did = in_threads("coincident:n=61", size);
+    for (std::size_t k = 0; k < size; ++k) {  // of one repetition
+      nlohmann::json rank = line["of_ranks"][k];
+      EXPECT_GT(rank["peak_kib"], 0);
+      rank.erase("peak_kib");
+      const ranks::AcrossWork& across = did[k].work.across;
+      EXPECT_EQ(rank, nlohmann::json({{"cores", std::max<std::size_t>(1, all / size)},
+                                      {"spheres", did[k].work.spheres},
+                                      {"blocks_asked", across.blocks_asked},
+                                      {"blocks_touching", across.blocks_touching},
+                                      {"rounds", across.rounds},
+                                      {"bytes", did[k].sent.bytes},
+                                      {"messages", did[k].sent.messages}}));
     }
-    EXPECT_EQ(spheres, 60u);
   }
 }
 
@@ -234,7 +299,10 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
                   "coincident:n=60 frame 0: the box is 0.1 wide along x, less than twice the reach");
   const std::string table = "x,y,z,r\n0,0,0,1\n9,0,0,1\n1,0,0,1\n", in = write("in.csv", table);
   expect_one_line(run_ranks("detect " + in + " --pairs " + in), "is read, and would be lost");
+  expect_one_line(run_ranks("detect yarn:n=50 --topology " + in + " --counts " + in),
+                  "is read, and would be lost");
   EXPECT_EQ(text_of(file("in.csv")), table);
+  expect_one_line(run_ranks("detect coincident:n=60 --depth"), "--depth and --margin are columns of --pairs");
   expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
 }
 

@@ -69,6 +69,31 @@ TEST(Directory, NamesSpheresAsTheirFileDoes) {
   EXPECT_GT(joints, 2);
 }
 
+/// Whoever was the first to send.
+TEST(Communicator, DeliversByRisingRank) {
+  run_in_threads(4, [&](Communicator& c) {
+    for (int k = 0; k < 100; ++k) {
+      const Bytes own(c.rank() + 1);
+      std::vector<Message> messages;
+      std::vector<Outgoing> out;
+      std::vector<unsigned> others, told, came;
+      for (unsigned other = 0; other < c.size(); ++other) {
+        if (other == c.rank()) continue;
+        others.push_back(other), out.push_back({other, own}), messages.push_back({other, own});
+      }
+      std::vector<Bytes> places(c.size());
+      c.exchange_in_place(out, [&](unsigned rank, std::size_t bytes) {
+        EXPECT_EQ(bytes, rank + 1);
+        told.push_back(rank), places[rank].resize(bytes);
+        return places[rank].data();
+      });
+      for (const Message& message : c.exchange(std::move(messages))) came.push_back(message.rank);
+      EXPECT_EQ(told, others);
+      EXPECT_EQ(came, others);
+    }
+  });
+}
+
 /// What a rank sends itself is no traffic.
 TEST(Communicator, CountsWhatGoesToOthers) {
   run_in_threads(3, [&](Communicator& c) {

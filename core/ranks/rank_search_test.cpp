@@ -237,6 +237,14 @@ TEST(RankSearch, ComparesWithTheReference) {
     const RankComparison invented = compare_with_reference(c, whole(), more);
     EXPECT_EQ(invented.invented + invented.repeated, 1u);
     EXPECT_EQ(compare_with_reference(c, whole(), miscounted).wrong_counts, 1u);
+    // Of every rank, and what all say alike.
+    RankAnswer uncounted = answer, unsure = answer, of_more = answer;
+    uncounted.count.pop_back();
+    EXPECT_EQ(compare_with_reference(c, whole(), uncounted).wrong_counts, 3u);
+    unsure.found = c.rank() == 2;
+    EXPECT_FALSE(compare_with_reference(c, whole(), unsure).right());
+    of_more.pair_count += c.rank() == 0;
+    EXPECT_FALSE(compare_with_reference(c, whole(), of_more).right());
   });
 }
 
@@ -270,6 +278,39 @@ TEST(LatticePart, GivesTheClosedFormOnAnyRanks) {
         EXPECT_NE(fault, "");
       }
     });
+}
+
+/// On whichever rank; each says what is wrong of all, or of its own pairs.
+TEST(LatticePart, NamesWhatIsWrongOfTheAnswer) {
+  const bench::LatticeBox box{6, 2};
+  run_in_threads(3, [&](Communicator& c) {
+    const auto start = [&](unsigned rank) { return even_start(box.spheres(), 3, rank); };
+    RankWork work;
+    const RankAnswer right = search(c, lattice_part(box, start(c.rank()), start(c.rank() + 1)), {}, work);
+    const auto fault = [&](unsigned of, const auto& spoil, bool with_pairs = true) {
+      RankAnswer wrong = right;
+      if (c.rank() == of) spoil(wrong);
+      return lattice_fault(c, box, wrong, with_pairs);
+    };
+    const std::uint64_t n = box.pairs();
+    for (unsigned of = 0; of < 3; ++of) {
+      EXPECT_EQ(fault(of, [](RankAnswer& a) { ++a.count.back(); }),
+                fmt::format("counts sum up to {} instead of {}", 2 * n + 1, 2 * n));
+      EXPECT_EQ(fault(of, [](RankAnswer& a) { a.pairs.pop_back(); }),
+                fmt::format("{} pairs are kept of {}", n - 1, n));
+      EXPECT_EQ(fault(
+                    of, [](RankAnswer& a) { a.pairs.pop_back(); }, false),
+                "");
+      const auto on_it = [&](const std::string& words) { return c.rank() == of ? words : ""; };
+      EXPECT_EQ(fault(of, [](RankAnswer& a) { a.pairs[1] = a.pairs[0]; }), on_it("a pair is there twice"));
+      const SphereId i = right.pairs[0].i, apart = i < box.spheres() / 2 ? box.spheres() - 1 : i + 1;
+      EXPECT_EQ(fault(of, [&](RankAnswer& a) { a.pairs[0].j = apart; }),
+                on_it(fmt::format("{} and {} do not collide", i, apart)));
+    }
+    RankAnswer more = right;
+    ++more.pair_count;
+    EXPECT_EQ(lattice_fault(c, box, more, true), fmt::format("{} pairs instead of {}", n + 1, n));
+  });
 }
 
 /// A file of these bytes.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 #include "catena/core/error.h"
@@ -134,6 +135,12 @@ TEST_P(Peers, FollowAMovingChain) {
     variant->find(other, {}, found);
     EXPECT_TRUE(compare(other, find(other), found).right()) << size;
   }
+  // The same spheres may lie elsewhere when they are searched, and others where they lay.
+  variant->build(Chain(tangle(2)));
+  const std::vector<Sphere> others(1000, Sphere{1e6f, 0, 0, 1});
+  Collisions found;
+  variant->find(chain, {}, found);
+  EXPECT_TRUE(compare(chain, find(chain), found).right());
 }
 
 TEST_P(Peers, TakeNoSpheresOneSphereAndAFlood) {
@@ -147,6 +154,18 @@ TEST_P(Peers, TakeNoSpheresOneSphereAndAFlood) {
   const Chain flood(std::vector<Sphere>(300, Sphere{1, 2, 3, 0}));
   EXPECT_EQ(found_by(name(), flood).pair_count, 300u * 299 / 2 - 299);
   EXPECT_THROW(found_by(name(), flood, {Request::Want::pairs, 5}), PairLimitExceeded);
+}
+
+/// Whatever a library takes for too far out, at whichever end of an axis, is far out for the chain alone.
+TEST_P(Peers, FindWhatLiesAsFarOutAsFloatsGo) {
+  for (const float radius : {0.0f, 1.0f, 0x1p127f})
+    for (float Sphere::*axis : {&Sphere::x, &Sphere::y, &Sphere::z})
+      for (const float end : {-std::numeric_limits<float>::max(), 0.0f, std::numeric_limits<float>::max()}) {
+        Sphere far{0, 0, 0, radius};
+        far.*axis = end;
+        EXPECT_EQ(found_by(name(), Chain({far, far}, {{0, 1, 2}, {}})).pair_count, 1u)
+            << far.x << ' ' << far.y;
+      }
 }
 
 /// A library compiled with -ffast-math would make subnormal numbers zero for the whole program.

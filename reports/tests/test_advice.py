@@ -228,6 +228,19 @@ class Certain(unittest.TestCase):
         self.assertLess(half, 1.05)
         self.assertGreater(most, 1.1)
 
+    def test_cases_of_too_few_samples_are_of_all_but_not_judged(self):
+        value = made.run(repetitions=12)
+        value["benchmarks"] = [
+            row
+            for row in value["benchmarks"]
+            if "/GPU1/" not in row["name"] or row.get("repetition_index", 0) < certainty.FEWEST - 1
+        ]
+        run = of(value)
+        found = certainty.certainty(run)
+        self.assertEqual(found.of, len(run.samples))
+        self.assertEqual(found.cases, sum(len(times) >= certainty.FEWEST for times in run.samples.values()))
+        self.assertTrue(0 < found.cases < found.of)
+
     def test_a_load_that_comes_and_goes_in_every_round_is_a_false_alarm(self):
         value = made.run(repetitions=12)
         for row in value["benchmarks"]:

@@ -67,6 +67,7 @@ class Intervals(unittest.TestCase):
         self.assertAlmostEqual(found.value, 2)
         self.assertAlmostEqual(math.log(found.high / found.value), reach, places=4)
         self.assertAlmostEqual(math.log(found.value / found.low), reach, places=4)
+        self.assertAlmostEqual(statistics.mean_log([1, 4]).high, 2 * math.exp(12.7062 * math.log(2)), delta=1)
         self.assertEqual(statistics.mean_log([3.0]).low, 0)
         self.assertEqual(statistics.mean_log([3.0]).high, math.inf)
 
@@ -90,6 +91,7 @@ class Intervals(unittest.TestCase):
         self.assertAlmostEqual(found.value, 1.5)
         self.assertAlmostEqual(found.high - found.low, 0, places=6)
         self.assertIsNone(statistics.exponent([10, 20, 30], [1, 2, 3]))
+        self.assertIsNone(statistics.exponent([10, 10, 20, 30], [1, 2, 3, 4]))
         # What took no time that a clock sees is on no power law.
         self.assertAlmostEqual(statistics.exponent([1, 2, 4, 8, 16, 0], [1, 2, 4, 8, 0, 3]).value, 1)
         self.assertIsNone(statistics.exponent([1, 2, 4, 8], [0, 2, 4, 8]))
@@ -128,6 +130,17 @@ class Best(unittest.TestCase):
         }
         leader, alike = statistics.best(samples)
         self.assertEqual({leader, *alike}, {"quick", "alike"})
+
+    def test_the_leader_has_the_least_median(self):
+        samples = {"a": [2, 2, 2, 2, 90], "of the least mean": [3] * 5, "of the least sample": [0.1, 4, 4, 4, 4]}
+        self.assertEqual(statistics.best(samples)[0], "a")
+
+    def test_four_samples_apart_differ_at_5_percent_from_one_or_by_their_ranges_from_more(self):
+        four = {name: range(first, first + 4) for name, first in (("a", 1), ("b", 5), ("c", 9))}
+        self.assertGreater(statistics.least_p(4, 4), 0.025)
+        self.assertEqual(statistics.best({"a": four["a"], "b": four["b"]}), ("a", []))
+        self.assertGreater(2 * statistics.least_p(4, 4), 0.05)  # of two others no test can decide
+        self.assertEqual(statistics.best(four), ("a", []))
 
     def test_few_samples_are_told_apart_by_their_ranges(self):
         leader, alike = statistics.best({"a": [1, 2, 3], "b": [2.5, 3, 4], "c": [100, 101, 102]})
