@@ -36,7 +36,8 @@ void FrameSearch::remember(const Chain& chain) {
 /// True where `result` is the answer to the request; else it stands in answer_.
 bool FrameSearch::search_all(const Chain& chain, const Request& request, Collisions& result,
                              const FullSearch& here) {
-  const bool worth = frames_ && request.want != Request::Want::any && (always_ || looks_.may_try());
+  const bool worth = frames_ && request.want != Request::Want::any &&
+                     (always_ || (looks_.may_try() && knows_plain(request)));
   const bool all = request.want == Request::Want::pairs &&
                    request.queries.within(chain.size()) == SphereRange{0, chain.size()};
   if (!worth) return here(chain, request, result), true;
@@ -130,6 +131,7 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
           full_ms_ = build_ms + searching.ms();
         });
         policy_.searched(full_ms_);
+        if (!answered_) learn_plain(request);
         heed_full_search();
         break;
       case Way::unmoved:
@@ -153,6 +155,17 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
   return filled;
 }
 
+/// To find all pairs, and to keep them, takes more than what is asked for may: what that takes alone is worth
+/// one frame of which the next one knows nothing.
+bool FrameSearch::knows_plain(const Request& request) const {
+  return policy_.cold() || !updated_ || (plain_ms_ > 0 && plain_want_ == request.want);
+}
+void FrameSearch::learn_plain(const Request& request) {
+  const bool first = plain_ms_ == 0 || plain_want_ != request.want;
+  plain_ms_ = first ? full_ms_ : std::min(full_ms_, 0.7 * plain_ms_ + 0.3 * full_ms_);
+  plain_want_ = request.want;
+}
+
 /// What lists lost was lost beside a full search; where that takes much longer by now they are tried anew.
 void FrameSearch::heed_full_search() {
   constexpr double much = 1.5;
@@ -167,12 +180,16 @@ void FrameSearch::heed_full_search() {
 void FrameSearch::settle(double ms) {
   if (!updated_ || policy_.cold()) return;
   constexpr double most_of_a_look = 1, most_of_a_list = 8, most_of_the_first = 2;
-  looks_.frame(), lists_.frame();
+  looks_.search(), lists_.search();
   constexpr double doubtful = 0.4;
   if (way_ != Way::full && !made_ && ms > doubtful * policy_.full_ms()) ++doubt_;
   if (way_ == Way::kept_list)
     lists_.used(ms, policy_.full_ms(), policy_.first_list() ? most_of_the_first : most_of_a_list);
-  if (!made_) looks_.used(ms, way_ == Way::full ? full_ms_ : policy_.full_ms(), most_of_a_look);
+  if (made_ || !answered_) return;
+  const double without = way_ != Way::full ? policy_.full_ms()
+                         : plain_ms_ > 0   ? std::min(plain_ms_, full_ms_)
+                                           : full_ms_;
+  looks_.used(ms, without, most_of_a_look);
 }
 
 void FrameSearch::find(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,

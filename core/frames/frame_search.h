@@ -7,13 +7,13 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/export.h"
-#include "catena/core/frames/frame_account.h"
 #include "catena/core/frames/frame_answer.h"
 #include "catena/core/frames/kept_list.h"
 #include "catena/core/frames/list_policy.h"
 #include "catena/core/frames/moved_cells.h"
 #include "catena/core/frames/moving_row.h"
 #include "catena/core/plan/omissions.h"
+#include "catena/core/plan/trial_account.h"
 #include "catena/core/strategy/moved.h"
 #include "catena/core/strategy/plan.h"
 
@@ -92,6 +92,8 @@ class CATENA_API FrameSearch {
   void search_changes(const Chain& chain);
   void settle(double ms);
   void heed_full_search();
+  bool knows_plain(const Request& request) const;
+  void learn_plain(const Request& request);
 
   const Omissions omissions_;
   const bool always_;
@@ -116,13 +118,15 @@ class CATENA_API FrameSearch {
   double move_ = 0;                   ///< of a frame, at most
   double radius_ = 0;                 ///< of spheres, about
   double skin_ = 0, inner_skin_ = 0;  ///< wanted of the next list
-  FrameAccount looks_, lists_;        ///< of looking for what frames have in common; of kept lists
+  TrialAccount looks_, lists_;        ///< of looking for what frames have in common; of kept lists
   double beside_ms_ = 0;              ///< the full search that lists are held against
   unsigned doubt_ = 0;  ///< frames since the last full search that took about as long as that was thought to
   double update_ms_ = 0;              ///< of this frame
   Learned run_, cell_sphere_{4e-6};   ///< of a run that changed, by the tree; of any sphere, by cells
   bool by_cells_ = false;             ///< the next such search; then, the last one
   double full_ms_ = 0, find_ms_ = 0;  ///< of the last full search; of this frame's
+  double plain_ms_ = 0;               ///< of a full search for what is asked alone, that leaves nothing
+  Request::Want plain_want_{};        ///< what that was
   bool made_ = false;                 ///< a list was, of this frame
   std::size_t compared_ = 0;          ///< of this frame: runs that changed, or near pairs
 };

@@ -60,7 +60,7 @@ void FrameSearch::begin(bool follow) {
   looks_.begin(), lists_.begin();
   frames_ = follow || always_;
   behind_ = updated_ = false;
-  update_ms_ = beside_ms_ = 0;
+  update_ms_ = beside_ms_ = plain_ms_ = 0;
   doubt_ = 0;
   shift_ = 0;
   way_ = Way::full;

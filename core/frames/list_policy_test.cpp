@@ -46,13 +46,13 @@ TEST(ListPolicy, MakesNoListWhereLookingAtEachSphereTakesAsLongAsASearch) {
 }
 
 /// Whatever is lost at each try, n frames take no more than n full searches, a hundredth and a few.
-TEST(FrameAccount, LosesAShareOfAllFramesAtMost) {
+TEST(TrialAccount, LosesAShareOfAllFramesAtMost) {
   for (const double loss : {0.1, 1.0, 7.0}) {
-    FrameAccount account;
+    TrialAccount account;
     double ms = 0;
     const int frames = 2000;
     for (int k = 0; k < frames; ++k) {
-      account.frame();
+      account.search();
       const double took = account.may_try() ? 1 + loss : 1;
       if (took > 1) account.used(took, 1, 8);
       ms += took;
@@ -63,11 +63,11 @@ TEST(FrameAccount, LosesAShareOfAllFramesAtMost) {
 }
 
 /// A frame that took very long, as something else ran, says no more than the most that it may lose.
-TEST(FrameAccount, LosesNoMoreByOneFrameThanItIsTold) {
-  FrameAccount account;
+TEST(TrialAccount, LosesNoMoreByOneFrameThanItIsTold) {
+  TrialAccount account;
   account.used(1e9, 1, 2);
   EXPECT_FALSE(account.may_try());
-  for (int k = 0; k < 150; ++k) account.frame();
+  for (int k = 0; k < 150; ++k) account.search();
   EXPECT_TRUE(account.may_try());
 }
 
