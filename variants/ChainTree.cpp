@@ -84,7 +84,10 @@ const RegisterVariant<ChainTree, Robust> registered{
     {.name = "ChainTree",
      .summary = "capsules of 8 consecutive spheres, 16 a node, SIMD, sequential",
      .parameters = {rows_parameter(), exact_parameter()},
-     .has_tree = true}};
+     .has_tree = true,
+     .rival = [](std::uint32_t n, const Extent&) {
+       return n <= 2048 ? 8 : 0;
+     }}};  // beyond, Hybrid is no slower
 
 }  // namespace
 }  // namespace catena

@@ -74,8 +74,14 @@ class Grid final : public HostSearch, public EvidenceNodes {
 const RegisterVariant<Grid, Robust> registered{
     {.name = "Grid",
      .summary = "cells as wide as one or two spheres, half the neighbourhood each, SIMD",
-     .parameters = {{"cells", "measured", "as wide as four radii (wide) or two (narrow), or as a look at what is near tells"},
-                    exact_parameter(), radii_parameter(), Team::threads_parameter()}}};
+     .parameters = {{"cells", "measured",
+                     "as wide as four radii (wide) or two (narrow), or as a look at what is near tells"},
+                    exact_parameter(),
+                    radii_parameter(),
+                    Team::threads_parameter()},
+     .rival = [](std::uint32_t, const Extent& e) {
+       return e.greatest_radius <= 2 * e.least_radius ? 4 : 0;
+     }}};
 
 }  // namespace
 }  // namespace catena

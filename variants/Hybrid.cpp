@@ -82,7 +82,8 @@ const RegisterVariant<Hybrid, Robust> registered{
                     exact_parameter(),
                     radii_parameter(),
                     Team::threads_parameter()},
-     .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6}}};
+     .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6},
+     .rival = [](std::uint32_t, const Extent&) { return 3; }}};
 
 }  // namespace
 }  // namespace catena

@@ -71,7 +71,8 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
 const RegisterVariant<SpheresInSpace, Robust> registered{
     {.name = "SphereTree",
      .summary = "single spheres in the order of space, sixteen a node, SIMD",
-     .parameters = {exact_parameter(), Team::threads_parameter()}}};
+     .parameters = {exact_parameter(), Team::threads_parameter()},
+     .rival = [](std::uint32_t, const Extent&) { return 2; }}};
 
 }  // namespace
 }  // namespace catena

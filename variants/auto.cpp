@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -13,6 +15,7 @@
 #include "catena/core/frames/frame_search.h"
 #include "catena/core/plan/coarse_look.h"
 #include "catena/core/plan/part_look.h"
+#include "catena/core/plan/rivals.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/keeps_answer.h"
@@ -29,6 +32,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   explicit Auto(const Parameters& parameters)
       : omissions_(Omissions::without(parameters.choices("keep", omission_names()))),
         always_(parameters.choice("frames", {"measured", "always"}) == "always"),
+        alone_(always_ || parameters.choice("rivals", {"measured", "none"}) == "none"),
         frames_(omissions_, always_) {}
 
   void prepare(const Request& request) override { request_ = request; }
@@ -93,12 +97,14 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!plan_) return {};
     if (contact_) return "a look at likely places";
     return frames_count() && way_ != FrameSearch::Way::full ? "the frame before"
+           : searcher_ != nullptr                           ? plan_->named(searcher_is_)
                                                             : plan_->variant_with_threads();
   }
 
   Plan plan() const override {
     if (!plan_) return {};
     Plan steps = plan_->steps();
+    if (rivals_.replaced()) tell_of_rivals(steps);
     if (!built_)
       for (Decision& step : steps)
         if (step.step == info_of(Omission::hierarchy).step)
@@ -124,8 +130,11 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!updates) stands_ = nullptr;
     way_ = FrameSearch::Way::full;
     const Extent extent = chain.view().extent;
-    if (!plan_ || !plan_->holds_for(chain.size(), request_, extent, chain.spheres(), history_))
+    if (!plan_holds(chain, updates)) {
       plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
+      const Rivals::Contender planned{plan_->variant(), plan_->threads()};
+      updates ? rivals_.go_on(planned) : rivals_.begin(planned, chain.size());
+    }
     if (!plan_->look_first()) contact_.reset();  // of a frame of which something else was asked
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
       // A chain alone: choosing took less than it takes to look at the clock.
@@ -182,16 +191,36 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     collector.finish();
   }
 
+  void tell_of_rivals(Plan& steps) const {
+    const Rivals::Contender& leader = rivals_.leader();
+    steps.front().reason += fmt::format("; {} in its place, which took {:.3g} ms where {:.3g} were taken",
+                                        plan_->named(leader), rivals_.leader_ms(), rivals_.other_ms());
+    for (Decision& step : steps)
+      if (step.step == info_of(Omission::threads).step && leader.threads == 1 && !step.left_out)
+        step.left_out = true, step.reason += "; one in their place";
+  }
+  /// Of which kind a chain is, is looked at again for some frames only.
+  bool plan_holds(const Chain& chain, bool updates) {
+    constexpr unsigned frames_of_a_look = 16;
+    if (updates && ++since_look_ < frames_of_a_look && plan_)
+      return plan_->holds_for_frame(chain.size(), request_, history_);
+    since_look_ = 0;
+    return plan_ && plan_->holds_for(chain.size(), request_, chain.view().extent, chain.spheres(), history_);
+  }
   void build_searcher(const Chain& chain) { build_searcher(chain, request_); }
   void build_searcher(const Chain& chain, const Request& request) {
     with_room([&] {
-      built_ = false;
-      searcher_ = &held();
+      built_ = told_ = false;
+      searcher_is_ =
+          plan_->on_device() ? Rivals::Contender{plan_->variant(), plan_->threads()} : rivals_.next();
+      searcher_ = &held(searcher_is_);
       const bool moved = std::exchange(stands_, nullptr) == searcher_;
       searcher_->prepare(request);
       moved&& omissions_.may(Omission::sort) ? searcher_->update(chain) : searcher_->build(chain);
       built_ = true;
       stands_ = searcher_;
+      if (const auto gone = rivals_.take_lost())  // it will not be asked for long, and has memory
+        std::erase_if(held_, [&](const Held& h) { return h.who == *gone && h.variant.get() != searcher_; });
     });
   }
 
@@ -204,11 +233,19 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       if (!built_) build_searcher(chain);
       searcher_->find(chain, wider, result);
     });
-    if (wider.want != Request::Want::any && wider.queries == SphereRange{}) {
-      const Timings took = searcher_->timings();
-      plan_->tell(took.build_ms + took.find_ms, history_);
-    }
+    if (wider.want != Request::Want::any && wider.queries == SphereRange{})
+      learn(searcher_->timings(), wider.want, chain.view().extent);
     drop_unasked(request.want, result);
+  }
+  /// From what a whole search took.
+  void learn(const Timings& took, Request::Want want, const Extent& extent) {
+    const double ms = took.build_ms + took.find_ms;
+    if (searcher_is_ == rivals_.planned()) plan_->tell(ms, history_);
+    // A frame that is kept is searched for more than others.
+    const bool comparable = searcher_is_ == rivals_.next() && want == plan_->want();
+    if (std::exchange(told_, true) || alone_ || !comparable) return;
+    rivals_.took(ms);
+    if (rivals_.expected()) rivals_.join(plan_->rivals(extent), plan_->usual_ms());
   }
   /// Of another chain; that of the last build is none any more. It may be of the same spheres, only thicker.
   void search_other(const Chain& chain, const Request& request, Collisions& result) {
@@ -224,26 +261,42 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!same_spheres) stands_ = nullptr;
   }
 
-  /// Where a device has no room for what is planned, again by what the plan has for that.
+  /// Where a device has no room for what is planned, again by what the plan has for that; where a rival has
+  /// none, without it.
   template <class Work>
   void with_room(const Work& work) {
     for (;;) try {
         return work();
       } catch (const CapacityError& none) {
-        const std::string gone = plan_->variant();
-        if (!plan_->give_way(none.what())) throw;
-        built_ = false;
-        stands_ = nullptr;
-        std::erase_if(held_, [&](const Held& h) { return h.name == gone; });  // its memory is needed
+        if (!gives_way(none.what())) throw;
+      } catch (const std::bad_alloc& none) {
+        if (!rival_gives_way()) throw;
       }
   }
+  bool gives_way(const std::string& why) {
+    if (rival_gives_way()) return true;
+    const Rivals::Contender gone = searcher_is_;
+    if (!plan_->give_way(why)) return false;
+    rivals_.begin({plan_->variant(), plan_->threads()}, spheres_.value_or(0));
+    return forget(gone), true;
+  }
+  bool rival_gives_way() {
+    if (plan_->on_device() || searcher_is_ == rivals_.planned()) return false;
+    rivals_.without(searcher_is_);
+    return forget(searcher_is_), true;
+  }
+  /// Its memory is needed.
+  void forget(const Rivals::Contender& who) {
+    built_ = false;
+    stands_ = searcher_ = nullptr;
+    std::erase_if(held_, [&](const Held& h) { return h.who == who; });
+  }
 
-  /// What the plan chose, with its memory where it was chosen before.
-  Variant& held() {
+  /// With its memory, where it searched before.
+  Variant& held(const Rivals::Contender& who) {
     for (const Held& h : held_)
-      if (h.threads == plan_->threads() && h.name == plan_->variant()) return *h.variant;
-    held_.push_back({plan_->variant(), plan_->threads(),
-                     StrategyRegistry::instance().make(plan_->variant_with_threads())});
+      if (h.who == who) return *h.variant;
+    held_.push_back({who, StrategyRegistry::instance().make(plan_->named(who))});
     return *held_.back().variant;
   }
 
@@ -254,9 +307,10 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   }
 
   const Omissions omissions_;
-  const bool always_;
+  const bool always_, alone_;
   Request request_;
   std::optional<SearchPlan> plan_;
+  unsigned since_look_ = 0;  ///< frames since it was looked of which kind the chain is
   SearchHistory history_;
   CoarseLook look_;
   PartLook part_look_;
@@ -264,11 +318,13 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   FrameSearch frames_;
   FrameSearch::Way way_ = FrameSearch::Way::full;
   struct Held {
-    std::string name;
-    unsigned threads;
+    Rivals::Contender who;
     std::unique_ptr<Variant> variant;
   };
   std::vector<Held> held_;
+  Rivals rivals_;
+  Rivals::Contender searcher_is_;         ///< of the last build
+  bool told_ = false;                     ///< what that took
   Variant* searcher_ = nullptr;           ///< of held_
   std::uint64_t topology_ = 0;            ///< of the last build or update; see ChainView
   const Variant* stands_ = nullptr;  ///< that whose last build was of an earlier frame of the same spheres
@@ -283,7 +339,10 @@ const RegisterVariant<Auto, Robust> registered{
     {.name = "auto",
      .summary = "what a plan chooses for the chain, and leaves out for the request",
      .parameters = {{"keep", "none", "omissions that are switched off, joined by '+'"},
-                    {"frames", "measured", "what frames have in common is used where it pays, or always"}}}};
+                    {"frames", "measured", "what frames have in common is used where it pays, or always"},
+                    {"rivals", "measured",
+                     "of many searches a few are done by others than what was planned, in whose place the "
+                     "quickest goes on, or none"}}}};
 
 }  // namespace
 }  // namespace catena

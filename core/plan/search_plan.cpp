@@ -13,6 +13,14 @@
 namespace catena {
 namespace {
 
+/// The strategy of that name takes this parameter.
+bool knows(const std::string& variant, const char* parameter) {
+  const StrategyInfo* const info =
+      StrategyRegistry::instance().find_strategy(VariantName::parse(variant).stages.front().strategy);
+  return info != nullptr &&
+         std::ranges::find(info->parameters, parameter, &ParameterInfo::name) != info->parameters.end();
+}
+
 /// "; it may not be left out"
 std::string switched_off(const Omissions& omissions, Omission omission) {
   return omissions.may(omission) ? "" : fmt::format("; --no-omit {}", info_of(omission).name);
@@ -134,25 +142,35 @@ SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v) const {
   return {&v, threads, ms(v, threads)};
 }
 
-std::string SearchPlan::variant_with_threads() const {
-  const bool rows = !omissions_.may(Omission::straight) && knows("rows"),
-             exact = !omissions_.may(Omission::exact) && knows("exact"),
-             radii = !omissions_.may(Omission::radii) && knows("radii");
-  if (threads() == 1 && !rows && !exact && !radii) return variant();
-  VariantName name = VariantName::parse(variant());
+std::string SearchPlan::named(const Rivals::Contender& contender) const {
+  const auto& [variant, threads] = contender;
+  const bool rows = !omissions_.may(Omission::straight) && knows(variant, "rows"),
+             exact = !omissions_.may(Omission::exact) && knows(variant, "exact"),
+             radii = !omissions_.may(Omission::radii) && knows(variant, "radii");
+  if (threads == 1 && !rows && !exact && !radii) return variant;
+  VariantName name = VariantName::parse(variant);
   auto& settings = name.stages.front().settings;
   if (rows) settings.push_back({"rows", "search"});
   if (exact) settings.push_back({"exact", "all"});
   if (radii) settings.push_back({"radii", "each"});
-  if (threads() > 1) settings.push_back({"threads", std::to_string(threads())});
+  if (threads > 1) settings.push_back({"threads", std::to_string(threads)});
   return name.text();
 }
 
-bool SearchPlan::knows(const char* parameter) const {
-  const StrategyInfo* const info =
-      StrategyRegistry::instance().find_strategy(VariantName::parse(variant()).stages.front().strategy);
-  return info != nullptr &&
-         std::ranges::find(info->parameters, parameter, &ParameterInfo::name) != info->parameters.end();
+std::vector<Rivals::Contender> SearchPlan::rivals(const Extent& extent) const {
+  std::vector<Rivals::Contender> all;
+  constexpr std::uint32_t most = 1u << 22;  // a trial takes as much memory again
+  if (chosen_ != tree_ || tree_ == nullptr || n_ > most) return all;
+  // Several threads were guessed to pay; other programs may need the cores.
+  if (threads() > 1 && omissions_.may(Omission::threads)) all.push_back({variant(), 1});
+  for (const std::string& name : StrategyRegistry::instance().rivals(n_, extent))
+    if (name != variant()) all.push_back({name, knows(name, "threads") ? threads() : 1});
+  return all;
+}
+
+double SearchPlan::usual_ms() const {
+  constexpr double twice = 2;
+  return tree_ != nullptr ? twice * tree_->cost.ms(n_, threads()) : 0;
 }
 
 bool SearchPlan::give_way(const std::string& why) {

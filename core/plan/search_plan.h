@@ -3,11 +3,13 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/export.h"
 #include "catena/core/plan/machine.h"
 #include "catena/core/plan/omissions.h"
+#include "catena/core/plan/rivals.h"
 #include "catena/core/plan/search_history.h"
 #include "catena/core/plan/unusual_kind.h"
 #include "catena/core/strategy/plan.h"
@@ -29,8 +31,12 @@ class CATENA_API SearchPlan {
   /// about what was thought.
   bool holds_for(std::uint32_t n, const Request& request, const Extent& extent,
                  std::span<const Sphere> spheres = {}, const SearchHistory& history = {}) const {
+    return holds_for_frame(n, request, history) && seen_ == look_at(extent, spheres);
+  }
+  /// The same of a later frame, which is taken to be of the same kind.
+  bool holds_for_frame(std::uint32_t n, const Request& request, const SearchHistory& history) const {
     return n == n_ && request.want == asked_ && request.frames_follow == frames_follow_ &&
-           seen_ == look_at(extent, spheres) && is_true_to(history);
+           is_true_to(history);
   }
   /// Says what building and searching took by this plan; nothing of a device, and of few spheres.
   void tell(double took_ms, SearchHistory& history) const;
@@ -40,8 +46,13 @@ class CATENA_API SearchPlan {
   }
   /// Host threads that it is to have; 1 where it knows none.
   unsigned threads() const { return threads_; }
-  /// As StrategyRegistry::make takes it.
-  std::string variant_with_threads() const;
+  /// As StrategyRegistry::make takes it: what was chosen, or another in its place.
+  std::string variant_with_threads() const { return named({variant(), threads()}); }
+  std::string named(const Rivals::Contender& contender) const;
+  /// Who might be quicker than what was chosen; nobody on a device, or than what compares all pairs.
+  std::vector<Rivals::Contender> rivals(const Extent& extent) const;
+  /// Nobody is quicker than a search that takes less: of a usual chain, whose order tells all.
+  double usual_ms() const;
   bool on_device() const { return chosen_->on_device; }
   bool all_pairs() const { return chosen_->all_pairs; }
   /// About what build and find take.
@@ -76,7 +87,6 @@ class CATENA_API SearchPlan {
   }
   bool is_true_to(const SearchHistory& history) const;
   const UnusualKind* look_at(const Extent& extent, std::span<const Sphere> spheres) const;
-  bool knows(const char* parameter) const;  ///< the variant does
   Decision hierarchy() const;
   Decision further_threads() const;
   Decision device() const;

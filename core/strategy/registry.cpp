@@ -156,6 +156,16 @@ std::vector<std::string> StrategyRegistry::strategy_names() const {
   return {names.begin(), names.end()};
 }
 
+std::vector<std::string> StrategyRegistry::rivals(std::uint32_t n, const Extent& extent) const {
+  std::set<std::pair<double, std::string>> by_risk;
+  for (const VariantEntry& e : complete_)
+    if (!e.hidden && e.arithmetic.exact && e.info.rival)
+      if (const double risk = e.info.rival(n, extent); risk > 0) by_risk.emplace(risk, e.info.name);
+  std::vector<std::string> names;
+  for (const auto& [risk, name] : by_risk) names.push_back(name);
+  return names;
+}
+
 const StrategyInfo* StrategyRegistry::find_strategy(std::string_view name) const {
   for (const VariantEntry& e : complete_)
     if (e.info.name == name) return &e.info;

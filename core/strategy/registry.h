@@ -51,6 +51,9 @@ class CATENA_API StrategyRegistry {
 
   /// Names of single strategies as registered ("CPU1", "aCPU2", "CPU2", ...), each once, sorted.
   std::vector<std::string> strategy_names() const;
+  /// Of complete variants that are exact, those that are rivals of a plan's choice for such a chain; the
+  /// safest first.
+  std::vector<std::string> rivals(std::uint32_t n, const Extent& extent) const;
   /// Null when there is none of that name; mutants are found too.
   const StrategyInfo* find_strategy(std::string_view name) const;
   /// Throws InputError that names those there are.

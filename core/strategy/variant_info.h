@@ -1,9 +1,11 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "catena/core/chain/chain_view.h"
 #include "catena/core/export.h"
 #include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/cost.h"
@@ -33,6 +35,9 @@ struct CATENA_API StrategyInfo {
   Promises promises = {};
   /// On a usual machine; without one no plan chooses it. `catena calibrate` measures those that have one.
   std::optional<Cost> cost = {};
+  /// That `auto` may try it beside what a plan chose, and what it may take for such a chain, at worst, in
+  /// times of the quickest: who takes less is tried sooner, and 0 never. Empty function: never.
+  std::function<double(std::uint32_t n, const Extent& extent)> rival = {};
   /// Why it cannot run on this machine; nullopt when it can. Empty function: it always can.
   std::function<std::optional<std::string>()> unavailable = {};
   /// Whether this process has paid what starting takes (Cost::start_ms), for this strategy or another. Empty

@@ -1,0 +1,87 @@
+#include "catena/core/plan/rivals.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace catena {
+
+void Rivals::begin(const Contender& planned, std::uint32_t n) {
+  if (n == n_ && planned == this->planned()) return;
+  *this = {};
+  n_ = n;
+  contenders_.front() = planned;
+}
+
+void Rivals::go_on(const Contender& planned) {
+  if (!compared_) return begin(planned, n_);
+  planned_ = place_of(planned);
+  history_[planned_] = {0, searches_};
+}
+
+void Rivals::join(const std::vector<Contender>& rivals, double worth_ms) {
+  for (const Contender& rival : rivals) place_of(rival);
+  worth_ms_ = worth_ms;
+  joined_ = true;
+}
+
+/// Among the contenders; the last where it was none yet.
+std::size_t Rivals::place_of(const Contender& who) {
+  const auto at = std::ranges::find(contenders_, who);
+  const auto place = static_cast<std::size_t>(at - contenders_.begin());
+  if (at == contenders_.end()) contenders_.push_back(who), history_.push_back({});
+  return place;
+}
+
+double Rivals::least() const { return *std::ranges::min_element(recent_); }
+
+void Rivals::begin_trial() {
+  const auto sooner = [&](std::size_t k) { return std::pair{history_[k].lost_times, k != planned_}; };
+  tried_ = none;
+  for (std::size_t k = 0; k < contenders_.size(); ++k)
+    if (k != leader_ && history_[k].due <= searches_ && (tried_ == none || sooner(k) < sooner(tried_)))
+      tried_ = k;
+  step_ = 0;
+}
+
+void Rivals::end_trial(bool won) {
+  constexpr unsigned most_doublings = 6;
+  constexpr std::uint64_t first_pause = 16;
+  constexpr double most_lost = 8;  // what takes longer says that something else ran meanwhile
+  const double leader_ms = least();
+  for (unsigned k = 0; k < step_; ++k) account_.used(best_ms_, leader_ms, most_lost / step_);
+  compared_ = true;
+  compared_ms_ = won ? std::pair{best_ms_, leader_ms} : std::pair{leader_ms, best_ms_};
+  lost_ = won ? leader_ : tried_;
+  if (won) leader_ = tried_, history_[leader_].lost_times = 0;
+  Tried& lost = history_[lost_];
+  lost.due = searches_ + (first_pause << std::min(lost.lost_times++, most_doublings));
+  tried_ = none, own_ = 0;
+}
+
+void Rivals::without(const Contender& who) {
+  history_[place_of(who)].due = std::numeric_limits<std::uint64_t>::max();
+  if (contenders_[leader_] == who) leader_ = planned_, compared_ms_ = {};
+  tried_ = none, own_ = 0;
+}
+
+std::optional<Rivals::Contender> Rivals::take_lost() {
+  const std::size_t lost = std::exchange(lost_, none);
+  return lost != none ? std::optional(contenders_[lost]) : std::nullopt;
+}
+
+void Rivals::took(double ms) {
+  constexpr double far_behind = 8, behind = 1.5, much_less = 0.9;
+  ++searches_;
+  account_.search();
+  if (tried_ == none) {
+    recent_[own_++ % some] = ms;
+    if (own_ >= patience && least() > worth_ms_ && account_.may_try()) begin_trial();
+    return;
+  }
+  best_ms_ = step_ < 2 ? ms : std::min(best_ms_, ms);
+  if (++step_ == trial) return end_trial(best_ms_ < much_less * least());
+  if (best_ms_ > (step_ == 1 ? far_behind : behind) * least()) end_trial(false);
+}
+
+}  // namespace catena
