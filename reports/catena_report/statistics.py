@@ -31,9 +31,15 @@ def median(samples):
     """The median with its interval by order statistics, which assumes nothing of the distribution; with fewer
     than six samples the interval is their range, since five do not hold the median with 95 % confidence.
     """
-    ordered = numpy.sort(numpy.asarray(samples, dtype=float))
+    ordered = numpy.sort(numpy.asarray(samples, dtype=float)).tolist()
     k = max(1, rank_of_bound(len(ordered)))
-    return Interval(float(numpy.median(ordered)), float(ordered[k - 1]), float(ordered[-k]))
+    return Interval(_middle(ordered), ordered[k - 1], ordered[-k])
+
+
+def _middle(ordered):
+    """The median of sorted numbers, in a tenth of numpy's time for so few: reports take it a hundred thousand times."""
+    half = len(ordered) // 2
+    return ordered[half] if len(ordered) % 2 else (ordered[half - 1] + ordered[half]) / 2
 
 
 LEAST_TIME = 1e-7  # ms; below the tick of any clock, so that a ratio to a time of 0 is a number
@@ -124,7 +130,7 @@ def best(samples):
     reach 5 % at all, those differ whose ranges do not overlap, and with fewer than three samples not even
     within a factor of 2.
     """
-    leader = min(samples, key=lambda name: numpy.median(samples[name]))
+    leader = min(samples, key=lambda name: _middle(sorted(samples[name])))
     others = [name for name in samples if name != leader]
     p_values = holm([mann_whitney(samples[name], samples[leader]) for name in others]) if others else []
     alike = []
