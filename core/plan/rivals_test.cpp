@@ -231,21 +231,21 @@ TEST(Rivals, AreTriedByAutoAndAllAreRight) {
   other->find(chain, {}, right);
   properties::sort(right.pairs);
   ASSERT_FALSE(right.pairs.empty());
-  const auto who_searched = [&](const char* name) {
+  const auto searches_not_planned = [&](const char* name) {
     const auto variant = StrategyRegistry::instance().make(name);
-    std::map<std::string, int> who;
+    int others = 0;
     for (int k = 0; k < 60; ++k) {
       variant->build(chain);
       Collisions found;
       variant->find(chain, {}, found);
       properties::sort(found.pairs);
       EXPECT_EQ(found.pairs, right.pairs) << variant->answered_by();
-      ++who[variant->answered_by()];
+      others += !variant->plan().front().reason.starts_with(variant->answered_by() + " by ");
     }
-    return who;
+    return others;
   };
-  EXPECT_GT(who_searched("auto").size(), 1u);
-  EXPECT_EQ(who_searched("auto(rivals=none)").size(), 1u);
+  EXPECT_GT(searches_not_planned("auto"), 0);
+  EXPECT_EQ(searches_not_planned("auto(rivals=none)"), 0);
 }
 
 }  // namespace
