@@ -133,7 +133,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!plan_holds(chain, updates)) {
       plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
       const Rivals::Contender planned{plan_->variant(), plan_->threads()};
-      updates ? rivals_.go_on(planned) : rivals_.begin(planned, chain.size());
+      updates && !plan_->on_device() ? rivals_.go_on(planned) : rivals_.begin(planned, chain.size());
     }
     if (!plan_->look_first()) contact_.reset();  // of a frame of which something else was asked
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
@@ -211,9 +211,11 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   void build_searcher(const Chain& chain, const Request& request) {
     with_room([&] {
       built_ = told_ = false;
-      searcher_is_ =
-          plan_->on_device() ? Rivals::Contender{plan_->variant(), plan_->threads()} : rivals_.next();
-      searcher_ = &held(searcher_is_);
+      if (searcher_ == nullptr || turn_ != rivals_.turn()) {
+        turn_ = rivals_.turn(), searcher_is_ = rivals_.next();
+        searcher_ = &held(searcher_is_);
+        planned_ = searcher_is_ == rivals_.planned();
+      }
       const bool moved = std::exchange(stands_, nullptr) == searcher_;
       searcher_->prepare(request);
       moved&& omissions_.may(Omission::sort) ? searcher_->update(chain) : searcher_->build(chain);
@@ -240,9 +242,9 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   /// From what a whole search took.
   void learn(const Timings& took, Request::Want want, const Extent& extent) {
     const double ms = took.build_ms + took.find_ms;
-    if (searcher_is_ == rivals_.planned()) plan_->tell(ms, history_);
+    if (planned_) plan_->tell(ms, history_);
     // A frame that is kept is searched for more than others.
-    const bool comparable = searcher_is_ == rivals_.next() && want == plan_->want();
+    const bool comparable = turn_ == rivals_.turn() && want == plan_->want();
     if (std::exchange(told_, true) || alone_ || !comparable) return;
     rivals_.took(ms);
     if (rivals_.expected()) rivals_.join(plan_->rivals(extent), plan_->usual_ms());
@@ -324,6 +326,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   std::vector<Held> held_;
   Rivals rivals_;
   Rivals::Contender searcher_is_;         ///< of the last build
+  std::uint64_t turn_ = 0;                ///< of rivals_, then
+  bool planned_ = true;                   ///< it is the planned one
   bool told_ = false;                     ///< what that took
   Variant* searcher_ = nullptr;           ///< of held_
   std::uint64_t topology_ = 0;            ///< of the last build or update; see ChainView

@@ -8,7 +8,9 @@ namespace catena {
 
 void Rivals::begin(const Contender& planned, std::uint32_t n) {
   if (n == n_ && planned == this->planned()) return;
+  const std::uint64_t turn = turn_;
   *this = {};
+  turn_ = turn + 1;
   n_ = n;
   contenders_.front() = planned;
 }
@@ -17,6 +19,7 @@ void Rivals::go_on(const Contender& planned) {
   if (!compared_) return begin(planned, n_);
   planned_ = place_of(planned);
   history_[planned_] = {0, searches_};
+  ++turn_;
 }
 
 void Rivals::join(const std::vector<Contender>& rivals, double worth_ms) {
@@ -42,6 +45,7 @@ void Rivals::begin_trial() {
     if (k != leader_ && history_[k].due <= searches_ && (tried_ == none || sooner(k) < sooner(tried_)))
       tried_ = k;
   step_ = 0;
+  ++turn_;
 }
 
 void Rivals::end_trial(bool won) {
@@ -57,12 +61,14 @@ void Rivals::end_trial(bool won) {
   Tried& lost = history_[lost_];
   lost.due = searches_ + (first_pause << std::min(lost.lost_times++, most_doublings));
   tried_ = none, own_ = 0;
+  ++turn_;
 }
 
 void Rivals::without(const Contender& who) {
   history_[place_of(who)].due = std::numeric_limits<std::uint64_t>::max();
   if (contenders_[leader_] == who) leader_ = planned_, compared_ms_ = {};
   tried_ = none, own_ = 0;
+  ++turn_;
 }
 
 std::optional<Rivals::Contender> Rivals::take_lost() {
@@ -71,7 +77,7 @@ std::optional<Rivals::Contender> Rivals::take_lost() {
 }
 
 void Rivals::took(double ms) {
-  constexpr double far_behind = 8, behind = 1.5, much_less = 0.9;
+  constexpr double far_behind = 2.5, behind = 1.5, much_less = 0.9;
   ++searches_;
   account_.search();
   if (tried_ == none) {

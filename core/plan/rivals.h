@@ -38,6 +38,8 @@ class CATENA_API Rivals {
   /// None is tried while the leader takes less than worth_ms.
   void join(const std::vector<Contender>& rivals, double worth_ms);
 
+  /// Another number whenever another is to search, or another is planned: all else is for who looks.
+  std::uint64_t turn() const { return turn_; }
   /// Who is to do the next search.
   const Contender& next() const { return contenders_[tried_ != none ? tried_ : leader_]; }
   const Contender& leader() const { return contenders_[leader_]; }
@@ -75,6 +77,7 @@ class CATENA_API Rivals {
   bool joined_ = false;
   std::size_t planned_ = 0, leader_ = 0, tried_ = none, lost_ = none;
   std::array<double, some> recent_{};     ///< of the leader
+  std::uint64_t turn_ = 0;
   std::uint64_t searches_ = 0, own_ = 0;  ///< in all; of the leader since the last trial
   unsigned step_ = 0;                     ///< of the trial
   double best_ms_ = 0;                    ///< of the trial

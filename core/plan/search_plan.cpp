@@ -169,8 +169,8 @@ std::vector<Rivals::Contender> SearchPlan::rivals(const Extent& extent) const {
 }
 
 double SearchPlan::usual_ms() const {
-  constexpr double twice = 2;
-  return tree_ != nullptr ? twice * tree_->cost.ms(n_, threads()) : 0;
+  constexpr double some_more = 1.25;
+  return tree_ != nullptr ? some_more * tree_->cost.ms(n_, threads()) : 0;
 }
 
 bool SearchPlan::give_way(const std::string& why) {
