@@ -133,7 +133,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!plan_holds(chain, updates)) {
       plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
       const Rivals::Contender planned{plan_->variant(), plan_->threads()};
-      updates && !plan_->on_device() ? rivals_.go_on(planned) : rivals_.begin(planned, chain.size());
+      const bool others = plan_->on_device() || chain.size() != rivals_.spheres();
+      others ? rivals_.begin(planned, chain.size()) : rivals_.go_on(planned);
     }
     if (!plan_->look_first()) contact_.reset();  // of a frame of which something else was asked
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {

@@ -7,7 +7,6 @@
 namespace catena {
 
 void Rivals::begin(const Contender& planned, std::uint32_t n) {
-  if (n == n_ && planned == this->planned()) return;
   const std::uint64_t turn = turn_;
   *this = {};
   turn_ = turn + 1;
@@ -16,9 +15,15 @@ void Rivals::begin(const Contender& planned, std::uint32_t n) {
 }
 
 void Rivals::go_on(const Contender& planned) {
-  if (!compared_) return begin(planned, n_);
+  if (planned == this->planned()) return;
+  history_[planned_].due = searches_ + first_pause;
   planned_ = place_of(planned);
   history_[planned_] = {0, searches_};
+  if (!compared_) {
+    leader_ = planned_;
+    if (tried_ == leader_) tried_ = none;
+    own_ = std::min<std::uint64_t>(own_, patience - some);
+  }
   ++turn_;
 }
 
@@ -50,7 +55,6 @@ void Rivals::begin_trial() {
 
 void Rivals::end_trial(bool won) {
   constexpr unsigned most_doublings = 6;
-  constexpr std::uint64_t first_pause = 16;
   constexpr double most_lost = 8;  // what takes longer says that something else ran meanwhile
   const double leader_ms = least();
   for (unsigned k = 0; k < step_; ++k) account_.used(best_ms_, leader_ms, most_lost / step_);

@@ -28,11 +28,12 @@ class CATENA_API Rivals {
   static constexpr unsigned patience = 5;  ///< searches of the leader before the first trial
   static constexpr unsigned trial = 3;     ///< searches of one that is not far behind
 
-  /// Of n spheres. Another number or another planned one: nothing is known, and that one leads.
+  /// Of n spheres: nothing is known, and the planned one leads.
   void begin(const Contender& planned, std::uint32_t n);
-  /// The next frame of the same spheres, for which another may be planned by now: who was found to lead leads
-  /// on, and the planned one is tried before long.
+  /// Of as many spheres, for which another may be planned by now: who was found to lead leads on, and the
+  /// planned one is tried before long.
   void go_on(const Contender& planned);
+  std::uint32_t spheres() const { return n_; }
   /// The leader has searched for a while without rivals, so that it is worth while to look for them.
   bool expected() const { return !joined_ && own_ >= patience; }
   /// None is tried while the leader takes less than worth_ms.
@@ -60,6 +61,7 @@ class CATENA_API Rivals {
  private:
   static constexpr double share = 0.02, first = 4;  ///< of searches, lost by trials
   static constexpr std::size_t none = ~std::size_t{0};
+  static constexpr std::uint64_t first_pause = 16;  ///< searches until who lost is tried again
   static constexpr std::size_t some = 3;  ///< searches of the leader that count
   void begin_trial();
   void end_trial(bool won);

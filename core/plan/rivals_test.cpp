@@ -156,7 +156,7 @@ TEST(Rivals, GoOnWithTheNextFrameAndBeginWithAnotherChain) {
   EXPECT_EQ(f.rivals.leader().variant, "b") << "nobody was compared";
   f.begin();
   while (f.rivals.leader().variant != "a") f.search();
-  f.rivals.begin(first_choice, f.films);
+  f.rivals.go_on(first_choice);
   EXPECT_EQ(f.rivals.leader().variant, "a") << "the same";
   f.rivals.go_on({"new", 1});
   EXPECT_EQ(f.rivals.leader().variant, "a");
@@ -169,6 +169,17 @@ TEST(Rivals, GoOnWithTheNextFrameAndBeginWithAnotherChain) {
   EXPECT_TRUE(f.rivals.leader().variant == "new" && !f.rivals.expected()) << "of another number";
   f.rivals.begin(first_choice, f.films + 1);
   EXPECT_EQ(f.rivals.leader(), first_choice);
+}
+
+/// Who is planned may change every few searches, as times tell: others are tried all the same.
+TEST(Rivals, AreTriedWhoeverIsPlanned) {
+  TimedFilm f{{{"planned2", 2}, {"planned1", 2}, {"a1", 1}, {"b1", 4}}, {}, 0, {}};
+  f.begin();
+  for (int k = 0; k < 60; ++k) {
+    if (k % 4 == 0) f.rivals.go_on(k % 8 == 0 ? other_choices[0] : first_choice);
+    f.search();
+  }
+  EXPECT_EQ(f.rivals.leader().variant, "a");
 }
 
 /// Nobody is looked for by who searches a few times only.
