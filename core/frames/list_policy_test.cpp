@@ -45,31 +45,5 @@ TEST(ListPolicy, MakesNoListWhereLookingAtEachSphereTakesAsLongAsASearch) {
   EXPECT_FALSE(policy.pays(0.1, 1e-3, 1));
 }
 
-/// Whatever is lost at each try, n frames take no more than n full searches, a hundredth and a few.
-TEST(TrialAccount, LosesAShareOfAllFramesAtMost) {
-  for (const double loss : {0.1, 1.0, 7.0}) {
-    TrialAccount account;
-    double ms = 0;
-    const int frames = 2000;
-    for (int k = 0; k < frames; ++k) {
-      account.search();
-      const double took = account.may_try() ? 1 + loss : 1;
-      if (took > 1) account.used(took, 1, 8);
-      ms += took;
-    }
-    EXPECT_LT(ms, 1.01 * frames + 2 + loss) << loss;
-    EXPECT_GT(ms, frames + 10) << "it is tried again";
-  }
-}
-
-/// A frame that took very long, as something else ran, says no more than the most that it may lose.
-TEST(TrialAccount, LosesNoMoreByOneFrameThanItIsTold) {
-  TrialAccount account;
-  account.used(1e9, 1, 2);
-  EXPECT_FALSE(account.may_try());
-  for (int k = 0; k < 150; ++k) account.search();
-  EXPECT_TRUE(account.may_try());
-}
-
 }  // namespace
 }  // namespace catena
