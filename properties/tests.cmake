@@ -51,16 +51,8 @@ if(CATENA_SANITIZE MATCHES thread)
   target_link_libraries(catena_library_threads_tests PRIVATE catena catena_options GTest::gtest_main)
 endif()
 
-# Each header of the library compiles alone, and twice: a header that does not fails the build of the tests. Not those that a
-# file of their name includes first: these are compiled alone where there are no precompiled headers.
+# Each header of the library compiles alone, and twice: a header that does not fails the build of the tests.
 foreach(header ${CATENA_LIBRARY_HEADERS})
-  string(REPLACE .h .cpp own_file ${PROJECT_SOURCE_DIR}/${header})
-  if(EXISTS ${own_file})
-    file(STRINGS ${own_file} first_include REGEX "^#include" LIMIT_COUNT 1)
-    if(first_include STREQUAL "#include \"catena/${header}\"")
-      continue()
-    endif()
-  endif()
   string(REPLACE .h .cpp source ${PROJECT_BINARY_DIR}/headers/${header})
   file(CONFIGURE OUTPUT ${source} CONTENT "#include \"catena/${header}\"\n#include \"catena/${header}\"\n")
   list(APPEND header_sources ${source})

@@ -248,7 +248,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     const bool comparable = turn_ == rivals_.turn() && want == plan_->want();
     if (std::exchange(told_, true) || alone_ || !comparable) return;
     rivals_.took(ms);
-    if (rivals_.expected()) rivals_.join(plan_->rivals(extent), plan_->usual_ms());
+    if (rivals_.expected()) rivals_.join(plan_->rivals(extent), plan_->worth_trying_ms());
   }
   /// Of another chain; that of the last build is none any more. It may be of the same spheres, only thicker.
   void search_other(const Chain& chain, const Request& request, Collisions& result) {

@@ -62,7 +62,7 @@ class CATENA_API Rivals {
   static constexpr double share = 0.02, first = 4;  ///< of searches, lost by trials
   static constexpr std::size_t none = ~std::size_t{0};
   static constexpr std::uint64_t first_pause = 16;  ///< searches until who lost is tried again
-  static constexpr std::size_t some = 3;  ///< searches of the leader that count
+  static constexpr std::size_t some = 3;            ///< searches of the leader that count
   void begin_trial();
   void end_trial(bool won);
   double least() const;
@@ -78,7 +78,7 @@ class CATENA_API Rivals {
   std::vector<Tried> history_{{}};  ///< of each
   bool joined_ = false;
   std::size_t planned_ = 0, leader_ = 0, tried_ = none, lost_ = none;
-  std::array<double, some> recent_{};     ///< of the leader
+  std::array<double, some> recent_{};  ///< of the leader
   std::uint64_t turn_ = 0;
   std::uint64_t searches_ = 0, own_ = 0;  ///< in all; of the leader since the last trial
   unsigned step_ = 0;                     ///< of the trial

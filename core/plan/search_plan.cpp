@@ -168,7 +168,7 @@ std::vector<Rivals::Contender> SearchPlan::rivals(const Extent& extent) const {
   return all;
 }
 
-double SearchPlan::usual_ms() const {
+double SearchPlan::worth_trying_ms() const {
   constexpr double some_more = 1.25;
   return tree_ != nullptr ? some_more * tree_->cost.ms(n_, threads()) : 0;
 }

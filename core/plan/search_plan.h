@@ -52,7 +52,7 @@ class CATENA_API SearchPlan {
   /// Who might be quicker than what was chosen; nobody on a device, or than what compares all pairs.
   std::vector<Rivals::Contender> rivals(const Extent& extent) const;
   /// Nobody is quicker than a search that takes less: of a usual chain, whose order tells all.
-  double usual_ms() const;
+  double worth_trying_ms() const;
   bool on_device() const { return chosen_->on_device; }
   bool all_pairs() const { return chosen_->all_pairs; }
   /// About what build and find take.

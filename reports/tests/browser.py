@@ -83,21 +83,20 @@ def pixels(element):
     return pictures([element])[0]
 
 
-def in_window(element):
-    """Whether all of it can be seen, as the page is scrolled."""
-    return element.parent.execute_script(
-        "const b = arguments[0].getBoundingClientRect();"
-        "return b.x >= 0 && b.y >= 0 && b.right <= innerWidth && b.bottom <= innerHeight", element)
+def in_window(elements):
+    """Of each whether all of it can be seen, as the page is scrolled."""
+    return elements[0].parent.execute_script("""
+        return arguments[0].map(e => e.getBoundingClientRect()).map(
+            b => b.x >= 0 && b.y >= 0 && b.right <= innerWidth && b.bottom <= innerHeight)""", elements)
 
 
 def pictures(elements):
     """What is on the screen where each is, as it is scrolled: by one shot where all are in the window."""
     driver = elements[0].parent
-    boxes, whole, right, down = driver.execute_script("""
+    boxes, right, down = driver.execute_script("""
         const boxes = arguments[0].map(e => e.getBoundingClientRect());
-        const whole = boxes.every(b => b.x >= 0 && b.y >= 0 && b.right <= innerWidth && b.bottom <= innerHeight);
-        return [boxes.map(b => [b.x, b.y, b.width, b.height]), whole, scrollX, scrollY]""", elements)
-    if not whole:
+        return [boxes.map(b => [b.x, b.y, b.width, b.height]), scrollX, scrollY]""", elements)
+    if not all(in_window(elements)):
         return [_shot(driver, x + right, y + down, width, height) for x, y, width, height in boxes]
     window = _shot(driver)
     return [window[round(y):round(y + height), round(x):round(x + width)] for x, y, width, height in boxes]

@@ -47,8 +47,8 @@ class Page(unittest.TestCase):
         while left:
             driver.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", left[0])
             browser.next_frame(driver)
-            seen = [browser.in_window(e) for e in left]
-            together = left[: max(1, seen.index(False) if False in seen else len(seen))]
+            seen = [*browser.in_window(left), False]
+            together = left[: max(1, seen.index(False))]
             yield from browser.pictures(together)
             left = left[len(together):]
 
@@ -61,14 +61,16 @@ class Page(unittest.TestCase):
                 ready = "return document.documentElement.dataset.ready"
                 browser.wait(driver, lambda d: d.execute_script(ready) == "interactive")
                 figures = driver.find_elements("css selector", "figure[data-figure]")
-                self.assertGreater(len(figures), 8)
-                for figure in figures:
-                    driver.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", figure)
-                    browser.wait(driver, lambda _: figure.get_attribute("data-drawn"))
-                plots = driver.find_elements("class name", "js-plotly-plot")
-                self.assertGreaterEqual(len(plots), len(figures))
-                for k, picture in enumerate(self.pictures(driver, plots)):
-                    self.assertTrue(browser.coloured(picture), k)
+                keys = [figure.get_attribute("data-figure") for figure in figures]
+                self.assertGreater(len(keys), 8)
+                plots, of = [], []
+                for key in keys:
+                    own = self.figure(driver, key).find_elements("class name", "js-plotly-plot")
+                    self.assertTrue(own, key)
+                    plots += own
+                    of += [key] * len(own)
+                for key, picture in zip(of, self.pictures(driver, plots), strict=True):
+                    self.assertTrue(browser.coloured(picture), key)
                 self.assertEqual(
                     driver.execute_script("return document.documentElement.scrollWidth"),
                     width,
