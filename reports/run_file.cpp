@@ -12,6 +12,7 @@
 #include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/timings.h"
 #include "catena/reports/faults.h"
+#include "catena/reports/few_pairs.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -39,14 +40,18 @@ Json stopping_of(const bench::Stopping& s, const bench::Rounds& measured) {
           {"not_reached", measured.not_reached}};
 }
 
-/// What a section measures; nothing, and a fault, when a variant throws in the middle of it.
+/// What a section measures; nothing, and a fault, when a variant throws in the middle of it, and nothing
+/// where a frame has more pairs than are compared.
 Json measured(const Section& section, const Profile& profile) {
   try {
     return section.measure(profile);
   } catch (const VariantThrew& fault) {
     note_fault(fmt::format("{}; the section {} is left out", fault.what(), section.name));
-    return {};
+  } catch (const PairLimitExceeded& why) {
+    fmt::print(stderr, "catena report: {} is left out: {} pairs collide, and more than {} are not compared\n",
+               section.name, why.found(), why.limit());
   }
+  return {};
 }
 
 /// Every name that stands under a key "variant" of `json`, at any depth.
@@ -81,10 +86,11 @@ Json measure_run(const Profile& profile, const std::string& command, Journal& jo
         "nothing to measure: no case matches; catena_bench --benchmark_list_tests shows how they are named");
 
   const Stopwatch watch;
+  const Profile of_sections = with_few_pairs(profile);
   Json measured_sections;
   for (const Section& section : sections()) {
     const Stopwatch own_watch;
-    Json content = journal.section(section.name, [&] { return measured(section, profile); });
+    Json content = journal.section(section.name, [&] { return measured(section, of_sections); });
     if (content.is_null() || content.empty()) continue;
     measured_sections[section.name] = std::move(content);
     fmt::print(stderr, "catena report: {} in {:.1f} s\n", section.name, own_watch.ms() / 1000);

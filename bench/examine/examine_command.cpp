@@ -47,7 +47,7 @@ class ExamineCommand final : public Command {
                    "arithmetic", "level", "parents", "failing", "shortfall", "pairs", "missing", "by tree",
                    "invented");
       const Chain chain = input.animation->frame(input.animation->frames() / 2);
-      const auto exact = reference::find(chain);
+      const auto exact = exact_answer(spec, chain);
       for (const auto& arithmetic : arithmetics_) {
         const Examination e = examine(arithmetic, chain, exact);
         json_ ? print_line(to_json(spec, arithmetic, exact, e)) : print(spec, width, arithmetic, exact, e);
@@ -64,6 +64,15 @@ class ExamineCommand final : public Command {
   }
 
  private:
+  static reference::Answer exact_answer(const std::string& spec, const Chain& chain) {
+    try {
+      return reference::find(chain);
+    } catch (const PairLimitExceeded& exceeded) {
+      throw CapacityError(fmt::format("{}: {} pairs collide; with more than {} nothing is compared", spec,
+                                      exceeded.found(), exceeded.limit()));
+    }
+  }
+
   static std::vector<std::string> default_inputs() {
     std::vector<std::string> inputs;
     for (const char* scene : {"rod", "path1", "yarn"}) {

@@ -10,6 +10,8 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/show_warnings.h"
@@ -112,7 +114,11 @@ Workload made(const WorkloadSpec& spec) {
     const PeriodicBox* const box = box_of(input.boxes, f);
     if (box != nullptr) work.boxes.push_back(*box);
     work.chains.push_back(input.animation->frame(f));
-    work.exact.push_back(reference::find_in(work.chains.back(), box));
+    try {
+      work.exact.push_back(reference::find_in(work.chains.back(), box));
+    } catch (const PairLimitExceeded& exceeded) {
+      throw TooManyPairs(work.label, exceeded);
+    }
   }
   if (!spec.all_frames && work.frames > 1) {
     const std::uint32_t beside = work.first_frame > 0 ? work.first_frame - 1 : 1;
@@ -143,6 +149,10 @@ void show_new_warnings(const Input& input) {
 }
 
 }  // namespace
+
+TooManyPairs::TooManyPairs(const std::string& label, const PairLimitExceeded& exceeded)
+    : CapacityError(fmt::format("{}: {} pairs collide; with more than {} no answer is compared", label,
+                                exceeded.found(), exceeded.limit())) {}
 
 const PeriodicBox* Workload::box_of(const Chain& chain) const {
   if (boxes.empty()) return nullptr;
@@ -188,9 +198,17 @@ WorkloadFacts facts_of(const WorkloadSpec& spec) {
 
 std::shared_ptr<const Workload> workload(const WorkloadSpec& spec) {
   static std::deque<std::shared_ptr<const Workload>> recent;
+  static std::vector<std::pair<WorkloadSpec, TooManyPairs>> refused;  // it took as long as others to find out
   for (const auto& kept : recent)
     if (same(kept->spec, spec)) return kept;
-  recent.push_front(std::make_shared<const Workload>(made(spec)));
+  for (const auto& [known, why] : refused)
+    if (same(known, spec)) throw TooManyPairs(why);
+  try {
+    recent.push_front(std::make_shared<const Workload>(made(spec)));
+  } catch (const TooManyPairs& why) {
+    refused.emplace_back(spec, why);
+    throw;
+  }
   std::uint64_t kept = 0;
   for (const auto& work : recent) kept += spheres(*work);
   for (; kept > most_spheres && recent.size() > 1; recent.pop_back()) kept -= spheres(*recent.back());

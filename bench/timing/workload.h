@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/reference/reference.h"
@@ -65,8 +66,14 @@ std::string label_of(const WorkloadSpec& spec);
 /// and what check_box throws.
 WorkloadFacts facts_of(const WorkloadSpec& spec);
 
+/// An input of which more pairs collide than are compared with what a variant finds.
+class TooManyPairs : public CapacityError {
+ public:
+  TooManyPairs(const std::string& label, const PairLimitExceeded& exceeded);
+};
+
 /// The chains and exact answers of `spec`. The last few workloads are kept, as making one takes longer than
-/// measuring. Throws what open_input throws.
+/// measuring. Throws what open_input throws, and TooManyPairs.
 std::shared_ptr<const Workload> workload(const WorkloadSpec& spec);
 
 }  // namespace catena::bench
