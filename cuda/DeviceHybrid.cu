@@ -60,6 +60,7 @@ struct BlockChunks {
     return blocks.state->listed != 0 ? Buckets::chunks(blocks.table) : 0;
   }
   __device__ float* square_sum() const { return nullptr; }
+  __device__ std::uint32_t* in_crowds() const { return nullptr; }
 };
 
 __global__ void __launch_bounds__(256) place_blocks(const __grid_constant__ CapsuleBlocks blocks) {

@@ -10,7 +10,8 @@ namespace catena::cuda {
 
 /// The second step of a Buckets: counts become starts, and 0 again. A chunk a block, four buckets a thread;
 /// chunks take their places one after the other as they come. chunks() is asked on the device how many, and
-/// chunks.square_sum(), where it is not nullptr, gets the sum of the squares of all counts, about.
+/// chunks.square_sum() and chunks.in_crowds(), where they are not nullptr, get the sum of the squares of all
+/// counts, about, and the sum of those that are Buckets::crowd or more.
 template <class Chunks>
 __global__ void __launch_bounds__(256)
     allocate_buckets(const __grid_constant__ Buckets buckets, const __grid_constant__ Chunks chunks) {
@@ -22,6 +23,7 @@ __global__ void __launch_bounds__(256)
   __shared__ std::uint32_t base;
   await_previous();
   float* const square_sum = chunks.square_sum();
+  std::uint32_t* const in_crowds = chunks.in_crowds();
   for (std::uint32_t chunk = blockIdx.x; chunk < chunks(); chunk += gridDim.x) {
     uint4* const count =
         reinterpret_cast<uint4*>(buckets.count + std::size_t{chunk} * Buckets::chunk) + threadIdx.x;
@@ -42,6 +44,11 @@ __global__ void __launch_bounds__(256)
     to[2] = first + own.x + own.y;
     to[3] = first + own.x + own.y + own.z;
     if (sum != 0) *count = {0, 0, 0, 0};
+    if (in_crowds != nullptr && sum >= Buckets::crowd) {
+      std::uint32_t crowds = 0;
+      for (const std::uint32_t k : {own.x, own.y, own.z, own.w}) crowds += k >= Buckets::crowd ? k : 0;
+      if (crowds != 0) atomicAdd(in_crowds, crowds);
+    }
     if (square_sum != nullptr) {
       const auto square = [](std::uint32_t k) { return static_cast<float>(k) * static_cast<float>(k); };
       const float squares =

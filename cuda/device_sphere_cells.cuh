@@ -63,6 +63,7 @@ struct CellChunks {
   __device__ float* square_sum() const {
     return octaves || cells.octaves.one ? nullptr : &cells.state->together;
   }
+  __device__ std::uint32_t* in_crowds() const { return octaves ? nullptr : &cells.state->in_crowds; }
 };
 
 template <class Members>
@@ -89,6 +90,35 @@ __global__ void __launch_bounds__(256)
 constexpr unsigned search_threads = 128;
 using CellsQueue = NearQueue<search_threads>;
 
+/// Which of `count` things a thread takes, in rounds of its block. *Spread*, where there are few enough of them
+/// for one round, the threads of a warp take theirs from eight places far apart: the work of a crowd, which
+/// lies together, is shared out among many warps. Else they take 32 that follow one another, which ask for
+/// the same memory.
+class Share {
+ public:
+  __device__ Share(std::uint32_t count, bool spread)
+      : count_(count), spread_(spread && count <= std::uint64_t{gridDim.x} * blockDim.x) {}
+  /// The same for all threads of the block.
+  __device__ bool any(std::uint32_t round) const {
+    return spread_ ? round == 0 : first_of_block(round) < count_;
+  }
+  /// count or more: nothing in this round.
+  __device__ std::uint64_t at(std::uint32_t round) const {
+    if (!spread_) return first_of_block(round) + threadIdx.x;
+    const std::uint32_t lane = threadIdx.x % DeviceWarp::lanes, block_warps = blockDim.x / DeviceWarp::lanes,
+                        warp = blockIdx.x * block_warps + threadIdx.x / DeviceWarp::lanes;
+    return (std::uint64_t{lane / together} * gridDim.x * block_warps + warp) * together + lane % together;
+  }
+
+ private:
+  static constexpr std::uint32_t together = 4;
+  __device__ std::uint64_t first_of_block(std::uint32_t round) const {
+    return (std::uint64_t{round} * gridDim.x + blockIdx.x) * blockDim.x;
+  }
+  const std::uint32_t count_;
+  const bool spread_;
+};
+
 /// Of spheres in one level; in the order of places, in which the threads of a warp look into the same cells.
 template <class Tests, bool equal_radii, class Members>
 __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
@@ -104,10 +134,11 @@ __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
   const CellSearch<Tests, equal_radii, CellsQueue> search(chain, cells, cells.table_for(members.expected()),
                                                           queue);
   const PlacedSpheres<equal_radii> placed(cells);
-  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x; first < places && !queue.satisfied();
-       first += std::uint64_t{gridDim.x} * blockDim.x) {
-    const bool live = first + threadIdx.x < places;
-    const std::uint32_t place = live ? static_cast<std::uint32_t>(first + threadIdx.x) : 0;
+  const Share share(places, cells.uneven());
+  for (std::uint32_t round = 0; share.any(round) && !queue.satisfied(); ++round) {
+    const std::uint64_t at = share.at(round);
+    const bool live = at < places;
+    const std::uint32_t place = live ? static_cast<std::uint32_t>(at) : 0;
     search.run_in_one_level(placed.at(place), place, live);
     queue.flush(search);
   }
@@ -128,10 +159,11 @@ __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
   const CellTable& table = cells.table_for(members.expected());
   const CellSearch<Tests, false, CellsQueue> search(chain, cells, table, queue);
   const std::uint32_t asked = members.asked();
-  for (std::uint64_t first = std::uint64_t{blockIdx.x} * blockDim.x; first < asked && !queue.satisfied();
-       first += std::uint64_t{gridDim.x} * blockDim.x) {
-    const bool inside = first + threadIdx.x < asked;
-    const std::uint32_t k = inside ? static_cast<std::uint32_t>(first + threadIdx.x) : 0;
+  const Share share(asked, true);
+  for (std::uint32_t round = 0; share.any(round) && !queue.satisfied(); ++round) {
+    const std::uint64_t at = share.at(round);
+    const bool inside = at < asked;
+    const std::uint32_t k = inside ? static_cast<std::uint32_t>(at) : 0;
     const bool live = inside && members.takes(k);
     if (queue.any(live)) {
       const std::uint32_t i = live ? members.sphere(k) : 0;

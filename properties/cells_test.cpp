@@ -274,6 +274,21 @@ TEST(Cells, FindOnceWhatIsAdjacentToACrowdedBlock) {
 }
 
 /// Small spheres by the hundred in the cell of a large one are sorted by octaves.
+/// Few enough of all spheres are in a crowd, or one too many; as many spheres as fill warps, and one more.
+TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
+  for (const std::uint32_t crowd :
+       {Buckets::crowd - 1, Buckets::crowd, Buckets::crowd + 1, 5 * Buckets::crowd})
+    for (const std::uint32_t all : {8 * crowd - 1, 8 * crowd, 8 * crowd + 1, 1600u, 4097u}) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t k = 0; k < all; ++k) {
+        const auto at = static_cast<float>(k);
+        spheres.push_back(k < crowd ? Sphere{1 + at / 256, 1, 1, 1} : Sphere{1.6f * at, 100, 1, 1});
+      }
+      expect_exact(Chain(spheres, Strands{{0, crowd, all}, {}}),
+                   std::to_string(crowd) + " of " + std::to_string(all) + " spheres in a crowd");
+    }
+}
+
 TEST(Cells, PartByOctavesWhatCrowdsOneLevel) {
   for (const std::uint32_t small : {30u, 300u, 3000u}) {
     std::vector<Sphere> spheres{{0, 0, 0, 1}, {50, 0, 0, 1}};

@@ -12,6 +12,7 @@ namespace catena {
 /// a chunk, and chunks lie in any order.
 struct Buckets {
   static constexpr std::uint32_t chunk = 1024;  ///< buckets
+  static constexpr std::uint32_t crowd = 24;    ///< things in one bucket
 
   std::uint32_t* count;   ///< by bucket, in whole chunks; all 0 between sorts
   std::uint32_t* start;   ///< by bucket, see starts()

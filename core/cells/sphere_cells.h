@@ -25,6 +25,7 @@ struct SphereCells {
     std::uint32_t by_octaves;  ///< not 0: they were
     std::uint32_t in_bins;     ///< not 0: in one level they were sorted by bins, and have their places
     float together;            ///< sum of the squares of all buckets' numbers of spheres, in one level
+    std::uint32_t in_crowds;   ///< spheres in buckets with Buckets::crowd or more, in one level, without bins
     std::uint32_t levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k
   };
   static constexpr float most_together = 12;  ///< others in a sphere's cell, on average; yarns have 3
@@ -74,6 +75,13 @@ struct SphereCells {
   CATENA_HD std::uint32_t places() const { return state->places[one_level() ? 0 : 1]; }
   CATENA_HD bool many_together() const {
     return state->together > most_together * static_cast<float>(state->places[0]);
+  }
+
+  /// Few spheres are in crowds, and few are outside: who looks into a crowd has work long after all others are
+  /// done, unless it is shared out. Where there are more others, it is done while they are.
+  CATENA_HD bool uneven() const {
+    constexpr std::uint32_t few = 1u << 17;
+    return state->in_crowds > 0 && state->in_crowds <= state->places[0] / 8 && state->places[0] <= few;
   }
 
   CATENA_HD std::uint32_t bucket_of(const CellTable& in, const Sphere& s, std::uint32_t level) const {
