@@ -4,9 +4,4 @@
 /// at run time: AVX-512, AVX2, SSE4, NEON, and plain code. SSSE3 is older than any machine that runs this;
 /// AVX-512's later parts bring these searches nothing; sizes known only at run time (SVE) do not fit a struct
 /// of vectors.
-#ifdef CATENA_FEW_INSTRUCTION_SETS  // where a sanitizer makes each dear to compile
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
-#else
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
-#endif
