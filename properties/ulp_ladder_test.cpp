@@ -1,14 +1,16 @@
+#include "catena/properties/testing/ulp_ladder.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <iostream>
 
 #include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/property.h"
-#include "catena/properties/testing/ulp_ladder.h"
 #include "catena/reference/exact_gap.h"
 
 /// Exactly touching pairs, moved by -4 to +4 ulp in every coordinate and radius: which arithmetic decides
@@ -81,6 +83,40 @@ TEST(UlpLadder, NoExactVariantFlips) {
     }
   });
   EXPECT_GT(asked, 500'000u);
+}
+
+/// Sums of radii that agree with a distance to its last digits, which binary64 rounds away: one sphere
+/// against many alike, so that vectors of pairs are full, too.
+TEST(UlpLadder, NoExactVariantFlipsWhereBinary64Does) {
+  std::vector<std::unique_ptr<Variant>> variants;
+  for (const Subject& subject : Subject::available())
+    if (subject.exact() && !subject.info.on_device()) variants.push_back(subject.make());
+  int flips = 0;
+  Dice dice(1);
+  for (int k = 0; k < 4000; ++k) {
+    // Of few digits every other time, so that it is the radii alone whose sum is rounded.
+    const auto number = [&] {
+      return k % 2 ? dice.symmetric() : static_cast<float>(dice.between(-999, 999)) / 1024;
+    };
+    Sphere a{number(), number(), number(), 0},
+        b{0x1p-9f * number(), 0x1p-9f * number(), 0x1p-9f * number(), 0};
+    const double distance = std::hypot(double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z);
+    a.radius = std::nextafter(static_cast<float>(distance), 0.0f);
+    b.radius = static_cast<float>(distance - a.radius);
+    const bool expected = reference::overlap(a, b);
+    if (Double::overlap(Double::bound(a), Double::bound(b)) == expected) continue;
+    ++flips;
+    std::vector<Sphere> spheres(20, b);
+    spheres.push_back(a);
+    const Chain chain(std::move(spheres), {{0, 20, 21}, {}}, Exclusion::index(20));
+    Collisions found;
+    for (const auto& variant : variants) {
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      EXPECT_EQ(found.pair_count, expected ? 20u : 0u) << k;
+    }
+  }
+  EXPECT_GT(flips, 10);
 }
 
 }  // namespace

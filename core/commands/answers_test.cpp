@@ -96,6 +96,10 @@ TEST_F(Answers, NameSamplesThatOverlapInTheFile) {
   ASSERT_EQ(samples.size(), 847u);
   const auto rows = lines_of("p.jsonl");
   ASSERT_GT(rows.size(), 10u);
+  const auto pair_of = [](const nlohmann::json& row) {
+    return std::pair(row["i"].get<int>(), row["j"].get<int>());
+  };
+  EXPECT_TRUE(std::ranges::is_sorted(rows, {}, pair_of));
   for (const auto& row : rows) {
     const auto &a = samples.at(row["label_i"]), &b = samples.at(row["label_j"]);
     const double depth = a[3] + b[3] - std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);

@@ -25,6 +25,7 @@ TEST(InputOptions, AreWrittenAsTheyAreRead) {
     EXPECT_EQ(read_and_written(arguments), arguments);
   EXPECT_EQ(read_and_written({"--arc-window", "pi/2", "--box", "1,2,3,0,0,0"}),
             (Arguments{"--arc-window", "1.5707963267948966", "--box", "1,2,3"}));
+  EXPECT_EQ(read_and_written({"--radius", "0"}), (Arguments{"--radius", "0"})) << "of points";
   EXPECT_THROW(read_and_written({"--radius"}), InputError);
 }
 

@@ -13,6 +13,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/naming.h"
+#include "catena/core/input/scene_input.h"
 #include "catena/core/one_line.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/plan/search_plan.h"
@@ -49,6 +50,8 @@ class PlanCommand final : public Command {
     Request request;
     request.want = want_.want();
     request.frames_follow = last - first > 1;
+    // Of the scene, where the input is one frame of it.
+    const std::uint32_t first_frame = written_frame(input_);
 
     auto variant = StrategyRegistry::instance().make(no_omit_.variant());
     Periodic* const periodic = put_into_boxes(variant, input.boxes);
@@ -57,18 +60,19 @@ class PlanCommand final : public Command {
     for (std::uint32_t f = first; f < last; ++f) {
       const Chain chain = input.animation->frame(f);
       if (!run_) {
-        print(f, chain, plan(chain.view(), request, machine, Omissions::without(no_omit_.names())), nullptr);
+        print(first_frame + f, chain,
+              plan(chain.view(), request, machine, Omissions::without(no_omit_.names())), nullptr);
         continue;
       }
       go_to_frame(periodic, input.boxes, f);
-      naming(fmt::format("{} frame {}", input_, f), [&] {
+      naming(fmt::format("{} frame {}", input_, first_frame + f), [&] {
         blaming("auto", [&] {
           f == first ? variant->build(chain)
                      : variant->update(chain, Moved::along(input.animation->shift(f)));
           variant->find(chain, request, found);
         });
       });
-      print(f, chain, variant->plan(), &found);
+      print(first_frame + f, chain, variant->plan(), &found);
     }
     return 0;
   }

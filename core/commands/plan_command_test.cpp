@@ -31,9 +31,10 @@ class PlanProgram : public Program {
 
 TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
   expect_says("plan path1:n=20", 0, {"hierarchy", "left out", "20 spheres", "built-in figures", "estimate"});
-  const auto before = json("plan path1:n=20 --counts-only --json"),
+  const auto before = json("plan path1:n=20,frame=3 --counts-only --json"),
              after = json("plan path1:n=20 --run --json");
   EXPECT_FALSE(before.contains("collides"));
+  EXPECT_EQ(before["frame"], 3) << "of the scene, as other commands tell it";
   EXPECT_TRUE(after["collides"]);
   EXPECT_TRUE(step(before, "hierarchy")["left_out"]);
   EXPECT_TRUE(step(before, "pair list")["left_out"]);

@@ -36,7 +36,7 @@ Plain some_pairs(std::uint32_t n, std::size_t pairs, std::mt19937& random) {
 }
 
 void expect_same(FrameAnswer& answer, const Plain& plain) {
-  Collisions reported;
+  Collisions reported{plain.pairs.empty(), 7, std::vector<std::uint32_t>(plain.n, 3), {{1, 2}}};  // another's
   answer.report(plain.n, {}, reported);
   Collisions standing = answer.standing(plain.n, {});
   std::vector<Pair> right = plain.pairs;

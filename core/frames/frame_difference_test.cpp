@@ -88,6 +88,7 @@ TEST(FrameDifference, AShiftIsFoundInBothDirectionsAndOnlyWhereEverySphereAgrees
   for (const int s : {1, 7, 8, 60, -1, -8, -60}) {
     const std::vector<Sphere> now(longer.begin() + 100 + s, longer.begin() + 300 + s);
     EXPECT_EQ(shift_between(before, now, 100, 0), s);
+    EXPECT_EQ(shift_between(before, now, std::abs(s), 0), s) << "no farther than that";
     EXPECT_EQ(shift_between(before, now, 0, s), s) << "guessed";
     EXPECT_FALSE(shift_between(before, now, std::abs(s) - 1, 0)) << "farther than looked for";
     for (std::uint32_t i = 0; i < now.size(); ++i) {

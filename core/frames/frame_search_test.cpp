@@ -249,6 +249,9 @@ TEST(FrameSearch, SaysOfAFrameWhatWasDoneForIt) {
   EXPECT_EQ(frames.next(spheres), Way::parts);
   EXPECT_EQ(frames.plan()[0].reason, "80 of 3000 spheres moved") << "in steps of sixteen";
   EXPECT_EQ(frames.plan()[0].removed, "all but 10 runs of 8");
+  const SphereRange told{700, 760};
+  EXPECT_EQ(frames.next(spheres, Moved(std::span(&told, 1))), Way::parts);
+  EXPECT_EQ(frames.plan()[0].reason, "60 of 3000 spheres moved") << "as it was told";
   spheres = frames.spheres();
   std::ranges::rotate(spheres, spheres.begin() + 40);
   EXPECT_EQ(frames.next(spheres), Way::shifted);

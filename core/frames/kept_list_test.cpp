@@ -104,7 +104,11 @@ TEST(KeptList, IsOfOneChainAndHasAnEnd) {
   EXPECT_FALSE(list.made());
   EXPECT_TRUE(list.make(chain, 0.25f, 0.1f, thick.pairs.size(), all_pairs));
   EXPECT_EQ(list.size(), thick.pairs.size());
+  std::vector<Pair> pairs;
+  std::vector<std::uint32_t> counts;
+  EXPECT_TRUE(list.find(chain.spheres(), pairs, counts, false)) << "pruned for the first time";
   EXPECT_TRUE(list.holds(chain));
+  EXPECT_FALSE(list.find(chain.spheres(), pairs, counts, true)) << "of spheres that stay where they are";
   EXPECT_FALSE(list.holds(crowd(random, 29)));
   list.drop();
   EXPECT_FALSE(list.holds(chain));

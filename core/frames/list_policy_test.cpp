@@ -27,6 +27,41 @@ TEST(ListPolicy, TakesAThickerSkinWhereARebuildIsDearer) {
   EXPECT_FALSE(dear.pays(0.3, 0.01, 1)) << "where it costs more than a full search";
 }
 
+/// What took very long, as something else ran, tells no more than that it was long, however long; what
+/// touches memory for the first time tells nothing.
+TEST(ListPolicy, LearnsTheSameOfAllThatTookVeryLong) {
+  ListPolicy policies[2];
+  for (ListPolicy& policy : policies) {
+    const double spike = &policy == policies ? 1e3 : 1e6;
+    for (int k = 0; k < 3; ++k) policy.searched(20);
+    policy.searched(spike);
+    policy.rebuilt(spike, 0.01, 0.9, 1);
+    policy.pruned(spike - 1e3, 3e5, 1e5);
+    for (int k = 0; k < 3; ++k) policy.used(spike);
+    EXPECT_LE(policy.skin_for(1, 1), 1) << "no more than the radius, after a thick one";
+  }
+  EXPECT_EQ(policies[0].full_ms(), policies[1].full_ms());
+  EXPECT_EQ(policies[0].mean_ms(0.3, 0.01, 1), policies[1].mean_ms(0.3, 0.01, 1));
+}
+
+/// Of a list that is made or pruned for more frames each pays less.
+TEST(ListPolicy, AFrameCostsLessWhereListsLiveLonger) {
+  ListPolicy straight, to_and_fro, seldom_pruned;
+  for (ListPolicy* policy : {&straight, &to_and_fro, &seldom_pruned}) {
+    for (int k = 0; k < 3; ++k) policy->searched(20);
+    for (int lists = 0; lists < 3; ++lists) {
+      policy->rebuilt(30, 0.01, 0.2, 1);
+      for (int prunes = 0; prunes < 3; ++prunes) {
+        for (int k = 0; k < (policy == &straight ? 5 : 20); ++k) policy->used(5);
+        policy->pruned(15, 3e5, 1e5);
+      }
+      if (policy != &seldom_pruned) policy->ended();
+    }
+  }
+  EXPECT_LT(seldom_pruned.mean_ms(0.1, 0.01, 1), straight.mean_ms(0.1, 0.01, 1));
+  EXPECT_LT(to_and_fro.mean_ms(0.1, 0.01, 1), seldom_pruned.mean_ms(0.1, 0.01, 1));
+}
+
 TEST(ListPolicy, HoldsAFullSearchForNoDearerThanOneOfThickerSpheres) {
   ListPolicy policy;
   for (int k = 0; k < 3; ++k) policy.searched(20);

@@ -84,6 +84,7 @@ TEST(OpenInput, KeepsLabelsWithTheirSpheres) {
   EXPECT_EQ(open.labels.of(4), "6");
   const Input closed = open_input(file.path().string(), {.radius = 1.0f, .closed = true});
   ASSERT_EQ(closed.animation->frame(0).size(), 5u);
+  EXPECT_EQ(closed.animation->frame(0).strands().closed, (std::vector<std::uint8_t>{1, 1}));
   EXPECT_EQ(closed.labels.of(2), "4");
   EXPECT_EQ(closed.labels.of(3), "6");
   EXPECT_EQ(closed.labels.strand_names, (std::vector<std::string>{"a", "b"}));

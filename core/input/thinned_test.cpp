@@ -73,6 +73,10 @@ TEST(Thin, KeepsTheEndsAloneWhereOneStretchWillDo) {
     for (std::uint32_t i = 0; i <= steps; ++i) rod.push_back({rounded(i * 0.015625), 0, 0, 1});
     EXPECT_EQ(thin(Frames({Chain(rod, {}, Exclusion::arc(bending_window))}), {}, 0.1).kept,
               (std::vector<std::uint32_t>{0, steps}));
+    if (const Pair joint{steps / 3, steps / 2}; joint.i > 0 && joint.i < joint.j)
+      EXPECT_EQ(
+          thin(Frames({Chain(rod, {}, Exclusion::arc(bending_window))}), std::span(&joint, 1), 0.1).kept,
+          (std::vector<std::uint32_t>{0, joint.i, joint.j, steps}));
   }
 }
 
@@ -91,7 +95,7 @@ TEST(Thin, LeavesTheAnswerBetweenKeptSpheresAsItIs) {
       }
       Exclusion exclusion = Exclusion::arc(bending_window);
       exclusion.extra_pairs = {{0, 389}, {5, 300}, {0, 390}};
-      frames.push_back(f == 0 ? Chain(spheres, {{0, 90, 390, 391}, {1, 0, 0}}, exclusion)
+      frames.push_back(f == 0 ? Chain(spheres, {{0, 90, 390, 391}, {1, 1, 0}}, exclusion)
                               : frames[0].moved(spheres));
     }
     const std::vector<Pair> joints{{45, 200}};
@@ -247,7 +251,8 @@ TEST(OpenInput, LeavesOutWhatATolerancePermits) {
   ASSERT_FALSE(all.joints.empty());
   ASSERT_EQ(neuron.joints.size(), all.joints.size());
   for (std::size_t k = 0; k < all.joints.size(); ++k)
-    EXPECT_EQ(neuron.labels.of(neuron.joints[k].i), all.labels.of(all.joints[k].i));
+    for (std::uint32_t Pair::*end : {&Pair::i, &Pair::j})
+      EXPECT_EQ(neuron.labels.of(neuron.joints[k].*end), all.labels.of(all.joints[k].*end));
 }
 
 /// What one frame needs is held against all: no stretch that is left loses more than the tolerance in any

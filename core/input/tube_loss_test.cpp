@@ -53,6 +53,10 @@ TEST(TubeLoss, IsOfWhatSticksOutBeyondTheEnds) {
 TEST(TubeLoss, IsAllOfAGap) {
   EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 1}, Sphere{2, 0, 0, 1}}), 1);
   EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 1}, Sphere{9, 0, 0, 5}, Sphere{50, 0, 0, 1}}), 5);
+  EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 1}, Sphere{std::nextafter(2.0f, 0.0f), 0, 0, 1}}), 1)
+      << "nearly";
+  EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 1}, Sphere{9, 0, 0, 5}, Sphere{1, 0, 0, 1}}), 5)
+      << "no more than that";
   EXPECT_EQ(tube_loss(std::array{Sphere{0, 0, 0, 0}, Sphere{0, 0, 0, 0}}), 0);
   // One that holds the other leaves nothing uncovered.
   EXPECT_LT(tube_loss(std::array{Sphere{0, 0, 0, 5}, Sphere{1, 0, 0, 1}}), 1e-12);

@@ -55,6 +55,10 @@ TEST(Rope, RepeatsTwoRopesAndKeepsTheOthersApart) {
   }
   EXPECT_GT(between_twins, 1e-3);
   for (const Pair& p : test::touching_pairs(chain.spheres())) EXPECT_EQ(p.i / 80, p.j / 80);
+  const Chain first = ropes->frame(0);
+  const std::vector<Vec3> shorter = motion::overhand_knot(30, 1);  // with a knot of its own
+  for (std::uint32_t i = 0; i < 30; ++i)
+    EXPECT_NEAR(first[400 + i].x - first[400].x, shorter[i].x - shorter[0].x, 1e-4);
 }
 
 /// In rows and columns about the origin, each rope as far from the next as another.

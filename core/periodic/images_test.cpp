@@ -119,6 +119,16 @@ std::vector<Pair> pairs_in(const std::vector<Sphere>& spheres, const PeriodicBox
   return found.pairs;
 }
 
+/// Only a sphere that is moved is enlarged, and decided again: none is where one box holds them all.
+TEST(Images, AreOfNoSphereThatOneBoxHoldsWhereverItBegins) {
+  for (const float at : {-7.0f, 0.0f, 3.0f, 9.0f}) {
+    const std::vector<Sphere> spheres{{at, 0, at, 1}, {at + 4, 5, at + 8, 1}, {at + 6, at, at + 2, 1}};
+    const std::vector<Sphere> images = images_of(spheres, {{10, 20, 10}});
+    ASSERT_GE(images.size(), spheres.size());
+    EXPECT_TRUE(std::equal(spheres.begin(), spheres.end(), images.begin())) << at;
+  }
+}
+
 /// An image is looked for as far as the reach from a face, and a share of an edge more, as places are
 /// rounded: here a sphere lies at the reach exactly, and its partner on the other face.
 TEST(Images, AreThereAtTheReachFromAFaceWhateverIsRounded) {

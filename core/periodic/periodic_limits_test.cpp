@@ -36,6 +36,8 @@ TEST(Periodic, StatesTheTrueNumberPastALimit) {
   request.pair_limit = found("CPU1", Chain(spheres), {{10, 10, 10}}).pair_count;
   EXPECT_EQ(found("CPU1", Chain(spheres), {{10, 10, 10}}, request).pairs.size(), request.pair_limit)
       << "as many as may be";
+  --request.pair_limit;
+  EXPECT_THROW(found("CPU1", Chain(spheres), {{10, 10, 10}}, request), PairLimitExceeded);
   request.pair_limit = 5;
   try {
     found("CPU1", Chain(spheres), {{10, 10, 10}}, request);
@@ -77,6 +79,7 @@ TEST(Periodic, SearchesAFloodInParts) {
   Periodic in_parts(std::make_unique<FewAtATime>(), {{10, 10, 10}});
   Collisions result;
   in_parts.build(chain);
+  EXPECT_GT(in_parts.timings().build_ms, 0) << "of its own, whatever the variant tells";
   in_parts.find(chain, {}, result);
   std::ranges::sort(result.pairs);
   const Collisions whole = found("CPU1", chain, {{10, 10, 10}});

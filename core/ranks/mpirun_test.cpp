@@ -210,7 +210,8 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
     const std::string told = run_ranks("detect " + what).output;
     EXPECT_NE(told.find(words), std::string::npos) << told;
   };
-  says("rod:n=60 --any --order chain", "60 spheres, does not collide; 3 ranks in chain order");
+  says("rope:n=60,frames=3,duration=2,frame=1 --any --order chain",
+       "frame 1: 60 spheres, does not collide; 3 ranks in chain order");
   says("coincident:n=60 --pair-limit 812", "60 spheres, 812 pairs, at most 28 a sphere; 3 ranks ");
   says("coincident:n=60 --any --order space", "60 spheres, collides; 3 ranks by space");
 }
@@ -295,8 +296,8 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
     expect_one_line(run_ranks("detect coincident:n=60 --pairs '" + *full + "'"), "cannot write " + *full);
   expect_one_line(run_ranks("detect coincident:n=60 --variant Fastest"), "'Fastest'");
   expect_one_line(run_ranks("detect coincident:n=60 --variant CPU1/literal"), "ranks decide exactly");
-  expect_one_line(run_ranks("detect coincident:n=60 --box 0.1,9,9"),
-                  "coincident:n=60 frame 0: the box is 0.1 wide along x, less than twice the reach");
+  expect_one_line(run_ranks("detect path1:n=60,frame=3 --box 0.1,9,9"),
+                  "path1:n=60,frame=3 frame 3: the box is 0.1 wide along x, less than twice the reach");
   const std::string table = "x,y,z,r\n0,0,0,1\n9,0,0,1\n1,0,0,1\n", in = write("in.csv", table);
   expect_one_line(run_ranks("detect " + in + " --pairs " + in), "is read, and would be lost");
   expect_one_line(run_ranks("detect yarn:n=50 --topology " + in + " --counts " + in),

@@ -7,6 +7,7 @@
 
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/input/naming.h"
+#include "catena/core/input/scene_input.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/ranks/box_search.h"
 #include "catena/core/ranks/bytes.h"
@@ -96,7 +97,7 @@ RankAnswer search_frame(Communicator& ranks, const RankInput& input, std::uint32
                         const std::optional<PeriodicBox>& box, Part part, const RankOptions& options,
                         RankWork& work) {
   if (!box) return search(ranks, std::move(part), options, work);
-  return naming(fmt::format("{} frame {}", input.name(), frame),
+  return naming(fmt::format("{} frame {}", input.name(), written_frame(input.name()) + frame),
                 [&] { return search_in_box(ranks, input.whole(frame), *box, options, work); });
 }
 

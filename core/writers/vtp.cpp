@@ -81,7 +81,9 @@ class Vtp {
     for (const Pair& p : found.pairs) {
       const double deep = overlap_of(chain[p.i], chain[p.j], frame.box).depth;
       for (const auto& [from, to] : {std::pair(p.i, p.j), std::pair(p.j, p.i)})
-        if (partner[from] < 0 || deep > depth[from]) partner[from] = to, depth[from] = deep;
+        // Of two equally deep the one of the lower number, whatever order a variant found them in.
+        if (partner[from] < 0 || deep > depth[from] || (deep == depth[from] && to < partner[from]))
+          partner[from] = to, depth[from] = deep;
     }
     array("UInt32", "collisions", chain.size(), [&](std::uint32_t i) { return found.count[i]; });
     array("Int64", "contact", chain.size(), [&](std::uint32_t i) { return partner[i]; });

@@ -165,6 +165,12 @@ TEST(Writers, WriteWhatParaViewShows) {
   EXPECT_EQ(array_of(text, "collisions"), (Numbers{1, 1, 0, 2, 0, 0}));
   EXPECT_EQ(array_of(text, "contact"), (Numbers{3, 3, -1, 0, -1, -1}));
   EXPECT_NEAR(array_of(text, "depth")[3], 1.25 - std::sqrt(1.25), 1e-15);
+  // Of two that are equally deep the first, in whatever order they were found.
+  const Chain cross({{0, 0, 0, 1}, {1, 0, 0, 1}, {-1, 0, 0, 1}}, {{0, 1, 2, 3}, {0, 0, 0}});
+  for (const auto& pairs : {std::vector<Pair>{{0, 1}, {0, 2}}, std::vector<Pair>{{0, 2}, {0, 1}}}) {
+    Collisions both{true, 2, {2, 1, 1}, pairs};
+    EXPECT_EQ(array_of(written("a.vtp", {cross, &both}), "contact"), (Numbers{1, 0, 0}));
+  }
   const std::string lines = text.substr(text.find("<Lines>"));
   EXPECT_EQ(array_of(lines, "connectivity"), (Numbers{0, 1, 2, 0, 4, 5}));
   EXPECT_EQ(array_of(lines, "offsets"), (Numbers{4, 6}));

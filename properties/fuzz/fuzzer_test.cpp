@@ -216,6 +216,40 @@ TEST(Fuzzer, SaysWhatNoNewObjectShows) {
                                  {Chain({{0, 0, 0, 1}}), Chain({{0, 0, 0, 1}, {1, 0, 0, 1}})}));
 }
 
+/// Of five spheres the tree is as deep as that of the first four, and one.
+TEST(Fuzzer, MeasuresATreeAtItsDeepestAndAMarginByItsExponent) {
+  const auto tree = StrategyRegistry::instance().make("aCPU2+CPU2");
+  InterestMeter meter(*tree);
+  const Chain chain({{0, 0, 0, 1}, {9, 0, 0, 1}, {1, 0, 0, 1}, {99, 0, 0, 1}, {9, 1, 0, 1}});
+  for (const auto& [margin, tightness] :
+       {std::pair(0x1p-20, 20.0), {0.0, 0.0}, {4.0, 0.0}, {HUGE_VAL, 0.0}}) {
+    const Interest found = meter.of(Case::of(chain), margin);
+    EXPECT_EQ(found.score[0], 4);
+    EXPECT_EQ(found.score[2], tightness) << margin;
+    EXPECT_EQ(found.score[3], 2);
+  }
+}
+
+/// A long chain, then a short one: which of them, and of how many spheres, is found.
+TEST(Fuzzer, LeavesOfASequenceTheSimplestOfWhatItNeeds) {
+  const auto fails = [](const std::vector<Chain>& chains) {
+    bool met = false;
+    for (const Chain& chain : chains) {
+      if (met && chain.size() > 3 && chain.size() < 8) return true;
+      met |= chain.size() > 20;
+    }
+    return false;
+  };
+  std::vector<Chain> chains;
+  for (const std::size_t n : {5, 30, 9, 27, 6, 2})
+    chains.emplace_back(std::vector<Sphere>(n, Sphere{3, 4, 5, 1}));
+  const auto left = shortest_sequence(chains, fails);
+  ASSERT_TRUE(left.has_value());
+  ASSERT_EQ(left->size(), 2u);
+  EXPECT_EQ((*left)[0].size(), 21u);
+  EXPECT_EQ((*left)[1].size(), 4u);
+}
+
 TEST(Fuzzer, KillsEveryMutantWithinItsBudget) {
   constexpr std::uint64_t budget = 20'000;  // chains
   std::multimap<std::uint64_t, std::string> late;

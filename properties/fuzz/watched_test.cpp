@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace catena::properties {
 namespace {
@@ -38,6 +41,24 @@ TEST(Watched, SaysACrashAndKeepsWhatWasNoted) {
   EXPECT_EQ(notebook.chain_file(), "the chain");
   EXPECT_EQ(notebook.variant(), "CPU9");
   EXPECT_EQ(notebook.property(), "pair set");
+}
+
+/// The last 32 before the one that is worked at, in order, but for those that are too long.
+TEST(Watched, WhatWasBegunBeforeIsKept) {
+  constexpr std::size_t longest = 64u << 10;
+  Notebook notebook;
+  std::vector<std::string> begun;
+  for (std::size_t k = 0; k < 50; ++k) {
+    const std::vector<std::string> all(
+        begun.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(32, k)), begun.end());
+    std::vector<std::string> kept;
+    std::ranges::copy_if(all, std::back_inserter(kept),
+                         [&](const auto& text) { return text.size() <= longest; });
+    begun.push_back(k == 7 || k == 30 ? std::string(longest + (k == 30), 'x') : std::to_string(k));
+    notebook.begin(begun.back());
+    EXPECT_EQ(notebook.before(), kept) << k;
+    EXPECT_EQ(notebook.chain_file(), begun.back());
+  }
 }
 
 TEST(Watched, AnEndInTheMiddleIsAFault) {

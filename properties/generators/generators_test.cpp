@@ -98,6 +98,39 @@ TEST(Shrinking, EveryStepIsAChainAndItEnds) {
   }
 }
 
+TEST(Shrinking, TakesAZeroWithoutASignAndAnOpenStrandForTheSimplerOnes) {
+  EXPECT_TRUE(simpler(Chain({{0, 0, 0, 1}}), Chain({{-0.0f, 0, 0, 1}})));
+  EXPECT_FALSE(simpler(Chain({{-0.0f, 0, 0, 1}}), Chain({{0, 0, 0, 1}})));
+  const std::vector<Sphere> three(3);
+  EXPECT_TRUE(simpler(Chain(three), Chain(three, Strands::one_closed(3))));
+  EXPECT_FALSE(simpler(Chain(three, Strands::one_closed(3)), Chain(three)));
+}
+
+TEST(Shrinking, MovesAChainToTheOriginAndScalesItToOne) {
+  Simplifications candidates(Chain({{5, 6, 7, 1}, {9, 8, 8, 1}}));
+  std::vector<std::vector<Sphere>> seen;
+  while (const auto chain = candidates.next())
+    seen.emplace_back(chain->spheres().begin(), chain->spheres().end());
+  using Spheres = std::vector<Sphere>;
+  for (const Spheres& wanted : {Spheres{{0, 0, 0, 1}, {4, 2, 1, 1}},
+                                Spheres{{0.625f, 0.75f, 0.875f, 0.125f}, {1.125f, 1, 1, 0.125f}}})
+    EXPECT_EQ(std::ranges::count(seen, wanted), 1);
+}
+
+TEST(Shrinking, LeavesTheExtraPairThatMattersWithinItsTries) {
+  const Chain chain(std::vector<Sphere>(8, Sphere{1, 2, 3, 1}), {},
+                    {Exclusion::Rule::index_window, 1, 0, {{0, 3}, {2, 5}, {4, 7}}});
+  std::uint32_t asked = 0;
+  const auto fails = [&](const Chain& c) {
+    ++asked;
+    return c.size() == 8 && std::ranges::count(c.exclusion().extra_pairs, Pair{2, 5}) == 1;
+  };
+  EXPECT_EQ(shrink(chain, fails).exclusion().extra_pairs, (std::vector<Pair>{{2, 5}}));
+  asked = 0;
+  shrink(chain, fails, 9);
+  EXPECT_EQ(asked, 9u);
+}
+
 /// Among them one that a sphere is taken out of, which leaves two strands.
 TEST(Shrinking, CutsAStrandWhereASphereWas) {
   Simplifications candidates(Chain(std::vector<Sphere>(5, Sphere{1, 2, 3, 1})));

@@ -92,6 +92,8 @@ class Advised(unittest.TestCase):
                 shared = set.intersection(*(choices[i].candidates for i in advice.inputs))
                 least = {name: sum(math.log(plain.median(view[i][name])) for i in advice.inputs) for name in shared}
                 self.assertEqual(least[advice.variant], min(least.values()))
+                seen = set().union(*(view[i] for i in advice.inputs)) & set(EXACT)
+                self.assertEqual(advice.others, len(seen - {advice.variant}))
                 everywhere = [
                     name for name in EXACT
                     if all(name in view[i] and name not in choices[i].candidates for i in advice.inputs)
@@ -189,7 +191,10 @@ class Waits(unittest.TestCase):
 
     def test_a_way_up_that_update_has_already_is_not_taken_off(self):
         value = copy.deepcopy(self.of(lambda name: "/n:1000/aGPU2" in name))
-        still = waits.moving(pages.of(value))["path1/n:1000"]["aGPU2+GPU2"]
+        case, run = ("path1/n:1000", "aGPU2+GPU2"), pages.of(value)
+        still = waits.moving(run)[case[0]][case[1]]
+        (update,) = (row["update_ms"] for row in run.list("coherence") if (row["input"], row["variant"]) == case)
+        numpy.testing.assert_allclose(still, run.samples[*case, "find"][: len(still)] + update[: len(still)])
         for row in value["benchmarks"]:
             row["transfer_ms"] = {"build": 8.0, "find": 1.0}.get(row["name"].split("/")[-2], 0.0)
         numpy.testing.assert_allclose(waits.moving(pages.of(value))["path1/n:1000"]["aGPU2+GPU2"], still)

@@ -48,10 +48,15 @@ class Pairs(unittest.TestCase):
         value = made.run()
         value["catena"]["keyframes"][0]["pairs"][3] = 46
         self.assertEqual(judged("pairs", value).verdict, claims.FAILS)
+        value = made.run()  # so does one of a path that was counted twice
+        value["catena"]["keyframes"].append({**value["catena"]["keyframes"][0], "pairs": [45] * 55 + [46]})
+        self.assertEqual(judged("pairs", value).verdict, claims.FAILS)
         for row in value["catena"]["keyframes"]:
             row["pairs"] = [44] * 56
         value["catena"]["scenes"] = []
         value["benchmarks"] = [{**row, "pairs": 44.0} for row in value["benchmarks"]]
+        self.assertEqual(judged("pairs", value).verdict, claims.FAILS)
+        value["catena"]["keyframes"][0]["pairs"] = [45] * 56  # of one path alone
         self.assertEqual(judged("pairs", value).verdict, claims.FAILS)
 
 
@@ -156,6 +161,8 @@ class Undecided(unittest.TestCase):
     def test_1500_ms_are_the_lower_end(self):
         for times, verdict in (([1500] * 6, claims.HOLDS), ([1490, 1600, 1600] * 2, claims.FAILS)):
             self.assertEqual(self.judge("cpu1-slow", {("path1", 10000, "CPU1", "find"): times}).verdict, verdict)
+            both = {("path1", 10000, "CPU1", "find"): [1500] * 6, ("path2", 10000, "CPU1", "find"): times}
+            self.assertEqual(self.judge("cpu1-slow", both).verdict, verdict, "of both paths")
 
     def test_pairs_are_missed_by_whatever(self):
         value = made.run(repetitions=1)

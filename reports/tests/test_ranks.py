@@ -113,6 +113,19 @@ class Ranks(unittest.TestCase):
         checked = rank_model.checked([{"n": 8e6, "points": points}], rank_model.Law(1, 1))
         self.assertEqual([(ranks, asked) for _, ranks, _, asked in checked], [(257, 5), (4096, 7)])
 
+    def test_a_law_is_of_points_in_space_of_no_more_ranks_than_are_fitted(self):
+        made_by = rank_model.Law(2, 1)
+        points = [
+            {"order": "space", "ranks": ranks, "blocks": 1e6, "most_blocks_asked": made_by.asked(1e6 / ranks, ranks)}
+            for ranks in (2, 4, 16, 64, 256)
+        ]
+        wrong = {"order": "chain", "ranks": 8}, {"order": "space", "ranks": 512}
+        far = [{**points[0], **other, "most_blocks_asked": 1e6} for other in wrong]
+        found = rank_model.law(points + 3 * far)
+        self.assertAlmostEqual(found.factor, 2)
+        self.assertAlmostEqual(found.thickness, 1)
+        self.assertIsNone(rank_model.law(points[:3] + 3 * far))
+
     def test_too_few_points_have_no_model(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
             chain["points"] = chain["points"][:2]

@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "catena/core/chain/chain.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/properties/generators/dice.h"
+#include "catena/properties/sorted_pairs.h"
+
+namespace catena {
+namespace {
+
+/// Spheres and blocks of a tree that follow one another along a line, up or down it, are not looked for
+/// beyond the next: unless a thicker one reaches there, or a jump leads back, wherever that is among them.
+TEST(Rows, EndWhereAThickSphereReachesBeyondTheNext) {
+  const auto tree = StrategyRegistry::instance().make("ChainTree"),
+             judge = StrategyRegistry::instance().make("CPU1");
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    properties::Dice dice(seed);
+    const float way = dice.pick({-1.0f, 1.0f});
+    const std::uint32_t jumps = dice.pick({20u, 100u, 1000u});
+    // Many little thicker ones disturb the order of spheres, few much thicker ones that of blocks.
+    const bool little = dice.one_in(2);
+    const std::uint32_t thick = little ? 8 : dice.pick({20u, 60u, 200u});
+    std::vector<Sphere> spheres(40 + dice.below(little ? 60 : 260));
+    float x = 0;
+    for (Sphere& s : spheres) {
+      x += way * (dice.one_in(jumps) ? 16 * dice.symmetric() : 1.0f);
+      s = {x, 0, 0, dice.one_in(thick) ? (little ? 2.5f : 24.0f) * dice.unit() : 0.25f};
+    }
+    const Chain chain(std::move(spheres));
+    Collisions found, right;
+    for (const auto& [variant, result] : {std::pair(tree.get(), &found), {judge.get(), &right}}) {
+      variant->build(chain);
+      variant->find(chain, {}, *result);
+      properties::sort(result->pairs);
+    }
+    ASSERT_EQ(found.pairs, right.pairs) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace catena
