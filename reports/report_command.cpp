@@ -12,6 +12,7 @@
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/shell_word.h"
 #include "catena/reports/faults.h"
 #include "catena/reports/interrupted.h"
 #include "catena/reports/journal.h"
@@ -110,7 +111,7 @@ class ReportCommand final : public Command {
   }
 
   std::string resumable() const {
-    return fmt::format("what was measured is kept: catena report --resume --output {}", output_);
+    return fmt::format("what was measured is kept: catena report --resume --output {}", shell_word(output_));
   }
 
   Json options() const {
@@ -162,8 +163,9 @@ class ReportCommand final : public Command {
   }
 
   std::string kept(const std::vector<std::string>& runs) const {
-    return fmt::format("nothing measured is lost: catena report --output {} --from {}", output_,
-                       fmt::join(runs, " "));
+    std::string command = fmt::format("catena report --output {} --from", shell_word(output_));
+    for (const std::string& run : runs) command += " " + shell_word(run);
+    return "nothing measured is lost: " + command;
   }
 
   Profile chosen() const {
@@ -222,10 +224,10 @@ class ReportCommand final : public Command {
 
   std::string command() const {
     std::string text = fmt::format("catena report --{}", paper_ ? "paper" : full_ ? "full" : "quick");
-    for (const auto& scene : scenes_) text += fmt::format(" --scene '{}'", scene);
+    for (const auto& scene : scenes_) text += " --scene " + shell_word(scene);
     text += in_command(input_);
-    for (const auto& variant : variants_) text += fmt::format(" --variant '{}'", variant);
-    if (!filter_.empty()) text += fmt::format(" --benchmark_filter '{}'", filter_);
+    for (const auto& variant : variants_) text += " --variant " + shell_word(variant);
+    if (!filter_.empty()) text += " --benchmark_filter " + shell_word(filter_);
     if (seconds_ > 0) text += fmt::format(" --seconds {}", seconds_);
     if (repetitions_ > 0) text += fmt::format(" --repetitions {}", repetitions_);
     if (seed_ != 1) text += fmt::format(" --seed {}", seed_);

@@ -5,6 +5,7 @@
 
 #include "catena/core/commands/test_program.h"
 #include "catena/core/environment.h"
+#include "catena/core/shell_word.h"
 #include "catena/reports/journal.h"
 
 /// `catena report` as a user runs it: what is asked for is what is measured, and an interrupted run goes on
@@ -29,11 +30,10 @@ class ReportProgram : public Program {
 };
 
 TEST_F(ReportProgram, MeasuresWhatIsAskedForAndSaysHow) {
-  const std::string points = write("a.xyz", "0 0 0\n1 0 0\n2 0 0\n");
-  const std::string asked =
-      "--scene " + points +
-      " --radius '0.5' --variant 'CPU1' --variant 'aCPU2+CPU2' --seconds 60 --repetitions 3 "
-      "--seed 7";
+  write("an a.xyz", "0 0 0\n1 0 0\n2 0 0\n");
+  const std::string asked = "--scene " + shell_word(file("an a.xyz")) +
+                            " --radius 0.5 --variant CPU1 --variant 'GPU1@host(threads=1)' --seconds 60 "
+                            "--repetitions 3 --seed 7";
   const auto run = measured(asked + " --no-page");
   if (run.is_null()) GTEST_SKIP() << "it cannot measure";
   const auto& own = run["catena"];
@@ -68,11 +68,10 @@ TEST_F(ReportProgram, GoesOnWithTheOptionsOfTheRunThatWasInterrupted) {
   Journal::begin(file("r") + "/run.journal", {{"options", options}, {"environment", here}});
   const auto run = measured("--resume");
   if (run.is_null()) GTEST_SKIP() << "it cannot measure";
-  EXPECT_EQ(
-      run["catena"]["command"],
-      fmt::format("catena report --quick --scene '{}' --radius '0.5' --variant 'CPU1' --variant 'aCPU2+CPU2' "
-                  "--benchmark_filter 'find' --seconds 60 --repetitions 4 --seed 9",
-                  points));
+  EXPECT_EQ(run["catena"]["command"],
+            fmt::format("catena report --quick --scene {} --radius 0.5 --variant CPU1 --variant aCPU2+CPU2 "
+                        "--benchmark_filter find --seconds 60 --repetitions 4 --seed 9",
+                        shell_word(points)));
   EXPECT_EQ(run["catena"]["stopping"]["rounds"], 4);
   for (const auto& row : run["benchmarks"])
     EXPECT_NE(std::string(row["name"]).find("/find"), std::string::npos) << row["name"];

@@ -45,7 +45,7 @@ TEST(Sections, OfScenesAreTheFrameWithMostPairs) {
   EXPECT_EQ(rows[2]["smallest_margin"], least);
   EXPECT_GT(rows[2]["images"], 0);
   EXPECT_NE(rows[2]["summary"].get<std::string>().find("in the box 8,8,8"), std::string::npos);
-  EXPECT_EQ(rows[3]["options"], " --window '2'");
+  EXPECT_EQ(rows[3]["options"], " --window 2");
   EXPECT_NE(rows[0]["summary"], rows[3]["summary"]);
 }
 

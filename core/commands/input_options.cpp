@@ -19,6 +19,7 @@
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
+#include "catena/core/shell_word.h"
 
 namespace catena {
 namespace {
@@ -196,8 +197,7 @@ void read_input_options(std::vector<std::string> arguments, InputOptions& option
 
 std::string in_command(const InputOptions& options) {
   std::string text;
-  for (const std::string& argument : arguments_of(options))
-    text += argument.starts_with("--") ? " " + argument : fmt::format(" '{}'", argument);
+  for (const std::string& argument : arguments_of(options)) text += " " + shell_word(argument);
   return text;
 }
 

@@ -44,7 +44,7 @@ TEST(InputOptions, AreRefusedWhereTheySayTooMuchOrTooLittle) {
 TEST(InputOptions, StandInACommand) {
   InputOptions options;
   read_input_options({"--closed", "--array", "a b", "--box", "none"}, options);
-  EXPECT_EQ(in_command(options), " --closed --array 'a b' --box 'none'");
+  EXPECT_EQ(in_command(options), " --closed --array 'a b' --box none");
   EXPECT_EQ(in_command({}), "");
 }
 

@@ -73,10 +73,11 @@ TEST(Thin, KeepsTheEndsAloneWhereOneStretchWillDo) {
     for (std::uint32_t i = 0; i <= steps; ++i) rod.push_back({rounded(i * 0.015625), 0, 0, 1});
     EXPECT_EQ(thin(Frames({Chain(rod, {}, Exclusion::arc(bending_window))}), {}, 0.1).kept,
               (std::vector<std::uint32_t>{0, steps}));
-    if (const Pair joint{steps / 3, steps / 2}; joint.i > 0 && joint.i < joint.j)
+    if (const Pair joint{steps / 3, steps / 2}; joint.i > 0 && joint.i < joint.j) {
       EXPECT_EQ(
           thin(Frames({Chain(rod, {}, Exclusion::arc(bending_window))}), std::span(&joint, 1), 0.1).kept,
           (std::vector<std::uint32_t>{0, joint.i, joint.j, steps}));
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "catena/core/shell_word.h"
 #include "catena/properties/fuzz/failure_store.h"
 
 namespace catena::properties {
@@ -37,10 +38,10 @@ void tell_chains(const std::vector<Chain>& chains, const std::vector<std::filesy
   for (std::size_t k = 0; k < chains.size(); ++k) {
     fmt::print("{}\n", printed(chains[k]));
     files += fmt::format("{}{}", k == 0 ? "" : ", ", stored[k].string());
-    replay += fmt::format(" --replay {}", stored[k].string());
+    replay += " --replay " + shell_word(stored[k].string());
   }
   fmt::print("stored in {}\nrun it again: catena fuzz{}{}\n", files, replay,
-             variant.empty() ? "" : fmt::format(" --variant '{}'", variant));
+             variant.empty() ? "" : " --variant " + shell_word(variant));
 }
 
 void tell(const Fuzzer::Counterexample& c, std::uint64_t seed,

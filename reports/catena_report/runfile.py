@@ -3,6 +3,7 @@ import gzip
 import json
 import pathlib
 import re
+import shlex
 
 import numpy
 
@@ -196,8 +197,8 @@ def replay(run, input_, variant=None):
         scene, row = scene_of(input_), run.scene(input_)
         chain = row.get("spec") or f"{scene}{',' if ':' in scene else ':'}n={n_of(input_)}"
     frame = f" --frame {row['frame']}" if row.get("frames", 1) > 1 and "frame" in row else ""
-    quoted = f" --variant '{variant}'" if variant else ""
-    return f"catena detect '{chain}'{row.get('options', '')}{frame}{quoted}"
+    of_variant = f" --variant {shlex.quote(variant)}" if variant else ""
+    return f"catena detect {shlex.quote(chain)}{row.get('options', '')}{frame}{of_variant}"
 
 
 def load(path):

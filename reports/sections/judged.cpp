@@ -11,6 +11,7 @@
 #include "catena/bench/knots/known_knots.h"
 #include "catena/bench/pivot/end_to_end.h"
 #include "catena/core/input/input.h"
+#include "catena/core/shell_word.h"
 #include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
@@ -81,7 +82,7 @@ void add_growth(nlohmann::ordered_json& rows, std::uint32_t most) {
                   law.exponent, law.low, law.high, plain.exponent, plain.low, plain.high,
                   static_cast<double>(growth.points.back().node_pairs) / growth.points.back().n),
               growth.within_four_thirds(),
-              fmt::format("catena growth {} --n {} --variant '{}'", scene, most, variant)));
+              fmt::format("catena growth {} --n {} --variant {}", scene, most, shell_word(variant))));
       if (open) rows.back()["open"] = true;
     }
 }

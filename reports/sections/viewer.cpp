@@ -10,6 +10,7 @@
 #include "catena/core/hierarchy/sphere_bounds_visitor.h"
 #include "catena/core/input/input.h"
 #include "catena/core/periodic/periodic.h"
+#include "catena/core/shell_word.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/find_in_box.h"
 #include "catena/reports/base64.h"
@@ -145,9 +146,9 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
   Json closed = Json::array();
   for (std::size_t s = 0; s < strands.size(); ++s) closed.push_back(busiest.strands().closed[s] != 0);
   Json out{{"input", bench::label_of({shown.input, false, shown.options})},
-           {"command",
-            fmt::format("catena detect {}{} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv", shown.input,
-                        in_command(shown.options), count == 1 ? std::to_string(all / 2) : "all")},
+           {"command", fmt::format("catena detect {}{} --frame {} --variant aCPU2+CPU2 --pairs pairs.csv",
+                                   shell_word(shown.input), in_command(shown.options),
+                                   count == 1 ? std::to_string(all / 2) : "all")},
            {"frames", std::move(frames)},
            {"strands", strands},
            {"closed", std::move(closed)}};

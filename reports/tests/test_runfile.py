@@ -98,18 +98,18 @@ class Names(unittest.TestCase):
             self.assertEqual(runfile.scene_and_n(input_), expected)
 
     def test_a_command_shows_the_chain_as_it_was_run(self):
-        row = {"input": "far:exponent=3/n:30", "frame": 28, "frames": 56, "options": " --window '2'"}
+        row = {"input": "far:exponent=3/n:30", "frame": 28, "frames": 56, "options": " --window 2"}
         one = run(scenes=[row], viewer=[{"input": "path1/n:10", "command": "catena detect path1:n=10"}])
         self.assertEqual(
             runfile.replay(one, "far:exponent=3/n:30", "CPU1"),
-            "catena detect 'far:exponent=3,n=30' --window '2' --frame 28 --variant 'CPU1'",
+            "catena detect far:exponent=3,n=30 --window 2 --frame 28 --variant CPU1",
         )
         self.assertEqual(runfile.replay(one, "path1/n:10"), "catena detect path1:n=10")
         self.assertEqual(
-            runfile.replay(one, "path1/n:10", "CPU1"), "catena detect 'path1:n=10' --variant 'CPU1'"
+            runfile.replay(one, "path1/n:10", "CPU1"), "catena detect path1:n=10 --variant CPU1"
         )
         row.update(frames=1, spec="of a file")
-        self.assertEqual(runfile.replay(one, "far:exponent=3/n:30"), "catena detect 'of a file' --window '2'")
+        self.assertEqual(runfile.replay(one, "far:exponent=3/n:30"), "catena detect 'of a file' --window 2")
 
 
 class Words(unittest.TestCase):

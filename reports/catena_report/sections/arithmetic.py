@@ -1,6 +1,8 @@
 """The error of the arithmetic where it starts: far from the origin, and for contacts near to touching. Part of the
 section on error against run time.
 """
+import shlex
+
 from .. import runfile, words
 from ..figure import Axis, Figure, Panel, Series
 from ..style import DASHES, of_arithmetic
@@ -110,4 +112,4 @@ def _bite(arithmetic, line):
 
 
 def _verify(line):
-    return f"catena verify '{line['scene']}' --variant '{line['variant']}'"
+    return f"catena verify {shlex.quote(line['scene'])} --variant {shlex.quote(line['variant'])}"

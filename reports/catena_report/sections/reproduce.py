@@ -1,4 +1,6 @@
 """The exact command of every run, and how to make this page again."""
+import shlex
+
 from ..section import Code, Section
 
 
@@ -10,7 +12,7 @@ def build(report):
         lines += ["cmake --preset release && cmake --build --preset release"]
         lines += [run.catena.get("command") or run.context.get("executable", "catena_bench")]
         section.blocks.append(Code("\n".join(lines), report.label(run)))
-    files = " ".join(run.path.name for run in report.runs)
+    files = " ".join(shlex.quote(run.path.name) for run in report.runs)
     section.blocks.append(
         Code(
             f"catena report --output report --from {files}",

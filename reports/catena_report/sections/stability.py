@@ -1,4 +1,6 @@
 """Which variant in which arithmetic stays exact on which stiff or extreme scene."""
+import shlex
+
 from .. import words
 from ..figure import Axis, Figure, Heat, Line, Panel
 from ..section import Prose, Section
@@ -222,5 +224,5 @@ def _hover(line):
 
 
 def _chain(report, run, line):
-    command = f"catena verify '{line['scene']}' --variant '{line['variant']}'"
+    command = f"catena verify {shlex.quote(line['scene'])} --variant {shlex.quote(line['variant'])}"
     return report.chain(run, line["scene"], command=command)
