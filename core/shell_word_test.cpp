@@ -31,7 +31,7 @@ TEST(ShellWord, IsOneWordOfAShellWhateverItHolds) {
 }
 
 TEST(ShellWord, StaysAsItIsWhereNothingOfItMeansAnything) {
-  for (const char* text : {"path1:n=1e6", "/tmp/a_b-1.csv", "aCPU2+CPU2", "50%", "x@y"})
+  for (const char* text : {"path1:n=1e6", "../a_b-1.csv", "aCPU2+CPU2", "50%", "x@y"})
     EXPECT_EQ(shell_word(text), text);
   EXPECT_EQ(shell_word("a b"), "'a b'");
 }
