@@ -1,11 +1,11 @@
 #include "catena/core/shell_word.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 namespace catena {
 namespace {

@@ -273,7 +273,6 @@ TEST(Cells, FindOnceWhatIsAdjacentToACrowdedBlock) {
   expect_exact(each_block_a_strand(spheres), "a crowded rod that goes on with longer steps");
 }
 
-/// Small spheres by the hundred in the cell of a large one are sorted by octaves.
 /// Few enough of all spheres are in a crowd, or one too many; as many spheres as fill warps, and one more.
 TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
   for (const std::uint32_t crowd :
@@ -289,6 +288,7 @@ TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
     }
 }
 
+/// Small spheres by the hundred in the cell of a large one are sorted by octaves.
 TEST(Cells, PartByOctavesWhatCrowdsOneLevel) {
   for (const std::uint32_t small : {30u, 300u, 3000u}) {
     std::vector<Sphere> spheres{{0, 0, 0, 1}, {50, 0, 0, 1}};

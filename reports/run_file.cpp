@@ -48,8 +48,7 @@ Json measured(const Section& section, const Profile& profile) {
   } catch (const VariantThrew& fault) {
     note_fault(fmt::format("{}; the section {} is left out", fault.what(), section.name));
   } catch (const PairLimitExceeded& why) {
-    fmt::print(stderr, "catena report: {} is left out: {} pairs collide, and more than {} are not compared\n",
-               section.name, why.found(), why.limit());
+    fmt::print(stderr, "catena report: {}; it is left out\n", bench::TooManyPairs(section.name, why).what());
   }
   return {};
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catena/bench/examine/json.h"
+#include "catena/bench/timing/workload.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/json_line.h"
@@ -68,8 +69,7 @@ class ExamineCommand final : public Command {
     try {
       return reference::find(chain);
     } catch (const PairLimitExceeded& exceeded) {
-      throw CapacityError(fmt::format("{}: {} pairs collide; with more than {} nothing is compared", spec,
-                                      exceeded.found(), exceeded.limit()));
+      throw TooManyPairs(spec, exceeded);
     }
   }
 
