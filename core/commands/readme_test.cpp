@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -11,7 +12,7 @@
 
 #include "catena/core/commands/test_program.h"
 
-/// README and json.md against the program.
+/// README and the pages beside what they describe against the program.
 namespace catena {
 namespace {
 
@@ -44,6 +45,21 @@ std::string steady(const std::string& text) {
 
 class Readme : public Program {
  protected:
+  const std::filesystem::path source_ = CATENA_SOURCE_DIR;
+
+  /// README and all other pages, by their paths in the source tree.
+  std::vector<std::string> pages() const {
+    std::vector<std::string> found{"README.md"};
+    for (const auto& folder : std::filesystem::directory_iterator(source_)) {
+      const std::string name = folder.path().filename().string();
+      if (!folder.is_directory() || name.starts_with(".") || name == "build") continue;
+      for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+        if (file.path().extension() == ".md")
+          found.push_back(std::filesystem::relative(file.path(), source_).string());
+    }
+    return found;
+  }
+
   Readme() { setenv("XDG_CACHE_HOME", file("cache").c_str(), 1); }
   ~Readme() override { unsetenv("XDG_CACHE_HOME"); }
 };
@@ -51,7 +67,7 @@ class Readme : public Program {
 TEST_F(Readme, ShowsWhatTheProgramPrints) {
   std::filesystem::create_symlink(CATENA_SOURCE_DIR "/core", file("core"));
   std::size_t compared = 0;
-  for (const Shown& shown : shown_in(text_of(CATENA_SOURCE_DIR "/README.md"))) {
+  for (const Shown& shown : shown_in(text_of(source_ / "README.md"))) {
     if (shown.command.find("Sweep") != std::string::npos) continue;  // a variant of the reader's own
     const ProgramOutcome r = shell("cd '" + file("") + "' && " + shown.command + " > '" + file("out") + "'");
     EXPECT_LT(r.code, 2) << shown.command << ": " << r.output;
@@ -60,6 +76,51 @@ TEST_F(Readme, ShowsWhatTheProgramPrints) {
     ++compared;
   }
   EXPECT_GE(compared, 2u);
+}
+
+/// What is in backticks in the page, as far as it looks like a path of ours, with the folders that it leads
+/// through.
+std::set<std::string> paths_in(const std::string& page) {
+  static const std::regex path(
+      "`((?:bench|core|cuda|properties|reference|reports|variants)/[A-Za-z0-9_./]*)`");
+  std::set<std::string> paths;
+  for (std::sregex_iterator at(page.begin(), page.end(), path), end; at != end; ++at) paths.insert((*at)[1]);
+  return paths;
+}
+
+TEST_F(Readme, LeadsToEveryPageAndEachNamesFilesThatAreThere) {
+  std::set<std::string> reached{"README.md"}, left = reached;
+  while (!left.empty()) {
+    const std::string page = left.extract(left.begin()).value();
+    for (const std::string& path : paths_in(text_of(source_ / page))) {
+      EXPECT_TRUE(std::filesystem::exists(source_ / path)) << page << " names " << path;
+      if (path.ends_with(".md") && reached.insert(path).second) left.insert(path);
+    }
+  }
+  const std::vector<std::string> all = pages();
+  EXPECT_EQ(reached, std::set<std::string>(all.begin(), all.end()));
+}
+
+TEST_F(Readme, TellsOfEveryCommandAndEveryFormat) {
+  const std::string readme = text_of(source_ / "README.md"),
+                    formats = text_of(source_ / "core/readers/formats.md"), help = run("--help").output;
+  static const std::regex command("\n  ([a-z][a-z-]+)  +[A-Z]");
+  std::size_t commands = 0;
+  for (std::sregex_iterator at(help.begin(), help.end(), command), end; at != end; ++at, ++commands)
+    EXPECT_NE(readme.find("| `catena " + (*at)[1].str()), std::string::npos) << (*at)[1];
+  EXPECT_GE(commands, 20u);
+  const auto readers = nlohmann::json::parse(run("list --json").output).at("readers");
+  EXPECT_FALSE(readers.empty());
+  for (const auto& reader : readers) {
+    const std::vector<std::string> extensions = reader.at("extensions");
+    const auto is_in = [](const std::string& page) {
+      return [&page](const std::string& extension) {
+        return page.find('`' + extension + '`') != std::string::npos;
+      };
+    };
+    EXPECT_TRUE(std::ranges::any_of(extensions, is_in(readme))) << extensions.front();
+    EXPECT_TRUE(std::ranges::all_of(extensions, is_in(formats))) << extensions.front();
+  }
 }
 
 void collect_keys(const nlohmann::json& json, std::set<std::string>& keys) {
