@@ -66,6 +66,7 @@ class VerifyCommand final : public Command {
       throw InputError(fmt::format("{} is not available here: {}; see catena list",
                                    candidates.front().info.name, *candidates.front().info.unavailable));
 
+    if (!samples) check_inputs(inputs_, options_);
     VerifyReport report(json_);
     Progress progress(inputs_.size() * candidates.size());
     for (const auto& spec : inputs_) {

@@ -36,6 +36,7 @@ class ExamineCommand final : public Command {
 
   int run() override {
     if (inputs_.empty()) inputs_ = default_inputs();
+    check_inputs(inputs_, options_);
     if (arithmetics_.empty()) arithmetics_ = {"literal", "double"};
     std::size_t width = 5;
     for (const auto& input : inputs_) width = std::max(width, input.size());

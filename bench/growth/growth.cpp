@@ -45,13 +45,16 @@ Growth::Law fit(const std::vector<Growth::Point>& points, std::size_t columns) {
 Growth::Law Growth::law() const { return fit(points, 3); }
 Growth::Law Growth::plain_power() const { return fit(points, 2); }
 
+std::string sized(const std::string& scene, std::uint32_t n) {
+  return fmt::format("{}{}n={}", scene, scene.find(':') == std::string::npos ? ":" : ",", n);
+}
+
 Growth measure_growth(const std::string& scene, const VariantInfo& variant, std::uint32_t most) {
   Growth growth{scene, variant.name, {}};
-  const std::string separator = scene.find(':') == std::string::npos ? ":" : ",";
   for (int half_decades = 6;; ++half_decades) {
     const auto n = static_cast<std::uint32_t>(std::round(std::pow(10.0, half_decades / 2.0)));
     if (n > most) return growth;
-    const Chain chain = open_input(fmt::format("{}{}n={}", scene, separator, n)).animation->frame(0);
+    const Chain chain = open_input(sized(scene, n)).animation->frame(0);
     const auto work = count_work(variant, chain);
     if (!work)
       throw InputError(fmt::format("{} does not count what it compares; see catena list", variant.name));

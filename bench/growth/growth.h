@@ -33,6 +33,9 @@ struct Growth {
   bool within_four_thirds() const { return law().low <= 4.0 / 3; }
 };
 
+/// The scene, as it may be written on a command line, at that size.
+std::string sized(const std::string& scene, std::uint32_t n);
+
 /// The scene at sizes from 1,000 to `most`, half a decade apart. Throws InputError where the variant counts
 /// nothing.
 Growth measure_growth(const std::string& scene, const VariantInfo& variant, std::uint32_t most);

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/bench/growth/growth.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/error.h"
+#include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
@@ -29,13 +31,17 @@ class GrowthCommand final : public Command {
 
   int run() override {
     if (most_ >= std::uint64_t{1} << 31) throw InputError("--n must be below 2^31");
-    if (!json_)
-      fmt::print("{:<12} {:<24} {:>9} {:>8} {:>17} {}\n", "scene", "variant", "exponent", "", "95 %",
-                 "n^(4/3)");
+    // What is misspelt is said before work on the first.
+    for (const std::string& scene : scenes_) open_input(sized(scene, 1000));
+    std::vector<VariantInfo> variants;
+    for (const std::string& name : variants_) variants.push_back(StrategyRegistry::instance().describe(name));
+    bool begun = json_;
     for (const std::string& scene : scenes_)
-      for (const std::string& name : variants_) {
-        const Growth growth = measure_growth(scene, StrategyRegistry::instance().describe(name),
-                                             static_cast<std::uint32_t>(most_));
+      for (const VariantInfo& variant : variants) {
+        const Growth growth = measure_growth(scene, variant, static_cast<std::uint32_t>(most_));
+        if (!std::exchange(begun, true))
+          fmt::print("{:<12} {:<24} {:>9} {:>8} {:>17} {}\n", "scene", "variant", "exponent", "", "95 %",
+                     "n^(4/3)");
         json_ ? fmt::print("{}\n", to_json(growth).dump()) : print(growth);
       }
     return 0;

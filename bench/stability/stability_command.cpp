@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/error.h"
+#include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
@@ -46,6 +48,7 @@ class StabilityCommand final : public Command {
   int run() override {
     if (!scenes_.empty() && !sizes_.empty())
       throw InputError("--n sizes the scenes of the full matrix; write scene:n=N for a scene of your own");
+    check_inputs(scenes_, limits_.input);
     if (sizes_.empty()) sizes_ = {2000};
     if (scenes_.empty())
       for (const std::uint32_t n : sizes_)
@@ -58,17 +61,18 @@ class StabilityCommand final : public Command {
     const auto form = json_    ? StabilityReport::Form::json
                       : cells_ ? StabilityReport::Form::cells
                                : StabilityReport::Form::table;
-    StabilityReport report(form, scenes_, variants_, std::move(arithmetics));
+    std::optional<StabilityReport> report;  // whose head comes before the first of its lines
     Progress progress(scenes_.size() * variants_.size());
     for (const auto& spec : scenes_) {
       const auto cells = measure_scene(spec, variants_, limits_, [&](const std::string& name) {
         progress.step(fmt::format("{} on {}", name, spec));
       });
       progress.clear();
-      report.scene(cells);
+      if (!report) report.emplace(form, scenes_, variants_, arithmetics);
+      report->scene(cells);
     }
-    report.finish();
-    return report.any_defect() ? 1 : 0;
+    report->finish();
+    return report->any_defect() ? 1 : 0;
   }
 
  private:

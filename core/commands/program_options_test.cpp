@@ -45,6 +45,14 @@ TEST_F(Program, TellsWhatThinningHasCost) {
   EXPECT_LT(thinned["own"], thinned["lost"]) << "the dips that were there are a part of it";
 }
 
+TEST_F(Program, LooksAtEveryInputBeforeItWorksOnTheFirst) {
+  for (const char* command : {"verify", "margins", "examine", "stability", "regret"})
+    expect_refused(std::string(command) + " rod:n=60 nowhere", "no scene is named 'nowhere'");
+  expect_refused("stability nowhere", "no scene is named 'nowhere'");
+  expect_refused("growth rod nowhere", "no scene is named 'nowhere'");
+  expect_refused("growth rod --variant CPU1 --variant Nobody", "'Nobody'");
+}
+
 TEST_F(Program, RefusesColumnsWithoutTheirTable) {
   for (const std::string column : {"--depth", "--margin"})
     expect_refused("detect path1:n=10 " + column, "--depth and --margin are columns of --pairs");

@@ -94,4 +94,10 @@ Input open_input(const std::string& spec, const InputOptions& options) {
   return input;
 }
 
+void check_inputs(const std::vector<std::string>& specs, const InputOptions& options) {
+  if (specs.size() < 2) return;
+  for (const std::string& spec : specs)
+    if (!is_standard_input(spec)) open_input(spec, options);
+}
+
 }  // namespace catena

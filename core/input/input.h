@@ -48,4 +48,9 @@ struct Input {
 /// that do not fit the input.
 Input open_input(const std::string& spec, const InputOptions& options = {});
 
+/// Throws what open_input throws of any of several, so that a name that is misspelt does not end the work on
+/// those before it. Files are read, and read again when their turn comes; standard input, which is there
+/// once, is not looked at.
+void check_inputs(const std::vector<std::string>& specs, const InputOptions& options = {});
+
 }  // namespace catena
