@@ -12,6 +12,39 @@
 
 namespace catena::cuda {
 
+/// fetch_add(count + bucket, 1) of each thread that is `in`, by all of a warp together: one operation for those
+/// that follow one another with one bucket, so that a crowd waits for a few of them only.
+__device__ inline std::uint32_t enter_together(std::uint32_t* count, std::uint32_t bucket, bool in) {
+  constexpr std::uint32_t none = ~0u;
+  const std::uint32_t lane = DeviceWarp::lane(), own = in ? bucket : none,
+                      before = __shfl_up_sync(DeviceWarp::all, own, 1),
+                      firsts = __ballot_sync(DeviceWarp::all, lane == 0 || before != own),
+                      to_own = DeviceWarp::lanes_before() | 1u << lane, later = firsts & ~to_own;
+  const int first = 31 - __clz(firsts & to_own);
+  const std::uint32_t end = later != 0 ? __ffs(later) - 1 : DeviceWarp::lanes;
+  std::uint32_t begin = 0;
+  if (in && first == static_cast<int>(lane)) begin = fetch_add(count + bucket, end - lane);
+  return __shfl_sync(DeviceWarp::all, begin, first) + lane - static_cast<std::uint32_t>(first);
+}
+
+/// enter_cells where radii are mixed, and many small ones may be in a cell of the largest.
+template <class Members>
+__global__ void __launch_bounds__(256)
+    enter_mixed(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
+                const __grid_constant__ Members members) {
+  await_previous();
+  if (!members.any() || cells.state->in_bins != 0) return;
+  const CellTable& table = cells.table_for(members.expected());
+  const std::uint32_t asked = members.asked(), lane = DeviceWarp::lane();
+  const std::uint64_t thread = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
+  for (std::uint64_t first = thread - lane; first < asked; first += std::uint64_t{gridDim.x} * blockDim.x) {
+    const Member member(members, asked, first + lane);
+    const std::uint32_t bucket = member.in ? cells.bucket_of(table, chain.spheres[member.sphere], 0) : 0,
+                        rank = enter_together(cells.buckets.count, bucket, member.in);
+    if (member.in) cells.buckets.rank[member.sphere] = rank;
+  }
+}
+
 template <class Members>
 __global__ void __launch_bounds__(256)
     enter_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
@@ -34,10 +67,16 @@ __global__ void __launch_bounds__(256)
                   const __grid_constant__ Members members) {
   constexpr std::uint32_t words = Octaves::count / 32;
   __shared__ std::uint32_t levels[words];  // all of a block's together, as they go to one place
+  __shared__ LevelBox box[Octaves::count];
+  const auto for_each_end = [](const auto& body) {
+    for (std::uint32_t k = threadIdx.x; k < Octaves::count * LevelBox::ends; k += blockDim.x)
+      body(k / LevelBox::ends, k % LevelBox::ends);
+  };
   await_previous();
   if (!cells.many_together()) return;
   if (blockIdx.x == 0 && threadIdx.x == 0) cells.state->by_octaves = 1;  // for the kernels after this one
   if (threadIdx.x < words) levels[threadIdx.x] = 0;
+  for_each_end([&](std::uint32_t level, std::uint32_t end) { box[level].clear_end(end); });
   __syncthreads();
   const CellTable& table = cells.table_for(members.expected());
   for_each_member(members, [&](std::uint32_t i) {
@@ -45,8 +84,12 @@ __global__ void __launch_bounds__(256)
     const std::uint32_t octave = cells.octaves.of(s.radius);
     cells.enter(table, s, i, octave);
     set_bits(levels + octave / 32, 1u << octave % 32);
+    box[octave].join(LevelBox::Ends(Box::around(s)));
   });
   __syncthreads();
+  for_each_end([&](std::uint32_t level, std::uint32_t end) {
+    if (box[level].end(end) != 0) cells.state->box[level].join_end(end, box[level].end(end));
+  });
   if (threadIdx.x < words && levels[threadIdx.x] != 0)
     set_bits(cells.state->levels + threadIdx.x, levels[threadIdx.x]);
 }
@@ -196,7 +239,10 @@ class DeviceSphereCells {
     if (n == 0) return;
     if (n >= binned && n <= most_binned) bins_.enqueue(chain, cells_, members_, stream);
     const unsigned blocks = std::min((n + 255) / 256, most_blocks);
-    launch_next<enter_cells<Members>>(blocks, 256, stream, chain, cells_, members_);
+    if (cells_.octaves.one)
+      launch_next<enter_cells<Members>>(blocks, 256, stream, chain, cells_, members_);
+    else
+      launch_next<enter_mixed<Members>>(blocks, 256, stream, chain, cells_, members_);
     allocate<false>(stream);
     if (!cells_.octaves.one) {
       cells_.buckets.places = &state->places[1];

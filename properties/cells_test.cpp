@@ -300,6 +300,24 @@ TEST(Cells, PartByOctavesWhatCrowdsOneLevel) {
   }
 }
 
+/// A crowd of small spheres on one side of a plane through the origin, which one of them touches, and a large
+/// one touches from the other.
+TEST(Cells, LookIntoOctavesWhoseBoxesTouch) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f}) {
+      std::vector<Sphere> spheres;
+      const auto add = [&](float along, float radius) {
+        Sphere s{0, 0, 0, radius};
+        (axis == 0 ? s.x : axis == 1 ? s.y : s.z) = side * along;
+        spheres.push_back(s);
+      };
+      add(-1, 1);
+      for (int k = 0; k < 300; ++k) add(0x1p-7f + 0x1p-10f * static_cast<float>(k), 0x1p-7f);
+      add(-9, 1);
+      expect_exact(Chain(spheres, Strands{{0, 1, 301, 302}, {}}), "a crowd that touches a large sphere");
+    }
+}
+
 /// In every second block each other step leads back, so that a sphere ends before the next but one begins,
 /// and meets the third.
 TEST(Cells, TellAZigzagFromARod) {

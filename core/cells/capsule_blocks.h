@@ -71,10 +71,11 @@ struct CapsuleBlocks {
     result.crowd = crowd;
     result.sample = 1 + result.blocks / 8192;
     // Among spheres of very different sizes a grid of spheres is slower by far than what the order of the
-    // chain says.
+    // chain says. Points are of one size, whatever the others are.
     constexpr float most_ratio = 64;
-    result.all_crowded =
-        chain.size < least && chain.extent.greatest_radius <= most_ratio * chain.extent.least_radius;
+    const Extent& extent = chain.extent;
+    result.all_crowded = chain.size < least && (extent.least_radius == 0 ||
+                                                extent.greatest_radius <= most_ratio * extent.least_radius);
     result.in_cells = chain.size >= least_in_cells && !result.all_crowded;
     // Elsewhere two spheres next to one another may belong to different strands, or be no neighbours.
     const bool one_window = chain.strand_count == 1 && chain.exclusion.rule == Exclusion::Rule::index_window;

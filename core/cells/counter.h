@@ -22,6 +22,16 @@ CATENA_HD inline std::uint32_t seen(const std::uint32_t* number) {
   return *static_cast<const volatile std::uint32_t*>(number);
 }
 
+/// Makes such a number at least this. Most callers find that it is, and a look costs less than an atomic
+/// operation.
+CATENA_HD inline void raise(std::uint32_t* number, std::uint32_t least) {
+#ifdef __CUDA_ARCH__
+  if (seen(number) < least) atomicMax(number, least);
+#else
+  if (*number < least) *number = least;
+#endif
+}
+
 /// Sets bits of such a number. Most callers find theirs set, and a look costs less than an atomic operation.
 CATENA_HD inline void set_bits(std::uint32_t* number, std::uint32_t bits) {
 #ifdef __CUDA_ARCH__

@@ -74,6 +74,7 @@ class HostSphereCells {
       const std::uint32_t octave = cells.octaves.of(chain.spheres[i].radius);
       cells.enter(table, chain.spheres[i], i, octave);
       state_.levels[octave / 32] |= 1u << octave % 32;
+      state_.box[octave].join(LevelBox::Ends(Box::around(chain.spheres[i])));
     }
     buckets_.allocate();
     state_.places[1] = buckets_.places();

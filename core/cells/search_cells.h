@@ -15,12 +15,12 @@ struct PlaceSet {
 };
 
 /// Who may collide with the sphere at a place: of what comes after it in its own cell, of the thirteen cells
-/// of its level that come after that one, and of all 27 of each coarser level; so each pair is met once.
-/// Tells the sink, sink.asks(own) and then sink.near(search, level, sets), by all threads of a warp together,
-/// `sets` an array of PlaceSet; it asks met() of each in its own time. A sink that `listens`, which only one
-/// on the host does, is also told of each cell that a sphere looks into, sink.looks(i, level, bits),
-/// bit 3 r + 1 + x for that x further on in row r, and of each sphere it is compared with,
-/// sink.compared(i, j, level).
+/// of its level that come after that one, and of all 27 of each coarser level whose box it meets; so each
+/// pair is met once. Tells the sink, sink.asks(own) and then sink.near(search, level, sets), by all threads
+/// of a warp together, `sets` an array of PlaceSet; it asks met() of each in its own time. A sink that
+/// `listens`, which only one on the host does, is also told of each cell that a sphere looks into,
+/// sink.looks(i, level, bits), bit 3 r + 1 + x for that x further on in row r, and of each sphere it is
+/// compared with, sink.compared(i, j, level).
 template <class Tests, bool equal_radii, class Sink>
 class CellSearch {
  public:
@@ -38,10 +38,11 @@ class CellSearch {
     const std::uint32_t octave = cells_.octaves.of(own.sphere.radius);
     for (std::uint32_t word = 0; word < Octaves::count / 32; ++word) {
       const std::uint32_t levels = cells_.state->levels[word];
-      for (std::uint32_t level = word * 32; levels >> level % 32 != 0; ++level) {
-        if ((levels >> level % 32 & 1) && sink_.any(live && level <= octave))
-          look<0>({own, place, octave, level, live && level <= octave});
-        if (level % 32 == 31) break;
+      if (levels == 0) continue;
+      const std::uint32_t met = live ? met_of(word, levels, own, octave) : 0;
+      for (std::uint32_t k = 0; k < 32 && levels >> k != 0; ++k) {
+        const bool meets = (met >> k & 1) != 0;
+        if (sink_.any(meets)) look<0>({own, place, octave, word * 32 + k, meets});
       }
     }
   }
@@ -82,6 +83,23 @@ class CellSearch {
   struct Row {
     std::uint32_t from, cells;
   };
+
+  /// Of these levels those as coarse as the octave, or coarser, whose box the sphere meets; in a loop of
+  /// their own, so that their boxes take no registers from what follows.
+  CATENA_HD std::uint32_t met_of(std::uint32_t word, std::uint32_t levels, const PlacedSphere& own,
+                                 std::uint32_t octave) const {
+    const LevelBox::Facing box(Box::around(own.sphere));
+    std::uint32_t met = 0;
+    for (std::uint32_t left = levels; left != 0; left &= left - 1) {
+      const std::uint32_t k = lowest_bit(left), level = word * 32 + k;
+      if (level > octave) break;
+      const bool meets = cells_.state->box[level].meets(box);
+      if constexpr (listens)
+        if (!meets) sink_.looks(own.index, level, 0);
+      met |= static_cast<std::uint32_t>(meets) << k;
+    }
+    return met;
+  }
 
   template <std::uint32_t first_row>
   CATENA_HD void look(const Look& of) const {

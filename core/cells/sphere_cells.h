@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "catena/core/cells/buckets.h"
+#include "catena/core/cells/level_box.h"
 #include "catena/core/cells/octave.h"
 #include "catena/core/chain/chain_view.h"
 
@@ -27,6 +28,7 @@ struct SphereCells {
     float together;            ///< sum of the squares of all buckets' numbers of spheres, in one level
     std::uint32_t in_crowds;   ///< spheres in buckets with Buckets::crowd or more, in one level, without bins
     std::uint32_t levels[Octaves::count / 32];  ///< bit k: there are spheres of octave k
+    LevelBox box[Octaves::count];               ///< around these
   };
   static constexpr float most_together = 12;  ///< others in a sphere's cell, on average; yarns have 3
 
@@ -87,7 +89,8 @@ struct SphereCells {
   CATENA_HD std::uint32_t bucket_of(const CellTable& in, const Sphere& s, std::uint32_t level) const {
     return in.bucket(cell(s, level), level);
   }
-  /// Step 1, for each sphere: into level 0, or its octave, which then belongs to state->levels.
+  /// Step 1, for each sphere: into level 0, or its octave, which then belongs to state->levels, and
+  /// the sphere in that octave's box.
   CATENA_HD void enter(const CellTable& in, const Sphere& s, std::uint32_t i, std::uint32_t level) const {
     buckets.enter(bucket_of(in, s, level), i);
   }
