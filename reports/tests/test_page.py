@@ -98,6 +98,7 @@ class Several(Made):
         figures = self.page.unpacked("figures")
         self.assertIn("times-find-1", figures)
         self.assertIn("times-find-2", figures)
+        self.assertEqual(json.loads((self.output / "run.json").read_text()), self.values)
 
     def test_a_claim_judged_differently_is_told_once(self):
         summary = re.search(r'id="summary".*?</section>', self.text, re.S).group()
