@@ -85,7 +85,9 @@ class OfTheH200(unittest.TestCase):
         self.assertEqual([line.at + 0.5 for line in figure.panels[0].lines], begins)
         wrong = sum(x["missing"] + x["invented"] > 0 for x in run.raw["catena"]["stability"])
         self.assertEqual((len(cells), cells.count(5)), (len(run.raw["catena"]["stability"]), wrong))
+        exact = sum(x["missing"] + x["invented"] > 0 and run.info(x["variant"]).exact for x in run.raw["catena"]["stability"])
         self.assertIn(f"Wrong pairs in {wrong:,} of", figure.title)
+        self.assertIn(f", {exact or 'none'} of them of an exact variant", figure.title)
 
 
 if __name__ == "__main__":
