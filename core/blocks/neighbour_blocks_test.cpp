@@ -12,6 +12,7 @@
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/sorted_pairs.h"
+#include "catena/reference/exact_gap.h"
 #include "catena/reference/reference.h"
 
 namespace catena {
@@ -74,6 +75,62 @@ TEST(NeighbourBlocks, HoldNothingElse) {
   }
   EXPECT_GT(found, 10'000u);
   EXPECT_LT(missed, found / 4) << "radii differ, strands are closed, and blocks are not full";
+}
+
+/// Beads on a string, but for four: a large one, two beyond its neighbour, of which the first ends just
+/// beyond it and the last lies back, within it. Wherever in a block they are, that pair is found, and nothing
+/// else.
+TEST(NeighbourBlocks, OfBeadsThatTurnBackAreCompared) {
+  constexpr std::uint32_t n = 48;
+  for (const char* const name : {"ChainTree", "Hybrid(crowd=0)"}) {
+    const auto variant = StrategyRegistry::instance().make(name);
+    for (std::uint32_t i = 0; i + 4 < n; ++i) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t k = 0; k < n; ++k) spheres.push_back({10 * static_cast<float>(k), 0, 0, 0.5f});
+      const float x = spheres[i].x;
+      spheres[i].radius = 5, spheres[i + 1] = {x + 2, 0, 0, 0.1f};
+      spheres[i + 2].x = x + 6, spheres[i + 3].x = x + 4;
+      const Chain chain(std::move(spheres));
+      Collisions found;
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      EXPECT_EQ(found.pairs, (std::vector<Pair>{{i, i + 3}})) << name;
+    }
+  }
+}
+
+/// Small beads far apart along any direction, but for three in each block, of which the outer two just touch:
+/// by less than what is rounded where they are.
+TEST(NeighbourBlocks, OfBeadsThatJustTouchAreCompared) {
+  properties::Dice dice(7);
+  for (int chains = 0; chains < 20; ++chains) {
+    const double u[] = {0.5 + dice.unit(), dice.symmetric(), dice.symmetric()};
+    std::vector<Sphere> spheres;
+    std::vector<Pair> touching;
+    double t = -5;
+    for (std::uint32_t i = 0; i < 96; ++i) {
+      const bool close = i % 8 == 3 || i % 8 == 4;
+      t += close ? 1e-4 : 0.1 + 0.1 * dice.unit();
+      spheres.push_back(
+          {static_cast<float>(t * u[0]), static_cast<float>(t * u[1]), static_cast<float>(t * u[2]), 5e-5f});
+      if (i % 8 != 4) continue;
+      Sphere &first = spheres[i - 2], &last = spheres[i];
+      first.radius = last.radius = static_cast<float>(
+          std::hypot(double{first.x} - last.x, double{first.y} - last.y, double{first.z} - last.z) / 2.00001);
+      while (!reference::overlap(first, last))
+        first.radius = last.radius = std::nextafter(first.radius, 1.0f);
+      touching.push_back({i - 2, i});
+    }
+    const Chain chain(std::move(spheres));
+    for (const char* const name : {"ChainTree", "Hybrid(crowd=0)"}) {
+      const auto variant = StrategyRegistry::instance().make(name);
+      Collisions found;
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      properties::sort(found.pairs);
+      EXPECT_EQ(found.pairs, touching) << name;
+    }
+  }
 }
 
 /// What has nothing but neighbours is not compared, in no search by blocks; and nothing is lost.

@@ -26,6 +26,8 @@ TEST_F(Program, LosesNoFileToAnother) {
     EXPECT_EQ(text_of(file("in.csv")), text);
   }
   expect_refused("detect " + link + " --pairs " + in, "is read, and would be lost");
+  expect_refused("detect yarn:n=50 --topology " + in + " --counts " + in, "is read, and would be lost");
+  EXPECT_EQ(text_of(file("in.csv")), text);
   const std::string table = "'" + file("t.csv") + "'",
                     same = "'" + file("../") +
                            std::filesystem::path(file("t.csv")).parent_path().filename().string() + "/t.csv'";

@@ -62,6 +62,38 @@ TEST(ListPolicy, AFrameCostsLessWhereListsLiveLonger) {
   EXPECT_LT(to_and_fro.mean_ms(0.1, 0.01, 1), seldom_pruned.mean_ms(0.1, 0.01, 1));
 }
 
+/// A first list may cost a little more than a full search, so that it is learnt what lists take; a later one
+/// less.
+TEST(ListPolicy, AsksMoreOfListsOnceOneWasMade) {
+  ListPolicy policy;
+  for (int k = 0; k < 3; ++k) policy.searched(20);
+  for (const bool made : {false, true}) {
+    bool dearer_pays = false;
+    for (double move = 1e-3; move < 1; move *= 1.05)
+      dearer_pays |= policy.pays(0.1, move, 1) && policy.mean_ms(0.1, move, 1) > policy.full_ms();
+    EXPECT_EQ(dearer_pays, !made);
+    policy.rebuilt(30, 0.01, 0.1, 1);
+  }
+}
+
+/// What pruning takes is laid to the skin where it finds few of the pairs, so that a thicker one costs more;
+/// and one list that took long to make tells less than many.
+TEST(ListPolicy, LearnsWhatTheSkinCostsAndWhatIsUsual) {
+  const auto cost = [](double skin, double found, double last_ms, double usual_ms) {
+    ListPolicy policy;
+    for (int k = 0; k < 3; ++k) policy.searched(20);
+    for (int k = 0; k < 8; ++k) {
+      policy.rebuilt(k == 7 ? last_ms : usual_ms, 0.01, 0.2, 1);
+      for (int use = 0; use < 4; ++use) policy.used(4);
+      for (int prunes = 0; prunes < 3; ++prunes) policy.pruned(10, 1e5, found);
+    }
+    return policy.mean_ms(skin, 0.01, 1);
+  };
+  EXPECT_GT(cost(0.4, 1e3, 30, 30) - cost(0.2, 1e3, 30, 30), cost(0.4, 9e4, 30, 30) - cost(0.2, 9e4, 30, 30));
+  EXPECT_LT(cost(0.2, 1e3, 30, 30), cost(0.2, 1e3, 60, 30));
+  EXPECT_LT(cost(0.2, 1e3, 60, 30), cost(0.2, 1e3, 60, 60));
+}
+
 TEST(ListPolicy, HoldsAFullSearchForNoDearerThanOneOfThickerSpheres) {
   ListPolicy policy;
   for (int k = 0; k < 3; ++k) policy.searched(20);

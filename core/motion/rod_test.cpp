@@ -211,6 +211,25 @@ TEST(Newton, FindsAMinimumFromWhereFullStepsDoNotAndSaysWhenThereIsNone) {
   EXPECT_FALSE(newton.minimise(Kink(-std::numeric_limits<double>::infinity()), x, 1e-9));
 }
 
+/// Each step leaves two thirds of the way to the minimum of x^4: the last one is no longer than the
+/// tolerance.
+TEST(Newton, GoesOnUntilAStepIsWithinTheTolerance) {
+  struct Flat final : Objective {
+    double value(const Coordinates& x) const override { return std::pow(x[0], 4); }
+    void derivatives(const Coordinates& x, Derivatives& out) const override {
+      out.reset(1);
+      out.gradient[0] = 4 * std::pow(x[0], 3);
+      out.hessian.emplace_back(0, 0, 12 * x[0] * x[0]);
+    }
+  };
+  for (const double tolerance : {1e-2, 1e-5}) {
+    Coordinates x = Coordinates::Constant(1, 1.0);
+    EXPECT_TRUE(Newton().minimise(Flat{}, x, tolerance));
+    EXPECT_LE(x[0], 2.001 * tolerance);
+    EXPECT_GT(x[0], tolerance) << "and no further";
+  }
+}
+
 /// Where full steps do not converge, no step after them leads up.
 TEST(Newton, Descends) {
   struct Watched final : Objective {

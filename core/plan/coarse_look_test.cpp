@@ -93,6 +93,34 @@ TEST(CoarseLook, ComparesNoStretchWithTheNextOne) {
   EXPECT_GT(look.compared(), 0u);
 }
 
+/// Two rows beside each other, across the border of two cells of whichever axis.
+TEST(CoarseLook, LooksIntoTheCellsAroundAlongEveryAxis) {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Sphere> spheres;
+    for (const Sphere& s : ring(0.9f)) {
+      const float across = s.y - 0.5f, along = s.x + 1;
+      const float places[] = {across, along, along};
+      spheres.push_back({places[(3 - axis) % 3], places[(4 - axis) % 3], places[(5 - axis) % 3], s.radius});
+    }
+    // Neighbours near the end where the rows are one tube.
+    const Chain chain(std::move(spheres), Strands{}, Exclusion::index(2 * CoarseLook::stretch));
+    CoarseLook look;
+    const auto pair = look.look(chain.view(), {});
+    ASSERT_TRUE(pair) << axis;
+    expect_collides(chain, {}, *pair);
+  }
+}
+
+/// A look that finds nothing costs little, however near all stretches are to one another.
+TEST(CoarseLook, ComparesNoMoreThanOnceAStretch) {
+  constexpr std::uint32_t stretches = 60;
+  const std::vector<Sphere> spheres(stretches * CoarseLook::stretch, {0, 0, 0, 1});
+  const Chain chain(spheres, Strands{}, Exclusion::index(stretches * CoarseLook::stretch));
+  CoarseLook look;
+  EXPECT_FALSE(look.look(chain.view(), {}));
+  EXPECT_LE(look.compared(), stretches);
+}
+
 /// As a frame asks about the contact of the last one: it is found again while it is there.
 TEST(CoarseLook, FindsAContactAgainWhereverItIsAlongTheChain) {
   for (const Chain& chain : chains())

@@ -64,8 +64,9 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
   for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
     damaged.push_back(
         std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 3 1 5 ") + figure + "\n"));
-  for (const char* line :
-       {"CPU1 1 2 3 1 4 5 6\n", "CPU1 1 2 3 1.01 4 5\n", "CPU1 1 2 3 1 4\n", "CPU1 1 2 3\n"})
+  for (const char* line : {"CPU1 -1 2 3 1 4 5\n", "CPU1 1 -2 3 1 4 5\n", "CPU1 1 2 -3 1 4 5\n",
+                           "CPU1 1 2 3 -1 4 5\n", "CPU1 1 2 3 1 -4 5\n", "CPU1 1 2 3 1 4 5 6\n",
+                           "CPU1 1 2 3 1.01 4 5\n", "CPU1 1 2 3 1 4\n", "CPU1 1 2 3\n"})
     damaged.push_back(std::string(good).insert(good.rfind("end"), line));
   damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
   Machine second_bad = built_in;
@@ -150,6 +151,7 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
     ASSERT_NE(usual, built_in.costs.end()) << v.variant;
     EXPECT_GE(v.cost.team_us, usual->cost.team_us / 4) << v.variant;
   }
+  EXPECT_EQ(machine.source, "measured now");
   EXPECT_GE(crossover(machine), 2u);
   EXPECT_LE(crossover(machine), 2000u);
 
@@ -197,6 +199,9 @@ TEST(Calibrate, TellsFromHowManySpheresOnATreeIsCheaper) {
   Machine trees = machine(1, 1);
   trees.costs.erase(trees.costs.begin(), trees.costs.begin() + 2);
   EXPECT_EQ(crossover(trees), 0u) << "there is nothing to compare";
+  Machine pairs = machine(1, 1);
+  pairs.costs.erase(pairs.costs.begin() + 2);
+  EXPECT_EQ(crossover(pairs), 0u) << "nor here";
 }
 
 TEST(MachineCost, IsOfOneThreadWhereAVariantKnowsNoOthers) {

@@ -34,8 +34,16 @@ struct TimedFilm {
     rivals.join(other_choices, worth);
   }
   std::uint32_t films = 0;
+  std::string seen =
+      "";  ///< who was to search when it was looked last, whose plan, of which film; and its turn
+  std::uint64_t turn = 0;
   std::string search(double times = 1) {
     const std::string who = key(rivals.next());
+    const std::string now = who + ' ' + key(rivals.planned()) + ' ' + std::to_string(rivals.spheres());
+    if (now != seen && !seen.empty()) {
+      EXPECT_NE(rivals.turn(), turn) << seen << ", then " << now;
+    }
+    seen = now, turn = rivals.turn();
     const double took = times * ms.at(who);
     rivals.took(took), all += took, ++searches[who];
     return who;
@@ -129,6 +137,9 @@ TEST(Rivals, GoOnWithoutWhoHasNoRoom) {
     f.rivals.without({"a", 1});
     EXPECT_EQ(f.rivals.next(), first_choice);
     EXPECT_FALSE(f.rivals.replaced());
+    if (led) {
+      EXPECT_EQ(f.rivals.leader_ms(), 0) << "the planned one was not compared as the leader";
+    }
     f.searches.clear();
     for (int k = 0; k < 2000; ++k) f.search();
     EXPECT_EQ(f.searches.count("a1"), 0u);
@@ -154,6 +165,15 @@ TEST(Rivals, GoOnWithTheNextFrameAndBeginWithAnotherChain) {
   f.begin();
   f.rivals.go_on({"b", 1});
   EXPECT_EQ(f.rivals.leader().variant, "b") << "nobody was compared";
+  f.begin();
+  for (unsigned k = 1; k < Rivals::patience; ++k) f.search();
+  f.rivals.go_on({"b", 1});
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(f.search(), "b1") << "its own times are needed first";
+  f.begin();
+  while (f.rivals.next() == first_choice) f.search();
+  f.rivals.go_on(f.rivals.next());
+  for (unsigned k = 0; k < Rivals::trial; ++k) f.search();
+  EXPECT_FALSE(f.rivals.take_lost()) << "who was tried leads, and is tried against nobody";
   f.begin();
   while (f.rivals.leader().variant != "a") f.search();
   f.rivals.go_on(first_choice);
@@ -226,6 +246,7 @@ TEST(Rivals, OfAPlanWithThreadsHaveOneToo) {
   const SearchPlan plan(1'000'000, {}, machine, {}, extent);
   ASSERT_GT(plan.threads(), 1u);
   const std::vector<Contender> rivals = plan.rivals(extent);
+  EXPECT_DOUBLE_EQ(plan.worth_trying_ms(), 1.25 * plan.estimate_ms());
   ASSERT_EQ(rivals.size(), 2u);
   EXPECT_EQ(rivals[0], (Contender{plan.variant(), 1}));
   EXPECT_EQ(rivals[1], (Contender{"SphereTree", plan.threads()}));

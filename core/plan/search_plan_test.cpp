@@ -232,6 +232,10 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
   EXPECT_EQ(SearchPlan(1u << 24, {}, of, {}).variant_with_threads(), "Hybrid(threads=16)");
   const Plan plan = SearchPlan(1u << 24, {}, of, {}).steps();
   EXPECT_FALSE(step(plan, "further threads").left_out);
+  const MachineCost& cost = of.costs[0].cost;
+  EXPECT_EQ(step(plan, "further threads").reason,
+            fmt::format("Hybrid with 16 threads about {:.3g} ms, Hybrid about {:.3g} ms; 16 cores",
+                        cost.ms(1u << 24, 16), cost.ms(1u << 24)));
   EXPECT_NE(step(plan, "choice of variant").reason.find("Hybrid(threads=16)"), std::string::npos);
   EXPECT_TRUE(step(SearchPlan(100, {}, of, {}).steps(), "further threads").left_out);
   Machine one = of;
@@ -359,7 +363,10 @@ TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {
   Machine of = sixteen_cores();
   of.costs[0].cost.serial = 0.02;
   of.costs.push_back({"device", {{.fixed_us = 82, .sphere_ns = 4}}, true});
-  EXPECT_EQ(SearchPlan(1u << 20, {}, of, {}).variant(), "Hybrid");
+  const SearchPlan on_host(1u << 20, {}, of, {});
+  EXPECT_EQ(on_host.variant(), "Hybrid");
+  const std::string taken = fmt::format(", Hybrid with 16 threads about {:.3g} ms", on_host.estimate_ms());
+  EXPECT_NE(step(on_host.steps(), "device").reason.find(taken), std::string::npos) << taken;
   of.cores = 1;
   EXPECT_EQ(SearchPlan(1u << 20, {}, of, {}).variant(), "device");
 }
@@ -387,6 +394,7 @@ TEST(SearchPlan, SaysWhatYesOrNoSpares) {
   };
   const Plan spared = steps(8192, {}), kept = steps(8192, {"after-hit"});
   EXPECT_TRUE(step(spared, after_hit).left_out);
+  EXPECT_EQ(step(spared, "pair list").reason, "only yes or no is asked for");
   EXPECT_TRUE(step(spared, places).left_out);
   EXPECT_EQ(step(spared, places).reason, "a look at every 1024th sphere first, 8 of 8192");
   EXPECT_FALSE(step(kept, after_hit).left_out);

@@ -31,5 +31,20 @@ TEST(TrialAccount, LosesNoMoreByOneSearchThanItIsTold) {
   EXPECT_TRUE(account.may_try());
 }
 
+/// However long nothing was lost, no more than sixteen searches may be at once; and what has no usual time
+/// says nothing.
+TEST(TrialAccount, SavesNoMoreThanSixteenSearches) {
+  TrialAccount account;
+  for (int k = 0; k < 10000; ++k) account.search();
+  for (const double all : {8, 16}) {
+    account.used(9, 1, 8);
+    EXPECT_TRUE(account.may_try()) << all;
+  }
+  account.used(9, 0, 8);
+  EXPECT_TRUE(account.may_try());
+  account.used(9, 1, 8);
+  EXPECT_FALSE(account.may_try());
+}
+
 }  // namespace
 }  // namespace catena

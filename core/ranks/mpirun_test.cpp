@@ -238,6 +238,29 @@ TEST_F(Mpirun, EndsWith1WhereAFormulaKnowsBetter) {
        {fmt::format("closed form {} pairs, {} of them exact ties\n", box.pairs(), box.ties()),
         std::string("3 ranks, shared out by space: "), std::string(" pairs, WRONG: ")})
     EXPECT_NE(in_words.output.find(words), std::string::npos) << words << in_words.output;
+
+  // So does the exact reference, of the first input, where each touches the next but one: of these pairs only
+  // those that cross a border of ranks, two at each, are not found by the variant. The last input is right.
+  const ProgramOutcome verified =
+      run_ranks("verify collinear:n=60 rod:n=60 --variant mutant:less-for-less-equal --json");
+  EXPECT_EQ(verified.code, 1) << verified.output;
+  std::istringstream lines(verified.output);
+  for (const bool wrong : {true, false})
+    for (const char* order : {"chain", "space"}) {
+      std::string own;
+      std::getline(lines, own);
+      const int crossing = wrong ? 2 * 2 : 0;
+      EXPECT_EQ(nlohmann::json::parse(own), nlohmann::json({{"input", wrong ? "collinear:n=60" : "rod:n=60"},
+                                                            {"n", 60},
+                                                            {"ranks", 3},
+                                                            {"order", order},
+                                                            {"pairs", crossing},
+                                                            {"verdict", wrong ? "wrong" : "exact"},
+                                                            {"missing", wrong ? 60 - 2 - crossing : 0},
+                                                            {"invented", 0},
+                                                            {"repeated", 0},
+                                                            {"wrong_counts", wrong ? 60 : 0}}));
+    }
 }
 
 /// Not a thread a core on each.

@@ -38,6 +38,8 @@ TEST(HairReader, ReadsStrandsBySegments) {
   EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 3, 5}));
   EXPECT_EQ(curves.spheres[4], (Sphere{12, 13, 14, 0}));
   EXPECT_FALSE(curves.has_radii);
+  EXPECT_EQ(read_text("a.hair", header({}) + segments_2_1 + floats(15) + "xy").warnings,
+            std::vector<std::string>{"2 bytes after the last array not read"});
 }
 
 TEST(HairReader, ThicknessIsADiameter) {

@@ -55,9 +55,11 @@ TEST(RepeatedLabels, AreSaidOfTheFilesThatHaveThem) {
   const std::string residue =
       "ATOM      1  CA  GLY A   1       0.000   0.000   0.000  1.00  0.00           C\n";
   EXPECT_EQ(warnings("a.pdb", residue + residue).size(), 1u);
-  // Two strands of one name are no more told apart by it.
-  EXPECT_EQ(warnings("a.pdb", residue + "TER\n" + residue),
-            Texts{"1 label is also that of an earlier sphere, the first 'A/GLY1/CA' of spheres 0 and 1; by i "
+  // Two strands of one name are no more told apart by it, wherever the others are.
+  std::string other = residue;
+  other.replace(other.find("GLY A"), 5, "GLY B");
+  EXPECT_EQ(warnings("a.pdb", residue + "TER\n" + other + "TER\n" + residue),
+            Texts{"1 label is also that of an earlier sphere, the first 'A/GLY1/CA' of spheres 0 and 2; by i "
                   "and j they are told apart"});
 }
 

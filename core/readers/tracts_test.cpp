@@ -62,7 +62,7 @@ TEST(TckReader, RefusesTracksInTheHeader) {
 }
 
 TEST(TckReader, ReadsHeadersOfAnyCaseAndALastTrackWithoutItsEnd) {
-  std::string text = "mrtrix tracks\nDataType: Float32LE\nFILE: . 53\nEND\n\n\n\n\n";
+  std::string text = "mrtrix tracks\nof\nDataType: Float32LE\nFILE: . 53\nEND\n\n";
   ASSERT_EQ(text.size(), 53u);
   for (const float value : {1.f, 2.f, 3.f, 4.f, 5.f, 6.f}) append(text, value);
   for (int k = 0; k < 3; ++k) append(text, std::numeric_limits<float>::infinity());
@@ -74,11 +74,15 @@ TEST(TckReader, ReadsHeadersOfAnyCaseAndALastTrackWithoutItsEnd) {
 
 TEST(TckReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT("3: the header lacks", "a.tck", "mrtrix tracks\ndatatype: Float32LE\nEND\n");
-  std::string wide = "mrtrix tracks\ndatatype: Float64LE\nfile: . 49\nEND\n";
+  const std::string wide = "mrtrix tracks\ndatatype: Float64LE\nfile: . 49\nEND\n";
   ASSERT_EQ(wide.size(), 49u);
-  for (const double value : {1., 1e300, 3.}) append(wide, value);
-  EXPECT_NE(complaint("a.tck", wide).find("the coordinate 1e+300 before this is no finite 32-bit float"),
-            std::string::npos);
+  for (const int large : {0, 1, 2}) {
+    std::string text = wide;
+    for (const int axis : {0, 1, 2}) append(text, axis == large ? 1e300 : 1.);
+    EXPECT_NE(complaint("a.tck", text).find("the coordinate 1e+300 before this is no finite 32-bit float"),
+              std::string::npos);
+  }
+  EXPECT_COMPLAINT("2: the offset in '. -1' is no position", "a.tck", "mrtrix tracks\nfile: . -1\nEND\n");
 
   EXPECT_COMPLAINT("1: the file does not start with", "a.tck", "tracks\n");
   EXPECT_COMPLAINT("2: the datatype 'Float16LE'", "a.tck", "mrtrix tracks\ndatatype: Float16LE\nEND\n");
@@ -146,7 +150,9 @@ TEST(TrkReader, SaysWhatIsWrong) {
                    "a.trk", trk_of({{{1, 2, 3, 0}, {4, 5, 6, 0}}}, false, 0, 0, 1).substr(0, 1016));
   EXPECT_COMPLAINT(" byte 1004: the file is truncated: 24 bytes left, too few for 2 points of 16 bytes",
                    "a.trk", trk_of({{{1, 2, 3, 0}, {4, 5, 6, 0}}}, false, 1, 0, 1).substr(0, 1028));
-  EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 5)).warnings.size(), 1u);
+  EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 5)).warnings,
+            std::vector<std::string>{"the header says 5 tracks, the file has 1; all of them are read"});
+  EXPECT_COMPLAINT(" holds no points", "a.trk", trk_of({}, false, 0, 0, 0));
   EXPECT_COMPLAINT(" byte 5: the file does not start with TRACK", "a.trk", "TRUCK");
   EXPECT_COMPLAINT(" byte ", "a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 1).substr(0, 1010));
   EXPECT_COMPLAINT(" byte 1000: the header does not say", "a.trk", "TRACK" + std::string(1000, '\0'));
@@ -180,9 +186,9 @@ TEST(TfxReader, SaysWhatIsWrong) {
   EXPECT_COMPLAINT(" byte 16: the file is truncated: 31 bytes left, too few for 2 points of 16 bytes",
                    "a.tfx", cut_off + std::string(31, '\0'));
   bytes.clear();
-  append(bytes, 4.0f), append(bytes, 0xFFFFFFFFu), append(bytes, 0xFFFFFFFFu),
-      append(bytes, std::uint32_t{16});
-  EXPECT_COMPLAINT(" byte 16: the file is truncated", "a.tfx", bytes);
+  append(bytes, 4.0f), append(bytes, 2u), append(bytes, 1u << 31), append(bytes, 16u);
+  EXPECT_COMPLAINT(" byte 16: the file is truncated: 0 bytes left, too few for 4294967296 points", "a.tfx",
+                   bytes);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@ second time from the raw samples.
 import collections
 import json
 import math
+import re
 import statistics as plain
 import types
 import unittest
@@ -12,8 +13,8 @@ import numpy
 
 import made
 import pages
-from catena_report import certainty, choice, profiles, report, runfile, statistics, waits
-from catena_report.sections import advice, slowdown, summary
+from catena_report import certainty, choice, profiles, report, runfile, statistics, waits, words
+from catena_report.sections import advice, environment, slowdown, summary
 from pages import recomputes
 
 QUICK = made.REPORTS / "results" / "h200_quick.json.gz"
@@ -128,6 +129,7 @@ class OfTheH200(unittest.TestCase):
             for at in range(2, len(series.x) - 1, 2):  # the upper ends of the steps
                 share = sum(factor <= series.x[at] * (1 + 1e-12) for factor in factors) / len(self.medians)
                 self.assertGreaterEqual(share + 1e-12, series.y[at])
+                self.assertEqual(series.y[at - 1], series.y[at - 2])  # level up to the step
             self.assertAlmostEqual(series.y[-1], sum(f <= series.x[-1] for f in factors) / len(self.medians))
         for series in figure.panels[1].series:
             factors = self.slowdowns(series.name)
@@ -150,6 +152,14 @@ class TwoRunsOfOneMachine(unittest.TestCase):
         self.assertIn("path1/n:1000", timed[0] & timed[1])
         chains = [sum(int(row[-1].split()[0]) for row in of) for of in (quick, tables)]
         self.assertEqual(chains, [len(timed[0]), len(timed[1] - timed[0])])  # what both timed is quick's to advise
+
+
+    def test_a_machine_is_a_host_and_its_gpu(self):
+        for gpus, kept in ((("A", "A"), (False, True)), (("A", "B"), (True, True)), ((None, "A"), (True, True))):
+            runs = [runfile.Run("run.json", {"context": {"cpu": "C", "gpu": gpu}, "benchmarks": []}) for gpu in gpus]
+            views = {run: {"path1/n:10": {name: [1] for name in names}} for run, names in zip(runs, ("v", "vw"))}
+            informed = report.Report.best_informed(None, views)
+            self.assertEqual(tuple("path1/n:10" in informed[run] for run in runs), kept, gpus)
 
 
 class Ranks(unittest.TestCase):
@@ -225,7 +235,11 @@ class Certain(unittest.TestCase):
                 row["real_time"] *= generator.lognormal(0, 0.2)
         share = sum("/GPU1/" in row["name"] for row in value["benchmarks"]) / len(value["benchmarks"])
         self.assertTrue(0.1 < share < 0.5)
-        half, most = certainty.certainty(of(value)).smallest
+        run = of(value)
+        half, most = certainty.certainty(run).smallest
+        told = [words.significant(100 * (factor - 1), 2) + " %" for factor in (half, most)]
+        for text in (summary._certain(run, "")[0], environment._certain(report.Report([run]), run)):
+            self.assertRegex(text, ".*".join(map(re.escape, told)))
         self.assertLess(half, 1.05)
         self.assertGreater(most, 1.1)
 

@@ -166,8 +166,11 @@ class Undecided(unittest.TestCase):
 
     def test_pairs_are_missed_by_whatever(self):
         value = made.run(repetitions=1)
-        value["catena"]["examine"] += [{**value["catena"]["examine"][0], "input": "b", "missing": 5, "lost_by_tree": 1}]
-        self.assertIn("2 chains of 2 have such parents, and 7 pairs in all are missed", judged("encloses", value).evidence)
+        few = {"input": "b", "missing": 5, "lost_by_tree": 1, "parents": 9, "failing": 9}  # but all that it has
+        value["catena"]["examine"] += [{**value["catena"]["examine"][0], **few}]
+        said = judged("encloses", value).evidence
+        self.assertIn("2 chains of 2 have such parents, and 7 pairs in all are missed", said)
+        self.assertIn("100 % of the parents of b do not", said)
 
 
 class Committed(unittest.TestCase):

@@ -7,6 +7,7 @@ import scipy.stats
 
 import made
 import pages
+from catena_report import words
 from pages import recomputes
 
 
@@ -28,6 +29,13 @@ class Costs(unittest.TestCase):
     def setUpClass(cls):
         cls.value = made.run()
         cls.catena = cls.value["catena"]
+        # Another chain in motion, with other pairs; of one frame nothing is drawn.
+        frames = cls.catena["animation"][0]["frames"]
+        others = [{**frame, "pairs": 7 * frame["pairs"] + 1} for frame in frames]
+        cls.catena["animation"] += [
+            {"input": "path2/n:10000", "variant": "aCPU2+CPU2", "frames": others},
+            {"input": "path1/n:1000", "variant": "aCPU2+CPU2", "frames": frames[:1]},
+        ]
         cls.shown = pages.shown(cls.value)
 
     def close(self, found, expected):
@@ -42,12 +50,13 @@ class Costs(unittest.TestCase):
         for panel in self.shown.figures["counts"].panels:
             scene, _, kind = panel.title.partition(": ")
             for series in panel.series:
-                for n, y in zip(series.x, series.y):
+                for n, y, told in zip(series.x, series.y, series.hover):
                     (row,) = [
                         row for row in self.catena["counts"]
                         if (row["input"], row["variant"]) == (f"{scene}/n:{n}", series.name)
                     ]
                     self.assertAlmostEqual(y, row[names[kind]] / n)
+                    self.assertAlmostEqual(y, float(told.split()[-3].replace(",", "")), delta=0.01 * y)
                     seen += 1
         self.assertEqual(seen, 3 * len(self.catena["counts"]))
         rows = {(row["input"], row["variant"]): [row[key] for key in names.values()] for row in self.catena["counts"]}
@@ -73,6 +82,7 @@ class Costs(unittest.TestCase):
                 for n in made.SIZES
             ]
             every += logs
+            self.assertEqual(cell.hint, f"{len(logs)} chains, {math.exp(min(logs)):.2f} to {math.exp(max(logs)):.2f}")
             mean, reach = plain.mean(logs), scipy.stats.t.ppf(0.975, len(logs) - 1) * plain.stdev(logs) / len(logs) ** 0.5
             self.assertAlmostEqual(cell.raw, math.exp(mean))
             self.assertEqual(
@@ -84,6 +94,7 @@ class Costs(unittest.TestCase):
     @recomputes("table:wants")
     def test_what_is_asked_for(self):
         rows = self.shown.raw("wants")
+        self.assertEqual(self.shown.tables["wants"].columns[2:], ["any, ms", "counts, ms", "pairs, ms"])
         self.assertEqual(3 * len(rows), len(self.catena["wants"]))
         for input_, variant, *found in rows:
             mine = {
@@ -111,7 +122,7 @@ class Costs(unittest.TestCase):
 
     def test_a_saving_that_changes_the_answer_is_said(self):
         value = made.run()
-        value["catena"]["savings"][0]["identical"] = False
+        value["catena"]["savings"][0].update(identical=False, with_ms=[1e-3] * 8)  # drawn last
         shown = pages.shown(value)
         self.assertIn("gave another result in 1", shown.figures["savings"].title)
         self.assertEqual(shown.rows("savings")[0][3], "DIFFERENT")
@@ -126,15 +137,19 @@ class Costs(unittest.TestCase):
     @recomputes("figure:animation")
     def test_frames(self):
         figure = self.shown.figures["animation"]
-        times, pairs = figure.panels
-        for series, row in zip(times.series, self.catena["animation"], strict=True):
-            self.assertEqual((series.name, series.x), (row["variant"], [frame["frame"] for frame in row["frames"]]))
-            self.close(series.y, [frame["update_ms"] + frame["find_ms"] for frame in row["frames"]])
-        self.assertEqual(pairs.series[0].y, [frame["pairs"] for frame in self.catena["animation"][0]["frames"]])
-        medians = {
-            row["variant"]: plain.median(frame["update_ms"] + frame["find_ms"] for frame in row["frames"])
-            for row in self.catena["animation"]
-        }
+        rows = [row for row in self.catena["animation"] if len(row["frames"]) > 1]
+        took = {}
+        for input_, (times, pairs) in zip(dict.fromkeys(row["input"] for row in rows), zip(*[iter(figure.panels)] * 2), strict=True):
+            mine = [row for row in rows if row["input"] == input_]
+            for series, row in zip(times.series, mine, strict=True):
+                self.assertEqual((series.name, series.x), (row["variant"], [frame["frame"] for frame in row["frames"]]))
+                self.assertEqual([chain["frame"] for chain in series.chains], series.x)
+                self.close(series.y, [frame["update_ms"] + frame["find_ms"] for frame in row["frames"]])
+                took.setdefault(series.name, []).extend(series.y)
+                for frame, text in zip(row["frames"], series.hover):
+                    self.assertIn(f"update {words.ms(frame['update_ms'])}, find {words.ms(frame['find_ms'])} ms", text)
+            self.assertEqual(pairs.series[0].y, [frame["pairs"] for frame in mine[0]["frames"]])
+        medians = {name: plain.median(those) for name, those in took.items()}
         fastest = min(medians, key=medians.get)
         self.assertIn(f"A frame takes {medians[fastest]:.3f} ms with {fastest}", figure.title)
 

@@ -1,4 +1,5 @@
 """How figures are drawn: labels, points under one marker, their words."""
+import dataclasses
 import unittest
 
 import made
@@ -30,6 +31,18 @@ class Drawing(unittest.TestCase):
         self.assertNotRegex(text, r'd="[^"]*\d\.\d{3}')
 
 
+class Legend(unittest.TestCase):
+    def test_a_name_is_shown_where_any_of_its_series_is_and_a_line_without_marks_has_none(self):
+        look = Look("c0", "square")
+        panels = [
+            Panel("", Axis("x"), Axis("y"), [Series("a", [1], [1], look, shown=shown), Series("b", [1], [1], look, markers=False)])
+            for shown in (True, False)
+        ]
+        self.assertEqual(
+            Figure("f", "", "", panels).legend(), {"a": (look, True), "b": (dataclasses.replace(look, marker=""), True)}
+        )
+
+
 class Told(unittest.TestCase):
     def test_an_interval_keeps_its_digits_where_it_is_small_and_is_none_of_one_sample(self):
         for (value, low, high), text in (
@@ -49,6 +62,7 @@ class Told(unittest.TestCase):
         looks = style.Looks(variants)
         drawn = [looks.variant(one) for one in variants if not one.peer and not one.composed]
         self.assertEqual(len(drawn), len(set(drawn)))
+        self.assertEqual({looks.variant(one).colour for one in variants[:14]}, set(style.COLOURS))
 
 
 class Covered(unittest.TestCase):
@@ -204,6 +218,9 @@ class Alternative(unittest.TestCase):
         panel = Panel("path1", Axis("n", log=True), Axis("ms"), [Series("a", [10, 20, 30], [1, 2, 4.5], Look("c0"))])
         text = Figure("k", "", "", [panel]).alternative()
         self.assertEqual(text, "path1: ms over n. a from 1 at 10 to 4.5 at 30.")
+        panel.series.append(Series("hidden", [10], [7], Look("c1"), shown=False))
+        panel.x.categories = [str(k) for k in range(31)]
+        self.assertEqual(Figure("k", "", "", [panel]).alternative(), text)
 
     def test_of_a_map_how_many_cells_are_what(self):
         heat = Heat([[0, 1], [None, 1]], [("good", "c0"), ("bad", "c1")], [["", ""], ["", ""]])

@@ -8,7 +8,7 @@ import made
 import pages
 from catena_report import paper, report, words
 from catena_report.sections import (
-    arithmetic, coherence, counts, memory, paper_tables, savings, stability, steps, summary, times, tube_errors,
+    arithmetic, coherence, counts, memory, paper_tables, savings, slowdown, stability, steps, summary, times, tube_errors,
     work_precision,
 )
 from catena_report.statistics import Interval
@@ -40,6 +40,15 @@ class Times(Base):
         for low, high, is_open in ((1.0, 1.99, False), (1.0, 2.01, True), (0.0, 3.0, True)):
             cell = times._fit(Interval((low + high) / 2, low, high))
             self.assertEqual((cell.kind == "open", "open" in cell.text), (is_open, is_open))
+
+
+class Slowdown(Base):
+    def test_a_mean_without_some_chain_is_grey(self):
+        self.value["benchmarks"] = [
+            row for row in self.value["benchmarks"] if not row["name"].startswith("path1/n:1000/aCPU2+Dual/")
+        ]
+        (means,) = [panel for b in blocks(slowdown, self.value) for panel in getattr(b, "panels", [])[1:]]
+        self.assertEqual({series.name for series in means.series if series.look.colour == "faint"}, {"aCPU2+Dual"})
 
 
 class Memory(Base):

@@ -13,7 +13,7 @@ import unittest.mock
 
 import made
 import pages
-from catena_report import page, runfile, sections
+from catena_report import page, runfile, sections, style
 from pages import Made
 
 
@@ -62,6 +62,11 @@ class Everything(Made):
         """Every series that is shown at first is drawn in the SVG too, with as many points."""
         for key, figure in self.page.unpacked("figures").items():
             drawing = (self.output / "figures" / f"{key}.svg").read_text()
+            shown = re.search(rf'describedby="alternative-{key}">(.*?)</div>', self.text, re.S)[1]
+            self.assertIn("background: #ffffff", drawing)
+            # The same drawing, in the colours of the page's theme.
+            self.assertEqual(re.findall(r'\bid="[^"]*"', shown), re.findall(r'\bid="[^"]*"', drawing))
+            self.assertNotIn(style.LIGHT["ink"], shown)
             for at, panel in enumerate(figure["panels"]):
                 series = [trace for trace in panel["data"] if trace["type"] == "scatter"]
                 for number, trace in enumerate(series):
@@ -71,6 +76,7 @@ class Everything(Made):
     def test_every_figure_and_table_has_its_files(self):
         for key in self.page.unpacked("figures"):
             self.assertGreater((self.output / "figures" / f"{key}.pdf").stat().st_size, 1000)
+        self.assertNotRegex((self.output / "report.md").read_text(), r"(?m)^## [^\n]*\n+(## |\Z)")  # nothing but tables
         for key, rows in self.page.tables.items():
             with open(self.output / "tables" / f"{key}.csv", newline="") as file:
                 written = list(csv.reader(file))
@@ -92,6 +98,7 @@ class Several(Made):
         figures = self.page.unpacked("figures")
         self.assertIn("times-find-1", figures)
         self.assertIn("times-find-2", figures)
+        self.assertEqual(json.loads((self.output / "run.json").read_text()), self.values)
 
     def test_a_claim_judged_differently_is_told_once(self):
         summary = re.search(r'id="summary".*?</section>', self.text, re.S).group()

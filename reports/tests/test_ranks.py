@@ -24,6 +24,9 @@ class Ranks(unittest.TestCase):
             ratios = {p["ranks"]: p["blocks_asked"] / p["blocks_touching"] for p in points if p["blocks_touching"]}
             self.assertEqual(drawn[f"{scene}, {n:,}"], ratios)
         self.assertEqual(len(drawn), len(chains(self.value)))
+        longest = {scene: max(n for its, n in chains(self.value) if its == scene) for scene, _ in chains(self.value)}
+        solid = {series.name for series in over.series if series.look.dash == "solid"}
+        self.assertEqual(solid, {f"{scene}, {n:,}" for scene, n in longest.items()})
         self.assertEqual([line.at for panel in (over, dense) for line in panel.lines], [2, 2])
         for series, ranks in zip(dense.series, (4, 16, 64)):
             self.assertEqual(series.name, f"{ranks} ranks")

@@ -11,6 +11,7 @@ import made
 import numpy
 import pages
 import samples
+import scipy.stats
 from catena_report import __main__ as command
 from catena_report import certainty, compare, gate, paired, rank_model, work
 from test_compare import compared
@@ -138,12 +139,47 @@ class Decided(unittest.TestCase):
             self.assertEqual([family.verdict for family in gate.decide(cases)[0]], [verdict])
 
     def test_a_place_is_slower_past_what_kernel_and_load_explain(self):
-        own = [case(at=at) for at in range(5)]
-        for kernel in (0.0, 0.3, -0.3):
-            least = math.log(gate.COMMON_RATIO) + abs(kernel) / 2
+        own = [dataclasses.replace(case(at=at), load=(0.03 * at, 0.04 * at)) for at in range(5)]  # 0.1 in the median
+        for kernel, calibrated in ((0.0, True), (0.3, True), (-0.3, True), (0.0, False)):
+            ratio = gate.COMMON_RATIO if calibrated else gate.UNCALIBRATED_RATIO
+            least = math.log(ratio) + abs(kernel) / 2 + 3 * gate.LOADED_ALL * 0.1
             for shift, verdict in ((least + max(0.0, kernel) - 1e-6, gate.SAME), (least + max(0.0, kernel) + 1e-6, gate.SLOWER)):
-                common = gate._common(paired.HOST, numpy.full(5, shift), kernel, True, own)
+                common = gate._common(paired.HOST, numpy.full(5, shift), kernel, calibrated, own)
                 self.assertEqual((common.verdict, round(math.log(common.least), 9)), (verdict, round(least, 9)))
+
+    def test_a_family_is_held_against_students_t_with_the_scatter_of_all(self):
+        """Of scatter per degree of freedom 2, moderated by 0.5 of all; half of the machine's part is uncertain."""
+        t = scipy.stats.t
+        for degrees in (2, 3, 20):
+            freedom = degrees + gate.PRIOR_DEGREES[degrees + 1 >= gate.FEW_CASES]
+            spread = (2 * degrees + 0.5 * (freedom - degrees)) / freedom
+            for load, machine, tests in ((0.0, 0.0, 1), (0.03, 0.0, 7), (0.0, 0.02, 7)):
+                family = gate._family("A", "find", (0.05, 0.05, 1e-4, 2 * degrees, degrees, load, machine), 0.5, tests, 1.3)
+                error = math.hypot(0.01 * math.sqrt(spread), load)
+                reach = math.hypot(t.ppf(0.975, freedom) * error, 2 * machine)
+                self.assertAlmostEqual(math.log(family.low), 0.05 - reach)
+                self.assertAlmostEqual(math.log(family.high), 0.05 + reach)
+                self.assertAlmostEqual(family.p, min(1, 2 * tests * t.sf(0.05 / math.hypot(error, machine), freedom)))
+                for least in (1.0, 1.3):
+                    seen = gate._family("A", "find", (0.05, 0.05, 1e-4, 2 * degrees, degrees, load, machine), 0.5, tests, least).seen
+                    alarm = math.hypot(t.ppf(1 - gate.ALARMS / tests, freedom) * error, 3 * machine)
+                    self.assertAlmostEqual(math.log(seen), max(alarm, math.log(least)) + t.ppf(gate.SEEN, freedom) * error)
+
+    def test_the_machines_part_is_a_factor_the_kernel_and_how_long_a_case_takes(self):
+        generator = samples.generator(3)
+        cases = []
+        for k in range(40):
+            ms, kernel = 10 ** generator.uniform(-2, 2), generator.normal(0, 0.1)
+            machine = 0.1 + 0.7 * kernel + 0.03 * math.log(max(ms, 0.3)) - 0.05 * math.log(max(ms, 3))
+            own = 0.4 if k % 5 == 0 else 0.0  # of a fifth of all the code changed, too
+            cases.append(dataclasses.replace(case(variant=f"V{k}", change=machine + own, kernel=kernel), old=ms))
+        left, _, _ = gate._without_machine(cases)
+        for k, change in enumerate(left):
+            self.assertAlmostEqual(change, 0.4 if k % 5 == 0 else 0.0, delta=1e-3)
+
+    def test_a_place_is_calibrated_where_every_case_is(self):
+        _, uncertain, _ = gate._without_machine([case(), case(at=1, calibrated=False)])
+        self.assertEqual(uncertain.tolist(), [gate.MACHINE[False]] * 2)
 
     def test_no_chain_decides_alone(self):
         """Six that stayed and one, of next to no variance, that is twice as slow."""
@@ -152,6 +188,11 @@ class Decided(unittest.TestCase):
         cases[3] = dataclasses.replace(cases[3], variance=1e-6, change=math.log(2))
         (family,) = gate.decide(cases)[0]
         self.assertAlmostEqual(math.log(family.ratio), math.log(2) * 4 / 10)
+
+    def test_an_algorithm_is_that_of_the_stage_that_is_timed(self):
+        run = pages.of(made.run(repetitions=1))
+        for stage, name in (("build", "aCPU2+*"), ("update", "aCPU2+*"), ("find", "*+CPU2"), ("whole", "")):
+            self.assertEqual(paired.algorithm(run, ("path1/n:1000", "aCPU2+CPU2", stage)), name)
 
     def test_the_common_change_of_few_families_is_not_fitted(self):
         for families, fitted in ((gate.FEW - 1, 0), (gate.FEW, 1)):
@@ -204,6 +245,16 @@ class Certain(unittest.TestCase):
 
 
 class Ranks(unittest.TestCase):
+    def test_the_law_is_the_median_of_the_factors(self):
+        chain = next(c for c in made.run(repetitions=1)["catena"]["ranks"]["chains"] if c["input"].startswith("yarn"))
+        points = [p for p in chain["points"] if p["order"] == "space" and p["ranks"] <= rank_model.FITTED]
+        points[0]["most_blocks_asked"] *= 2  # of one more
+        law = rank_model.law(points)
+        factors = [
+            p["most_blocks_asked"] / rank_model.shell(p["blocks"] / p["ranks"], p["ranks"], law.thickness) for p in points
+        ]
+        self.assertAlmostEqual(math.log(law.factor), numpy.median(numpy.log(factors)))
+
     def test_one_rank_asks_nobody(self):
         model = rank_model.Model(rank_model.Law(2.0, 1.0), 0.125, 100.0, 5000.0, 2000.0, 30_000.0, 1.0)
         self.assertAlmostEqual(model.ms(1000, 1), 0.1)

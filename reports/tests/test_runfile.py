@@ -35,6 +35,7 @@ class Rows(unittest.TestCase):
         self.assertEqual((refused.refused, refused.faults, refused.samples), ({CASE: "too long"}, {}, {}))
         faulty = run([{"error_occurred": True, "error_message": "wrong", "at_fault": True}])
         self.assertEqual(faulty.faults, {CASE: "wrong"})
+        self.assertEqual(run([{"error_occurred": True}]).refused, {CASE: "refused, no reason given"})
         self.assertEqual(faulty.named(), {"CPU1"})
 
     def test_what_moves_between_memories_is_nothing_where_none_is_told(self):
@@ -45,9 +46,12 @@ class Rows(unittest.TestCase):
         self.assertEqual(run(rows).inputs(), ["a/n:20", "a/n:100", "b/n:5"])
 
     def test_a_density_is_of_a_sphere(self):
-        rows = [{"real_time": 1, "pairs": 25}]
-        self.assertEqual(run(rows).density("path1/n:10"), 2.5)
-        self.assertEqual(run(rows, scenes=[{"input": "path1/n:10", "density": 3, "pairs": 30}]).density("path1/n:10"), 3)
+        rows = [{"real_time": 1, "pairs": 99, "name": "path1/n:9/CPU1/find"}, {"real_time": 1, "pairs": 25}]
+        self.assertEqual((run(rows).pairs("path1/n:10"), run(rows).density("path1/n:10")), (25, 2.5))
+        self.assertEqual((run(rows).pairs("path1/n:8"), run(rows).density("path1/n:8")), (None, None))
+        for pairs, density in ((0, 0), (40, 3)):  # what the scene says of itself leads
+            one = run(rows, scenes=[{"input": "path1/n:10", "density": density, "pairs": pairs}])
+            self.assertEqual((one.pairs("path1/n:10"), one.density("path1/n:10")), (pairs, density))
 
     def test_host_and_device_have_their_own_names(self):
         one = run()

@@ -96,7 +96,7 @@ class Looks(unittest.TestCase):
 
 
 class Tables(unittest.TestCase):
-    two = table.Table("t", "T", "", ["a", "b", "n"], [["x", table.Cell("y", kind="paper"), "1"], ["u", table.Cell("", kind="paper"), "2"]], words=2)
+    two = table.Table("t", "T", "", ["a", "b", "n"], [[table.Cell("x", kind="best"), table.Cell("y", kind="paper"), "1"], ["u", table.Cell("", kind="paper"), "2"]], words=2)
 
     def test_markdown_aligns_numbers_and_slants_what_is_the_papers(self):
         self.assertEqual(
@@ -109,6 +109,8 @@ class Tables(unittest.TestCase):
             text = pathlib.Path(folder, "t.tex").read_text()
         self.assertIn(r"\begin{tabular}{llr}", text)
         self.assertIn("x & \\emph{y} & 1 \\\\\nu &  & 2 \\\\", text)
+        shown = r"a $\le$ b$^2$, c $\ge$ \textasciitilde{}5 \%, 3 $\times$ 2 $\pm$ 1 -- \_\#"
+        self.assertEqual(table.latex("a ≤ b², c ≥ ~5 %, 3 × 2 ± 1 – _#"), shown)
 
 
 class Page(Base):

@@ -80,9 +80,14 @@ class OfTheH200(unittest.TestCase):
         run = runfile.load(QUICK)
         figure = next(b for b in stability.build(report.Report([run])).blocks if hasattr(b, "panels"))
         cells = [value for row in figure.panels[0].heat.value for value in row if value is not None]
+        variants = figure.panels[0].x.categories  # an empty column parts the groups, and a word is where one begins
+        begins = [at for at in range(len(variants)) if at == 0 or not variants[at - 1]]
+        self.assertEqual([line.at + 0.5 for line in figure.panels[0].lines], begins)
         wrong = sum(x["missing"] + x["invented"] > 0 for x in run.raw["catena"]["stability"])
         self.assertEqual((len(cells), cells.count(5)), (len(run.raw["catena"]["stability"]), wrong))
+        exact = sum(x["missing"] + x["invented"] > 0 and run.info(x["variant"]).exact for x in run.raw["catena"]["stability"])
         self.assertIn(f"Wrong pairs in {wrong:,} of", figure.title)
+        self.assertIn(f", {exact or 'none'} of them of an exact variant", figure.title)
 
 
 if __name__ == "__main__":

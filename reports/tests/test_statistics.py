@@ -147,6 +147,7 @@ class Best(unittest.TestCase):
         self.assertEqual((leader, alike), ("a", ["b"]))
         # Ranges that touch are not told apart; fewer than three samples, not within a factor of 2 of the worst.
         self.assertEqual(statistics.best({"a": [1, 2, 3], "b": [3, 4, 5]}), ("a", ["b"]))
+        self.assertEqual(statistics.best({"a": [1, 1.1, 1.2], "b": [2.3], "c": [2.5]}), ("a", ["b"]))  # too few of one
         self.assertEqual(statistics.best({"a": [1, 1.1, 1.2], "b": [1.3, 1.4, 1.5]}), ("a", []))
         two = {"a": [1, 1.2], "b": [2.3, 2.5], "c": [2.5, 2.6]}
         self.assertEqual(statistics.best(two), ("a", ["b"]))

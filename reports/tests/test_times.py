@@ -45,6 +45,8 @@ class Times(unittest.TestCase):
                         if not each and len(times) == 8:  # Conover: the first and the last of eight
                             self.assertAlmostEqual(series.low[at], times[0], places=12)
                             self.assertAlmostEqual(series.high[at], times[-1], places=12)
+                        ns = series.hover[at].removesuffix(" ns a sphere").rpartition("<br>")[2].replace(",", "")
+                        self.assertAlmostEqual(float(ns) * n / 1e6, plain.median(times), delta=0.006 * plain.median(times))
                         seen += 1
         self.assertGreater(seen, 100)
 

@@ -1,4 +1,5 @@
 """Nothing takes a variant's name apart: a page needs the run's own table."""
+import dataclasses
 import json
 import pathlib
 import tempfile
@@ -61,6 +62,20 @@ class WithoutVariants(unittest.TestCase):
             (("device", "device"), False, True), (("host", "device"), False, False), (("device", "host"), False, False),
         ):  # fmt: skip
             self.assertEqual((of(*places).host_only, of(*places).device_only), (host, device), places)
+
+    def test_a_label_says_settings_and_arithmetic_where_they_matter(self):
+        stages = variant.Stage("a@host(k=1)", "a", True, "host"), variant.Stage("b", "b", False, "host")
+        exact, literal, peer = (
+            variant.Variant("v", stages, arithmetic, arithmetic == "robust", arithmetic == "binary64", False)
+            for arithmetic in ("robust", "literal", "binary64")
+        )
+        self.assertEqual(exact.algorithms, "a@host(k=1)+b")
+        self.assertEqual([v.construction_label() for v in (exact, literal)], ["a@host(k=1)", "a@host(k=1)/literal"])
+        self.assertEqual([(v.recommended, v.rounded) for v in (exact, literal, peer)], [(True, False), (False, True), (False, False)])
+        looks = style.Looks([exact, literal])
+        self.assertEqual([looks.construction(v).dash for v in (exact, literal)], ["solid", style.DASHES["literal"]])
+        several = [dataclasses.replace(exact, stages=(variant.Stage(k, k, False, "host"), stages[1])) for k in "cdef"]
+        self.assertEqual(len({style.Looks(several).variant(v).marker for v in several}), len(several))
 
     def test_a_mark_is_hollow_where_any_stage_is_a_devices_on_the_host(self):
         for at, on_host in enumerate(((False, False), (True, False), (False, True), (True, True))):

@@ -38,6 +38,13 @@ class Written(unittest.TestCase):
             with open(path, newline="") as file:
                 self.assertEqual(list(csv.reader(file)), [["x", "y"], ["word, quoted", str(1 / 3)]])
 
+    def test_what_a_folder_holds_of_earlier_reports_stays_listed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            listed = pathlib.Path(folder) / ".catena-report"
+            listed.write_text("report\nfigures/old.svg\n")
+            page._list_files([], pathlib.Path(folder))
+            self.assertEqual(listed.read_text().split()[:3], ["report", "figures/old.svg", "report"])
+
     def test_what_is_no_regular_file_is_written_through(self):
         with tempfile.TemporaryDirectory() as folder:
             # A device of its own: a fault may put a file in its place.
