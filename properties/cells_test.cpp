@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -52,9 +53,10 @@ void expect_exact(const Chain& chain, const std::string& what, bool with_pairs =
     if (info.unavailable || !info.name.starts_with("Device")) continue;
     std::vector<std::string> names{info.name};
     if (info.name.starts_with("DeviceHybrid"))
-      for (const char* p : {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
-                            "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,meetings=1)",
-                            "(least=0,cells=0,meetings=40)"})
+      for (const char* p :
+           {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
+            "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,cells=4194304)",
+            "(least=0,meetings=1)", "(least=0,cells=0,meetings=40)"})
         names.push_back(info.name + p);
     for (const std::string& name : names) {
       const auto variant = StrategyRegistry::instance().make(name);
@@ -286,6 +288,24 @@ TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
       expect_exact(Chain(spheres, Strands{{0, crowd, all}, {}}),
                    std::to_string(crowd) + " of " + std::to_string(all) + " spheres in a crowd");
     }
+}
+
+/// Beside as many rods that lie in a crowd, rods in a row, each of which touches one or two before it and as
+/// many after it: then they are left to the search of the crowd, too.
+TEST(Cells, LeaveAllBlocksToTheSearchOfCrowdsWhereItHasLittleMoreToDo) {
+  constexpr std::uint32_t rods = 64;
+  const auto variant = StrategyRegistry::instance().make("DeviceHybrid@host(least=0,cells=4194304)");
+  for (const float apart : {1.9f, 0.95f}) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 0, 0.01f * static_cast<float>(k));
+    for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 100 + apart * static_cast<float>(k), 0);
+    const Chain chain = each_block_a_strand(spheres);
+    expect_exact(chain, "rods in a crowd, others in a row");
+    variant->build(chain);
+    const Plan plan = variant->plan();
+    const std::string said = std::ranges::find(plan, "grid of spheres", &Decision::step)->reason;
+    EXPECT_EQ(said.starts_with(std::to_string(2 * rods) + " of "), apart < 1) << said;
+  }
 }
 
 /// Small spheres by the hundred in the cell of a large one are sorted by octaves.

@@ -19,10 +19,11 @@ namespace catena {
 ///
 /// A block is *crowded* where this says little of what is near: a row of cells that it looks into holds more
 /// than `dense` capsules, or it meets more than `crowd` others, or more than `most_met` finer ones do so in
-/// the cells. Pairs of two crowded blocks are left to another search; all others are found here, by work that
-/// is bounded for each block. A cell with more than `dense` capsules holds crowded blocks only, so that no
-/// others need to be looked for there. Crowded blocks that are not tangled have a place in the cells too, for
-/// the sake of their order in space, but no level, and nobody looks for them.
+/// the cells; or where the search of crowded ones has little more to do with all (all_left). Pairs of two
+/// crowded blocks are left to another search; all others are found here, by work that is bounded for each
+/// block. A cell with more than `dense` capsules holds crowded blocks only, so that no others need to be
+/// looked for there. Crowded blocks that are not tangled have a place in the cells too, for the sake of their
+/// order in space, but no level, and nobody looks for them.
 struct CapsuleBlocks {
   static constexpr std::uint32_t block = 32;  ///< spheres
   static constexpr std::uint32_t dense = 96;
@@ -40,6 +41,8 @@ struct CapsuleBlocks {
     std::uint32_t crowded;  ///< crowded blocks of every `sample`-th, about
     std::uint32_t any;      ///< not 0: there is a crowded block
     std::uint32_t listed;   ///< not 0: there is one that has a place
+    std::uint32_t clean;    ///< others of every `clean_sample`-th, where none is in cells
+    std::uint32_t clean_partners;  ///< and whom these met
   };
 
   CellTable table;
@@ -48,6 +51,7 @@ struct CapsuleBlocks {
   bool all_crowded;  ///< nothing is asked of blocks: the chain is too short for it to pay
   bool in_cells;     ///< tangled blocks are put into cells; else, where there are few blocks, they count as
                      ///< crowded
+  bool may_leave_all;  ///< see all_left
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
@@ -74,9 +78,10 @@ struct CapsuleBlocks {
     // chain says. Points are of one size, whatever the others are.
     constexpr float most_ratio = 64;
     const Extent& extent = chain.extent;
-    result.all_crowded = chain.size < least && (extent.least_radius == 0 ||
-                                                extent.greatest_radius <= most_ratio * extent.least_radius);
+    const bool alike = extent.least_radius == 0 || extent.greatest_radius <= most_ratio * extent.least_radius;
+    result.all_crowded = chain.size < least && alike;
     result.in_cells = chain.size >= least_in_cells && !result.all_crowded;
+    result.may_leave_all = alike && !result.in_cells;
     // Elsewhere two spheres next to one another may belong to different strands, or be no neighbours.
     const bool one_window = chain.strand_count == 1 && chain.exclusion.rule == Exclusion::Rule::index_window;
     result.window = one_window ? std::min(chain.exclusion.window, most_window) : 1;
@@ -86,7 +91,18 @@ struct CapsuleBlocks {
   CATENA_HD Sphere scaled(const Sphere& s) const {
     return {s.x * scale, s.y * scale, s.z * scale, s.radius * scale};
   }
-  CATENA_HD bool crowded(std::uint32_t b) const { return partners[b] > crowd || met[b] > most_met; }
+  CATENA_HD bool crowded(std::uint32_t b) const { return meets_many(b) || all_left(); }
+  CATENA_HD bool meets_many(std::uint32_t b) const { return partners[b] > crowd || met[b] > most_met; }
+  /// Where many blocks are crowded the other search runs anyway, and takes one more block for what it takes
+  /// to compare two here: so it gets all blocks, where the others have more than two partners each. Known
+  /// once all were entered. Not in cells, where blocks without a place cannot be left to it, and not where
+  /// radii are unlike, among which it is slow.
+  CATENA_HD bool all_left() const {
+    constexpr std::uint32_t many = 8;  // one in so many
+    return may_leave_all && many * state->crowded >= blocks / sample &&
+           state->clean_partners > 2 * state->clean;
+  }
+  CATENA_HD std::uint32_t clean_sample() const { return 8 * sample; }
   CATENA_HD bool ordered(std::uint32_t b) const { return (shape[b] & is_ordered) != 0; }
   /// There is nothing to search between two blocks: they are the same one, or certified to go on in order.
   CATENA_HD bool settled(std::uint32_t a, std::uint32_t b) const {
@@ -100,7 +116,7 @@ struct CapsuleBlocks {
   CATENA_HD bool placed(std::uint32_t b) const { return (shape[b] & has_place) != 0; }
   /// About how many spheres are in crowded blocks, once all have met; no more than there are blocks for.
   CATENA_HD std::uint32_t crowded_spheres() const {
-    const std::uint32_t about = state->crowded * sample;
+    const std::uint32_t about = all_left() ? blocks : state->crowded * sample;
     return block * (about < blocks ? about : blocks);
   }
 

@@ -34,8 +34,8 @@ struct TimedFilm {
     rivals.join(other_choices, worth);
   }
   std::uint32_t films = 0;
-  std::string seen =
-      "";  ///< who was to search when it was looked last, whose plan, of which film; and its turn
+  /// Who was to search when it was looked last, whose plan, of which film; and its turn.
+  std::string seen = "";
   std::uint64_t turn = 0;
   std::string search(double times = 1) {
     const std::string who = key(rivals.next());
