@@ -95,6 +95,7 @@ __global__ void __launch_bounds__(threads)
   const DeviceWarp warp;
   const BlockComparison comparison(warp, chain, blocks);
   const std::uint32_t first = blockIdx.x * together, b = first + threadIdx.x;
+  if (blocks.all_left()) return;
   if (threadIdx.x == 0) items = 0;
   PairStage<threads> stage(shared, answer, queries);
   __syncthreads();
@@ -114,19 +115,21 @@ __global__ void __launch_bounds__(threads)
 struct CrowdedSpheres {
   CapsuleBlocks blocks;
   std::uint32_t size;
-  __device__ bool any() const { return blocks.all_crowded || blocks.state->any != 0; }
+  __device__ bool all() const { return blocks.all_crowded || blocks.all_left(); }
+  __device__ bool any() const { return all() || blocks.state->any != 0; }
+  __device__ bool in_space() const { return blocks.in_cells && !blocks.all_left(); }
   __device__ std::uint32_t asked() const {
-    return (blocks.in_cells ? blocks.state->places : blocks.blocks) * CapsuleBlocks::block;
+    return (in_space() ? blocks.state->places : blocks.blocks) * CapsuleBlocks::block;
   }
   __device__ std::uint32_t block(std::uint32_t k) const {
     const std::uint32_t at = k / CapsuleBlocks::block;
-    return blocks.in_cells ? blocks.id[at] >> 5 : at;
+    return in_space() ? blocks.id[at] >> 5 : at;
   }
   __device__ std::uint32_t sphere(std::uint32_t k) const {
     return block(k) * CapsuleBlocks::block + k % CapsuleBlocks::block;
   }
   __device__ bool takes(std::uint32_t k) const {
-    return (sphere(k) < size) & (blocks.all_crowded || blocks.crowded(block(k)));
+    return (sphere(k) < size) & (all() || blocks.meets_many(block(k)));
   }
   __device__ std::uint32_t expected() const { return blocks.all_crowded ? size : blocks.crowded_spheres(); }
 };
@@ -143,6 +146,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
         least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
+        surveyed_(static_cast<std::uint32_t>(parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))),
         meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))),
         binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
@@ -215,7 +219,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
   }
 
   void lay_out(const ChainView& chain, cudaStream_t stream) {
-    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent), least_, least_in_cells_);
+    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent), least_, least_in_cells_, surveyed_);
     const std::size_t n = blocks_.blocks;
     blocks_.capsule = capsule_.reserve(n, stream);
     blocks_.ball = ball_.reserve(n, stream);
@@ -243,6 +247,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
 
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
+  const std::uint32_t surveyed_;
   const std::uint32_t meetings_;
   const std::uint64_t binned_;
   CapsuleBlocks blocks_{};
@@ -267,6 +272,7 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
                       {"least", "524288", "chains of fewer spheres are left to the grid"},
                       {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
                       {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
+                      {"survey", "64", "blocks that are asked first: where many are crowded the grid gets all; 0: none"},
                       binned_parameter()}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7, .start_ms = 300},
      .unavailable = unavailable,

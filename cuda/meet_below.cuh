@@ -160,6 +160,7 @@ __global__ void __launch_bounds__(MeetBelow::threads)
                std::uint32_t level) {
   __shared__ MeetBelow::Shared shared;
   await_previous();
+  if (blocks.all_left()) return;
   MeetBelow below(nodes, blocks, level, shared);
   const std::uint32_t all = nodes.count[level] + nodes.meetings(level),
                       step = 2 * gridDim.x * MeetBelow::warps;

@@ -3,7 +3,9 @@
 
 #include "catena/core/cells/block_nodes.h"
 #include "catena/core/cells/meet_blocks.h"
+#include "catena/core/cells/survey_blocks.h"
 #include "catena/cuda/device_buffer.h"
+#include "catena/cuda/device_group.cuh"
 #include "catena/cuda/device_warp.cuh"
 #include "catena/cuda/launch.cuh"
 #include "catena/cuda/meet_below.cuh"
@@ -32,19 +34,23 @@ __global__ void __launch_bounds__(256)
   if (threadIdx.x < 32) fit(level + 1, blockIdx.x * 4 + of_block);
 }
 
-/// Every node of the top against all others, by a thread block. One that is not crowded lists all its
+/// Every node of the top against all others, by a thread block; meanwhile others ask the blocks of the survey. One that is not crowded lists all its
 /// meetings, and one that is lists none: of two that are crowded nobody does. One without room for all of its
 /// own becomes crowded.
 __global__ void __launch_bounds__(512)
     meet_at_top(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
+  if (blockIdx.x < blocks.surveyed) {
+    __shared__ BlockSurvey::Memory memory;
+    return BlockSurvey(nodes, blocks, memory).ask(DeviceGroup(), blockIdx.x);
+  }
   constexpr std::uint32_t most = BlockNodes::most_crowd_at_top;
   __shared__ std::uint32_t met, first, partner[most];
   __shared__ bool lists;
   if (threadIdx.x == 0) met = 0;
   __syncthreads();
   const NodeMeeting meeting(nodes, blocks);
-  const std::uint32_t count = nodes.count[nodes.top], a = blockIdx.x;
+  const std::uint32_t count = nodes.count[nodes.top], a = blockIdx.x - blocks.surveyed;
   for (std::uint32_t b = threadIdx.x; b < count; b += blockDim.x)
     if (b != a && meeting.may_meet_at_top(a, b)) {
       const std::uint32_t k = atomicAdd(&met, 1u);
@@ -71,7 +77,7 @@ __global__ void __launch_bounds__(512)
 __global__ void __launch_bounds__(256)
     enter_tangled(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
-  if (nodes.state->tangled == 0 && blocks.state->any == 0) return;
+  if (blocks.all_left() || (nodes.state->tangled == 0 && blocks.state->any == 0)) return;
   const BlockMeeting meeting(blocks);
   for (std::uint32_t b = blockIdx.x * blockDim.x + threadIdx.x; b < blocks.blocks;
        b += gridDim.x * blockDim.x)
@@ -92,7 +98,7 @@ class DeviceBlockNodes {
     nodes.state = state;
     for (std::uint32_t level = 1; level <= nodes.top; level += 2)
       launch_next<fit_nodes>((nodes.count[level] + 31) / 32, 256, stream, nodes, blocks, level);
-    launch_next<meet_at_top>(nodes.count[nodes.top], 512, stream, nodes, blocks);
+    launch_next<meet_at_top>(nodes.count[nodes.top] + blocks.surveyed, 512, stream, nodes, blocks);
     for (std::uint32_t level = nodes.top; level > 0; --level)
       launch_next<meet_below>(std::min(nodes.count[level] * 2, most_blocks_below), 128, stream, nodes, blocks,
                               level);

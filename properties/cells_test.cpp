@@ -9,6 +9,7 @@
 #include "catena/core/cells/buckets.h"
 #include "catena/core/cells/capsule_blocks.h"
 #include "catena/core/cells/sphere_cells.h"
+#include "catena/core/cells/survey_blocks.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
@@ -56,7 +57,8 @@ void expect_exact(const Chain& chain, const std::string& what, bool with_pairs =
       for (const char* p :
            {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
             "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,cells=4194304)",
-            "(least=0,meetings=1)", "(least=0,cells=0,meetings=40)"})
+            "(least=0,meetings=1)", "(least=0,cells=0,meetings=40)", "(least=0,survey=0)",
+            "(least=0,cells=0,survey=0)", "(least=0,cells=0,crowd=2,survey=0)"})
         names.push_back(info.name + p);
     for (const std::string& name : names) {
       const auto variant = StrategyRegistry::instance().make(name);
@@ -233,7 +235,7 @@ TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
     ChainView chain{};
     chain.size = n;
     CapsuleBlocks::State state{};
-    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1, 0, 0);
+    CapsuleBlocks blocks = CapsuleBlocks::of(chain, 8, 1, 0, 0, 0);
     blocks.state = &state;
     for (std::uint32_t b = 0; b < blocks.blocks; b += blocks.sample) ++state.crowded;
     EXPECT_EQ(&cells.table_for(blocks.crowded_spheres()), &cells.table_for(n)) << n;
@@ -290,22 +292,48 @@ TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
     }
 }
 
-/// Beside as many rods that lie in a crowd, rods in a row, each of which touches one or two before it and as
-/// many after it: then they are left to the search of the crowd, too.
+/// How many blocks a search on the host left to the grid, in words.
+std::string left_to_grid(const std::string& variant, const Chain& chain) {
+  const auto search = StrategyRegistry::instance().make(variant);
+  search->build(chain);
+  const Plan plan = search->plan();
+  return std::ranges::find(plan, "grid of spheres", &Decision::step)->reason;
+}
+
+/// Beside rods that lie in a crowd, rods in a row, each of which touches one or two before it and as many
+/// after it: then they are left to the search of the crowd, too, if an eighth of all are in it, unless nobody
+/// asks beforehand.
 TEST(Cells, LeaveAllBlocksToTheSearchOfCrowdsWhereItHasLittleMoreToDo) {
-  constexpr std::uint32_t rods = 64;
-  const auto variant = StrategyRegistry::instance().make("DeviceHybrid@host(least=0,cells=4194304)");
-  for (const float apart : {1.9f, 0.95f}) {
-    std::vector<Sphere> spheres;
-    for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 0, 0.01f * static_cast<float>(k));
-    for (std::uint32_t k = 0; k < rods; ++k) add_rod(spheres, 0, 100 + apart * static_cast<float>(k), 0);
-    const Chain chain = each_block_a_strand(spheres);
-    expect_exact(chain, "rods in a crowd, others in a row");
-    variant->build(chain);
-    const Plan plan = variant->plan();
-    const std::string said = std::ranges::find(plan, "grid of spheres", &Decision::step)->reason;
-    EXPECT_EQ(said.starts_with(std::to_string(2 * rods) + " of "), apart < 1) << said;
-  }
+  constexpr std::uint32_t rods = 128;  // each is asked in the survey
+  for (const std::uint32_t crowded : {rods / 2, rods / 8, rods / 8 - 1})
+    for (const float apart : {1.9f, 0.95f}) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t k = 0; k < crowded; ++k) add_rod(spheres, 0, 0, 0.01f * static_cast<float>(k));
+      for (std::uint32_t k = crowded; k < rods; ++k)
+        add_rod(spheres, 0, 100 + apart * static_cast<float>(k), 0);
+      const Chain chain = each_block_a_strand(spheres);
+      const std::string all = std::to_string(rods) + " of ", some = std::to_string(crowded) + " of ";
+      expect_exact(chain, some + "rods in a crowd, others in a row");
+      const bool left = apart < 1 && 8 * crowded >= rods;
+      for (const std::string cells : {"0", "4194304"}) {
+        const std::string name = "DeviceHybrid@host(least=0,cells=" + cells;
+        EXPECT_TRUE(left_to_grid(name + ",survey=128)", chain).starts_with(left ? all : some))
+            << cells << ", " << crowded;
+        EXPECT_TRUE(left_to_grid(name + ",survey=0)", chain).starts_with(some)) << cells << ", " << crowded;
+      }
+    }
+}
+
+/// Where the tree says little of what is near, whom its blocks meet is asked of the cells, if these are
+/// there.
+TEST(Cells, LeaveNoneToTheSearchOfCrowdsOfWhichTheTreeDoesNotKnow) {
+  constexpr std::uint32_t rods = 8 * (BlockSurvey::room + 40);
+  const Chain chain = each_block_a_strand(scattered_rods(rods, 900));
+  EXPECT_TRUE(
+      left_to_grid("DeviceHybrid@host(cells=4194304)", chain).starts_with(std::to_string(rods) + " of "));
+  const std::string said = left_to_grid("DeviceHybrid@host", chain);
+  EXPECT_LT(std::stoul(said), rods / 100) << said;
+  expect_exact(chain, "rods scattered in a cube");
 }
 
 /// Small spheres by the hundred in the cell of a large one are sorted by octaves.

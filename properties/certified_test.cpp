@@ -13,7 +13,7 @@ TEST(Certified, AreGridAndHybridWhateverPartsItTakes) {
 
 TEST(Certified, AreTheTwinsOfDevices) {
   for (const char* name : {"DeviceGrid@host", "DeviceHybrid@host", "DeviceHybrid@host(crowd=1)",
-                           "DeviceHybrid@host(cells=1000000)"})
+                           "DeviceHybrid@host(survey=0)", "DeviceHybrid@host(cells=1000000)"})
     expect_certified(name);
 }
 

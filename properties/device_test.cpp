@@ -109,6 +109,7 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
         Twins{"DeviceHybrid(least=0,cells=0)", "DeviceHybrid@host", false},
         Twins{"DeviceHybrid(least=0)", "DeviceHybrid@host(cells=4194304)", false},
         Twins{"DeviceHybrid(least=0,cells=0,crowd=1)", "DeviceHybrid@host(crowd=1)", false},
+        Twins{"DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid@host(survey=0)", false},
         Twins{"DeviceHybrid", "DeviceHybrid@host(least=524288)", false}})
     for (const char* input :
          {"path1:n=4000", "yarn:n=5000", "mixed_radii:n=3000", "hair:n=3000", "stretched:n=5000", "walk:n=20000",
@@ -134,8 +135,9 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
 }
 
 TEST_F(Device, IsCertifiedByWhatItBuilt) {
-  for (const char* name : {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(least=0)", "DeviceHybrid",
-                           "DeviceLBVH"})
+  for (const char* name :
+       {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid(least=0,cells=0)",
+        "DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid(least=0)", "DeviceHybrid", "DeviceLBVH"})
     expect_certified(name);
 }
 
@@ -164,8 +166,10 @@ TEST_F(Device, FindsTheSamePairsEveryTime) {
       const Chain chain = scene(std::string(kind) + ":n=" + std::to_string(n));
       const auto exact = reference::find(chain);
       for (const char* name :
-           {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid", "DeviceHybrid(least=0)", "DeviceHybrid(least=0,cells=0)",
-            "DeviceHybrid(least=0,crowd=0)", "DeviceHybrid(least=0,cells=0,crowd=1,binned=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4,searches=3)",
+           {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid", "DeviceHybrid(least=0)",
+            "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(least=0,crowd=0)",
+            "DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid(least=0,cells=0,crowd=1,binned=0)",
+            "DeviceLBVH", "DeviceParts(parts=3,group=4,searches=3)",
             "DeviceParts(parts=5,group=8,order=space)"}) {
         const auto variant = StrategyRegistry::instance().make(name);
         Collisions found;

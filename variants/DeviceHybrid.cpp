@@ -10,7 +10,9 @@
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/host_warp.h"
 #include "catena/core/cells/meet_blocks.h"
+#include "catena/core/cells/survey_blocks.h"
 #include "catena/core/cells/told_search.h"
+#include "catena/core/executor/host_group.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
@@ -28,6 +30,8 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
         least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
+        surveyed_(static_cast<std::uint32_t>(
+            parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))),
         meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))) {}
 
   Plan plan() const override {
@@ -80,6 +84,10 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
     for (std::uint32_t level = 1; level <= nodes_.top; ++level)
       for (std::uint32_t k = 0; k < nodes_.count[level]; ++k)
         box_[nodes_.at(level, k)] = meeting.fit(HostOctet(), level, k);
+    BlockSurvey::Memory memory;
+    for (std::uint32_t k = 0; k < blocks_.surveyed; ++k)
+      BlockSurvey(nodes_, blocks_, memory).ask(HostGroup(32), k);
+    if (blocks_.all_left()) return;
     const std::uint32_t of_top = nodes_.count[nodes_.top];
     for (std::uint32_t a = 0; a < of_top; ++a)
       for (std::uint32_t b = a + 1; b < of_top; ++b)
@@ -143,7 +151,7 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   }
 
   void lay_out(const ChainView& chain) {
-    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent), least_, least_in_cells_);
+    blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent), least_, least_in_cells_, surveyed_);
     if (blocks_.all_crowded) return;
     const std::size_t n = blocks_.blocks;
     capsule_.resize(n), shape_.resize(n), ball_.resize(n), id_.resize(n);
@@ -169,6 +177,7 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
 
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
+  const std::uint32_t surveyed_;
   const std::uint32_t meetings_;
   ChainView view_{};  // of the last build
   CapsuleBlocks blocks_{};
@@ -195,7 +204,9 @@ const RegisterVariant<DeviceHybridOnHost, Robust> registered{
                     {"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 524288"},
                     {"cells", "0",
                      "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
-                    {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"}}}};
+                    {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
+                    {"survey", "64",
+                     "blocks that are asked first: where many are crowded the grid gets all; 0: none"}}}};
 
 }  // namespace
 }  // namespace catena

@@ -28,7 +28,7 @@ struct CapsuleBlocks {
   static constexpr std::uint32_t block = 32;  ///< spheres
   static constexpr std::uint32_t dense = 96;
   static constexpr std::uint32_t most_partners = 8, most_met = 32;
-  static constexpr std::uint32_t most_window = block - 1, most_levels = 3;
+  static constexpr std::uint32_t most_window = block - 1, most_levels = 3, most_surveyed = 1024;
   static constexpr std::uint8_t is_ordered = 0x80, is_tangled = 0x40, has_place = 0x20, level_bits = 0x1F;
   static constexpr std::uint32_t no_level = level_bits;
   static constexpr std::uint32_t mutual = 0x80000000u;  ///< of a partner: it has this one too
@@ -41,17 +41,19 @@ struct CapsuleBlocks {
     std::uint32_t crowded;  ///< crowded blocks of every `sample`-th, about
     std::uint32_t any;      ///< not 0: there is a crowded block
     std::uint32_t listed;   ///< not 0: there is one that has a place
-    std::uint32_t clean;    ///< others of every `clean_sample`-th, where none is in cells
-    std::uint32_t clean_partners;  ///< and whom these met
+    std::uint32_t survey_crowded;   ///< blocks of the survey that meet more than `crowd` others
+    std::uint32_t survey_others;    ///< those of whom it is known that they do not,
+    std::uint32_t survey_partners;  ///< and whom they meet, in all
   };
 
   CellTable table;
   float scale;  ///< block_scale: all capsules are of the chain times this
   std::uint32_t blocks, crowd, sample;
+  std::uint32_t surveyed;  ///< blocks that are asked before all others (BlockSurvey)
   bool all_crowded;  ///< nothing is asked of blocks: the chain is too short for it to pay
   bool in_cells;     ///< tangled blocks are put into cells; else, where there are few blocks, they count as
                      ///< crowded
-  bool may_leave_all;  ///< see all_left
+  bool alike;        ///< radii are
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
@@ -67,21 +69,21 @@ struct CapsuleBlocks {
   CATENA_HD static std::uint32_t blocks_of(std::uint32_t n) { return n / block + (n % block != 0); }
   /// What sizes and numbers a chain has; memory is the caller's to give.
   static CapsuleBlocks of(const ChainView& chain, std::uint32_t crowd, float scale, std::uint64_t least,
-                          std::uint64_t least_in_cells) {
+                          std::uint64_t least_in_cells, std::uint32_t surveyed) {
     CapsuleBlocks result{};
     result.blocks = blocks_of(chain.size);
     result.table = CellTable::of(4 * result.blocks);
     result.scale = scale;
     result.crowd = crowd;
     result.sample = 1 + result.blocks / 8192;
+    result.surveyed = std::min(surveyed, result.blocks);
     // Among spheres of very different sizes a grid of spheres is slower by far than what the order of the
     // chain says. Points are of one size, whatever the others are.
     constexpr float most_ratio = 64;
     const Extent& extent = chain.extent;
-    const bool alike = extent.least_radius == 0 || extent.greatest_radius <= most_ratio * extent.least_radius;
-    result.all_crowded = chain.size < least && alike;
+    result.alike = extent.least_radius == 0 || extent.greatest_radius <= most_ratio * extent.least_radius;
+    result.all_crowded = chain.size < least && result.alike;
     result.in_cells = chain.size >= least_in_cells && !result.all_crowded;
-    result.may_leave_all = alike && !result.in_cells;
     // Elsewhere two spheres next to one another may belong to different strands, or be no neighbours.
     const bool one_window = chain.strand_count == 1 && chain.exclusion.rule == Exclusion::Rule::index_window;
     result.window = one_window ? std::min(chain.exclusion.window, most_window) : 1;
@@ -94,15 +96,21 @@ struct CapsuleBlocks {
   CATENA_HD bool crowded(std::uint32_t b) const { return meets_many(b) || all_left(); }
   CATENA_HD bool meets_many(std::uint32_t b) const { return partners[b] > crowd || met[b] > most_met; }
   /// Where many blocks are crowded the other search runs anyway, and takes one more block for what it takes
-  /// to compare two here: so it gets all blocks, where the others have more than two partners each. Known
-  /// once all were entered. Not in cells, where blocks without a place cannot be left to it, and not where
-  /// radii are unlike, among which it is slow.
+  /// to compare two here: so it gets all blocks, unless the others have few partners. Known once the tree is
+  /// there and a few blocks were asked, before all are. Not where radii are unlike, among which it is slow.
   CATENA_HD bool all_left() const {
     constexpr std::uint32_t many = 8;  // one in so many
-    return may_leave_all && many * state->crowded >= blocks / sample &&
-           state->clean_partners > 2 * state->clean;
+    const std::uint32_t crowded = state->survey_crowded, others = state->survey_others;
+    return alike && crowded > 0 && many * crowded >= surveyed &&
+           (others == 0 || state->survey_partners > 2 * others);
   }
-  CATENA_HD std::uint32_t clean_sample() const { return 8 * sample; }
+  /// The k-th block of the survey: of so many parts of the chain one each, anywhere in it, as what comes
+  /// again in the chain may do so with the parts.
+  CATENA_HD std::uint32_t surveyed_block(std::uint32_t k) const {
+    const std::uint32_t part = blocks / surveyed;
+    const auto first = static_cast<std::uint32_t>(std::uint64_t{blocks} * k / surveyed);
+    return first + static_cast<std::uint32_t>(std::uint64_t{k * 0x9E3779B1u} * part >> 32);
+  }
   CATENA_HD bool ordered(std::uint32_t b) const { return (shape[b] & is_ordered) != 0; }
   /// There is nothing to search between two blocks: they are the same one, or certified to go on in order.
   CATENA_HD bool settled(std::uint32_t a, std::uint32_t b) const {

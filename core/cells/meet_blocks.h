@@ -37,7 +37,10 @@ class BlockMeeting {
 
   /// Step 3, for each block.
   CATENA_HD void enter(std::uint32_t b, bool tangled) const {
-    if (!blocks_.in_cells) return tangled ? crowd(b) : note_clean(b);
+    if (!blocks_.in_cells) {
+      if (tangled) crowd(b);
+      return;
+    }
     if (!tangled && !blocks_.crowded(b)) return;
     const std::uint32_t level = blocks_.level(b);
     blocks_.shape[b] |= CapsuleBlocks::has_place | (tangled ? CapsuleBlocks::is_tangled : 0);
@@ -104,11 +107,6 @@ class BlockMeeting {
       blocks_.partner[b * CapsuleBlocks::most_partners + before] = other;
     else if (before == blocks_.crowd)
       note_crowded(b);
-  }
-  CATENA_HD void note_clean(std::uint32_t b) const {
-    if (b % blocks_.clean_sample() != 0 || blocks_.meets_many(b)) return;
-    fetch_add(&blocks_.state->clean, 1);
-    fetch_add(&blocks_.state->clean_partners, blocks_.partners[b]);
   }
   CATENA_HD void note_crowded(std::uint32_t b) const {
     set_bits(&blocks_.state->any, 1);
