@@ -272,7 +272,7 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
                       {"least", "524288", "chains of fewer spheres are left to the grid"},
                       {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
                       {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
-                      {"survey", "64", "blocks that are asked first: where many are crowded the grid gets all; 0: none"},
+                      {"survey", "64", "blocks asked first: where many are crowded the grid gets all; 0: none"},
                       binned_parameter()}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7, .start_ms = 300},
      .unavailable = unavailable,

@@ -34,9 +34,9 @@ __global__ void __launch_bounds__(256)
   if (threadIdx.x < 32) fit(level + 1, blockIdx.x * 4 + of_block);
 }
 
-/// Every node of the top against all others, by a thread block; meanwhile others ask the blocks of the survey. One that is not crowded lists all its
-/// meetings, and one that is lists none: of two that are crowded nobody does. One without room for all of its
-/// own becomes crowded.
+/// Every node of the top against all others, by a thread block, once others have begun to ask the blocks of
+/// the survey. One that is not crowded lists all its meetings, and one that is lists none: of two that are
+/// crowded nobody does. One without room for all of its own becomes crowded.
 __global__ void __launch_bounds__(512)
     meet_at_top(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
