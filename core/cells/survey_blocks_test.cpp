@@ -1,0 +1,101 @@
+#include "catena/core/cells/survey_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+#include "catena/core/cells/host_warp.h"
+#include "catena/core/executor/host_group.h"
+
+namespace catena {
+namespace {
+
+/// Balls as blocks, so many at one place and the next ones far from them, in a tree of one level.
+class Survey {
+ public:
+  Survey(std::uint32_t blocks, std::uint32_t together, std::uint32_t asked, bool in_cells) {
+    ChainView chain{};
+    chain.size = blocks * CapsuleBlocks::block;
+    blocks_ = CapsuleBlocks::of(chain, CapsuleBlocks::most_partners, 1, 0, in_cells ? 0 : ~0u, asked);
+    for (std::uint32_t b = 0; b < blocks; ++b)
+      capsule_.push_back(BlockCapsule::around({10.0f * static_cast<float>(b / together), 0, 0, 1}));
+    // Behind the last, where nobody is to look.
+    capsule_.resize(blocks + BlockNodes::children, capsule_.back());
+    shape_.resize(capsule_.size());
+    blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data(), blocks_.state = &state_;
+    nodes_ = BlockNodes::over(blocks, 0);
+    box_.resize(nodes_.nodes());
+    nodes_.box = box_.data();
+    for (std::uint32_t node = 0; node < nodes_.count[1]; ++node)
+      box_[node] = NodeMeeting(nodes_, blocks_).fit(HostOctet(), 1, node);
+    BlockSurvey::Memory memory;
+    for (std::uint32_t k = 0; k < blocks_.surveyed; ++k)
+      BlockSurvey(nodes_, blocks_, memory).ask(HostGroup(32), k);
+  }
+  std::vector<std::uint32_t> counted() const {
+    return {state_.survey_crowded, state_.survey_others, state_.survey_partners};
+  }
+  bool all_left() const { return blocks_.all_left(); }
+
+ private:
+  CapsuleBlocks::State state_{};
+  CapsuleBlocks blocks_{};
+  BlockNodes nodes_{};
+  std::vector<BlockCapsule> capsule_;
+  std::vector<std::uint8_t> shape_;
+  std::vector<NodeBox> box_;
+};
+using Counted = std::vector<std::uint32_t>;
+
+TEST(BlockSurvey, CountsWhomEachMeetsAndWhoMeetsTooMany) {
+  constexpr std::uint32_t most = CapsuleBlocks::most_partners;
+  for (const bool in_cells : {false, true}) {
+    EXPECT_EQ(Survey(1, 1, 64, in_cells).counted(), (Counted{0, 1, 0}));
+    EXPECT_EQ(Survey(9, 1, 64, in_cells).counted(), (Counted{0, 9, 0}));
+    EXPECT_EQ(Survey(9, 3, 64, in_cells).counted(), (Counted{0, 9, 18}));
+    EXPECT_EQ(Survey(most + 1, 99, 64, in_cells).counted(), (Counted{0, most + 1, (most + 1) * most}));
+    EXPECT_EQ(Survey(most + 2, 99, 64, in_cells).counted(), (Counted{most + 2, 0, 0}));
+    EXPECT_EQ(Survey(8000, 4, 64, in_cells).counted(), (Counted{0, 64, 192}));
+    EXPECT_EQ(Survey(8000, 4, 0, in_cells).counted(), (Counted{0, 0, 0}));
+  }
+}
+
+TEST(BlockSurvey, DoesNotKnowOfTangledBlocksThatAreLookedForInCells) {
+  constexpr std::uint32_t full = BlockSurvey::room * BlockNodes::children;
+  EXPECT_EQ(Survey(full, full, 64, true).counted(), (Counted{64, 0, 0}));
+  EXPECT_EQ(Survey(full + 1, full + 1, 64, true).counted(), (Counted{0, 0, 0}));
+  EXPECT_EQ(Survey(full + 1, full + 1, 64, false).counted(), (Counted{64, 0, 0}));
+}
+
+/// One of each part, and not of all at the same place, as what comes again in a chain may do so with the
+/// parts.
+TEST(BlockSurvey, AsksBlocksOfAllPartsOfTheChain) {
+  constexpr std::uint32_t asked = 64;
+  for (const std::uint32_t blocks : {asked, asked + 1, 2 * asked - 1, 100 * asked}) {
+    ChainView chain{};
+    chain.size = blocks * CapsuleBlocks::block;
+    const CapsuleBlocks of = CapsuleBlocks::of(chain, 8, 1, 0, 0, asked);
+    ASSERT_EQ(of.surveyed, asked);
+    std::set<std::uint32_t> places;
+    for (std::uint32_t k = 0; k < asked; ++k) {
+      const std::uint32_t b = of.surveyed_block(k), first = blocks * k / asked;
+      EXPECT_GE(b, first) << k << " of " << blocks;
+      EXPECT_LT(b, blocks * (k + 1) / asked) << k << " of " << blocks;
+      places.insert(b - first);
+    }
+    if (blocks == 100 * asked) {
+      EXPECT_GT(places.size(), 30u);
+    }
+  }
+}
+
+TEST(BlockSurvey, LeavesAllWhereNobodyHasFewPartners) {
+  EXPECT_TRUE(Survey(100, 100, 64, false).all_left());
+  EXPECT_TRUE(Survey(100, 100, 64, true).all_left());
+  EXPECT_FALSE(Survey(100, 100, 0, false).all_left());
+  EXPECT_FALSE(Survey(100, 5, 64, false).all_left());  // none is crowded
+}
+
+}  // namespace
+}  // namespace catena
