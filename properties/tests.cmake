@@ -74,7 +74,7 @@ endif()
 add_test(NAME install.find_package COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
          -DVERSION=${PROJECT_VERSION} -DWORK=${PROJECT_BINARY_DIR}/install_test -DFLAGS=${sanitize_flags} "-DFOLDERS=${CATENA_LIBRARY_FOLDERS}"
          -P ${PROJECT_SOURCE_DIR}/properties/install_test.cmake)
-set_tests_properties(install.find_package PROPERTIES LABELS install)
+set_tests_properties(install.find_package PROPERTIES LABELS install COST 40)
 
 if(CATENA_COVERAGE)
   include(${PROJECT_SOURCE_DIR}/properties/coverage.cmake)
