@@ -9,66 +9,11 @@
 #include "catena/core/cells/buckets.h"
 #include "catena/core/cells/capsule_blocks.h"
 #include "catena/core/cells/sphere_cells.h"
-#include "catena/core/cells/survey_blocks.h"
-#include "catena/core/strategy/registry.h"
-#include "catena/reference/compare.h"
-#include "catena/reference/reference.h"
+#include "catena/properties/testing/rods.h"
 
 // Searches by hashed cells at the limits of their cells, partners and buckets, and one past them.
 namespace catena::properties {
 namespace {
-
-constexpr std::uint32_t block = CapsuleBlocks::block;
-
-/// A straight block of spheres of radius 1, about 50 long, centred at a point, along x or y.
-void add_rod(std::vector<Sphere>& spheres, float x, float y, float z, bool along_y = false, float size = 1) {
-  for (std::uint32_t k = 0; k < block; ++k) {
-    const float s = 1.6f * size * (static_cast<float>(k) - 15.5f);
-    spheres.push_back({along_y ? x : x + s, along_y ? y + s : y, z, size});
-  }
-}
-
-Chain each_block_a_strand(const std::vector<Sphere>& spheres) {
-  Strands strands;
-  for (std::uint32_t at = 0; at <= spheres.size(); at += block) strands.first.push_back(at);
-  return Chain(spheres, strands);
-}
-
-/// As many rods, scattered in a cube: what is next in the chain is not near, and all nodes meet one another.
-std::vector<Sphere> scattered_rods(std::uint32_t rods, float side) {
-  std::vector<Sphere> spheres;
-  std::uint32_t state = 12345;
-  const auto at = [&] { return side * static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f; };
-  for (std::uint32_t k = 0; k < rods; ++k) {
-    const float x = at(), y = at(), z = at();
-    add_rod(spheres, x, y, z, k % 2 == 0);
-  }
-  return spheres;
-}
-
-/// By all searches of this kind that can run here.
-void expect_exact(const Chain& chain, const std::string& what, bool with_pairs = true) {
-  const auto exact = reference::find(chain);
-  ASSERT_EQ(exact.pair_count > 0, with_pairs) << what;
-  for (const VariantInfo& info : StrategyRegistry::instance().variants()) {
-    if (info.unavailable || !info.name.starts_with("Device")) continue;
-    std::vector<std::string> names{info.name};
-    if (info.name.starts_with("DeviceHybrid"))
-      for (const char* p :
-           {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
-            "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,cells=4194304)",
-            "(least=0,meetings=1)", "(least=0,cells=0,meetings=40)", "(least=0,survey=0)",
-            "(least=0,cells=0,survey=0)", "(least=0,cells=0,crowd=2,survey=0)"})
-        names.push_back(info.name + p);
-    for (const std::string& name : names) {
-      const auto variant = StrategyRegistry::instance().make(name);
-      Collisions found;
-      variant->build(chain);
-      variant->find(chain, {}, found);
-      EXPECT_TRUE(reference::compare(chain, exact, found).right()) << name << ": " << what;
-    }
-  }
-}
 
 TEST(Cells, LookAtNoMoreCapsulesThanAreDense) {
   constexpr std::uint32_t dense = CapsuleBlocks::dense;
@@ -263,77 +208,6 @@ TEST(Cells, TellAZigzagInAWindowFromARod) {
     spheres.push_back({2.1f * static_cast<float>(k / 3) + ahead, 0, 0, 1});
   }
   expect_exact(Chain(spheres, {}, Exclusion::index(2)), "a zigzag in a window");
-}
-
-/// A crowded block and the next one, of a coarser level, go on in order: what is adjacent is found once.
-TEST(Cells, FindOnceWhatIsAdjacentToACrowdedBlock) {
-  std::vector<Sphere> spheres;
-  add_rod(spheres, 0, 0, 0);
-  const float end = 1.6f * 15.5f;
-  for (std::uint32_t k = 0; k < block; ++k)
-    spheres.push_back({end + 1.6f + 4.0f * static_cast<float>(k), 0, 0, 1});
-  for (std::uint32_t k = 0; k < CapsuleBlocks::most_partners + 2; ++k)
-    add_rod(spheres, 4.0f * static_cast<float>(k) - 24, 0, 1.5f, true);
-  expect_exact(each_block_a_strand(spheres), "a crowded rod that goes on with longer steps");
-}
-
-/// Few enough of all spheres are in a crowd, or one too many; as many spheres as fill warps, and one more.
-TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
-  for (const std::uint32_t crowd :
-       {Buckets::crowd - 1, Buckets::crowd, Buckets::crowd + 1, 5 * Buckets::crowd})
-    for (const std::uint32_t all : {8 * crowd - 1, 8 * crowd, 8 * crowd + 1, 1600u, 4097u}) {
-      std::vector<Sphere> spheres;
-      for (std::uint32_t k = 0; k < all; ++k) {
-        const auto at = static_cast<float>(k);
-        spheres.push_back(k < crowd ? Sphere{1 + at / 256, 1, 1, 1} : Sphere{1.6f * at, 100, 1, 1});
-      }
-      expect_exact(Chain(spheres, Strands{{0, crowd, all}, {}}),
-                   std::to_string(crowd) + " of " + std::to_string(all) + " spheres in a crowd");
-    }
-}
-
-/// How many blocks a search on the host left to the grid, in words.
-std::string left_to_grid(const std::string& variant, const Chain& chain) {
-  const auto search = StrategyRegistry::instance().make(variant);
-  search->build(chain);
-  const Plan plan = search->plan();
-  return std::ranges::find(plan, "grid of spheres", &Decision::step)->reason;
-}
-
-/// Beside rods that lie in a crowd, rods in a row, each of which touches one or two before it and as many
-/// after it: then they are left to the search of the crowd, too, if an eighth of all are in it, unless nobody
-/// asks beforehand.
-TEST(Cells, LeaveAllBlocksToTheSearchOfCrowdsWhereItHasLittleMoreToDo) {
-  constexpr std::uint32_t rods = 128;  // each is asked in the survey
-  for (const std::uint32_t crowded : {rods / 2, rods / 8, rods / 8 - 1})
-    for (const float apart : {1.9f, 0.95f}) {
-      std::vector<Sphere> spheres;
-      for (std::uint32_t k = 0; k < crowded; ++k) add_rod(spheres, 0, 0, 0.01f * static_cast<float>(k));
-      for (std::uint32_t k = crowded; k < rods; ++k)
-        add_rod(spheres, 0, 100 + apart * static_cast<float>(k), 0);
-      const Chain chain = each_block_a_strand(spheres);
-      const std::string all = std::to_string(rods) + " of ", some = std::to_string(crowded) + " of ";
-      expect_exact(chain, some + "rods in a crowd, others in a row");
-      const bool left = apart < 1 && 8 * crowded >= rods;
-      for (const std::string cells : {"0", "4194304"}) {
-        const std::string name = "DeviceHybrid@host(least=0,cells=" + cells;
-        EXPECT_TRUE(left_to_grid(name + ",survey=128)", chain).starts_with(left ? all : some))
-            << cells << ", " << crowded;
-        EXPECT_TRUE(left_to_grid(name + ",survey=0)", chain).starts_with(some)) << cells << ", " << crowded;
-      }
-    }
-}
-
-/// Where the tree says little of what is near, whom its blocks meet is asked of the cells, if these are
-/// there.
-TEST(Cells, LeaveNoneToTheSearchOfCrowdsOfWhichTheTreeDoesNotKnow) {
-  constexpr std::uint32_t rods = 8 * (BlockSurvey::room + 40);
-  const Chain chain = each_block_a_strand(scattered_rods(rods, 900));
-  EXPECT_TRUE(
-      left_to_grid("DeviceHybrid@host(cells=4194304)", chain).starts_with(std::to_string(rods) + " of "));
-  const std::string said = left_to_grid("DeviceHybrid@host", chain);
-  EXPECT_LT(std::stoul(said), rods / 100) << said;
-  expect_exact(chain, "rods scattered in a cube");
 }
 
 /// Small spheres by the hundred in the cell of a large one are sorted by octaves.

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "catena/core/cells/buckets.h"
+#include "catena/core/cells/survey_blocks.h"
+#include "catena/properties/testing/rods.h"
+
+// Blocks and spheres in crowds, at the limits of these, and one past them.
+namespace catena::properties {
+namespace {
+
+/// A crowded block and the next one, of a coarser level, go on in order: what is adjacent is found once.
+TEST(Cells, FindOnceWhatIsAdjacentToACrowdedBlock) {
+  std::vector<Sphere> spheres;
+  add_rod(spheres, 0, 0, 0);
+  const float end = 1.6f * 15.5f;
+  for (std::uint32_t k = 0; k < block; ++k)
+    spheres.push_back({end + 1.6f + 4.0f * static_cast<float>(k), 0, 0, 1});
+  for (std::uint32_t k = 0; k < CapsuleBlocks::most_partners + 2; ++k)
+    add_rod(spheres, 4.0f * static_cast<float>(k) - 24, 0, 1.5f, true);
+  expect_exact(each_block_a_strand(spheres), "a crowded rod that goes on with longer steps");
+}
+
+/// Few enough of all spheres are in a crowd, or one too many; as many spheres as fill warps, and one more.
+TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
+  for (const std::uint32_t crowd :
+       {Buckets::crowd - 1, Buckets::crowd, Buckets::crowd + 1, 5 * Buckets::crowd})
+    for (const std::uint32_t all : {8 * crowd - 1, 8 * crowd, 8 * crowd + 1, 1600u, 4097u}) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t k = 0; k < all; ++k) {
+        const auto at = static_cast<float>(k);
+        spheres.push_back(k < crowd ? Sphere{1 + at / 256, 1, 1, 1} : Sphere{1.6f * at, 100, 1, 1});
+      }
+      expect_exact(Chain(spheres, Strands{{0, crowd, all}, {}}),
+                   std::to_string(crowd) + " of " + std::to_string(all) + " spheres in a crowd");
+    }
+}
+
+/// How many blocks a search on the host left to the grid, in words.
+std::string left_to_grid(const std::string& variant, const Chain& chain) {
+  const auto search = StrategyRegistry::instance().make(variant);
+  search->build(chain);
+  const Plan plan = search->plan();
+  return std::ranges::find(plan, "grid of spheres", &Decision::step)->reason;
+}
+
+/// Beside rods that lie in a crowd, rods in a row, each of which touches one or two before it and as many
+/// after it: then they are left to the search of the crowd, too, if an eighth of all are in it, unless nobody
+/// asks beforehand.
+TEST(Cells, LeaveAllBlocksToTheSearchOfCrowdsWhereItHasLittleMoreToDo) {
+  constexpr std::uint32_t rods = 128;  // each is asked in the survey
+  for (const std::uint32_t crowded : {rods / 2, rods / 8, rods / 8 - 1})
+    for (const float apart : {1.9f, 0.95f}) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t k = 0; k < crowded; ++k) add_rod(spheres, 0, 0, 0.01f * static_cast<float>(k));
+      for (std::uint32_t k = crowded; k < rods; ++k)
+        add_rod(spheres, 0, 100 + apart * static_cast<float>(k), 0);
+      const Chain chain = each_block_a_strand(spheres);
+      const std::string all = std::to_string(rods) + " of ", some = std::to_string(crowded) + " of ";
+      expect_exact(chain, some + "rods in a crowd, others in a row");
+      const bool left = apart < 1 && 8 * crowded >= rods;
+      for (const std::string cells : {"0", "4194304"}) {
+        const std::string name = "DeviceHybrid@host(least=0,cells=" + cells;
+        EXPECT_TRUE(left_to_grid(name + ",survey=128)", chain).starts_with(left ? all : some))
+            << cells << ", " << crowded;
+        EXPECT_TRUE(left_to_grid(name + ",survey=0)", chain).starts_with(some)) << cells << ", " << crowded;
+      }
+    }
+}
+
+/// Where the tree says little of what is near, whom its blocks meet is asked of the cells, if these are
+/// there.
+TEST(Cells, LeaveNoneToTheSearchOfCrowdsOfWhichTheTreeDoesNotKnow) {
+  constexpr std::uint32_t rods = 8 * (BlockSurvey::room + 40);
+  const Chain chain = each_block_a_strand(scattered_rods(rods, 900));
+  EXPECT_TRUE(
+      left_to_grid("DeviceHybrid@host(cells=4194304)", chain).starts_with(std::to_string(rods) + " of "));
+  const std::string said = left_to_grid("DeviceHybrid@host", chain);
+  EXPECT_LT(std::stoul(said), rods / 100) << said;
+  expect_exact(chain, "rods scattered in a cube");
+}
+
+}  // namespace
+}  // namespace catena::properties
