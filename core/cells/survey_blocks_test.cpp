@@ -14,9 +14,10 @@ namespace {
 /// Balls as blocks, so many at one place and the next ones far from them, in a tree of one level.
 class Survey {
  public:
-  Survey(std::uint32_t blocks, std::uint32_t together, std::uint32_t asked, bool in_cells) {
+  Survey(std::uint32_t blocks, std::uint32_t together, std::uint32_t asked, bool in_cells, float ratio = 1) {
     ChainView chain{};
     chain.size = blocks * CapsuleBlocks::block;
+    chain.extent.least_radius = 1, chain.extent.greatest_radius = ratio;
     blocks_ = CapsuleBlocks::of(chain, CapsuleBlocks::most_partners, 1, 0, in_cells ? 0 : ~0u, asked);
     for (std::uint32_t b = 0; b < blocks; ++b)
       capsule_.push_back(BlockCapsule::around({10.0f * static_cast<float>(b / together), 0, 0, 1}));
@@ -95,6 +96,7 @@ TEST(BlockSurvey, LeavesAllWhereNobodyHasFewPartners) {
   EXPECT_TRUE(Survey(100, 100, 64, true).all_left());
   EXPECT_FALSE(Survey(100, 100, 0, false).all_left());
   EXPECT_FALSE(Survey(100, 5, 64, false).all_left());  // none is crowded
+  EXPECT_FALSE(Survey(100, 100, 64, false, 1000).all_left());  // radii are unlike
 }
 
 }  // namespace
