@@ -186,6 +186,16 @@ TEST(Cells, CountNoMoreCrowdedSpheresThanThereAre) {
   }
 }
 
+/// Nor do fewer spheres need more buckets than more, whatever box the table is laid out for.
+TEST(Cells, NeedNoMoreBucketsForFewerSpheres) {
+  for (double cells = 1; cells < 420; cells += 0.5) {
+    constexpr float radius = 0.5f;  // a cell is a little more than 1 wide
+    const SphereCells of = SphereCells::of({radius, radius, 3 * cells, 1e3f});
+    for (std::uint32_t k = 1; k < SphereCells::tables; ++k)
+      EXPECT_LE(of.table[k - 1].buckets, of.table[k].buckets) << cells << " cells, table " << k;
+  }
+}
+
 /// Thicker than it is finely sampled: a window certifies what no neighbours do.
 TEST(Cells, GoOnInOrderBeyondAWindow) {
   for (const std::uint32_t window : {1u, 2u, 3u, 30u, 31u, 32u, 40u})

@@ -56,6 +56,10 @@ struct SphereCells {
                      extent.least_radius == extent.greatest_radius};
     for (CellTable& table : cells.table)
       table = table.compact(extent.sides * cells.cells_per_unit / 3, cells.octaves.one);
+    // Memory is taken for the table of all spheres: that of fewer, which the box just does not fit, has no
+    // more.
+    for (std::uint32_t k = tables - 1; k-- > 0;)
+      if (cells.table[k].buckets > cells.table[k + 1].buckets) cells.table[k] = cells.table[k + 1];
     return cells;
   }
 
