@@ -48,7 +48,7 @@ class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
     use(ToldSearch(chain, nullptr, cells->placed()));
   }
 
-  void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
+  void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     SphereCells::State* const state = state_.reserve(1, stream);
     CATENA_CUDA(cudaMemsetAsync(state, 0, sizeof *state, stream));
@@ -63,6 +63,7 @@ class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
     });
     in_range_ = in_range<Arithmetic>(chain);
   }
+  bool give_back(StreamHandle stream) override { return cells_.give_back(static_cast<cudaStream_t>(stream)); }
 
   const std::uint64_t binned_;
   DeviceBuffer<SphereCells::State> state_;

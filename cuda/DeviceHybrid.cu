@@ -179,7 +179,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
     use(ToldSearch(chain, &blocks->blocks(), cells->placed()));
   }
 
-  void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
+  void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     lay_out(chain, stream);
     const std::uint32_t n = blocks_.blocks;
@@ -213,6 +213,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
     });
     in_range_ = in_range<Arithmetic>(chain);
   }
+  bool give_back(StreamHandle stream) override { return cells_.give_back(static_cast<cudaStream_t>(stream)); }
 
   static unsigned up(std::uint32_t items, std::uint32_t together) {
     return (items + together - 1) / together;

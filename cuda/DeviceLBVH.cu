@@ -101,7 +101,7 @@ class DeviceLBVH final : public ResidentVariant, public EvidenceNodes {
     use(on_host);
   }
 
-  void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
+  void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     const std::uint32_t n = chain.size;
     tree_ = {};

@@ -33,7 +33,7 @@ class GPU1 final : public ResidentVariant {
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
  private:
-  void enqueue_build(const ChainView&, const Request&, StreamHandle) override {}
+  void enqueue_construction(const ChainView&, const Request&, StreamHandle) override {}
 
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                     StreamHandle handle) override {

@@ -4,6 +4,7 @@
 #include <cub/block/block_reduce.cuh>
 #include <cub/block/block_scan.cuh>
 #include <cub/block/block_store.cuh>
+#include <limits>
 
 #include "catena/core/cells/sphere_cells.h"
 #include "catena/core/parameters/parameters.h"
@@ -224,6 +225,7 @@ class DeviceCellBins {
   template <class Members>
   void enqueue(const ChainView& chain, const SphereCells& cells, const Members& members,
                cudaStream_t stream) {
+    if (chain.size >= refused_) return;
     const CellTable& largest = cells.table_for(chain.size);
     const std::size_t of_buckets = sizeof(std::uint32_t) << CellBins::log2_buckets(largest),
                       of_bins = sizeof(std::uint32_t) * most_bins(cells, chain.size);
@@ -233,8 +235,12 @@ class DeviceCellBins {
                                   CellBins::most * sizeof(std::uint32_t), stream));
     CellBins bins{count_.data(), begin_.reserve(CellBins::most + 1, stream),
                   next_.reserve(CellBins::most, stream), nullptr, nullptr};
-    if (!sphere_.try_reserve(chain.size, stream)) return;
-    if (!cells.octaves.equal && !index_.try_reserve(chain.size, stream)) return;
+    if (!sphere_.try_reserve(chain.size, stream) ||
+        (!cells.octaves.equal && !index_.try_reserve(chain.size, stream))) {
+      give_back(stream);
+      refused_ = chain.size;
+      return;
+    }
     bins.sphere = sphere_.data(), bins.index = index_.data();
     const auto blocks = [&](std::uint32_t together, unsigned most) {
       return std::min((chain.size + together - 1) / together, most);
@@ -246,6 +252,15 @@ class DeviceCellBins {
                                               of_bins, stream, chain, cells, bins, members);
     launch_next_sharing<sort_bins<Members>>(CellBins::bins(largest), CellBins::threads, of_buckets, stream,
                                             cells, bins, members);
+  }
+
+  /// The memory by the number of spheres, for what needs it more, and from now on goes without: false when there is
+  /// none of it. Whoever was refused does not ask again either, as a recorded graph would, where it is warm.
+  bool give_back(cudaStream_t stream) {
+    const std::size_t room = std::max(sphere_.capacity(), index_.capacity());
+    if (room > 0) refused_ = std::min(refused_, room);
+    sphere_.release(stream), index_.release(stream);
+    return room > 0;
   }
 
  private:
@@ -267,6 +282,7 @@ class DeviceCellBins {
 
   DeviceBuffer<std::uint32_t> count_, begin_, next_, index_;
   DeviceBuffer<Sphere> sphere_;
+  std::size_t refused_ = std::numeric_limits<std::size_t>::max();  ///< there is no room for so many spheres
 };
 
 }  // namespace catena::cuda

@@ -10,9 +10,9 @@
 
 namespace catena::cuda {
 
-/// Device memory that grows and never shrinks, so that a second build of the same size does not allocate.
-/// Allocation is ordered with the stream it is given; the end of the buffer waits for all of its users, as by
-/// then their stream may be gone.
+/// Device memory that grows and never shrinks by itself, so that a second build of the same size does not
+/// allocate. Allocation is ordered with the stream it is given; the end of the buffer waits for all of its
+/// users, as by then their stream may be gone.
 template <class T>
 class DeviceBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -58,16 +58,17 @@ class DeviceBuffer {
     return true;
   }
 
-  T* data() const { return data_; }
-  std::size_t capacity() const { return capacity_; }
-
- private:
+  /// Gives the memory back, once the stream comes to it.
   void release(cudaStream_t stream) {
     if (data_ != nullptr) CATENA_CUDA(cudaFreeAsync(data_, stream));
     data_ = nullptr;
     capacity_ = 0;
   }
 
+  T* data() const { return data_; }
+  std::size_t capacity() const { return capacity_; }
+
+ private:
   T* data_ = nullptr;
   std::size_t capacity_ = 0;
   int device_ = 0;

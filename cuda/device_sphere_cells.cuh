@@ -263,6 +263,9 @@ class DeviceSphereCells {
     if (!cells_.octaves.one) search<search_octaves<Tests, Members>>(chain, request, answer, stream);
   }
 
+  /// Memory that the build took and the search does without; false when there is none.
+  bool give_back(cudaStream_t stream) { return bins_.give_back(stream); }
+
   /// On the device, of the last build.
   const SphereCells& cells() const { return cells_; }
 

@@ -128,11 +128,15 @@ TEST_P(DeviceResident, AHostBuildAfterwardsIsOfTheHostsChain) {
   const ChainView chain = device_->to_device(other.view());
   enqueue(chain, room_for(chain.size, 1000));
   stream_->synchronize();
+  ResidentSearch* const held = variant_->resident();
   Collisions found;
   EXPECT_THROW(variant_->find(yarn(), {}, found), std::logic_error);
   variant_->build(yarn());
   variant_->find(yarn(), {}, found);
   EXPECT_TRUE(reference::compare(yarn(), exact, found).right());
+  held->enqueue_build(chain, {}, static_cast<cudaStream_t>(*stream_));
+  EXPECT_THROW(variant_->find(yarn(), {}, found), std::logic_error);
+  stream_->synchronize();
 }
 
 INSTANTIATE_TEST_SUITE_P(Device, DeviceResident,

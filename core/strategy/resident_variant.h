@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "catena/core/error.h"
 #include "catena/core/strategy/device.h"
 #include "catena/core/strategy/variant.h"
 
@@ -25,12 +26,23 @@ class ResidentVariant : public Variant, protected ResidentSearch {
 
   void find(const Chain& chain, const Request& request, Collisions& result) final {
     check(chain);
-    const auto times = device_->answer(
-        chain.size(), request, result,
-        [&](const ResidentAnswer& answer, StreamHandle stream) {
-          enqueue_search(chain_, request, answer, stream);
-        },
-        [&](const ResidentState& seen) { mend(seen); });
+    const auto fetch = [&] {
+      return device_->answer(
+          chain.size(), request, result,
+          [&](const ResidentAnswer& answer, StreamHandle stream) {
+            enqueue_search(chain_, request, answer, stream);
+          },
+          [&](const ResidentState& seen) { mend(seen); });
+    };
+    Device::Times times;
+    try {
+      times = fetch();
+    } catch (const CapacityError&) {
+      bool more = false;
+      device_->run([&](StreamHandle stream) { more = give_back(stream) || more; });
+      if (!more) throw;
+      times = fetch();
+    }
     timings_.find_ms = times.work_ms;
     timings_.transfer_ms = upload_ms_ + times.transfer_ms;
     timings_.start_ms = build_start_ms_ + times.start_ms;
@@ -38,10 +50,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
 
   Timings timings() const final { return timings_; }
 
-  ResidentSearch* resident() final {
-    built_.reset();  // whoever takes it brings a chain of his own
-    return this;
-  }
+  ResidentSearch* resident() final { return this; }
 
  protected:
   /// Throws std::logic_error unless it is of the size of that of the last build.
@@ -52,8 +61,13 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   const ChainView& host_chain() const { return host_chain_; }
   void run_on_device(const Device::Work& work) const { device_->run(work); }
 
+  /// Like enqueue_build.
+  virtual void enqueue_construction(const ChainView& chain, const Request& request, StreamHandle stream) = 0;
+  /// Like enqueue_find, into an answer that was cleared.
   virtual void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                               StreamHandle stream) = 0;
+  /// Gives memory back that the construction took and the search does without; false when there is none.
+  virtual bool give_back(StreamHandle) { return false; }
 
  private:
   void build_from(const Chain& chain, const Moved& moved) {
@@ -68,6 +82,10 @@ class ResidentVariant : public Variant, protected ResidentSearch {
     timings_.transfer_ms = upload_ms_;
     timings_.start_ms = build_start_ms_ = times.start_ms;
     built_ = chain.size();
+  }
+  void enqueue_build(const ChainView& chain, const Request& request, StreamHandle stream) final {
+    built_.reset();  // this object's own chain is no longer the one that was built
+    enqueue_construction(chain, request, stream);
   }
   void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                     StreamHandle stream) final {

@@ -114,7 +114,7 @@ class ResidentBlocks final : public ResidentVariant {
  private:
   static std::uint32_t blocks_of(std::uint32_t n) { return (n + block - 1) / block; }
 
-  void enqueue_build(const ChainView& chain, const Request&, StreamHandle handle) override {
+  void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     spheres_ = chain.size;
     const std::uint32_t blocks = blocks_of(chain.size);
