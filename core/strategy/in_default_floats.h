@@ -6,6 +6,7 @@
 #include "catena/core/default_floats.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/keeps_answer.h"
+#include "catena/core/strategy/resident.h"
 #include "catena/core/strategy/variant.h"
 
 namespace catena {
@@ -41,7 +42,10 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
   std::string answered_by() const override { return variant_->answered_by(); }
   void visit_bounds(BoundsVisitor& visitor) const override { variant_->visit_bounds(visitor); }
   Accounting evidence() const override { return variant_->evidence(); }
-  ResidentSearch* resident() override { return variant_->resident(); }
+  ResidentSearch* resident() override {
+    resident_.search = variant_->resident();
+    return resident_.search == nullptr ? nullptr : &resident_;
+  }
 
   void visit_evidence(BoundsVisitor& visitor) const override { visit_evidence_nodes(*variant_, visitor); }
   const Collisions& find_kept(const Chain& chain, const Request& request) override {
@@ -52,7 +56,23 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
   }
 
  private:
+  /// What of a resident search is computed on the host: cells and ranges of its chain.
+  struct Resident final : ResidentSearch {
+    ResidentSearch* search = nullptr;
+    void enqueue_build(const ChainView& chain, const Request& request, StreamHandle stream) override {
+      const DefaultFloats floats;
+      search->enqueue_build(chain, request, stream);
+    }
+    void enqueue_find(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
+                      StreamHandle stream) override {
+      const DefaultFloats floats;
+      search->enqueue_find(chain, request, answer, stream);
+    }
+    void mend(const ResidentState& seen) override { search->mend(seen); }
+  };
+
   std::unique_ptr<Variant> variant_;
+  Resident resident_;
   KeepsAnswer* keeper_;  ///< the same, if it is one
   Collisions own_;       ///< where it is none
 };

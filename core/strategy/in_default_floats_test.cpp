@@ -1,6 +1,9 @@
 #include "catena/core/strategy/in_default_floats.h"
 
 #include <gtest/gtest.h>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include <memory>
 #include <string>
@@ -44,15 +47,26 @@ class Asked : public Variant {
   std::vector<std::string>& asked_;
 };
 
-class AskedAndKeeping final : public Asked, public KeepsAnswer, public EvidenceNodes {
+class AskedAndKeeping final : public Asked, public KeepsAnswer, public EvidenceNodes, ResidentSearch {
  public:
   using Asked::Asked;
+  ResidentSearch* resident() override { return this; }
+  void enqueue_build(const ChainView& chain, const Request&, StreamHandle) override {
+    note("enqueue_build", chain.size + (tiny_ * 0.5f > 0 ? 0 : 100));
+  }
+  void enqueue_find(const ChainView& chain, const Request&, const ResidentAnswer&, StreamHandle) override {
+    note("enqueue_find", chain.size + (tiny_ * 0.5f > 0 ? 0 : 100));
+  }
+  void mend(const ResidentState& seen) override { note("mend", seen.found); }
   const Collisions& find_kept(const Chain&, const Request& request) override {
     note("find_kept", request.pair_limit);
     return kept_;
   }
   void visit_evidence(BoundsVisitor&) const override { note("visit_evidence", 0); }
   const Collisions kept_{true, 11, {}, {}};
+
+ private:
+  volatile float tiny_ = 1e-38f;  ///< half of it is 0 where a caller has subnormal numbers flushed
 };
 
 struct Ignored final : BoundsVisitor, EvidenceSink {
@@ -99,9 +113,26 @@ TEST(InDefaultFloats, PassesAllOnAsItIs) {
     EXPECT_EQ(variant.work()[0].times, 9u);
     EXPECT_EQ(variant.answered_by(), "another");
     EXPECT_EQ(variant.evidence(), Accounting::each_pair);
-    EXPECT_EQ(variant.resident(), nullptr);
+    EXPECT_EQ(variant.resident() != nullptr, keeping);
   }
 }
+
+#ifdef __SSE2__
+/// A resident search computes its cells on the host.
+TEST(InDefaultFloats, PassesOnWhatIsResident) {
+  std::vector<std::string> asked;
+  InDefaultFloats variant(std::make_unique<AskedAndKeeping>(asked));
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | 0x8040);  // results and operands that are subnormal are 0
+  ChainView chain{};
+  chain.size = 3;
+  variant.resident()->enqueue_build(chain, {}, nullptr);
+  variant.resident()->enqueue_find(chain, {}, {}, nullptr);
+  variant.resident()->mend({4, 1});
+  _mm_setcsr(before);
+  EXPECT_EQ(asked, (std::vector<std::string>{"enqueue_build 3", "enqueue_find 3", "mend 4"}));
+}
+#endif
 
 /// Of both stages, the construction's first.
 TEST(Composed, TellsWhatItsTraversalDecided) {

@@ -36,8 +36,10 @@ struct CATENA_API ResidentAnswer {
 class CATENA_API ResidentSearch {
  public:
   virtual ~ResidentSearch() = default;
-  /// Stage 1 on a chain whose pointers are all of the device (Device::to_device makes one). Throws
-  /// CapacityError past a declared limit on n.
+  /// Stage 1 on a chain whose pointers are all of the device (Device::to_device makes one). What chain.extent
+  /// says is believed, now and whenever work that was recorded is launched again: spheres that moved since
+  /// need one that held for all of them; a greater one is right too. Throws CapacityError past a declared
+  /// limit on n.
   virtual void enqueue_build(const ChainView& chain, const Request& request, StreamHandle stream) = 0;
   /// Stage 2 on the chain of the last enqueue_build. Writes all of `answer` that is not nullptr, what it held
   /// before is lost. request.pair_limit is the caller's to compare with state.found.
