@@ -40,16 +40,20 @@ __device__ inline void await_previous() {
 template <auto kernel, class... Arguments>
 void launch_next_sharing(unsigned blocks, unsigned threads, std::size_t shared, cudaStream_t stream,
                          const Arguments&... arguments) {
-  static const bool can_wait = [] {
-    cudaFuncAttributes attributes{};
-    CATENA_CUDA(cudaFuncGetAttributes(&attributes, kernel));
-    return attributes.ptxVersion >= 90;
+  static const cudaFuncAttributes attributes = [] {
+    cudaFuncAttributes of_kernel{};
+    CATENA_CUDA(cudaFuncGetAttributes(&of_kernel, kernel));
+    return of_kernel;
   }();
   if (blocks == 0) return;
   constexpr std::size_t without_asking = 32 << 10;  // with what a kernel has of a fixed size, at most 48 KiB
-  if (shared > without_asking)
-    CATENA_CUDA(
-        cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(shared)));
+  if (shared > without_asking) {  // for all that there is: another thread may launch it with more at this moment
+    int device = 0, most = 0;
+    CATENA_CUDA(cudaGetDevice(&device));
+    CATENA_CUDA(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device));
+    CATENA_CUDA(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
+                                     most - static_cast<int>(attributes.sharedSizeBytes)));
+  }
   cudaLaunchAttribute overlap{};
   overlap.id = cudaLaunchAttributeProgrammaticStreamSerialization;
   overlap.val.programmaticStreamSerializationAllowed = 1;
@@ -59,7 +63,7 @@ void launch_next_sharing(unsigned blocks, unsigned threads, std::size_t shared, 
   config.dynamicSmemBytes = shared;
   config.stream = stream;
   config.attrs = &overlap;
-  config.numAttrs = can_wait ? 1 : 0;
+  config.numAttrs = attributes.ptxVersion >= 90 ? 1 : 0;
   CATENA_CUDA(cudaLaunchKernelEx(&config, kernel, arguments...));
 }
 template <auto kernel, class... Arguments>

@@ -202,8 +202,10 @@ class NearQueue {
     converge();
   }
   __device__ void tell_found(unsigned long long* total) {
-    const LaneSum sum = LaneSum::of(found_);
-    if (DeviceWarp::lane() == 0 && sum.all != 0) atomicAdd(total, static_cast<unsigned long long>(sum.all));
+    // By halves: what the threads of a warp counted together may need more than 32 bits.
+    const LaneSum low = LaneSum::of(found_ & 0xFFFF), high = LaneSum::of(found_ >> 16);
+    const unsigned long long all = (static_cast<unsigned long long>(high.all) << 16) + low.all;
+    if (DeviceWarp::lane() == 0 && all != 0) atomicAdd(total, all);
     found_ = 0;
   }
 
