@@ -21,9 +21,10 @@ class WorkSink final : public EvidenceSink {
   void excluded(std::uint32_t, std::uint32_t) override {}
   void compared(std::uint32_t, std::uint32_t) override { ++compared_; }
 
+  /// A search without nodes has none to go on to, whatever trees tell of what it left out.
   Work work(std::uint64_t bytes_of_bound) const {
-    return {pair_tests_, compared_,
-            (pair_tests_ + compared_) * bytes_of_bound + (compared_ - discarded_nodes_) * sizeof(Links)};
+    const std::uint64_t gone_on = compared_ - std::min(compared_, discarded_nodes_);
+    return {pair_tests_, compared_, (pair_tests_ + compared_) * bytes_of_bound + gone_on * sizeof(Links)};
   }
 
  private:

@@ -51,6 +51,10 @@ TEST(Work, IsTheSameInEveryRunAndForTheSameSearch) {
     if (info.name != "SweepAndPrune") {
       EXPECT_GT(work->node_visits, visits) << info.name;
     }
+    const std::uint64_t bounds =
+        (work->pair_tests + work->node_visits) * (info.arithmetic == "double" && !info.all_pairs ? 32 : 16);
+    EXPECT_GE(work->bytes, bounds) << info.name;
+    EXPECT_LE(work->bytes, bounds + 8 * work->node_visits) << info.name;
     // The tests' own example of a tree has coarse leaves, of eight spheres.
     const std::uint64_t share = info.name == "Boxes+BoxesAgainstBoxes" ? 2 : 4;
     EXPECT_LT(work->pair_tests, admissible_pairs(chain) / share) << info.name;
