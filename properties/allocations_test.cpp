@@ -4,17 +4,24 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <new>
 #include <vector>
+
+#include "catena/properties/testing/failing_allocations.h"
 
 /// The test program counts its allocations, for the property "no allocation once warm".
 namespace {
 
 thread_local std::uint64_t calls = 0, bytes = 0;
+constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
+std::atomic<std::int64_t> left = unlimited;  ///< given until FailingAllocations ends
 
 void* counted(std::size_t size, std::size_t alignment) {
+  if (left.load(std::memory_order_relaxed) != unlimited && left.fetch_sub(1) <= 0) throw std::bad_alloc();
   ++calls;
   size += size == 0;
   void* memory = alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
@@ -58,6 +65,10 @@ void operator delete(void* memory, std::align_val_t) noexcept { give_back(memory
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { give_back(memory); }
 
 namespace catena::properties {
+
+FailingAllocations::FailingAllocations(std::int64_t given) { left = given; }
+FailingAllocations::~FailingAllocations() { left = unlimited; }
+
 namespace {
 
 TEST(Allocations, AreCounted) {

@@ -6,14 +6,14 @@
 namespace catena {
 namespace {
 
-void make_room(BlockTree& tree) {
+void make_room(BlockTree& tree, std::uint32_t blocks) {
   const auto groups = [](std::uint32_t count) {
     return count / BlockTree::group + (count % BlockTree::group != 0);
   };
-  tree.capsules.resize(std::size_t{groups(tree.blocks)} * BlockTree::group * BlockTree::capsule_fields);
-  tree.ordered.assign(groups(tree.blocks), 0);
+  tree.capsules.resize(std::size_t{groups(blocks)} * BlockTree::group * BlockTree::capsule_fields);
+  tree.ordered.assign(groups(blocks), 0);
   std::size_t l = 0;
-  for (std::uint32_t count = groups(tree.blocks); count > 0; count = count > 1 ? groups(count) : 0, ++l) {
+  for (std::uint32_t count = groups(blocks); count > 0; count = count > 1 ? groups(count) : 0, ++l) {
     if (l == tree.level.size()) tree.level.emplace_back();
     tree.level[l].count = count;
     tree.level[l].oriented.resize(std::size_t{groups(count)} * BlockTree::group * BlockTree::oriented_fields);
@@ -54,8 +54,10 @@ std::uint32_t count_blocks(const ChainView& chain) {
 
 void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
   tree.scale = block_scale(chain.extent);
-  tree.blocks = count_blocks(chain);
-  make_room_for_blocks(tree, tree.blocks);
+  tree.blocks = 0;  // where there is no room for them, it is a tree of none
+  const std::uint32_t blocks = count_blocks(chain);
+  make_room_for_blocks(tree, blocks);
+  make_room(tree, blocks);
   std::uint32_t b = 0;
   for (std::uint32_t s = 0; s < chain.strand_count; ++s) {
     const bool one = chain.strand_count == 1;
@@ -68,7 +70,7 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
   }
   for (std::uint32_t k = 0; k < 2 * BlockTree::block && chain.size > 0; ++k)
     tree.tail[k] = chain.spheres[std::min(BlockTree::tail_first(chain.size) + k, chain.size - 1)];
-  make_room(tree);
+  tree.blocks = blocks;
 }
 
 }  // namespace catena

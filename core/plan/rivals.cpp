@@ -37,7 +37,7 @@ void Rivals::join(const std::vector<Contender>& rivals, double worth_ms) {
 std::size_t Rivals::place_of(const Contender& who) {
   const auto at = std::ranges::find(contenders_, who);
   const auto place = static_cast<std::size_t>(at - contenders_.begin());
-  if (at == contenders_.end()) contenders_.push_back(who), history_.push_back({});
+  if (at == contenders_.end()) history_.resize(place + 1), contenders_.push_back(who);
   return place;
 }
 

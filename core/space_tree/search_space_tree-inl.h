@@ -46,7 +46,9 @@ class SpaceSearch {
  public:
   SpaceSearch(const ChainView& chain, const BlockTree& tree, const SpaceTree& space, BlockQueues& queues,
               PairCollector::Lane& lane, Sink& sink)
-      : space_(space), sink_(sink), neighbours_(chain, tree), leaves_(chain, tree, queues, lane, sink) {}
+      : space_(space), sink_(sink), neighbours_(chain, tree), leaves_(chain, tree, queues, lane, sink) {
+    queues.clear();  // of what a search left that ended for want of memory
+  }
 
   bool skip(std::uint32_t a, std::uint32_t b) const { return space_.dense_node[a] && space_.dense_node[b]; }
 

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <new>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "catena/core/strategy/registry.h"
+#include "catena/properties/sorted_pairs.h"
+#include "catena/properties/testing/failing_allocations.h"
+#include "catena/properties/testing/random_spheres.h"
+#include "catena/reference/reference.h"
+
+// Who ran out of memory and has it again answers as one that never did.
+namespace catena::properties {
+namespace {
+
+struct ForgottenEvidence final : EvidenceSink {
+  void discarded(std::uint32_t, std::uint32_t) override {}
+  void tested(std::uint32_t, std::uint32_t) override {}
+  void excluded(std::uint32_t, std::uint32_t) override {}
+};
+
+struct Solved {
+  Chain chain;
+  reference::Answer right;
+  explicit Solved(Chain of) : chain(std::move(of)), right(reference::find(chain)) {}
+
+  void expect_of(Variant& variant) const {
+    Collisions found;
+    variant.find(chain, {}, found);
+    sort(found.pairs);
+    EXPECT_EQ(found.pairs, right.pairs);
+    EXPECT_EQ(found.count, right.count);
+    if (variant.evidence() == Accounting::none) return;
+    ForgottenEvidence ignored;
+    Collisions with_evidence;
+    variant.find_with_evidence(chain, {}, with_evidence, ignored);
+    sort(with_evidence.pairs);
+    EXPECT_EQ(with_evidence.pairs, right.pairs) << "with evidence";
+  }
+};
+
+/// Does it with no memory but for 0, 1, 2 ... allocations, until that is enough, and `after` each time.
+template <class Work, class After>
+void expect_nothing_left(const Work& work, const After& after) {
+  for (std::int64_t given = 0;; given += 1 + given / 4) {
+    bool done = true;
+    try {
+      const FailingAllocations none(given);
+      work();
+    } catch (const std::bad_alloc&) {
+      done = false;
+    }
+    SCOPED_TRACE(std::to_string(given) + " allocations");
+    after();
+    if (done || testing::Test::HasFailure()) return;
+  }
+}
+
+const std::vector<Solved>& solved() {
+  static const std::vector<Solved> all = [] {
+    std::mt19937 dice(5);
+    std::vector<Solved> made;
+    made.emplace_back(Chain(spheres_in_volume(500, 0.4f, dice)));  // crowded
+    std::vector<Sphere> row;
+    for (int k = 0; k < 200; ++k) row.push_back({static_cast<float>(k), 0, 0, 1.1f});
+    made.emplace_back(Chain(row));
+    Strands each{{0}, {}};
+    std::vector<Sphere> square;
+    for (std::uint32_t k = 0; k < 60; ++k) {
+      square.push_back({static_cast<float>(k % 8), static_cast<float>(k / 8), 0, 0.5f});
+      each.first.push_back(k + 1);
+    }
+    made.emplace_back(Chain(square, each));
+    return made;
+  }();
+  return all;
+}
+
+class OutOfMemory : public testing::TestWithParam<const char*> {};
+
+TEST_P(OutOfMemory, InABuildLeavesNothingBehind) {
+  for (const Solved& first : solved())
+    for (const Solved& next : solved()) {
+      std::unique_ptr<Variant> variant;
+      const auto anew = [&] { variant = StrategyRegistry::instance().make(GetParam()); };
+      anew();
+      expect_nothing_left([&] { variant->build(first.chain); },
+                          [&] {
+                            variant->build(next.chain);
+                            next.expect_of(*variant);
+                            anew();
+                          });
+    }
+}
+
+TEST_P(OutOfMemory, InASearchLeavesNothingBehind) {
+  for (const Solved& first : solved())
+    for (const Solved& next : solved()) {
+      const auto variant = StrategyRegistry::instance().make(GetParam());
+      ASSERT_GT(first.right.pair_count, 0u);
+      expect_nothing_left(
+          [&] {
+            variant->build(first.chain);
+            Collisions found;
+            variant->find(first.chain, {}, found);
+          },
+          [&] {
+            variant->build(next.chain);
+            next.expect_of(*variant);
+          });
+      variant->build(first.chain);
+      expect_nothing_left(
+          [&] {
+            Collisions found;
+            variant->find(first.chain, {}, found);
+          },
+          [&] { first.expect_of(*variant); });
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Host, OutOfMemory,
+                         testing::Values("auto", "auto(frames=always)", "Hybrid", "Hybrid(threads=2)",
+                                         "Hybrid(threads=2,crowd=0,dense=1000000)", "SphereTree", "ChainTree",
+                                         "Grid", "LBVH+Half", "SweepAndPrune", "DeviceHybrid@host(least=0)"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::erase_if(name,
+                                         [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace catena::properties
