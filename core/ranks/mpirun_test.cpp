@@ -28,15 +28,16 @@ class Mpirun : public Program {
     if (!std::filesystem::exists(CATENA_MPIRUN)) GTEST_SKIP() << "there is no " << CATENA_MPIRUN;
   }
 
-  /// `before` are settings of the environment. --quiet, as mpirun tells of every exit code by many lines of
-  /// its own; and it does not wait a second before it kills what another rank's failure left running.
-  ProgramOutcome run_ranks(const std::string& arguments, unsigned ranks = 3,
-                           const std::string& before = "") const {
+  /// `before` are settings of the environment, `limit` seconds. --quiet, as mpirun tells of every exit code
+  /// by many lines of its own; and it does not wait a second before it kills what another rank's failure left
+  /// running.
+  ProgramOutcome run_ranks(const std::string& arguments, unsigned ranks = 3, const std::string& before = "",
+                           unsigned limit = 120) const {
     const char* const as_root = geteuid() == 0 ? "--allow-run-as-root" : "";
     return shell(
-        fmt::format("{} OMPI_MCA_odls_base_sigkill_timeout=0 ASAN_OPTIONS=detect_leaks=0 timeout 120 '{}' "
+        fmt::format("{} OMPI_MCA_odls_base_sigkill_timeout=0 ASAN_OPTIONS=detect_leaks=0 timeout {} '{}' "
                     "--quiet --oversubscribe {} -n {} '{}' {} > '{}'",
-                    before, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
+                    before, limit, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
   }
   void expect_one_line(const ProgramOutcome& r, const std::string& because) const {
     EXPECT_EQ(r.code, 2) << r.output;
@@ -317,7 +318,10 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   expect_one_line(run_ranks("detect coincident:n=60 --pairs /nowhere/p.csv"), "cannot write /nowhere/p.csv");
   if (const auto full = properties::DeviceFile::full(file("full")))
     expect_one_line(run_ranks("detect coincident:n=60 --pairs '" + *full + "'"), "cannot write " + *full);
-  expect_one_line(run_ranks("detect coincident:n=60 --variant Fastest"), "'Fastest'");
+  // Where one rank alone refuses, and the other waits for it already.
+  expect_one_line(
+      run_ranks("detect rod:n=60 : -n 1 '" CATENA_PROGRAM "' detect rod:n=60 --variant Fastest", 1, "", 30),
+      "catena: rank 1 of 2: there is no strategy 'Fastest'");
   expect_one_line(run_ranks("detect coincident:n=60 --variant CPU1/literal"), "ranks decide exactly");
   expect_one_line(run_ranks("detect path1:n=60,frame=3 --box 0.1,9,9"),
                   "path1:n=60,frame=3 frame 3: the box is 0.1 wide along x, less than twice the reach");
