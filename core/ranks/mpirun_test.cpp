@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <sys/mount.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -92,6 +93,7 @@ void expect_phases_in_chain_order(const nlohmann::json& phases) {
 }
 
 TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
+  std::filesystem::create_symlink("linked.csv", file("ranks.csv"));  // to nothing, yet
   for (const std::string input :
        {"coincident:n=60", "yarn:n=3000,seed=5 --arc-window pi/2", "hair:n=900 --window 3",
         "path1:n=2000,frame=5", CATENA_SOURCE_DIR "/core/readers/examples/1A8O.pdb --radius 3"}) {
@@ -110,6 +112,7 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
         }
       }
   }
+  EXPECT_TRUE(std::filesystem::is_symlink(file("ranks.csv")));
 }
 
 /// Ranks read their own parts of a .catena file, and not where options change what it says.
@@ -332,6 +335,18 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   EXPECT_EQ(text_of(file("in.csv")), table);
   expect_one_line(run_ranks("detect coincident:n=60 --depth"), "--depth and --margin are columns of --pairs");
   expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
+  // On a disk of few pages.
+  const std::string disk = file("disk");
+  std::filesystem::create_directories(disk);
+  if (mount("none", disk.c_str(), "tmpfs", 0, "size=16k") == 0) {
+    const ProgramOutcome full = run_ranks("detect coincident:n=200 --pairs '" + disk + "/p.csv'");
+    EXPECT_EQ(full.code, 2);
+    EXPECT_NE(full.output.find(": cannot write " + disk + "/p.csv: No space left on device\n"),
+              std::string::npos)
+        << full.output;
+    EXPECT_TRUE(std::filesystem::is_empty(disk));
+    EXPECT_EQ(umount(disk.c_str()), 0);
+  }
 }
 
 /// Whatever goes wrong on one rank, wherever: all end within seconds, with its words, and leave no file.
