@@ -8,6 +8,5 @@ int main(int argc, char** argv) {
     const auto command = catena::parse_command_line(argc, argv, launcher != nullptr);
     return command ? command->run() : 0;
   };
-  const auto body = [&] { return catena::guarded_main("catena", run); };
-  return launcher != nullptr ? launcher->run(body) : body();
+  return launcher != nullptr ? launcher->run(run) : catena::guarded_main("catena", run);
 }

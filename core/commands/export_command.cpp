@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -69,6 +70,7 @@ class ExportCommand final : public Command {
  private:
   ExportedFrame exported(const Input& input, std::uint32_t f, bool first) {
     ExportedFrame frame{input.animation->frame(f)};
+    say_lost_arcs(frame.chain);
     if (!search_) return frame;
     frame.box = box_of(input.boxes, f);
     go_to_frame(periodic_, input.boxes, f);
@@ -103,10 +105,31 @@ class ExportCommand final : public Command {
     if (!info.box && has_box) say("box; give it with --box when it is read, or export to .xyz");
   }
 
+  /// A format that has the arc window has no arc lengths but those of the spheres in it; frames keep those of
+  /// frame 0, and a thinned chain those of the whole. Once, of the first frame whose neighbours may be others
+  /// when it is read.
+  void say_lost_arcs(const Chain& chain) {
+    const ExclusionView view = chain.view().exclusion;
+    if (said_arcs_ || view.rule != Exclusion::Rule::arc_window ||
+        !WriterRegistry::instance().of(out_).info.rule)
+      return;
+    const Chain read({chain.spheres().begin(), chain.spheres().end()}, chain.strands(), chain.exclusion());
+    const ExclusionView then = read.view().exclusion;
+    if (std::equal(view.arc, view.arc + chain.size(), then.arc) &&
+        std::equal(view.loop_length, view.loop_length + chain.strand_count(), then.loop_length))
+      return;
+    said_arcs_ = true;
+    fmt::print(
+        stderr, "catena: {}\n",
+        one_line(fmt::format("{}: {} holds no arc lengths of another frame, nor of spheres left out; who "
+                             "are neighbours is measured anew when it is read",
+                             out_, WriterRegistry::instance().of(out_).info.name)));
+  }
+
   std::string input_, out_, variant_ = "aCPU2+CPU2";
   FrameOption frame_;
   InputOptions options_{.takes_box = true};
-  bool contacts_ = false;
+  bool contacts_ = false, said_arcs_ = false;
   std::uint32_t first_frame_ = 0;  ///< of the scene, where the input is one frame of it
   std::unique_ptr<Variant> search_;
   Periodic* periodic_ = nullptr;  ///< search_, where a box repeats space

@@ -10,7 +10,8 @@ class Launcher {
   virtual ~Launcher() = default;
   /// This process is one of those.
   virtual bool launched() const = 0;
-  /// Runs `body`, which gives the exit code, in the company of the others. Only the first process is heard.
+  /// Runs `body` as guarded_main does, in the company of the others. When it throws in one process, all fail:
+  /// none waits for one that gave up, wherever that was. Only the first process is heard.
   virtual int run(const std::function<int()>& body) = 0;
 };
 

@@ -69,6 +69,28 @@ TEST_F(Program, SaysWhatAnExportLoses) {
     EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + static_cast<std::ptrdiff_t>(lines.size()))
         << options << out << r.output;
   }
+  // A chain keeps the arc lengths of frame 0, by which spheres of a frame that shrank are no neighbours.
+  std::string frames;
+  for (const double step : {1.0, 0.5}) {
+    frames += "9\nframe\n";
+    for (int k = 0; k < 9; ++k) frames += "C " + std::to_string(step * k) + " 0 0\n";
+  }
+  const std::string two = write("two.xyz", frames) + " --radius 0.6 --arc-window 1";
+  for (const char* const out : {"a.chain", "a.catena"})
+    for (const int frame : {0, 1}) {
+      const std::string of = " --frame " + std::to_string(frame);
+      const ProgramOutcome r = run("export " + two + of + " '" + file(out) + "'");
+      EXPECT_EQ(r.code, 0) << r.output;
+      const auto pairs = [&](const std::string& input) {
+        const ProgramOutcome found = run("detect " + input + " --json");
+        const std::size_t at = found.output.find("\"pairs\":");
+        return found.output.substr(at, found.output.find(',', at) - at);
+      };
+      EXPECT_EQ(r.output.find("holds no arc lengths of another frame") == std::string::npos, frame == 0)
+          << r.output;
+      EXPECT_EQ(pairs(two + of) == pairs("'" + file(out) + "'"), frame == 0) << out;
+      EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + frame) << r.output;
+    }
 }
 
 TEST_F(Program, WritesPairsAndCounts) {

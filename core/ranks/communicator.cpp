@@ -10,8 +10,9 @@ namespace catena::ranks {
 
 void together(Communicator& ranks, const std::function<void()>& work) {
   const auto fail = [&](const std::string& what) {
-    const std::string line = fmt::format("rank {} of {}: {}", ranks.rank(), ranks.size(), what);
-    throw RankFailed(ranks.fail(line));
+    const bool alone = ranks.size() == 1;
+    throw RankFailed(
+        ranks.fail(alone ? what : fmt::format("rank {} of {}: {}", ranks.rank(), ranks.size(), what)));
   };
   try {
     work();

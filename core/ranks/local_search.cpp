@@ -1,6 +1,7 @@
 #include "catena/core/ranks/local_search.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
@@ -8,8 +9,9 @@
 namespace catena::ranks {
 namespace {
 
-/// Most pairs that are held at once only to look at them, so many or so many a sphere.
-constexpr std::uint64_t most_at_once = 1u << 22, pairs_a_sphere = 8;
+/// Most pairs that are held at once only to look at them, so many or so many a sphere; where more are found,
+/// half of them, but no more than the last.
+constexpr std::uint64_t few_pairs = 1u << 22, pairs_a_sphere = 8, most_pairs = 1u << 27;
 
 /// Where the chain takes some neighbours for colliding.
 std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& variant, KeptPairs& kept) {
@@ -37,19 +39,27 @@ void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint3
 }  // namespace
 
 void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
-                   const std::function<void(const Pair&)>& visit) {
+                   const std::function<void(const Pair&)>& visit, std::uint64_t at_once) {
+  if (at_once == 0) at_once = std::max(few_pairs, pairs_a_sphere * chain.size());
+  range = range.within(chain.size());
   Collisions found;
-  const std::uint64_t n = chain.size(),
-                      limit = range.size() > 1 ? std::max(most_at_once, pairs_a_sphere * n) : n;
+  const auto search = [&](SphereRange some, std::uint64_t limit) {
+    variant.find(chain, {.want = Request::Want::pairs, .pair_limit = limit, .queries = some}, found);
+    for (const Pair& pair : found.pairs) visit(pair);
+  };
   try {
-    variant.find(chain, {.want = Request::Want::pairs, .pair_limit = limit, .queries = range}, found);
-  } catch (const PairLimitExceeded&) {
-    const std::uint32_t middle = range.begin + range.size() / 2;
-    for_each_pair(variant, chain, {range.begin, middle}, visit);
-    for_each_pair(variant, chain, {middle, range.end}, visit);
-    return;
+    return search(range, at_once);
+  } catch (const PairLimitExceeded& exceeded) {
+    at_once = std::max(at_once, std::min(most_pairs, exceeded.found() / 2));
   }
-  for (const Pair& pair : found.pairs) visit(pair);
+  // Spheres begin no more pairs than they have collisions.
+  variant.find(chain, {.want = Request::Want::counts, .queries = range}, found);
+  const std::vector<std::uint32_t> count = std::exchange(found.count, {});
+  for (std::uint32_t begin = range.begin, end = begin; begin < range.end; begin = end) {
+    std::uint64_t sum = count[end++];
+    while (end < range.end && sum + count[end] <= at_once) sum += count[end++];
+    if (sum > 0) search({begin, end}, sum);
+  }
 }
 
 std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant, Request::Want want,

@@ -39,10 +39,11 @@ class KeptPairs {
 };
 
 /// visit(pair) for every pair of the chain, for which the variant was built, whose first sphere is one of
-/// these. Where there are too many to be held at once, half the spheres are searched for at a time: rare, and
-/// as slow as it is often.
+/// these. Where there are more than `at_once` (0: as many as a rank holds with ease), spheres are counted,
+/// and searched for some at a time, with no more than half the pairs or `at_once`. A variant may search the
+/// whole chain for a few spheres; so there are few such searches, up to 2^28 pairs however many there are.
 void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
-                   const std::function<void(const Pair&)>& visit);
+                   const std::function<void(const Pair&)>& visit, std::uint64_t at_once = 0);
 
 /// What search_within asks of the variant for this.
 inline Request::Want asked_within(const HeldPart& part, Request::Want want) {

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <sys/mount.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,15 +29,16 @@ class Mpirun : public Program {
     if (!std::filesystem::exists(CATENA_MPIRUN)) GTEST_SKIP() << "there is no " << CATENA_MPIRUN;
   }
 
-  /// `before` are settings of the environment. --quiet, as mpirun tells of every exit code by many lines of
-  /// its own; and it does not wait a second before it kills what another rank's failure left running.
-  ProgramOutcome run_ranks(const std::string& arguments, unsigned ranks = 3,
-                           const std::string& before = "") const {
+  /// `before` are settings of the environment, `limit` seconds. --quiet, as mpirun tells of every exit code
+  /// by many lines of its own; and it does not wait a second before it kills what another rank's failure left
+  /// running.
+  ProgramOutcome run_ranks(const std::string& arguments, unsigned ranks = 3, const std::string& before = "",
+                           unsigned limit = 120) const {
     const char* const as_root = geteuid() == 0 ? "--allow-run-as-root" : "";
     return shell(
-        fmt::format("{} OMPI_MCA_odls_base_sigkill_timeout=0 ASAN_OPTIONS=detect_leaks=0 timeout 120 '{}' "
+        fmt::format("{} OMPI_MCA_odls_base_sigkill_timeout=0 ASAN_OPTIONS=detect_leaks=0 timeout {} '{}' "
                     "--quiet --oversubscribe {} -n {} '{}' {} > '{}'",
-                    before, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
+                    before, limit, CATENA_MPIRUN, as_root, ranks, CATENA_PROGRAM, arguments, file("out")));
   }
   void expect_one_line(const ProgramOutcome& r, const std::string& because) const {
     EXPECT_EQ(r.code, 2) << r.output;
@@ -91,6 +93,7 @@ void expect_phases_in_chain_order(const nlohmann::json& phases) {
 }
 
 TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
+  std::filesystem::create_symlink("linked.csv", file("ranks.csv"));  // to nothing, yet
   for (const std::string input :
        {"coincident:n=60", "yarn:n=3000,seed=5 --arc-window pi/2", "hair:n=900 --window 3",
         "path1:n=2000,frame=5", CATENA_SOURCE_DIR "/core/readers/examples/1A8O.pdb --radius 3"}) {
@@ -109,6 +112,7 @@ TEST_F(Mpirun, WritesTheTablesOfOneProcess) {
         }
       }
   }
+  EXPECT_TRUE(std::filesystem::is_symlink(file("ranks.csv")));
 }
 
 /// Ranks read their own parts of a .catena file, and not where options change what it says.
@@ -317,7 +321,10 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   expect_one_line(run_ranks("detect coincident:n=60 --pairs /nowhere/p.csv"), "cannot write /nowhere/p.csv");
   if (const auto full = properties::DeviceFile::full(file("full")))
     expect_one_line(run_ranks("detect coincident:n=60 --pairs '" + *full + "'"), "cannot write " + *full);
-  expect_one_line(run_ranks("detect coincident:n=60 --variant Fastest"), "'Fastest'");
+  // Where one rank alone refuses, and the other waits for it already.
+  expect_one_line(
+      run_ranks("detect rod:n=60 : -n 1 '" CATENA_PROGRAM "' detect rod:n=60 --variant Fastest", 1, "", 30),
+      "catena: rank 1 of 2: there is no strategy 'Fastest'");
   expect_one_line(run_ranks("detect coincident:n=60 --variant CPU1/literal"), "ranks decide exactly");
   expect_one_line(run_ranks("detect path1:n=60,frame=3 --box 0.1,9,9"),
                   "path1:n=60,frame=3 frame 3: the box is 0.1 wide along x, less than twice the reach");
@@ -328,6 +335,18 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   EXPECT_EQ(text_of(file("in.csv")), table);
   expect_one_line(run_ranks("detect coincident:n=60 --depth"), "--depth and --margin are columns of --pairs");
   expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
+  // On a disk of few pages.
+  const std::string disk = file("disk");
+  std::filesystem::create_directories(disk);
+  if (mount("none", disk.c_str(), "tmpfs", 0, "size=16k") == 0) {
+    const ProgramOutcome full = run_ranks("detect coincident:n=200 --pairs '" + disk + "/p.csv'");
+    EXPECT_EQ(full.code, 2);
+    EXPECT_NE(full.output.find(": cannot write " + disk + "/p.csv: No space left on device\n"),
+              std::string::npos)
+        << full.output;
+    EXPECT_TRUE(std::filesystem::is_empty(disk));
+    EXPECT_EQ(umount(disk.c_str()), 0);
+  }
 }
 
 /// Whatever goes wrong on one rank, wherever: all end within seconds, with its words, and leave no file.
@@ -353,6 +372,14 @@ TEST_F(Mpirun, EndsAllRanksWhenOneFails) {
     }
     errs = 2 - errs;
   }
+  // While rank 0 is deep in a search, and does not hear of it.
+  const ProgramOutcome busy =
+      run_ranks("detect rod:n=200 --pairs '" + file("tables/p.csv") + "'", 3,
+                "CATENA_RANK_PATIENCE=100 CATENA_RANK_FAULT=build:0:busy,build:1:error,build:2:memory", 30);
+  EXPECT_EQ(busy.code, 2) << busy.output;
+  EXPECT_NE(busy.output.find("catena: rank 1 of 3: a fault"), std::string::npos) << busy.output;
+  EXPECT_EQ(busy.output.find("catena:"), busy.output.rfind("catena:")) << busy.output;
+  EXPECT_TRUE(std::filesystem::is_empty(file("tables")));
   const ProgramOutcome killed = run_ranks("detect yarn:n=2000", 3, "CATENA_RANK_FAULT=within:1:end");
   EXPECT_NE(killed.code, 0);
 }

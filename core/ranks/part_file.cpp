@@ -14,8 +14,6 @@ std::vector<Piece> pieces_of(const BinaryChain& file, SphereId begin, SphereId e
   if (begin == end) return pieces;
   SphereId at = begin;
   for (std::uint64_t number = file.strand_of(begin); at < end; ++number) {
-    if (number == file.header().strands)
-      throw InputError(fmt::format("no strand holds sphere {}; the file is damaged", at));
     const auto [strand, stop] = file.strand(number);
     if (stop <= at) continue;  // without spheres
     const SphereId last = std::min(end, stop);
@@ -58,12 +56,19 @@ Part read_part(Communicator& ranks, const BinaryChain& file) {
   const SphereId begin = starts[ranks.rank()], end = starts[ranks.rank() + 1];
   if (end - begin >= SphereId{1} << 31)
     throw InputError(fmt::format("{} spheres are too many for {} ranks; take more ranks", n, ranks.size()));
+  // All strands, shared out: where they do not ascend, none finds all of those that are its own.
+  const auto strands = [&](unsigned rank) { return even_start(file.header().strands, ranks.size(), rank); };
+  file.require_strands(strands(ranks.rank()), strands(ranks.rank() + 1));
+  ranks.vote();
   const Exclusion rule = file.rule();
   Part part;
   part.rule = {rule.rule, rule.window, rule.factor};
   part.spheres = file.spheres(begin, end);
   part.pieces = pieces_of(file, begin, end);
-  if (rule.rule == Exclusion::Rule::arc_window) part.arcs = file.arcs(begin, end);
+  if (rule.rule == Exclusion::Rule::arc_window) {
+    part.arcs = file.arcs(begin, end);
+    file.require_measured(begin, part.spheres, part.arcs);
+  }
   part.extra = extra_pairs(ranks, file, starts);
   return part;
 }

@@ -73,7 +73,8 @@ Opened by_ranks(unsigned ranks, const std::string& spec, const InputOptions& opt
       });
     });
   } catch (const RankFailed& error) {
-    const std::string words = error.what(), before = "rank 0 of " + std::to_string(ranks) + ": ";
+    const std::string words = error.what(),
+                      before = ranks == 1 ? "" : "rank 0 of " + std::to_string(ranks) + ": ";
     EXPECT_TRUE(words.starts_with(before)) << words;
     all.refusal = words.substr(std::min(before.size(), words.size()));
     return all;

@@ -363,6 +363,15 @@ TEST(PartFile, GivesEachRankItsPartOfAnyChain) {
 void expect_refused(const std::string& bytes, const std::string& because) {
   const std::string words = complaint("a.catena", bytes);
   EXPECT_NE(words.find(because), std::string::npos) << words;
+  for (const unsigned ranks : {1u, 2u, 3u})
+    run_in_threads(ranks, [&](Communicator& c) {
+      try {
+        together(c, [&] { read_part(c, of_bytes(bytes)); });
+        ADD_FAILURE() << ranks << " ranks do not refuse: " << because;
+      } catch (const RankFailed& failed) {
+        EXPECT_NE(std::string(failed.what()).find(because), std::string::npos) << failed.what();
+      }
+    });
 }
 
 TEST(PartFile, RefusesWhatIsNoChain) {
@@ -409,12 +418,42 @@ TEST(PartFile, RefusesWhatIsNoChain) {
   Exclusion joined = Exclusion::index(1);
   joined.extra_pairs = {{0, 2}};
   const std::string paired = binary_of(Chain(std::vector<Sphere>(3), {}, joined));
-  for (const auto& [i, j] : {IdPair{0, 3}, IdPair{2, 2}, IdPair{2, 1}}) {
+  for (const auto& [i, j] : {IdPair{0, 3}, IdPair{2, 2}, IdPair{2, 1}, IdPair{3, 4}, IdPair{200, 300}}) {
     std::string changed = paired;
     std::memcpy(changed.data() + changed.size() - 16, &i, sizeof i);
     std::memcpy(changed.data() + changed.size() - 8, &j, sizeof j);
     expect_refused(changed, "does not name two of the spheres in their order");
   }
+  // Wherever strands do not ascend, one rank of any number sees it.
+  const std::vector<Sphere> row(100);
+  for (const std::uint32_t s : {1u, 2u, 3u}) {
+    std::string changed = binary_of(Chain(row, {{0, 20, 40, 60, 80, 100}, {}}));
+    const std::size_t first = 64 + 100 * 16 + s * 24;
+    for (std::size_t k = 0; k < 8; ++k) std::swap(changed[first + k], changed[first + 24 + k]);
+    expect_refused(changed, fmt::format("strand {} runs from sphere {} to {}", s, 20 * s + 20, 20 * s));
+  }
+}
+
+/// One process measures the spheres, ranks take what the file says.
+TEST(PartFile, RefusesArcLengthsThatAreNotThoseOfItsSpheres) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < 9; ++i)
+    spheres.push_back({static_cast<float>(i), static_cast<float>(i % 3), 0, 0.5f});
+  const std::string whole = binary_of(Chain(spheres, {{0, 4, 9}, {0, 1}}, Exclusion::arc(1.5)));
+  const auto with = [&](std::size_t at, const auto& change) {
+    std::string changed = whole;
+    double length;
+    std::memcpy(&length, changed.data() + at, sizeof length);
+    length = change(length);
+    std::memcpy(changed.data() + at, &length, sizeof length);
+    return changed;
+  };
+  const std::size_t strands = 64 + 9 * 16, arcs = strands + 2 * 24;
+  const auto next = [](double length) { return std::nextafter(length, 1e9); };
+  for (std::uint32_t i = 0; i < 9; ++i)
+    expect_refused(with(arcs + i * 8, next), fmt::format("sphere {} is at the arc length", i));
+  expect_refused(with(strands + 24 + 16, next), "strand 1 has a loop of length");
+  expect_refused(with(arcs + 8, [](double) { return -1.0; }), "sphere 1 is at the arc length -1, but");
 }
 
 TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {

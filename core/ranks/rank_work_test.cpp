@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -104,37 +105,44 @@ TEST(RankWork, CountsNothingWhereOnlyWhetherAnythingCollidesIsAsked) {
   }
 }
 
-/// A variant that can give the pairs of a few spheres only.
-class FewAtATime final : public Variant {
+/// Says how often it was asked, and the most pairs that it gave at once.
+class Asked final : public Variant {
  public:
-  explicit FewAtATime(std::uint32_t most) : most_(most) {}
   void build(const Chain& chain) override { whole_->build(chain); }
   void find(const Chain& chain, const Request& request, Collisions& found) override {
-    if (request.queries.size() > most_) throw PairLimitExceeded(request.pair_limit + 1, request.pair_limit);
+    ++times;
     whole_->find(chain, request, found);
+    most = std::max(most, found.pairs.size());
   }
   Timings timings() const override { return {}; }
 
+  std::size_t times = 0, most = 0;
+
  private:
-  const std::uint32_t most_;
   std::unique_ptr<Variant> whole_ = StrategyRegistry::instance().make("CPU1");
 };
 
-TEST(LocalSearch, VisitsEachPairOnceHoweverFewSpheresAreSearchedAtATime) {
-  const Chain chain = chain_of("winding:n=90,contacts=20");
-  const std::vector<Pair> all = reference::find(chain).pairs;
-  for (const SphereRange range : {SphereRange{0, 90}, SphereRange{13, 76}, SphereRange{5, 6}})
-    for (const std::uint32_t most : {1u, 2u, 7u, 90u}) {
-      FewAtATime variant(most);
-      variant.build(chain);
-      std::vector<Pair> visited, right;
-      for_each_pair(variant, chain, range, [&](const Pair& pair) { visited.push_back(pair); });
-      for (const Pair& pair : all)
-        if (range.contains(pair.i)) right.push_back(pair);
-      std::ranges::sort(visited);
-      EXPECT_EQ(visited, right) << most;
-      EXPECT_GT(right.size(), 5u);
-    }
+TEST(LocalSearch, VisitsEachPairOnceInFewSearchesHoweverFewAreHeldAtOnce) {
+  for (const char* input : {"winding:n=90,contacts=20", "coincident:n=90"}) {
+    const Chain chain = chain_of(input);
+    const std::vector<Pair> all = reference::find(chain).pairs;
+    for (const SphereRange range : {SphereRange{0, 90}, SphereRange{13, 76}, SphereRange{5, 6}})
+      for (const std::uint64_t at_once : {1u, 2u, 7u, 90u, 2000u}) {
+        Asked variant;
+        variant.build(chain);
+        std::vector<Pair> visited, right;
+        for_each_pair(
+            variant, chain, range, [&](const Pair& pair) { visited.push_back(pair); }, at_once);
+        for (const Pair& pair : all)
+          if (range.contains(pair.i)) right.push_back(pair);
+        std::ranges::sort(visited);
+        EXPECT_EQ(visited, right) << input << at_once;
+        EXPECT_GT(right.size(), 5u);
+        EXPECT_LE(variant.times, right.size() <= at_once ? 1u : 12u) << input << at_once;
+        // A sphere alone may have more.
+        EXPECT_LE(variant.most, std::max<std::size_t>({at_once, right.size() / 2, 90})) << input << at_once;
+      }
+  }
 }
 
 TEST(PhaseClock, RunsUntilDone) {

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "catena/core/chain/centre_distance.h"
 #include "catena/core/counted.h"
+#include "catena/core/default_floats.h"
 #include "catena/core/error.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
@@ -78,13 +80,56 @@ std::vector<double> BinaryChain::arcs(std::uint64_t begin, std::uint64_t end) co
 BinaryChain::Extent BinaryChain::strand(std::uint64_t number) const {
   const bool last = number + 1 == header_.strands;
   const auto found = records<Strand>(strands_at_, number, number + (last ? 1 : 2));
-  const std::uint64_t end = last ? header_.spheres : found[1].first;
-  if (found[0].first > end || (number == 0 && found[0].first != 0) || end > header_.spheres)
-    fail(fmt::format("strand {} runs from sphere {} to {}", number, found[0].first, end));
-  if (found[0].closed > 1 || !std::isfinite(found[0].loop_length))
-    fail(fmt::format("strand {} is closed by {}, with a loop of length {}", number, found[0].closed,
-                     found[0].loop_length));
-  return {found[0], end};
+  return checked(number, found[0], last ? header_.spheres : found[1].first);
+}
+
+BinaryChain::Extent BinaryChain::checked(std::uint64_t number, const Strand& strand,
+                                         std::uint64_t end) const {
+  if (strand.first > end || (number == 0 && strand.first != 0) || end > header_.spheres)
+    fail(fmt::format("strand {} runs from sphere {} to {}", number, strand.first, end));
+  if (strand.closed > 1 || !std::isfinite(strand.loop_length))
+    fail(fmt::format("strand {} is closed by {}, with a loop of length {}", number, strand.closed,
+                     strand.loop_length));
+  return {strand, end};
+}
+
+void BinaryChain::require_strands(std::uint64_t begin, std::uint64_t end) const {
+  constexpr std::uint64_t at_once = 1u << 16;
+  for (; begin < end; begin = std::min(end, begin + at_once)) {
+    const std::uint64_t stop = std::min(end, begin + at_once);
+    const auto some = records<Strand>(strands_at_, begin, std::min(stop + 1, header_.strands));
+    for (std::uint64_t k = begin; k < stop; ++k)
+      checked(k, some[k - begin], k + 1 < header_.strands ? some[k + 1 - begin].first : header_.spheres);
+  }
+}
+
+void BinaryChain::require_measured(std::uint64_t begin, std::span<const Sphere> spheres,
+                                   std::span<const double> arcs) const {
+  if (spheres.empty()) return;
+  const DefaultFloats floats;
+  const std::uint64_t end = begin + spheres.size();
+  std::uint64_t at = begin;
+  for (std::uint64_t number = strand_of(begin); at < end; ++number) {
+    const auto [strand, stop] = this->strand(number);
+    if (stop <= at) continue;  // without spheres
+    // What goes before this part is some other's to check.
+    Sphere last = at > strand.first ? this->spheres(at - 1, at)[0] : spheres[at - begin];
+    double length = at > strand.first ? this->arcs(at - 1, at)[0] : 0;
+    for (; at < std::min(end, stop); ++at) {
+      length += centre_distance(last, spheres[at - begin]);
+      last = spheres[at - begin];
+      if (arcs[at - begin] != length)
+        fail(fmt::format("sphere {} is at the arc length {}, but centres say {}; write the file anew", at,
+                         arcs[at - begin], length));
+    }
+    if (strand.closed == 0 || at < stop) continue;
+    const std::uint64_t first = strand.first;
+    length +=
+        centre_distance(last, first < begin ? this->spheres(first, first + 1)[0] : spheres[first - begin]);
+    if (strand.loop_length != length)
+      fail(fmt::format("strand {} has a loop of length {}, but centres say {}; write the file anew", number,
+                       strand.loop_length, length));
+  }
 }
 
 std::uint64_t BinaryChain::strand_of(std::uint64_t sphere) const {
@@ -99,6 +144,8 @@ std::uint64_t BinaryChain::strand_of(std::uint64_t sphere) const {
 
 std::vector<BinaryChain::Neighbours> BinaryChain::pairs(std::uint64_t begin, std::uint64_t end) const {
   const auto first_of = [&](std::uint64_t sphere) {
+    if (sphere == header_.spheres)
+      return header_.pairs;  // also those that begin with no sphere, to be refused
     std::uint64_t low = 0, high = header_.pairs;
     while (low < high) {
       const std::uint64_t middle = low + (high - low) / 2;
@@ -137,7 +184,11 @@ CurveFile read_whole(const std::filesystem::path& file, const ReadOptions& optio
   CurveFile curves(options);
   curves.has_radii = true;
   curves.exclusion = binary.rule();
-  for (const Sphere& s : binary.spheres(0, header.spheres)) curves.add_point(s.x, s.y, s.z, s.radius);
+  const std::vector<Sphere> spheres = binary.spheres(0, header.spheres);
+  binary.require_strands(0, header.strands);
+  // A chain of other arcs would be another one by ranks, which take them from the file.
+  if (header.rule == 1) binary.require_measured(0, spheres, binary.arcs(0, header.spheres));
+  for (const Sphere& s : spheres) curves.add_point(s.x, s.y, s.z, s.radius);
   for (std::uint64_t k = 0; k < header.strands; ++k) {
     const BinaryChain::Extent strand = binary.strand(k);
     curves.strand_first.push_back(static_cast<std::uint32_t>(strand.end));

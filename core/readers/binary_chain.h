@@ -61,6 +61,13 @@ class BinaryChain {
     std::uint64_t end;
   };
   Extent strand(std::uint64_t number) const;
+  /// Throws InputError, naming the strand, for one of these that no chain has. Memory for a few.
+  void require_strands(std::uint64_t begin, std::uint64_t end) const;
+  /// Throws InputError, naming the sphere or strand, unless these arc lengths, of these spheres of the file
+  /// from `begin` on, are what Chain measures of them, bit for bit: who gives all of the file to one Chain
+  /// reads none. A loop is checked with its last sphere.
+  void require_measured(std::uint64_t begin, std::span<const Sphere> spheres,
+                        std::span<const double> arcs) const;
   /// The last strand that begins at this sphere or before it. O(log strands) reads.
   std::uint64_t strand_of(std::uint64_t sphere) const;
   /// The extra pairs whose i is one of these spheres. O(log pairs) reads, and theirs.
@@ -69,6 +76,7 @@ class BinaryChain {
  private:
   template <class Record>
   std::vector<Record> records(std::uint64_t array, std::uint64_t begin, std::uint64_t end) const;
+  Extent checked(std::uint64_t number, const Strand& strand, std::uint64_t end) const;
   [[noreturn]] void fail(const std::string& reason) const;
 
   std::string name_;

@@ -5,6 +5,7 @@
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision_object.h>
 
+#include <memory>
 #include <vector>
 #endif
 
@@ -14,10 +15,11 @@
 namespace catena::reference {
 namespace {
 
-const PeerInfo info{.name = "FCL",
-                    .summary = "the Flexible Collision Library: a dynamic tree of boxes",
-                    .broad_phase = "binary64",
-                    .source = "libfcl-dev"};
+const PeerInfo info{
+    .name = "FCL",
+    .summary = "the Flexible Collision Library: a dynamic tree of boxes, which an update refits",
+    .broad_phase = "binary64",
+    .source = "libfcl-dev"};
 
 #ifdef CATENA_HAS_PEER
 
@@ -28,6 +30,7 @@ class FCL final : public Peer {
   void make(const ChainView& chain) override {
     manager_.reset();
     objects_.clear();
+    shapes_.clear();
     // The tree refers to the objects by address, so they must not move once registered.
     objects_.reserve(chain.size);
     std::vector<Object*> pointers;
@@ -35,7 +38,8 @@ class FCL final : public Peer {
       const Sphere& s = chain.spheres[i];
       fcl::Transform3<double> place = fcl::Transform3<double>::Identity();
       place.translation() = fcl::Vector3<double>(s.x, s.y, s.z);
-      objects_.emplace_back(std::make_shared<fcl::Sphere<double>>(s.radius), place);
+      shapes_.push_back(std::make_shared<fcl::Sphere<double>>(s.radius));
+      objects_.emplace_back(shapes_.back(), place);
       objects_.back().setUserData(reinterpret_cast<void*>(std::uintptr_t{i}));
       pointers.push_back(&objects_.back());
     }
@@ -44,6 +48,19 @@ class FCL final : public Peer {
       manager_->registerObjects(pointers);
       manager_->setup();
     }
+  }
+
+  void move(const ChainView& chain) override {
+    for (std::uint32_t i = 0; i < chain.size; ++i) {
+      const Sphere& s = chain.spheres[i];
+      if (shapes_[i]->radius != double{s.radius}) {
+        shapes_[i]->radius = s.radius;
+        shapes_[i]->computeLocalAABB();
+      }
+      objects_[i].setTranslation(fcl::Vector3<double>(s.x, s.y, s.z));
+      objects_[i].computeAABB();
+    }
+    if (manager_) manager_->update();
   }
 
   void offer(const ChainView&, const Candidates& candidates) override {
@@ -60,6 +77,7 @@ class FCL final : public Peer {
     return offered.enough();
   }
 
+  std::vector<std::shared_ptr<fcl::Sphere<double>>> shapes_;
   std::vector<Object> objects_;
   std::unique_ptr<Manager> manager_;  // refers to the objects, so it goes first
 };

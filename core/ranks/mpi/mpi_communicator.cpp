@@ -6,17 +6,19 @@
 #include <algorithm>
 #include <chrono>
 #include <climits>
+#include <cstdlib>
 #include <thread>
 
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/one_line.h"
+#include "catena/core/ranks/mpi/rank_fault.h"
+#include "catena/core/ranks/mpi/shared_output.h"
 
 namespace catena::ranks {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a message; MPI counts them in an int
-constexpr auto patience = std::chrono::seconds(5);
-constexpr int tag = 0;
+constexpr int tag = 0, tag_of_the_end = 1;
 
 /// Messages on their way, in pieces.
 class Transfers {
@@ -69,16 +71,39 @@ std::string MpiCommunicator::fail(const std::string& what) {
   int failed = 0, done = 0;
   MPI_Request request;
   MPI_Iallreduce(&own, &failed, 1, MPI_INT, MPI_MIN, world_, &request);
-  const auto last = std::chrono::steady_clock::now() + patience;
+  const auto last = std::chrono::steady_clock::now() + patience_with_others();
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
-    if (std::chrono::steady_clock::now() > last) {
-      const std::string line = fmt::format("catena: {}\n", one_line(what));
-      static_cast<void>(::write(standard_error_, line.data(), line.size()) < 0);  // there is nobody to tell
-      MPI_Abort(world_, 2);
-    }
+    if (std::chrono::steady_clock::now() > last) end_all(what);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return words_of(failed, what);
+}
+
+void MpiCommunicator::end_all(const std::string& what) {
+  const auto wait_ms = [] { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+  // Ranks that wait so look for messages, others do not: the first of the former is known to them all.
+  std::vector<MPI_Request> told(size_, MPI_REQUEST_NULL);
+  for (unsigned rank = 0; rank < size_; ++rank)
+    if (rank != rank_)
+      MPI_Isend(nullptr, 0, MPI_BYTE, static_cast<int>(rank), tag_of_the_end, world_, &told[rank]);
+  bool first = true;
+  for (int ms = 0; ms < 300; ++ms, wait_ms()) {
+    int came = 0;
+    MPI_Status from;
+    MPI_Iprobe(MPI_ANY_SOURCE, tag_of_the_end, world_, &came, &from);
+    if (came == 0) continue;
+    MPI_Recv(nullptr, 0, MPI_BYTE, from.MPI_SOURCE, tag_of_the_end, world_, MPI_STATUS_IGNORE);
+    first = first && static_cast<int>(rank_) < from.MPI_SOURCE;
+  }
+  if (first) {
+    SharedOutput::remove_unfinished();
+    const std::string line = fmt::format("catena: {}\n", one_line(what));
+    static_cast<void>(::write(standard_error_, line.data(), line.size()) < 0);  // there is nobody to tell
+  } else {
+    std::this_thread::sleep_for(patience_with_others());  // for the first to end this one
+  }
+  MPI_Abort(world_, 2);
+  std::abort();
 }
 
 std::string MpiCommunicator::words_of(int failed, std::string own) {

@@ -17,7 +17,7 @@ class MpiCommunicator final : public Communicator {
 
   void vote() override;
   /// Where the others do not come to a vote within seconds, as they are deep in a search of their own, this
-  /// rank says why it failed itself, and ends them all.
+  /// rank, or the first of those that wait so, says why it failed itself, and ends them all; no file is left.
   std::string fail(const std::string& what) override;
 
  private:
@@ -26,6 +26,7 @@ class MpiCommunicator final : public Communicator {
   void transfer(std::span<const Outgoing> out, const Destination& to) override;
   /// How many bytes come from each rank, by what each sends to others.
   std::vector<std::uint64_t> told_sizes(const std::vector<std::uint64_t>& sent);
+  [[noreturn]] void end_all(const std::string& what);
   /// The words of the first rank that failed.
   std::string words_of(int failed, std::string own);
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "catena/core/error.h"
@@ -12,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a call; MPI counts them in an int
 
-/// transfer(at, bytes done, bytes now, status) until all are.
+/// transfer(at, bytes done, bytes now, status) until all are, or none is.
 template <class Transfer>
 bool in_pieces(std::uint64_t at, std::size_t size, const Transfer& transfer) {
   for (std::size_t done = 0; done < size;) {
@@ -21,8 +23,8 @@ bool in_pieces(std::uint64_t at, std::size_t size, const Transfer& transfer) {
     int count = 0;
     transfer(static_cast<MPI_Offset>(at + done), done, static_cast<int>(piece), &status);
     MPI_Get_count(&status, MPI_BYTE, &count);
-    if (static_cast<std::size_t>(count) != piece) return false;
-    done += piece;
+    if (count <= 0) return false;
+    done += static_cast<std::size_t>(count);
   }
   return true;
 }
@@ -61,10 +63,12 @@ void MpiFile::read(std::uint64_t at, void* bytes, std::size_t size) const {
 }
 
 void MpiFile::write(std::uint64_t at, const void* bytes, std::size_t size) {
+  errno = 0;
   const bool all = in_pieces(at, size, [&](MPI_Offset from, std::size_t done, int piece, MPI_Status* status) {
     check(MPI_File_write_at(file_, from, static_cast<const char*>(bytes) + done, piece, MPI_BYTE, status));
   });
-  if (!all) fail("the file does not take it all");
+  // Open MPI takes a full disk for success, and says why on standard error alone.
+  if (!all) fail(errno != 0 ? std::strerror(errno) : "the file does not take it all");
 }
 
 void MpiFile::close() {

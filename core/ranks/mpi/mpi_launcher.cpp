@@ -6,11 +6,13 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/guarded_main.h"
 #include "catena/core/executor/usable_cores.h"
 #include "catena/core/ranks/core_share.h"
 #include "catena/core/ranks/mpi/mpi_communicator.h"
@@ -53,6 +55,48 @@ unsigned own_cores() {
   return core_share(all, static_cast<std::size_t>(rank));
 }
 
+/// MPI, and the communicator, while this lives.
+class Session {
+ public:
+  Session() {
+    MPI_Init(nullptr, nullptr);
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    communicator =
+        std::make_unique<MpiCommunicator>(MPI_COMM_WORLD, rank == 0 ? STDERR_FILENO : fall_silent());
+  }
+  ~Session() {
+    std::fflush(nullptr);
+    communicator.reset();
+    MPI_Finalize();
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+};
+
+/// What a rank refuses before it works with others, such as an option, they would wait for in vain; so all of
+/// the body is done together. What rank 0 met itself it says as one process does: mostly all ranks met it.
+int run_together(const std::function<int()>& body) {
+  int code = 0;
+  std::exception_ptr own;
+  try {
+    together(*communicator, [&] {
+      try {
+        code = body();
+      } catch (const RankFailed&) {
+        throw;
+      } catch (...) {
+        own = std::current_exception();
+        throw;
+      }
+    });
+  } catch (const RankFailed&) {
+    if (own && communicator->rank() == 0) std::rethrow_exception(own);
+    throw;
+  }
+  return code;
+}
+
 class MpiLauncher final : public Launcher {
  public:
   /// By what Open MPI's mpirun, and srun with PMIx or PMI-2, tell their processes; MPI_Init takes too long to
@@ -64,17 +108,10 @@ class MpiLauncher final : public Launcher {
   }
 
   int run(const std::function<int()>& body) override {
-    MPI_Init(nullptr, nullptr);
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    communicator =
-        std::make_unique<MpiCommunicator>(MPI_COMM_WORLD, rank == 0 ? STDERR_FILENO : fall_silent());
+    const Session session;
     const CoreLimit limit(own_cores());
-    const int code = body();
-    std::fflush(nullptr);
-    communicator.reset();
-    MPI_Finalize();
-    return code;
+    // Before this process may leave: mpirun ends the others when one left with an exit code.
+    return guarded_main("catena", [&] { return run_together(body); });
   }
 };
 

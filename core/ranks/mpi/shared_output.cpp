@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <set>
 
 #include "catena/core/ranks/bytes.h"
 
@@ -23,25 +24,48 @@ std::string said_by_first(Communicator& ranks, const std::string& text) {
   return {reinterpret_cast<const char*>(first.data()), first.size()};
 }
 
-std::string unfinished_name(const std::string& name) {
+/// What a link points to, which need not exist; else the name itself.
+fs::path followed(fs::path name) {
+  constexpr int most_links = 40;  // the kernel's limit
+  std::error_code none;
+  for (int link = 0; link < most_links; ++link) {
+    const auto to = fs::read_symlink(name, none);
+    if (none) break;
+    name = name.parent_path() / to;  // `to` itself, when it is absolute
+  }
+  return name;
+}
+
+std::string unfinished_name(const std::string& name, const std::string& target) {
   std::error_code unknown;
-  const auto status = fs::status(name, unknown);
+  const auto status = fs::status(target, unknown);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw InputError(fmt::format("cannot write {}: ranks write a file together, and this is none", name));
-  const fs::path target = fs::exists(status) ? fs::canonical(name) : fs::path(name);
-  const std::string unfinished = fmt::format("{}.{}.unfinished", target.string(), getpid());
+  const std::string unfinished = fmt::format("{}.{}.unfinished", target, getpid());
   std::FILE* const made = std::fopen(unfinished.c_str(), "wx");
   if (made == nullptr) throw InputError(fmt::format("cannot write {}: {}", name, std::strerror(errno)));
   std::fclose(made);
   return unfinished;
 }
 
+/// Of this process, which has one thread that writes.
+std::set<std::string>& all_unfinished() {
+  static std::set<std::string> names;
+  return names;
+}
+
 }  // namespace
 
-SharedOutput::SharedOutput(Communicator& ranks, std::string name) : ranks_(ranks), name_(std::move(name)) {
-  if (ranks_.rank() == 0) unfinished_ = unfinished_name(name_);
+void SharedOutput::remove_unfinished() noexcept {
+  for (const std::string& name : all_unfinished()) unlink(name.c_str());
+}
+
+SharedOutput::SharedOutput(Communicator& ranks, std::string name)
+    : ranks_(ranks), name_(std::move(name)), target_(followed(name_).string()) {
+  if (ranks_.rank() == 0) unfinished_ = unfinished_name(name_, target_);
   try {
     unfinished_ = said_by_first(ranks_, unfinished_);
+    all_unfinished().insert(unfinished_);
     file_ = MpiFile(unfinished_, MpiFile::Use::write, name_);
   } catch (...) {
     if (ranks_.rank() == 0) unlink(unfinished_.c_str());
@@ -49,6 +73,8 @@ SharedOutput::SharedOutput(Communicator& ranks, std::string name) : ranks_(ranks
   }
 }
 
+// Other ranks keep the name: of one that failed this is gone before it knows whether rank 0 will remove the
+// file.
 SharedOutput::~SharedOutput() {
   if (ranks_.rank() == 0 && !unfinished_.empty()) unlink(unfinished_.c_str());
 }
@@ -66,11 +92,9 @@ void SharedOutput::append(std::string_view own) {
 void SharedOutput::close() {
   file_.close();
   ranks_.vote();  // all have written
-  if (ranks_.rank() == 0) {
-    const fs::path target = fs::exists(name_) ? fs::canonical(name_) : fs::path(name_);
-    if (std::rename(unfinished_.c_str(), target.c_str()) != 0)
-      throw InputError(fmt::format("cannot write {}: {}", name_, std::strerror(errno)));
-  }
+  if (ranks_.rank() == 0 && std::rename(unfinished_.c_str(), target_.c_str()) != 0)
+    throw InputError(fmt::format("cannot write {}: {}", name_, std::strerror(errno)));
+  all_unfinished().erase(unfinished_);
   unfinished_.clear();
 }
 

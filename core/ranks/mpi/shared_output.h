@@ -22,9 +22,13 @@ class SharedOutput {
   void append(std::string_view own);
   void close();
 
+  /// Of all files of this process that are not closed, for one that ends the others, too: none stays. Any
+  /// rank knows all names.
+  static void remove_unfinished() noexcept;
+
  private:
   Communicator& ranks_;
-  std::string name_, unfinished_;
+  std::string name_, target_, unfinished_;
   MpiFile file_;
   std::uint64_t written_ = 0;  ///< by all
 };
