@@ -178,6 +178,17 @@ class Waits(unittest.TestCase):
         self.assertIn("aCPU2+GPU2", waits.end_to_end(run)["path1/n:1000"])
         self.assertEqual(set(waits.resident(run)["path1/n:1000"]), {"aGPU2+GPU2", "aGPU2+GPUv2", "GPU1"})
 
+    def test_what_failed_on_a_chain_is_no_advice_for_it(self):
+        """It has good samples: a later one threw."""
+        fault = {"error_occurred": True, "error_message": "bad_alloc", "at_fault": True}
+        value = self.of(lambda name: True)
+        value["benchmarks"].append({"name": "path1/n:1000/aGPU2+GPU2/find", **fault})
+        run = pages.of(value)
+        for view, others in ((waits.end_to_end, 5), (waits.resident, 3), (waits.moving, 5)):
+            of_each = view(run)
+            self.assertNotIn("aGPU2+GPU2", of_each["path1/n:1000"])
+            self.assertEqual((len(of_each["path1/n:1000"]), len(of_each["path1/n:3000"])), (others - 1, others))
+
     def test_a_search_that_stays_on_the_device_is_what_was_timed_as_such(self):
         value = self.of(lambda name: True)
         value["benchmarks"] += [

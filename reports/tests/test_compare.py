@@ -104,6 +104,20 @@ class Compare(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("no longer answered: 3 pairs missing", out)
 
+    def test_a_fault_after_good_samples_is_a_regression(self):
+        """What catena_bench writes when a sample throws in a later round; and of a case that OLD did not have."""
+        old, thrown = made.run(repetitions=2), {"error_occurred": True, "error_message": "Hybrid: bad_alloc"}
+        for name in ("path2/n:1000/GPU1/find", "path2/n:9/GPU1/find"):
+            faulty = {"name": name, "run_type": "iteration", **thrown}
+            new = old | {"benchmarks": [*old["benchmarks"], faulty | {"at_fault": True}]}
+            code, out, _ = compared(old, new)
+            told = "no longer answered" if name.startswith("path2/n:1000/") else "failed"
+            self.assertEqual((code, out.count("bad_alloc")), (1, 1), name)
+            self.assertIn(f"{name}: {told}: Hybrid: bad_alloc", out)
+            self.assertNotIn("bad_alloc", compared(new, new)[1])  # it failed before
+        code, out, _ = compared(old, old | {"benchmarks": [faulty | {"at_fault": True}]})
+        self.assertEqual((code, out.count("failed: Hybrid: bad_alloc")), (1, 1))
+
     def test_a_peer_that_got_worse_is_told_and_fails_nothing(self):
         old, new = made.run(repetitions=12, seed=1), made.run(
             repetitions=12, seed=2, slower={("aCPU2+Dual", "find"): 1.3}
@@ -161,10 +175,10 @@ class Counts(unittest.TestCase):
             for row in run["benchmarks"]:
                 if row["name"].startswith("path2/n:1000/aCPU2+CPU2/literal/find"):
                     row["missing"] = missing
-        for new, code, title in ((fewer, 0, "less work"), (more, 1, "more work")):
+        for new, code, title in ((fewer, 0, "fewer"), (more, 1, "more")):
             told = compared(old, new)
             self.assertEqual(told[0], code)
-            self.assertIn(f"{title}, by count: path2/n:1000/aCPU2+CPU2/literal: missing 1,000 ->", told[1])
+            self.assertIn(f"{title} wrong pairs: path2/n:1000/aCPU2+CPU2/literal: missing 1,000 ->", told[1])
 
     def test_a_pair_more_that_is_missed_is_a_regression(self):
         new = made.run()
@@ -173,7 +187,8 @@ class Counts(unittest.TestCase):
                 row["missing"] = 1.0
         code, out, _ = compared(made.run(), new)
         self.assertEqual(code, 1)
-        self.assertIn("more work, by count: path2/n:1000/aCPU2+CPU2/literal: missing 0 -> 1", out)
+        self.assertIn("more wrong pairs: path2/n:1000/aCPU2+CPU2/literal: missing 0 -> 1\n", out)  # no ratio to 0
+        self.assertNotIn("more work", out)
         old = made.run()
         for run, times in ((old, 1.0), (new, 0.5)):  # no saving of work pays for it
             run["catena"]["counts"].append(
