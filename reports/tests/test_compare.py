@@ -1,8 +1,10 @@
 """Two runs compared: every verdict on samples whose law is known, and the exit codes a CI rests on."""
 import contextlib
 import io
+import json
 import tempfile
 import unittest
+import unittest.mock
 
 import made
 from catena_report import __main__ as command
@@ -230,10 +232,30 @@ class BadInput(unittest.TestCase):
                 ("d.json", '{"context":{},"benchmarks":[],"catena":{"schema":9}}', "schema 9"),
                 ("f.json", '{"context":{},"benchmarks":[],"catena":{"counts":[1]}}', "catena.counts"),
                 ("e.json", '{"context":{},"benchmarks":[],"catena":{"viewer":{}}}', "catena.viewer"),
+                ("g.json", "[" * 100_000 + "]" * 100_000, "not JSON"),
+                ("h.json", '{"context":{"load":[1,NaN]},"benchmarks":[]}', "context.load[1] is nan, which is no number"),
+                ("h.json", '{"context":{},"benchmarks":[{},{"a":-Infinity}]}', "benchmarks[1].a is -inf, which is no number"),
+                ("i.json", '{"context":{"gpu":[1]},"benchmarks":[]}', "context.gpu is not a text"),
+                ("j.json", '{"context":{},"benchmarks":[],"catena":{"schema":"1"}}', 'schema "1", this report reads 1'),
+                ("k.json", '{"context":{},"benchmarks":[],"catena":{"counts":[{"variant":"V"}]}}', "catena.counts[0] has no input"),
+                (
+                    "l.json",
+                    '{"context":{},"benchmarks":[],"catena":{"counts":[{"input":"a/n:1","variant":"V","bytes":"x"}]}}',
+                    "catena.counts[0].bytes is not a number",
+                ),
+                *(
+                    (
+                        "m.json",
+                        json.dumps({"context": {}, "benchmarks": [{"name": "a/n:1/V/find", "real_time": 1, key: value}]}),
+                        f"benchmarks[0] has {key} {json.dumps(value)}",
+                    )
+                    for key, value in (("transfer_ms", "abc"), ("transfer_ms", None), ("least_ms", "1"), ("missing", -1),
+                                       ("load_one_ms", 0), ("load_all_ms", None))
+                ),
             ):
                 path = made.pathlib.Path(folder) / name
                 path.write_text(text)
-                self.assertIn(says, self.line("--compare", good, str(path)))
+                self.assertIn(says, self.line("--compare", str(path), good))
                 self.assertIn(says, self.line("--output", folder + "/page", str(path)))
             self.assertIn("No such file", self.line("--compare", good, folder + "/none.json"))
             other = made.run()
@@ -244,7 +266,27 @@ class BadInput(unittest.TestCase):
                 "no case in common",
                 self.line("--compare", good, str(made.write(folder, other, "other.json"))),
             )
+            empty = made.write(folder, {"context": {}, "benchmarks": [{"name": "a/n:0/V/find", "real_time": 1}]}, "empty.json")
+            self.assertIn("a/n:0 is a chain without spheres", self.line("--output", folder + "/page", str(empty)))
+            self.assertFalse((made.pathlib.Path(folder) / "page").exists())
             self.assertIn("folder that can be written", self.line("--output", good, good))
+
+    def test_data_of_another_kind_is_told_and_not_taken_for_a_slowdown(self):
+        """An exception would end with exit code 1."""
+        whole = {"context": {}, "benchmarks": [{"name": "a/n:1/GPU1/find", "real_time": 1}],
+                 "catena": {"variants": {"GPU1": made.described("GPU1")}}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(made.write(folder, whole))
+            for error in (ZeroDivisionError("by zero"), KeyError("n"), TypeError("two\nlines")):
+                with unittest.mock.patch("catena_report.gate.decide", side_effect=error):
+                    said = self.line("--compare", path, path)
+                with unittest.mock.patch("catena_report.page._files", side_effect=error):
+                    both = said, self.line("--output", folder + "/page", path)
+                with unittest.mock.patch("catena_report.sections.summary.build", side_effect=error):
+                    both += (self.line("--output", folder + "/page", path),)
+                for line in both:
+                    self.assertIn(f"{path}", line)
+                    self.assertIn(f"({type(error).__name__}: ", line)
 
 
 if __name__ == "__main__":
