@@ -162,6 +162,21 @@ class Slowdowns(unittest.TestCase):
             (row,) = [row for row in slowdown._figure(report.Report([run]), run, found).panels[1].series if row.name == "aCPU2+CPU2"]
         self.assertEqual(row.low, [1.0])
 
+    def test_what_is_less_than_all_is_said_of_those_that_it_was_compared_with(self):
+        run = pages.of(made.run(repetitions=1))
+        run._described["FCL"] = variant.Variant.of("FCL", made.described("FCL"))
+        fast, slow, peer = [2, 2.01, 2.02, 2.03], [9, 9, 9, 9.1], [1, 1, 1, 1.01]
+        for names, ratios, said in (
+            (("aCPU2+CPU2", "GPU1"), (fast, slow), ", less than any other exact variant of catena's"),
+            (("aCPU2+CPU2", "GPU1", "aCPU2+Dual"), (fast, slow, [1.0, 1.0]), ", less than any other exact variant of catena's that was timed on all"),
+            (("FCL", "aCPU2+CPU2", "GPU1"), (peer, fast, slow), ", less than any other exact variant of catena's; of the peers FCL 1.00 [1.00, 1.01]"),
+            (("FCL", "aCPU2+CPU2"), (peer[:2], fast), ", less than any other exact variant of catena's"),
+        ):
+            found = {name: self.of(mine, 4) for name, mine in zip(names, ratios)}
+            with unittest.mock.patch.object(profiles, "slowdowns", return_value=found):
+                self.assertTrue(slowdown._message(run).endswith(said), slowdown._message(run))
+                self.assertTrue(summary._overall(run, "")[0].endswith(said.replace("'", "&#x27;") + "."))
+
 
 class Claims(Base):
     def test_half_takes_two_sizes(self):

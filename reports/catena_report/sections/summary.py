@@ -78,7 +78,7 @@ def _overall(run, on):
     return [
         f"{link('slowdown', 'Over all chains')}{on} {html.escape(name)} takes {slowdown.mean_text(slow)} times the"
         " fastest of each, end to end"
-        + (f"; the intervals of {html.escape(words.listed(near, 3))} overlap its own." if near else ", less than any other.")
+        + html.escape(slowdown.beside(run, name, near)) + "."
     ]
 
 
@@ -94,7 +94,7 @@ def _certain(run, on):
     return [
         f"{link('environment', 'How sure')}{on}: a slowdown of {words.significant(half, 2)} % would have been seen in"
         f" half of the cases, one of {words.significant(most, 2)} % in nine of ten; of {found.cases:,} cases set against"
-        f" themselves {found.false_alarms:,} ({100 * found.false_alarms / found.cases:.1f} %) were called different at"
+        f" themselves {found.false_alarms:,} ({html.escape(words.percent(found.false_alarms, found.cases))}) were called different at"
         " the 5 % level."
     ]
 
@@ -134,7 +134,7 @@ def _stable(run, on):
     if not answered:
         return []
     shares = words.listed(
-        f"{html.escape(name)} in {100 * stability.share_right(lines):.1f} % of {len(lines):,}"
+        html.escape(f"{name} in {words.percent(stability.right(lines), len(lines))} of {len(lines):,}")
         for name, lines in answered.items()
     )
     return [
