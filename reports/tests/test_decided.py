@@ -14,7 +14,7 @@ from catena_report import choice, claims, paper, profiles, report, statistics, t
 from catena_report import __main__ as command
 from catena_report.sections import (
     advice, animation, arithmetic, environment, judged, paper_tables,
-    slowdown, stability, summary, tube_errors,
+    reproduce, slowdown, stability, summary, tube_errors,
 )
 from catena_report.sections import claims as claims_section
 from test_stability import LINE
@@ -72,6 +72,24 @@ class Words(Base):
         one.path, two.path = pathlib.Path("a.json.gz"), pathlib.Path("b.json")
         other.context = {**other.context, "gpu": "another GPU"}
         self.assertEqual(report.Report([one, two, other]).labels, [f"{one.device}, a", f"{two.device}, b", "another GPU"])
+        for first, second, told, given in (
+            ("a/run.json", "b/run.json", ("a/run", "b/run"), "a/run.json b/run.json"),
+            ("x/a/run.json", "y/a/run.json", ("x/a/run", "y/a/run"), "x/a/run.json y/a/run.json"),
+            ("a/b.json", "a/b.json.gz", ("run 1", "run 2"), "b.json b.json.gz"),
+            ("a/run.json", "a/run.json", ("run 1", "run 2"), "run.json"),  # a list of runs
+        ):
+            one.path, two.path = pathlib.Path(first), pathlib.Path(second)
+            several = report.Report([one, two, other])
+            self.assertEqual(several.labels[:2], [f"{one.device}, {name}" for name in told])
+            other.path = pathlib.Path("c.json")
+            self.assertTrue(reproduce.build(several).blocks[-1].text.endswith(f" --from {given} c.json"))
+
+    def test_of_a_run_without_its_command_the_program_is_said_and_that_more_was_given(self):
+        run = pages.of(self.value)
+        run.catena.pop("command")
+        run.context["executable"] = "build/bench"
+        text = reproduce.build(report.Report([run])).blocks[0].text
+        self.assertIn("\nbuild/bench --benchmark_out=run.json  # and the options of then, which", text)
 
     def test_others_are_those_that_the_interval_leaves_open(self):
         row = self.catena["judged"][0]
