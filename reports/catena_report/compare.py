@@ -54,10 +54,10 @@ def main(old_path, new_path, least_ratio):
 
 
 def _broken(old, new):
-    """The cases that NEW refuses, or fails in by a fault of its own, and OLD did not. One that threw in the middle of
-    its rounds has samples, too.
+    """The cases that OLD answered and NEW refuses, and those that fail in NEW by a fault of their own and did not in
+    OLD: one that threw in the middle of its rounds has samples, too.
     """
-    refused = {case for case in set(new.refused) - set(old.refused) if case in old.samples}
+    refused = set(old.samples) & set(new.refused) - set(new.samples)
     return sorted(refused | set(new.faults) - set(old.faults))
 
 

@@ -109,6 +109,7 @@ class Compare(unittest.TestCase):
     def test_a_fault_after_good_samples_is_a_regression(self):
         """What catena_bench writes when a sample throws in a later round; and of a case that OLD did not have."""
         old, thrown = made.run(repetitions=2), {"error_occurred": True, "error_message": "Hybrid: bad_alloc"}
+        old["benchmarks"] = [row for row in old["benchmarks"] if row["name"].startswith("path2/n:1000/GPU1/")]
         for name in ("path2/n:1000/GPU1/find", "path2/n:9/GPU1/find"):
             faulty = {"name": name, "run_type": "iteration", **thrown}
             new = old | {"benchmarks": [*old["benchmarks"], faulty | {"at_fault": True}]}
