@@ -4,7 +4,7 @@ import os
 import signal
 import sys
 
-from . import compare, runfile
+from . import checks, compare, runfile
 
 
 class Parser(argparse.ArgumentParser):
@@ -40,7 +40,7 @@ def main(arguments=None):
                 parser.error("--compare takes two run files and no --output")
             if not chosen.least_ratio > 1:
                 parser.error(f"--least-ratio {chosen.least_ratio:g}: give a ratio above 1, such as 1.05")
-            return compare.main(*chosen.compare, chosen.least_ratio)
+            return _compared(*chosen.compare, chosen.least_ratio)
         if not chosen.runs or not chosen.output:
             parser.error("give --output DIR and at least one run file, or --compare OLD.json NEW.json")
         return _page(chosen.runs, chosen.output)
@@ -49,12 +49,23 @@ def main(arguments=None):
         return 2
 
 
+def _compared(old, new, least_ratio):
+    try:
+        return compare.main(old, new, least_ratio)
+    except checks.UNEXPECTED as error:
+        raise checks.unusable(f"{old} and {new}", "they cannot be compared", error) from error
+
+
 def _page(paths, output):
-    runs = [runfile.load(path) for path in paths]
+    runs = [run for path in paths for run in runfile.load_all(path)]
+    for run in runs:
+        checks.drawable(run.where, run.inputs())
     from . import page, report  # only now: reading two runs needs no plots
 
     try:
         path = page.write(report.Report(runs), output)
+    except checks.UNEXPECTED as error:
+        raise checks.unusable(", ".join(paths), "the page cannot be made", error) from error
     except OSError as error:
         own = str(error.filename).startswith(page.HERE.as_posix())
         advice = "install catena again" if own else "give --output a folder that can be written"

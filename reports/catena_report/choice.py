@@ -32,7 +32,7 @@ class Advice:
     inputs: list
     variant: str
     times: list  # its medians, ms
-    next: object  # (variant, Interval): of those slower on every chain the nearest, over the chains; or None
+    next: object  # (variant, Interval above 1): of those slower on every chain the nearest, over the chains; or None
     papers: object  # (variant, Interval) of the paper's CPU2, over the chains that it was timed on; or None
     peer: object  # the same of the quickest peer; or None
     others: int  # exact variants that it was compared with on some chain
@@ -70,25 +70,28 @@ def _advice(run, cases, choices, inputs, candidates):
     variant = min(sorted(candidates), key=lambda name: sum(map(math.log, medians(name))))
     timed = set().union(*(cases[input_] for input_ in inputs)) - {variant}
     own = [name for name in timed if run.info(name).recommended]
-    differing = [
-        name
-        for name in own
-        if all(name in cases[input_] and name not in choices[input_].candidates for input_ in inputs)
-    ]
-    nearest = lambda names: min(  # noqa: E731
-        ((name, _slower(cases, inputs, name, variant)) for name in sorted(names)),
-        key=lambda entry: entry[1].value,
-        default=None,
-    )
+    slower = set.intersection(*(_slower_than(run, cases[input_], choices[input_], variant) for input_ in inputs))
+    ratios = lambda names: [(name, _slower(cases, inputs, name, variant)) for name in sorted(names)]  # noqa: E731
+    nearest = lambda found: min(found, key=lambda entry: entry[1].value, default=None)  # noqa: E731
     return Advice(
         inputs,
         variant,
         medians(variant),
-        nearest(differing),
-        nearest(timed & {PAPERS}),
-        nearest([name for name in timed if run.info(name).peer]),
+        nearest([entry for entry in ratios(slower) if entry[1].low > 1]),
+        nearest(ratios(timed & {PAPERS})),
+        nearest(ratios(name for name in timed if run.info(name).peer)),
         len(own),
     )
+
+
+def _slower_than(run, row, chosen, variant):
+    """The exact variants of a chain that are significantly slower than the one that is named, which need not be the
+    leader.
+    """
+    own = {name: times for name, times in row.items() if run.info(name).recommended}
+    if variant == chosen.leader:
+        return set(own) - chosen.candidates
+    return {name for name in statistics.differing(own, variant) if numpy.median(own[name]) > numpy.median(own[variant])}
 
 
 def _slower(cases, inputs, name, variant):

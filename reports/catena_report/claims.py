@@ -213,7 +213,7 @@ def brute(run):
         return untested("CPU1 was timed at 10,000 spheres too few times for an interval of its median")
     times = [(path, statistics.median(t)) for path, t in times]
     evidence = "; ".join(
-        f"{path}: {words.duration(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}] ms" for path, e in times
+        f"{path}: {words.duration_interval(e)}" for path, e in times
     )
     return Verdict(HOLDS if all(e.low >= 1500 for _, e in times) else FAILS, evidence)
 
@@ -230,7 +230,7 @@ def encloses(run):
     return Verdict(
         FAILS,
         (
-            f"in binary32, {100 * worst['failing'] / worst['parents']:.0f} % of the parents of"
+            f"in binary32, {words.percent(worst['failing'], worst['parents'], 0)} of the parents of"
             f" {worst['input']} do not enclose a child; {words.plural(len(bad), 'chain')} of {len(rows)} have"
             f" such parents, and {words.plural(lost, 'pair')} in all are missed"
         ),

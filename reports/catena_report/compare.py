@@ -23,18 +23,20 @@ def main(old_path, new_path, least_ratio):
     """
     old, new = runfile.load(old_path), runfile.load(new_path)
     cases, counted = paired.cases(old, new), work.compared(old, new)
-    if not cases:
+    broken = _broken(old, new)
+    if not cases and not broken:
         raise runfile.BadRunFile(
             f"{old_path} and {new_path} timed no case in common; measure both with the same profile"
         )
     families, common = gate.decide(cases, least_ratio)
-    broken = sorted(set(old.samples) & set(new.refused) - set(new.samples))
     _print_work(counted)
-    _print_times(families, common)
+    if families:
+        _print_times(families, common)
     for case in broken:
-        print(f"{'/'.join(case)}: no longer answered: {new.refused[case]}")
+        print(f"{'/'.join(case)}: {'no longer answered' if case in old.samples else 'failed'}: {new.refused[case]}")
     _print_notes(old, new, cases)
-    _print_seen(families)
+    if families:
+        _print_seen(families)
     regressed = [case[1] for case in broken] + [change.variant for change in counted.more]
     regressed += [family.variant for family in families if family.verdict == gate.SLOWER]
     peers = sorted({variant for variant in regressed if _is_peer(variant, old, new)})
@@ -51,6 +53,14 @@ def main(old_path, new_path, least_ratio):
     return 0
 
 
+def _broken(old, new):
+    """The cases that OLD answered and NEW refuses, and those that fail in NEW by a fault of their own and did not in
+    OLD: one that threw in the middle of its rounds has samples, too.
+    """
+    refused = set(old.samples) & set(new.refused) - set(new.samples)
+    return sorted(refused | set(new.faults) - set(old.faults))
+
+
 def _is_peer(variant, *runs):
     """False of an algorithm, "*+CPU2": no peer has stages."""
     return any((run.catena.get("variants") or {}).get(variant, {}).get("peer", False) for run in runs)
@@ -64,13 +74,21 @@ def _print_work(counted):
         (f"work changed by less than {100 * (work.LEAST_RATIO - 1):.1f} %", counted.small),
     ):
         for change in changes:
+            ratio = f" ({change.ratio:.4f})" if change.old else ""
             print(
-                f"{title}: {change.input}/{change.variant}: {change.count} {words.count(change.old)} ->"
-                f" {words.count(change.new)} ({change.ratio:.4f})"
+                f"{_title(title, change)}: {change.input}/{change.variant}: {change.count} {words.count(change.old)} ->"
+                f" {words.count(change.new)}{ratio}"
             )
     changed = any((counted.more, counted.traded, counted.fewer, counted.small))
     if counted.compared and not changed:
         print(f"the counts of all {words.plural(counted.compared, 'case')} are the same")
+
+
+def _title(title, change):
+    """Pairs that are wrong are no work."""
+    if change.count not in work.ANSWERED:
+        return title
+    return "more wrong pairs" if change.new > change.old else "fewer wrong pairs"
 
 
 def _print_times(families, common):
@@ -111,7 +129,7 @@ def _print_notes(old, new, cases):
     if gone or added:
         print(f"note: {words.plural(gone, 'case')} only in OLD, {words.plural(added, 'case')} only in NEW")
     loads = [max(case.load) for case in cases]
-    if numpy.median(loads) > paired.IDLE:
+    if loads and numpy.median(loads) > paired.IDLE:
         print(
             f"note: the machine was loaded: even beside the quietest samples the calibration kernel took"
             f" {numpy.exp(numpy.median(loads)):.1f} times its best; measure on an idle machine to see more"

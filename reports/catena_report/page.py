@@ -1,8 +1,8 @@
 """The page and the files beside it."""
 import base64
 import concurrent.futures
+import dataclasses
 import gzip
-import itertools
 import json
 import multiprocessing
 import os
@@ -11,7 +11,7 @@ import signal
 
 import jinja2
 
-from . import sections, whole_file
+from . import kept_runs, sections, whole_file
 from .drawn import interactive, static
 from .figure import Figure
 from .section import Code, Heading, Prose, Raw
@@ -20,27 +20,44 @@ from .style import DARK, LIGHT
 from .table import Table
 
 HERE = pathlib.Path(__file__).parent
+INDEX = "index.html"
 LIMIT = 10_000_000  # bytes of the page; a quick run of a machine with a GPU and all peers takes 9
 
 
 def write(report, output):
-    """Writes the page below the folder `output`; the path of index.html."""
+    """Writes the page below the folder `output`; the path of index.html. All of it is made before anything is written:
+    what cannot be made leaves the folder as it was.
+    """
     output = pathlib.Path(output)
+    kept_runs.require(output, report.runs)
+    files = {name: _bytes(content) for name, content in _files(report).items()}
     for folder in ("figures", "tables"):
         (output / folder).mkdir(parents=True, exist_ok=True)
+    _list_files(files, output)
+    for name, content in files.items():
+        whole_file.write(output / name, content)
+    return output / INDEX
+
+
+def _bytes(content):
+    return content if isinstance(content, bytes) else content.encode("utf-8")
+
+
+def _files(report):
+    """{name: content} of all that is written, the page last."""
     built = sections.build(report)
     blocks = [block for section in built for block in section.blocks]
-    _list_files(blocks, output)
-    drawings = _draw_all([block for block in blocks if isinstance(block, Figure)], output)
+    drawings = _draw_all([block for block in blocks if isinstance(block, Figure)])
+    files = {}
+    for key, drawing in drawings.items():
+        files |= {f"figures/{key}.svg": drawing.on_white, f"figures/{key}.pdf": drawing.pdf}
     for table in (block for block in blocks if isinstance(block, Table)):
-        table.write_csv(output / "tables" / f"{table.key}.csv")
-        table.write_latex(output / "tables" / f"{table.key}.tex")
-    _write_markdown(built, output / "report.md")
-    raw = json.dumps(
+        files |= {f"tables/{table.key}.csv": table.as_csv(), f"tables/{table.key}.tex": table.as_latex()}
+    files["report.md"] = _markdown(built)
+    files["run.json"] = json.dumps(
         [run.raw for run in report.runs] if len(report.runs) > 1 else report.runs[0].raw,
         separators=(",", ":"),
     )
-    whole_file.write(output / "run.json", raw)
     library, left_out = interactive.library(), []
     if not library:
         left_out.append(
@@ -49,39 +66,38 @@ def write(report, output):
         )
     if viewer.missing(report):
         left_out.append(f"the three-dimensional view of the chains: {viewer.missing(report)}")
-    text = _render(report, built, drawings, library, left_out)
-    path = output / "index.html"
-    whole_file.write(path, text)
-    return path
+    files[INDEX] = _render(report, built, {key: drawing.themed for key, drawing in drawings.items()}, library, left_out)
+    return files
 
 
-def _list_files(blocks, output):
+def _list_files(files, output):
     """Says in the folder what this report is about to write there, so that the next one can remove what it
     does not replace (reports/report_folder.h).
     """
-    named = {Figure: ("figures", "svg", "pdf"), Table: ("tables", "csv", "tex")}
-    files = [
-        f"{folder}/{block.key}.{kind}"
-        for type_, (folder, *kinds) in named.items()
-        for block in blocks
-        if isinstance(block, type_)
-        for kind in kinds
-    ]
     with (output / ".catena-report").open("a", encoding="utf-8") as file:
-        file.write("\n".join(["report", *files, "report.md", "run.json", "index.html"]) + "\n")
+        file.write("\n".join(["report", *files]) + "\n")
 
 
-def _write_markdown(built, path):
+def _markdown(built):
     """The tables of the page as one Markdown file, for places that show no HTML."""
     parts = ["# Self-collisions of tubes, compared\n"]
     for section in built:
         tables = [block for block in section.blocks if isinstance(block, Table)]
         parts += [f"\n## {section.title}\n"] if tables else []
         parts += [f"\n**{table.title}.** {table.caption}\n\n{table.markdown()}" for table in tables]
-    whole_file.write(path, "".join(parts))
+    return "".join(parts)
 
 
-def _draw_all(figures, output):
+@dataclasses.dataclass(frozen=True)
+class Drawing:
+    """Of a figure: SVG in the colours of the page's theme, SVG for anywhere else, PDF."""
+
+    themed: str
+    on_white: str
+    pdf: bytes
+
+
+def _draw_all(figures):
     """The drawings by their keys, drawn by all cores: half a second each, which is most of what the page takes."""
     with concurrent.futures.ProcessPoolExecutor(
         len(os.sched_getaffinity(0)),
@@ -89,16 +105,13 @@ def _draw_all(figures, output):
         initializer=signal.signal,  # at Ctrl-C this process speaks for all
         initargs=(signal.SIGINT, signal.SIG_IGN),
     ) as cores:
-        drawn = cores.map(_draw, figures, itertools.repeat(output))
-        return {figure.key: text for figure, text in zip(figures, drawn, strict=True)}
+        return {figure.key: drawing for figure, drawing in zip(figures, cores.map(_draw, figures), strict=True)}
 
 
-def _draw(figure, output):
+def _draw(figure):
     canvas = static.draw(figure)
     text = static.svg(canvas, figure.key)
-    whole_file.write(output / "figures" / f"{figure.key}.svg", static.on_white(text))
-    static.pdf(canvas, output / "figures" / f"{figure.key}.pdf")
-    return static.themed(text)
+    return Drawing(static.themed(text), static.on_white(text), static.pdf(canvas))
 
 
 def data(report):

@@ -111,7 +111,7 @@ def _signed_ranks(size, positive):
 
 def in_words(test):
     """What the rank test says, or why it is not made."""
-    against = f"{test.chains} chains against {test.others} others"
+    against = f"{test.chains} chains against {words.plural(test.others, 'other exact variant')} of catena's"
     if not test.p:
         return (
             f"no rank test: on {against}, it would tell a variant that is slower on {SHARE:.0%} of the chains"
@@ -121,5 +121,5 @@ def in_words(test):
     return (
         f"signed-rank test with Holm's correction ({against}; power {test.power:.2f} against a variant slower"
         f" on {SHARE:.0%} of the chains): at 5 % {test.first} is told from"
-        f" {words.listed(told, 4) if len(told) < test.others else 'every other'}"
+        f" {words.listed(told, 4) if len(told) < test.others else 'every one of them'}"
     )

@@ -13,11 +13,7 @@ class Report:
         self.runs = runs
         described = {name: run.info(name) for run in runs for name in sorted(run.named())}
         self.looks = Looks(list(described.values()))
-        devices = collections.Counter(run.device for run in runs)
-        # One word for each run: its device, and where two share it the commit or the file too.
-        self.labels = [
-            run.device if devices[run.device] == 1 else f"{run.device}, {run.path.name.partition('.')[0]}" for run in runs
-        ]
+        self.labels = _labels(runs)
 
     def look(self, run, variant):
         """The look of the variant of that name."""
@@ -42,17 +38,20 @@ class Report:
         """{run: {input: samples by variant}} of {run: the same}: of runs of one machine that timed the same chain,
         only the one that timed the most variants keeps it, so that no other advice contradicts it.
         """
-        machine = lambda run: (run.context.get("gpu"), run.host)  # noqa: E731
         most = {}
         for run, cases in views.items():
             for input_, row in cases.items():
-                key = machine(run), input_
+                key = _machine(run), input_
                 if key not in most or len(row) > len(views[most[key]][input_]):
                     most[key] = run
         return {
-            run: {input_: row for input_, row in cases.items() if most[machine(run), input_] is run}
+            run: {input_: row for input_, row in cases.items() if most[_machine(run), input_] is run}
             for run, cases in views.items()
         }
+
+    def timed_beside(self, run, views):
+        """The inputs of {run: {input: ...}} that were timed on the machine of `run`, by whichever run."""
+        return {input_ for other, cases in views.items() if _machine(other) == _machine(run) for input_ in cases}
 
     @functools.lru_cache(maxsize=None)
     def median(self, run, input_, variant, stage):
@@ -89,3 +88,36 @@ class Report:
         for name in run.inputs():
             found[runfile.scene_of(name)].append(name)
         return dict(found)
+
+
+def _machine(run):
+    return run.context.get("gpu"), run.host
+
+
+def _labels(runs):
+    """One word for each run: its device; where several share it the file too, or else the number by which figures name
+    the run.
+    """
+    found = [run.device for run in runs]
+    for device in set(found):
+        mine = [at for at, run in enumerate(runs) if run.device == device]
+        files = endings([runs[at].path.with_name(_stem(runs[at].path.name)) for at in mine])
+        for at, file in zip(mine, files if len(mine) > 1 else []):
+            found[at] = f"{device}, {file or f'run {at + 1}'}"
+    return found
+
+
+def _stem(name):
+    return name.partition(".")[0] or name
+
+
+def endings(paths):
+    """Of each path the shortest end that no other has; None where another is the same."""
+    parts = [path.absolute().parts for path in paths]
+    found = []
+    for at, mine in enumerate(parts):
+        others = parts[:at] + parts[at + 1 :]
+        ends = (size for size in range(1, len(mine) + 1) if all(other[-size:] != mine[-size:] for other in others))
+        size = next(ends, None)
+        found.append(size and "/".join(mine[-size:]))
+    return found

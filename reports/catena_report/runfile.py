@@ -4,35 +4,17 @@ import json
 import pathlib
 import re
 import shlex
+import zlib
 
 import numpy
 
+from . import checks
+from .checks import BadRunFile
 from .variant import Variant
 
 STAGES = ("build", "update", "find", "whole", "resident")
 NAME = re.compile(rf"(?P<input>[^/]+/n:\d+)/(?P<variant>.+)/(?P<stage>{'|'.join(STAGES)})(/[a-z_]+)*")
 TO_MS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
-ARRAYS = (
-    "scenes",
-    "counts",
-    "wants",
-    "savings",
-    "regret",
-    "animation",
-    "coherence",
-    "stability",
-    "tube_errors",
-    "examine",
-    "motion",
-    "keyframes",
-    "memory",
-    "steps",
-    "viewer",
-)
-
-
-class BadRunFile(Exception):
-    """One line: what is wrong, where, and what to do."""
 
 
 class Run:
@@ -45,8 +27,9 @@ class Run:
     moved    (input, variant, stage) -> milliseconds between memories of every repetition, 0 where none is told
     """
 
-    def __init__(self, path, raw):
+    def __init__(self, path, raw, where=None):
         self.path, self.raw = pathlib.Path(path), raw
+        self.where = where or self.path  # as messages name it
         self.context = raw["context"]
         self.catena = raw.get("catena", {})
         self._described = self._read_variants()
@@ -57,7 +40,7 @@ class Run:
         self.samples = {case: numpy.array(times) for case, times in self.samples.items()}
 
     def _read(self, at, row):
-        where = f"{self.path}: benchmarks[{at}]"
+        where = f"{self.where}: benchmarks[{at}]"
         name = NAME.fullmatch(str(row.get("name", "")))
         if not name:
             return  # of another program; Google Benchmark's files may be joined
@@ -75,6 +58,7 @@ class Run:
             ) from None
         if not 0 <= time < float("inf"):
             raise BadRunFile(f"{where} has the time {row['real_time']}; measure again with catena report")
+        checks.sample(where, row)
         self.samples.setdefault(case, []).append(time)
         self.moved.setdefault(case, []).append(float(row.get("transfer_ms", 0)))
         self.counters[case] = {
@@ -87,7 +71,7 @@ class Run:
             return {name: Variant.of(name, value) for name, value in described.items()}
         except (AttributeError, KeyError, TypeError) as error:
             raise BadRunFile(
-                f"{self.path}: catena.variants is not as in reports/run_file.md ({error}); measure again with"
+                f"{self.where}: catena.variants is not as in reports/run_file.md ({error}); measure again with"
                 " catena report"
             ) from None
 
@@ -95,12 +79,12 @@ class Run:
         """What the run says of the variant of that name. A BadRunFile where it says nothing."""
         if not self._described:
             raise BadRunFile(
-                f"{self.path}: no catena.variants, which says what each variant is; measure again with this"
+                f"{self.where}: no catena.variants, which says what each variant is; measure again with this"
                 " catena report"
             )
         if variant not in self._described:
             raise BadRunFile(
-                f"{self.path}: catena.variants does not have {variant}; measure again with this catena report"
+                f"{self.where}: catena.variants does not have {variant}; measure again with this catena report"
             )
         return self._described[variant]
 
@@ -203,37 +187,26 @@ def replay(run, input_, variant=None):
 
 def load(path):
     """The run in the file `path`; a BadRunFile says in one line what is wrong."""
+    runs = load_all(path)
+    if len(runs) != 1:
+        raise BadRunFile(f"{path}: holds {len(runs)} runs, and one is wanted; give a file of one of them")
+    return runs[0]
+
+
+def load_all(path):
+    """The runs in the file `path`: one, or the list that a page of several runs has beside it."""
+    constants = []
     try:
         with (gzip.open if str(path).endswith(".gz") else open)(path, "rt", encoding="utf-8") as file:
-            raw = json.load(file)
-    except (OSError, EOFError) as error:
+            raw = json.load(file, parse_constant=lambda name: constants.append(name) or checks.CONSTANTS[name])
+    except (OSError, EOFError, zlib.error) as error:
         raise BadRunFile(f"{path}: {getattr(error, 'strerror', None) or error}; give a file that catena report wrote") from None
-    except ValueError as error:  # not JSON, or not UTF-8
+    except (ValueError, RecursionError) as error:  # not JSON, or not UTF-8
         raise BadRunFile(f"{path}: not JSON ({error}); give a file that catena report wrote") from None
-    if (
-        not isinstance(raw, dict)
-        or not isinstance(raw.get("context"), dict)
-        or not isinstance(raw.get("benchmarks"), list)
-    ):
-        raise BadRunFile(
-            f"{path}: no context and benchmarks; give a file that catena report or catena_bench wrote"
-        )
-    if not all(isinstance(row, dict) for row in raw["benchmarks"]):
-        raise BadRunFile(
-            f"{path}: benchmarks holds something else than objects; give a file that catena report wrote"
-        )
-    catena = raw.get("catena", {})
-    if not isinstance(catena, dict):
-        raise BadRunFile(f"{path}: catena is not an object; see reports/run_file.md")
-    if catena.get("schema", 1) != 1:
-        raise BadRunFile(
-            f"{path}: schema {catena['schema']}, this report reads 1; use the catena that wrote the file"
-        )
-    for key in ARRAYS:
-        if not isinstance([] if catena.get(key) is None else catena[key], list):
-            raise BadRunFile(f"{path}: catena.{key} is not an array; see reports/run_file.md")
-        if not all(isinstance(row, dict) for row in catena.get(key) or []):
-            raise BadRunFile(
-                f"{path}: catena.{key} holds something else than objects; see reports/run_file.md"
-            )
-    return Run(path, raw)
+    several = isinstance(raw, list) and raw
+    runs = [(f"{path}: run {at}", one) for at, one in enumerate(raw, 1)] if several else [(path, raw)]
+    for where, one in runs:
+        checks.whole(where, one)
+        if constants:
+            checks.finite(where, one)
+    return [Run(path, one, where) for where, one in runs]

@@ -125,18 +125,25 @@ def least_p(a_size, b_size):
 
 
 def best(samples):
-    """Of {name: samples}: (the name of the least median, the names that do not differ from it significantly).
-    Mann-Whitney against the best with Holm's correction; where the samples are too few for that test to
+    """Of {name: samples}: (the name of the least median, the names that do not differ from it significantly)."""
+    leader = min(samples, key=lambda name: _middle(sorted(samples[name])))
+    apart = differing(samples, leader)
+    return leader, [name for name in samples if name != leader and name not in apart]
+
+
+def differing(samples, named):
+    """Of {name: samples}: the names that differ significantly from `named`, be they slower or faster.
+    Mann-Whitney against that one with Holm's correction; where the samples are too few for that test to
     reach 5 % at all, those differ whose ranges do not overlap, and with fewer than three samples not even
     within a factor of 2.
     """
-    leader = min(samples, key=lambda name: _middle(sorted(samples[name])))
-    others = [name for name in samples if name != leader]
-    p_values = holm([mann_whitney(samples[name], samples[leader]) for name in others]) if others else []
-    alike = []
+    others = [name for name in samples if name != named]
+    p_values = holm([mann_whitney(samples[name], samples[named]) for name in others]) if others else []
+    found = set()
     for name, p in zip(others, p_values):
-        able = least_p(len(samples[name]), len(samples[leader])) * len(others) < 1 - CONFIDENCE
-        reach = max(samples[leader]) * (2 if min(len(samples[name]), len(samples[leader])) < 3 else 1)
-        if p > 1 - CONFIDENCE if able else min(samples[name]) <= reach:
-            alike.append(name)
-    return leader, alike
+        one, other = sorted((samples[name], samples[named]), key=min)
+        able = least_p(len(one), len(other)) * len(others) < 1 - CONFIDENCE
+        reach = max(one) * (2 if min(len(one), len(other)) < 3 else 1)
+        if p <= 1 - CONFIDENCE if able else min(other) > reach:
+            found.add(name)
+    return found

@@ -4,8 +4,6 @@ import dataclasses
 import io
 import re
 
-from . import whole_file
-
 
 @dataclasses.dataclass
 class Cell:
@@ -37,12 +35,12 @@ class Table:
             [cell if isinstance(cell, Cell) else Cell(str(cell)) for cell in row] for row in self.rows
         ]
 
-    def write_csv(self, path):
+    def as_csv(self):
         text = io.StringIO(newline="")
         writer = csv.writer(text)
         writer.writerow(self.columns)
         writer.writerows([cell.raw for cell in row] for row in self.rows)
-        whole_file.write(path, text.getvalue())
+        return text.getvalue()
 
     def markdown(self):
         lines = [self.columns, ["---"] * self.words + ["---:"] * (len(self.columns) - self.words)]
@@ -52,7 +50,7 @@ class Table:
         ]
         return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
-    def write_latex(self, path):
+    def as_latex(self):
         align = "l" * self.words + "r" * (len(self.columns) - self.words)
         lines = [
             r"\begin{table}",
@@ -71,7 +69,7 @@ class Table:
             ]
             lines.append(" & ".join(cells) + r" \\")
         lines += [r"\bottomrule", r"\end{tabular}", r"\end{table}", ""]
-        whole_file.write(path, "\n".join(lines))
+        return "\n".join(lines)
 
 
 SPECIAL = {

@@ -1,5 +1,6 @@
 """How long a caller waits, by what is asked: three views, each {input: {variant: milliseconds of every
-repetition}} of the exact variants of catena and of the peers.
+repetition}} of the exact variants of catena and of the peers. A variant that failed on a chain by a fault of its own
+is in none of them, whatever it took until then.
 """
 
 
@@ -35,11 +36,12 @@ def moving(run):
 
 
 def _view(run, time):
-    found = {}
+    found, failed = {}, {case[:2] for case in run.faults}
     for input_ in run.inputs():
         for variant in run.variants():
             info = run.info(variant)
-            times = time(run, input_, variant) if info.recommended or info.peer else None
+            asked = (info.recommended or info.peer) and (input_, variant) not in failed
+            times = time(run, input_, variant) if asked else None
             if times is not None:
                 found.setdefault(input_, {})[variant] = times
     return found

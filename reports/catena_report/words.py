@@ -9,9 +9,22 @@ def ms(value):
 
 def duration(value):
     """A time of so many milliseconds in the unit that suits it."""
-    if value >= 1000:
-        return f"{significant(value / 1000, 3)} s"
-    return f"{significant(value, 3)} ms" if value >= 0.1 else f"{significant(value * 1000, 3)} µs"
+    scale, unit = _unit(value)
+    return f"{significant(value * scale, 3)} {unit}"
+
+
+def duration_interval(estimate):
+    """95.0 [90.1, 150.2] ms: a time of so many milliseconds with its interval, in the digits and the unit that suit it."""
+    scale, unit = _unit(estimate.value)
+    value = estimate.value * scale
+    places = max(0, 2 - math.floor(math.log10(value))) if value > 0 else 0
+    value, low, high = (f"{end * scale:,.{places}f}" for end in (estimate.value, estimate.low, estimate.high))
+    return f"{value} [{low}, {high}] {unit}"
+
+
+def _unit(ms):
+    """(how many of it a millisecond has, its name)."""
+    return (1e-3, "s") if ms >= 1000 else (1, "ms") if ms >= 0.1 else (1e3, "µs")
 
 
 def significant(value, digits):
@@ -42,6 +55,22 @@ def listed(items, most=None):
     if most and len(items) > most:
         items = items[:most] + [f"{len(items) - most} more"]
     return items[0] if len(items) == 1 else ", ".join(items[:-1]) + " and " + items[-1] if items else "none"
+
+
+def apart(items, most):
+    """a; b; and 7 more: of items that hold commas themselves."""
+    items = list(items)
+    return "; ".join(items if len(items) <= most else [*items[:most], f"and {len(items) - most} more"])
+
+
+def percent(number, of, places=1):
+    """number / of in per cent: 100 only of all, and 0 only of none."""
+    text, least = f"{100 * number / of:.{places}f}", 10.0**-places
+    if number < of and float(text) == 100:
+        text = f"> {100 - least:.{places}f}"
+    if number > 0 and float(text.removeprefix("> ")) == 0:
+        text = f"< {least:.{places}f}"
+    return text + " %"
 
 
 def interval(estimate, digits=2):

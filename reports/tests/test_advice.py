@@ -13,7 +13,7 @@ import numpy
 
 import made
 import pages
-from catena_report import certainty, choice, profiles, report, runfile, statistics, waits, words
+from catena_report import certainty, choice, profiles, report, runfile, spans, statistics, waits, words
 from catena_report.sections import advice, environment, slowdown, summary
 from pages import recomputes
 
@@ -39,6 +39,23 @@ def raw_medians(run, stage):
 
 def exact(run, row):
     return {name: time for name, time in row.items() if run.catena["variants"][name]["exact"]}
+
+
+def covered(text):
+    """{scene: [(least n, greatest n)]} of what a row says that it is for, taken apart again."""
+    found = {}
+    for sizes, scenes in re.findall(r"(\d[\d, toand]*?)(?: spheres)? \(([^)]+)\)", text):
+        ends = [[int(n.replace(",", "")) for n in span.split(" to ")] for span in re.split(", | and ", sizes)]
+        for scene in re.split(", | and ", scenes):
+            found[scene] = [(span[0], span[-1]) for span in ends]
+    return found
+
+
+def said_of(text, timed):
+    """The inputs that a reader takes a row to speak of."""
+    spans = covered(text)
+    ends = {name: (runfile.scene_of(name), runfile.n_of(name)) for name in timed}
+    return {name for name, (scene, n) in ends.items() if any(low <= n <= high for low, high in spans.get(scene, ()))}
 
 
 class ByWhatACallerWaitsFor(unittest.TestCase):
@@ -96,6 +113,7 @@ class OfTheH200(unittest.TestCase):
         seen = []
         for row, advised in zip(table.rows, choice.advise(self.run_, waits.end_to_end(self.run_))):
             seen += advised.inputs
+            self.assertEqual(said_of(row[1].text, self.medians), set(advised.inputs))
             mine = [self.medians[chain][row[0].text] for chain in advised.inputs]
             self.assertAlmostEqual(row[2].value, min(mine))
             name, _ = advised.next
@@ -150,6 +168,12 @@ class TwoRunsOfOneMachine(unittest.TestCase):
         self.assertTrue({row[0] for row in quick} - timed_by_tables)  # what only the one has timed is advised
         timed = [set(waits.end_to_end(run)) for run in runs]
         self.assertIn("path1/n:1000", timed[0] & timed[1])
+        for row in rows:  # beside the other's rows, too
+            self.assertEqual(len(said_of(row[1], timed[0] | timed[1])), int(row[-1].split()[0]), row)
+        told = [point for point in summary.build(report.Report(runs)).blocks[1].points if "lives on the device" in point]
+        on_device = [waits.resident(run) for run in runs]
+        said = [said_of(part.partition(" for ")[2], {**on_device[0], **on_device[1]}) for point in told for part in point.split("; ")]
+        self.assertEqual(len(set().union(*said)), sum(map(len, said)))  # no chain twice
         chains = [sum(int(row[-1].split()[0]) for row in of) for of in (quick, tables)]
         self.assertEqual(chains, [len(timed[0]), len(timed[1] - timed[0])])  # what both timed is quick's to advise
 
@@ -203,9 +227,15 @@ class RankTest(unittest.TestCase):
 
 class InWords(unittest.TestCase):
     def test_one_length_is_no_range(self):
-        self.assertEqual(advice.chains(None, ["path1/n:1000"]), "1,000 spheres (path1)")
-        self.assertEqual(advice.chains(None, ["b/n:1000", "a/n:1000"]), "1,000 spheres (a and b)")
-        self.assertEqual(advice.chains(None, ["a/n:300", "a/n:1000"]), "300 to 1,000 spheres (a)")
+        for inputs, others, text in (
+            (["path1/n:1000"], [], "1,000 spheres (path1)"),
+            (["b/n:1000", "a/n:1000"], [], "1,000 spheres (a and b)"),
+            (["a/n:300", "a/n:1000"], ["b/n:500"], "300 to 1,000 spheres (a)"),
+            (["a/n:300", "a/n:1000", "b/n:300"], ["b/n:500"], "300 spheres (b) and 300 to 1,000 (a)"),
+            (["a/n:1", "a/n:2", "a/n:4", "a/n:6", "a/n:7"], ["a/n:3", "a/n:5", "a/n:9"], "1 to 2, 4 and 6 to 7 spheres (a)"),
+        ):
+            self.assertEqual(spans.in_words(inputs, inputs + others), text)
+            self.assertEqual(said_of(text, inputs + others), set(inputs))
 
 
 class Certain(unittest.TestCase):

@@ -22,7 +22,7 @@ class Page(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         runs = [runfile.load(made.write(cls.folder.name, made.run()))]
-        with unittest.mock.patch("catena_report.drawn.static.pdf"):  # half of the time, and no browser shows them
+        with unittest.mock.patch("catena_report.drawn.static.pdf", lambda canvas: b""):  # half of the time, and no browser shows them
             cls.path = page.write(report.Report(runs), pathlib.Path(cls.folder.name) / "page")
         cls.window = cls.enterClassContext(browser.opened(cls.path))
 

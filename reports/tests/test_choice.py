@@ -43,6 +43,13 @@ def drawn(generator):
     return view, run_of(dict(zip(inputs, generator.permutation(len(inputs)) / 10)))
 
 
+def surely_slower(row, named):
+    """The exact variants whose median is greater, and whose p, times the number of those not below it, is 5 % at most."""
+    p = {name: statistics.mann_whitney(row[name], row[named]) for name in EXACT if name in row and name != named}
+    of = lambda name: max(other * sum(third >= other for third in p.values()) for other in p.values() if other <= p[name])  # noqa: E731
+    return {name for name in p if of(name) <= 0.05 and plain.median(row[name]) > plain.median(row[named])}
+
+
 def mean_ratio(view, inputs, name, other):
     return plain.geometric_mean(
         plain.median(view[i][name]) / plain.median(view[i][other]) for i in inputs if name in view[i]
@@ -94,10 +101,8 @@ class Advised(unittest.TestCase):
                 self.assertEqual(least[advice.variant], min(least.values()))
                 seen = set().union(*(view[i] for i in advice.inputs)) & set(EXACT)
                 self.assertEqual(advice.others, len(seen - {advice.variant}))
-                everywhere = [
-                    name for name in EXACT
-                    if all(name in view[i] and name not in choices[i].candidates for i in advice.inputs)
-                ]
+                everywhere = set.intersection(*(surely_slower(view[i], advice.variant) for i in advice.inputs))
+                everywhere = {name for name in everywhere if self.interval(view, advice, name).low > 1}
                 for told, names in (
                     (advice.next, everywhere),
                     (advice.papers, {choice.PAPERS} - {advice.variant}),
@@ -111,6 +116,24 @@ class Advised(unittest.TestCase):
                         self.assertAlmostEqual(ratios[told[0]], told[1].value)
                         named += len(ratios) > 1
         self.assertGreater(named, 20)
+
+    @staticmethod
+    def interval(view, advice, name):
+        return choice.over_chains([statistics.ratio(view[i][name], view[i][advice.variant]) for i in advice.inputs if name in view[i]])
+
+    def test_the_next_is_slower_than_the_variant_that_is_named_where_another_leads(self):
+        """The named one is of great scatter on the first chain, and there slower than what is slower than the leader."""
+        quick, slow = 1 + numpy.arange(8) / 100, 1.1 + numpy.arange(8) / 100
+        wide = numpy.array([0.9, 0.95, 1.0, 1.03, 1.8, 1.9, 2.0, 2.1])
+        view = {
+            "a/n:1000": dict(zip(EXACT, (quick, wide, slow))),
+            "a/n:2000": dict(zip(EXACT, (quick + 0.5, quick, slow))),
+        }
+        (advice,) = choice.advise(run_of({"a/n:1000": 1, "a/n:2000": 1}), view)
+        self.assertEqual((advice.variant, advice.next), (EXACT[1], None))
+        view["a/n:1000"][EXACT[2]] = slow + 2
+        (advice,) = choice.advise(run_of({"a/n:1000": 1, "a/n:2000": 1}), view)
+        self.assertEqual(advice.next[0], EXACT[2])
 
     def test_four_chains_measured_alike_leave_half_of_what_one_leaves_open(self):
         one = statistics.Interval(2.0, 1.5, 3.0)
@@ -177,6 +200,17 @@ class Waits(unittest.TestCase):
         run = pages.of(value)
         self.assertIn("aCPU2+GPU2", waits.end_to_end(run)["path1/n:1000"])
         self.assertEqual(set(waits.resident(run)["path1/n:1000"]), {"aGPU2+GPU2", "aGPU2+GPUv2", "GPU1"})
+
+    def test_what_failed_on_a_chain_is_no_advice_for_it(self):
+        """It has good samples: a later one threw."""
+        fault = {"error_occurred": True, "error_message": "bad_alloc", "at_fault": True}
+        value = self.of(lambda name: True)
+        value["benchmarks"].append({"name": "path1/n:1000/aGPU2+GPU2/find", **fault})
+        run = pages.of(value)
+        for view, others in ((waits.end_to_end, 5), (waits.resident, 3), (waits.moving, 5)):
+            of_each = view(run)
+            self.assertNotIn("aGPU2+GPU2", of_each["path1/n:1000"])
+            self.assertEqual((len(of_each["path1/n:1000"]), len(of_each["path1/n:3000"])), (others - 1, others))
 
     def test_a_search_that_stays_on_the_device_is_what_was_timed_as_such(self):
         value = self.of(lambda name: True)

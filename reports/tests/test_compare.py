@@ -1,8 +1,10 @@
 """Two runs compared: every verdict on samples whose law is known, and the exit codes a CI rests on."""
 import contextlib
 import io
+import json
 import tempfile
 import unittest
+import unittest.mock
 
 import made
 from catena_report import __main__ as command
@@ -104,6 +106,21 @@ class Compare(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("no longer answered: 3 pairs missing", out)
 
+    def test_a_fault_after_good_samples_is_a_regression(self):
+        """What catena_bench writes when a sample throws in a later round; and of a case that OLD did not have."""
+        old, thrown = made.run(repetitions=2), {"error_occurred": True, "error_message": "Hybrid: bad_alloc"}
+        old["benchmarks"] = [row for row in old["benchmarks"] if row["name"].startswith("path2/n:1000/GPU1/")]
+        for name in ("path2/n:1000/GPU1/find", "path2/n:9/GPU1/find"):
+            faulty = {"name": name, "run_type": "iteration", **thrown}
+            new = old | {"benchmarks": [*old["benchmarks"], faulty | {"at_fault": True}]}
+            code, out, _ = compared(old, new)
+            told = "no longer answered" if name.startswith("path2/n:1000/") else "failed"
+            self.assertEqual((code, out.count("bad_alloc")), (1, 1), name)
+            self.assertIn(f"{name}: {told}: Hybrid: bad_alloc", out)
+            self.assertNotIn("bad_alloc", compared(new, new)[1])  # it failed before
+        code, out, _ = compared(old, old | {"benchmarks": [faulty | {"at_fault": True}]})
+        self.assertEqual((code, out.count("failed: Hybrid: bad_alloc")), (1, 1))
+
     def test_a_peer_that_got_worse_is_told_and_fails_nothing(self):
         old, new = made.run(repetitions=12, seed=1), made.run(
             repetitions=12, seed=2, slower={("aCPU2+Dual", "find"): 1.3}
@@ -161,10 +178,10 @@ class Counts(unittest.TestCase):
             for row in run["benchmarks"]:
                 if row["name"].startswith("path2/n:1000/aCPU2+CPU2/literal/find"):
                     row["missing"] = missing
-        for new, code, title in ((fewer, 0, "less work"), (more, 1, "more work")):
+        for new, code, title in ((fewer, 0, "fewer"), (more, 1, "more")):
             told = compared(old, new)
             self.assertEqual(told[0], code)
-            self.assertIn(f"{title}, by count: path2/n:1000/aCPU2+CPU2/literal: missing 1,000 ->", told[1])
+            self.assertIn(f"{title} wrong pairs: path2/n:1000/aCPU2+CPU2/literal: missing 1,000 ->", told[1])
 
     def test_a_pair_more_that_is_missed_is_a_regression(self):
         new = made.run()
@@ -173,7 +190,8 @@ class Counts(unittest.TestCase):
                 row["missing"] = 1.0
         code, out, _ = compared(made.run(), new)
         self.assertEqual(code, 1)
-        self.assertIn("more work, by count: path2/n:1000/aCPU2+CPU2/literal: missing 0 -> 1", out)
+        self.assertIn("more wrong pairs: path2/n:1000/aCPU2+CPU2/literal: missing 0 -> 1\n", out)  # no ratio to 0
+        self.assertNotIn("more work", out)
         old = made.run()
         for run, times in ((old, 1.0), (new, 0.5)):  # no saving of work pays for it
             run["catena"]["counts"].append(
@@ -215,10 +233,30 @@ class BadInput(unittest.TestCase):
                 ("d.json", '{"context":{},"benchmarks":[],"catena":{"schema":9}}', "schema 9"),
                 ("f.json", '{"context":{},"benchmarks":[],"catena":{"counts":[1]}}', "catena.counts"),
                 ("e.json", '{"context":{},"benchmarks":[],"catena":{"viewer":{}}}', "catena.viewer"),
+                ("g.json", "[" * 100_000 + "]" * 100_000, "not JSON"),
+                ("h.json", '{"context":{"load":[1,NaN]},"benchmarks":[]}', "context.load[1] is nan, which is no number"),
+                ("h.json", '{"context":{},"benchmarks":[{},{"a":-Infinity}]}', "benchmarks[1].a is -inf, which is no number"),
+                ("i.json", '{"context":{"gpu":[1]},"benchmarks":[]}', "context.gpu is not a text"),
+                ("j.json", '{"context":{},"benchmarks":[],"catena":{"schema":"1"}}', 'schema "1", this report reads 1'),
+                ("k.json", '{"context":{},"benchmarks":[],"catena":{"counts":[{"variant":"V"}]}}', "catena.counts[0] has no input"),
+                (
+                    "l.json",
+                    '{"context":{},"benchmarks":[],"catena":{"counts":[{"input":"a/n:1","variant":"V","bytes":"x"}]}}',
+                    "catena.counts[0].bytes is not a number",
+                ),
+                *(
+                    (
+                        "m.json",
+                        json.dumps({"context": {}, "benchmarks": [{"name": "a/n:1/V/find", "real_time": 1, key: value}]}),
+                        f"benchmarks[0] has {key} {json.dumps(value)}",
+                    )
+                    for key, value in (("transfer_ms", "abc"), ("transfer_ms", None), ("least_ms", "1"), ("missing", -1),
+                                       ("load_one_ms", 0), ("load_all_ms", None))
+                ),
             ):
                 path = made.pathlib.Path(folder) / name
                 path.write_text(text)
-                self.assertIn(says, self.line("--compare", good, str(path)))
+                self.assertIn(says, self.line("--compare", str(path), good))
                 self.assertIn(says, self.line("--output", folder + "/page", str(path)))
             self.assertIn("No such file", self.line("--compare", good, folder + "/none.json"))
             other = made.run()
@@ -229,7 +267,27 @@ class BadInput(unittest.TestCase):
                 "no case in common",
                 self.line("--compare", good, str(made.write(folder, other, "other.json"))),
             )
+            empty = made.write(folder, {"context": {}, "benchmarks": [{"name": "a/n:0/V/find", "real_time": 1}]}, "empty.json")
+            self.assertIn("a/n:0 is a chain without spheres", self.line("--output", folder + "/page", str(empty)))
+            self.assertFalse((made.pathlib.Path(folder) / "page").exists())
             self.assertIn("folder that can be written", self.line("--output", good, good))
+
+    def test_data_of_another_kind_is_told_and_not_taken_for_a_slowdown(self):
+        """An exception would end with exit code 1."""
+        whole = {"context": {}, "benchmarks": [{"name": "a/n:1/GPU1/find", "real_time": 1}],
+                 "catena": {"variants": {"GPU1": made.described("GPU1")}}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(made.write(folder, whole))
+            for error in (ZeroDivisionError("by zero"), KeyError("n"), TypeError("two\nlines")):
+                with unittest.mock.patch("catena_report.gate.decide", side_effect=error):
+                    said = self.line("--compare", path, path)
+                with unittest.mock.patch("catena_report.page._files", side_effect=error):
+                    both = said, self.line("--output", folder + "/page", path)
+                with unittest.mock.patch("catena_report.sections.summary.build", side_effect=error):
+                    both += (self.line("--output", folder + "/page", path),)
+                for line in both:
+                    self.assertIn(f"{path}", line)
+                    self.assertIn(f"({type(error).__name__}: ", line)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from catena_report import choice, claims, paper, profiles, report, statistics, t
 from catena_report import __main__ as command
 from catena_report.sections import (
     advice, animation, arithmetic, environment, judged, paper_tables,
-    slowdown, stability, summary, tube_errors,
+    reproduce, slowdown, stability, summary, tube_errors,
 )
 from catena_report.sections import claims as claims_section
 from test_stability import LINE
@@ -72,6 +72,24 @@ class Words(Base):
         one.path, two.path = pathlib.Path("a.json.gz"), pathlib.Path("b.json")
         other.context = {**other.context, "gpu": "another GPU"}
         self.assertEqual(report.Report([one, two, other]).labels, [f"{one.device}, a", f"{two.device}, b", "another GPU"])
+        for first, second, told, given in (
+            ("a/run.json", "b/run.json", ("a/run", "b/run"), "a/run.json b/run.json"),
+            ("x/a/run.json", "y/a/run.json", ("x/a/run", "y/a/run"), "x/a/run.json y/a/run.json"),
+            ("a/b.json", "a/b.json.gz", ("run 1", "run 2"), "b.json b.json.gz"),
+            ("a/run.json", "a/run.json", ("run 1", "run 2"), "run.json"),  # a list of runs
+        ):
+            one.path, two.path = pathlib.Path(first), pathlib.Path(second)
+            several = report.Report([one, two, other])
+            self.assertEqual(several.labels[:2], [f"{one.device}, {name}" for name in told])
+            other.path = pathlib.Path("c.json")
+            self.assertTrue(reproduce.build(several).blocks[-1].text.endswith(f" --from {given} c.json"))
+
+    def test_of_a_run_without_its_command_the_program_is_said_and_that_more_was_given(self):
+        run = pages.of(self.value)
+        run.catena.pop("command")
+        run.context["executable"] = "build/bench"
+        text = reproduce.build(report.Report([run])).blocks[0].text
+        self.assertIn("\nbuild/bench --benchmark_out=run.json  # and the options of then, which", text)
 
     def test_others_are_those_that_the_interval_leaves_open(self):
         row = self.catena["judged"][0]
@@ -161,6 +179,21 @@ class Slowdowns(unittest.TestCase):
             self.assertEqual(slowdown.headline(run)[2], ["aCPU2+Dual"])
             (row,) = [row for row in slowdown._figure(report.Report([run]), run, found).panels[1].series if row.name == "aCPU2+CPU2"]
         self.assertEqual(row.low, [1.0])
+
+    def test_what_is_less_than_all_is_said_of_those_that_it_was_compared_with(self):
+        run = pages.of(made.run(repetitions=1))
+        run._described["FCL"] = variant.Variant.of("FCL", made.described("FCL"))
+        fast, slow, peer = [2, 2.01, 2.02, 2.03], [9, 9, 9, 9.1], [1, 1, 1, 1.01]
+        for names, ratios, said in (
+            (("aCPU2+CPU2", "GPU1"), (fast, slow), ", less than any other exact variant of catena's"),
+            (("aCPU2+CPU2", "GPU1", "aCPU2+Dual"), (fast, slow, [1.0, 1.0]), ", less than any other exact variant of catena's that was timed on all"),
+            (("FCL", "aCPU2+CPU2", "GPU1"), (peer, fast, slow), ", less than any other exact variant of catena's; of the peers FCL 1.00 [1.00, 1.01]"),
+            (("FCL", "aCPU2+CPU2"), (peer[:2], fast), ", less than any other exact variant of catena's"),
+        ):
+            found = {name: self.of(mine, 4) for name, mine in zip(names, ratios)}
+            with unittest.mock.patch.object(profiles, "slowdowns", return_value=found):
+                self.assertTrue(slowdown._message(run).endswith(said), slowdown._message(run))
+                self.assertTrue(summary._overall(run, "")[0].endswith(said.replace("'", "&#x27;") + "."))
 
 
 class Claims(Base):

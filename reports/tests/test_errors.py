@@ -102,7 +102,7 @@ class OfTheH200(unittest.TestCase):
         self.assertGreaterEqual(seen, 30)
         literal = next(s for s in figure.panels[0].series if s.name == "literal")
         self.assertGreater(literal.y[-1], 0)  # at 2^24 radii
-        self.assertIn("contacts nearer to touching than 1e-07", figure.title)
+        self.assertIn("for contacts with a margin of 1e-07 and less", figure.title)
 
 
 class EveryPoint(unittest.TestCase):

@@ -125,6 +125,25 @@ class Words(unittest.TestCase):
         for ms, text in ((0.0123, "12.3 µs"), (0.1, "0.100 ms"), (999, "999 ms"), (1000, "1.00 s")):
             self.assertEqual(words.duration(ms), text)
 
+    def test_a_duration_and_its_interval_have_one_unit_and_digits_alike(self):
+        for ends, text in (
+            ((95, 90.1, 150.2), "95.0 [90.1, 150.2] ms"),
+            ((0.0123, 0.0119, 0.2), "12.3 [11.9, 200.0] µs"),
+            ((1200, 998, 1250.4), "1.20 [1.00, 1.25] s"),
+            ((0, 0, 0), "0 [0, 0] µs"),
+        ):
+            self.assertEqual(words.duration_interval(statistics.Interval(*ends)), text)
+
+    def test_all_and_none_are_said_of_no_other_share(self):
+        for number, of, places, text in (
+            (2050, 2050, 1, "100.0 %"), (2049, 2050, 1, "> 99.9 %"), (1, 2050, 1, "< 0.1 %"), (0, 2050, 1, "0.0 %"),
+            (1999, 2000, 1, "> 99.9 %"), (1998, 2000, 1, "99.9 %"), (199, 200, 0, "> 99 %"), (1, 300, 0, "< 1 %"), (1, 3, 1, "33.3 %"),
+        ):  # fmt: skip
+            self.assertEqual(words.percent(number, of, places), text)
+
+    def test_what_holds_commas_is_set_apart(self):
+        self.assertEqual([words.apart("abc", most) for most in (3, 2)], ["a; b; c", "a; b; and 1 more"])
+
     def test_an_interval_has_digits_that_suit_it(self):
         for ends, text in (
             ((1.02, 0.98, 1.06), "1.02 [0.98, 1.06]"),

@@ -1,7 +1,5 @@
 """What figures and tables show where there is one of a thing, none of it, or a tie: on runs made for each."""
 import copy
-import pathlib
-import tempfile
 import unittest
 
 import made
@@ -104,9 +102,7 @@ class Tables(unittest.TestCase):
         )
 
     def test_latex_does_so_too(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.two.write_latex(f"{folder}/t.tex")
-            text = pathlib.Path(folder, "t.tex").read_text()
+        text = self.two.as_latex()
         self.assertIn(r"\begin{tabular}{llr}", text)
         self.assertIn("x & \\emph{y} & 1 \\\\\nu &  & 2 \\\\", text)
         shown = r"a $\le$ b$^2$, c $\ge$ \textasciitilde{}5 \%, 3 $\times$ 2 $\pm$ 1 -- \_\#"

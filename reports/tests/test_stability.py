@@ -48,6 +48,15 @@ class Cells(unittest.TestCase):
         self.assertIn("literal arithmetic in 100.0 % of 1 cases", said[0])
 
 
+    def test_one_wrong_case_of_many_is_not_rounded_away(self):
+        value = made.run(repetitions=1)
+        value["catena"]["stability"] = [{**LINE, "variant": "aCPU2+CPU2"}] * 2049 + [{**LINE, "variant": "aCPU2+CPU2", "missing": 1}]
+        run = pages.of(value)
+        self.assertIn("robust arithmetic in &gt; 99.9 % of 2,050 cases", summary._stable(run, "")[0])
+        (row,) = stability._table(report.Report([run]), run).rows
+        self.assertEqual((row[2].text, row[3].text, row[7].text), ("> 99.9 %", "100.0 %", "100.0 %"))
+
+
 class OfTheH200(unittest.TestCase):
     @recomputes("table:stability-shares")
     def test_every_share_is_counted_from_the_lines(self):

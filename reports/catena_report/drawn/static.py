@@ -13,7 +13,6 @@ import matplotlib.ticker
 import numpy
 from matplotlib.path import Path
 
-from .. import whole_file
 from ..style import LIGHT
 
 MARKERS = {
@@ -287,8 +286,8 @@ def themed(text):
 NAMES = {value: name for name, value in LIGHT.items()}
 
 
-def pdf(canvas, path):
+def pdf(canvas):
     with matplotlib.rc_context(RC):
         content = io.BytesIO()
         canvas.savefig(content, format="pdf", metadata={"CreationDate": None})
-    whole_file.write(path, content.getvalue())
+    return content.getvalue()

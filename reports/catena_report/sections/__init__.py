@@ -29,7 +29,7 @@ from . import (
     wants,
     work_precision,
 )
-from ..runfile import BadRunFile
+from .. import checks
 
 ORDER = (
     summary,
@@ -69,10 +69,7 @@ def build(report):
 def _built(module, report):
     try:
         return module.build(report)
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-        files = ", ".join(str(run.path) for run in report.runs)
+    except checks.UNEXPECTED as error:
+        files = ", ".join(dict.fromkeys(str(run.path) for run in report.runs))
         name = module.__name__.rpartition(".")[2]
-        raise BadRunFile(
-            f"{files}: the section {name} cannot be made ({type(error).__name__}: {error}); compare its data"
-            " with reports/run_file.md"
-        ) from error
+        raise checks.unusable(files, f"the section {name} cannot be made", error) from error

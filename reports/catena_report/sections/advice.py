@@ -1,5 +1,5 @@
 """Which variant to use: by what a caller waits for, over the number of spheres and the density of contacts."""
-from .. import choice, runfile, waits, words
+from .. import choice, runfile, spans, waits, words
 from ..figure import Axis, Figure, Panel, Series
 from ..section import Prose, Section
 from ..style import Look
@@ -119,16 +119,9 @@ def _height(run, input_):
 
 
 def _message(run, view, cases):
-    return f"Use, {view}: " + words.listed(
-        (f"{advice.variant} for {chains(run, advice.inputs)}" for advice in choice.advise(run, cases)), 3
+    return f"Use, {view}: " + words.apart(
+        (f"{advice.variant} for {spans.in_words(advice.inputs, cases)}" for advice in choice.advise(run, cases)), 3
     )
-
-
-def chains(run, inputs):
-    """Those chains in words: 1,000 to 3,000 spheres (path1, yarn)."""
-    ns = sorted({runfile.n_of(input_) for input_ in inputs})
-    span = f"{words.count(ns[0])} to {words.count(ns[-1])}" if len(ns) > 1 else words.count(ns[0])
-    return f"{span} spheres ({words.listed(sorted({runfile.scene_of(input_) for input_ in inputs}), 4)})"
 
 
 def summary_table(report):
@@ -137,7 +130,7 @@ def summary_table(report):
     """
     informed = report.best_informed({run: waits.end_to_end(run) for run in report.runs})
     rows = [
-        _advised(report, run, cases, advice)
+        _advised(report, run, informed, advice)
         for run, cases in informed.items()
         for advice in choice.advise(run, cases)
     ]
@@ -156,8 +149,8 @@ def summary_table(report):
         (
             "Each row is chains alike: of the exact variants timed on them, the one named is the fastest or not"
             " significantly slower than it on each. “Next” is the nearest variant that is significantly slower"
-            f" on all of them, “the paper's” is {choice.PAPERS}"
-            + (", a general library searches any set of spheres:" if peers else " (no general library was timed):")
+            f" on all of them, by an interval above 1; “the paper's” is {choice.PAPERS}"
+            + ("; a general library searches any set of spheres:" if peers else " (no general library was timed):")
             + " how many times as long each takes, geometric mean over the row's chains with its 95 % interval"
             " (below six repetitions the range). A call is end to end: from a chain in the host's memory to its"
             " collisions there, with every move between memories. A + B is a construction of a tree and a"
@@ -170,15 +163,16 @@ def summary_table(report):
     )
 
 
-def _advised(report, run, cases, advice):
+def _advised(report, run, informed, advice):
+    cases = informed[run]
     samples = sum(len(cases[input_][advice.variant]) for input_ in advice.inputs)
     low, high = min(advice.times), max(advice.times)
     where = "" if len(report.runs) == 1 else f" ({report.label(run)})"
     return [
         Cell(advice.variant, kind="pick"),
-        chains(run, advice.inputs),
+        spans.in_words(advice.inputs, report.timed_beside(run, informed)),
         Cell(words.ms(low) if len(advice.inputs) == 1 else f"{words.ms(low)} to {words.ms(high)}", low),
-        _times(advice.next, "none differs on all of them"),
+        _times(advice.next, "none is slower on all of them"),
         Cell("this is it") if advice.variant == choice.PAPERS else _times(advice.papers, "not timed"),
         _times(advice.peer, "none was timed"),
         f"{words.plural(len(advice.inputs), 'chain')}, {words.plural(samples, 'sample')}, against"
@@ -201,7 +195,7 @@ def _table(report, run, views):
         for input_, chosen in choice.choose(run, cases).items():
             slower = [
                 (name, ratio) for name, ratio in chosen.slower.items()
-                if name not in chosen.alike and run.info(name).recommended
+                if name not in chosen.alike and run.info(name).recommended and ratio.low > 1
             ]
             nearest = min(slower, key=lambda entry: entry[1].value, default=None)
             papers = chosen.slower.get(choice.PAPERS)
@@ -225,8 +219,8 @@ def _table(report, run, views):
         f"choice{report.key(run)}",
         "The fastest variant for each chain, and how much faster it is",
         (
-            "Ratios of medians with their 95 % interval: how many times as long the next variant that differs"
-            f" significantly takes, and how many times as long {choice.PAPERS}, the paper's on a processor."
+            "Ratios of medians with their 95 % interval: how many times as long the next variant takes that differs"
+            f" significantly and by an interval above 1, and how many times as long {choice.PAPERS}, the paper's on a processor."
         ),
         [
             "chain", "you wait for", "fastest", "no significant difference", "next", "next / fastest",

@@ -40,11 +40,12 @@ def wrong_share(line):
 
 def figure(report, run):
     """Where each arithmetic gets pairs wrong and bounds fall short; None without sweeps."""
-    panels, begins = [], {}
+    panels, begins, swept = [], {}, set()
     for scene, (_, axis, _) in SWEEPS.items():
         found = sweep(run, scene)
         if not any(len(lines) > 2 for lines in found.values()):
             continue
+        swept |= set(found)
         panel = Panel(f"{scene}: pairs wrong", Axis(axis, log=True), Axis("pairs wrong, % of the exact ones"), height=300)
         short = Panel(f"{scene}: bounds short", Axis(axis, log=True), Axis("shortfall, share of the bound", log=True), height=300)
         for arithmetic, lines in found.items():
@@ -64,7 +65,7 @@ def figure(report, run):
             if wrong:
                 begins.setdefault(arithmetic, []).append(
                     f"{min(wrong):.2g} radii from the origin on" if scene == "far"
-                    else f"contacts nearer to touching than {max(wrong):.2g}"
+                    else f"for contacts with a margin of {max(wrong):.2g} and less"
                 )
             bounds = {
                 value: max(
@@ -90,10 +91,10 @@ def figure(report, run):
     message = "; ".join(
         f"{arithmetic} arithmetic gets pairs wrong {words.listed(where)}" for arithmetic, where in begins.items()
     )
-    exact = [name for name in ("robust", "double") if name not in begins]
+    exact = [name for name in ("robust", "double") if name in swept and name not in begins]
     return Figure(
         f"arithmetic{report.key(run)}",
-        (message[0].upper() + message[1:] + f"; {words.listed(exact)} none" if message else "No arithmetic gets a pair wrong here"),
+        (message[0].upper() + message[1:] + (f"; {words.listed(exact)} none" if exact else "") if message else "No arithmetic gets a pair wrong here"),
         (
             "The error of the arithmetic where it starts: a tangle moved away from the origin, whose stored"
             " coordinates become coarse, and a spring all of whose contacts are equally near to touching. Of each"

@@ -68,7 +68,7 @@ def _certain(report, run):
         f"<strong>{html.escape(report.label(run))}, against itself</strong>: the samples of each of {found.cases:,}"
         f" cases ({certainty.FEWEST} or more of each; {found.of:,} were timed) were split into even and odd rounds;"
         f" the Mann-Whitney test at 5 % calls {found.false_alarms:,} of them"
-        f" ({100 * found.false_alarms / found.cases:.1f} %) different, which none is. The smallest slowdown that"
+        f" ({html.escape(words.percent(found.false_alarms, found.cases))}) different, which none is. The smallest slowdown that"
         f" such a run would see in {certainty.SURE:.0%} of attempts, by drawing both sides from the samples of the"
         f" case: {words.significant(half, 2)} % or less in half of the cases, {words.significant(most, 2)} % or less"
         " in nine of ten. What changes from one process to the next is in neither number."

@@ -1,4 +1,6 @@
 """Pivots of a self-avoiding walk: what an attempt costs, and k of them together beside a rebuild."""
+import itertools
+
 from .. import words
 from ..section import Prose, Section
 from ..table import Cell, Table
@@ -23,14 +25,27 @@ def _speed(speed):
     )
 
 
+def _cheap(rows):
+    """Up to how many at once cost less than a rebuild, by the points of the walk; one is not several."""
+    if all(row["times"] > 1 for row in rows):
+        return "cost less than a rebuild"
+    upto, never = [], []
+    for n in sorted({row["n"] for row in rows}):
+        mine = sorted((row["pivots"], row["times"]) for row in rows if row["n"] == n)
+        cheap = [k for k, _ in itertools.takewhile(lambda row: row[1] > 1, mine)]
+        if cheap and cheap[-1] > 1:
+            upto.append(f"{words.count(cheap[-1])} of {words.count(n)} points")
+        else:
+            never.append(words.count(n))
+    if not upto:
+        return "cost no less than a rebuild"
+    return f"cost less than a rebuild up to {words.listed(upto)}" + (f", and no less of {words.listed(never)} points" if never else "")
+
+
 def _table(report, run, found):
     rows = found["at_once"]
-    dear = [row for row in rows if row["times"] < 1]
     wrong = sum(not row["agree"] for row in rows)
-    title = "Several pivots at once cost less than a rebuild"
-    if dear:
-        least = {n: min(row["pivots"] for row in dear if row["n"] == n) for n in {row["n"] for row in dear}}
-        title += " up to " + words.listed(f"{words.count(k)} of {words.count(n)} points" for n, k in sorted(least.items()))
+    title = "Several pivots at once " + _cheap(rows)
     if wrong:
         title += f"; {words.plural(wrong, 'answer')} DIFFER"
     return Table(

@@ -64,7 +64,7 @@ def _figure(report, run, found):
                 look,
                 markers=False,
                 shown=name in first,
-                hover=[f"<b>{run.info(name).label}</b><br>{b:.0%} of chains within {a:.3g} times" for a, b in zip(x, y)],
+                hover=[f"<b>{run.info(name).label}</b><br>{words.percent(round(b * slow.chains), slow.chains, 0)} of chains within {a:.3g} times" for a, b in zip(x, y)],
             )
         )
     rows = list(dict.fromkeys(list(found)[:LISTED] + key))
@@ -137,8 +137,25 @@ def _message(run):
     name, slow, near = found
     return (
         f"Over {slow.chains} chains {name} takes {mean_text(slow)} times the fastest of each"
-        + (f"; the intervals of {words.listed(near, 3)} overlap its own" if near else ", less than any other")
+        + beside(run, name, near)
     )
+
+
+def beside(run, name, near):
+    """How what headline() found stands among those that it is compared with, exact variants of catena's timed on all
+    chains, and which peers take less.
+    """
+    found = profiles.slowdowns(run)
+    whole = lambda other: len(found[other].ratios) == found[other].chains  # noqa: E731
+    text = f"; the intervals of {words.listed(near, 3)} overlap its own"
+    if not near:
+        partial = any(run.info(other).recommended and not whole(other) for other in found)
+        text = ", less than any other exact variant of catena's" + (" that was timed on all" if partial else "")
+    quicker = [
+        f"{other} {mean_text(slow)}" for other, slow in found.items()
+        if run.info(other).peer and whole(other) and slow.mean.value < found[name].mean.value
+    ]
+    return text + (f"; of the peers {words.listed(quicker, 3)}" if quicker else "")
 
 
 def _table(report, run, found):
@@ -166,5 +183,5 @@ def _table(report, run, found):
 
 
 def _within(slow, factor):
-    share = sum(ratio <= factor for ratio in slow.ratios.values()) / slow.chains
-    return Cell(f"{share:.0%}", share)
+    within = sum(ratio <= factor for ratio in slow.ratios.values())
+    return Cell(words.percent(within, slow.chains, 0), within / slow.chains)

@@ -79,9 +79,9 @@ def answers(run):
     return found
 
 
-def share_right(lines):
-    """The share of the lines with the right pairs."""
-    return sum(not wrong_pairs(line) for line in lines) / len(lines)
+def right(lines):
+    """How many of the lines have the right pairs."""
+    return sum(not wrong_pairs(line) for line in lines)
 
 
 def _intro(lines):
@@ -105,7 +105,7 @@ def _table(report, run):
             [
                 name,
                 Cell(words.count(len(lines)), len(lines)),
-                _share(sum(not wrong_pairs(line) for line in lines), len(lines)),
+                _share(right(lines), len(lines)),
                 _share(sum(not wrong_counts(line) for line in lines), len(lines)),
                 Cell(words.count(sum(line.get("missing", 0) for line in lines))),
                 Cell(words.count(sum(line.get("invented", 0) for line in lines))),
@@ -129,7 +129,7 @@ def _table(report, run):
 
 
 def _share(number, of):
-    return Cell(f"{100 * number / of:.1f} %" if of else "", number / of if of else None)
+    return Cell(words.percent(number, of) if of else "", number / of if of else None)
 
 
 def _figure(report, run, lines):

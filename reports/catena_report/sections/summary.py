@@ -3,20 +3,21 @@ the data.
 """
 import html
 
-from .. import certainty, choice, runfile, waits, words
+from .. import certainty, choice, runfile, spans, waits, words
 from .. import claims as paper_claims
 from ..section import Prose, Section
 from . import claims, slowdown, stability
-from .advice import chains as advice_chains
 from .advice import summary_table
 
 
 def build(report):
     section = Section("summary", "In short")
     points = []
+    resident = report.best_informed({run: waits.resident(run) for run in report.runs})
     for run in report.runs:
         on = f" on {html.escape(report.label(run))}" if len(report.runs) > 1 else ""
-        points += [text for make in (_on_device, _overall, _certain, _wrong, _stable) for text in make(run, on)]
+        points += _on_device(run, on, resident[run], report.timed_beside(run, resident))
+        points += [text for make in (_overall, _certain, _wrong, _stable) for text in make(run, on)]
     points += _claims(report)
     points += [text for run in report.runs for text in _compared(report, run)]
     table = summary_table(report)
@@ -50,17 +51,17 @@ def _compared(report, run):
     ]
 
 
-def _on_device(run, on):
-    advices = choice.advise(run, waits.resident(run))
+def _on_device(run, on, cases, timed):
+    advices = choice.advise(run, cases)
     if not advices:
         return []
     return [
         f"{link('advice', 'If your chain lives on the device')}{on} and the answer stays there, the times and the"
         " choice are others: "
         + html.escape(
-            words.listed(
+            words.apart(
                 (
-                    f"{advice.variant} for {advice_chains(run, advice.inputs)} ({words.ms(min(advice.times))} ms and more)"
+                    f"{advice.variant} for {spans.in_words(advice.inputs, timed)}, {words.ms(min(advice.times))} ms and more"
                     for advice in advices
                 ),
                 4,
@@ -78,7 +79,7 @@ def _overall(run, on):
     return [
         f"{link('slowdown', 'Over all chains')}{on} {html.escape(name)} takes {slowdown.mean_text(slow)} times the"
         " fastest of each, end to end"
-        + (f"; the intervals of {html.escape(words.listed(near, 3))} overlap its own." if near else ", less than any other.")
+        + html.escape(slowdown.beside(run, name, near)) + "."
     ]
 
 
@@ -94,7 +95,7 @@ def _certain(run, on):
     return [
         f"{link('environment', 'How sure')}{on}: a slowdown of {words.significant(half, 2)} % would have been seen in"
         f" half of the cases, one of {words.significant(most, 2)} % in nine of ten; of {found.cases:,} cases set against"
-        f" themselves {found.false_alarms:,} ({100 * found.false_alarms / found.cases:.1f} %) were called different at"
+        f" themselves {found.false_alarms:,} ({html.escape(words.percent(found.false_alarms, found.cases))}) were called different at"
         " the 5 % level."
     ]
 
@@ -134,7 +135,7 @@ def _stable(run, on):
     if not answered:
         return []
     shares = words.listed(
-        f"{html.escape(name)} in {100 * stability.share_right(lines):.1f} % of {len(lines):,}"
+        html.escape(f"{name} in {words.percent(stability.right(lines), len(lines))} of {len(lines):,}")
         for name, lines in answered.items()
     )
     return [

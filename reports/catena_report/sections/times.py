@@ -120,8 +120,8 @@ def _series(report, run, name, points, stage, shown, each):
         high=None if each else [e.high for e in estimates],
         shown=shown,
         hover=[
-            f"<b>{name}</b><br>{input_}<br>{words.duration(e.value)} [{words.ms(e.low)}, {words.ms(e.high)}]"
-            f" ms, {words.plural(len(times), 'repetition')}"
+            f"<b>{name}</b><br>{input_}<br>{words.duration_interval(e)}"
+            f", {words.plural(len(times), 'repetition')}"
             f"<br>{words.significant(1e6 * e.value / runfile.n_of(input_), 3)} ns a sphere"
             for (input_, _, times), e in zip(points, estimates)
         ],
