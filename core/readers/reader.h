@@ -39,6 +39,8 @@ struct CurveFile {
   void add_point(double x, double y, double z, float radius = 0) {
     (later_frames.empty() ? spheres : later_frames.back()).push_back(rounding.round(x, y, z, radius));
   }
+  /// One whose radius is told later, or which may be left out; rounding.settle() counts what it has lost.
+  void add_open_point(double x, double y, double z) { spheres.push_back(rounding.round_open(x, y, z)); }
   void begin_later_frame() {
     later_frames.emplace_back();
   }  ///< what is added from here on is the next frame's

@@ -122,8 +122,9 @@ CurveFile VtkMesh::curves(const std::string& file) {
   for (auto* done : {&line_points_, &vertices_}) std::exchange(*done, {});
   std::exchange(arrays_, {});
   const std::size_t all = curves_.spheres.size();
-  for (const std::uint32_t point : arrange_along_edges(curves_, edges, false))
-    curves_.labels.add(std::int64_t{point});
+  const auto order = arrange_along_edges(curves_, edges, false);
+  curves_.rounding.settle(curves_.spheres, [&](std::size_t sphere) { return order[sphere]; });
+  for (const std::uint32_t point : order) curves_.labels.add(std::int64_t{point});
   if (const std::size_t left = all - curves_.spheres.size(); left > 0)
     curves_.warnings.push_back(fmt::format(
         "{} point{} left out", left, left == 1 ? " that is of no line is" : "s that are of no line are"));

@@ -23,7 +23,7 @@ class VtkMesh {
 
   std::uint32_t points() const { return static_cast<std::uint32_t>(curves_.spheres.size()); }
   void reserve_points(std::size_t points) { curves_.spheres.reserve(points); }
-  void add_point(double x, double y, double z) { curves_.add_point(x, y, z); }
+  void add_point(double x, double y, double z) { curves_.add_open_point(x, y, z); }
 
   std::uint64_t cells() const { return cells_; }
   enum CellType : std::int64_t { vertex = 1, poly_vertex = 2, line = 3, poly_line = 4 };  ///< VTK's numbers
