@@ -80,6 +80,10 @@ RC_GTEST_PROP(LammpsDataReader, ReadsEveryStyle, (bool flags, bool kokkos)) {
   RC_ASSERT(curves.spheres == spheres);
   RC_ASSERT(curves.has_radii == style.diameter.has_value());
   RC_ASSERT(curves.warnings.empty() == style.molecule.has_value());
+  const auto of_hybrid = [](const std::string& warning) {
+    return warning.find("hybrid") != std::string::npos;
+  };
+  RC_ASSERT(std::ranges::any_of(curves.warnings, of_hybrid) == (style.name == "hybrid"));
 }
 
 TEST(LammpsDataReader, SaysWhatIsWrong) {

@@ -136,6 +136,9 @@ class LammpsAtoms {
  private:
   void read_atoms() {
     const LammpsAtomStyle* style = told_style();
+    if (style != nullptr && style->name == "hybrid")
+      beads_.about().warnings.emplace_back(
+          "the atoms are of style hybrid; molecules and diameters of its sub-styles are not read");
     const std::size_t most = data_.lines().bytes() / 10;  // of what a header can say truly
     beads_.reserve(std::min<std::size_t>(data_.atoms(), most), std::min<std::size_t>(data_.bonds(), most));
     std::size_t size = 0;
