@@ -137,13 +137,22 @@ TEST(OxdnaReader, RefusesFramesThatAreNotWhole) {
 }
 
 TEST(OxdnaReader, ClosesStrandsThatSayTheyAreCircular) {
-  for (const char* said : {"circular=1", "circular=true", "Circular=True"}) {
-    const TestFile top("a.top", fmt::format("3 1 5->3\nACG type=DNA {}\n", said)),
-        file("a.conf", "t = 0\nb = 9 9 9\n0 0 0\n1 0 0\n2 0 0\n");
-    EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()}).strand_closed,
-              std::vector<std::uint8_t>{1})
-        << said;
-  }
+  const std::string conf = "t = 0\nb = 9 9 9\n0 0 0\n1 0 0\n2 0 0\n";
+  const auto topology = [](const std::string& said) {
+    return fmt::format("3 1 5->3\nACG type=DNA {}\n", said);
+  };
+  for (const auto& [closed, words] : std::vector<std::pair<std::uint8_t, std::vector<std::string>>>{
+           {1, {"circular=1", "circular=true", "Circular=True", "circular=yes", "circular=YUP"}},
+           {0, {"circular=0", "circular=False", "circular=no", "circular=nope", "circularity=9", ""}}})
+    for (const std::string& said : words) {
+      const TestFile top("a.top", topology(said)), file("a.conf", conf);
+      EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()}).strand_closed,
+                std::vector<std::uint8_t>{closed})
+          << said;
+    }
+  for (const char* neither : {"circular=", "circular", "circular=2", "circular=tru"})
+    expect_says(oxdna_complaint(topology(neither), conf),
+                "a.top:2: '" + std::string(neither) + "': a strand is circular=true or circular=false");
 }
 
 /// a.top beside a.conf.gz.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
@@ -87,9 +88,21 @@ class TopologyText {
       if (c == ')') in_brackets = false;
     }
     for (std::uint32_t i = first; i + 1 < seen_; ++i) topology_.bonds.push_back({i, i + 1});
-    const bool circular = std::ranges::any_of(
-        fields, [](auto field) { return lower_case(field) == "circular=true" || field == "circular=1"; });
+    const bool circular = std::ranges::any_of(fields, [&](auto field) { return says_circular(field); });
     if (circular && seen_ - first > 2) topology_.bonds.push_back({seen_ - 1, first});
+  }
+
+  // The words of oxDNA itself; what it would not understand may be meant as either.
+  bool says_circular(std::string_view field) const {
+    const std::string lower = lower_case(field);
+    if (lower != "circular" && !lower.starts_with("circular=")) return false;
+    const std::string word = lower.substr(std::min(lower.size(), std::string_view("circular=").size()));
+    const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
+      return std::ranges::find(words, word) != words.end();
+    };
+    if (is_one_of({"true", "1", "yes", "yup"})) return true;
+    if (is_one_of({"false", "0", "no", "nope"})) return false;
+    lines_.fail(fmt::format("{}: a strand is circular=true or circular=false", in_quotes(field)));
   }
 
   TextLines lines_;
