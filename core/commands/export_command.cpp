@@ -52,8 +52,8 @@ class ExportCommand final : public Command {
       names.push_back(out_);
     else
       for (std::uint32_t f = first; f < last; ++f) names.push_back(name_of(f));
-    for (const std::string& name : names) require_apart({input_, options_.reading.topology}, {name});
-    say_losses(writer.info, input.animation->frame(first), !input.boxes.empty());
+    for (const std::string& name : names) require_apart(input_, options_.reading, {name});
+    say_losses(writer.info, input.animation->frame(first), input);
     const auto frame = [&](std::uint32_t f) { return exported(input, f, f == first); };
     if (writer.info.frames || last - first == 1) {
       writer.write(out_, {first, last, frame, input.labels, input.joints, input.boxes});

@@ -111,6 +111,11 @@ class TopologyText {
   OxdnaTopology topology_;
 };
 
+std::filesystem::path topology_beside(std::filesystem::path file) {
+  if (lower_case(file.extension().string()) == ".gz") file.replace_extension();
+  return file.replace_extension(".top");
+}
+
 class Oxdna {
  public:
   Oxdna(const std::filesystem::path& file, const ReadOptions& options)
@@ -133,9 +138,7 @@ class Oxdna {
  private:
   static std::filesystem::path topology_of(const std::filesystem::path& file, const ReadOptions& options) {
     if (!options.topology.empty()) return options.topology;
-    auto beside = file;
-    if (lower_case(beside.extension().string()) == ".gz") beside.replace_extension();
-    beside.replace_extension(".top");
+    const auto beside = topology_beside(file);
     if (is_standard_input(file) || !std::filesystem::exists(beside))
       throw InputError(fmt::format(
           "{}: the strands are in oxDNA's topology; name it with --topology FILE.top", shown_name(file)));
@@ -189,7 +192,8 @@ const RegisterReader registered{{"oxDNA configuration",
                                  {".oxdna", ".conf", ".dat"},
                                  "nucleotides along the strands of a topology, all frames; the box; no radii",
                                  "nucleotide from 0",
-                                 {"--topology"}},
+                                 {"--topology"},
+                                 topology_beside},
                                 read_by<Oxdna>};
 
 }  // namespace
