@@ -26,12 +26,16 @@ bool says_radius(std::string_view name) {
 
 }  // namespace
 
+std::string VtkMesh::refusal_of(std::int64_t point) const {
+  if (point >= 0 && point < points()) return "";
+  return fmt::format("a cell names point {}, of {} from 0", point, points());
+}
+
 std::string VtkMesh::add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell) {
   const bool is_vertex = type == vertex || type == poly_vertex;
   if (!is_vertex && type != line && type != poly_line) return add_other_cells(1), "";
   for (const std::int64_t point : points_of_cell)
-    if (point < 0 || point >= points())
-      return fmt::format("a cell names point {}, of {} from 0", point, points());
+    if (std::string refusal = refusal_of(point); !refusal.empty()) return refusal;
   for (const std::int64_t point : points_of_cell) {
     (is_vertex ? vertices_ : line_points_).push_back(static_cast<std::uint32_t>(point));
     if (is_vertex) vertex_cell_.push_back(cells_);

@@ -27,6 +27,8 @@ class VtkMesh {
 
   std::uint64_t cells() const { return cells_; }
   enum CellType : std::int64_t { vertex = 1, poly_vertex = 2, line = 3, poly_line = 4 };  ///< VTK's numbers
+  /// Why a cell cannot name this point; empty when it can.
+  std::string refusal_of(std::int64_t point) const;
   /// The next cell, of these or any other type. The reason when a point of it is none; empty when it is good.
   std::string add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell);
   void add_other_cells(std::uint64_t cells) { cells_ += cells, other_cells_ += cells; }
