@@ -44,8 +44,9 @@ TEST(XyzReader, DropsNoMalformedPointAsATitle) {
   EXPECT_COMPLAINT("3: z 'O' is not a number", "a.xyz", "2\ntitle\n0 0 O\n1 0 0\n");
   EXPECT_COMPLAINT("1: 3 points are announced, 2 follow", "a.xyz", "3\ntitle\n0 0 0\n1 0 0\n");
   const CurveFile untitled = read_text("a.xyz", "2\n7 0 0\n8 0 0\n");
-  ASSERT_EQ(untitled.warnings.size(), 1u);
-  EXPECT_EQ(untitled.warnings[0], "there is no title line after the number of points");
+  const std::vector<std::string> said{"there is no title line after the number of points"};
+  EXPECT_EQ(untitled.warnings, said);
+  EXPECT_EQ(read_text("a.xyz", "2\n7 0 0\n8 0 0\n2\n7 0 0\n8 0 0\n2\n7 0 0\n8 0 0\n").warnings, said);
 }
 
 TEST(XyzReader, RefusesRowsThatCanBeReadInSeveralWays) {
