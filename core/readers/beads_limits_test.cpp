@@ -129,6 +129,9 @@ TEST(OxdnaReader, RefusesFramesThatAreNotWhole) {
   EXPECT_EQ(oxdna_complaint(top, "t = 0\n" + box + rows), "");
   expect_says(oxdna_complaint(top, "t = 0\n" + box + "t = 1\n" + box + rows),
               "frame 0 has 0 nucleotides, the topology 2");
+  EXPECT_EQ(oxdna_complaint(top, "t = 0\n" + box + rows + "t = 1\nb = 8 9 9\n" + rows), "");
+  expect_says(oxdna_complaint(top, "t = 0\n" + box + rows + "t = 1\nb = 0 0 0\n" + rows),
+              "a.conf:6: this frame and the first differ in having a periodic box");
   expect_says(oxdna_complaint(top, "t = 0\nb = 9 9 9 9\n" + rows), "the box is 'b = X Y Z'");
   expect_says(oxdna_complaint(top, "t = 0\n" + box + rows + "2 0 0\n"),
               "frame 0 has more nucleotides than the topology's 2");

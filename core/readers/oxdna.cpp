@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 #include "catena/core/counted.h"
@@ -170,6 +171,9 @@ class Oxdna {
     if (fields.size() != 5) lines_.fail("the box is 'b = X Y Z'");
     PeriodicBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) box.length[axis] = lines_.wide_real(fields[2 + axis], "box");
+    const auto repeats = [](const PeriodicBox& b) { return b.length != std::array<double, 3>{}; };
+    if (!curves_.boxes.empty() && repeats(box) != repeats(curves_.boxes.front()))
+      lines_.fail("this frame and the first differ in having a periodic box");
     curves_.boxes.push_back(box);
   }
 
