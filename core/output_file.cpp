@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -63,6 +64,13 @@ int open_nameless(const fs::path& target) {
   return open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 }
 
+/// Of a file that will be replaced, so that it is read by nobody new. Where a file system has no permissions,
+/// there are none to keep.
+void keep_permissions(int file, const fs::path& replaced) {
+  struct stat status {};
+  if (stat(replaced.c_str(), &status) == 0) fchmod(file, status.st_mode & 0777);
+}
+
 /// Ctrl-C waits while this lives.
 class SignalsHeld {
  public:
@@ -91,6 +99,7 @@ OutputFile::OutputFile(const fs::path& name) : name_(name), target_(followed(nam
     nameless_ = file >= 0;
     if (!nameless_)
       file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file >= 0) keep_permissions(file, target_);
   } else {
     file = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   }

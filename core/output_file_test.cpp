@@ -135,6 +135,11 @@ TEST_F(OutputFiles, MayBeReadByWhomTheUserLets) {
   write_file(file("a"), "x");
   umask(before);
   EXPECT_EQ(fs::status(file("a")).permissions(), static_cast<fs::perms>(0640));
+  for (const auto kept : {0600, 0644, 0664, 0400}) {
+    fs::permissions(file("a"), static_cast<fs::perms>(kept));
+    write_file(file("a"), "y");
+    EXPECT_EQ(fs::status(file("a")).permissions(), static_cast<fs::perms>(kept));
+  }
 }
 
 /// A program that is started meanwhile holds none of them open.

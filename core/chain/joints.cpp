@@ -52,6 +52,9 @@ class TubeGraph {
       edge_[next[edge.i]++] = {edge.j, step};
       edge_[next[edge.j]++] = {edge.i, step};
     }
+    // Shortest first, so that a search looks at no more of a sphere's many branches than it can enter.
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+      std::ranges::sort(std::span(edge_).subspan(row_[i], row_[i + 1] - row_[i]), {}, &Edge::length);
   }
 
   bool by_index() const { return rule_.rule == Exclusion::Rule::index_window; }
@@ -86,8 +89,8 @@ class TubeGraph {
       open_.pop();
       if (way > way_[i]) continue;  // it was reached on a shorter way later
       visit(i, way);
-      for (std::size_t e = row_[i]; e < row_[i + 1]; ++e)
-        if (const double longer = way + edge_[e].length; longer <= limit) reached(edge_[e].to, longer);
+      for (std::size_t e = row_[i]; e < row_[i + 1] && way + edge_[e].length <= limit; ++e)
+        reached(edge_[e].to, way + edge_[e].length);
     }
     for (const std::uint32_t i : touched_) way_[i] = far;
     touched_.clear();

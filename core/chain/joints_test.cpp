@@ -25,6 +25,21 @@ TEST(Joints, AreTheOnlyPairsOfWindowOne) {
   EXPECT_TRUE(pairs_across_joints(tree, tree_strands, {}, Exclusion::index(9)).empty());
 }
 
+/// Of so many branches at one sphere that each may not look at all others: that would take seconds.
+TEST(Joints, AreFoundAtASphereOfManyBranches) {
+  constexpr std::uint32_t branches = 20'000;
+  std::vector<Sphere> star{{0, 0, 0, 0.01f}};
+  Strands strands{{0, 1}, {0}};
+  Pairs joints;
+  for (std::uint32_t k = 1; k <= branches; ++k) {
+    star.push_back({static_cast<float>(k), 0, 0, 0.01f});
+    strands.first.push_back(k + 1), strands.closed.push_back(0);
+    joints.push_back({0, k});
+  }
+  EXPECT_EQ(pairs_across_joints(star, strands, joints, Exclusion::index(1)), joints);
+  EXPECT_EQ(pairs_across_joints(star, strands, joints, Exclusion::arc(75)), (Pairs{{0, 1}}));
+}
+
 TEST(Joints, AreCrossedByLongerWindows) {
   EXPECT_EQ(pairs_across_joints(tree, tree_strands, tree_joint, Exclusion::index(2)),
             (Pairs{{1, 5}, {2, 5}, {2, 6}, {3, 5}}));

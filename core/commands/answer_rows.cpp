@@ -1,7 +1,12 @@
 #include "catena/core/commands/answer_rows.h"
 
+#include <fmt/format.h>
+
+#include <string>
+
 #include "catena/core/error.h"
 #include "catena/core/periodic/overlap.h"
+#include "catena/core/readers/text_lines.h"
 
 namespace catena {
 
@@ -23,6 +28,9 @@ void leave_out_unread_pairs(Request& request, const AnswerTables& tables) {
 }
 
 void check_answer_options(const Request& request, const AnswerTables& tables) {
+  for (const std::string& name : {tables.pairs, tables.counts})
+    if (lower_case(name).ends_with(".gz"))
+      throw InputError(fmt::format("{}: tables are not written packed; name a .csv or .jsonl file", name));
   if ((tables.depth || tables.margin) && tables.pairs.empty())
     throw InputError("--depth and --margin are columns of --pairs; name its file, too");
   if (request.want == Request::Want::any && (!tables.pairs.empty() || !tables.counts.empty()))

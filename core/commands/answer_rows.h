@@ -26,7 +26,8 @@ struct AnswerTables {
   static std::vector<std::string> count_columns();
 };
 
-/// Throws InputError when a table is asked for that the request does not fill.
+/// Throws InputError when a table is asked for that the request does not fill, or by the name of a packed
+/// file, which none is.
 void check_answer_options(const Request& request, const AnswerTables& tables);
 
 /// Asks for counts instead of pairs where nothing is done with pairs: there is no table of them, and no other

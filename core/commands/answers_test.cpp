@@ -35,13 +35,14 @@ TEST_F(Answers, NameTheSamplesOfANeuron) {
 
 // 0.5 of the one end and 9.25 of the other are 1.25 apart across the face.
 TEST_F(Answers, TellDepthsAcrossAFaceOfABox) {
-  const std::string csv = write("b.csv", "x,y,z,r\n0.5,0,0,1\n5,5,5,0.1\n9.25,0,0,1\n");
+  const std::string csv = write("b.csv", "id,x,y,z,r\nl,0.5,0,0,1\nm,5,5,5,0.1\nr,9.25,0,0,1\n");
   run("detect " + csv + " --box 10,0,0 --depth --margin --pairs '" + file("p.csv") + "'");
-  EXPECT_TRUE(text_of(file("p.csv")).ends_with("index_j,depth,margin\n0,0,2,2,4,0,0,0,2,0.75,0.609375\n"))
+  EXPECT_TRUE(text_of(file("p.csv")).ends_with("index_j,depth,margin\n0,0,2,l,r,0,0,0,2,0.75,0.609375\n"))
       << text_of(file("p.csv"));
   run("detect " + csv + " --depth --pairs '" + file("p.csv") + "'");
   EXPECT_TRUE(text_of(file("p.csv")).ends_with("depth\n"));
-  run("export " + csv + " '" + file("b.vtp") + "' --contacts --box 10,0,0");
+  const std::string said = run("export " + csv + " '" + file("b.vtp") + "' --contacts --box 10,0,0").output;
+  EXPECT_NE(said.find("holds no labels, nor names of strands; export to .csv"), std::string::npos) << said;
   const std::string text = text_of(file("b.vtp"));
   EXPECT_NE(text.find("Name=\"collisions\" format=\"ascii\">\n1\n0\n1\n"), std::string::npos) << text;
   EXPECT_NE(text.find("Name=\"contact\" format=\"ascii\">\n2\n-1\n0\n"), std::string::npos) << text;

@@ -89,7 +89,7 @@ class DetectCommand final : public Command {
     request_.want = want_.want();
     check_answer_options(request_, files_);
     leave_out_unread_pairs(request_, files_);
-    require_apart({input_, options_.reading.topology}, {files_.pairs, files_.counts});
+    require_apart(input_, options_.reading, {files_.pairs, files_.counts});
     if (no_omit_.given() && variant_ != usual_variant)
       throw InputError("--no-omit is about the variant auto; leave it out, or --variant");
     if (no_omit_.given()) variant_ = no_omit_.variant();

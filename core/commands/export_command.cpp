@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@
 #include "catena/core/input/scene_input.h"
 #include "catena/core/one_line.h"
 #include "catena/core/periodic/periodic.h"
+#include "catena/core/readers/number_text.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
 #include "catena/core/writers/writer.h"
@@ -53,8 +55,8 @@ class ExportCommand final : public Command {
       names.push_back(out_);
     else
       for (std::uint32_t f = first; f < last; ++f) names.push_back(name_of(f));
-    for (const std::string& name : names) require_apart({input_, options_.reading.topology}, {name});
-    say_losses(writer.info, input.animation->frame(first), !input.boxes.empty());
+    for (const std::string& name : names) require_apart(input_, options_.reading, {name});
+    say_losses(writer.info, input.animation->frame(first), input);
     const auto frame = [&](std::uint32_t f) { return exported(input, f, f == first); };
     if (writer.info.frames || last - first == 1) {
       writer.write(out_, {first, last, frame, input.labels, input.joints, input.boxes});
@@ -93,7 +95,14 @@ class ExportCommand final : public Command {
         .string();
   }
 
-  void say_losses(const WriterInfo& info, const Chain& chain, bool has_box) const {
+  /// More than numbers, in place of which catena's own do.
+  static bool has_names(const Labels& labels) {
+    bool numbers = std::ranges::all_of(labels.strand_names, is_integer);
+    for (std::uint32_t i = 0; i < labels.size() && numbers; ++i) numbers = is_integer(labels.of(i));
+    return !numbers;
+  }
+
+  void say_losses(const WriterInfo& info, const Chain& chain, const Input& input) const {
     const auto say = [&](const char* what) {
       fmt::print(stderr, "catena: {}\n", one_line(fmt::format("{}: {} holds no {}", out_, info.name, what)));
     };
@@ -102,7 +111,8 @@ class ExportCommand final : public Command {
     if (!info.rule && (rule.rule != Exclusion::Rule::index_window || rule.window != 1))
       say("exclusion rule; give it with --window or --arc-window when it is read");
     if (!info.rule && !rule.extra_pairs.empty()) say("neighbours across joints; .chain does");
-    if (!info.box && has_box) say("box; give it with --box when it is read, or export to .xyz");
+    if (!info.labels && has_names(input.labels)) say("labels, nor names of strands; export to .csv");
+    if (!info.box && !input.boxes.empty()) say("box; give it with --box when it is read, or export to .xyz");
   }
 
   /// A format that has the arc window has no arc lengths but those of the spheres in it; frames keep those of

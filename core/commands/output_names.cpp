@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "catena/core/error.h"
+#include "catena/core/readers/reader.h"
 
 namespace catena {
 namespace {
@@ -33,6 +34,14 @@ void require_apart(const std::vector<std::string>& read, const std::vector<std::
       if (!written[other].empty() && same_file(written[k], written[other]))
         throw InputError(fmt::format("{}: is to be written twice; name another file", written[k]));
   }
+}
+
+void require_apart(const std::string& input, const ReadOptions& reading,
+                   const std::vector<std::string>& written) {
+  std::vector<std::string> read;
+  for (const fs::path& file : ReaderRegistry::instance().files_of(input, reading))
+    read.push_back(file.string());
+  require_apart(read, written);
 }
 
 }  // namespace catena

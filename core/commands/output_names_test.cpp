@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "catena/core/readers/test_file.h"
 
@@ -29,6 +30,25 @@ TEST(OutputNames, AreApartFromOneAnotherAndFromWhatIsRead) {
     EXPECT_THROW(require_apart({"rod:n=5", read}, wrong), InputError) << wrong.back();
   for (const Names& right : {Names{}, {""}, {fresh, other}, {"", ""}, {"/dev/null", fresh, "/dev/null"}})
     EXPECT_NO_THROW(require_apart({"rod:n=5", read}, right));
+}
+
+/// As what is named: a topology that the reader finds, of files that have one.
+TEST(OutputNames, AreApartFromWhatLiesBesideAnInput) {
+  const TestFile file("a.conf", "");
+  const std::filesystem::path folder = file.path().parent_path();
+  const std::string conf = file.path(), packed = conf + ".gz", dat = folder / "a.dat", xyz = folder / "a.xyz",
+                    top = folder / "a.top", other = folder / "b.top";
+  for (const std::string& name : {top, other}) std::ofstream(name) << "2 1\n";
+  for (const std::string& input : {conf, packed, dat}) {
+    EXPECT_THROW(require_apart(input, {}, {other, top}), InputError) << input;
+    EXPECT_NO_THROW(require_apart(input, {}, {other}));
+    EXPECT_NO_THROW(require_apart(input, {.topology = other}, {top}));
+    EXPECT_THROW(require_apart(input, {.topology = other}, {other}), InputError);
+  }
+  EXPECT_THROW(require_apart(xyz, {.format = "conf"}, {top}), InputError);
+  EXPECT_NO_THROW(require_apart(xyz, {}, {top}));
+  EXPECT_NO_THROW(require_apart("rod:n=5", {}, {top, conf}));
+  EXPECT_THROW(require_apart(conf, {}, {conf}), InputError);
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 
 #include "catena/core/csv_cell.h"
 #include "catena/core/readers/number_text.h"
+#include "catena/core/readers/text_lines.h"
 
 namespace catena {
 
 RowText::RowText(const std::string& file_name, std::vector<std::string> columns)
-    : columns_(std::move(columns)), json_(file_name.ends_with(".jsonl")) {}
+    : columns_(std::move(columns)), json_(lower_case(file_name).ends_with(".jsonl")) {}
 
 std::string RowText::heading() const {
   if (json_) return "";

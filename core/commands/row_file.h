@@ -9,8 +9,8 @@
 
 namespace catena {
 
-/// Rows of a table as text: CSV (RFC 4180: text with a comma, a quote or a line end is in quotes), or one JSON object a
-/// line where the name of the table's file ends in .jsonl.
+/// Rows of a table as text: CSV (RFC 4180: text with a comma, a quote or a line end is in quotes), or one
+/// JSON object a line where the name of the table's file ends in .jsonl, in letters of any case.
 class RowText {
  public:
   RowText(const std::string& file_name, std::vector<std::string> columns);

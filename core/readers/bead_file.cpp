@@ -59,16 +59,18 @@ void BeadFile::end_frame() {
   ++frames_;
 }
 
-std::uint32_t BeadFile::place_of(std::int64_t id) const {
+std::optional<std::uint32_t> BeadFile::place_of(std::int64_t id) const {
   const auto found = std::ranges::lower_bound(ids_, id);
-  if (found == ids_.end() || *found != id)
-    throw InputError(fmt::format("{}: a bond names atom {}, which is not there", file_, id));
+  if (found == ids_.end() || *found != id) return {};
   return static_cast<std::uint32_t>(found - ids_.begin());
 }
 
-void BeadFile::tie(std::int64_t a, std::int64_t b) {
-  if (a == b) throw InputError(fmt::format("{}: a bond ties atom {} to itself", file_, a));
-  bonds_.push_back({place_of(a), place_of(b)});
+std::string BeadFile::tie(std::int64_t a, std::int64_t b) {
+  if (a == b) return fmt::format("a bond ties atom {} to itself", a);
+  const auto i = place_of(a), j = place_of(b);
+  if (!i || !j) return fmt::format("a bond names atom {}, which is not there", i ? b : a);
+  bonds_.push_back({*i, *j});
+  return "";
 }
 
 void BeadFile::reserve(std::size_t beads, std::size_t bonds) {

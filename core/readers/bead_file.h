@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ class BeadFile {
   /// The beads since the last call are a frame. Throws InputError for an id that comes twice, or another set
   /// of ids than that of the first frame.
   void end_frame();
-  /// A bond; of the beads of the first frame, once that has ended. Throws InputError where one is not there.
-  void tie(std::int64_t a, std::int64_t b);
+  /// A bond; of the beads of the first frame, once that has ended. The reason when it can be none, as it
+  /// names a bead that is not there; empty when it is good.
+  [[nodiscard]] std::string tie(std::int64_t a, std::int64_t b);
   void reserve(std::size_t beads, std::size_t bonds);
 
   CurveFile& about() { return curves_; }  ///< for radii, boxes and warnings
@@ -31,7 +33,8 @@ class BeadFile {
   CurveFile curves();  ///< once
 
  private:
-  std::uint32_t place_of(std::int64_t id) const;
+  /// None where there is no such bead.
+  std::optional<std::uint32_t> place_of(std::int64_t id) const;
   std::vector<Pair> edges_without_bonds();
 
   std::string file_;

@@ -49,6 +49,60 @@ TEST(LammpsDumpReader, RefusesRowsThatAreNotWhatTheirNamesSay) {
               "a bound of the box is 'low high', and a tilt where it is tilted");
 }
 
+/// A frame is whole or refused: wherever its header ends, and whether the file or another frame follows.
+TEST(LammpsDumpReader, RefusesFramesOfWhichTheAtomsAreMissing) {
+  const std::string units = "ITEM: UNITS\nlj\nITEM: TIME\n0.5\n", step = "ITEM: TIMESTEP\n7\n",
+                    whole = step + dump(cube, "id x y z", "1 0 0 0\n2 1 0 0\n");
+  EXPECT_EQ(read_text("a.dump", units + whole + "\n" + whole).later_frames.size(), 1u);
+  const std::size_t atoms = whole.find("ITEM: ATOMS");
+  for (std::size_t end = 1; end < atoms; ++end) {
+    if (whole[end - 1] != '\n') continue;
+    EXPECT_NE(complaint("a.dump", whole + whole.substr(0, end)), "") << end;
+    EXPECT_NE(complaint("a.dump", whole + whole.substr(0, end) + whole), "") << end;
+  }
+  expect_says(complaint("a.dump", whole + step),
+              "13: the file is truncated: it ends where 'ITEM: ATOMS' is due");
+  expect_says(complaint("a.dump", whole + step + whole), "14: another frame begins where 'ITEM: ATOMS'");
+}
+
+TEST(LammpsDumpReader, RefusesFramesWithoutTheBoxThatTheyNeed) {
+  const auto no_box = [](const std::string& columns) {
+    return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS " + columns + "\n1 0.5 0.5 0.5\n";
+  };
+  const std::string boxed = dump(cube, "id xs ys zs", "1 0.5 0.5 0.5\n"),
+                    open = dump("ff ff ff\n0 8\n0 8\n0 8\n", "id xs ys zs", "1 0.5 0.5 0.5\n");
+  EXPECT_EQ(read_text("a.dump", no_box("id x y z")).spheres, (std::vector<Sphere>{{0.5, 0.5, 0.5, 0}}));
+  const std::string missing = "scaled coordinates need their box; the frame has no 'ITEM: BOX BOUNDS'",
+                    unlike = "this frame and the first differ in having a periodic box";
+  expect_says(complaint("a.dump", no_box("id xs ys zs")), "5: " + missing);
+  expect_says(complaint("a.dump", boxed + no_box("id xs ys zs")), "13: " + missing);
+  expect_says(complaint("a.dump", boxed + no_box("id x y z")), "13: " + unlike);
+  expect_says(complaint("a.dump", boxed + open), "15: " + unlike);
+  expect_says(complaint("a.dump", open + boxed), "15: " + unlike);
+}
+
+/// A topology is checked as a data file is, and named where it is wrong.
+TEST(LammpsDumpReader, RefusesATopologyThatIsNoneOrNotWhole) {
+  const auto said = [](const std::string& topology) -> std::string {
+    const TestFile data("b.data", topology), file("a.dump", dump(cube, "id x y z", "1 0 0 0\n2 1 0 0\n"));
+    try {
+      ReaderRegistry::instance().read(file.path(), {.topology = data.path().string()});
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const std::string bonds = "\nBonds\n\n1 1 1 2\n", none = "no LAMMPS data with a section Bonds; name one";
+  EXPECT_EQ(said("t\n\n1 bonds\n" + bonds), "");
+  expect_says(said("t\n\n4 bonds\n" + bonds), "b.data:7: the header says 4 bonds, the file has 1");
+  expect_says(said("t\n\n4 bonds\n"), "b.data:3: the header says 4 bonds, the file has 0");
+  expect_says(said("t\n\n2 atoms\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n"), none);
+  expect_says(said("The bonds of a melt, in prose.\n"), none);
+  expect_says(said(dump(cube, "id x y z", "1 0 0 0\n")), none);
+  expect_says(said("t\n\n1 bonds\n\nBonds\n\n1 1 1 8\n"),
+              "b.data:7: a bond names atom 8, which is not there");
+}
+
 /// What is no bond in the file that names them.
 TEST(LammpsDumpReader, TakesNothingButTheBondsOfItsTopology) {
   const TestFile data(
@@ -75,6 +129,9 @@ TEST(OxdnaReader, RefusesFramesThatAreNotWhole) {
   EXPECT_EQ(oxdna_complaint(top, "t = 0\n" + box + rows), "");
   expect_says(oxdna_complaint(top, "t = 0\n" + box + "t = 1\n" + box + rows),
               "frame 0 has 0 nucleotides, the topology 2");
+  EXPECT_EQ(oxdna_complaint(top, "t = 0\n" + box + rows + "t = 1\nb = 8 9 9\n" + rows), "");
+  expect_says(oxdna_complaint(top, "t = 0\n" + box + rows + "t = 1\nb = 0 0 0\n" + rows),
+              "a.conf:6: this frame and the first differ in having a periodic box");
   expect_says(oxdna_complaint(top, "t = 0\nb = 9 9 9 9\n" + rows), "the box is 'b = X Y Z'");
   expect_says(oxdna_complaint(top, "t = 0\n" + box + rows + "2 0 0\n"),
               "frame 0 has more nucleotides than the topology's 2");
@@ -83,13 +140,22 @@ TEST(OxdnaReader, RefusesFramesThatAreNotWhole) {
 }
 
 TEST(OxdnaReader, ClosesStrandsThatSayTheyAreCircular) {
-  for (const char* said : {"circular=1", "circular=true", "Circular=True"}) {
-    const TestFile top("a.top", fmt::format("3 1 5->3\nACG type=DNA {}\n", said)),
-        file("a.conf", "t = 0\nb = 9 9 9\n0 0 0\n1 0 0\n2 0 0\n");
-    EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()}).strand_closed,
-              std::vector<std::uint8_t>{1})
-        << said;
-  }
+  const std::string conf = "t = 0\nb = 9 9 9\n0 0 0\n1 0 0\n2 0 0\n";
+  const auto topology = [](const std::string& said) {
+    return fmt::format("3 1 5->3\nACG type=DNA {}\n", said);
+  };
+  for (const auto& [closed, words] : std::vector<std::pair<std::uint8_t, std::vector<std::string>>>{
+           {1, {"circular=1", "circular=true", "Circular=True", "circular=yes", "circular=YUP"}},
+           {0, {"circular=0", "circular=False", "circular=no", "circular=nope", "circularity=9", ""}}})
+    for (const std::string& said : words) {
+      const TestFile top("a.top", topology(said)), file("a.conf", conf);
+      EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.topology = top.path().string()}).strand_closed,
+                std::vector<std::uint8_t>{closed})
+          << said;
+    }
+  for (const char* neither : {"circular=", "circular", "circular=2", "circular=tru"})
+    expect_says(oxdna_complaint(topology(neither), conf),
+                "a.top:2: '" + std::string(neither) + "': a strand is circular=true or circular=false");
 }
 
 /// a.top beside a.conf.gz.

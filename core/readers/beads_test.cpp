@@ -80,6 +80,10 @@ RC_GTEST_PROP(LammpsDataReader, ReadsEveryStyle, (bool flags, bool kokkos)) {
   RC_ASSERT(curves.spheres == spheres);
   RC_ASSERT(curves.has_radii == style.diameter.has_value());
   RC_ASSERT(curves.warnings.empty() == style.molecule.has_value());
+  const auto of_hybrid = [](const std::string& warning) {
+    return warning.find("hybrid") != std::string::npos;
+  };
+  RC_ASSERT(std::ranges::any_of(curves.warnings, of_hybrid) == (style.name == "hybrid"));
 }
 
 TEST(LammpsDataReader, SaysWhatIsWrong) {
@@ -99,7 +103,7 @@ TEST(LammpsDataReader, SaysWhatIsWrong) {
                    start + "Atoms # bond\n\n1 1 1 0 0 0\n");
   EXPECT_COMPLAINT(" atom 1 comes twice in frame 0", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0 0 0\n1 1 1 0 0 0\n");
-  EXPECT_COMPLAINT(" a bond names atom 3", "a.data",
+  EXPECT_COMPLAINT("13: a bond names atom 3", "a.data",
                    "t\n\n2 atoms\n1 bonds\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n\nBonds\n\n1 1 1 3\n");
   EXPECT_COMPLAINT("4: the file has no section Atoms", "a.data", start);
   const std::string two =
@@ -301,7 +305,7 @@ TEST(OxdnaReader, SaysWhatIsWrong) {
 }
 
 TEST(Beads, RefuseWhatTheirNeighboursContradict) {
-  EXPECT_COMPLAINT(" a bond ties atom 1 to itself", "a.data",
+  EXPECT_COMPLAINT("13: a bond ties atom 1 to itself", "a.data",
                    "t\n\n2 atoms\n1 bonds\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 1 0 0\n\nBonds\n\n1 1 1 1\n");
   const auto topology = [](const std::string& text) {
     const TestFile top("a.top", text), file("a.conf", "t = 0\nb = 9 9 9\nE = 0\n0 0 0\n1 0 0\n2 0 0\n");

@@ -16,7 +16,7 @@ BinaryFields::BinaryFields(const std::filesystem::path& file, Order order)
     : name_(shown_name(file)), bytes_(read_bytes(file)), order_(order) {}
 
 void BinaryFields::require(std::uint64_t count, std::uint64_t size, std::string_view what) const {
-  if (count > left() / size)
+  if (size != 0 && count > left() / size)
     fail(fmt::format("the file is truncated: {} left, too few for {}", counted(left(), "byte"),
                      count == 1 || size == 1
                          ? fmt::format("{} ({})", what, counted(count == 1 ? size : count, "byte"))

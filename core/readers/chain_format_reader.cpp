@@ -83,8 +83,9 @@ class ChainText {
       const Fields& fields = next_fields("a sphere");
       if (fields.size() != 4)
         lines_.fail(fmt::format("a sphere is 'x y z radius', got {}", counted(fields.size(), "column")));
-      curves_.add_point(lines_.coordinate(fields[0], "x"), lines_.coordinate(fields[1], "y"),
-                        lines_.coordinate(fields[2], "z"), lines_.radius(fields[3]));
+      // Not coordinates of some other precision: the format is of binary32, so this rounding loses nothing.
+      curves_.add_point(lines_.real(fields[0], "x"), lines_.real(fields[1], "y"), lines_.real(fields[2], "z"),
+                        lines_.radius(fields[3]));
     }
     // Not end_strand, which forgets strands without spheres.
     curves_.strand_first.push_back(static_cast<std::uint32_t>(curves_.spheres.size()));

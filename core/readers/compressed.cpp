@@ -97,6 +97,21 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
   return content;
 }
 
+std::string gunzip_head(std::string_view bytes, std::size_t size) {
+  Inflate member(bytes, 31);
+  std::string content(size, '\0');
+  std::size_t done = 0;
+  for (bool more = true; more && done < size;) {
+    std::size_t filled = 0;
+    const auto state = member.read(content.data() + done, size - done, filled);
+    done += filled;
+    more =
+        state == Inflate::State::going_on || (state == Inflate::State::member_over && member.next_member());
+  }
+  content.resize(done);
+  return content;
+}
+
 bool append_inflated(std::string_view stream, std::uint64_t size, std::string& content) {
   constexpr std::uint64_t most_compressed = 1032;                 // deflate cannot do better
   if (size > most_compressed * stream.size() + 64) return false;  // before memory is asked for
@@ -123,6 +138,8 @@ std::string gunzip(std::string_view, const std::string& file) {
                   "build with zlib1g-dev",
                   file));
 }
+
+std::string gunzip_head(std::string_view, std::size_t) { return ""; }
 
 bool append_inflated(std::string_view, std::uint64_t, std::string&) {
   throw InputError("the data is compressed, and this catena was built without zlib; build with zlib1g-dev");

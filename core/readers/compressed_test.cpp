@@ -5,6 +5,8 @@
 #include <zlib.h>
 
 #include "catena/core/readers/base64.h"
+#include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/test_bytes.h"
 #include "catena/core/readers/test_file.h"
 
 namespace catena {
@@ -35,6 +37,8 @@ RC_GTEST_PROP(Gzip, UnpacksWhatIsPackedInAnyNumberOfMembers, ()) {
   const std::string first = any_content(), second = any_content();
   RC_ASSERT(gunzip(gzipped(first), "a") == first);
   RC_ASSERT(gunzip(gzipped(first) + gzipped(second), "a") == first + second);
+  const auto size = *rc::gen::inRange<std::size_t>(0, 64);
+  RC_ASSERT(gunzip_head(gzipped(first) + gzipped(second), size) == (first + second).substr(0, size));
 }
 
 RC_GTEST_PROP(Gzip, RefusesEveryTruncation, ()) {
@@ -68,6 +72,36 @@ TEST(Gzip, FilesAreReadByTheNameInside) {
   EXPECT_EQ(complaint("a.xyzr.gz", packed.substr(0, packed.size() - 1)),
             "a.xyzr.gz: the gzip data is damaged or cut off after 8 bytes of content; check it with gzip -t");
   EXPECT_COMPLAINT(" holds nothing when unpacked", "a.xyzr.gz", gzipped(""));
+}
+
+/// Two kinds have one extension, and their first bytes tell which it is: those that were packed, not gzip's
+/// own.
+TEST(Gzip, HidesNotOfWhichKindAFileIs) {
+  const std::string text = "t\n\n1 atoms\n\nAtoms # bond\n\n1 1 1 5 0 0\n";
+  std::string hair;
+  append(hair, 1), append(hair, 1), append(hair, 5.f), append(hair, 0.f), append(hair, 0.f);
+  const auto named = [](std::string packed) {  // as gzip does unless it is told not to
+    packed[3] = 8;
+    return packed.insert(10, std::string("a.data\0", 7));
+  };
+  for (const std::string& content : {text, hair})
+    for (const std::string& packed :
+         {gzipped(content), named(gzipped(content)), gzipped("") + gzipped(content)})
+      for (const char* name : {"a.data.gz", "a.lmp.gz", "a.data"}) {
+        const CurveFile curves = read_text(name, packed);
+        EXPECT_EQ(curves.spheres, (std::vector<Sphere>{{5, 0, 0, 0}}));
+        EXPECT_EQ(curves.labels.size(), content == text ? 1u : 0u) << name;
+      }
+  EXPECT_COMPLAINT(" the gzip data is damaged or cut off", "a.data.gz", gzipped(hair).substr(0, 12));
+}
+
+TEST(FirstBytes, AreThoseOfTheWholeFile) {
+  const std::string content = "abcdefgh";
+  const TestFile packed("a", gzipped(content)), plain("a", content);
+  for (const std::size_t size : {0u, 1u, 4u, 8u, 9u, 1u << 20}) {
+    EXPECT_EQ(first_bytes(packed.path(), size), content.substr(0, size));
+    EXPECT_EQ(first_bytes(plain.path(), size), content.substr(0, size));
+  }
 }
 
 TEST(Format, IsNamedWhereTheExtensionDoesNotTell) {

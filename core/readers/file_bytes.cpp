@@ -78,6 +78,17 @@ std::string read_bytes(const fs::path& file) {
   return bytes;
 }
 
+std::string first_bytes(const fs::path& file, std::size_t size) {
+  constexpr std::size_t longest_head = std::size_t{1} << 18;  // of gzip: a name, a comment and another 64 KiB
+  std::string bytes(std::max(size, longest_head), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  if (is_gzip(bytes)) return gunzip_head(bytes, size);
+  bytes.resize(std::min(bytes.size(), size));
+  return bytes;
+}
+
 void release_pages(std::string& bytes, std::size_t begin, std::size_t end) {
 #ifdef __linux__
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -14,6 +15,10 @@ std::string shown_name(const std::filesystem::path& file);
 /// The whole file, or all of standard input, unpacked where it is gzip's. Throws InputError, naming the file,
 /// unless it is a readable regular file (or standard input) of at least one byte.
 std::string read_bytes(const std::filesystem::path& file);
+
+/// The first bytes of what read_bytes gives, at most `size`; fewer where it has no more, or cannot be read or
+/// unpacked, of which read_bytes tells. Not of standard input, which is there once.
+std::string first_bytes(const std::filesystem::path& file, std::size_t size);
 
 /// The part of read_bytes that does not open the file: throws InputError unless there is a regular file.
 void require_regular_file(const std::filesystem::path& file);

@@ -59,7 +59,7 @@ CurveFile read_hair(const std::filesystem::path& file, const ReadOptions& option
   for (const std::uint64_t points_here : size) {
     for (std::uint64_t i = 0; i < points_here; ++i) {
       const float x = fields.f32("x"), y = fields.f32("y"), z = fields.f32("z");
-      curves.add_point(x, y, z);
+      curves.add_open_point(x, y, z);
     }
     curves.end_strand();
   }
@@ -67,6 +67,7 @@ CurveFile read_hair(const std::filesystem::path& file, const ReadOptions& option
   if (arrays & thickness) fields.require(point_count, 4, "thicknesses");
   for (Sphere& sphere : curves.spheres)
     sphere.radius = arrays & thickness ? radius_of(fields) : default_radius;
+  curves.rounding.settle(curves.spheres, [](std::size_t k) { return k; });
   curves.has_radii = (arrays & thickness) || default_radius != 0;
   // Not needed, but a file that lacks what it announces is damaged, and then the points may be too.
   if (arrays & transparency) fields.skip(std::uint64_t{point_count} * 4, "transparency bytes");

@@ -8,8 +8,12 @@ namespace catena {
 
 void Labels::add(std::int64_t number) {
   if (!texts_.empty()) throw std::logic_error("labels are numbers or texts, not both");
-  if (runs_.empty() || number != runs_.back().number + (size_ - runs_.back().first))
-    runs_.push_back({size_, number});
+  // Unsigned, as the number after the greatest is none.
+  const auto goes_on = [&](const Run& run) {
+    return number > run.number &&
+           static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(run.number) == size_ - run.first;
+  };
+  if (runs_.empty() || !goes_on(runs_.back())) runs_.push_back({size_, number});
   ++size_;
 }
 
@@ -56,7 +60,7 @@ bool Labels::surely_differ() const {
   for (std::size_t k = 0; k < runs.size(); ++k) runs[k].first = end_of(k) - runs_[k].first;  // its size
   std::ranges::sort(runs, {}, &Run::number);
   return std::ranges::adjacent_find(runs, [](const Run& a, const Run& b) {
-           return a.number + std::int64_t{a.first} > b.number;
+           return static_cast<std::uint64_t>(b.number) - static_cast<std::uint64_t>(a.number) < a.first;
          }) == runs.end();
 }
 

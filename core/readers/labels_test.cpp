@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 namespace catena {
@@ -33,7 +34,11 @@ void keeps_all_and_chosen(const std::vector<Label>& all) {
 
 // Few numbers, so that runs of consecutive ones are common.
 RC_GTEST_PROP(Labels, GiveEveryNumberBack, ()) {
-  keeps_all_and_chosen(*rc::gen::container<std::vector<std::int64_t>>(rc::gen::inRange<std::int64_t>(-3, 6)));
+  constexpr auto least = std::numeric_limits<std::int64_t>::min(),
+                 most = std::numeric_limits<std::int64_t>::max();
+  const auto near_ends = rc::gen::element(least, least + 1, most - 1, most);
+  keeps_all_and_chosen(*rc::gen::container<std::vector<std::int64_t>>(
+      rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-3, 6), near_ends)));
 }
 
 RC_GTEST_PROP(Labels, GiveEveryTextBack, ()) {
@@ -58,9 +63,12 @@ TEST(Labels, AreTheNumbersOfTheSpheresWhereThereAreNone) {
 TEST(Labels, SurelyDifferInWhateverOrder) {
   EXPECT_TRUE(Labels().surely_differ());
   using All = std::vector<std::int64_t>;
-  for (const All& all : {All{3, 2, 1}, All{7, 8, 1, 2}, All{5, 9, 6}})
+  constexpr auto least = std::numeric_limits<std::int64_t>::min(),
+                 most = std::numeric_limits<std::int64_t>::max();
+  for (const All& all : {All{3, 2, 1}, All{7, 8, 1, 2}, All{5, 9, 6}, All{most - 1, most, least, 3}})
     EXPECT_TRUE(labels_of(all).surely_differ());
-  for (const All& all : {All{3, 3}, All{7, 8, 1, 8}, All{5, 6, 7, 1, 2, 3, 4, 5}})
+  for (const All& all :
+       {All{3, 3}, All{7, 8, 1, 8}, All{5, 6, 7, 1, 2, 3, 4, 5}, All{most - 1, most, least, most}})
     EXPECT_FALSE(labels_of(all).surely_differ());
 }
 

@@ -7,7 +7,6 @@
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
-#include "catena/core/readers/bead_file.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/lammps_atom_style.h"
 #include "catena/core/readers/number_text.h"
@@ -87,6 +86,23 @@ const std::vector<std::string_view>& LammpsData::next_row() {
   return none_;
 }
 
+std::uint64_t LammpsData::read_bonds(BeadFile& beads) {
+  for (std::uint64_t bonds = 0;; ++bonds) {
+    const auto& row = next_row();
+    if (row.empty()) return bonds;
+    if (row.size() < 4)
+      lines_.fail(fmt::format("a bond is 'id type atom atom', got {}", counted(row.size(), "column")));
+    if (const auto problem = beads.tie(lines_.integer(row[2], "atom"), lines_.integer(row[3], "atom"));
+        !problem.empty())
+      lines_.fail(problem);
+  }
+}
+
+void LammpsData::require_bonds(std::uint64_t read) const {
+  if (read != bonds_)
+    lines_.fail(fmt::format("the header says {}, the file has {}", counted(bonds_, "bond"), read));
+}
+
 namespace {
 
 /// A LAMMPS data file: atoms, bonds and the box. Where `Atoms` says no style, the columns tell it if they
@@ -102,15 +118,13 @@ class LammpsAtoms {
     while (data_.next_section()) {
       if (data_.section() == "Atoms") read_atoms();
       if (data_.section() == "Bonds" && atoms_ == 0) data_.lines().fail("the bonds come before the atoms");
-      if (data_.section() == "Bonds") read_bonds();
+      if (data_.section() == "Bonds") bonds_ += data_.read_bonds(beads_);
     }
     if (atoms_ == 0) data_.lines().fail("the file has no section Atoms, or nothing in it");
     if (atoms_ != data_.atoms())
       data_.lines().fail(
           fmt::format("the header says {}, the file has {}", counted(data_.atoms(), "atom"), atoms_));
-    if (bonds_ != data_.bonds())
-      data_.lines().fail(
-          fmt::format("the header says {}, the file has {}", counted(data_.bonds(), "bond"), bonds_));
+    data_.require_bonds(bonds_);
     if (data_.has_box()) {
       beads_.about().boxes.push_back(data_.box());
       beads_.about().box_is_periodic = false;
@@ -122,6 +136,9 @@ class LammpsAtoms {
  private:
   void read_atoms() {
     const LammpsAtomStyle* style = told_style();
+    if (style != nullptr && style->name == "hybrid")
+      beads_.about().warnings.emplace_back(
+          "the atoms are of style hybrid; molecules and diameters of its sub-styles are not read");
     const std::size_t most = data_.lines().bytes() / 10;  // of what a header can say truly
     beads_.reserve(std::min<std::size_t>(data_.atoms(), most), std::min<std::size_t>(data_.bonds(), most));
     std::size_t size = 0;
@@ -190,18 +207,6 @@ class LammpsAtoms {
         lines.coordinate(row[columns.x + 1], "y"), lines.coordinate(row[columns.x + 2], "z"), radius,
         columns.molecule && data_.bonds() == 0 ? lines.integer(row[*columns.molecule], "molecule") : 0);
     ++atoms_;
-  }
-
-  void read_bonds() {
-    for (;;) {
-      const auto& row = data_.next_row();
-      if (row.empty()) return;
-      if (row.size() < 4)
-        data_.lines().fail(
-            fmt::format("a bond is 'id type atom atom', got {}", counted(row.size(), "column")));
-      beads_.tie(data_.lines().integer(row[2], "atom"), data_.lines().integer(row[3], "atom"));
-      ++bonds_;
-    }
   }
 
   LammpsData data_;

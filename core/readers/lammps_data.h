@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catena/core/periodic/periodic_box.h"
+#include "catena/core/readers/bead_file.h"
 #include "catena/core/readers/text_lines.h"
 
 namespace catena {
@@ -22,6 +23,12 @@ class LammpsData {
 
   /// The next row of the section; empty at its end.
   const std::vector<std::string_view>& next_row();
+
+  /// The rows of the section Bonds, in which this is, as bonds of beads; how many they are. Throws
+  /// InputError.
+  std::uint64_t read_bonds(BeadFile& beads);
+  /// Throws InputError where the header says another number of bonds than were read of the whole file.
+  void require_bonds(std::uint64_t read) const;
 
   TextLines& lines() { return lines_; }
   const TextLines& lines() const { return lines_; }

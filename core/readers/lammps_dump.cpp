@@ -27,6 +27,7 @@ class LammpsDump {
     lines_.read_once();
     while (lines_.next())
       if (!trimmed(lines_.line()).empty()) read_item();
+    if (in_header_) lines_.fail("the file is truncated: it ends where 'ITEM: ATOMS' is due");
     lines_.forget();
     if (!topology_.empty()) read_bonds();
     return beads_.curves();
@@ -39,6 +40,10 @@ class LammpsDump {
     const std::string_view line = trimmed(lines_.line());
     if (!line.starts_with("ITEM: ")) lines_.fail("'ITEM: ...' is due");
     const std::string_view item = line.substr(6);
+    if (item.starts_with("TIMESTEP") && has_step_)
+      lines_.fail("another frame begins where 'ITEM: ATOMS' of this one is due");
+    has_step_ = has_step_ || item.starts_with("TIMESTEP");
+    in_header_ = true;
     if (item.starts_with("NUMBER OF ATOMS"))
       read_number();
     else if (item.starts_with("BOX BOUNDS"))
@@ -88,6 +93,7 @@ class LammpsDump {
     low_ = low;
     edge_ = {{high[0] - low[0], high[1] - low[1], high[2] - low[2]}, xy, xz, yz};
     box_ = edge_;
+    has_box_ = true;
     for (std::size_t axis = 0; axis < 3 && words.size() > kinds; ++axis)
       if (words[kinds + axis] != "pp") box_.length[axis] = 0;
   }
@@ -104,6 +110,8 @@ class LammpsDump {
     }
     beads_.about().boxes.push_back(box_);
     beads_.end_frame();
+    in_header_ = has_step_ = has_box_ = false;
+    box_ = {};  // the next frame's is its own
   }
 
   void find_columns() {
@@ -128,6 +136,11 @@ class LammpsDump {
       break;
     }
     if (id_ == none || place_[0] == none) lines_.fail("the columns lack id, or x y z (or xu, xs, xsu)");
+    if (scaled_ && !has_box_)
+      lines_.fail("scaled coordinates need their box; the frame has no 'ITEM: BOX BOUNDS'");
+    const auto repeats = [](const PeriodicBox& box) { return box.length != std::array<double, 3>{}; };
+    if (const auto& boxes = beads_.about().boxes; !boxes.empty() && repeats(box_) != repeats(boxes.front()))
+      lines_.fail("this frame and the first differ in having a periodic box");
     const bool has_radii = radius_ != none || diameter_ != none;
     if (!beads_.about().boxes.empty() && has_radii != beads_.about().has_radii)
       lines_.fail("this frame and the first differ in having radii");
@@ -151,17 +164,12 @@ class LammpsDump {
 
   void read_bonds() {
     LammpsData data(topology_);
-    while (data.next_section()) {
-      if (data.section() != "Bonds") continue;
-      for (;;) {
-        const auto& row = data.next_row();
-        if (row.empty()) break;
-        if (row.size() < 4)
-          data.lines().fail(
-              fmt::format("a bond is 'id type atom atom', got {}", counted(row.size(), "column")));
-        beads_.tie(data.lines().integer(row[2], "atom"), data.lines().integer(row[3], "atom"));
-      }
-    }
+    std::uint64_t bonds = 0;
+    while (data.next_section())
+      if (data.section() == "Bonds") bonds += data.read_bonds(beads_);
+    data.require_bonds(bonds);
+    if (bonds == 0)
+      data.lines().fail("no LAMMPS data with a section Bonds; name one, or leave --topology out");
   }
 
   TextLines lines_;
@@ -173,6 +181,7 @@ class LammpsDump {
   std::size_t columns_ = 0, id_ = none, molecule_ = none, radius_ = none, diameter_ = none;
   std::array<std::size_t, 3> place_{};
   bool scaled_ = false;
+  bool in_header_ = false, has_step_ = false, has_box_ = false;  ///< of the frame under way: what came of it
 };
 
 const RegisterReader registered{

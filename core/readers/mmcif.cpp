@@ -15,7 +15,8 @@
 
 /// Proteins and nucleic acids of the mmCIF format, https://mmcif.wwpdb.org: the rows of the table _atom_site,
 /// of which the same is taken as of a .pdb file. Chains and residues have the names of the authors, as there.
-/// Which residues are of a polymer _entity_poly_seq says; where the label of a chain changes, it has ended.
+/// Which residues are of a polymer _entity_poly_seq says; where the label of a chain changes, it has ended,
+/// unless an ATOM of that label follows what stands between.
 namespace catena {
 namespace {
 
@@ -146,14 +147,17 @@ class Mmcif {
 
   void read_atoms() {
     find_columns();
-    std::string model, chain;  // of the row before
+    std::string model, label;  // of the row before
+    std::string chain;         // the label of the last ATOM: behind a ligand it may go on
     for (bool first = true;; first = false) {
       const auto& row = tables_.next_row();
       if (row.empty() || models_.over()) return;
-      const std::string_view model_here = model_ ? row[*model_] : "1", chain_here = row[label_];
+      const std::string_view model_here = model_ ? row[*model_] : "1", label_here = row[label_];
       if (!first && model_here != model) models_.end_model(tables_.lines());
-      if (!first && model_here == model && chain_here != chain) models_.end_chain();
-      model = model_here, chain = chain_here;
+      if (!first && model_here == model && label_here != label)
+        label_here == chain ? models_.go_on() : models_.end_chain();
+      model = model_here, label = label_here;
+      if (row[group_] == "ATOM") chain = label;
       models_.add(atom_of(row));
     }
   }

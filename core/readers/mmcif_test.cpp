@@ -77,6 +77,23 @@ TEST(MmcifReader, LeavesLigandsOfAnotherLabelOut) {
   EXPECT_EQ(read_text("a.cif", text).spheres.size(), 1u);
 }
 
+// As in a .pdb file, where no TER is there; a residue of the polymer that is a HETATM goes on, too.
+TEST(MmcifReader, GoesOnBehindALigandWithinAChain) {
+  for (const char* group : {"ATOM", "HETATM"}) {
+    const std::vector<Atom> atoms{
+        {"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0},   {"HETATM", "C1", "NAG", 'A', 901, 1, 1, 5, 0},
+        {"ATOM", "CA", "ALA", 'A', 2, 1, 3.8, 0, 0}, {"HETATM", "CA", "MSE", 'A', 902, 1, 9, 5, 0},
+        {group, "CA", "MSE", 'A', 3, 1, 7.6, 0, 0},  {"ATOM", "CA", "ALA", 'B', 1, 1, 7.6, 3, 0}};
+    std::string text = cif_of(atoms, false, false);
+    text.replace(text.find("NAG A A"), 7, "NAG C A");
+    text.replace(text.find("MSE A A"), 7, "MSE D A");
+    const CurveFile curves = read_text("a.cif", text);
+    EXPECT_EQ(curves.spheres,
+              (std::vector<Sphere>{{0, 0, 0, 0}, {3.8f, 0, 0, 0}, {7.6f, 0, 0, 0}, {7.6f, 3, 0, 0}}));
+    EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 3, 4})) << group;
+  }
+}
+
 // Numbers used twice, without alternatives, are two residues, as in a .pdb file.
 TEST(MmcifReader, TakesNumbersUsedTwiceForTwoResidues) {
   const std::vector<Atom> atoms{{"ATOM", "CA", "SER", 'A', 1, 1, 0, 0, 0}, {"ATOM", "CA", "THR", 'A', 1, 1, 3, 0, 0}};

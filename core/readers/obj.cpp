@@ -56,8 +56,8 @@ class Obj {
     if (fields[0] == "v") {
       if (fields.size() < 4)
         lines_.fail(fmt::format("a vertex needs three coordinates, got {}", fields.size() - 1));
-      curves_.add_point(lines_.coordinate(fields[1], "x"), lines_.coordinate(fields[2], "y"),
-                        lines_.coordinate(fields[3], "z"));
+      curves_.add_open_point(lines_.coordinate(fields[1], "x"), lines_.coordinate(fields[2], "y"),
+                             lines_.coordinate(fields[3], "z"));
     } else if (fields[0] == "l") {
       if (fields.size() < 3) lines_.fail("a line needs two vertices");
       std::uint32_t before = vertex(fields[1]);
@@ -107,8 +107,9 @@ class Obj {
   CurveFile arranged() {
     lines_.forget();
     const std::size_t all = curves_.spheres.size();
-    for (const std::uint32_t point : arrange_along_edges(curves_, edges_, false))
-      curves_.labels.add(std::int64_t{point} + 1);
+    const auto order = arrange_along_edges(curves_, edges_, false);
+    curves_.rounding.settle(curves_.spheres, [&](std::size_t k) { return order[k]; });
+    for (const std::uint32_t point : order) curves_.labels.add(std::int64_t{point} + 1);
     if (const std::size_t left = all - curves_.spheres.size(); left > 0)
       curves_.warnings.push_back(
           fmt::format("{} {} on no line and left out", left, left == 1 ? "vertex is" : "vertices are"));

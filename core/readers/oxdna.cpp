@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
@@ -87,9 +89,21 @@ class TopologyText {
       if (c == ')') in_brackets = false;
     }
     for (std::uint32_t i = first; i + 1 < seen_; ++i) topology_.bonds.push_back({i, i + 1});
-    const bool circular = std::ranges::any_of(
-        fields, [](auto field) { return lower_case(field) == "circular=true" || field == "circular=1"; });
+    const bool circular = std::ranges::any_of(fields, [&](auto field) { return says_circular(field); });
     if (circular && seen_ - first > 2) topology_.bonds.push_back({seen_ - 1, first});
+  }
+
+  // The words of oxDNA itself; what it would not understand may be meant as either.
+  bool says_circular(std::string_view field) const {
+    const std::string lower = lower_case(field);
+    if (lower != "circular" && !lower.starts_with("circular=")) return false;
+    const std::string word = lower.substr(std::min(lower.size(), std::string_view("circular=").size()));
+    const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
+      return std::ranges::find(words, word) != words.end();
+    };
+    if (is_one_of({"true", "1", "yes", "yup"})) return true;
+    if (is_one_of({"false", "0", "no", "nope"})) return false;
+    lines_.fail(fmt::format("{}: a strand is circular=true or circular=false", in_quotes(field)));
   }
 
   TextLines lines_;
@@ -97,6 +111,11 @@ class TopologyText {
   std::vector<std::int64_t> towards_3_, towards_5_;  ///< of the old form: the neighbour of each, -1 for none
   OxdnaTopology topology_;
 };
+
+std::filesystem::path topology_beside(std::filesystem::path file) {
+  if (lower_case(file.extension().string()) == ".gz") file.replace_extension();
+  return file.replace_extension(".top");
+}
 
 class Oxdna {
  public:
@@ -120,9 +139,7 @@ class Oxdna {
  private:
   static std::filesystem::path topology_of(const std::filesystem::path& file, const ReadOptions& options) {
     if (!options.topology.empty()) return options.topology;
-    auto beside = file;
-    if (lower_case(beside.extension().string()) == ".gz") beside.replace_extension();
-    beside.replace_extension(".top");
+    const auto beside = topology_beside(file);
     if (is_standard_input(file) || !std::filesystem::exists(beside))
       throw InputError(fmt::format(
           "{}: the strands are in oxDNA's topology; name it with --topology FILE.top", shown_name(file)));
@@ -154,6 +171,9 @@ class Oxdna {
     if (fields.size() != 5) lines_.fail("the box is 'b = X Y Z'");
     PeriodicBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) box.length[axis] = lines_.wide_real(fields[2 + axis], "box");
+    const auto repeats = [](const PeriodicBox& b) { return b.length != std::array<double, 3>{}; };
+    if (!curves_.boxes.empty() && repeats(box) != repeats(curves_.boxes.front()))
+      lines_.fail("this frame and the first differ in having a periodic box");
     curves_.boxes.push_back(box);
   }
 
@@ -176,7 +196,8 @@ const RegisterReader registered{{"oxDNA configuration",
                                  {".oxdna", ".conf", ".dat"},
                                  "nucleotides along the strands of a topology, all frames; the box; no radii",
                                  "nucleotide from 0",
-                                 {"--topology"}},
+                                 {"--topology"},
+                                 topology_beside},
                                 read_by<Oxdna>};
 
 }  // namespace

@@ -19,12 +19,15 @@ class Polymers {
   CurveFile curves() {
     read_sequence();
     lines_.read_once();
+    bool due = false;  // the atoms of a model
     while (lines_.next() && !models_.over()) {
       const std::string_view record = trimmed(pdb_columns(lines_.line(), 1, 6));
       if (record == "TER") models_.end_chain();
       if (record == "ATOM" || record == "HETATM") models_.add(parse_pdb_atom(lines_));
       if (record == "MODEL" || record == "ENDMDL" || record == "END") models_.end_model(lines_);
+      due = record == "MODEL" || (due && record != "ATOM" && record != "HETATM" && record != "ENDMDL");
     }
+    if (due) lines_.fail("the file is truncated: it ends where the atoms of a model are due");
     models_.end_model(lines_);
     return models_.curves(lines_);
   }

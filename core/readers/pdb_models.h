@@ -20,6 +20,7 @@ class PdbModels {
 
   void add(PdbAtom atom) { tracer_.add(std::move(atom)); }
   void end_chain() { tracer_.end_chain(); }
+  void go_on() { tracer_.go_on(); }
   void end_model(const TextLines& lines);
   bool over() const { return over_; }  ///< nothing more is to be added
 

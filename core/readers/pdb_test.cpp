@@ -171,6 +171,10 @@ TEST(PdbReader, ReadsModelsAsFrames) {
   EXPECT_NE(other.warnings[0].find("line 12: the model that ends here is not of the same atoms"), std::string::npos)
       << other.warnings[0];
   EXPECT_EQ(read_text("a.pdb", lines({{0}}) + "END\n" + lines({{1}}) + "END\n").later_frames.size(), 1u);
+  const std::string began = model(0) + model(1) + "MODEL        3\n";
+  EXPECT_COMPLAINT("9: the file is truncated: it ends where the atoms of a model are due", "a.pdb", began);
+  EXPECT_COMPLAINT("10: the file is truncated", "a.pdb", began + "REMARK   1\n");
+  EXPECT_EQ(read_text("a.pdb", began + "ENDMDL\nEND\n").later_frames.size(), 1u);
 }
 
 // What one model ends is not ended in the next; a step that is too long in a later model alone breaks no strand.

@@ -65,6 +65,13 @@ void PdbTracer::end_chain() {
   continues_ = false;
 }
 
+void PdbTracer::go_on() {
+  end_residue();
+  continues_ = !trace_.points.empty();
+  if (!continues_) return;
+  if (const auto ended = ended_.find(chain_of(last_atom_)); ended != ended_.end()) ended_.erase(ended);
+}
+
 PdbTrace PdbTracer::finish() {
   end_residue();
   continues_ = false;

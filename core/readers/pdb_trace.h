@@ -46,6 +46,7 @@ class PdbTracer {
 
   void add(PdbAtom atom);
   void end_chain();   ///< TER
+  void go_on();       ///< after end_chain: the chain of the last point was not at its end
   PdbTrace finish();  ///< at the end of the model; the next one begins
 
  private:

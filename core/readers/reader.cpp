@@ -104,6 +104,20 @@ bool ReaderRegistry::knows(const std::filesystem::path& file) const {
   return std::ranges::any_of(entries_, [&](const Entry& entry) { return reads(entry.info, extension); });
 }
 
+std::vector<std::filesystem::path> ReaderRegistry::files_of(const std::filesystem::path& file,
+                                                            const ReadOptions& options) const {
+  std::vector<std::filesystem::path> files{file};
+  if (!options.topology.empty()) {
+    files.emplace_back(options.topology);
+    return files;
+  }
+  const std::string extension = extension_of(file, options);
+  for (const Entry& entry : entries_)
+    if (entry.info.topology_beside && reads(entry.info, extension))
+      files.push_back(entry.info.topology_beside(file));
+  return files;
+}
+
 CurveFile ReaderRegistry::read(const std::filesystem::path& file, const ReadOptions& options) const {
   require_regular_file(file);  // "no such file" helps more than "no such extension"
   const std::string extension = extension_of(file, options), name = shown_name(file);

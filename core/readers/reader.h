@@ -39,6 +39,8 @@ struct CurveFile {
   void add_point(double x, double y, double z, float radius = 0) {
     (later_frames.empty() ? spheres : later_frames.back()).push_back(rounding.round(x, y, z, radius));
   }
+  /// One whose radius is told later, or which may be left out; rounding.settle() counts what it has lost.
+  void add_open_point(double x, double y, double z) { spheres.push_back(rounding.round_open(x, y, z)); }
   void begin_later_frame() {
     later_frames.emplace_back();
   }  ///< what is added from here on is the next frame's
@@ -55,6 +57,8 @@ struct ReaderInfo {
   std::string label;                    ///< what identifies a sphere: "sample id", "line"
   std::vector<std::string>
       options{};  ///< of "--columns", "--atom", "--array", "--topology", those that mean something here
+  /// Where a file's topology lies that no option names; none: the reader looks for no such file.
+  std::function<std::filesystem::path(const std::filesystem::path&)> topology_beside{};
 };
 
 /// All readers of the program, self-registered before main.
@@ -66,6 +70,9 @@ class ReaderRegistry {
   void add(ReaderInfo info, Read read);
   std::vector<ReaderInfo> readers() const;              ///< sorted by name
   bool knows(const std::filesystem::path& file) const;  ///< by its extension, or that in front of .gz
+  /// The files that read() would open: this one, and its topology where an option names it or it lies beside.
+  std::vector<std::filesystem::path> files_of(const std::filesystem::path& file,
+                                              const ReadOptions& options = {}) const;
   /// `-` is standard input. Throws InputError when the extension, or the format of the options, is unknown,
   /// the file cannot be read, or the options are not for its reader.
   CurveFile read(const std::filesystem::path& file, const ReadOptions& options = {}) const;

@@ -75,10 +75,17 @@ void TablePoints::require_same_sphere(std::span<const std::string_view> cells) {
       lines_.fail(fmt::format("{} stands where frame 0 has {}; write the rows of all frames in one order",
                               in_quotes(text_), in_quotes(first)));
   }
-  if (piece_.empty() || !columns_.has(Role::strand)) return;
+  const bool named = !piece_.empty() && columns_.has(Role::strand);
+  if (!named && !columns_.has(Role::closed)) return;
   const auto next = std::ranges::upper_bound(curves_.strand_first, sphere);
-  const std::string& strand =
-      names_[piece_[static_cast<std::size_t>(next - curves_.strand_first.begin()) - 1]];
+  const auto place = static_cast<std::size_t>(next - curves_.strand_first.begin()) - 1;
+  // The last strand ends with the file.
+  const bool closed = place < curves_.strand_closed.size() ? curves_.strand_closed[place] != 0 : closed_;
+  if (columns_.has(Role::closed) && cells[columns_.place(Role::closed)] != (closed ? "1" : "0"))
+    lines_.fail(fmt::format("closed {} stands where frame 0 has {}; a strand is closed in all frames or none",
+                            in_quotes(cells[columns_.place(Role::closed)]), closed ? 1 : 0));
+  if (!named) return;
+  const std::string& strand = names_[piece_[place]];
   if (const auto here = cells[columns_.place(Role::strand)]; here != strand)
     lines_.fail(
         fmt::format("strand {} stands where frame 0 has {}; write the rows of all frames in one order",

@@ -9,12 +9,17 @@
 namespace catena {
 namespace {
 
+constexpr std::uint32_t header_size = 160;
+
 CurveFile read_tfx(const std::filesystem::path& file, const ReadOptions& options) {
   BinaryFields fields(file);
   if (const float version = fields.f32("version"); version != 4)
     fields.fail(fmt::format("the version is {}; TressFX hair of version 4 is read", version));
   const std::uint32_t strands = fields.u32("number of strands"), size = fields.u32("points of a strand"),
                       offset = fields.u32("offset of the points");
+  if (offset < header_size)
+    fields.fail(
+        fmt::format("the points are said to begin at byte {}, in the header of {}", offset, header_size));
   fields.go_to(offset);
   const std::uint64_t points = std::uint64_t{strands} * size;
   fields.require(points, 16, "points");

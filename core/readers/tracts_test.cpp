@@ -182,13 +182,22 @@ TEST(TfxReader, SaysWhatIsWrong) {
   append(later, 5.0f), append(later, 1u), append(later, 1u), append(later, 16u);
   EXPECT_COMPLAINT(" byte 4: the version is 5", "a.tfx", later + std::string(16, '\0'));
   std::string cut_off;
-  append(cut_off, 4.0f), append(cut_off, 1u), append(cut_off, 2u), append(cut_off, 16u);
-  EXPECT_COMPLAINT(" byte 16: the file is truncated: 31 bytes left, too few for 2 points of 16 bytes",
+  append(cut_off, 4.0f), append(cut_off, 1u), append(cut_off, 2u), append(cut_off, 160u);
+  cut_off.resize(160, '\0');
+  EXPECT_COMPLAINT(" byte 160: the file is truncated: 31 bytes left, too few for 2 points of 16 bytes",
                    "a.tfx", cut_off + std::string(31, '\0'));
   bytes.clear();
-  append(bytes, 4.0f), append(bytes, 2u), append(bytes, 1u << 31), append(bytes, 16u);
-  EXPECT_COMPLAINT(" byte 16: the file is truncated: 0 bytes left, too few for 4294967296 points", "a.tfx",
+  append(bytes, 4.0f), append(bytes, 2u), append(bytes, 1u << 31), append(bytes, 160u);
+  bytes.resize(160, '\0');
+  EXPECT_COMPLAINT(" byte 160: the file is truncated: 0 bytes left, too few for 4294967296 points", "a.tfx",
                    bytes);
+  for (const std::uint32_t offset : {0u, 10u, 159u}) {
+    std::string inside;
+    append(inside, 4.0f), append(inside, 1u), append(inside, 1u), append(inside, offset);
+    EXPECT_COMPLAINT(
+        " byte 16: the points are said to begin at byte " + std::to_string(offset) + ", in the header of 160",
+        "a.tfx", inside + std::string(160, '\0'));
+  }
 }
 
 }  // namespace

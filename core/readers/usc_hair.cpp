@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
-#include <fstream>
+#include <string>
 
 #include "catena/core/counted.h"
 #include "catena/core/readers/binary_fields.h"
@@ -15,9 +13,8 @@ namespace catena {
 
 bool may_be_usc_hair(const std::filesystem::path& file) {
   if (is_standard_input(file)) return false;
-  std::array<char, 4> head{};
-  std::ifstream in(file, std::ios::binary);
-  return in.read(head.data(), head.size()) && std::ranges::find(head, '\0') != head.end();
+  const std::string head = first_bytes(file, 4);
+  return head.size() == 4 && head.find('\0') != std::string::npos;
 }
 
 CurveFile read_usc_hair(const std::filesystem::path& file, const ReadOptions& options) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "catena/core/counted.h"
+#include "catena/core/error.h"
 #include "catena/core/readers/binary_fields.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/number_text.h"
@@ -134,7 +135,7 @@ class VtkLegacy {
       if (static_cast<std::uint64_t>(size) > second - used - 1)
         fail(fmt::format("a cell of {}, where room for {} is left",
                          counted(static_cast<std::uint64_t>(size), "point"), second - used - 1));
-      for (std::int64_t k = 0; k < size; ++k) cells.points.push_back(integer(int32, "point number"));
+      for (std::int64_t k = 0; k < size; ++k) cells.points.push_back(point_of(cells, int32));
       cells.end.push_back(cells.points.size());
       used += 1 + static_cast<std::uint64_t>(size);
     }
@@ -158,8 +159,17 @@ class VtkLegacy {
     if (lower_case(argument(0)) != "connectivity") fail("CONNECTIVITY is due after OFFSETS");
     const Type point_type = type_of(argument(1));
     require(size, 1, point_type);
-    for (std::uint64_t k = 0; k < size; ++k) cells.points.push_back(integer(point_type, "point number"));
+    for (std::uint64_t k = 0; k < size; ++k) cells.points.push_back(point_of(cells, point_type));
     for (std::size_t k = 1; k < begin.size(); ++k) cells.end.push_back(static_cast<std::uint64_t>(begin[k]));
+  }
+
+  // What is no point is said where it stands. Not of a grid: which of its cells name points its types tell,
+  // which follow.
+  std::int64_t point_of(const Cells& cells, Type type) {
+    const std::int64_t point = integer(type, "point number");
+    const bool known = !unstructured_ && &cells != &others_ && mesh_.points() > 0;
+    if (const std::string refusal = known ? mesh_.refusal_of(point) : ""; !refusal.empty()) fail(refusal);
+    return point;
   }
 
   void read_types() {
@@ -179,7 +189,7 @@ class VtkLegacy {
         const auto points = std::span(cells.points).subspan(begin, cells.end[k] - begin);
         begin = cells.end[k];
         if (const std::string problem = mesh_.add_cell(type_of_cell(k), points); !problem.empty())
-          fail(problem);
+          throw InputError(fmt::format("{}: cell {}: {}", fields_.file_name(), k, problem));
       }
       std::exchange(cells, {});
     };

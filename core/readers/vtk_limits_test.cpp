@@ -103,6 +103,22 @@ std::string binary(const std::string& name, const std::string& type, const std::
 }
 std::string piece(const std::string& rest) { return "<Piece>" + rest + "</Piece>"; }
 
+/// A writer may name an array that it has no components of; then nothing stands there.
+TEST(VtkLegacyReader, TakesArraysOfNoComponents) {
+  const std::string points = big_endian<float>({0, 0, 0, 5, 0, 0}),
+                    cell = big_endian<std::int32_t>({2, 0, 1}),
+                    radii = "\nradius 1 2 float\n" + big_endian<float>({1, 2});
+  for (const std::string& empty : std::vector<std::string>{
+           "FIELD f 2\nnone 0 2 float\n" + radii,
+           "SCALARS s float 0\nLOOKUP_TABLE default\n\nFIELD f 1" + radii,
+           "COLOR_SCALARS c 0\n\nFIELD f 1" + radii, "TEXTURE_COORDINATES t 0 float\n\nFIELD f 1" + radii})
+    EXPECT_EQ(read_text("a.vtk", legacy("BINARY", "POINTS 2 float\n" + points + "\nLINES 1 3\n" + cell +
+                                                      "\nPOINT_DATA 2\n" + empty))
+                  .spheres,
+              (std::vector<Sphere>{{0, 0, 0, 1}, {5, 0, 0, 2}}))
+        << empty;
+}
+
 TEST(VtkXmlReader, RefusesNumbersThatAreNone) {
   expect_says(complaint("a.vtp", xml("PolyData", piece(two + line), " header_type=\"UInt16\"")),
               "the header_type 'UInt16' is not known");

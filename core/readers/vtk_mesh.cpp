@@ -26,12 +26,16 @@ bool says_radius(std::string_view name) {
 
 }  // namespace
 
+std::string VtkMesh::refusal_of(std::int64_t point) const {
+  if (point >= 0 && point < points()) return "";
+  return fmt::format("a cell names point {}, of {} from 0", point, points());
+}
+
 std::string VtkMesh::add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell) {
   const bool is_vertex = type == vertex || type == poly_vertex;
   if (!is_vertex && type != line && type != poly_line) return add_other_cells(1), "";
   for (const std::int64_t point : points_of_cell)
-    if (point < 0 || point >= points())
-      return fmt::format("a cell names point {}, of {} from 0", point, points());
+    if (std::string refusal = refusal_of(point); !refusal.empty()) return refusal;
   for (const std::int64_t point : points_of_cell) {
     (is_vertex ? vertices_ : line_points_).push_back(static_cast<std::uint32_t>(point));
     if (is_vertex) vertex_cell_.push_back(cells_);
@@ -122,8 +126,9 @@ CurveFile VtkMesh::curves(const std::string& file) {
   for (auto* done : {&line_points_, &vertices_}) std::exchange(*done, {});
   std::exchange(arrays_, {});
   const std::size_t all = curves_.spheres.size();
-  for (const std::uint32_t point : arrange_along_edges(curves_, edges, false))
-    curves_.labels.add(std::int64_t{point});
+  const auto order = arrange_along_edges(curves_, edges, false);
+  curves_.rounding.settle(curves_.spheres, [&](std::size_t sphere) { return order[sphere]; });
+  for (const std::uint32_t point : order) curves_.labels.add(std::int64_t{point});
   if (const std::size_t left = all - curves_.spheres.size(); left > 0)
     curves_.warnings.push_back(fmt::format(
         "{} point{} left out", left, left == 1 ? " that is of no line is" : "s that are of no line are"));

@@ -23,10 +23,12 @@ class VtkMesh {
 
   std::uint32_t points() const { return static_cast<std::uint32_t>(curves_.spheres.size()); }
   void reserve_points(std::size_t points) { curves_.spheres.reserve(points); }
-  void add_point(double x, double y, double z) { curves_.add_point(x, y, z); }
+  void add_point(double x, double y, double z) { curves_.add_open_point(x, y, z); }
 
   std::uint64_t cells() const { return cells_; }
   enum CellType : std::int64_t { vertex = 1, poly_vertex = 2, line = 3, poly_line = 4 };  ///< VTK's numbers
+  /// Why a cell cannot name this point; empty when it can.
+  std::string refusal_of(std::int64_t point) const;
   /// The next cell, of these or any other type. The reason when a point of it is none; empty when it is good.
   std::string add_cell(std::int64_t type, std::span<const std::int64_t> points_of_cell);
   void add_other_cells(std::uint64_t cells) { cells_ += cells, other_cells_ += cells; }

@@ -195,6 +195,13 @@ TEST(VtkLegacyReader, ComplainsWithFileAndLine) {
                    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\n");
   EXPECT_COMPLAINT("8: a cell names point 4, of 4 from 0", "a.vtk",
                    start.substr(0, start.size() - 4) + "1 4\n");
+  const std::string more = "METADATA\nINFORMATION 0\n\nPOINT_DATA 4\nFIELD f 1\nr 1 4 float\n1 1 1 1\n";
+  EXPECT_COMPLAINT("8: a cell names point 4, of 4 from 0", "a.vtk",
+                   start.substr(0, start.size() - 4) + "1 4\n" + more);
+  EXPECT_COMPLAINT(
+      " cell 1: a cell names point -1, of 2 from 0", "a.vtk",
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 float\n0 0 0 1 0 0\n"
+      "CELLS 2 6\n2 0 1\n2 1 -1\nCELL_TYPES 2\n3 3\n");
   EXPECT_COMPLAINT("8: a cell of 9 points", "a.vtk", start.substr(0, start.find("3 0 1 2")) + "9 0 1\n");
   EXPECT_COMPLAINT(" 'radius' of point 1 is -1, no radius", "a.vtk",
                    start + "POINT_DATA 4\nFIELD f 1\nradius 1 4 float\n1 -1 1 1\n");

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
@@ -68,7 +69,8 @@ class XyzFrames {
     bool enough = title;
     for (std::uint32_t i = 0; enough && i < announced_; ++i) enough = lines_.next_content() && !is_count();
     lines_.return_to(place);
-    if (!enough && point) curves_.warnings.emplace_back("there is no title line after the number of points");
+    if (!enough && point && !std::exchange(said_untitled_, true))
+      curves_.warnings.emplace_back("there is no title line after the number of points");
     return enough || !point;
   }
 
@@ -128,6 +130,7 @@ class XyzFrames {
   CurveFile& curves_;
   TablePoints points_;
   std::uint32_t announced_ = 0;
+  bool said_untitled_ = false;
   bool has_box_ = false;  ///< the title of the frame before says that space repeats
 };
 

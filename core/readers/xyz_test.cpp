@@ -44,8 +44,9 @@ TEST(XyzReader, DropsNoMalformedPointAsATitle) {
   EXPECT_COMPLAINT("3: z 'O' is not a number", "a.xyz", "2\ntitle\n0 0 O\n1 0 0\n");
   EXPECT_COMPLAINT("1: 3 points are announced, 2 follow", "a.xyz", "3\ntitle\n0 0 0\n1 0 0\n");
   const CurveFile untitled = read_text("a.xyz", "2\n7 0 0\n8 0 0\n");
-  ASSERT_EQ(untitled.warnings.size(), 1u);
-  EXPECT_EQ(untitled.warnings[0], "there is no title line after the number of points");
+  const std::vector<std::string> said{"there is no title line after the number of points"};
+  EXPECT_EQ(untitled.warnings, said);
+  EXPECT_EQ(read_text("a.xyz", "2\n7 0 0\n8 0 0\n2\n7 0 0\n8 0 0\n2\n7 0 0\n8 0 0\n").warnings, said);
 }
 
 TEST(XyzReader, RefusesRowsThatCanBeReadInSeveralWays) {
@@ -158,6 +159,13 @@ TEST(XyzReader, RefusesFramesInAnotherOrder) {
                    ids + "1 0 0 0 0\n2 0 1 0 0\n" + ids + "1 0 0 0 0\n2 1 1 0 0\n");
   EXPECT_COMPLAINT("7: 'O1' stands where frame 0 has 'C1'", "a.xyz",
                    elements + "C 0 0 0\nO 1 0 0\n" + elements + "O 1 0 0\nC 0 0 0\n");
+  const std::string closed = "2\nProperties=pos:R:3:strand:I:1:closed:I:1\n", last = "1 0 0 1 0\n";
+  const std::string first = closed + "0 0 0 0 1\n" + last;
+  EXPECT_EQ(read_text("a.xyz", first + first + first).strand_closed, (std::vector<std::uint8_t>{1, 0}));
+  EXPECT_COMPLAINT("7: closed '0' stands where frame 0 has 1; a strand is closed in all frames or none",
+                   "a.xyz", first + closed + "0 0 0 0 0\n" + last);
+  EXPECT_COMPLAINT("8: closed '1' stands where frame 0 has 0", "a.xyz",
+                   first + closed + "0 0 0 0 1\n1 0 0 1 1\n");
   EXPECT_EQ(read_text("a.xyz", ids + "1 0 0 0 0\n2 1 1 0 0\n" + ids + "1 0 5 0 0\n2 1 6 0 0\n")
                 .later_frames[0][1]
                 .x,

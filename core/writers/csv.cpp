@@ -42,6 +42,7 @@ const RegisterWriter registered{
      .frames = false,
      .contacts = false,
      .box = false,
+     .labels = true,
      .summary = "a row a sphere, exactly: strand, closed, x, y, z, r, and id where there are labels"},
     write_csv};
 

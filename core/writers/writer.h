@@ -34,6 +34,7 @@ struct WriterInfo {
   std::vector<std::string> extensions;  ///< {".obj"}, lower case
   bool radii, rule, frames, contacts,
       box;  ///< what the format can hold: the exclusion rule, several frames, what was found, a periodic box
+  bool labels = false;  ///< likewise, and the names of strands
   std::string summary;
 };
 

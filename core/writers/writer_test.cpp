@@ -100,7 +100,7 @@ RC_GTEST_PROP(Writers, BringLabelsBackFromCsv, ()) {
   const Chain chain = any_chain();
   const auto word = [] {
     return *rc::gen::nonEmpty(
-        rc::gen::container<std::string>(rc::gen::elementOf(std::string("aB1/,;'\" \t#."))));
+        rc::gen::container<std::string>(rc::gen::elementOf(std::string("aB1/,;'\" \t\v\f#."))));
   };
   Labels labels;
   std::vector<std::string> ids;

@@ -47,7 +47,7 @@ class DetectCommand final : public Command {
     request_.want = want_.want();
     check_answer_options(request_, tables_);
     leave_out_unread_pairs(request_, tables_);
-    require_apart({input_, search_.input().reading.topology}, {tables_.pairs, tables_.counts});
+    require_apart(input_, search_.input().reading, {tables_.pairs, tables_.counts});
     RankOptions options = search_.of(request_);
     options.entering = [this](Phase phase) {
       clock_.enter(phase);

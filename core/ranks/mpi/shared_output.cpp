@@ -45,6 +45,7 @@ std::string unfinished_name(const std::string& name, const std::string& target) 
   std::FILE* const made = std::fopen(unfinished.c_str(), "wx");
   if (made == nullptr) throw InputError(fmt::format("cannot write {}: {}", name, std::strerror(errno)));
   std::fclose(made);
+  if (fs::exists(status)) fs::permissions(unfinished, status.permissions() & fs::perms(0777), unknown);
   return unfinished;
 }
 
