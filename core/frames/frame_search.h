@@ -48,6 +48,8 @@ class CATENA_API FrameSearch {
   void begin(bool follow);
   /// Others are, or one came: what is found now is of use later. Else a caller may search without telling.
   bool expected() const { return frames_; }
+  /// A frame went by that is none of its business: what it knows is of an earlier one.
+  void passed();
   /// The next frame, and the way in which find will search it.
   Way update(const Chain& chain, const Moved& moved);
   /// `here` answers for this chain, `search` builds and answers for any other; `build_ms` is what building

@@ -66,6 +66,12 @@ void FrameSearch::begin(bool follow) {
   way_ = Way::full;
 }
 
+void FrameSearch::passed() {
+  if (!behind_) update_ms_ = 0;  // which the frame that was searched has been booked for
+  behind_ = true;
+  way_ = Way::full;
+}
+
 bool FrameSearch::can_shift(const Chain& chain) const {
   const ExclusionView rule = chain.view().exclusion;
   return rule.rule == Exclusion::Rule::index_window && rule.one_open_strand && rule.extra_row == nullptr;

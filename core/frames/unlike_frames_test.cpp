@@ -116,5 +116,49 @@ TEST(FrameSearch, OfSomeSpheresAloneIsNoAnswerOfAll) {
   frames.expect_exact(chain, {.queries = {10, 700}}, "some of an answer of all");
 }
 
+/// What moved is told of the last build or update, whatever was asked of that, and whether it was a frame of
+/// the same spheres or a chain of its own.
+TEST(Auto, TakesWhatItIsToldForWhatMovedSinceTheLastFrame) {
+  const Chain first = yarn();
+  std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
+  const Chain last = first.moved(shaken(spheres, 0.3f));
+  spheres.assign(last.spheres().begin(), last.spheres().end());
+  spheres[5] = spheres[1005];
+  const Chain part = last.moved(spheres);
+  spheres.assign(last.spheres().begin(), last.spheres().end());
+  std::ranges::rotate(spheres, spheres.begin() + 3);
+  const Chain along = last.moved(spheres);
+  const SphereRange range{5, 6};
+  const std::pair<const Chain*, Moved> nexts[] = {{&last, Moved(std::span<const SphereRange>())},
+                                                  {&part, Moved(std::span(&range, 1))},
+                                                  {&along, Moved::along(3)}};
+  const auto pairs_of = [](Variant& variant, const Chain& chain) {
+    Collisions found;
+    variant.find(chain, {}, found);
+    std::ranges::sort(found.pairs);
+    return found.pairs;
+  };
+  const Request all{.frames_follow = true}, any{.want = Request::Want::any, .frames_follow = true},
+      some{.queries = {0, 100}, .frames_follow = true};
+  const auto right = StrategyRegistry::instance().make("Hybrid");
+  for (const char* name : {"auto", "auto(frames=always,keep=far-pairs)"})  // lists would take long
+    for (const auto& [next, moved] : nexts) {
+      right->build(*next);
+      const std::vector<Pair> exact = pairs_of(*right, *next);
+      for (const Request& asked : {any, some})
+        for (const bool anew : {false, true}) {
+          const auto variant = StrategyRegistry::instance().make(name);
+          variant->prepare(all), variant->build(first);
+          EXPECT_NE(pairs_of(*variant, first), exact);
+          variant->prepare(asked);
+          anew ? variant->build(last) : variant->update(last);
+          Collisions found;
+          variant->find(last, asked, found);
+          variant->prepare(all), variant->update(*next, moved);
+          EXPECT_EQ(pairs_of(*variant, *next), exact) << name << ", " << (anew ? "built" : "updated");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace catena
