@@ -73,7 +73,7 @@ bool FrameSearch::search_by_list(const Chain& chain, const Request& request, Col
   }
   if (!list_->made()) {
     policy_.rebuilt(watch.ms(), move_, skin_, radius_);
-    way_ = Way::full;
+    way_ = Way::full, why_ = Why::no_list;
     return search_all(chain, request, result, search, 0, request.want != Request::Want::any);
   }
   bool pruned = false;
@@ -116,7 +116,7 @@ bool FrameSearch::search_changes(const Chain& chain, const Request& request, Col
   if (fresh_.size() > room) {
     fresh_ = {};
     in_vain_ = true;
-    way_ = Way::full;
+    way_ = Way::full, why_ = Why::crowded;
     return search_all(chain, request, result, search, 0, false);
   }
   answer_.exchange(places_, fresh_);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
@@ -78,6 +79,16 @@ class CATENA_API FrameSearch {
                                                  std::uint32_t most, std::int64_t guess) const;
 
  private:
+  /// Why all is searched, where it is.
+  enum class Why {
+    not_kept,  ///< no pairs of the frame before are known
+    crowded,   ///< as they were too many
+    another,   ///< it is no earlier frame of this chain
+    doubt,     ///< a full search is to be measured again
+    no_list,   ///< one was to be made, and could not
+    unlike
+  };
+  std::string why_full() const;
   Way choose(const Chain& chain, const Moved& moved);
   double least_ms(double runs);
   std::optional<Way> take_shift(const Moved& moved, const Chain& chain);
@@ -114,6 +125,8 @@ class CATENA_API FrameSearch {
   std::uint64_t most_pairs_ = std::uint64_t{1} << 26;
   bool crowded_ = false;  ///< the last frame that was counted had more
   bool in_vain_ = false;  ///< pairs of this frame were looked for to be kept, and were more
+  Why why_ = Why::unlike;
+  bool can_shift_ = false, can_keep_ = false;  ///< frames of the last chain, by its rule
   MovingRow row_;
   FrameAnswer answer_;
   std::vector<std::uint32_t> places_;  ///< of its pairs that are searched again

@@ -152,6 +152,9 @@ TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
   EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::full);
   EXPECT_EQ(frames.searches(), 3u);
   EXPECT_FALSE(frames.plan()[0].left_out);
+  EXPECT_TRUE(frames.plan()[0].reason.ends_with(
+      "frame before; --no-omit unmoved; --no-omit still-parts; --no-omit shifted; --no-omit far-pairs"))
+      << frames.plan()[0].reason;
 }
 
 /// Each way that may not be gone is not, told or seen, and the others are.
