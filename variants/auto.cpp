@@ -39,12 +39,13 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
 
   void build(const Chain& chain) override {
     contact_.reset();
-    begin(chain, false, [&] { frames_.begin(request_.frames_follow); });
+    frames_.begin(request_.frames_follow);
+    begin(chain, nullptr);
   }
 
   void update(const Chain& chain, const Moved& moved) override {
     if (spheres_ != chain.size()) return build(chain);
-    begin(chain, true, [&] { way_ = frames_.update(chain, moved); });
+    begin(chain, &moved);
   }
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
@@ -96,9 +97,9 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   std::string answered_by() const override {
     if (!plan_) return {};
     if (contact_) return "a look at likely places";
-    return frames_count() && way_ != FrameSearch::Way::full ? "the frame before"
-           : searcher_ != nullptr                           ? plan_->named(searcher_is_)
-                                                            : plan_->variant_with_threads();
+    return frames_count() && frames_.way() != FrameSearch::Way::full ? "the frame before"
+           : searcher_ != nullptr                                    ? plan_->named(searcher_is_)
+                                                                     : plan_->variant_with_threads();
   }
 
   Plan plan() const override {
@@ -121,14 +122,13 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   }
 
  private:
-  /// `see` looks at what the frame has in common with the last one, if there was one and this `updates` it.
-  template <class See>
-  void begin(const Chain& chain, bool updates, const See& see) {
+  /// `moved`: since the last one, of which this is the next frame; null where it is none.
+  void begin(const Chain& chain, const Moved* moved) {
+    const bool updates = moved != nullptr;
     spheres_.reset();
     built_ = false;
     topology_ = chain.view().topology;
     if (!updates) stands_ = nullptr;
-    way_ = FrameSearch::Way::full;
     const Extent extent = chain.view().extent;
     if (!plan_holds(chain, updates)) {
       plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
@@ -139,7 +139,6 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!plan_->look_first()) contact_.reset();  // of a frame of which something else was asked
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
       // A chain alone: choosing took less than it takes to look at the clock.
-      if (frames_count()) see();
       build_searcher(chain);
       spheres_ = chain.size();
       timings_ = build_timings_ = searcher_->timings();
@@ -152,9 +151,11 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       if (!contact_) contact_ = look_.look(chain.view(), request_.queries);
       if (!contact_) contact_ = part_look_.look(chain.view(), request_.queries);
     }
-    if (frames_count()) see();
+    // It heeds also frames that it has no part in: what moved is told of the last one, whatever was asked of
+    // it.
+    if (updates) frames_count() ? void(frames_.update(chain, *moved)) : frames_.passed();
     const double looked_ms = watch.ms();
-    if (!contact_ && way_ == FrameSearch::Way::full) build_searcher(chain);
+    if (!contact_ && frames_.way() == FrameSearch::Way::full) build_searcher(chain);
     spheres_ = chain.size();
     building_ms_ = watch.ms() - looked_ms;
     build_timings_ = built_ && plan_->on_device() ? searcher_->timings() : Timings{watch.ms()};
@@ -319,7 +320,6 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   PartLook part_look_;
   std::optional<Pair> contact_;  ///< of the last frame, found by a look
   FrameSearch frames_;
-  FrameSearch::Way way_ = FrameSearch::Way::full;
   struct Held {
     Rivals::Contender who;
     std::unique_ptr<Variant> variant;

@@ -62,10 +62,26 @@ TEST(Auto, AnswersWhatIsAskedOfThisFrameWhateverWasAskedOfOthers) {
   for (const Chain& frame : {fold(false), fold(true), fold(true, 50), fold(false)}) frames.push_back(frame);
   frames.push_back(open_input("path1:n=1000").animation->frame(0));  // of another length
   frames.push_back(frames[1]);
+  std::vector<Sphere> along(frames[1].spheres().begin(), frames[1].spheres().end());
+  std::ranges::rotate(along, along.begin() + 3);
+  frames.push_back(frames[1].moved(std::move(along)));
   std::vector<reference::Answer> exact;
   for (const Chain& frame : frames) exact.push_back(reference::find(frame));
   std::mt19937 dice(3);
   const auto below = [&](std::size_t limit) { return static_cast<std::size_t>(dice() % limit); };
+  std::vector<SphereRange> differ;
+  const auto truth = [&](const Chain& before, const Chain& now) {
+    differ.clear();
+    if (before.size() != now.size() || below(2) == 0) return Moved();
+    if (std::ranges::equal(before.spheres().subspan(3), now.spheres().first(now.size() - 3)))
+      return Moved::along(3);
+    for (std::uint32_t i = 0; i < now.size(); ++i) {
+      if (before[i] == now[i]) continue;
+      if (differ.empty() || differ.back().end < i) differ.push_back({i, i});
+      differ.back().end = i + 1;
+    }
+    return Moved(differ);
+  };
   for (const char* name : {"auto", "auto(frames=always)", "auto(keep=after-hit+pair-list)"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     std::size_t on_frame = 0;
@@ -79,13 +95,14 @@ TEST(Auto, AnswersWhatIsAskedOfThisFrameWhateverWasAskedOfOthers) {
         prepared.frames_follow = below(2) == 0;
         variant->prepare(prepared);
       }
+      const Chain& before = frames[on_frame];
       on_frame = below(frames.size());
       const Chain& chain = frames[on_frame];
       if (below(3) == 0) {
         variant->build(chain);
         EXPECT_NE(variant->answered_by(), "the frame before") << "built anew";
       } else {
-        variant->update(chain);
+        variant->update(chain, truth(before, chain));
       }
       if (variant->answered_by() == "a look at likely places") expect_told(*variant, chain);
       for (std::size_t asks = below(3); asks > 0; --asks) {

@@ -53,6 +53,11 @@ class RegretCommand final : public Command {
     const std::vector<WorkloadSpec> specs = asked();
     std::vector<VariantInfo> others;
     for (const std::string& name : variants_) others.push_back(StrategyRegistry::instance().describe(name));
+    // Nothing would be held against it, and that is no success.
+    if (!others.empty() &&
+        std::ranges::all_of(others, [](const VariantInfo& v) { return v.unavailable.has_value(); }))
+      throw InputError(fmt::format("{} is not available here: {}; see catena list", others.front().name,
+                                   *others.front().unavailable));
     if (variants_.empty()) others = regret_variants(StrategyRegistry::instance().variants());
     std::size_t width = 5;
     for (const WorkloadSpec& spec : specs) width = std::max(width, label_of(spec).size());

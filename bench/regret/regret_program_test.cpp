@@ -5,6 +5,7 @@
 
 #include "catena/bench/regret/regret.h"
 #include "catena/core/commands/test_program.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
 namespace {
@@ -49,6 +50,11 @@ TEST_F(RegretProgram, SumsUpItsLines) {
 
 TEST_F(RegretProgram, TakesInputsOrSizesAndSaysWhatIsLeftOut) {
   expect_refused("regret path1:n=300 --n 5", "--n sizes the scenes when no input is named");
+  for (const VariantInfo& info : StrategyRegistry::instance().variants())
+    if (info.unavailable) {
+      expect_refused("regret path1:n=300 --variant '" + info.name + "'", " is not available here: ");
+      break;
+    }
   const ProgramOutcome left = run("regret winding:n=300000 rod:n=40 " + little + "--variant CPU1 --json");
   EXPECT_EQ(left.code, 0) << left.output;
   EXPECT_NE(left.output.find("catena regret: winding/n:300000 is left out: "), std::string::npos)

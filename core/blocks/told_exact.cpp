@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "catena/core/counted.h"
+
 namespace catena {
 
 Decision told_exact(std::uint64_t open, float doubt) {
   return {"exact stage where binary32 is certain", doubt == 1,
-          fmt::format("{} pairs of spheres were decided beyond binary32", open)};
+          fmt::format("{} of spheres {} decided beyond binary32", counted(open, "pair"),
+                      open == 1 ? "was" : "were")};
 }
 
 ParameterInfo exact_parameter() {

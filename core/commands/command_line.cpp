@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 #include "catena/core/commands/command.h"
@@ -50,9 +52,24 @@ Option Option::whole_number(std::uint64_t least) const {
   return Option(option_->transform(CLI::Validator(written_out, "")));
 }
 
+namespace {
+
+/// "nan" reads as a number, which no bound refuses.
+std::string refusal_of_nan(const std::string& text) {
+  double number = 0;
+  const bool is = CLI::detail::lexical_cast(text, number) && std::isnan(number);
+  return is ? text + " is not a number" : "";
+}
+
+}  // namespace
+
 template <class T>
 Option OptionParser::add_option(const std::string& name, T& value, const std::string& meaning) {
-  return Option(app_.add_option(name, value, meaning));
+  CLI::Option* const option = app_.add_option(name, value, meaning);
+  constexpr bool real = std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>> ||
+                        std::is_same_v<T, std::vector<double>>;
+  if constexpr (real) option->check(CLI::Validator(refusal_of_nan, ""));
+  return Option(option);
 }
 template Option OptionParser::add_option(const std::string&, std::string&, const std::string&);
 template Option OptionParser::add_option(const std::string&, int&, const std::string&);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/command_line.h"
 #include "catena/core/error.h"
 
 namespace catena {
@@ -39,6 +41,34 @@ TEST(InputOptions, AreRefusedWhereTheySayTooMuchOrTooLittle) {
              "1,inf,3"}}})
     for (const std::string& text : wrong)
       EXPECT_THROW(read_and_written({option + "=" + text}), InputError) << option << " " << text;
+}
+
+/// As every option that is a number has it, within bounds or without.
+TEST(CommandLine, RefusesWhatIsNotANumber) {
+  double bounded = 3, positive = 3, any = 3;
+  std::vector<double> several;
+  const auto parse = [&](const std::string& option, const std::string& text) {
+    parse_options({option, text}, [&](OptionParser& parser) {
+      parser.add_option("--bounded", bounded, "").range(1e-3, 1e6);
+      parser.add_option("--positive", positive, "").positive();
+      parser.add_option("--any", any, "");
+      parser.add_option("--several", several, "").delimiter(',');
+    });
+  };
+  for (const std::string option : {"--bounded", "--positive", "--any", "--several"}) {
+    for (const std::string nan : {"nan", "NaN", "-nan"}) {
+      std::string said;
+      try {
+        parse(option, nan);
+      } catch (const InputError& error) {
+        said = error.what();
+      }
+      EXPECT_EQ(said, option + ": " + nan + " is not a number");
+    }
+    EXPECT_NO_THROW(parse(option, "0.5")) << option;
+  }
+  EXPECT_THROW(parse("--several", "1,nan"), InputError);
+  EXPECT_EQ((std::vector{bounded, positive, any}), (std::vector{0.5, 0.5, 0.5}));
 }
 
 TEST(InputOptions, StandInACommand) {

@@ -133,6 +133,7 @@ TEST(FrameSearch, IsExactOnFilmsOfAnyKindWhoeverAsks) {
     Film film(dice);
     FrameSearch search({}, true);
     search.begin(true);
+    if (seed % 4 == 0) search.keep_at_most(seed % 97);  // many frames have more pairs, some of them of late
     for (int frame = 0; frame < 24; ++frame) {
       const Chain& chain = film.chain();
       const Request request{.want = dice.pick({Request::Want::pairs, Request::Want::pairs,

@@ -14,7 +14,7 @@ namespace catena {
 /// What searches of frames do in vectors, compiled once for each instruction set.
 
 /// As RunTree::search.
-void search_runs(const ChainView& chain, const RunRow& row, const WideBoxTree& tree,
+void search_runs(const ChainView& chain, const RunRow& row, const WideBoxTree& tree, std::uint64_t most,
                  std::vector<Pair>& pairs);
 
 /// Sets the boxes of runs first, ..., end - 1, which lie in the window as a whole, each around its spheres as
@@ -25,6 +25,7 @@ void set_boxes_of_runs(const Sphere* places, std::uint32_t first, std::uint32_t 
 void find_pairs_of_runs(std::span<const Pair> pairs, const RunRow& row, std::vector<std::uint32_t>& places);
 
 /// As MovedCells::search.
-void search_cells(const ChainView& chain, const CellsOfFew& cells, std::vector<Pair>& pairs);
+void search_cells(const ChainView& chain, const CellsOfFew& cells, std::uint64_t most,
+                  std::vector<Pair>& pairs);
 
 }  // namespace catena

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "catena/core/counted.h"
 #include "catena/core/frames/frame_search.h"
 
 // What is said of how a frame was searched.
@@ -22,19 +23,44 @@ Plan FrameSearch::plan() const {
       return {left_out(Omission::unmoved, fmt::format("none of {} spheres differs", n), saved)};
     case Way::parts:
       return {left_out(Omission::still_parts, fmt::format("{} of {} spheres moved", moved_, n),
-                       fmt::format("all but {} runs of {}", compared_, RunTree::run))};
+                       fmt::format("all but {} of {}", counted(compared_, "run"), RunTree::run))};
     case Way::shifted:
       return {left_out(
           Omission::shifted,
           fmt::format("sphere i is what i {} {} was, of {}", shift_ < 0 ? '-' : '+', std::abs(shift_), n),
-          fmt::format("all but {} runs of {}", compared_, RunTree::run))};
+          fmt::format("all but {} of {}", counted(compared_, "run"), RunTree::run))};
     case Way::kept_list:
       return {left_out(Omission::far_pairs,
                        fmt::format("each of {} spheres is within a skin of {:.3g}", n, list_->skin()),
-                       fmt::format("all but {} pairs whose state may change", compared_))};
+                       fmt::format("all but {} whose state may change", counted(compared_, "pair")))};
   }
-  return {{"search of the whole frame", false, "too little in common with the frame before", std::nullopt,
-           full_ms_}};
+  return {{"search of the whole frame", false, why_full(), std::nullopt, full_ms_}};
+}
+
+std::string FrameSearch::why_full() const {
+  switch (why_) {
+    case Why::not_kept:
+      return "the pairs of the frame before are not kept: to keep them took more than it saved, or they were "
+             "not all asked for";
+    case Why::crowded:
+      return "more pairs collide than are kept from frame to frame, or so many came of what moved";
+    case Why::another:
+      return "not the chain of the frame before, or not its rule";
+    case Why::doubt:
+      return "once in a while, to know what it takes";
+    case Why::no_list:
+      return "a kept list would have too many pairs, or spheres without end";
+    case Why::unlike:
+      break;
+  }
+  std::string reason = "too little in common with the frame before";
+  for (const Omission omission :
+       {Omission::unmoved, Omission::still_parts, Omission::shifted, Omission::far_pairs})
+    if (!omissions_.may(omission)) reason += "; --no-omit " + info_of(omission).name;
+  if (!can_shift_ && omissions_.may(Omission::shifted))
+    reason += "; a shift is looked for in one open strand under an index window";
+  if (!can_keep_ && omissions_.may(Omission::far_pairs)) reason += "; under an arc window no list is kept";
+  return reason;
 }
 
 }  // namespace catena

@@ -9,14 +9,6 @@
 namespace catena {
 namespace {
 
-constexpr std::uint64_t most_own_pairs = std::uint64_t{1} << 26;  // half a GiB
-
-Request all_pairs() {
-  Request everything;
-  everything.pair_limit = most_own_pairs;
-  return everything;
-}
-
 /// From the latest measurement; the first one replaces what was guessed.
 void learn(FrameSearch::Learned& figure, double latest) {
   figure.ms = figure.measured ? 0.7 * figure.ms + 0.3 * latest : latest;
@@ -33,39 +25,47 @@ void FrameSearch::remember(const Chain& chain) {
   answered_ = true;
 }
 
-/// True where `result` is the answer to the request; else it stands in answer_.
+/// By a full search; `keep`: what all pairs are is worth knowing. True where `result` is the answer to the
+/// request; else it stands in answer_.
 bool FrameSearch::search_all(const Chain& chain, const Request& request, Collisions& result,
-                             const FullSearch& here) {
-  const bool worth = frames_ && request.want != Request::Want::any &&
-                     (always_ || (looks_.may_try() && knows_plain(request)));
-  const bool all = request.want == Request::Want::pairs &&
-                   request.queries.within(chain.size()) == SphereRange{0, chain.size()};
-  if (!worth) return here(chain, request, result), true;
-  if (all) {
-    here(chain, request, result);
-    if (&result != &answer_.room())
-      answer_.copy(result);
-    else
+                             const FullSearch& full, double build_ms, bool keep) {
+  forget();
+  const auto search = [&](const Request& asked, Collisions& found) {
+    const Stopwatch searching;
+    full(chain, asked, found);
+    full_ms_ = build_ms + searching.ms();
+  };
+  const bool whole = request.want != Request::Want::any &&
+                     request.queries.within(chain.size()) == SphereRange{0, chain.size()};
+  const bool as_asked = whole && request.want == Request::Want::pairs;
+  if (keep && !as_asked) try {
+      search({.pair_limit = most_pairs_}, answer_.room());
       answer_.found();
-    return remember(chain), true;
-  }
-  try {
-    here(chain, all_pairs(), answer_.room());
-  } catch (const PairLimitExceeded&) {
-    return here(chain, request, result), true;
-  }
-  answer_.found();
-  return remember(chain), false;
+      return remember(chain), false;
+    } catch (const PairLimitExceeded&) {
+      in_vain_ = true;
+      answer_.room() = {};
+    }
+  search(request, result);
+  if (whole) crowded_ = result.pair_count > most_pairs_;
+  if (!keep || !as_asked) return true;
+  if (&result != &answer_.room())
+    answer_.copy(result);
+  else
+    answer_.found();
+  return remember(chain), true;
 }
 
-void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
+/// True where `result` is the answer to the request; else it stands in answer_.
+bool FrameSearch::search_by_list(const Chain& chain, const Request& request, Collisions& result,
+                                 const FullSearch& search) {
   const Stopwatch watch;
   const bool fresh = !list_->made();
   if (fresh) {
-    list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_own_pairs,
-                [&](const Chain& thick, const Request& request, Collisions& found) {
+    list_->make(chain, static_cast<float>(skin_), static_cast<float>(inner_skin_), most_pairs_,
+                [&](const Chain& thick, const Request& all_pairs, Collisions& found) {
                   const Stopwatch searching;
-                  search(thick, request, found);
+                  search(thick, all_pairs, found);
                   policy_.searched_thicker(searching.ms());
                 });
     by_list_ = false;
@@ -73,9 +73,8 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
   }
   if (!list_->made()) {
     policy_.rebuilt(watch.ms(), move_, skin_, radius_);
-    search(chain, all_pairs(), answer_.room());
-    answer_.found();
-    return remember(chain);
+    way_ = Way::full, why_ = Why::no_list;
+    return search_all(chain, request, result, search, 0, request.want != Request::Want::any);
   }
   bool pruned = false;
   answer_.rewrite([&](std::vector<Pair>& pairs, std::vector<std::uint32_t>& counts, bool stand) {
@@ -91,10 +90,13 @@ void FrameSearch::search_by_list(const Chain& chain, const FullSearch& search) {
                    static_cast<double>(answer_.pairs().size()));
   else
     policy_.used(watch.ms() + holds_ms_);
+  return false;
 }
 
-/// Moves the row on to this frame, and the answer with it.
-void FrameSearch::search_changes(const Chain& chain) {
+/// Moves the row on to this frame, and the answer with it; where too many pairs come, as of what moves onto
+/// one point, all is searched as it was asked. True where `result` is the answer then.
+bool FrameSearch::search_changes(const Chain& chain, const Request& request, Collisions& result,
+                                 const FullSearch& search) {
   const Stopwatch watch;
   if (way_ == Way::shifted) {
     row_.shift(chain.spheres(), shift_);
@@ -105,12 +107,24 @@ void FrameSearch::search_changes(const Chain& chain) {
   compared_ = row_.changed_runs();
   const bool tree_stood = row_.tree_stands();
   row_.find_changed(answer_.pairs(), places_);
-  by_cells_ = row_.search(chain.view(), fresh_, by_cells_);
+  const std::uint64_t stay = answer_.pairs().size() - places_.size(),
+                      most = request.want == Request::Want::pairs ? std::max(most_pairs_, request.pair_limit)
+                                                                  : most_pairs_,
+                      many = 4 * (chain.size() + answer_.pairs().size()),  // no small change any more
+      room = std::min(many, most - std::min(most, stay));
+  by_cells_ = row_.search(chain.view(), fresh_, by_cells_, room);
+  if (fresh_.size() > room) {
+    fresh_ = {};
+    in_vain_ = true;
+    way_ = Way::full, why_ = Why::crowded;
+    return search_all(chain, request, result, search, 0, false);
+  }
   answer_.exchange(places_, fresh_);
   if (by_cells_)
     learn(cell_sphere_, watch.ms() / static_cast<double>(chain.size()));
   else if (compared_ > 0 && tree_stood)
     learn(run_, watch.ms() / static_cast<double>(compared_));
+  return false;
 }
 
 /// True where `result` is the answer to the request; else it stands in answer_.
@@ -118,30 +132,24 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
                          const FullSearch& here, const FullSearch& search, double build_ms) {
   // Searched already: it is asked again about the same frame.
   if (answered_ && !behind_) return false;
-  behind_ = made_ = false;
+  behind_ = made_ = in_vain_ = false;
   if (way_ != Way::kept_list && way_ != Way::unmoved) by_list_ = false;
   const Stopwatch watch;
+  const double built_ms = way_ == Way::full ? build_ms : 0;
   bool filled = false;
   try {
     switch (way_) {
       case Way::full:
-        filled = search_all(chain, request, result, [&](const Chain& c, const Request& r, Collisions& found) {
-          const Stopwatch searching;
-          here(c, r, found);
-          full_ms_ = build_ms + searching.ms();
-        });
-        policy_.searched(full_ms_);
-        if (!answered_) learn_plain(request);
-        heed_full_search();
+        filled = search_all(chain, request, result, here, build_ms, worth_keeping(request));
         break;
       case Way::unmoved:
         break;
       case Way::parts:
       case Way::shifted:
-        search_changes(chain);
+        filled = search_changes(chain, request, result, search);
         break;
       case Way::kept_list:
-        search_by_list(chain, search);
+        filled = search_by_list(chain, request, result, search);
         break;
     }
   } catch (...) {
@@ -150,9 +158,20 @@ bool FrameSearch::search(const Chain& chain, const Request& request, Collisions&
     way_ = Way::full;
     throw;
   }
+  if (way_ == Way::full) {
+    policy_.searched(full_ms_);
+    if (!answered_) learn_plain(request);
+    heed_full_search();
+  }
   find_ms_ = watch.ms();
-  settle(update_ms_ + (way_ == Way::full ? build_ms : 0) + find_ms_);
+  settle(update_ms_ + built_ms + find_ms_);
   return filled;
+}
+
+/// All pairs, whatever is asked for, so that the next frame may be searched by them.
+bool FrameSearch::worth_keeping(const Request& request) const {
+  if (!frames_ || request.want == Request::Want::any) return false;
+  return always_ || (!crowded_ && looks_.may_try() && knows_plain(request));
 }
 
 /// To find all pairs, and to keep them, takes more than what is asked for may: what that takes alone is worth
@@ -183,9 +202,9 @@ void FrameSearch::settle(double ms) {
   looks_.search(), lists_.search();
   constexpr double doubtful = 0.4;
   if (way_ != Way::full && !made_ && ms > doubtful * policy_.full_ms()) ++doubt_;
-  if (way_ == Way::kept_list)
+  if (way_ == Way::kept_list || made_)
     lists_.used(ms, policy_.full_ms(), policy_.first_list() ? most_of_the_first : most_of_a_list);
-  if (made_ || !answered_) return;
+  if (made_ || !(answered_ || in_vain_)) return;
   const double without = way_ != Way::full ? policy_.full_ms()
                          : plain_ms_ > 0   ? std::min(plain_ms_, full_ms_)
                                            : full_ms_;

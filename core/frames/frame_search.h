@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
@@ -48,7 +49,9 @@ class CATENA_API FrameSearch {
   void begin(bool follow);
   /// Others are, or one came: what is found now is of use later. Else a caller may search without telling.
   bool expected() const { return frames_; }
-  /// The next frame, and the way in which find will search it.
+  /// A frame went by that is none of its business: what it knows is of an earlier one.
+  void passed();
+  /// The next frame, and the way in which find will search it, as far as that can be.
   Way update(const Chain& chain, const Moved& moved);
   /// `here` answers for this chain, `search` builds and answers for any other; `build_ms` is what building
   /// this one took where the way is full.
@@ -62,8 +65,11 @@ class CATENA_API FrameSearch {
 
   /// What was decided for the last frame; nothing for a first frame alone.
   Plan plan() const;
-  /// Of the last frame.
+  /// Of the last frame; full where find had to leave the way that update had chosen.
   Way way() const { return way_; }
+  /// About how many pairs it keeps at most that nobody asked for; half a GiB of them, unless a test says
+  /// less.
+  void keep_at_most(std::uint64_t pairs) { most_pairs_ = pairs; }
 
  protected:
   // What a test may break.
@@ -73,6 +79,16 @@ class CATENA_API FrameSearch {
                                                  std::uint32_t most, std::int64_t guess) const;
 
  private:
+  /// Why all is searched, where it is.
+  enum class Why {
+    not_kept,  ///< no pairs of the frame before are known
+    crowded,   ///< as they were too many
+    another,   ///< it is no earlier frame of this chain
+    doubt,     ///< a full search is to be measured again
+    no_list,   ///< one was to be made, and could not
+    unlike
+  };
+  std::string why_full() const;
   Way choose(const Chain& chain, const Moved& moved);
   double least_ms(double runs);
   std::optional<Way> take_shift(const Moved& moved, const Chain& chain);
@@ -87,11 +103,15 @@ class CATENA_API FrameSearch {
   void forget() { answered_ = false; }
   bool search(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here,
               const FullSearch& search, double build_ms);
-  bool search_all(const Chain& chain, const Request& request, Collisions& result, const FullSearch& here);
-  void search_by_list(const Chain& chain, const FullSearch& search);
-  void search_changes(const Chain& chain);
+  bool search_all(const Chain& chain, const Request& request, Collisions& result, const FullSearch& full,
+                  double build_ms, bool keep);
+  bool search_by_list(const Chain& chain, const Request& request, Collisions& result,
+                      const FullSearch& search);
+  bool search_changes(const Chain& chain, const Request& request, Collisions& result,
+                      const FullSearch& search);
   void settle(double ms);
   void heed_full_search();
+  bool worth_keeping(const Request& request) const;
   bool knows_plain(const Request& request) const;
   void learn_plain(const Request& request);
 
@@ -102,6 +122,11 @@ class CATENA_API FrameSearch {
   bool answered_ = false;  ///< row_ and answer_ are those of the last frame that was searched
   bool behind_ = false;    ///< an update since was not searched
   bool updated_ = false;   ///< the last frame is not a first one
+  std::uint64_t most_pairs_ = std::uint64_t{1} << 26;
+  bool crowded_ = false;  ///< the last frame that was counted had more
+  bool in_vain_ = false;  ///< pairs of this frame were looked for to be kept, and were more
+  Why why_ = Why::unlike;
+  bool can_shift_ = false, can_keep_ = false;  ///< frames of the last chain, by its rule
   MovingRow row_;
   FrameAnswer answer_;
   std::vector<std::uint32_t> places_;  ///< of its pairs that are searched again

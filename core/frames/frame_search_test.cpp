@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "catena/core/error.h"
 #include "catena/core/frames/test_yarn.h"
 #include "catena/core/plan/omissions.h"
 #include "catena/core/strategy/registry.h"
@@ -153,6 +152,9 @@ TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
   EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::full);
   EXPECT_EQ(frames.searches(), 3u);
   EXPECT_FALSE(frames.plan()[0].left_out);
+  EXPECT_TRUE(frames.plan()[0].reason.ends_with(
+      "frame before; --no-omit unmoved; --no-omit still-parts; --no-omit shifted; --no-omit far-pairs"))
+      << frames.plan()[0].reason;
 }
 
 /// Each way that may not be gone is not, told or seen, and the others are.
@@ -205,40 +207,6 @@ TEST(FrameSearch, ASearchThatFailsLeavesNothingHalfKnown) {
   full(next, {}, exact);
   EXPECT_EQ(found.count, exact.count);
   EXPECT_GT(exact.pair_count, 0u);
-}
-
-/// Whether anything collides, or more pairs than are kept here, is asked of the search as it was asked.
-TEST(FrameSearch, AsksForNoPairsWhereTheyAreOfNoUseOrTooMany) {
-  const Chain chain = yarn();
-  const auto base = StrategyRegistry::instance().make("Hybrid");
-  bool flood = false;
-  std::vector<Request::Want> asked;
-  const FullSearch full = [&](const Chain& c, const Request& r, Collisions& f) {
-    asked.push_back(r.want);
-    if (flood && r.want == Request::Want::pairs) throw PairLimitExceeded(r.pair_limit + 1, r.pair_limit);
-    base->build(c);
-    base->find(c, r, f);
-  };
-  FrameSearch search({}, true);
-  search.begin(true);
-  Collisions found, exact;
-  search.find(chain, {.want = Request::Want::any}, found, full, full, 0);
-  EXPECT_TRUE(found.found);
-  EXPECT_EQ(asked, std::vector{Request::Want::any});
-  full(chain, {.want = Request::Want::counts}, exact);
-  flood = true;
-  for (const bool kept : {false, true}) {
-    asked.clear();
-    EXPECT_EQ(search.update(chain, {}), Way::full);
-    const Request counts{.want = Request::Want::counts};
-    if (kept)
-      found = search.find_kept(chain, counts, full, full, 0);
-    else
-      search.find(chain, counts, found, full, full, 0);
-    EXPECT_EQ(found.count, exact.count);
-    EXPECT_EQ(found.pair_count, exact.pair_count);
-    EXPECT_EQ(asked, (std::vector{Request::Want::pairs, Request::Want::counts}));
-  }
 }
 
 /// What a plan says of a frame is of that frame, whatever way the one before went.

@@ -59,10 +59,16 @@ void FrameSearch::begin(bool follow) {
   policy_.forget();
   looks_.begin(), lists_.begin();
   frames_ = follow || always_;
-  behind_ = updated_ = false;
+  behind_ = updated_ = crowded_ = false;
   update_ms_ = beside_ms_ = plain_ms_ = 0;
   doubt_ = 0;
   shift_ = 0;
+  way_ = Way::full;
+}
+
+void FrameSearch::passed() {
+  if (!behind_) update_ms_ = 0;  // which the frame that was searched has been booked for
+  behind_ = true;
   way_ = Way::full;
 }
 
@@ -83,6 +89,8 @@ FrameSearch::Way FrameSearch::update(const Chain& chain, const Moved& moved) {
   frames_ = updated_ = true;
   moved_ = 0;
   const bool known = comparable(chain);
+  why_ = known ? Why::unlike : answered_ ? Why::another : crowded_ || in_vain_ ? Why::crowded : Why::not_kept;
+  can_shift_ = can_shift(chain), can_keep_ = KeptList::can_keep(chain);
   if (!known) list_->drop();
   way_ = known ? choose(chain, moved) : Way::full;
   if (way_ == Way::full) forget();
@@ -119,7 +127,7 @@ FrameSearch::Way FrameSearch::choose(const Chain& chain, const Moved& moved) {
   const std::span<const Sphere> before = row_.spheres(), now = chain.spheres();
   // What a full search takes by now is worth knowing.
   constexpr unsigned much_doubt = 24;
-  if (doubt_ >= much_doubt && !always_) return Way::full;
+  if (doubt_ >= much_doubt && !always_) return why_ = Why::doubt, Way::full;
   const auto most = static_cast<std::uint32_t>(always_ ? now.size() : now.size() / 4);
   if (const auto way = take_shift(moved, chain)) return *way;
   bool few = take(moved, chain.size());

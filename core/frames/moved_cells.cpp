@@ -74,8 +74,8 @@ CellsOfFew MovedCells::view() const {
           begin_.data(), entries_.data(), spheres_.data(), is_few_.data()};
 }
 
-void MovedCells::search(const ChainView& chain, std::vector<Pair>& pairs) const {
-  search_cells(chain, view(), pairs);
+void MovedCells::search(const ChainView& chain, std::vector<Pair>& pairs, std::uint64_t most) const {
+  search_cells(chain, view(), most, pairs);
 }
 
 }  // namespace catena

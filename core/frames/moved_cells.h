@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,8 +37,10 @@ class CATENA_API MovedCells {
   /// made.
   virtual bool lay_out(const ChainView& chain, std::span<const std::uint32_t> moved);
   /// Appends each colliding pair with one of them, once, lower index first. O(n) and the entries of the cells
-  /// that are looked into; after a lay_out of this chain that was true.
-  void search(const ChainView& chain, std::vector<Pair>& pairs) const;
+  /// that are looked into; after a lay_out of this chain that was true. Ends soon after there are more than
+  /// `most`.
+  void search(const ChainView& chain, std::vector<Pair>& pairs,
+              std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) const;
 
  protected:
   /// How far from the centre of one of the few a centre is at most whose sphere touches it. A test may break

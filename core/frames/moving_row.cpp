@@ -61,12 +61,12 @@ SphereRange MovingRow::spheres_of(std::uint32_t of) const {
   return first < end ? SphereRange{first - begin_, end - begin_} : SphereRange{0, 0};
 }
 
-bool MovingRow::search_cells(const ChainView& chain, std::vector<Pair>& found) {
+bool MovingRow::search_cells(const ChainView& chain, std::vector<Pair>& found, std::uint64_t most) {
   moved_.clear();
   for (const std::uint32_t r : changed_)
     for (std::uint32_t i = spheres_of(r).begin; i < spheres_of(r).end; ++i) moved_.push_back(i);
   if (!cells_->lay_out(chain, moved_)) return false;
-  cells_->search(chain, found);
+  cells_->search(chain, found, most);
   return true;
 }
 
@@ -87,14 +87,14 @@ void MovingRow::stand_tree() {
   }
 }
 
-bool MovingRow::search(const ChainView& chain, std::vector<Pair>& found, bool by_cells) {
+bool MovingRow::search(const ChainView& chain, std::vector<Pair>& found, bool by_cells, std::uint64_t most) {
   found.clear();
-  by_cells = by_cells && search_cells(chain, found);
+  by_cells = by_cells && search_cells(chain, found, most);
   if (by_cells) {
     tree_stands_ = false;  // it is of what was there before
   } else {
     stand_tree();
-    tree_.search(chain, view(), found);
+    tree_.search(chain, view(), most, found);
   }
   for (const std::uint32_t r : changed_) is_changed_[r] = 0;
   changed_.clear();

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -35,8 +36,10 @@ class CATENA_API MovingRow {
   void find_changed(std::span<const Pair> pairs, std::vector<std::uint32_t>& places) const;
   /// Fills `found` with the pairs that have a sphere which changed. `chain` is the frame that move or shift
   /// was told of. A search for each run that changed, in the tree; `by_cells`: O(n) instead, where that can
-  /// be. True when it was by cells. Nothing is changed any more then.
-  bool search(const ChainView& chain, std::vector<Pair>& found, bool by_cells);
+  /// be. True when it was by cells. Nothing is changed any more then. Ends soon after there are more than
+  /// `most` pairs, and some are missing: what moved onto one point has as many as its square.
+  bool search(const ChainView& chain, std::vector<Pair>& found, bool by_cells,
+              std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
   /// Runs that changed last; each costs about the same.
   std::uint32_t changed_runs() const { return static_cast<std::uint32_t>(changed_.size()); }
@@ -47,7 +50,7 @@ class CATENA_API MovingRow {
 
   RunRow view() const { return {row_.data(), begin_, begin_ + size_, is_changed_.data(), changed_}; }
   void change(std::uint32_t first_place, std::uint32_t end_place);
-  bool search_cells(const ChainView& chain, std::vector<Pair>& found);
+  bool search_cells(const ChainView& chain, std::vector<Pair>& found, std::uint64_t most);
   void stand_tree();
   SphereRange spheres_of(std::uint32_t of) const;
 

@@ -98,6 +98,30 @@ TEST(MovingRow, FollowsAFilm) {
   EXPECT_GT(kept, 10'000u);
 }
 
+/// Of what moves onto one point pairs are as many as its square: no more are found than there is room for.
+TEST(MovingRow, EndsWhereThereAreTooManyPairs) {
+  std::vector<Sphere> spheres(4000);
+  for (std::uint32_t i = 0; i < 4000; ++i) spheres[i] = {static_cast<float>(i), 0, 0, 0.6f};
+  const std::vector<SphereRange> ranges{{1000, 2000}};
+  for (const bool by_cells : {false, true}) {
+    MovingRow row;
+    row.hold(spheres);
+    std::vector<Sphere> moved = spheres;
+    for (std::uint32_t i = 1000; i < 2000; ++i) i % 2 ? void(moved[i] = spheres[1500]) : void(moved[i].y = 5);
+    row.move(moved, ranges);
+    const Chain chain(moved);
+    std::vector<Pair> found;
+    constexpr std::size_t most = 1000, a_little = 1 << 14, all = 500 * 499 / 2;
+    EXPECT_EQ(row.search(chain.view(), found, by_cells, most), by_cells);
+    EXPECT_GT(found.size(), most);
+    EXPECT_LT(found.size(), most + a_little);
+    static_assert(most + a_little < all);
+    row.move(spheres, ranges);  // and it goes on
+    EXPECT_EQ(row.search(Chain(spheres).view(), found, by_cells, most), by_cells);
+    EXPECT_TRUE(found.empty());
+  }
+}
+
 /// Spheres that touch within a unit of the last place, each alone with points in its run.
 TEST(MovingRow, MeetsEveryTwoThatTouch) {
   std::mt19937 random(5);

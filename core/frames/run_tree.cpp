@@ -29,8 +29,9 @@ void RunTree::refresh(const RunRow& row, std::uint32_t first, std::uint32_t end)
   tree_.refresh(first, end);
 }
 
-void RunTree::search(const ChainView& chain, const RunRow& row, std::vector<Pair>& pairs) const {
-  search_runs(chain, row, tree_, pairs);
+void RunTree::search(const ChainView& chain, const RunRow& row, std::uint64_t most,
+                     std::vector<Pair>& pairs) const {
+  search_runs(chain, row, tree_, most, pairs);
 }
 
 }  // namespace catena

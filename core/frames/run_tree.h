@@ -32,8 +32,9 @@ class CATENA_API RunTree {
   void refresh(const RunRow& row, std::uint32_t first, std::uint32_t end);
 
   /// Appends each colliding pair of the chain with a sphere of a run that changed, once, lower index first.
-  /// The tree is that of the row, whose window are the chain's spheres.
-  void search(const ChainView& chain, const RunRow& row, std::vector<Pair>& pairs) const;
+  /// The tree is that of the row, whose window are the chain's spheres. Ends soon after there are more than
+  /// `most`.
+  void search(const ChainView& chain, const RunRow& row, std::uint64_t most, std::vector<Pair>& pairs) const;
 
  private:
   WideBoxTree tree_;

@@ -19,15 +19,16 @@ namespace {
 /// Each sphere of the chain against the few in the cell of its centre.
 class CellSearch {
  public:
-  CellSearch(const ChainView& chain, const CellsOfFew& cells, std::vector<Pair>& pairs)
-      : chain_(chain), cells_(cells), pairs_(pairs) {}
+  CellSearch(const ChainView& chain, const CellsOfFew& cells, std::uint64_t most, std::vector<Pair>& pairs)
+      : chain_(chain), cells_(cells), most_(most), pairs_(pairs) {}
 
   void run() {
     std::uint32_t i = 0;
-    for (; i + width <= chain_.size; i += width) {
+    for (; i + width <= chain_.size && pairs_.size() <= most_; i += width) {
       look(chain_.spheres + i, i, width);
       if (found_ + width > room) flush();
     }
+    if (pairs_.size() > most_) return;
     Sphere rest[width] = {};
     std::copy(chain_.spheres + i, chain_.spheres + chain_.size, rest);
     if (i < chain_.size) look(rest, i, chain_.size - i);
@@ -76,7 +77,7 @@ class CellSearch {
   }
 
   void flush() {
-    for (std::uint32_t k = 0; k < found_; ++k)
+    for (std::uint32_t k = 0; k < found_ && pairs_.size() <= most_; ++k)
       meet(sphere_[k], cells_.begin[cell_[k]], cells_.begin[cell_[k] + 1]);
     found_ = 0;
   }
@@ -98,6 +99,7 @@ class CellSearch {
 
   const ChainView& chain_;
   const CellsOfFew& cells_;
+  const std::uint64_t most_;
   std::vector<Pair>& pairs_;
   std::uint32_t found_ = 0;
   std::uint32_t sphere_[room + width], cell_[room + width];
@@ -105,8 +107,9 @@ class CellSearch {
 
 }  // namespace
 
-void search_cells_here(const ChainView& chain, const CellsOfFew& cells, std::vector<Pair>& pairs) {
-  CellSearch(chain, cells, pairs).run();
+void search_cells_here(const ChainView& chain, const CellsOfFew& cells, std::uint64_t most,
+                       std::vector<Pair>& pairs) {
+  CellSearch(chain, cells, most, pairs).run();
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -117,8 +120,9 @@ namespace catena {
 
 HWY_EXPORT(search_cells_here);
 
-void search_cells(const ChainView& chain, const CellsOfFew& cells, std::vector<Pair>& pairs) {
-  HWY_DYNAMIC_DISPATCH(search_cells_here)(chain, cells, pairs);
+void search_cells(const ChainView& chain, const CellsOfFew& cells, std::uint64_t most,
+                  std::vector<Pair>& pairs) {
+  HWY_DYNAMIC_DISPATCH(search_cells_here)(chain, cells, most, pairs);
 }
 
 }  // namespace catena

@@ -19,8 +19,9 @@ namespace {
 /// theirs meets.
 class RunSearch {
  public:
-  RunSearch(const ChainView& chain, const RunRow& row, const WideBoxTree& tree, std::vector<Pair>& pairs)
-      : chain_(chain), row_(row), levels_(tree.levels()), tree_(tree), pairs_(pairs) {}
+  RunSearch(const ChainView& chain, const RunRow& row, const WideBoxTree& tree, std::uint64_t most,
+            std::vector<Pair>& pairs)
+      : chain_(chain), row_(row), levels_(tree.levels()), tree_(tree), most_(most), pairs_(pairs) {}
 
   void run() {
     const std::span<const std::uint32_t> changed = row_.changed;
@@ -38,6 +39,7 @@ class RunSearch {
   static constexpr std::uint32_t fan = WideBoxTree::fan, run_ = RunTree::run;
 
   void descend(std::size_t level, std::uint32_t group, const Box& around) {
+    if (pairs_.size() > most_) return;
     if (level == 0) return meet_group(group);
     for_each_lane(meeting(levels_[level][group], around),
                   [&](std::uint32_t k) { descend(level - 1, group * fan + k, around); });
@@ -85,6 +87,7 @@ class RunSearch {
   const RunRow& row_;
   const std::span<const std::vector<WideBoxTree::Group>> levels_;
   const WideBoxTree& tree_;
+  const std::uint64_t most_;
   std::vector<Pair>& pairs_;
   std::span<const std::uint32_t> runs_;  ///< of one group
 };
@@ -137,9 +140,9 @@ void set_boxes_of_runs_here(const Sphere* places, std::uint32_t first, std::uint
   for (std::uint32_t r = first; r < end; ++r) tree.set(r, box_of_run(places + std::size_t{r} * RunTree::run));
 }
 
-void search_runs_here(const ChainView& chain, const RunRow& row, const WideBoxTree& tree,
+void search_runs_here(const ChainView& chain, const RunRow& row, const WideBoxTree& tree, std::uint64_t most,
                       std::vector<Pair>& pairs) {
-  RunSearch(chain, row, tree, pairs).run();
+  RunSearch(chain, row, tree, most, pairs).run();
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -155,9 +158,9 @@ void set_boxes_of_runs(const Sphere* places, std::uint32_t first, std::uint32_t 
   HWY_DYNAMIC_DISPATCH(set_boxes_of_runs_here)(places, first, end, tree);
 }
 
-void search_runs(const ChainView& chain, const RunRow& row, const WideBoxTree& tree,
+void search_runs(const ChainView& chain, const RunRow& row, const WideBoxTree& tree, std::uint64_t most,
                  std::vector<Pair>& pairs) {
-  HWY_DYNAMIC_DISPATCH(search_runs_here)(chain, row, tree, pairs);
+  HWY_DYNAMIC_DISPATCH(search_runs_here)(chain, row, tree, most, pairs);
 }
 
 }  // namespace catena

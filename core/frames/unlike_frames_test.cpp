@@ -116,5 +116,82 @@ TEST(FrameSearch, OfSomeSpheresAloneIsNoAnswerOfAll) {
   frames.expect_exact(chain, {.queries = {10, 700}}, "some of an answer of all");
 }
 
+/// The reason why all is searched is the one that it is for.
+TEST(FrameSearch, SaysWhyItSearchesAll) {
+  const Chain first = yarn();
+  const std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
+  std::vector<Sphere> along = spheres;
+  std::ranges::rotate(along, along.begin() + 40);
+  const auto expect = [&](const Chain& chain, const Chain& next, const std::string& why,
+                          std::uint64_t most = 0) {
+    FrameSearch search({}, true);
+    if (most > 0) search.keep_at_most(most);
+    const auto base = StrategyRegistry::instance().make("Hybrid");
+    const FullSearch full = [&](const Chain& c, const Request& r, Collisions& f) {
+      base->build(c);
+      base->find(c, r, f);
+    };
+    Collisions found;
+    search.begin(true);
+    const Request counts{.want = Request::Want::counts};
+    search.find(chain, counts, found, full, full, 0);
+    search.update(next, {});
+    search.find(next, counts, found, full, full, 0);
+    ASSERT_EQ(search.way(), Way::full);
+    EXPECT_TRUE(search.plan()[0].reason.starts_with(why)) << search.plan()[0].reason;
+  };
+  const Chain arc(spheres, {}, Exclusion::arc(1.5));
+  expect(
+      arc, arc.moved(along),
+      "too little in common with the frame before; a shift is looked for in one open strand under an index "
+      "window; under an arc window no list is kept");
+  expect(first, arc, "not the chain of the frame before, or not its rule");
+  expect(first, first.moved(along), "more pairs collide than are kept from frame to frame, or so", 5);
+}
+
+/// What moved is told of the last build or update, whatever was asked of that, and whether it was a frame of
+/// the same spheres or a chain of its own.
+TEST(Auto, TakesWhatItIsToldForWhatMovedSinceTheLastFrame) {
+  const Chain first = yarn();
+  std::vector<Sphere> spheres(first.spheres().begin(), first.spheres().end());
+  const Chain last = first.moved(shaken(spheres, 0.3f));
+  spheres.assign(last.spheres().begin(), last.spheres().end());
+  spheres[5] = spheres[1005];
+  const Chain part = last.moved(spheres);
+  spheres.assign(last.spheres().begin(), last.spheres().end());
+  std::ranges::rotate(spheres, spheres.begin() + 3);
+  const Chain along = last.moved(spheres);
+  const SphereRange range{5, 6};
+  const std::pair<const Chain*, Moved> nexts[] = {{&last, Moved(std::span<const SphereRange>())},
+                                                  {&part, Moved(std::span(&range, 1))},
+                                                  {&along, Moved::along(3)}};
+  const auto pairs_of = [](Variant& variant, const Chain& chain) {
+    Collisions found;
+    variant.find(chain, {}, found);
+    std::ranges::sort(found.pairs);
+    return found.pairs;
+  };
+  const Request all{.frames_follow = true}, any{.want = Request::Want::any, .frames_follow = true},
+      some{.queries = {0, 100}, .frames_follow = true};
+  const auto right = StrategyRegistry::instance().make("Hybrid");
+  for (const char* name : {"auto", "auto(frames=always,keep=far-pairs)"})  // lists would take long
+    for (const auto& [next, moved] : nexts) {
+      right->build(*next);
+      const std::vector<Pair> exact = pairs_of(*right, *next);
+      for (const Request& asked : {any, some})
+        for (const bool anew : {false, true}) {
+          const auto variant = StrategyRegistry::instance().make(name);
+          variant->prepare(all), variant->build(first);
+          EXPECT_NE(pairs_of(*variant, first), exact);
+          variant->prepare(asked);
+          anew ? variant->build(last) : variant->update(last);
+          Collisions found;
+          variant->find(last, asked, found);
+          variant->prepare(all), variant->update(*next, moved);
+          EXPECT_EQ(pairs_of(*variant, *next), exact) << name << ", " << (anew ? "built" : "updated");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace catena

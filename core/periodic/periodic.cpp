@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "catena/core/error.h"
+#include "catena/core/plan/omissions.h"
 
 namespace catena {
 namespace {
@@ -21,6 +22,13 @@ Shift sum(const Shift& a, const Shift& b, std::int32_t sign) {
 }
 
 std::array<double, 3> centre(const Sphere& s) { return {s.x, s.y, s.z}; }
+
+/// For certain no sphere is so many boxes away that it is refused: of a centre c the box is at most |c| /
+/// width, and |c| at most sqrt(3) times a coordinate.
+bool all_near(const Extent& extent, const std::array<double, 3>& widths) {
+  return std::ranges::all_of(
+      widths, [&](double width) { return width == 0 || 4.0 * extent.greatest_coordinate < 0x1p19 * width; });
+}
 
 /// The one of each two opposite shifts that is taken.
 bool is_forward(const Shift& shift) { return shift > nowhere; }
@@ -52,20 +60,56 @@ const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t fram
 
 void Periodic::build(const Chain& chain) {
   const Stopwatch watch;
+  built_.reset();
+  follows_ = images_built_ = false;
   const double reach = 2 * double{chain.view().extent.greatest_radius};
   check_box(box_, reach);
   const auto widths = box_.widths();
   tight_ = false;
   for (const double width : widths) tight_ = tight_ || (width > 0 && width < 2 * reach * (1 + slack));
-  put_into_box(chain);
-  add_ghosts(chain, reach);
+  home_.clear(), ghosts_.clear();
+  if (asked_.want != Request::Want::any || !all_near(chain.view().extent, widths)) put_into_box(chain);
+  known_ = asked_.want == Request::Want::any ? known_as_stored(chain) : std::nullopt;
+  if (!known_) build_images(chain);
+  timings_ = variant_->timings();
+  timings_.build_ms = watch.ms();
+  built_ = chain.size();
+}
+
+/// Two that collide where they are stored do, whatever repeats; no others do where no image reaches another.
+std::optional<bool> Periodic::known_as_stored(const Chain& chain) {
+  const Request request{.want = Request::Want::any, .queries = asked_.queries};
+  variant_->prepare(request);
+  variant_->build(chain);
+  variant_->find(chain, request, candidates_);
+  if (candidates_.found) return true;
+  if (home_.empty()) put_into_box(chain);
+  return apart_ ? std::optional(false) : std::nullopt;
+}
+
+void Periodic::build_images(const Chain& chain) {
+  if (home_.empty()) put_into_box(chain);
+  add_ghosts(chain);
   images_ = chain_of_images(chain);
   Request wanted;
   wanted.queries = {0, chain.size()};
   variant_->prepare(wanted);
   variant_->build(images_);
-  timings_ = variant_->timings();
-  timings_.build_ms = watch.ms();
+  images_built_ = true;
+}
+
+bool Periodic::knows(const Request& request) const {
+  return known_ && request.want == Request::Want::any && request.queries == asked_.queries;
+}
+
+Plan Periodic::plan() const {
+  Plan steps = variant_->plan();
+  if (steps.empty()) return steps;
+  for (Decision& step : steps)
+    if (images_built_ && step.step == info_of(Omission::pair_list).step)
+      step.reason = "in a box pairs are searched for, and decided again";
+  if (follows_) steps.push_back({"search of the whole frame", false, "in a box each is searched for itself"});
+  return steps;
 }
 
 // The box begins at the least sphere where one box holds them all, so that none of them is moved.
@@ -81,8 +125,13 @@ void Periodic::put_into_box(const Chain& chain) {
       greatest[edge] = std::max(greatest[edge], place[i][edge]);
     }
   }
-  for (std::size_t edge = 0; edge < 3; ++edge)
-    origin_[edge] = greatest[edge] - least[edge] < 1 ? least[edge] : 0;
+  const auto margin = margins(chain);
+  apart_ = true;
+  for (std::size_t edge = 0; edge < 3; ++edge) {
+    const double span = greatest[edge] - least[edge];
+    origin_[edge] = span < 1 ? least[edge] : 0;
+    apart_ = apart_ && (box_.length[edge] == 0 || span < 1 - margin[edge] - slack);
+  }
   home_.assign(chain.size(), nowhere);
   spheres_.clear();
   for (std::uint32_t i = 0; i < chain.size(); ++i) {
@@ -97,12 +146,20 @@ void Periodic::put_into_box(const Chain& chain) {
   }
 }
 
-void Periodic::add_ghosts(const Chain& chain, double reach) {
-  ghosts_.clear();
+/// Fractions of the edges that two spheres reach over at most.
+std::array<double, 3> Periodic::margins(const Chain& chain) const {
+  const double reach = 2 * double{chain.view().extent.greatest_radius};
   const auto widths = box_.widths();
   std::array<double, 3> margin{};
   for (std::size_t edge = 0; edge < 3; ++edge)
     if (widths[edge] > 0) margin[edge] = reach / widths[edge] + slack;
+  return margin;
+}
+
+void Periodic::add_ghosts(const Chain& chain) {
+  ghosts_.clear();
+  spheres_.resize(chain.size());
+  const auto margin = margins(chain);
   for (std::uint32_t i = 0; i < chain.size(); ++i) {
     const auto place = box_.in_edges(centre(chain[i]));
     const auto reaches = [&](std::size_t edge, std::int32_t step) {
@@ -158,13 +215,19 @@ Chain Periodic::chain_of_images(const Chain& chain) const {
 }
 
 void Periodic::find(const Chain& chain, const Request& request, Collisions& result) {
-  if (home_.size() != chain.size()) throw std::logic_error("find: not the chain of the last build");
+  if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
   const Stopwatch watch;
   result.found = false;
   result.pair_count = 0;
   result.count.assign(request.want == Request::Want::any ? 0 : chain.size(), 0);
   result.pairs.clear();
-  search({chain, request, result}, {0, chain.size()});
+  if (knows(request)) {
+    result.found = *known_;
+  } else {
+    if (!images_built_) build_images(chain);
+    search({chain, request, result}, {0, chain.size()});
+  }
+  if (request.want == Request::Want::any) result.pair_count = 0;
   timings_.find_ms = watch.ms();
   if (request.want == Request::Want::pairs && result.pair_count > request.pair_limit) {
     result.pairs.clear();
@@ -173,7 +236,8 @@ void Periodic::find(const Chain& chain, const Request& request, Collisions& resu
 }
 
 void Periodic::search(const Search& search, SphereRange queries) {
-  if (queries.size() == 0) return;
+  const auto enough = [&] { return search.request.want == Request::Want::any && search.result.found; };
+  if (queries.size() == 0 || enough()) return;
   Request candidates;
   candidates.queries = queries;
   candidates.pair_limit = std::max<std::uint64_t>(std::uint64_t{1} << 24, images_.size());
@@ -185,7 +249,10 @@ void Periodic::search(const Search& search, SphereRange queries) {
     this->search(search, {middle, queries.end});
     return;
   }
-  for (const Pair& candidate : candidates_.pairs) meet(search, candidate);
+  for (const Pair& candidate : candidates_.pairs) {
+    if (enough()) return;
+    meet(search, candidate);
+  }
 }
 
 void Periodic::meet(const Search& search, const Pair& candidate) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,8 +23,10 @@ namespace catena {
 /// this chain, and what it finds of moved spheres is decided again, exactly. So the answer is that of the
 /// definition for every variant that is exact.
 ///
-/// find costs the variant's search for pairs, whatever is wanted, and O(1) a pair found. A flood of pairs is
-/// searched in parts, and only those that are wanted are kept.
+/// find costs the variant's search for pairs, whatever is wanted, and O(1) a pair found; but for yes or no,
+/// which a build was prepared for, the chain is searched first as it is stored: that is the answer where it
+/// is yes, and where no image of the chain reaches another. A flood of pairs is searched in parts, and only
+/// those that are wanted are kept. Each frame is searched for itself.
 class Periodic final : public Variant {
  public:
   Periodic(std::unique_ptr<Variant> variant, const PeriodicBox& box)
@@ -32,14 +35,18 @@ class Periodic final : public Variant {
   /// Spheres that the last build added for the faces of the box.
   std::uint32_t images() const { return static_cast<std::uint32_t>(ghosts_.size()); }
 
+  void prepare(const Request& request) override { asked_ = request; }
   /// For the next build.
   void set_box(const PeriodicBox& box) { box_ = box; }
 
   /// Throws InputError for a box that is too narrow (see check_box), and a sphere more than 2^20 boxes away.
   void build(const Chain& chain) override;
+  void update(const Chain& chain, const Moved&) override { build(chain), follows_ = true; }
   void find(const Chain& chain, const Request& request, Collisions& result) override;
   Timings timings() const override { return timings_; }
-  Plan plan() const override { return variant_->plan(); }
+  Plan plan() const override;
+  std::vector<WorkDone> work() const override { return variant_->work(); }
+  std::string answered_by() const override { return variant_->answered_by(); }
 
  private:
   struct Ghost {
@@ -52,8 +59,12 @@ class Periodic final : public Variant {
     Collisions& result;
   };
 
+  std::optional<bool> known_as_stored(const Chain& chain);
+  void build_images(const Chain& chain);
+  bool knows(const Request& request) const;
   void put_into_box(const Chain& chain);
-  void add_ghosts(const Chain& chain, double reach);
+  std::array<double, 3> margins(const Chain& chain) const;
+  void add_ghosts(const Chain& chain);
   Sphere image(const Sphere& sphere, const Shift& shift) const;
   Chain chain_of_images(const Chain& chain) const;
   void search(const Search& search, SphereRange queries);
@@ -62,7 +73,13 @@ class Periodic final : public Variant {
 
   std::unique_ptr<Variant> variant_;
   PeriodicBox box_;
+  Request asked_;
+  std::optional<std::uint32_t> built_;  ///< spheres of the last build; nothing after one that threw
+  std::optional<bool> known_;           ///< the answer to asked_, where it was found before there were images
+  bool follows_ = false;                ///< the last build was an update
+  bool images_built_ = false;           ///< by the variant, which has the chain as it is stored else
   bool tight_ = false;  ///< two images of one sphere may both touch another
+  bool apart_ = false;  ///< the chain is so short beside the box that no image of it reaches another
   std::array<double, 3> origin_{};
   std::vector<Shift> home_;  ///< of each sphere, into the box
   std::vector<Sphere> spheres_;

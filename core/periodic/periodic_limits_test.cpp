@@ -6,6 +6,7 @@
 
 #include "catena/core/error.h"
 #include "catena/core/periodic/test_search.h"
+#include "catena/core/plan/omissions.h"
 
 namespace catena {
 namespace {
@@ -18,7 +19,8 @@ TEST(Periodic, RefusesASphereMoreBoxesAwayThanAreCounted) {
   EXPECT_EQ(found("CPU1", at(10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
   EXPECT_EQ(found("CPU1", at(-10 * most), {{10, 10, 10}}).pairs, (Pairs{{0, 2}}));
   for (const double x : {10 * (most + 2), -10 * (most + 2), 1e30})
-    EXPECT_THROW(found("CPU1", at(x), {{10, 10, 10}}), InputError) << x;
+    for (const auto want : {Request::Want::pairs, Request::Want::any})
+      EXPECT_THROW(found("CPU1", at(x), {{10, 10, 10}}, {.want = want}), InputError) << x;
 }
 
 TEST(Periodic, CountsAPairOnceThatTouchesThroughBothFaces) {
@@ -63,8 +65,10 @@ class FewAtATime final : public Variant {
   void find(const Chain& chain, const Request& request, Collisions& result) override {
     Request few = request;
     few.pair_limit = chain.size();
+    ++finds;
     all_->find(chain, few, result);
   }
+  int finds = 0;
   Timings timings() const override { return {}; }
 
  private:
@@ -76,7 +80,9 @@ TEST(Periodic, SearchesAFloodInParts) {
   for (std::uint32_t i = 0; i < 83; ++i)
     spheres.push_back({i % 3 ? 9.5f : 0, 0.01f * static_cast<float>(i), 0, 1});
   const Chain chain(std::move(spheres));
-  Periodic in_parts(std::make_unique<FewAtATime>(), {{10, 10, 10}});
+  auto few = std::make_unique<FewAtATime>();
+  const int& finds = few->finds;
+  Periodic in_parts(std::move(few), {{10, 10, 10}});
   Collisions result;
   in_parts.build(chain);
   EXPECT_GT(in_parts.timings().build_ms, 0) << "of its own, whatever the variant tells";
@@ -86,6 +92,44 @@ TEST(Periodic, SearchesAFloodInParts) {
   EXPECT_GT(whole.pair_count, 2 * chain.size());
   EXPECT_EQ(result.pairs, whole.pairs);
   EXPECT_EQ(result.count, whole.count);
+  const int all = finds;
+  in_parts.find(chain, {.want = Request::Want::any}, result);
+  EXPECT_TRUE(result.found);
+  EXPECT_LT(finds - all, all / 2) << "one pair is the answer yes";
+}
+
+/// For yes or no the chain is searched as it is stored, and its images where they may make a difference.
+TEST(Periodic, LooksForImagesWhereTheyDecide) {
+  const Request any{.want = Request::Want::any};
+  const auto expect = [&](const Chain& chain, const PeriodicBox& box, bool is, bool images) {
+    Periodic periodic(StrategyRegistry::instance().make("auto"), box);
+    EXPECT_EQ(periodic.answered_by(), "") << "nothing was built";
+    periodic.prepare(any);
+    periodic.build(chain);
+    EXPECT_EQ(periodic.images() > 0, images);
+    Collisions result;
+    periodic.find(chain, any, result);
+    EXPECT_EQ(result.found, is);
+    EXPECT_EQ(periodic.answered_by(), "CPU1");
+    const auto list = [&](const Plan& plan) {
+      return std::ranges::find(plan, info_of(Omission::pair_list).step, &Decision::step)->reason;
+    };
+    const std::string decided_again = "in a box pairs are searched for, and decided again";
+    EXPECT_EQ(list(periodic.plan()) == decided_again, images);
+    periodic.find(chain, {}, result);
+    std::ranges::sort(result.pairs);
+    EXPECT_EQ(result.pairs, found("CPU1", chain, box).pairs) << "asked for more than was prepared";
+    EXPECT_GT(periodic.images(), 0u);
+    periodic.prepare({.want = Request::Want::counts});
+    periodic.update(chain, {});
+    EXPECT_EQ(list(periodic.plan()), decided_again);
+    EXPECT_EQ(periodic.plan().back().reason, "in a box each is searched for itself");
+  };
+  const auto row = [](float x, float y = 0) { return Chain({{0, 0, 0, 1}, {5, 5, 5, 1}, {x, y, 0, 1}}); };
+  expect(row(1.5f), {{10, 10, 10}}, true, false);
+  expect(row(8.5f), {{10, 10, 10}}, true, true);
+  expect(row(8.5f, 1.9f), {{10, 10, 10}}, false, true);
+  expect(row(7.9f), {{10, 10, 10}}, false, false);
 }
 
 TEST(Periodic, LeavesNothingOfAnEarlierAnswer) {

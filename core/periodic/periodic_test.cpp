@@ -120,7 +120,12 @@ RC_GTEST_PROP(Periodic, SearchesOneChainAfterAnother, ()) {
   for (auto left = *rc::gen::inRange(2, 4); left > 0; --left) {
     const auto [chain, box] = any_in_a_box();
     periodic.set_box(box);
+    periodic.prepare({.want = *rc::gen::element(Request::Want::any, Request::Want::pairs)});
     periodic.build(chain);
+    if (*rc::gen::arbitrary<bool>()) {
+      periodic.find(chain, {.want = Request::Want::any}, result);
+      RC_ASSERT(result.found == found("CPU1", chain, box).found);
+    }
     periodic.find(chain, {}, result);
     std::ranges::sort(result.pairs);
     const Collisions anew = found("CPU1", chain, box);

@@ -15,6 +15,7 @@ inline Collisions found(const std::string& variant, const Chain& chain, const Pe
                  const Request& request = {}) {
   Periodic periodic(StrategyRegistry::instance().make(variant), box);
   Collisions result;
+  periodic.prepare(request);
   periodic.build(chain);
   periodic.find(chain, request, result);
   std::ranges::sort(result.pairs);

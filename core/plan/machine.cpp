@@ -18,12 +18,9 @@ namespace {
 constexpr const char* first_line = "catena-calibration 4";
 constexpr const char* last_line = "end";
 
-/// What tells one machine's figures from another's where a home is shared.
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
-  return "unknown";
+  return processor_of(info);
 }
 
 /// The figures of the file's text, or why they cannot be used.
@@ -41,7 +38,8 @@ MachineCost with_threads(const StrategyInfo& info) {
   return knows ? MachineCost{*info.cost, serial, team_us} : MachineCost{*info.cost};
 }
 
-bool usable(double figure) { return std::isfinite(figure) && figure >= 0; }
+/// So that no sum of them overflows, whatever the chain.
+bool usable(double figure) { return figure >= 0 && figure <= 1e12; }
 
 Read read(std::istream& text) {
   std::string line;
@@ -88,17 +86,27 @@ Machine Machine::from(const std::filesystem::path& file) {
   std::ifstream text(file);
   if (!text) return machine;
   const Read found = read(text);
-  if (!found.fault.empty()) {
-    machine.warning = fmt::format("{} {}; using built-in figures; catena calibrate writes it anew",
-                                  file.string(), found.fault);
+  const auto damaged = [&](const std::string& fault) {
+    machine.warning =
+        fmt::format("{} {}; using built-in figures; catena calibrate writes it anew", file.string(), fault);
     return machine;
+  };
+  if (!found.fault.empty()) return damaged(found.fault);
+  Machine measured = machine;
+  std::size_t known = 0;
+  std::string fault;
+  for (VariantCost& v : measured.costs) {
+    const auto line = std::ranges::find(found.costs, v.variant, &VariantCost::variant);
+    if (line == found.costs.end()) continue;
+    if (v.cost.serial == 1 && line->cost.serial < 1)
+      fault = fmt::format("has {} search by several threads, which it cannot", v.variant);
+    v.cost = line->cost;
+    ++known;
   }
-  for (VariantCost& v : machine.costs)
-    if (const auto measured = std::ranges::find(found.costs, v.variant, &VariantCost::variant);
-        measured != found.costs.end())
-      v.cost = measured->cost;
-  machine.source = "figures of " + file.string();
-  return machine;
+  if (known == 0) fault = "has no variant's figures";
+  if (!fault.empty()) return damaged(fault);
+  measured.source = "figures of " + file.string();
+  return measured;
 }
 
 const Machine& Machine::here() {
@@ -119,6 +127,26 @@ std::filesystem::path calibration_file() {
     cache = home / ".cache";
   }
   return cache / "catena" / "calibration.txt";
+}
+
+std::string processor_of(std::istream& cpuinfo) {
+  constexpr const char* numbers[] = {"CPU implementer", "CPU architecture", "CPU variant", "CPU part",
+                                     "CPU revision",    "cpu model",        "cpu\t",       "uarch"};
+  std::vector<std::string> told;
+  std::string all;
+  for (std::string line; std::getline(cpuinfo, line);) {
+    const auto colon = line.find(':');
+    if (colon == std::string::npos) continue;
+    const std::string value = line.substr(std::min(line.size(), colon + 2));
+    if (line.starts_with("model name")) return value;
+    // Of several processors each kind once.
+    if (std::ranges::none_of(numbers, [&](const char* key) { return line.starts_with(key); }) ||
+        std::ranges::count(told, line) > 0)
+      continue;
+    told.push_back(line);
+    all += (all.empty() ? "" : " ") + value;
+  }
+  return all.empty() ? "unknown" : all;
 }
 
 std::string calibration_text(const Machine& machine) {

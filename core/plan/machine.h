@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,10 @@ struct CATENA_API Machine {
 /// Where `catena calibrate` keeps its figures: catena/calibration.txt below XDG_CACHE_HOME, or below
 /// ~/.cache. Empty where the environment names no home.
 CATENA_API std::filesystem::path calibration_file();
+
+/// What tells one kind of processor from another where a home is shared, of the text of /proc/cpuinfo; most
+/// that are no x86 have no name there, but numbers.
+CATENA_API std::string processor_of(std::istream& cpuinfo);
 
 /// The figures as text, as Machine::from reads them.
 CATENA_API std::string calibration_text(const Machine& machine);

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "catena/core/executor/usable_cores.h"
@@ -39,8 +40,8 @@ TEST_F(MachineFile, ComesBackAsItWasWritten) {
   Machine machine = Machine::built_in();
   ASSERT_GE(machine.costs.size(), 2u);
   for (Machine::VariantCost& v : machine.costs)
-    v.cost.fixed_us += 1, v.cost.sphere_ns += 0.1, v.cost.serial *= 0.5, v.cost.team_us += 3,
-        v.cost.start_ms += 7;
+    v.cost.fixed_us += 1, v.cost.sphere_ns += 0.1, v.cost.serial *= v.cost.serial < 1 ? 0.5 : 1,
+        v.cost.team_us += 3, v.cost.start_ms += 7;
   const Machine back = read(calibration_text(machine));
   EXPECT_FALSE(back.warning);
   EXPECT_NE(back.source.find(file_.string()), std::string::npos) << back.source;
@@ -61,14 +62,19 @@ TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {
   std::vector<std::string> damaged{"", "nonsense"};
   for (std::size_t length = 1; length + 1 < good.size(); length += 3)
     damaged.push_back(good.substr(0, length));
-  for (const char* figure : {"nan", "-1", "inf", "1e999", "x", ""})
+  for (const char* figure : {"nan", "-1", "inf", "1e999", "1e308", "x", ""})
     damaged.push_back(
         std::string(good).insert(good.rfind("end"), std::string("CPU1 1 2 3 1 5 ") + figure + "\n"));
-  for (const char* line : {"CPU1 -1 2 3 1 4 5\n", "CPU1 1 -2 3 1 4 5\n", "CPU1 1 2 -3 1 4 5\n",
-                           "CPU1 1 2 3 -1 4 5\n", "CPU1 1 2 3 1 -4 5\n", "CPU1 1 2 3 1 4 5 6\n",
-                           "CPU1 1 2 3 1.01 4 5\n", "CPU1 1 2 3 1 4\n", "CPU1 1 2 3\n"})
+  for (const char* line :
+       {"CPU1 -1 2 3 1 4 5\n", "CPU1 1 -2 3 1 4 5\n", "CPU1 1 2 -3 1 4 5\n", "CPU1 1 2 3 -1 4 5\n",
+        "CPU1 1 2 3 1 -4 5\n", "CPU1 1 2 3 1 4 5 6\n", "CPU1 1 2 3 1.01 4 5\n", "CPU1 1 2 3 1 4\n",
+        "CPU1 1 2 3\n", "CPU1 1 2 1e308 1 4 5\n"})
     damaged.push_back(std::string(good).insert(good.rfind("end"), line));
   damaged.push_back(std::string(good).insert(good.find("processor ") + 10, "another "));
+  damaged.push_back(good.substr(0, good.find('\n', good.find("processor")) + 1) + "end\n");
+  Machine several = built_in;  // threads of what knows none
+  std::ranges::find(several.costs, 1, [](const auto& v) { return v.cost.serial; })->cost.serial = 0.5;
+  damaged.push_back(calibration_text(several));
   Machine second_bad = built_in;
   second_bad.costs[1].cost.fixed_us = -1;
   const std::string first_bad = calibration_text(second_bad);
@@ -115,6 +121,27 @@ TEST_F(MachineFile, OfVariantsThatAreGoneIsUsedForTheOthers) {
   EXPECT_FALSE(back.warning);
   EXPECT_EQ(cost_of(back, variant), (MachineCost{{4, 5, 6}}));
   EXPECT_EQ(std::ranges::count(back.costs, std::string("Gone"), &Machine::VariantCost::variant), 0);
+}
+
+/// Whatever a processor is called by, another kind is called otherwise.
+TEST_F(MachineFile, TellsKindsOfProcessorsApart) {
+  const auto named = [](const std::string& cpuinfo) {
+    std::istringstream text(cpuinfo);
+    return processor_of(text);
+  };
+  EXPECT_EQ(named("vendor_id\t: A\ncpu family\t: 6\nmodel name\t: A 5\ncpu MHz\t: 9\n\nmodel name\t: B\n"),
+            "A 5");
+  const std::string arm =
+      "processor\t: 0\nBogoMIPS\t: 243\nCPU implementer\t: 0x41\nCPU architecture: 8\n"
+      "CPU variant\t: 0x3\nCPU part\t: 0xd0c\nCPU revision\t: 1\n\n";
+  EXPECT_EQ(named(arm + arm), named(arm));
+  std::string other = arm;
+  other.replace(other.find("0xd0c"), 5, "0xd40");
+  EXPECT_NE(named(arm), named(other));
+  EXPECT_NE(named(arm), named(arm + other)) << "of two kinds";
+  EXPECT_NE(named("cpu\t\t: POWER9\n"), named("cpu\t\t: POWER10\n"));
+  EXPECT_EQ(named("processor\t: 0\nmodel name\t:\n"), "");
+  EXPECT_EQ(named(""), "unknown");
 }
 
 /// A device is known before it is looked for; of the host, only what is there.

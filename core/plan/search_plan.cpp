@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/plan/coarse_look.h"
 #include "catena/core/plan/part_look.h"
@@ -20,6 +21,9 @@ bool knows(const std::string& variant, const char* parameter) {
   return info != nullptr &&
          std::ranges::find(info->parameters, parameter, &ParameterInfo::name) != info->parameters.end();
 }
+
+/// Further threads are to save as much, over what they take to come together: twice that.
+double least_saved_ms(const Machine::VariantCost& v) { return 2 * v.cost.team_us * 1e-3; }
 
 /// "; it may not be left out"
 std::string switched_off(const Omissions& omissions, Omission omission) {
@@ -84,15 +88,18 @@ void SearchPlan::give_to_host() {
   if (!kind_->threads) threads_ = 1;
 }
 
+/// A chain that lies in order is searched in half of what is usual: there a team must not cost more than it
+/// saves.
+bool SearchPlan::team_pays(const Machine::VariantCost& v) const {
+  return ms(v) - ms(v, machine_.cores) >= least_saved_ms(v);
+}
+
 /// A greater number takes the place of a lesser one that it beats by a tenth: what is guessed of threads is
 /// guessed roughly.
 unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
   if (v.cost.serial >= 1) return 1;
   if (!omissions_.may(Omission::threads)) return machine_.cores;
-  // A chain that lies in order is searched in half of what is usual: there a team must not cost more than it
-  // saves.
-  constexpr double several = 3;
-  if (ms(v) - ms(v, machine_.cores) < (several - 1) * v.cost.team_us * 1e-3) return 1;
+  if (!team_pays(v)) return 1;
   unsigned best = 1;
   for (unsigned k = 2; k / 2 < machine_.cores; k *= 2)
     if (const unsigned threads = std::min(k, machine_.cores); ms(v, threads) < 0.9 * ms(v, best))
@@ -198,7 +205,7 @@ Request::Want SearchPlan::searched_for(Request::Want asked) const {
 
 Decision SearchPlan::hierarchy() const {
   const bool out = chosen_ == all_pairs_;
-  std::string reason = fmt::format("{} spheres: ", n_);
+  std::string reason = counted(n_, "sphere") + ": ";
   if (all_pairs_ == nullptr || tree_ == nullptr) {
     reason += priced(*chosen_);
   } else {
@@ -226,11 +233,14 @@ Decision SearchPlan::further_threads() const {
     return {step, true, variant() + " is taken with one"};
   if (machine_.cores == 1) return {step, true, "there is one core"};
   const unsigned other = threads() > 1 ? 1 : 2;
-  return {
-      step, threads() == 1,
-      fmt::format("{}, {}; {} cores", priced(*chosen_, threads()), priced(*chosen_, other), machine_.cores) +
-          switched_off(omissions_, Omission::threads),
-      ms(*chosen_, std::max(threads(), 2u))};
+  std::string reason =
+      fmt::format("{}, {}; {} cores", priced(*chosen_, threads()), priced(*chosen_, other), machine_.cores);
+  if (threads() == 1 && ms(*chosen_, other) < ms(*chosen_))
+    reason += team_pays(*chosen_) ? "; that saves less than a tenth"
+                                  : fmt::format("; they save less than {:.3g} ms, twice what a team takes",
+                                                least_saved_ms(*chosen_));
+  return {step, threads() == 1, reason + switched_off(omissions_, Omission::threads),
+          ms(*chosen_, std::max(threads(), 2u))};
 }
 
 Plan SearchPlan::steps() const {
@@ -253,11 +263,12 @@ Plan SearchPlan::steps() const {
                   "one pair is the answer yes" + switched_off(omissions_, Omission::after_hit)});
   plan.push_back(
       {info_of(Omission::other_places).step, look_first_,
-       (look_first_
+       (want_ != any ? "it does not tell all, and all are searched for"
+        : look_first_
             ? fmt::format("a look at every {}th sphere first, {} of {}{}", CoarseLook::stretch,
                           n_ / CoarseLook::stretch, n_,
                           PartLook::pays(n_) ? fmt::format(", then at one of {} parts", PartLook::parts) : "")
-            : fmt::format("{} spheres: a look pays from {} on", n_, CoarseLook::least)) +
+            : fmt::format("{}: a look pays from {} on", counted(n_, "sphere"), CoarseLook::least)) +
            switched_off(omissions_, Omission::other_places)});
   return plan;
 }

@@ -78,6 +78,7 @@ class CATENA_API SearchPlan {
   };
   void choose();
   void give_to_host();  ///< the tree, or another for which the chain's kind asks
+  bool team_pays(const Machine::VariantCost& v) const;
   unsigned best_threads(const Machine::VariantCost& v) const;
   Offer offer_of(const Machine::VariantCost& v) const;
   double ms(const Machine::VariantCost& v, unsigned threads = 1) const;

@@ -217,8 +217,19 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
   EXPECT_EQ(threads(1000), 1u) << "10 us of search, and 40 us for a team";
   EXPECT_EQ(threads(100, {"threads"}), 16u);
   unsigned before = 1;
-  for (std::uint32_t n = 1000; n < 1u << 30; n *= 2) {
+  int ruled_out = 0;
+  for (std::uint32_t n = 1000; n < 1u << 30; n += n / 2) {
     const unsigned now = threads(n);
+    // Where two would take less and are not taken all the same, it says by which rule.
+    const MachineCost& cost = of.costs[0].cost;
+    const Decision further = step(SearchPlan(n, {}, of, {}).steps(), "further threads");
+    const bool cheaper_all_the_same = now == 1 && cost.ms(n, 2) < cost.ms(n);
+    EXPECT_EQ(further.reason.find("; they save less than 0.08 ms, twice what a team takes") !=
+                      further.reason.npos ||
+                  further.reason.find("; that saves less than a tenth") != further.reason.npos,
+              cheaper_all_the_same)
+        << further.reason;
+    ruled_out += cheaper_all_the_same;
     EXPECT_GE(now, before) << n;
     EXPECT_LE(now, 16u);
     if (now > 1) {
@@ -229,6 +240,7 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
     before = now;
   }
   EXPECT_EQ(before, 16u);
+  EXPECT_GT(ruled_out, 0);
   EXPECT_EQ(SearchPlan(1u << 24, {}, of, {}).variant_with_threads(), "Hybrid(threads=16)");
   const Plan plan = SearchPlan(1u << 24, {}, of, {}).steps();
   EXPECT_FALSE(step(plan, "further threads").left_out);
@@ -400,6 +412,7 @@ TEST(SearchPlan, SaysWhatYesOrNoSpares) {
   EXPECT_FALSE(step(kept, after_hit).left_out);
   EXPECT_TRUE(step(kept, after_hit).reason.ends_with("; --no-omit after-hit"));
   EXPECT_FALSE(step(kept, places).left_out);
+  EXPECT_EQ(step(kept, places).reason, "it does not tell all, and all are searched for");
   EXPECT_EQ(step(steps(300000, {}), places).reason,
             "a look at every 1024th sphere first, 292 of 300000, then at one of 256 parts");
   EXPECT_EQ(step(steps(100, {}), places).reason, "100 spheres: a look pays from 8192 on");

@@ -207,6 +207,22 @@ class RadiiNotCompared final : public FrameSearch {
 const RegisterMutant<WithSearch<RadiiNotCompared>> radii{
     "still-frame-by-its-centres", "a frame whose radii alone change counts as unmoved", frames_parameter};
 
+class FramesBetweenForgotten final : public FaultyFrames {
+ public:
+  FramesBetweenForgotten() : FaultyFrames(std::make_unique<FrameSearch>(Omissions(), true)) {}
+  void prepare(const Request& request) override { yes_or_no_ = request.want == Request::Want::any; }
+  void update(const Chain& chain, const Moved& moved) override {
+    if (!yes_or_no_) FaultyFrames::update(chain, moved);
+  }
+
+ private:
+  bool yes_or_no_ = false;
+};
+const RegisterMutant<FramesBetweenForgotten> between{"frames-between-forgotten",
+                                                     "what moved since the last frame is taken to have since "
+                                                     "the last one that pairs were asked of (auto, 2026)",
+                                                     frames_parameter};
+
 class ShiftBySamples final : public FrameSearch {
  public:
   using FrameSearch::FrameSearch;
