@@ -35,16 +35,18 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
         alone_(always_ || parameters.choice("rivals", {"measured", "none"}) == "none"),
         frames_(omissions_, always_) {}
 
-  void prepare(const Request& request) override { request_ = request; }
+  void prepare(const Request& request) override { prepared_ = request; }
 
   void build(const Chain& chain) override {
     contact_.reset();
+    request_ = prepared_;
     frames_.begin(request_.frames_follow);
     begin(chain, nullptr);
   }
 
   void update(const Chain& chain, const Moved& moved) override {
     if (spheres_ != chain.size()) return build(chain);
+    request_ = prepared_;
     begin(chain, &moved);
   }
 
@@ -130,12 +132,15 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     topology_ = chain.view().topology;
     if (!updates) stands_ = nullptr;
     const Extent extent = chain.view().extent;
-    if (!plan_holds(chain, updates)) {
-      plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
-      const Rivals::Contender planned{plan_->variant(), plan_->threads()};
-      const bool others = plan_->on_device() || chain.size() != rivals_.spheres();
-      others ? rivals_.begin(planned, chain.size()) : rivals_.go_on(planned);
-    }
+    if (!plan_holds(chain, updates)) try {
+        plan_.emplace(chain.size(), request_, Machine::here(), omissions_, extent, chain.spheres(), history_);
+        const Rivals::Contender planned{plan_->variant(), plan_->threads()};
+        const bool others = plan_->on_device() || chain.size() != rivals_.spheres();
+        others ? rivals_.begin(planned, chain.size()) : rivals_.go_on(planned);
+      } catch (...) {
+        plan_.reset();  // nobody has its place
+        throw;
+      }
     if (!plan_->look_first()) contact_.reset();  // of a frame of which something else was asked
     if (!updates && !plan_->look_first() && !request_.frames_follow && !always_) {
       // A chain alone: choosing took less than it takes to look at the clock.
@@ -164,7 +169,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
 
   /// What a frame before tells is of use: all is searched, and for more than yes or no.
   bool frames_count() const {
-    return plan_->want() != Request::Want::any && request_.queries == SphereRange{} &&
+    return plan_ && plan_->want() != Request::Want::any && request_.queries == SphereRange{} &&
            (always_ || !plan_->all_pairs());
   }
 
@@ -312,7 +317,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
 
   const Omissions omissions_;
   const bool always_, alone_;
-  Request request_;
+  Request prepared_, request_;  ///< for the next build, and of the last one
   std::optional<SearchPlan> plan_;
   unsigned since_look_ = 0;  ///< frames since it was looked of which kind the chain is
   SearchHistory history_;
