@@ -4,6 +4,20 @@
 #include <new>
 
 namespace catena {
+namespace {
+
+std::string words_of_variant(const std::string& variant) {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return variant + ": out of memory; take fewer spheres or ask for counts instead of pairs";
+  } catch (...) {
+    return variant + " threw: " + thrown_words() +
+           "; the fault is in this variant: see catena fuzz --variant";
+  }
+}
+
+}  // namespace
 
 std::string thrown_words() {
   try {
@@ -16,5 +30,7 @@ std::string thrown_words() {
     return "a foreign exception";
   }
 }
+
+VariantThrew::VariantThrew(const std::string& variant) : Error(words_of_variant(variant)) {}
 
 }  // namespace catena

@@ -9,13 +9,12 @@ namespace catena {
 /// in a catch block.
 std::string thrown_words();
 
-/// A variant threw what is no Error of catena's: the fault is in it, not in its input. what() names it.
+/// A variant threw what is no Error of catena's: the fault is in it, not in its input; or there was too
+/// little memory for it. what() names it.
 class VariantThrew : public Error {
  public:
   /// Of what is being thrown. Only in a catch block.
-  explicit VariantThrew(const std::string& variant)
-      : Error(variant + " threw: " + thrown_words() +
-              "; the fault is in this variant: see catena fuzz --variant") {}
+  explicit VariantThrew(const std::string& variant);
 };
 
 /// work(), which runs this variant; of what it throws, errors pass, and everything else becomes VariantThrew.

@@ -21,7 +21,8 @@ std::string blamed(const Thrown& thrown) {
 TEST(Thrown, NamesTheVariantWhateverItThrows) {
   const std::string after = "; the fault is in this variant: see catena fuzz --variant";
   EXPECT_EQ(blamed(std::out_of_range("past the end")), "CPU9 threw: past the end" + after);
-  EXPECT_EQ(blamed(std::bad_alloc()), "CPU9 threw: out of memory" + after);
+  EXPECT_EQ(blamed(std::bad_alloc()),
+            "CPU9: out of memory; take fewer spheres or ask for counts instead of pairs");
   EXPECT_EQ(blamed(7), "CPU9 threw: a foreign exception" + after);
 }
 
