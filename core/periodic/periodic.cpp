@@ -61,6 +61,7 @@ const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t fram
 void Periodic::build(const Chain& chain) {
   const Stopwatch watch;
   built_.reset();
+  asked_ = prepared_;
   follows_ = images_built_ = false;
   const double reach = 2 * double{chain.view().extent.greatest_radius};
   check_box(box_, reach);

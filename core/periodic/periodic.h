@@ -35,7 +35,7 @@ class Periodic final : public Variant {
   /// Spheres that the last build added for the faces of the box.
   std::uint32_t images() const { return static_cast<std::uint32_t>(ghosts_.size()); }
 
-  void prepare(const Request& request) override { asked_ = request; }
+  void prepare(const Request& request) override { prepared_ = request; }
   /// For the next build.
   void set_box(const PeriodicBox& box) { box_ = box; }
 
@@ -73,7 +73,7 @@ class Periodic final : public Variant {
 
   std::unique_ptr<Variant> variant_;
   PeriodicBox box_;
-  Request asked_;
+  Request prepared_, asked_;            ///< for the next build, and of the last one
   std::optional<std::uint32_t> built_;  ///< spheres of the last build; nothing after one that threw
   std::optional<bool> known_;           ///< the answer to asked_, where it was found before there were images
   bool follows_ = false;                ///< the last build was an update

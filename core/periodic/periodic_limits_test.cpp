@@ -116,6 +116,10 @@ TEST(Periodic, LooksForImagesWhereTheyDecide) {
     };
     const std::string decided_again = "in a box pairs are searched for, and decided again";
     EXPECT_EQ(list(periodic.plan()) == decided_again, images);
+    const Request of_the_middle{.want = Request::Want::any, .queries = {1, 2}};
+    periodic.prepare(of_the_middle);  // the next one
+    periodic.find(chain, of_the_middle, result);
+    EXPECT_FALSE(result.found);
     periodic.find(chain, {}, result);
     std::ranges::sort(result.pairs);
     EXPECT_EQ(result.pairs, found("CPU1", chain, box).pairs) << "asked for more than was prepared";

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "catena/properties/property.h"
 
 namespace catena::properties {
@@ -15,6 +17,9 @@ class Requests final : public Property {
 
   std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
     ask(variant, test.chain, Want::any, any_);
+    const Request half{.want = Want::any, .queries = {test.chain.size() / 2, test.chain.size()}};
+    variant.prepare(half);  // what the next build is for changes nothing of this one
+    variant.find(test.chain, half, half_);
     ask(variant, test.chain, Want::counts, counts_);
     ask(variant, test.chain, Want::pairs, pairs_);
     less_ = pairs_;                                // what an earlier answer left is none of the next one
@@ -34,6 +39,9 @@ class Requests final : public Property {
     if (any_.found != found || counts_.found != found || pairs_.found != found)
       return fmt::format("{} pairs, but found is {} (any), {} (counts), {} (pairs)", pairs_.pair_count,
                          any_.found, counts_.found, pairs_.found);
+    if (half_.found !=
+        std::ranges::any_of(pairs_.pairs, [&](const Pair& p) { return half.queries.contains(p.i); }))
+      return fmt::format("found is {} for the spheres from {} on", half_.found, half.queries.begin);
     if (!counts_.pairs.empty() || !any_.pairs.empty()) return "pairs that nobody asked for";
     return std::nullopt;
   }
@@ -45,7 +53,7 @@ class Requests final : public Property {
     variant.find(chain, {want}, found);
   }
 
-  Collisions pairs_, any_, counts_, less_;
+  Collisions pairs_, any_, counts_, less_, half_;
 };
 
 const RegisterProperty<Requests> registered;
