@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -84,11 +83,6 @@ class MotionCommand final : public Command {
 
   int run() override {
     require_release_build();
-    for (const auto* values : {&stiffness_, &steps_, &offsets_})
-      if (!std::ranges::all_of(*values, [](double v) { return std::isfinite(v); }))
-        throw InputError("--stiffness, --step and --offset must be finite numbers");
-    if (!std::isfinite(duration_) || !std::isfinite(reference_step_))
-      throw InputError("--duration and --reference-step must be finite numbers");
     std::uint32_t least = 2;
     while (!is_knot(least)) ++least;
     if (n_ < least)
