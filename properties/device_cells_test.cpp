@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/testing/no_device.h"
 
 namespace catena::properties {
 namespace {
@@ -12,11 +12,7 @@ namespace {
 /// So many spheres that a device's cells are sorted by bins which are begun some thousands at a time, and
 /// which are more than those of fewer spheres may be.
 TEST(DeviceCells, OfMoreBinsThanAreBegunAtATime) {
-  const auto variants = StrategyRegistry::instance().variants();
-  const auto grid =
-      std::ranges::find_if(variants, [](const auto& variant) { return variant.name == "DeviceGrid"; });
-  if (grid == variants.end()) GTEST_SKIP() << "built without CUDA";
-  if (grid->unavailable) GTEST_SKIP() << *grid->unavailable;
+  if (const auto why = no_device()) GTEST_SKIP() << *why;
   constexpr std::uint32_t side = 290;  // 18 million cells
   std::vector<Sphere> spheres;
   std::vector<std::uint32_t>

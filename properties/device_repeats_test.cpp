@@ -1,20 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/testing/no_device.h"
 
 // What depends on the order in which threads come loses a pair once in many runs, if ever.
 namespace catena::properties {
 namespace {
 
 TEST(DeviceRepeats, OfTenMillionSpheresAreAThousandTimesTheSame) {
-  const auto variants = StrategyRegistry::instance().variants();
-  const auto hybrid =
-      std::ranges::find_if(variants, [](const auto& variant) { return variant.name == "DeviceHybrid"; });
-  if (hybrid == variants.end()) GTEST_SKIP() << "built without CUDA";
-  if (hybrid->unavailable) GTEST_SKIP() << *hybrid->unavailable;
+  if (const auto why = no_device()) GTEST_SKIP() << *why;
   const Chain chain = open_input("yarn:n=10000000").animation->frame(0);
   const Request counts{.want = Request::Want::counts};
   const auto host = StrategyRegistry::instance().make("Hybrid(threads=0)"),

@@ -13,6 +13,7 @@
 #include "catena/cuda/graph.h"
 #include "catena/cuda/stream.h"
 #include "catena/properties/testing/certified.h"
+#include "catena/properties/testing/letters_of.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
 
@@ -142,12 +143,7 @@ TEST_P(DeviceResident, AHostBuildAfterwardsIsOfTheHostsChain) {
 INSTANTIATE_TEST_SUITE_P(Device, DeviceResident,
                          testing::Values("GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aGPU2+GPU2/double",
                                          "DeviceGrid", "DeviceHybrid", "DeviceLBVH", "ResidentBlocks"),
-                         [](const auto& info) {
-                           std::string name = info.param;
-                           std::erase_if(name,
-                                         [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-                           return name;
-                         });
+                         [](const auto& info) { return letters_of(info.param); });
 
 }  // namespace
 }  // namespace catena::properties

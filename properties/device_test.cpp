@@ -16,6 +16,7 @@
 #include "catena/properties/shown_bounds.h"
 #include "catena/properties/sorted_pairs.h"
 #include "catena/properties/testing/certified.h"
+#include "catena/properties/testing/no_device.h"
 #include "catena/reference/compare.h"
 #include "catena/reference/reference.h"
 
@@ -26,12 +27,7 @@ namespace {
 class Device : public testing::Test {
  protected:
   void SetUp() override {
-    for (const auto& v : StrategyRegistry::instance().variants())
-      if (v.name == "aGPU2+GPU2") {
-        if (v.unavailable) GTEST_SKIP() << *v.unavailable;
-        return;
-      }
-    GTEST_SKIP() << "built without CUDA";
+    if (const auto why = no_device()) GTEST_SKIP() << *why;
   }
 };
 

@@ -9,6 +9,7 @@
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/sorted_pairs.h"
 #include "catena/properties/testing/failing_allocations.h"
+#include "catena/properties/testing/letters_of.h"
 #include "catena/properties/testing/random_spheres.h"
 #include "catena/reference/reference.h"
 
@@ -125,12 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Host, OutOfMemory,
                          testing::Values("auto", "auto(frames=always)", "Hybrid", "Hybrid(threads=2)",
                                          "Hybrid(threads=2,crowd=0,dense=1000000)", "SphereTree", "ChainTree",
                                          "Grid", "LBVH+Half", "SweepAndPrune", "DeviceHybrid@host(least=0)"),
-                         [](const auto& info) {
-                           std::string name = info.param;
-                           std::erase_if(name,
-                                         [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
-                           return name;
-                         });
+                         [](const auto& info) { return letters_of(info.param); });
 
 }  // namespace
 }  // namespace catena::properties
