@@ -116,7 +116,10 @@ std::string words_of(const CLI::ParseError& wrong, const CLI::App& command) {
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
   const auto left = command.remaining();
-  if (left.empty()) return wrong.what();
+  const std::string words = wrong.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) != nullptr)
+    return words.substr(0, words.find(':')) + " lacks a value";
+  if (left.empty()) return words;
   const std::string name = left.front().substr(0, left.front().find('='));
   if (name.starts_with("-"))
     return fmt::format("there is no option {} here{}", name, did_you_mean(name, known));

@@ -100,6 +100,9 @@ TEST_F(Program, CountsAndTurnsWalks) {
   expect_says("pivot --n 40 --moves 64 --rotations any", 0,
               {"40 points", "self-avoiding by the exact reference"});
   expect_says("pivot --n 40 --moves 64 --at-once", 0, {"\n1 at once", "\n39 at once", "times as much"});
+  expect_says(
+      "pivot --n 100 --moves 64 --exponent", 0,
+      {"3 points: ", "\n6 points: ", "\n12 points: ", "\n25 points: ", "\n50 points: ", "\n100 points: "});
   expect_says("enumerate --walks 4 --lattice diamond", 0, {"A001394", "108"});
 }
 
