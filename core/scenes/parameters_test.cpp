@@ -30,7 +30,7 @@ std::string refusal(const std::string& spec) {
                   s.radius >= 0)
           << spec;
     return "";
-  } catch (const Error& why) {  // or a variant that is not built here
+  } catch (const InputError& why) {
     return why.what();
   }
 }
@@ -69,6 +69,7 @@ std::vector<std::string> choices_of(const SceneInfo& scene, const std::string& p
 TEST_P(SceneParameters, HoldOfTheShortestChains) {
   const SceneInfo& scene = GetParam();
   for (const ParameterInfo& parameter : scene.parameters) {
+    if (parameter.name == "variant") continue;  // some are made to crash, and others are not built here
     std::vector<std::string> values = choices_of(scene, parameter.name);
     if (parameter.name == "n") values = {"0"};  // as it is by itself
     for (const std::string& value : values)
@@ -76,9 +77,7 @@ TEST_P(SceneParameters, HoldOfTheShortestChains) {
         const std::string spec = fmt::format("{}:n={}{}", scene.name, n,
                                              parameter.name == "n" ? "" : "," + parameter.name + "=" + value);
         const std::string why = refusal(spec);
-        EXPECT_TRUE(why.empty() || why.starts_with("scene " + scene.name) ||
-                    why.find(" is not available here") != std::string::npos)
-            << spec << ": " << why;
+        EXPECT_TRUE(why.empty() || why.starts_with("scene " + scene.name)) << spec << ": " << why;
       }
   }
 }
