@@ -33,28 +33,10 @@ std::optional<int> descriptor_of(const fs::path& name) {
   return std::atoi(number.c_str());
 }
 
-/// Follows links to what is not one (it need not exist), or to the name of an open descriptor.
-fs::path followed(fs::path name) {
-  constexpr int most_links = 40;  // the kernel's limit
-  std::error_code none;
-  for (int link = 0; link < most_links && !descriptor_of(name); ++link) {
-    const auto to = fs::read_symlink(name, none);
-    if (none) return name;
-    name = name.parent_path() / to;  // `to` itself, when it is absolute
-  }
-  return name;
-}
-
 bool regular_or_new(const fs::path& name) {
   std::error_code unknown;
   const auto status = fs::symlink_status(name, unknown);
   return status.type() == fs::file_type::regular || status.type() == fs::file_type::not_found;
-}
-
-/// A name beside this one that no other file being written has.
-fs::path unfinished_beside(const fs::path& target) {
-  static std::atomic<unsigned> files{0};
-  return fmt::format("{}.{}-{}.unfinished", target.string(), getpid(), ++files);
 }
 
 /// A file without a name in the folder of this one, which vanishes with the process however that ends; -1 where
@@ -89,7 +71,26 @@ class SignalsHeld {
 
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& name) : name_(name), target_(followed(name)) {
+fs::path OutputFile::target(fs::path name) {
+  constexpr int most_links = 40;  // the kernel's limit
+  std::error_code none;
+  for (int link = 0; link < most_links && !descriptor_of(name); ++link) {
+    const auto to = fs::read_symlink(name, none);
+    if (none) return name;
+    name = name.parent_path() / to;  // `to` itself, when it is absolute
+  }
+  return name;
+}
+
+fs::path OutputFile::unfinished_beside(const fs::path& target) {
+  constexpr std::size_t longest = 200;  // of the 255 bytes of a name
+  static std::atomic<unsigned> files{0};
+  const std::string name = target.filename().string();
+  return target.parent_path() /
+         fmt::format("{}.{}-{}.unfinished", name.size() > longest ? "catena" : name, getpid(), ++files);
+}
+
+OutputFile::OutputFile(const fs::path& name) : name_(name), target_(target(name)) {
   int file = -1;
   if (const auto open_already = descriptor_of(target_)) {
     file = fcntl(*open_already, F_DUPFD_CLOEXEC, 3);

@@ -11,9 +11,9 @@ namespace catena {
 /// A regular file, or a new one, gets its name only when it is complete: a failed run leaves no half file and
 /// does not touch an older one, whose permissions it takes over. Until then it has none, so that nothing is
 /// left of it even by a signal or a crash (a file system without nameless files keeps it beside, as
-/// NAME.unfinished). Where the name is a symbolic link, the file that it points to is replaced, and the link
-/// stays. What is no regular file (a device, a FIFO) is written through, and so is an open descriptor,
-/// /dev/stdout or /dev/fd/N, whatever is behind it.
+/// NAME.PROCESS-NUMBER.unfinished, or catena... where NAME is long). Where the name is a symbolic link, the
+/// file that it points to is replaced, and the link stays. What is no regular file (a device, a FIFO) is
+/// written through, and so is an open descriptor, /dev/stdout or /dev/fd/N, whatever is behind it.
 ///
 /// Every function throws InputError, naming the file and the system's reason, when not all can be written.
 class OutputFile {
@@ -25,6 +25,13 @@ class OutputFile {
 
   void write(std::string_view text);
   void close();
+
+  /// What a name stands for: links are followed to what is none (it need not exist), or to the name of an
+  /// open descriptor.
+  static std::filesystem::path target(std::filesystem::path name);
+  /// A name beside a target that no other file being written has, and that a file system takes where it takes
+  /// that one.
+  static std::filesystem::path unfinished_beside(const std::filesystem::path& target);
 
  private:
   [[noreturn]] void fail(int reason) const;

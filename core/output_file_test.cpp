@@ -120,6 +120,18 @@ TEST_F(OutputFiles, ALinkStaysAndItsTargetIsReplaced) {
   EXPECT_EQ(names(), (std::set<std::string>{"below", "link", "link to link", "link to nothing", "new"}));
 }
 
+/// The name that it has meanwhile is no longer.
+TEST_F(OutputFiles, MayHaveTheLongestNameThatThereIs) {
+  for (const std::size_t size : {200u, 201u, 255u}) {
+    const std::string name(size, 'n');
+    write_file(file(name), "x");
+    EXPECT_EQ(text_of(file(name)), "x");
+    EXPECT_EQ(names(), std::set<std::string>{name});
+    fs::remove(file(name));
+  }
+  EXPECT_THROW(OutputFile(file(std::string(256, 'n'))), InputError) << "from the start";
+}
+
 /// A number is the name of a descriptor in one folder alone.
 TEST_F(OutputFiles, ANumberIsANameLikeAnyOther) {
   const int open_already = open(file("other").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);

@@ -12,6 +12,7 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/commands/show_warnings.h"
+#include "catena/core/commands/somebody.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/input/naming.h"
@@ -61,12 +62,10 @@ class VerifyCommand final : public Command {
     const bool samples = inputs_.empty();
     if (samples) inputs_ = default_inputs();
     auto candidates = make_candidates();
-    // Nothing would be verified, and that is no success.
-    if (std::ranges::none_of(candidates, [](const Candidate& c) { return c.variant != nullptr; }))
-      throw InputError(fmt::format("{} is not available here: {}; see catena list",
-                                   candidates.front().info.name, *candidates.front().info.unavailable));
-
-    if (!samples) check_inputs(inputs_, options_);
+    std::vector<VariantInfo> asked;
+    for (const Candidate& c : candidates) asked.push_back(c.info);
+    require_somebody(asked);
+    if (!samples) check_inputs(inputs_, options_), frame_.check(inputs_, options_);
     VerifyReport report(json_);
     Progress progress(inputs_.size() * candidates.size());
     for (const auto& spec : inputs_) {

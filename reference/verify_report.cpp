@@ -11,6 +11,7 @@
 
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/report_text.h"
+#include "catena/core/one_line.h"
 
 namespace catena::reference {
 namespace {
@@ -44,6 +45,7 @@ std::string VerifyReport::label(const VerifyRow& row) {
   const std::filesystem::path path(row.input);
   std::string name = path.has_parent_path() ? path.filename().string() : row.input;
   if (named_.emplace(name, row.input).first->second != row.input) name = row.input;
+  name = one_line(name);
   return row.frame == 0 ? name : fmt::format("{} #{}", name, row.frame);
 }
 

@@ -44,7 +44,6 @@ class ReportCommand final : public Command {
                        "Two run files, old and new: exit code 1 when something became slower")
             .type_name("OLD.json NEW.json")
             .expected(2);
-    compare.excludes(from);
     app.add_option("--scene", scenes_, "Time this input instead; repeatable")
         .type_name("INPUT")
         .allow_extra_args(false);
@@ -63,8 +62,11 @@ class ReportCommand final : public Command {
     app.add_option("--seed", seed_, "Of the random order of the measurements").type_name("X").whole_number();
     const auto resume =
         app.add_flag("--resume", resume_, "Go on with the interrupted run of the folder, with its options");
-    app.exclude_others(resume, {"--output"});
     app.add_flag("--no-page", no_page_, "Write run.json only");
+    // What they would not heed.
+    app.exclude_others(resume, {"--output"});
+    app.exclude_others(from, {"--output"});
+    app.exclude_others(compare, {});
   }
 
   int run() override {

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -44,7 +45,7 @@ void remove_from(const fs::path& folder, const fs::path& file) {
 
 ReportFolder::ReportFolder(fs::path folder) : folder_(std::move(folder)) {
   std::error_code failed;
-  fs::create_directories(folder_, failed);
+  made_ = fs::create_directories(folder_, failed);
   if (failed)
     throw InputError(fmt::format("cannot make the folder {}: {}", folder_.string(), failed.message()));
   lock_ = open(list().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW, 0666);
@@ -64,7 +65,13 @@ ReportFolder::ReportFolder(fs::path folder) : folder_(std::move(folder)) {
                   folder_.string()));
 }
 
-ReportFolder::~ReportFolder() { close(lock_); }
+ReportFolder::~ReportFolder() {
+  std::error_code kept;
+  const auto files =
+      made_ ? std::distance(fs::directory_iterator(folder_, kept), fs::directory_iterator()) : 0;
+  if (files == 1 && fs::file_size(list(), kept) == 0) fs::remove(list(), kept), fs::remove(folder_, kept);
+  close(lock_);
+}
 
 void ReportFolder::remove_reports() {
   for (const auto& report : reports_in(list()))

@@ -12,7 +12,7 @@ class ReportFolder {
   /// Makes the folder. Throws InputError when it cannot, when another report is writing there, and when it
   /// holds a page that no report is known to have written.
   explicit ReportFolder(std::filesystem::path folder);
-  ~ReportFolder();
+  ~ReportFolder();  ///< removes the folder where it was made and nothing came into it
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;
 
@@ -28,6 +28,7 @@ class ReportFolder {
   std::filesystem::path list() const { return folder_ / ".catena-report"; }
 
   std::filesystem::path folder_;
+  bool made_ = false;
   int lock_ = -1;  // the list, held; the page writer inherits it
 };
 

@@ -48,6 +48,21 @@ TEST_F(ReportFolderTest, IsHeldByOneReportAtATime) {
   EXPECT_NO_THROW(ReportFolder third(path_));
 }
 
+/// Of a run that was refused nothing is left, and of others' folders all.
+TEST_F(ReportFolderTest, IsGoneWhereItWasMadeAndNothingCameIntoIt) {
+  { const ReportFolder refused(path_); }
+  EXPECT_FALSE(fs::exists(path_));
+  fs::create_directories(path_);
+  { const ReportFolder refused(path_); }
+  EXPECT_TRUE(fs::exists(path_)) << "it was there";
+  fs::remove_all(path_);
+  {
+    const ReportFolder kept(path_);
+    report({"run.json"});
+  }
+  EXPECT_EQ(files(), std::set<std::string>{"run.json"});
+}
+
 TEST_F(ReportFolderTest, LosesWhatAnEarlierReportLeftAndNothingElse) {
   ReportFolder folder(path_);
   report({"index.html", "run.json", "figures/old.svg", "tables/both.csv"});

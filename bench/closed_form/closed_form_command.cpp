@@ -5,6 +5,7 @@
 
 #include "catena/bench/closed_form/lattice_options.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
@@ -45,7 +46,7 @@ class ClosedFormCommand final : public Command {
                                         {"fault", wrong},
                                         {"build_ms", t.build_ms},
                                         {"find_ms", t.find_ms}};
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
     } else {
       fmt::print(
           "{}: {} spheres; closed form {} pairs, {} of them exact ties\n{}: {} pairs, {}; build {:.3f} ms, "

@@ -7,6 +7,7 @@
 
 #include "catena/bench/enumerate/judge.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
@@ -49,7 +50,7 @@ class EnumerateCommand final : public Command {
       const auto verdicts = blaming(variant_, [&] { return judge_walks(*variant, question); });
       for (const WalkVerdict& v : verdicts) differs |= v.differs();
       if (json_)
-        for (const WalkVerdict& v : verdicts) fmt::print("{}\n", to_json(v).dump());
+        for (const WalkVerdict& v : verdicts) fmt::print("{}\n", json_line(to_json(v)));
       else
         print(question, verdicts);
     }

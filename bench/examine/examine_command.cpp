@@ -16,6 +16,8 @@
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/input/scene_input.h"
+#include "catena/core/one_line.h"
 #include "catena/reference/reference.h"
 
 namespace catena::bench {
@@ -25,7 +27,9 @@ namespace {
 class ExamineCommand final : public Command {
  public:
   void configure(OptionParser& app) override {
-    app.add_option("INPUT", inputs_, "Scenes and files; none: rod, path1 and yarn by n and offset");
+    app.add_option(
+        "INPUT", inputs_,
+        "Scenes and files, of what moves the middle frame; none: rod, path1 and yarn by n and offset");
     app.add_option("--arithmetic", arithmetics_, "literal or double; repeatable (default: both)")
         .allow_extra_args(false)
         .one_of({"literal", "double"});
@@ -48,11 +52,18 @@ class ExamineCommand final : public Command {
         fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10} {:>8} {:>8} {:>8} {:>8}\n", "input", width,
                    "arithmetic", "level", "parents", "failing", "shortfall", "pairs", "missing", "by tree",
                    "invented");
-      const Chain chain = input.animation->frame(input.animation->frames() / 2);
+      const std::uint32_t middle = input.animation->frames() / 2;
+      const Chain chain = input.animation->frame(middle);
       const auto exact = exact_answer(spec, chain);
       for (const auto& arithmetic : arithmetics_) {
         const Examination e = examine(arithmetic, chain, exact);
-        json_ ? print_line(to_json(spec, arithmetic, exact, e)) : print(spec, width, arithmetic, exact, e);
+        if (!json_) {
+          print(spec, width, arithmetic, exact, e);
+          continue;
+        }
+        auto line = to_json(spec, arithmetic, exact, e);
+        line["frame"] = written_frame(spec) + middle;
+        print_line(line);
       }
     }
     if (!json_)
@@ -91,7 +102,7 @@ class ExamineCommand final : public Command {
                                                         : 100.0 * static_cast<double>(level.failing) /
                                                               static_cast<double>(level.parents));
     };
-    fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10.1e} {:>8} {:>8} {:>8} {:>8}\n", spec, width,
+    fmt::print("{:<{}}  {:<10} {:>6} {:>8} {:>9} {:>10.1e} {:>8} {:>8} {:>8} {:>8}\n", one_line(spec), width,
                arithmetic, "all", e.all.parents, share(e.all), e.all.worst_shortfall, exact.pair_count,
                e.missing, e.lost_by_tree, e.invented);
     if (!levels_) return;

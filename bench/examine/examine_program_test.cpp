@@ -17,7 +17,9 @@ struct Examined {
     const Chain chain = input.animation->frame(input.animation->frames() / 2);
     exact = reference::find(chain);
     e = examine(arithmetic, chain, exact);
-    line = to_json(spec, arithmetic, exact, e).dump();
+    auto told = to_json(spec, arithmetic, exact, e);
+    told["frame"] = input.animation->frames() / 2;
+    line = told.dump();
   }
   reference::Answer exact;
   Examination e;

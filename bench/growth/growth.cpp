@@ -58,6 +58,9 @@ Growth measure_growth(const std::string& scene, const VariantInfo& variant, std:
     const auto work = count_work(variant, chain);
     if (!work)
       throw InputError(fmt::format("{} does not count what it compares; see catena list", variant.name));
+    if (!growth.points.empty() && chain.size() <= growth.points.back().n)
+      throw InputError(fmt::format("{} has {} spheres at every n; leave out what sets another number", scene,
+                                   chain.size()));
     growth.points.push_back({chain.size(), work->pair_tests + work->node_visits});
   }
 }

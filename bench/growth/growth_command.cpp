@@ -7,6 +7,7 @@
 
 #include "catena/bench/growth/growth.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
@@ -31,10 +32,13 @@ class GrowthCommand final : public Command {
 
   int run() override {
     if (most_ >= std::uint64_t{1} << 31) throw InputError("--n must be below 2^31");
-    // What is misspelt is said before work on the first.
+    // What is misspelt, or counts nothing, is said before work on the first.
     for (const std::string& scene : scenes_) open_input(sized(scene, 1000));
     std::vector<VariantInfo> variants;
-    for (const std::string& name : variants_) variants.push_back(StrategyRegistry::instance().describe(name));
+    for (const std::string& name : variants_) {
+      variants.push_back(StrategyRegistry::instance().describe(name));
+      measure_growth(scenes_.front(), variants.back(), 1000);
+    }
     bool begun = json_;
     for (const std::string& scene : scenes_)
       for (const VariantInfo& variant : variants) {
@@ -42,7 +46,7 @@ class GrowthCommand final : public Command {
         if (!std::exchange(begun, true))
           fmt::print("{:<12} {:<24} {:>9} {:>8} {:>17} {}\n", "scene", "variant", "exponent", "", "95 %",
                      "n^(4/3)");
-        json_ ? fmt::print("{}\n", to_json(growth).dump()) : print(growth);
+        json_ ? fmt::print("{}\n", json_line(to_json(growth))) : print(growth);
       }
     return 0;
   }

@@ -13,6 +13,9 @@
 namespace catena::bench {
 namespace {
 
+/// f(h) / h for a function like h near 0, which edges far shorter than the tube is thick come to.
+double share(double f, double h) { return h > 0 ? f / h : 1; }
+
 /// The greatest x <= 1 with x = sin(pi c x / 2) - dip; 0 where there is none: edges too long to tell. The
 /// right side is concave and below x at 1, so that the steps from 1 on fall to that x and never past it.
 double least_share(double c, double dip) {
@@ -20,7 +23,7 @@ double least_share(double c, double dip) {
   for (;;) {
     const double next = std::sin(std::numbers::pi / 2 * c * x) - dip;
     if (next <= 0) return 0;
-    if (next > x - 1e-15) return next - 1e-12;
+    if (!(next < x - 1e-15)) return next - 1e-12;
     x = next;
   }
 }
@@ -39,7 +42,7 @@ Range told(const PublishedKnot& published, double length) {
 
 KnotBounds of_polygon(const Range& thickness, double edge) {
   const double h = edge / (2 * thickness.low), dip = std::sqrt(1 + h * h) - 1;
-  return {.least = thickness.low * least_share(std::atan(h) / h, dip),
+  return {.least = thickness.low * least_share(share(std::atan(h), h), dip),
           .most = thickness.high * std::sqrt(1 + h * h / 2),
           .least_bend = thickness.low};
 }
@@ -47,7 +50,7 @@ KnotBounds of_polygon(const Range& thickness, double edge) {
 KnotBounds of_curve(const Range& thickness, const PolygonShape& shape) {
   const double h = shape.longest_edge / (2 * thickness.low);
   if (h >= 1) return {.most = std::numeric_limits<double>::infinity()};
-  const double k = std::asin(h), longer = k / h;
+  const double k = std::asin(h), longer = share(k, h);
   return {.least = thickness.low,
           .most = thickness.high * longer * (std::sqrt(1 + k * k) + k * k / 2),
           .least_bend = shape.shortest_edge / (2 * std::tan(k))};
@@ -99,12 +102,14 @@ bool KnotVerdict::within() const { return fault().empty(); }
 
 KnotVerdict judge_knot(Variant& variant, const PublishedKnot& published, const Chain& centres, double blur) {
   KnotVerdict v{.published = published, .vertices = centres.size(), .shape = shape_of(centres, blur)};
+  const char* const too_thick = "the thickness told does not fit into binary32";
+  if (!(told(published, v.shape.length).high <= std::numeric_limits<float>::max()))
+    throw InputError(too_thick);
   v.bounds = bounds_of(published, v.shape, blur);
   if (!(v.bounds.thickness > 0 && std::isfinite(v.bounds.most)))
     throw InputError(fmt::format("edges as long as {:.6g} say nothing about a tube of radius {:.6g}",
                                  v.shape.longest_edge, v.bounds.thickness));
-  if (!std::isfinite(static_cast<float>(2 * v.bounds.most)))
-    throw InputError("the thickness told does not fit into binary32");
+  if (!std::isfinite(static_cast<float>(2 * v.bounds.most))) throw InputError(too_thick);
   // Neighbours are among the pairs found, so that spheres larger than need be cost much. Twice what is
   // allowed, so that what is found beyond it can be told.
   for (double share = 0x1p-6; share <= 2 && !v.contact; share *= 2) {

@@ -13,6 +13,7 @@
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/one_line.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
 
@@ -38,9 +39,8 @@ class KnotsCommand final : public Command {
                            .positive();
     knot.excludes(rope).excludes(thick);
     rope.excludes(thick);
-    app.add_option("--n", points_, "Vertices of each circle of the links that are carried")
-        .whole_number(16)
-        .capture_default_str();
+    app.add_option("--n", points_, "Vertices of each circle of the links that are carried (default: 256)")
+        .whole_number(16);
     app.add_flag("--closed", options_.closed, "Every strand is closed, where the file cannot say so");
     app.add_option("--format", options_.reading.format, "Read files as those of this extension")
         .type_name("EXTENSION");
@@ -53,6 +53,8 @@ class KnotsCommand final : public Command {
   }
 
   int run() override {
+    if (points_ && !inputs_.empty())
+      throw InputError("--n is of the links that are carried; an input has vertices of its own");
     if (points_ > 1u << 20) throw InputError("--n must be at most 2^20");
     const auto variant = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     bool faulty = false;
@@ -70,7 +72,7 @@ class KnotsCommand final : public Command {
     if (inputs_.empty()) {
       if (!knot_.empty() || ropelength_ || thickness_)
         throw InputError("a published number needs the polygon that it is of; name a file or a scene");
-      return carried_knots(static_cast<std::uint32_t>(points_));
+      return carried_knots(static_cast<std::uint32_t>(points_.value_or(256)));
     }
     std::vector<KnownKnot> knots;
     for (const std::string& spec : inputs_) {
@@ -101,7 +103,7 @@ class KnotsCommand final : public Command {
   }
 
   void print(const std::string& input, const KnotVerdict& v) const {
-    fmt::print("{}: {}, {}\n", input, v.published.what, fmt::format("{} vertices", v.vertices));
+    fmt::print("{}: {}, {}\n", one_line(input), v.published.what, fmt::format("{} vertices", v.vertices));
     fmt::print("  published  ropelength {:.9g}, so thickness {:.9g}{}\n", v.bounds.ropelength,
                v.bounds.thickness,
                v.published.struts > 0 ? fmt::format(", {} struts", v.published.struts) : "");
@@ -123,7 +125,7 @@ class KnotsCommand final : public Command {
   std::vector<std::string> inputs_;
   std::string knot_, variant_ = "Hybrid";
   std::optional<double> ropelength_, thickness_;
-  std::uint64_t points_ = 256;
+  std::optional<std::uint64_t> points_;
   InputOptions options_;
   bool json_ = false;
 };

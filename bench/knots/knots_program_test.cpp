@@ -76,6 +76,7 @@ TEST_F(KnotsProgram, TakesTheNumberThatIsTold) {
   for (const std::string number : {"--ropelength 9", "--thickness 9", "--knot 3_1"})
     expect_refused("knots " + number, "a published number needs the polygon that it is of");
   expect_says("knots " + polygon, 2, {"say what was published of it"});
+  expect_refused("knots --n 32 --thickness 400 " + polygon, "an input has vertices of its own");
   expect_refused("knots --n 2e6", "--n must be at most 2^20");
 }
 

@@ -210,6 +210,25 @@ TEST(JudgeKnot, RefusesEdgesThatSayNothing) {
   EXPECT_THROW(judged(published_knot("hopf"), link.centres, link.blur), InputError);
 }
 
+/// A thickness that no edge is long beside has bounds, too; one that no sphere can have is refused before any
+/// are made.
+TEST(JudgeKnot, TakesAnyThicknessToAnEnd) {
+  const TightLink link = hopf_link(64);
+  const auto thick = [&](double thickness) {
+    return PublishedKnot{.name = "told", .what = "as told", .thickness = thickness, .source = "the caller"};
+  };
+  const PolygonShape shape = shape_of(link.centres);
+  for (const double thickness : {1e17, 1e200, 1e308}) {
+    const KnotBounds bounds = bounds_of(thick(thickness), shape, link.blur);
+    EXPECT_GT(bounds.least, 0.9 * thickness);
+    EXPECT_GE(bounds.most, thickness);
+    EXPECT_THROW(judged(thick(thickness * 1e50), link.centres, link.blur), InputError) << thickness;
+  }
+  auto of_curve = thick(1e308);
+  of_curve.of = PublishedKnot::Of::curve;
+  EXPECT_GE(bounds_of(of_curve, shape, link.blur).most, 1e308);
+}
+
 /// That the link is not within once this was done to its vertices, and why.
 template <class Change>
 void expect_fault(const std::string& because, const Change& change,

@@ -1,10 +1,15 @@
 #include "catena/bench/knots/published_knots.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
 
 namespace catena::bench {
 namespace {
@@ -106,9 +111,10 @@ const PublishedKnot& published_knot(const std::string& name) {
   const auto knots = published_knots();
   const auto found = std::ranges::find(knots, name, &PublishedKnot::name);
   if (found != knots.end()) return *found;
-  std::string names;
-  for (const PublishedKnot& knot : knots) names += (names.empty() ? "" : ", ") + knot.name;
-  throw InputError("nothing published is carried of a knot '" + name + "'; there are " + names);
+  std::vector<std::string> names;
+  for (const PublishedKnot& knot : knots) names.push_back(knot.name);
+  throw InputError(fmt::format("nothing published is carried of a knot '{}'; there are {}{}", name,
+                               fmt::join(names, ", "), did_you_mean(name, names)));
 }
 
 }  // namespace catena::bench

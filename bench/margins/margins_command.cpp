@@ -36,6 +36,7 @@ class MarginsCommand final : public Command {
 
   int run() override {
     check_inputs(inputs_, options_);
+    frame_.check(inputs_, options_);
     for (const auto& spec : inputs_) {
       const Input input = open_input(spec, options_);
       show_warnings(input);

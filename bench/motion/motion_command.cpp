@@ -11,6 +11,7 @@
 #include "catena/bench/motion/report.h"
 #include "catena/bench/stability/cell.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/progress.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
@@ -112,7 +113,7 @@ class MotionCommand final : public Command {
           const std::vector<MotionRow> group = measure(stiffness, step, offset, fine);
           progress.clear();
           for (const MotionRow& row : group)
-            json_ ? fmt::print("{}\n", to_json(row).dump()) : table.print(row);
+            json_ ? fmt::print("{}\n", json_line(to_json(row))) : table.print(row);
           std::fflush(stdout);
           rows.insert(rows.end(), group.begin(), group.end());
         }
@@ -121,6 +122,7 @@ class MotionCommand final : public Command {
       for (const auto& line : motion_verdicts(rows)) fmt::print("\n{}\n", line);
     if (left_out > 0)
       fmt::print(stderr, "{} motions left out: --seconds {:g} were over\n", left_out, seconds_);
+    if (rows.empty()) throw InputError("nothing was measured: --seconds were over before the first motion");
     const bool defect = std::ranges::any_of(rows, [](const MotionRow& row) {
       return row.motion.exact() && row.result.missed + row.result.invented > 0;
     });

@@ -92,7 +92,7 @@ TEST_F(MotionProgram, RefusesWhatIsNoMotionAndCountsWhatIsLeftOut) {
   expect_says(little +
                   "--seconds 0 --stiffness 100 --stiffness 200 --step 1 --step 2 --offset 0 --variant CPU1 "
                   "--variant Grid",
-              0, {"8 motions left out: --seconds 0 were over"});
+              2, {"8 motions left out: --seconds 0 were over", "nothing was measured"});
 }
 
 }  // namespace

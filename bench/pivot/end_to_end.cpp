@@ -1,5 +1,7 @@
 #include "catena/bench/pivot/end_to_end.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -78,6 +80,9 @@ Exponent fit_exponent(std::span<const EndToEnd> lengths) {
   std::vector<std::vector<double>> terms;
   std::vector<double> logs;
   for (const EndToEnd& seen : lengths) {
+    if (!(seen.error > 0))
+      throw InputError(fmt::format(
+          "walks of {} points always ended as far apart; longer ones, or more moves, tell", seen.points));
     const double steps = seen.points - 1.0,
                  weight = seen.mean_square / seen.error;  // 1 / error of the logarithm
     terms.push_back({weight, weight * 2 * std::log(steps), weight * std::pow(steps, -0.528)});

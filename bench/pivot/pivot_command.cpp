@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -11,9 +12,12 @@
 #include "catena/bench/pivot/at_once.h"
 #include "catena/bench/pivot/end_to_end.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
+#include "catena/core/commands/output_names.h"
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
+#include "catena/core/readers/text_lines.h"
 #include "catena/reference/reference.h"
 
 namespace catena::bench {
@@ -54,17 +58,29 @@ class PivotCommand final : public Command {
     if (!any && points_ > 1u << 30) throw InputError("--n must be at most 2^30");
     if (any && points_ > RotatedChain<>::most_spheres)
       throw InputError("--n must be at most 2^22 with --rotations any");
-    if (exponent_ && points_ < 64)
-      throw InputError("--n must be at least 64 with --exponent: walks down to n/32 points");
+    // Walks of two points have one length, which has no error.
+    if (exponent_ && points_ < 96)
+      throw InputError("--n must be at least 96 with --exponent: walks down to N/32 points");
     if (at_once_ && any)
       throw InputError("--at-once goes with --rotations lattice: it makes moves together, exactly");
     std::optional<OutputFile>
         out;  // from the start: hours of walking are not lost to a name that cannot be written
-    if (!out_.empty()) out.emplace(out_);
+    if (!out_.empty()) check_out(), out.emplace(out_);
     return any ? walk<RotatedChain<>>(out) : walk<PivotWalk>(out);
   }
 
  private:
+  void check_out() const {
+    require_apart({}, {out_});
+    const std::filesystem::path out(out_);
+    std::error_code unknown;
+    const bool device =
+        std::filesystem::exists(out, unknown) && !std::filesystem::is_regular_file(out, unknown);
+    if (!device && lower_case(out.extension().string()) != ".chain")
+      throw InputError(
+          fmt::format("{}: a walk is written as .chain; catena export makes other files of that", out_));
+  }
+
   /// Of spheres that must not collide.
   static Chain judged(const PivotWalk& walk) { return walk.chain(std::nextafter(0.5f, 0.0f)); }
   static Chain judged(const RotatedChain<>& chain) { return chain.chain(); }
@@ -76,14 +92,14 @@ class PivotCommand final : public Command {
   int walk(std::optional<OutputFile>& out) {
     std::vector<EndToEnd> lengths;
     Random random(seed_);
-    for (std::uint64_t points = exponent_ ? points_ / 32 : points_; points <= points_; points *= 2) {
-      Walk walk(static_cast<std::uint32_t>(points));
+    for (int halvings = exponent_ ? 5 : 0; halvings >= 0; --halvings) {
+      Walk walk(static_cast<std::uint32_t>(points_ >> halvings));
       lengths.push_back(measure_end_to_end(walk, moves_, random, warm_up_));
       const bool avoids_itself =
           reference::find(judged(walk), {.want = Request::Want::counts}).pair_count == 0;
       print(lengths.back(), avoids_itself);
       if (!avoids_itself) return 1;
-      if (points * 2 > points_ && out) {
+      if (halvings == 0 && out) {
         std::ostringstream text;
         write_chain(text, shown(walk));
         out->write(text.str());
@@ -110,7 +126,7 @@ class PivotCommand final : public Command {
     if (json_) {
       auto line = to_json(seen);
       line["avoids_itself"] = avoids_itself;
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return;
     }
     fmt::print(
@@ -123,7 +139,7 @@ class PivotCommand final : public Command {
 
   void print(const AtOnce& seen) const {
     if (json_) {
-      fmt::print("{}\n", to_json(seen).dump());
+      fmt::print("{}\n", json_line(to_json(seen)));
       return;
     }
     fmt::print("{} at once: {:.4g} us, {:.4f} accepted; {} anew {:.4g} us, {:.3g} times as much{}\n",
@@ -137,7 +153,7 @@ class PivotCommand final : public Command {
                                         {"half_width", exponent.half_width},
                                         {"published", Exponent::published},
                                         {"agrees", exponent.agrees()}};
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return;
     }
     fmt::print("nu = {:.6f} +- {:.6f}; published {:.8f} +- {:.8f}: {}\n", exponent.nu, exponent.half_width,

@@ -240,6 +240,8 @@ TEST(EndToEnd, GivesTheExponentOfAPowerLaw) {
   for (EndToEnd& seen : lengths) seen.mean_square *= std::pow(seen.points, 0.01);
   EXPECT_FALSE(fit_exponent(lengths).agrees());
   EXPECT_THROW(fit_exponent(std::span(lengths).first(3)), InputError);
+  lengths.front().error = 0;
+  EXPECT_THROW(fit_exponent(lengths), InputError) << "walks of two points have one length";
 }
 
 template <class Walk = PivotWalk>

@@ -8,6 +8,8 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/show_warnings.h"
+#include "catena/core/input/scene_input.h"
+#include "catena/core/one_line.h"
 
 namespace catena::ranks {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 class ScalingCommand final : public Command {
  public:
   void configure(OptionParser& app) override {
-    app.add_option("INPUT", input_, "A scene or a file").required();
+    app.add_option("INPUT", input_, "A scene or a file, of what moves the first frame").required();
     app.add_option("--ranks", most_, "Up to so many, by doubling from 2")
         .range(2, 4096)
         .capture_default_str();
@@ -39,14 +41,14 @@ class ScalingCommand final : public Command {
     const Scaling scaling = measure_scaling(
         chain, {.ranks = ranks, .order = parts::order_named(order_), .timed_variant = timed_});
     if (json_) {
-      nlohmann::ordered_json line{{"input", input_}, {"n", chain.size()}};
+      nlohmann::ordered_json line{{"input", input_}, {"frame", written_frame(input_)}, {"n", chain.size()}};
       line.update(to_json(scaling));
       fmt::print("{}\n", json_line(line));
       return 0;
     }
     fmt::print(
         "{}: {} spheres; of a rank that has the most, and blocks asked for over blocks that truly touch\n",
-        input_, chain.size());
+        one_line(input_), chain.size());
     const auto ms = [&](const std::string& text) {
       return timed_.empty() ? "" : fmt::format(" {:>9}", text);
     };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/bench/regret/regret.h"
@@ -12,7 +13,10 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/progress.h"
+#include "catena/core/commands/somebody.h"
 #include "catena/core/error.h"
+#include "catena/core/input/input.h"
+#include "catena/core/one_line.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
@@ -22,7 +26,8 @@ namespace {
 class RegretCommand final : public Command {
  public:
   void configure(OptionParser& app) override {
-    app.add_option("INPUT", inputs_, "Scenes and files; none: every scene at each --n");
+    app.add_option("INPUT", inputs_,
+                   "Scenes and files, of what moves the middle frame; none: every scene at each --n");
     app.add_option("--n", sizes_,
                    "Spheres of the scenes; repeatable; without INPUT only (default 1000, 30000)")
         .type_name("N")
@@ -53,17 +58,12 @@ class RegretCommand final : public Command {
     const std::vector<WorkloadSpec> specs = asked();
     std::vector<VariantInfo> others;
     for (const std::string& name : variants_) others.push_back(StrategyRegistry::instance().describe(name));
-    // Nothing would be held against it, and that is no success.
-    if (!others.empty() &&
-        std::ranges::all_of(others, [](const VariantInfo& v) { return v.unavailable.has_value(); }))
-      throw InputError(fmt::format("{} is not available here: {}; see catena list", others.front().name,
-                                   *others.front().unavailable));
+    require_somebody(others);
+    check_inputs(inputs_, input_);
     if (variants_.empty()) others = regret_variants(StrategyRegistry::instance().variants());
     std::size_t width = 5;
     for (const WorkloadSpec& spec : specs) width = std::max(width, label_of(spec).size());
-    if (!json_)
-      fmt::print("{:<{}}  {:<22} {:<22} {:>11} {:>11} {:>6}\n", "input", width, "auto took", "quickest",
-                 "auto, ms", "quickest", "ratio");
+    bool begun = json_;
     Progress progress(specs.size());
     std::vector<double> ratios;
     for (const WorkloadSpec& spec : specs) {
@@ -71,9 +71,14 @@ class RegretCommand final : public Command {
       const Regret found = regret(spec, others, effort_);
       progress.clear();
       if (!found.left_out.empty()) {
-        fmt::print(stderr, "catena regret: {} is left out: {}\n", found.input, found.left_out);
+        const std::string what = one_line(fmt::format("{} is left out: {}", found.input, found.left_out));
+        if (specs.size() == 1) throw InputError(what);
+        fmt::print(stderr, "catena regret: {}\n", what);
         continue;
       }
+      if (!std::exchange(begun, true))
+        fmt::print("{:<{}}  {:<22} {:<22} {:>11} {:>11} {:>6}\n", "input", width, "auto took", "quickest",
+                   "auto, ms", "quickest", "ratio");
       ratios.push_back(found.ratio());
       if (json_)
         fmt::print("{}\n", json_line(to_json(found)));
@@ -81,7 +86,8 @@ class RegretCommand final : public Command {
         print(found, width);
       std::fflush(stdout);
     }
-    if (!json_ && !ratios.empty()) summarize(ratios);
+    if (ratios.empty()) throw InputError("nothing was measured: every input was left out");
+    if (!json_) summarize(ratios);
     return 0;
   }
 
@@ -96,8 +102,8 @@ class RegretCommand final : public Command {
   }
 
   static void print(const Regret& r, std::size_t width) {
-    fmt::print("{:<{}}  {:<22} {:<22} {:>11.4g} {:>11.4g} {:>6.3f}{}\n", r.input, width, r.chosen, r.best,
-               r.auto_median(), r.best_median(), r.ratio(), r.processor ? "" : " by the wall clock");
+    fmt::print("{:<{}}  {:<22} {:<22} {:>11.4g} {:>11.4g} {:>6.3f}{}\n", one_line(r.input), width, r.chosen,
+               r.best, r.auto_median(), r.best_median(), r.ratio(), r.processor ? "" : " by the wall clock");
   }
   static void summarize(std::vector<double> ratios) {
     double logs = 0;

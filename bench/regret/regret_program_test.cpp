@@ -55,6 +55,9 @@ TEST_F(RegretProgram, TakesInputsOrSizesAndSaysWhatIsLeftOut) {
       expect_refused("regret path1:n=300 --variant '" + info.name + "'", " is not available here: ");
       break;
     }
+  expect_refused("regret yarn:n=100,radius=nan path1:n=1e400", "yarn: radius=nan must be a number");
+  expect_refused("regret yarn:n=5000 --variant CPU1", "yarn/n:5000 is left out: no other variant takes it");
+  expect_says("regret yarn:n=5000 yarn:n=6000 --variant CPU1", 2, {"nothing was measured"});
   const ProgramOutcome left = run("regret winding:n=300000 rod:n=40 " + little + "--variant CPU1 --json");
   EXPECT_EQ(left.code, 0) << left.output;
   EXPECT_NE(left.output.find("catena regret: winding/n:300000 is left out: "), std::string::npos)

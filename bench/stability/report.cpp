@@ -11,6 +11,7 @@
 
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/report_text.h"
+#include "catena/core/one_line.h"
 
 namespace catena::bench {
 namespace {
@@ -84,7 +85,7 @@ void StabilityReport::scene(const std::vector<Cell>& cells) {
 }
 
 void StabilityReport::table_line(const std::vector<Cell>& cells) const {
-  fmt::print("{:<{}}  {:>8}", cells.front().scene, scene_width_, pairs_of(cells.front()));
+  fmt::print("{:<{}}  {:>8}", one_line(cells.front().scene), scene_width_, pairs_of(cells.front()));
   for (const auto& arithmetic : arithmetics_) {
     const Cell* worst = nullptr;
     std::size_t alike = 0, all = 0;
@@ -104,9 +105,9 @@ void StabilityReport::table_line(const std::vector<Cell>& cells) const {
 }
 
 void StabilityReport::cell_line(const Cell& cell) const {
-  const std::string why = cell.found.reason.empty() ? "" : ": " + cell.found.reason;
-  fmt::print("{:<{}}  {:<{}}  {:>8}  {}{}{}\n", cell.scene, scene_width_, cell.variant, variant_width_,
-             pairs_of(cell), cell.defect ? "DEFECT " : "", in_short(cell), why);
+  const std::string why = cell.found.reason.empty() ? "" : ": " + one_line(cell.found.reason);
+  fmt::print("{:<{}}  {:<{}}  {:>8}  {}{}{}\n", one_line(cell.scene), scene_width_, cell.variant,
+             variant_width_, pairs_of(cell), cell.defect ? "DEFECT " : "", in_short(cell), why);
 }
 
 void StabilityReport::finish() const {
@@ -126,9 +127,10 @@ void StabilityReport::finish() const {
   }
   for (const auto& [why, which] : left_out_)
     fmt::print("left out: {} on {}: {}\n", in_short(which.variants, "variants"),
-               in_short(which.scenes, "scenes"), why);
+               one_line(in_short(which.scenes, "scenes")), one_line(why));
   for (const Cell& cell : defects_)
-    fmt::print("DEFECT: {} on {}: {} {}\n", cell.variant, cell.scene, in_short(cell), cell.found.reason);
+    fmt::print("DEFECT: {} on {}: {} {}\n", cell.variant, one_line(cell.scene), in_short(cell),
+               one_line(cell.found.reason));
 }
 
 nlohmann::ordered_json to_json(const Cell& cell) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/progress.h"
+#include "catena/core/commands/somebody.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
@@ -22,7 +24,9 @@ namespace {
 class StabilityCommand final : public Command {
  public:
   void configure(OptionParser& app) override {
-    app.add_option("INPUT", scenes_, "Scenes and files; none: every scene in each of its settings");
+    app.add_option(
+        "INPUT", scenes_,
+        "Scenes and files, of what moves the middle frame; none: every scene in each of its settings");
     app.add_option("--n", sizes_, "Spheres of the scenes; repeatable; without INPUT only (default 2000)")
         .type_name("N")
         .allow_extra_args(false)
@@ -55,13 +59,17 @@ class StabilityCommand final : public Command {
         for (auto& spec : stability_scenes(n)) scenes_.push_back(std::move(spec));
     if (variants_.empty())
       for (const auto& info : StrategyRegistry::instance().variants()) variants_.push_back(info.name);
-    std::vector<std::string> arithmetics;
+    std::vector<VariantInfo> asked;
     for (const auto& name : variants_)  // an unknown name is said before anything is printed
-      arithmetics.push_back(StrategyRegistry::instance().describe(name).arithmetic);
+      asked.push_back(StrategyRegistry::instance().describe(name));
+    require_somebody(asked);
+    std::vector<std::string> arithmetics;
+    for (const VariantInfo& info : asked) arithmetics.push_back(info.arithmetic);
     const auto form = json_    ? StabilityReport::Form::json
                       : cells_ ? StabilityReport::Form::cells
                                : StabilityReport::Form::table;
     std::optional<StabilityReport> report;  // whose head comes before the first of its lines
+    bool answered = false;
     Progress progress(scenes_.size() * variants_.size());
     for (const auto& spec : scenes_) {
       const auto cells = measure_scene(spec, variants_, limits_, [&](const std::string& name) {
@@ -70,8 +78,10 @@ class StabilityCommand final : public Command {
       progress.clear();
       if (!report) report.emplace(form, scenes_, variants_, arithmetics);
       report->scene(cells);
+      answered |= std::ranges::any_of(cells, &Cell::answered);
     }
     report->finish();
+    if (!answered) throw InputError("nothing was measured: every input was left out");
     return report->any_defect() ? 1 : 0;
   }
 

@@ -65,8 +65,8 @@ TEST_F(StabilityProgram, HasScenesOfTheSizeThatIsAsked) {
     if (line.starts_with('{')) told.insert(nlohmann::json::parse(line)["scene"].get<std::string>());
   EXPECT_EQ(told, sized);
   expect_refused("stability lattice:n=100 --n 30", "--n sizes the scenes of the full matrix");
-  expect_says("stability coincident:n=300 --overlaps 10 --variant CPU1", 0,
-              {"overlapping spheres, neighbours included; see --overlaps"});
+  expect_says("stability coincident:n=300 --overlaps 10 --variant CPU1", 2,
+              {"overlapping spheres, neighbours included; see --overlaps", "nothing was measured"});
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "catena/bench/tube/errors_line.h"
 #include "catena/bench/tube/tube.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/error.h"
 
 namespace catena::bench {
@@ -39,7 +40,7 @@ class ErrorsCommand final : public Command {
       if (!json_) head(tube, all);
       for (const std::uint32_t n : sizes_of(tube)) {
         const TubeErrors errors = errors_of(tube, all, n, offset_);
-        json_ ? fmt::print("{}\n", to_json(errors).dump()) : print_row(errors.tube, errors.storage);
+        json_ ? fmt::print("{}\n", json_line(to_json(errors))) : print_row(errors.tube, errors.storage);
         broken |= errors.tube.missed_by_covering > 0;
       }
     }

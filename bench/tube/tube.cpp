@@ -12,6 +12,7 @@
 
 #include "catena/bench/tube/arc_length.h"
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
 #include "catena/core/scenes/torus_curve.h"
 
 namespace catena::bench {
@@ -120,8 +121,8 @@ std::vector<Tube> tubes_named(const std::vector<std::string>& names) {
   for (const auto& name : names.empty() ? known_tubes() : names) {
     const auto found = std::ranges::find(known, name, &Known::name);
     if (found == known.end())
-      throw InputError(
-          fmt::format("no tube is named '{}'; there are: {}", name, fmt::join(known_tubes(), ", ")));
+      throw InputError(fmt::format("no tube is named '{}'; there are: {}{}", name,
+                                   fmt::join(known_tubes(), ", "), did_you_mean(name, known_tubes())));
     tubes.push_back(found->make());
   }
   return tubes;

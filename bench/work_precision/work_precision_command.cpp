@@ -9,7 +9,10 @@
 
 #include "catena/bench/work_precision/json.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
+#include "catena/core/commands/somebody.h"
 #include "catena/core/environment.h"
+#include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
@@ -53,14 +56,20 @@ class WorkPrecisionCommand final : public Command {
     if (variants_.empty())
       for (const auto& info : StrategyRegistry::instance().variants())
         if (!info.unavailable) variants_.push_back(info.name);
+    std::vector<VariantInfo> asked;
+    for (const std::string& name : variants_) asked.push_back(StrategyRegistry::instance().describe(name));
+    require_somebody(asked);
+    bool measured = false;
     nlohmann::ordered_json out{{"environment", environment()}};
     for (const Tube& tube : tubes)
       for (const double offset : offsets_) {
         const auto result =
             work_precision(tube, sizes_of(tube), variants_, repetitions_, offset, tolerances());
+        measured |= !result.points.empty();
         json_ ? add_to_json(out, result) : print_table(tube, offset, result);
       }
-    if (json_) fmt::print("{}\n", out.dump());
+    if (!measured) throw InputError("nothing was measured: every variant was left out");
+    if (json_) fmt::print("{}\n", json_line(out));
     return 0;
   }
 

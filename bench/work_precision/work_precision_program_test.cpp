@@ -9,6 +9,7 @@
 #include "catena/bench/work_precision/work_precision.h"
 #include "catena/core/commands/test_program.h"
 #include "catena/core/environment.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
 namespace {
@@ -112,6 +113,18 @@ TEST_F(WorkPrecisionProgram, MeasuresTheSizesAndTolerancesThatAreAsked) {
   EXPECT_EQ(sizes("--n 20 --tolerance 0.1"), (Sizes{{20, 0}, {tenth, 0.1}}));
   // A length of 40 in spacings from 2 to 1/16.
   EXPECT_EQ(sizes(""), (Sizes{{20, 0}, {40, 0}, {80, 0}, {160, 0}, {320, 0}, {640, 0}, {hundredth, 0.01}}));
+}
+
+/// Where nobody can be asked, or all was left out, nothing was measured, and that is no success.
+TEST_F(WorkPrecisionProgram, MeasuresNothingByNobody) {
+  expect_says("work-precision straight_rod --n 6000 --repetitions 1 --variant CPU1", 2,
+              {"nothing was measured"});
+  for (const VariantInfo& info : StrategyRegistry::instance().variants())
+    if (info.unavailable) {
+      expect_refused("work-precision --n 50 --variant '" + info.name + "'",
+                     info.name + " is not available here: ");
+      break;
+    }
 }
 
 TEST_F(WorkPrecisionProgram, NamesWhoBeatsAPoint) {

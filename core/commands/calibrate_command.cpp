@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
 #include "catena/core/plan/calibrate.h"
@@ -57,7 +58,7 @@ class CalibrateCommand final : public Command {
                                {"team_us", v.cost.team_us},
                                {"serial", v.cost.serial},
                                {"start_ms", v.cost.start_ms}});
-    fmt::print("{}\n", line.dump());
+    fmt::print("{}\n", json_line(line));
   }
 
   bool json_ = false;

@@ -27,38 +27,103 @@ Option Option::take_all() const { return Option(option_->take_all()); }
 Option Option::delimiter(char between) const { return Option(option_->delimiter(between)); }
 Option Option::excludes(Option other) const { return option_->excludes(other.option_), *this; }
 
+namespace {
+
+/// What does not hold of the text is said in these words; help shows `shown`.
+CLI::Validator refusing(std::function<std::string(std::string&)> words, std::string shown = "") {
+  return CLI::Validator(std::move(words), std::move(shown));
+}
+
+/// Writes the number out, as CLI11 reads it.
+CLI::Validator whole(std::uint64_t least, std::optional<std::uint64_t> most) {
+  const std::string bounds = fmt::format("from {}{}", least, most ? fmt::format(" to {}", *most) : "");
+  return refusing(
+      [=](std::string& text) {
+        const auto number = catena::whole_number(text);
+        if (!number || *number < least || (most && *number > *most))
+          return fmt::format("{} is not a whole number {}", text, bounds);
+        text = std::to_string(*number);
+        return std::string();
+      },
+      most ? bounds : "");
+}
+
+/// A finite number of which `holds` is true.
+CLI::Validator number(std::function<bool(double)> holds, const std::string& bounds) {
+  return refusing(
+      [=](std::string& text) {
+        double number = 0;
+        const bool fits = CLI::detail::lexical_cast(text, number) && std::isfinite(number) && holds(number);
+        return fits ? "" : fmt::format("{} is not a number {}", text, bounds);
+      },
+      bounds);
+}
+
+}  // namespace
+
 template <class T>
 Option Option::range(T least, T most) const {
-  return Option(option_->check(CLI::Range(least, most)));
+  if constexpr (std::is_same_v<T, double>)
+    return Option(option_->check(number([=](double x) { return least <= x && x <= most; },
+                                        fmt::format("from {:g} to {:g}", least, most))));
+  else
+    return Option(
+        option_->transform(whole(static_cast<std::uint64_t>(least), static_cast<std::uint64_t>(most))));
 }
 template Option Option::range(int, int) const;
 template Option Option::range(unsigned, unsigned) const;
 template Option Option::range(std::uint64_t, std::uint64_t) const;
 template Option Option::range(double, double) const;
 
-Option Option::positive() const { return Option(option_->check(CLI::PositiveNumber)); }
+Option Option::positive() const {
+  return Option(option_->check(number([](double x) { return x > 0; }, "above 0")));
+}
 
 Option Option::one_of(const std::vector<std::string>& names) const {
-  return Option(option_->check(CLI::IsMember(names)));
+  return Option(option_->check(refusing(
+      [names](const std::string& text) {
+        if (std::ranges::find(names, text) != names.end()) return std::string();
+        return fmt::format("{} is none of {}{}", text, fmt::join(names, ", "), did_you_mean(text, names));
+      },
+      fmt::format("{{{}}}", fmt::join(names, ",")))));
 }
 
 Option Option::whole_number(std::uint64_t least) const {
-  const auto written_out = [least](std::string& text) {
-    const auto number = catena::whole_number(text);
-    if (!number || *number < least) return fmt::format("{} is not a whole number from {}", text, least);
-    text = std::to_string(*number);
-    return std::string();
-  };
-  return Option(option_->transform(CLI::Validator(written_out, "")));
+  return Option(option_->transform(whole(least, {})));
 }
 
 namespace {
 
 /// "nan" reads as a number, which no bound refuses.
-std::string refusal_of_nan(const std::string& text) {
+std::string refusal_of_no_number(const std::string& text) {
   double number = 0;
-  const bool is = CLI::detail::lexical_cast(text, number) && std::isnan(number);
-  return is ? text + " is not a number" : "";
+  const bool is = CLI::detail::lexical_cast(text, number) && !std::isnan(number);
+  return is ? "" : text + " is not a number";
+}
+
+/// CLI11 gives an option whatever comes next; a file that is called as an option was hardly meant.
+std::string refusal_of_an_option(const std::string& text) {
+  return text.starts_with("--") ? fmt::format("{} is an option and no value; ./{} is a file", text, text)
+                                : "";
+}
+
+/// What is wrong with the arguments of a command.
+std::string words_of(const CLI::ParseError& wrong, const CLI::App& command) {
+  std::vector<std::string> known;
+  for (const CLI::Option* const option : command.get_options()) {
+    if (option->count() > 1 && option->get_items_expected_max() == 1)
+      return fmt::format("{} is given {} times, and takes one value", option->get_name(), option->count());
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  const auto left = command.remaining();
+  const std::string words = wrong.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) != nullptr)
+    return words.substr(0, words.find(':')) + " lacks a value";
+  if (left.empty()) return words;
+  const std::string name = left.front().substr(0, left.front().find('='));
+  if (name.starts_with("-"))
+    return fmt::format("there is no option {} here{}", name, did_you_mean(name, known));
+  return fmt::format("{} is one argument too many", left.front());
 }
 
 }  // namespace
@@ -68,7 +133,9 @@ Option OptionParser::add_option(const std::string& name, T& value, const std::st
   CLI::Option* const option = app_.add_option(name, value, meaning);
   constexpr bool real = std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>> ||
                         std::is_same_v<T, std::vector<double>>;
-  if constexpr (real) option->check(CLI::Validator(refusal_of_nan, ""));
+  if constexpr (real) option->check(refusing(refusal_of_no_number));
+  constexpr bool words = std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>;
+  if (words && name.starts_with("-")) option->check(refusing(refusal_of_an_option));
   return Option(option);
 }
 template Option OptionParser::add_option(const std::string&, std::string&, const std::string&);
@@ -141,7 +208,11 @@ std::unique_ptr<Command> parse_command_line(int argc, char** argv, bool by_ranks
     if (app.get_subcommands().empty() && !unknown.empty())
       throw InputError(fmt::format("no command is named '{}'{}; see catena --help", unknown.front(),
                                    did_you_mean(unknown.front(), names)));
-    throw InputError(fmt::format("{}; see catena --help", wrong.what()));
+    const auto command = app.get_subcommands();
+    throw InputError(command.empty()
+                         ? fmt::format("{}; see catena --help", wrong.what())
+                         : fmt::format("{}; see catena {} --help", words_of(wrong, *command.front()),
+                                       command.front()->get_name()));
   }
   return std::move(*chosen);
 }
@@ -156,7 +227,7 @@ void parse(CLI::App& app, std::vector<std::string>& arguments,
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& wrong) {
-    throw InputError(wrong.what());
+    throw InputError(words_of(wrong, app));
   }
 }
 

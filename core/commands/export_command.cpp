@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/frame_option.h"
@@ -16,6 +18,7 @@
 #include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/one_line.h"
+#include "catena/core/output_file.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/strategy/registry.h"
@@ -24,6 +27,42 @@
 
 namespace catena {
 namespace {
+
+/// Files that are whole together: when one fails, those before it that were not there are removed.
+class Series {
+ public:
+  /// Throws InputError where one of several cannot be written, before any is: a folder is in its way, say.
+  explicit Series(std::vector<std::string> names) : names_(std::move(names)) {
+    namespace fs = std::filesystem;
+    std::error_code unknown;
+    for (const std::string& name : names_) {
+      const fs::file_status was = fs::status(name, unknown);
+      new_.push_back(!fs::exists(was));
+      // What is neither file nor folder may wait to be read.
+      if (names_.size() > 1 && (new_.back() || fs::is_regular_file(was) || fs::is_directory(was)))
+        OutputFile probe(name);
+    }
+  }
+  ~Series() {
+    std::error_code gone;
+    for (std::size_t k = 0; k < written_; ++k)
+      if (new_[k]) std::filesystem::remove(names_[k], gone);
+  }
+  Series(const Series&) = delete;
+  Series& operator=(const Series&) = delete;
+
+  template <class Write>
+  void write(const Write& next) {
+    next(names_[written_]);
+    ++written_;
+  }
+  void complete() { written_ = 0; }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<bool> new_;
+  std::size_t written_ = 0;
+};
 
 /// `catena export INPUT OUT`: any input in any format that can hold it.
 class ExportCommand final : public Command {
@@ -34,7 +73,7 @@ class ExportCommand final : public Command {
     frame_.add_to(app);
     app.add_flag("--contacts", contacts_,
                  "Find the collisions, and write for each sphere what it collides with (.vtp)");
-    app.add_option("--variant", variant_, "How to find them; see catena list").capture_default_str();
+    app.add_option("--variant", variant_, "How to find them (default: aCPU2+CPU2); see catena list");
     add_input_options(app, options_);
     add_tolerance_option(app, options_);
   }
@@ -44,27 +83,34 @@ class ExportCommand final : public Command {
     if (contacts_ && !writer.info.contacts)
       throw InputError(fmt::format("{}: {} holds no contacts; export to .vtp, or use detect --pairs", out_,
                                    writer.info.name));
+    if (!contacts_ && !variant_.empty())
+      throw InputError("--variant finds what --contacts writes; add that, or leave it out");
+    if (variant_.empty()) variant_ = "aCPU2+CPU2";
     if (contacts_) search_ = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     const Input input = open_input(input_, options_);
     show_warnings(input);
     if (contacts_) periodic_ = put_into_boxes(search_, input.boxes);
     const auto [first, last] = frame_.of(input);
     first_frame_ = written_frame(input_);
-    std::vector<std::string> names;
-    if (writer.info.frames || last - first == 1)
-      names.push_back(out_);
-    else
+    const bool one_file = writer.info.frames || last - first == 1;
+    std::vector<std::string> names{out_};
+    if (!one_file) {
+      names.clear();
       for (std::uint32_t f = first; f < last; ++f) names.push_back(name_of(f));
+    }
     for (const std::string& name : names) require_apart(input_, options_.reading, {name});
     say_losses(writer.info, input.animation->frame(first), input);
     const auto frame = [&](std::uint32_t f) { return exported(input, f, f == first); };
-    if (writer.info.frames || last - first == 1) {
-      writer.write(out_, {first, last, frame, input.labels, input.joints, input.boxes});
-    } else {
-      for (std::uint32_t f = first; f < last; ++f)
-        writer.write(names[f - first], {f, f + 1, frame, input.labels, input.joints, input.boxes});
+    Series series(names);
+    for (std::uint32_t f = first; f < last; ++f) {
+      series.write([&](const std::string& name) {
+        writer.write(name, {f, one_file ? last : f + 1, frame, input.labels, input.joints, input.boxes});
+      });
+      if (one_file) break;
     }
-    fmt::print("{}: {} of {} as {}\n", one_line(out_), counted(last - first, "frame"),
+    series.complete();
+    const std::string written = one_file ? out_ : fmt::format("{} ... {}", names.front(), names.back());
+    fmt::print("{}: {} of {} as {}\n", one_line(written), counted(last - first, "frame"),
                counted(input.animation->frame(first).size(), "sphere"), writer.info.name);
     return 0;
   }
@@ -136,7 +182,7 @@ class ExportCommand final : public Command {
                              out_, WriterRegistry::instance().of(out_).info.name)));
   }
 
-  std::string input_, out_, variant_ = "aCPU2+CPU2";
+  std::string input_, out_, variant_;
   FrameOption frame_;
   InputOptions options_{.takes_box = true};
   bool contacts_ = false, said_arcs_ = false;

@@ -6,11 +6,18 @@
 
 #include "catena/core/commands/command_line.h"
 #include "catena/core/error.h"
+#include "catena/core/readers/file_bytes.h"
 
 namespace catena {
 
 void FrameOption::add_to(OptionParser& app) {
   app.add_option("--frame", text_, "Frame of an animated input, from 0, or all").type_name("F|all");
+}
+
+void FrameOption::check(const std::vector<std::string>& specs, const InputOptions& options) const {
+  if (specs.size() < 2 || text_ == "0" || text_ == "all") return;  // which every input has
+  for (const std::string& spec : specs)
+    if (!is_standard_input(spec)) of(open_input(spec, options));
 }
 
 std::pair<std::uint32_t, std::uint32_t> FrameOption::of(const Input& input) const {

@@ -7,6 +7,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -129,7 +131,8 @@ void add_input_options(OptionParser& app, InputOptions& options) {
   const auto window =
       app.add_option("--window", options.window,
                      "Spheres this many steps along a strand are neighbours, instead of the input's rule")
-          .type_name("K");
+          .type_name("K")
+          .range(1u, std::numeric_limits<std::uint32_t>::max());
   app.add_option_function(
          "--arc-window", [&options](const std::string& text) { set_arc_window(text, options); },
          "Spheres nearer along the strand than F times the sum of their radii are neighbours, instead")

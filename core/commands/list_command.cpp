@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/commands/variant_json.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/scenes/scene.h"
@@ -130,7 +131,7 @@ class ListCommand final : public Command {
                                 {"options", r.options}});
     for (const auto& w : WriterRegistry::instance().writers())
       out["writers"].push_back({{"name", w.name}, {"extensions", w.extensions}, {"summary", w.summary}});
-    fmt::print("{}\n", out.dump());
+    fmt::print("{}\n", json_line(out));
   }
 
   bool json_ = false;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "catena/core/error.h"
+#include "catena/core/output_file.h"
 #include "catena/core/readers/reader.h"
 
 namespace catena {
@@ -12,12 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where a file that is yet to be made will lie. Of a relative name of which nothing exists weakly_canonical
+/// alone makes no absolute one, and a link to what is not there it takes for a file.
+fs::path place_of(const fs::path& name) {
+  std::error_code none;
+  return fs::weakly_canonical(fs::absolute(OutputFile::target(name), none), none);
+}
+
 /// Two names of one file, which may be yet to be made.
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code none;
   const fs::file_status status = fs::status(a, none);
   if (fs::exists(status)) return fs::is_regular_file(status) && fs::equivalent(a, b, none);
-  return fs::weakly_canonical(a, none) == fs::weakly_canonical(b, none);
+  return place_of(a) == place_of(b);
 }
 
 }  // namespace

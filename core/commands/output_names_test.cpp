@@ -32,6 +32,22 @@ TEST(OutputNames, AreApartFromOneAnotherAndFromWhatIsRead) {
     EXPECT_NO_THROW(require_apart({"rod:n=5", read}, right));
 }
 
+/// By whatever names they are written, of a folder or of the one that the process is in; through links to
+/// nothing yet, too.
+TEST(OutputNames, AreApartWhereNothingIsYet) {
+  const TestFile file("a.csv", "");
+  const std::filesystem::path folder = file.path().parent_path(), before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  std::filesystem::create_symlink("y.csv", folder / "x.csv");
+  for (const std::string& again :
+       {std::string("./b.csv"), (folder / "b.csv").string(), std::string("none/../b.csv")})
+    EXPECT_THROW(require_apart(std::vector<std::string>{}, {"b.csv", again}), InputError) << again;
+  for (const std::string& again : {std::string("y.csv"), (folder / "y.csv").string()})
+    EXPECT_THROW(require_apart(std::vector<std::string>{}, {again, "x.csv"}), InputError) << again;
+  EXPECT_NO_THROW(require_apart(std::vector<std::string>{}, {"b.csv", "x.csv"}));
+  std::filesystem::current_path(before);
+}
+
 /// As what is named: a topology that the reader finds, of files that have one.
 TEST(OutputNames, AreApartFromWhatLiesBesideAnInput) {
   const TestFile file("a.conf", "");

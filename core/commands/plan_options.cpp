@@ -23,8 +23,7 @@ Request::Want WantOptions::want() const {
 void NoOmitOption::add_to(OptionParser& app) {
   app.add_option("--no-omit", names_, "Do what auto would leave out; may be given several times")
       .type_name("NAME")
-      .expected(1)
-      .take_all()
+      .allow_extra_args(false)
       .one_of(omission_names());
 }
 

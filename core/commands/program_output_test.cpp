@@ -93,6 +93,45 @@ TEST_F(Program, SaysWhatAnExportLoses) {
     }
 }
 
+/// All files of a series, or none of them that was not there.
+TEST_F(Program, ExportsASeriesWholeOrNotAtAll) {
+  const std::string out = "export path1:n=10 '" + file("o.csv") + "' --frame all";
+  expect_says(out, 0, {file("o_0.csv") + " ... " + file("o_55.csv") + ": 56 frames of 10 spheres"});
+  for (int f = 1; f < 56; ++f) std::filesystem::remove(file("o_" + std::to_string(f) + ".csv"));
+  std::filesystem::create_directory(file("o_5.csv"));
+  expect_refused(out, "cannot write " + file("o_5.csv") + ": Is a directory");
+  EXPECT_TRUE(std::filesystem::exists(file("o_0.csv"))) << "it was there";
+  EXPECT_FALSE(std::filesystem::exists(file("o_1.csv")));
+  std::filesystem::remove(file("o_5.csv"));
+  std::string moving;  // its second file is the longer one, and is cut
+  for (const char* at : {" 5", " 5.1234567"}) {
+    moving += "20\nt\n";
+    for (int i = 0; i < 20; ++i) moving += std::string("C") + at + at + at + '\n';
+  }
+  const ProgramOutcome cut = shell("ulimit -f 1; catena export --frame all --radius 1 " +
+                                   write("m.xyz", moving) + " '" + file("m.csv") + "'");
+  EXPECT_EQ(cut.code, 2);
+  EXPECT_NE(cut.output.find("cannot write " + file("m_1.csv") + ": File too large"), std::string::npos)
+      << cut.output;
+  EXPECT_FALSE(std::filesystem::exists(file("m_0.csv")));
+}
+
+/// A file's name may hold what drives a terminal, and bytes that are no text.
+TEST_F(Program, PrintsNoNameRaw) {
+  const std::string name = "bad\x1b[31m\xff.csv", text = "x,y,z,r\n0,0,0,1\n3,0,0,1\n1,2,0,1\n";
+  const std::string input = write(name, text);
+  for (const std::string command :
+       {"examine ", "scaling --ranks 2 ", "stability --cells --variant CPU1 ", "stability --variant CPU1 ",
+        "verify --variant CPU1 ", "regret --seconds 0.01 --rounds 2 --variant aCPU2+CPU2 ",
+        "knots --closed --thickness 1 "}) {
+    const ProgramOutcome r = run(command + input);
+    EXPECT_NE(r.output.find("bad?[31m?.csv"), std::string::npos) << command << r.output;
+    EXPECT_EQ(r.output.find('\x1b'), std::string::npos) << command;
+  }
+  const ProgramOutcome told = shell("XDG_CACHE_HOME='" + file("bad\xff") + "' catena calibrate --json");
+  EXPECT_EQ(told.code, 0) << told.output;
+}
+
 TEST_F(Program, WritesPairsAndCounts) {
   const std::string pairs = file("pairs.csv"), counts = file("counts.csv");
   expect_says("detect coincident:n=60 --pairs '" + pairs + "' --counts '" + counts + "'", 0, {"812 pairs"});

@@ -48,11 +48,11 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect coincident:n=200 --pair-limit 5", "5");
   expect_refused("detect path1:n=10 --pair-limit -5", "--pair-limit: -5 is not a whole number from 0");
   expect_refused("detect path1:n=10 --pair-limit 1.5", "1.5 is not a whole number");
-  expect_refused("fuzz --seconds 0", "--seconds: Value 0 not in range");
-  expect_refused("fuzz --timeout -1", "--timeout: Value -1 not in range 0");
-  expect_refused("enumerate --walks 0", "--walks: Value 0 not in range");
-  expect_refused("enumerate --walks 3 --lattice hexagon", "hexagon not in");
-  expect_refused("closed-form --side 0", "--side: Value 0 not in range");
+  expect_refused("fuzz --seconds 0", "--seconds: 0 is not a number from 0.001 to 1e+09");
+  expect_refused("fuzz --timeout -1", "--timeout: -1 is not a number from 0 to 1e+09");
+  expect_refused("enumerate --walks 0", "--walks: 0 is not a whole number from 1 to ");
+  expect_refused("enumerate --walks 3 --lattice hexagon", "--lattice: hexagon is none of ");
+  expect_refused("closed-form --side 0", "--side: 0 is not a whole number from 1 to 1290");
   expect_refused("knots --n 3", "--n: 3 is not a whole number from 16");
   expect_refused("knots --knot 3_1", "needs the polygon that it is of");
   expect_refused("knots tight_knot:n=100", "say what was published of it");
@@ -63,15 +63,28 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("knots path1:n=100 --ropelength 33", "strand 0 is open");
   expect_refused("knots " + examples + "9_47-cubiclattice.txt --knot knotted", "say --closed");
   expect_refused("knots nowhere.vect --knot 3_1", "nowhere.vect");
+  expect_refused("growth serpentine:side=10 --n 32000", "serpentine:side=10 has 1000 spheres at every n");
+  expect_refused("growth yarn --variant aCPU2+Dual --variant nanoflann",
+                 "nanoflann does not count what it compares");
+  expect_refused("pivot --n 95 --exponent", "--n must be at least 96 with --exponent");
+  expect_refused("pivot --n 50 --out w.csv", "w.csv: a walk is written as .chain");
+  expect_refused("pivot --n 50 --out -", "-: is no file to write");
+  expect_refused("margins - - --format csv", "standard input can be read once");
+  expect_refused("margins path1:n=200 yarn:n=100 --frame 3",
+                 "yarn:n=100 has 1 frame, from 0; there is no frame 3");
+  expect_refused("export path1:n=10 x.csv --variant nope", "--variant finds what --contacts writes");
+  expect_refused("report --from R --scene nosuch", "excludes");
+  expect_refused("knots torus_knot:n=64 --thickness 1e308", "the thickness told does not fit into binary32");
   expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from");
   expect_refused("pivot --n 1", "--n: 1 is not a whole number from");
   expect_refused("pivot --n 5e6 --rotations any", "--n must be at most 2^22 with --rotations any");
-  expect_refused("pivot --n 50 --rotations some", "--rotations: some not in {lattice,any}");
+  expect_refused("pivot --n 50 --rotations some", "--rotations: some is none of lattice, any");
   expect_refused("pivot --n 50 --rotations any --at-once", "--at-once goes with --rotations lattice");
   expect_refused("pivot --n 50 --moves 64 --out /nowhere/x.chain", "cannot write /nowhere/x.chain");
-  expect_refused("scaling path1:n=300 --ranks 1", "--ranks: Value 1 not in range");
+  expect_refused("scaling path1:n=300 --ranks 1", "--ranks: 1 is not a whole number from 2 to 4096");
   expect_refused("plan nowhere", "no scene is named 'nowhere'");
-  expect_refused("calibrate --variant Nope", "not expected");
+  expect_refused("calibrate --variant Nope",
+                 "there is no option --variant here; see catena calibrate --help");
   expect_refused("export path1:n=10 x.foo", "nothing writes '.foo' files");
   expect_refused("export path1:n=10 /nowhere/x.csv", "cannot write /nowhere/x.csv");
   expect_refused("fuzz --seed -1", "--seed: -1 is not a whole number from 0");
@@ -87,6 +100,9 @@ TEST_F(Program, CountsAndTurnsWalks) {
   expect_says("pivot --n 40 --moves 64 --rotations any", 0,
               {"40 points", "self-avoiding by the exact reference"});
   expect_says("pivot --n 40 --moves 64 --at-once", 0, {"\n1 at once", "\n39 at once", "times as much"});
+  expect_says(
+      "pivot --n 100 --moves 64 --exponent", 0,
+      {"3 points: ", "\n6 points: ", "\n12 points: ", "\n25 points: ", "\n50 points: ", "\n100 points: "});
   expect_says("enumerate --walks 4 --lattice diamond", 0, {"A001394", "108"});
 }
 
@@ -201,6 +217,8 @@ TEST_F(Program, VerifiesNothingByNobody) {
   if (absent == variants.end()) GTEST_SKIP() << "every variant is available here";
   expect_refused("verify path1:n=50 --variant '" + absent->name + "'",
                  absent->name + " is not available here: ");
+  for (const std::string command : {"stability yarn:n=50", "regret yarn:n=50"})
+    expect_refused(command + " --variant '" + absent->name + "'", absent->name + " is not available here: ");
   expect_says("verify path1:n=50 --variant CPU1 --variant '" + absent->name + "'", 0,
               {"CPU1", "1 unavailable"});
 }
@@ -213,6 +231,10 @@ TEST_F(Program, KnowsWhatWasMeant) {
   expect_refused("detect path1:n=10 --variant cpu1", "did you mean 'CPU1'?");
   expect_refused("detect path1:n=10 --variant aCPU2+CPU2/robst", "did you mean 'robust'?");
   expect_refused("fuzz --scene-family coils", "did you mean 'coil'?");
+  expect_refused("detect path1:n=100,fram=3", "did you mean 'frame'?");
+  expect_refused("detect path1:n=10 --pair p.csv", "there is no option --pair here; did you mean '--pairs'?");
+  expect_refused("errors lisajous", "did you mean 'lissajous'?");
+  expect_refused("export path1:n=10 out.cvs", "did you mean '.csv'?");
 }
 
 /// An algorithm of a device, where there is none: why, and what runs instead.
@@ -225,7 +247,7 @@ TEST_F(Program, NamesTheHostTwinWhereThereIsNoDevice) {
 
 TEST_F(Program, TakesWholeNumbersWithAnExponent) {
   expect_says("detect path1:n=1e3 --frame 28", 0, {"1000 spheres"});
-  expect_says("detect coincident:n=60 --pair-limit 1e3", 0, {"812 pairs"});
+  expect_says("detect coincident:n=60 --pair-limit 1e3 --window 1e0", 0, {"812 pairs"});
 }
 
 TEST_F(Program, KeepsPairsOnlyForWhoReadsThem) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -96,6 +97,8 @@ Input open_input(const std::string& spec, const InputOptions& options) {
 
 void check_inputs(const std::vector<std::string>& specs, const InputOptions& options) {
   if (specs.size() < 2) return;
+  if (std::ranges::count_if(specs, is_standard_input) > 1)
+    throw InputError("-: standard input can be read once; name it once");
   for (const std::string& spec : specs)
     if (!is_standard_input(spec)) open_input(spec, options);
 }

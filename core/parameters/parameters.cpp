@@ -67,7 +67,7 @@ double Parameters::real(const std::string& key, double least, double greatest) c
 
 std::string Parameters::choice(const std::string& key, const std::vector<std::string>& allowed) const {
   if (std::ranges::find(allowed, value(key)) == allowed.end())
-    refuse(key, fmt::format("one of: {}", fmt::join(allowed, ", ")));
+    refuse(key, fmt::format("one of: {}{}", fmt::join(allowed, ", "), did_you_mean(value(key), allowed)));
   return value(key);
 }
 
@@ -79,7 +79,8 @@ std::vector<std::string> Parameters::choices(const std::string& key,
   do {
     chosen.emplace_back(text.substr(0, text.find('+')));
     if (std::ranges::find(allowed, chosen.back()) == allowed.end())
-      refuse(key, fmt::format("none, or of these, joined by '+': {}", fmt::join(allowed, ", ")));
+      refuse(key, fmt::format("none, or of these, joined by '+': {}{}", fmt::join(allowed, ", "),
+                              did_you_mean(chosen.back(), allowed)));
     text.remove_prefix(std::min(text.size(), chosen.back().size() + 1));
   } while (!text.empty());
   return chosen;

@@ -80,6 +80,15 @@ TEST(Parameters, SayWhatIsWrong) {
   EXPECT_EQ(refusal([&] { wrong.real("x", 0, 2); }), "scene x: x=9 must be a number from 0 to 2");
   EXPECT_EQ(refusal([&] { wrong.choice("kind", {"a", "c"}); }), "scene x: kind=b must be one of: a, c");
   EXPECT_EQ(wrong.choice("kind", {"a", "b"}), "b");
+  const Parameters slip("scene x", declared, "x=lits,kind=hlaf");
+  EXPECT_EQ(refusal([&] {
+              slip.choice("kind", {"all", "half"});
+            }),
+            "scene x: kind=hlaf must be one of: all, half; did you mean 'half'?");
+  EXPECT_EQ(refusal([&] {
+              slip.choices("x", {"tree", "list"});
+            }),
+            "scene x: x=lits must be none, or of these, joined by '+': tree, list; did you mean 'list'?");
 }
 
 TEST(DidYouMean, KnowsASlipOfThePen) {

@@ -8,6 +8,7 @@
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/repeated_labels.h"
 #include "catena/core/readers/text_lines.h"
@@ -136,8 +137,9 @@ CurveFile ReaderRegistry::read(const std::filesystem::path& file, const ReadOpti
   if (extension.empty())
     throw InputError(fmt::format("{}: has no extension; name its format with --format, one of: {}", name,
                                  fmt::join(known, " ")));
-  throw InputError(fmt::format("{}: no reader for {} files; there are readers for: {}; --format names one",
-                               name, in_quotes(extension), fmt::join(known, " ")));
+  throw InputError(fmt::format("{}: no reader for {} files; there are readers for: {}; --format names one{}",
+                               name, in_quotes(extension), fmt::join(known, " "),
+                               did_you_mean(extension, known)));
 }
 
 }  // namespace catena

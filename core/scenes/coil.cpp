@@ -23,7 +23,7 @@ Row coil(const SceneSetup& setup, double width, double pitch) {
 
 const RegisterScene registered{
     {"coil",
-     "spring whose turns lie side by side; no pairs unless pitch is near 2 or less",
+     "spring whose turns lie side by side; no pairs unless pitch is near 2, or spacing 1, or less",
      {{"width", "10", "radius of the turns, in radii"},
       {"pitch", "3", "distance of a turn from the next, in radii"}}},
     [](const Parameters& parameters) {

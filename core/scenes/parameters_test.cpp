@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,34 @@ TEST_P(SceneParameters, AreRefusedWhenTheyAreNoNumberAndOtherwiseGiveAValidChain
     for (const char* value :
          {"-1", "0", "1", "-1e300", "1e300", "1e-300", "1e38", "-1e38", "99999999999999999999999"})
       refusal(with(value));
+  }
+}
+
+/// What a parameter may be besides a number, as the scene says it.
+std::vector<std::string> choices_of(const SceneInfo& scene, const std::string& parameter) {
+  const std::string why = refusal(scene.name + ":" + parameter + "=?"), before = "must be one of: ";
+  std::vector<std::string> choices;
+  if (const auto at = why.find(before); at != std::string::npos) {
+    std::istringstream names(why.substr(at + before.size()));
+    for (std::string name; std::getline(names >> std::ws, name, ',');) choices.push_back(name);
+  }
+  return choices;
+}
+
+/// Also with fewer spheres than it has parts.
+TEST_P(SceneParameters, HoldOfTheShortestChains) {
+  const SceneInfo& scene = GetParam();
+  for (const ParameterInfo& parameter : scene.parameters) {
+    if (parameter.name == "variant") continue;  // some are made to crash, and others are not built here
+    std::vector<std::string> values = choices_of(scene, parameter.name);
+    if (parameter.name == "n") values = {"0"};  // as it is by itself
+    for (const std::string& value : values)
+      for (const int n : {0, 1, 2, 3}) {
+        const std::string spec = fmt::format("{}:n={}{}", scene.name, n,
+                                             parameter.name == "n" ? "" : "," + parameter.name + "=" + value);
+        const std::string why = refusal(spec);
+        EXPECT_TRUE(why.empty() || why.starts_with("scene " + scene.name)) << spec << ": " << why;
+      }
   }
 }
 

@@ -13,7 +13,8 @@ Row rod(const SceneSetup& setup) {
   });
 }
 
-const RegisterScene registered{{"rod", "straight tube; no pairs", {}}, [](const Parameters& parameters) {
+const RegisterScene registered{{"rod", "straight tube; no pairs where spacing is above 1", {}},
+                               [](const Parameters& parameters) {
                                  return std::make_unique<StillScene>(rod(SceneSetup("rod", parameters)));
                                }};
 

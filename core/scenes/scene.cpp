@@ -51,7 +51,12 @@ std::unique_ptr<Animation> SceneRegistry::open(std::string_view spec) const {
                                  did_you_mean(name, known)));
   }
   const std::string_view values = colon == std::string_view::npos ? "" : spec.substr(colon + 1);
-  return found->second.make(Parameters(fmt::format("scene {}", name), found->second.info.parameters, values));
+  std::vector<ParameterInfo> parameters = found->second.info.parameters;
+  parameters.push_back(
+      {"frame", "", "this frame alone"});  // for open_scene, which takes it out; said with the others
+  const Parameters written(fmt::format("scene {}", name), parameters, values);
+  if (written.given("frame")) throw InputError(fmt::format("{}: a frame alone is no scene", spec));
+  return found->second.make(written);
 }
 
 }  // namespace catena

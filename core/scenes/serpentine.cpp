@@ -13,7 +13,7 @@ StillScene serpentine(const SceneSetup& setup, std::uint32_t side, std::uint32_t
   const std::uint32_t n = side == 0 ? setup.n() : side * side * side;
   if (side == 0) side = side_of_cube(n);
   Strands strands;
-  if (rods) {
+  if (rods && n > 0) {
     for (std::uint32_t first = 0; first < n; first += side) strands.first.push_back(first);
     strands.first.push_back(n);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "catena/core/error.h"
+#include "catena/core/parameters/nearest_name.h"
 #include "catena/core/readers/text_lines.h"
 
 namespace catena {
@@ -30,8 +31,8 @@ const WriterRegistry::Entry& WriterRegistry::of(const std::filesystem::path& fil
     known.insert(known.end(), entry.info.extensions.begin(), entry.info.extensions.end());
   }
   std::ranges::sort(known);
-  throw InputError(fmt::format("{}: nothing writes '{}' files; there are: {}", file.string(), extension,
-                               fmt::join(known, " ")));
+  throw InputError(fmt::format("{}: nothing writes '{}' files; there are: {}{}", file.string(), extension,
+                               fmt::join(known, " "), did_you_mean(extension, known)));
 }
 
 }  // namespace catena

@@ -31,12 +31,15 @@ class CounterexamplesCommand final : public Command {
         .capture_default_str();
     app.add_option("--out", out_, "Folder to store them in as .chain files; none: they are printed only")
         .type_name("DIR");
-    app.add_option("--replay", replay_, "Say how each arithmetic fails on this file instead; repeatable")
-        .type_name("FILE")
-        .allow_extra_args(false);
+    const auto replay =
+        app.add_option("--replay", replay_, "Say how each arithmetic fails on this file instead; repeatable")
+            .type_name("FILE")
+            .allow_extra_args(false);
+    app.exclude_others(replay, {"--arithmetic"});
   }
 
   int run() override {
+    if (!out_.empty()) require_folder(out_);
     if (arithmetics_.empty()) arithmetics_ = {"literal", "double"};
     for (const auto& arithmetic : arithmetics_) replay_.empty() ? search(arithmetic) : replay(arithmetic);
     return 0;

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "catena/core/error.h"
 #include "catena/core/input/box_choice.h"
 #include "catena/core/input/curve_input.h"
 #include "catena/core/output_file.h"
@@ -28,6 +29,16 @@ std::string as_file_name(std::string text) {
 }
 
 }  // namespace
+
+void require_folder(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  fs::path there = fs::absolute(folder, none);
+  while (!fs::exists(there, none) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, none))
+    throw InputError(fmt::format("cannot make the folder {}: {} is none", folder.string(), there.string()));
+  OutputFile probe(there / ".catena-probe");
+}
 
 std::filesystem::path store(const std::filesystem::path& folder, const Finding& finding,
                             const std::string& origin, const std::string& chain_file,

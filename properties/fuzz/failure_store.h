@@ -7,6 +7,10 @@
 
 namespace catena::properties {
 
+/// Throws InputError where nothing can be stored in this folder, which need not exist, before the search for
+/// what is to be stored. Leaves nothing.
+void require_folder(const std::filesystem::path& folder);
+
 /// Writes a chain, as the text of its file, as DIR/<property>-<variant>-<hash><suffix>.chain with what failed
 /// and where it comes from as comments, and returns the path. The same chain for the same finding gets the
 /// same name. Throws InputError when it cannot be written.

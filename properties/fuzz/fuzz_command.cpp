@@ -12,6 +12,7 @@
 #include "catena/core/commands/progress.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
+#include "catena/core/one_line.h"
 #include "catena/properties/fuzz/failure_store.h"
 #include "catena/properties/fuzz/fault.h"
 #include "catena/properties/fuzz/fuzz_report.h"
@@ -62,14 +63,17 @@ class FuzzCommand final : public Command {
     app.add_option("--failures", failures_, "Folder that counterexamples are stored in")
         .type_name("DIR")
         .capture_default_str();
-    app.add_option("--replay", replay_,
-                   "Run this chain again on every variant, with every property; repeatable")
-        .type_name("FILE")
-        .allow_extra_args(false);
+    const auto replay =
+        app.add_option("--replay", replay_,
+                       "Run this chain again on every variant, with every property; repeatable")
+            .type_name("FILE")
+            .allow_extra_args(false);
+    app.exclude_others(replay, {"--variant", "--timeout"});
   }
 
   /// The search is a process of its own, so that a variant that crashes or hangs leaves its chain.
   int run() override {
+    if (replay_.empty()) require_folder(failures_);
     Notebook notebook;
     bool mine = false;
     const Ending ending = watched(
@@ -101,7 +105,11 @@ class FuzzCommand final : public Command {
     const auto finding = [&](const std::optional<Fuzzer::Counterexample>& counterexample) {
       if (!counterexample) return false;
       progress.clear();
-      tell(*counterexample, seed_, store(failures_, *counterexample, seed_), variants_);
+      tell(*counterexample, seed_);
+      or_said([&] {
+        tell_stored(store(failures_, *counterexample, seed_),
+                    variants_.empty() ? "" : counterexample->finding.variant);
+      });
       return true;
     };
     while (!interrupted() && (cases_ > 0 ? fuzzer.cases() < cases_ : elapsed() < seconds_)) {
@@ -152,18 +160,37 @@ class FuzzCommand final : public Command {
     };
   }
 
+  /// What was found is a finding, stored or not.
+  template <class Store>
+  static void or_said(const Store& store) {
+    std::fflush(stdout);
+    try {
+      store();
+    } catch (const InputError& why) {
+      fmt::print(stderr, "catena: {}\n", one_line(why.what()));
+    }
+  }
+
   /// Of a crash or a hang there is what the notebook says. It is stored before it is shrunk.
   int tell_fault(const Notebook& notebook, const Ending& ending) const {
     const Finding finding{notebook.variant(), notebook.property(), ending.fault};
     const std::string text = notebook.chain_file(), origin = text.substr(0, text.find('\n'));
-    const auto found = store(failures_, finding, origin, text.substr(origin.size() + 1));
-    fmt::print("FOUND ({}): {}\n  {}: {}\nstored in {}\n", origin, finding.variant, finding.property,
-               finding.what, found.string());
-    std::fflush(stdout);
+    fmt::print("FOUND ({}): {}\n  {}: {}\n", origin, finding.variant, finding.property, finding.what);
+    std::filesystem::path found;
+    or_said([&] {
+      found = store(failures_, finding, origin, text.substr(origin.size() + 1));
+      fmt::print("stored in {}\n", found.string());
+      std::fflush(stdout);
+      shrink(notebook, ending, finding, origin, found);
+    });
+    if (found.empty()) fmt::print("\n{}", text.substr(origin.size() + 1));
+    return 1;
+  }
+
+  void shrink(const Notebook& notebook, const Ending& ending, const Finding& finding,
+              const std::string& origin, const std::filesystem::path& found) const {
     const auto fault = shrink_fault(finding, load_chain(found), before(notebook, finding), timeout_,
                                     ending.hung ? 5 * timeout_ : 20);
-    const auto shrunk = store(failures_, finding, origin + ", shrunk", fault.chains);
-    if (std::ranges::find(shrunk, found) == shrunk.end()) std::filesystem::remove(found);
     if (!fault.repeats)
       fmt::print(
           "no new object does so, not after the chains before this one either: chance, or a longer "
@@ -173,8 +200,10 @@ class FuzzCommand final : public Command {
     else
       fmt::print("it depends on history: a new object does so after these {} chains, in this order:\n\n",
                  fault.chains.size());
-    tell_chains(fault.chains, shrunk, finding.variant);
-    return 1;
+    tell_chains(fault.chains);
+    const auto shrunk = store(failures_, finding, origin + ", shrunk", fault.chains);
+    if (std::ranges::find(shrunk, found) == shrunk.end()) std::filesystem::remove(found);
+    tell_stored(shrunk, finding.variant);
   }
 
   /// The chains that were begun before the last one.

@@ -44,7 +44,7 @@ TEST_F(FuzzProgram, ACrashLeavesItsChain) {
                "catena-chain 1", "run it again"});
   ASSERT_EQ(stored().size(), 1u);
   EXPECT_EQ(load_chain(stored().front()).size(), 9u);
-  expect_says(at(variant + " --replay '" + stored().front().string() + "'"), 1,
+  expect_says(("fuzz " + variant + " --replay '" + stored().front().string() + "'"), 1,
               {stored().front().string(), "pair set: crashed: Segmentation fault"});
 }
 
@@ -64,7 +64,24 @@ TEST_F(FuzzProgram, ACrashThatDependsOnHistoryIsASequence) {
                "-1.chain --replay "});
   const auto files = stored_in_order();
   ASSERT_EQ(files.size(), 2u);
-  expect_says(at(variant + replaying(files)), 1, {"crashed: Segmentation fault"});
+  expect_says(("fuzz " + variant + replaying(files)), 1, {"crashed: Segmentation fault"});
+}
+
+/// Before the search, or a finding would be lost; what can no longer be stored is printed, and is a finding
+/// still.
+TEST_F(FuzzProgram, LosesNoFindingToAFolder) {
+  const std::string mutant = "fuzz --variant mutant:grid-truncates-toward-zero --cases 5000 --failures ";
+  expect_refused(mutant + "/dev/null/x", "cannot make the folder /dev/null/x: /dev/null is none");
+  expect_refused("counterexamples --out /dev/null/x",
+                 "cannot make the folder /dev/null/x: /dev/null is none");
+  write("taken", "");
+  std::filesystem::create_symlink("nowhere/else", file("failures"));
+  expect_says(mutant + "'" + file("failures") + "'", 1,
+              {"FOUND by case ", "catena-chain 1", "cannot write "});
+  std::filesystem::remove(file("failures"));
+  expect_says("fuzz --variant fault:crashes-past-8-spheres --cases 500 --failures '" + file("taken") + "'", 2,
+              {"cannot make the folder "});
+  expect_refused("fuzz --replay x.chain --cases 5", "excludes");
 }
 
 TEST_F(FuzzProgram, AnInterruptPrintsWhatWasDone) {
@@ -85,7 +102,7 @@ TEST_F(FuzzProgram, AFailureThatDependsOnHistoryIsASequence) {
                "-1.chain --replay "});
   const auto files = stored_in_order();
   ASSERT_EQ(files.size(), 2u);
-  expect_says(at(variant + replaying(files)), 1,
+  expect_says(("fuzz " + variant + replaying(files)), 1,
               {files[1].string() + ": mutant:stale-after-a-longer-chain: "});
 }
 

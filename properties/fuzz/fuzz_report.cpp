@@ -32,23 +32,24 @@ std::string printed(const Chain& chain) {
 
 }  // namespace
 
-void tell_chains(const std::vector<Chain>& chains, const std::vector<std::filesystem::path>& stored,
-                 const std::string& variant) {
+void tell_chains(const std::vector<Chain>& chains) {
+  for (const Chain& chain : chains) fmt::print("{}\n", printed(chain));
+}
+
+void tell_stored(const std::vector<std::filesystem::path>& stored, const std::string& variant) {
   std::string files, replay;
-  for (std::size_t k = 0; k < chains.size(); ++k) {
-    fmt::print("{}\n", printed(chains[k]));
-    files += fmt::format("{}{}", k == 0 ? "" : ", ", stored[k].string());
-    replay += " --replay " + shell_word(stored[k].string());
+  for (const std::filesystem::path& file : stored) {
+    files += fmt::format("{}{}", files.empty() ? "" : ", ", file.string());
+    replay += " --replay " + shell_word(file.string());
   }
   fmt::print("stored in {}\nrun it again: catena fuzz{}{}\n", files, replay,
              variant.empty() ? "" : " --variant " + shell_word(variant));
 }
 
-void tell(const Fuzzer::Counterexample& c, std::uint64_t seed,
-          const std::vector<std::filesystem::path>& stored, const std::vector<std::string>& variants) {
+void tell(const Fuzzer::Counterexample& c, std::uint64_t seed) {
   fmt::print("FOUND by case {} ({}, seed {}): {}\n  {}: {}\n{}:\n\n", c.number, c.family, seed,
              c.finding.variant, c.finding.property, c.finding.what, how_it_shrank(c));
-  tell_chains(c.shrunk, stored, variants.empty() ? "" : c.finding.variant);
+  tell_chains(c.shrunk);
 }
 
 void summarise(const Fuzzer& fuzzer, double seconds, bool interrupted) {

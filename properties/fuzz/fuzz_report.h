@@ -8,17 +8,16 @@
 
 namespace catena::properties {
 
-/// What `catena fuzz` prints of a finding that is stored in these files. `variants`: those asked for, none
-/// when all.
-void tell(const Fuzzer::Counterexample& c, std::uint64_t seed,
-          const std::vector<std::filesystem::path>& stored, const std::vector<std::string>& variants);
+/// What `catena fuzz` prints of a finding, before it is stored: that may fail.
+void tell(const Fuzzer::Counterexample& c, std::uint64_t seed);
 
 /// What was drawn and reached without a finding.
 void summarise(const Fuzzer& fuzzer, double seconds, bool interrupted);
 
-/// Its end: the chains (long ones are left to their files), where they are stored, and the command that runs
-/// them again.
-void tell_chains(const std::vector<Chain>& chains, const std::vector<std::filesystem::path>& stored,
-                 const std::string& variant);
+/// Chains; long ones are left to their files.
+void tell_chains(const std::vector<Chain>& chains);
+
+/// Where they are stored, and the command that runs them again; with this variant alone, unless it is empty.
+void tell_stored(const std::vector<std::filesystem::path>& stored, const std::string& variant);
 
 }  // namespace catena::properties

@@ -6,6 +6,7 @@
 #include "catena/bench/closed_form/lattice_options.h"
 #include "catena/bench/ranks/lattice_part.h"
 #include "catena/core/commands/command.h"
+#include "catena/core/commands/json_line.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
 #include "catena/core/ranks/mpi/phase_peaks.h"
@@ -65,7 +66,7 @@ class ClosedFormCommand final : public Command {
                                   {"ties", box.ties()},         {"fault", wrong}};
       for (std::size_t k = 0; k + 1 < PhasePeaks::phases; ++k)
         line["phases_peak_kib"][name_of(static_cast<Phase>(k))] = most[k];
-      fmt::print("{}\n", line.dump());
+      fmt::print("{}\n", json_line(line));
       return;
     }
     fmt::print(

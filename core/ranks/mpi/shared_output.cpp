@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <set>
 
+#include "catena/core/output_file.h"
 #include "catena/core/ranks/bytes.h"
 
 namespace catena::ranks {
@@ -41,7 +42,7 @@ std::string unfinished_name(const std::string& name, const std::string& target) 
   const auto status = fs::status(target, unknown);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw InputError(fmt::format("cannot write {}: ranks write a file together, and this is none", name));
-  const std::string unfinished = fmt::format("{}.{}.unfinished", target, getpid());
+  const std::string unfinished = OutputFile::unfinished_beside(target).string();
   std::FILE* const made = std::fopen(unfinished.c_str(), "wx");
   if (made == nullptr) throw InputError(fmt::format("cannot write {}: {}", name, std::strerror(errno)));
   std::fclose(made);
