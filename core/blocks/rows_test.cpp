@@ -41,5 +41,22 @@ TEST(Rows, EndWhereAThickSphereReachesBeyondTheNext) {
   }
 }
 
+/// Under an arc window the spheres of ordered blocks may collide with the next: within a block, and from one
+/// to the other.
+TEST(Rows, HaveThePairsOfSpheresNextToOneAnother) {
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 300; ++i) spheres.push_back({1.5f * static_cast<float>(i), 0, 0, 1});
+  const Chain chain(std::move(spheres), {}, Exclusion::arc(0.5));
+  for (const char* name : {"Hybrid", "ChainTree"}) {
+    const auto variant = StrategyRegistry::instance().make(name);
+    Collisions found;
+    variant->build(chain);
+    variant->find(chain, {}, found);
+    properties::sort(found.pairs);
+    ASSERT_EQ(found.pairs.size(), 299u) << name;
+    for (std::uint32_t i = 0; i < 299; ++i) EXPECT_EQ(found.pairs[i], (Pair{i, i + 1})) << name;
+  }
+}
+
 }  // namespace
 }  // namespace catena

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/family.h"
+#include "catena/properties/sorted_pairs.h"
 
 namespace catena {
 namespace {
@@ -46,6 +48,28 @@ TEST(WindowFilter, KnowsClosedStrandsAndExtraPairs) {
   EXPECT_TRUE(says(Chain(spheres, {{0, 6, 12}, {0, 0}}, with_extra), {1, 9}));
   EXPECT_FALSE(says(Chain(spheres, {{0, 6, 12}, {0, 0}}, with_extra), {2, 9}));
   EXPECT_FALSE(says(Chain(spheres, {{0, 6, 12}, {0, 0}}), {5, 6}));
+}
+
+/// A window may end at any sphere of a block, be it the last.
+TEST(WindowFilter, LeavesWhatLiesBeyondALongWindow) {
+  properties::Dice dice(1);
+  std::vector<Sphere> spheres;
+  const auto at = [&] { return static_cast<float>(6 * dice.unit()); };
+  for (int k = 0; k < 400; ++k) spheres.push_back({at(), at(), at(), 1});
+  for (const std::uint32_t window : {41u, 50u, 63u, 64u, 100u}) {
+    const Chain chain(spheres, {}, Exclusion::index(window));
+    const auto pairs = [&](const char* name) {
+      const auto variant = StrategyRegistry::instance().make(name);
+      Collisions found;
+      variant->build(chain);
+      variant->find(chain, {}, found);
+      properties::sort(found.pairs);
+      return found.pairs;
+    };
+    const std::vector<Pair> right = pairs("CPU1");
+    for (const char* name : {"ChainTree", "Hybrid"})
+      EXPECT_TRUE(pairs(name) == right) << name << ' ' << window;
+  }
 }
 
 }  // namespace
