@@ -7,6 +7,7 @@
 #include "catena/core/frames/frame_search.h"
 #include "catena/core/frames/test_yarn.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/strategy/timings.h"
 
 namespace catena {
 namespace {
@@ -51,6 +52,7 @@ TEST(FrameSearch, OfAnotherRuleTakesNothingFromTheLastFrame) {
                           Chain(spheres, {{0, 1000, n}, {0, 0}}, Exclusion::index(4)),
                           Chain(spheres, {{0, 1500, n}, {0, 0}}, Exclusion::index(4)),
                           Chain(spheres, {{0, 1500, n}, {1, 0}}, Exclusion::index(4)),
+                          Chain(spheres, {}, Exclusion::index(4)),
                           Chain(spheres, {}, joined),
                           Chain(spheres, {}, Exclusion::arc(1.5)),
                           Chain(spheres, {}, Exclusion::arc(3))};
@@ -147,6 +149,39 @@ TEST(FrameSearch, SaysWhyItSearchesAll) {
       "window; under an arc window no list is kept");
   expect(first, arc, "not the chain of the frame before, or not its rule");
   expect(first, first.moved(along), "more pairs collide than are kept from frame to frame, or so", 5);
+}
+
+/// Once many frames have taken half as long as a full search, which here takes as long as it is told to.
+TEST(FrameSearch, SaysThatItSearchesAllToKnowWhatThatTakes) {
+  std::vector<Sphere> row;
+  for (int i = 0; i < 30000; ++i) row.push_back({3 * static_cast<float>(i), 0, 0, 1});
+  const Chain chain(row), other(row, {}, Exclusion::index(2));
+  double full_ms = 0, frame_ms = 0;
+  const FullSearch none = [&](const Chain& c, const Request&, Collisions& found) {
+    const Stopwatch watch;
+    found = {};
+    found.count.assign(c.size(), 0);
+    while (watch.ms() < full_ms) continue;
+  };
+  FrameSearch search({}, false);
+  Collisions found;
+  std::string reason;
+  const auto next = [&](const Chain& frame) {
+    const Stopwatch watch;
+    search.update(frame, {});
+    search.find(frame, {}, found, none, none, 0);
+    if (search.way() == Way::full) reason = search.plan()[0].reason;
+    return watch.ms();
+  };
+  search.begin(true);
+  for (int k = 0; k < 3; ++k) next(other), next(chain), frame_ms = next(chain);
+  full_ms = 2 * frame_ms;
+  search.begin(true);
+  for (int k = 0; k < 3; ++k) next(other), next(chain);
+  std::size_t frames = 0;
+  for (reason.clear(); frames < 1000 && !reason.starts_with("once in a while"); ++frames) next(chain);
+  EXPECT_EQ(reason, "once in a while, to know what it takes") << frames;
+  EXPECT_GT(frames, 24u);
 }
 
 /// What moved is told of the last build or update, whatever was asked of that, and whether it was a frame of
