@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "catena/core/error.h"
@@ -161,6 +162,16 @@ TEST(FindInBox, DecidesTiesExactly) {
   };
   EXPECT_EQ(pairs(7.0f), 1u);
   EXPECT_EQ(pairs(std::nextafter(7.0f, 0.0f)), 0u);
+}
+
+/// A box that is hardly less than four reaches wide has three cells along it.
+TEST(FindInBox, HasCellsThatAreAReachWide) {
+  std::vector<Sphere> spheres{{0, 0, 0, 0.5f}, {-1, 0, 0, 0.5f}};
+  while (spheres.size() < 64) spheres.push_back({0, 5, static_cast<float>(spheres.size()) / 2, 0});
+  std::vector<std::uint32_t> starts(65);
+  std::iota(starts.begin(), starts.end(), 0u);
+  const Chain chain(std::move(spheres), {starts, {}});
+  EXPECT_EQ(find_in_box(chain, {{3.98, 40, 40}}, 9).pairs, (std::vector<Pair>{{0, 1}}));
 }
 
 // 1,025 boxes on, where a product of the box's width is rounded by more than the spheres are apart.

@@ -63,6 +63,10 @@ TEST(FrameComparison, CountsContactsThatAreNowhereNear) {
   EXPECT_EQ(compare_frames(fine, near).missed, 1u) << "(20, 43) is 3 away";
   EXPECT_EQ(compare_frames(fine, cut).missed, 2u) << "a frame not reached has no contacts";
   EXPECT_EQ(compare_frames(fine, cut).contacts, 3u);
+  constexpr std::uint32_t far = FrameComparison::near_along;
+  EXPECT_EQ(compare_frames({{{10, 100}}}, {{{10 + far, 100}}}).missed, 0u);
+  EXPECT_EQ(compare_frames({{{10, 100}}}, {{{10, 100 - far}}}).missed, 0u);
+  EXPECT_EQ(compare_frames({{{10, 100}}}, {{{11 + far, 100}}}).missed, 1u);
 }
 
 MotionCase small(const std::string& variant, double step, double offset = 0) {

@@ -36,6 +36,7 @@ TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
   EXPECT_FALSE(before.contains("collides"));
   EXPECT_EQ(before["frame"], 3) << "of the scene, as other commands tell it";
   EXPECT_TRUE(after["collides"]);
+  EXPECT_TRUE(json("plan path1:n=20000 --run --any --json")["collides"]) << "though no pair is counted";
   EXPECT_TRUE(step(before, "hierarchy")["left_out"]);
   EXPECT_TRUE(step(before, "pair list")["left_out"]);
   EXPECT_FALSE(step(after, "pair list")["left_out"]);

@@ -142,6 +142,18 @@ const UnusualKind* unusual(const std::vector<Sphere>& spheres) {
 }
 std::string kind_of(const std::vector<Sphere>& spheres) { return unusual(spheres)->variant; }
 
+/// Parts beside one another always meet, which tells nothing: here half of all do, but less of the others.
+TEST(UnusualKind, OfVeryUnlikeRadiiIsToldByPartsThatAreNotBesideOneAnother) {
+  const auto parts = [](std::uint32_t here) {  // of 16, at one place; the others at another
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < 16 * 16; ++i) spheres.push_back({i / 16 < here ? 0.0f : 9.0f, 0, 0, 1});
+    spheres[100].radius = 1e-25f;
+    return spheres;
+  };
+  EXPECT_EQ(kind_of(parts(11)), "aCPU2+Dual") << "51 of 105";
+  EXPECT_NE(kind_of(parts(12)), "aCPU2+Dual") << "58 of 105";
+}
+
 /// The chain's order alone scales its numbers; in a box that is not empty they tell more by themselves.
 TEST(UnusualKind, OfNumbersWhoseSquaresLeaveBinary32IsTheChainsOrderInAnEmptyBox) {
   for (const float scale : {1e-25f, 1e25f}) {

@@ -70,6 +70,15 @@ TEST(VtkLegacyReader, ReadsBinaryNumbersOfEveryKind) {
   EXPECT_EQ(read_text("a.vtk", radii("short", big_endian<std::int16_t>({3, 300}))).spheres[1].radius, 300);
   EXPECT_EQ(read_text("a.vtk", radii("unsigned_char", big_endian<std::uint8_t>({3, 200}))).spheres[1].radius,
             200);
+  const std::pair<const char*, std::string> greatest[] = {
+      {"unsigned_short", big_endian<std::uint16_t>({3, 0xffff})},
+      {"unsigned_int", big_endian<std::uint32_t>({3, 0xffffffff})},
+      {"unsigned_long", big_endian<std::uint64_t>({3, 0x7fffffffffffffff})}};
+  float top = 0x1p16f - 1;
+  for (const auto& [type, bytes] : greatest) {
+    EXPECT_EQ(read_text("a.vtk", radii(type, bytes)).spheres[1].radius, top) << type;
+    top = top == 0x1p32f ? 0x1p63f : 0x1p32f;
+  }
   expect_says(complaint("a.vtk", radii("short", big_endian<std::int16_t>({3, -1}))),
               "of point 1 is -1, no radius");
   expect_says(complaint("a.vtk", radii("char", big_endian<std::int8_t>({-2, 1}))),
