@@ -75,6 +75,17 @@ TEST(RankWork, IsTheSameInRoundsOfAnySize) {
     }
 }
 
+/// Where only whether anything collides is asked, what is found ends it.
+TEST(RankWork, EndsWithTheFirstPairWhereNoMoreIsAsked) {
+  const Chain yarn = chain_of("yarn:n=3000");
+  const auto rounds = [&](Request::Want want) {
+    const RankOptions options{
+        .order = Order::chain, .request = {.want = want}, .blocks_at_once = 1, .across_only = true};
+    return searched(3, yarn, options).sum([](const RankWork& w) { return w.across.rounds; });
+  };
+  EXPECT_LT(2 * rounds(Request::Want::any), rounds(Request::Want::counts));
+}
+
 /// Of two parts in chain order alone.
 TEST(RankWork, IsAcrossRanksOnlyWhereNoMoreIsAsked) {
   const Chain yarn = chain_of("yarn:n=3000");
