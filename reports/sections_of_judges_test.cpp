@@ -165,6 +165,15 @@ TEST(Sections, OfWantsHaveTheTimesOfWhatWasAskedFor) {
     for (const double ms : row["ms"]) EXPECT_EQ(ms, said.at(row["want"])) << row;
 }
 
+/// Hybrid takes a thirtieth of the other's time.
+TEST(Sections, OfRegretAreHeldAgainstTheQuickestOfAll) {
+  Profile p = profile_of({"CPU1", "Hybrid", "auto"});
+  p.regret_inputs = {{"yarn:n=3000"}};
+  const Json rows = section("regret", p);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0]["best"], "Hybrid");
+}
+
 TEST(Sections, OfRanksAreEachNumberOfThemOnce) {
   Profile p;
   p.rank_chains = {{"yarn:n=3000", 1024}};

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,7 +52,7 @@ class Busy final : public Variant {
   Busy(double ms, bool wrong) : ms_(ms), wrong_(wrong) {}
   void build(const Chain& chain) override { all_pairs_->build(chain); }
   void find(const Chain& chain, const Request& request, Collisions& result) override {
-    ++calls;
+    ++calls, ++calls_of[ms_];
     const double begin = processor_ms();  // which other work does not lengthen
     while (processor_ms() - begin < ms_) continue;
     all_pairs_->find(chain, request, result);
@@ -59,6 +60,7 @@ class Busy final : public Variant {
   }
   Timings timings() const override { return {}; }
   static inline std::size_t calls = 0;
+  static inline std::map<double, std::size_t> calls_of;  ///< those that are as busy
 
  private:
   static double processor_ms() {
@@ -99,6 +101,15 @@ TEST(Regret, IsOfOnePassOfEachAndOfWhoTakesLeast) {
   EXPECT_EQ(to_json(told)["auto_ms"], told.auto_ms);
   EXPECT_EQ(to_json(told)["best_ms"], told.best_ms);
   EXPECT_EQ(told.ratio(), 0.5);
+}
+
+/// What took less than twice the least when it was tried is timed in turns; what took more was tried alone.
+TEST(Regret, TimesInTurnsWhoTookLessThanTwiceTheLeast) {
+  const std::vector others{busy("BusyThrice", 0.6), busy("BusyOnce", 0.2), busy("BusyHalfAsLongAgain", 0.3)};
+  Busy::calls_of.clear();
+  regret({"path1:n=8"}, others, {.seconds = 0.2, .rounds = 9, .least_ms = 1});
+  EXPECT_LT(Busy::calls_of[0.6], 10u) << "1, then 1 and 2 to try it";
+  EXPECT_GT(Busy::calls_of[0.3], 18u) << "5 samples of 4 more";
 }
 
 TEST(Regret, TimesNobodyWhoIsWrong) {
