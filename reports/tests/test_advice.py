@@ -116,9 +116,14 @@ class OfTheH200(unittest.TestCase):
             self.assertEqual(said_of(row[1].text, self.medians), set(advised.inputs))
             mine = [self.medians[chain][row[0].text] for chain in advised.inputs]
             self.assertAlmostEqual(row[2].value, min(mine))
-            name, _ = advised.next
+            name = advised.next.name
             own = [self.medians[chain][name] / time for chain, time in zip(advised.inputs, mine)]
-            self.assertAlmostEqual(row[3].value, math.exp(sum(map(math.log, own)) / len(own)))
+            self.assertAlmostEqual(row[4].value, math.exp(sum(map(math.log, own)) / len(own)))
+            told = {name: time / mine[0] for name, time in exact(self.run_, self.medians[advised.inputs[0]]).items()}
+            if len(advised.inputs) == 1:  # who is nearer than the next is named
+                nearer = {name for name, ratio in told.items() if ratio < row[4].value * (1 - 1e-9)} - {row[0].text}
+                self.assertLessEqual(nearer, {entry.name for entry in advised.as_good})
+                self.assertEqual(row[5].text, f"{told['auto']:.2f}" + row[5].text[row[5].text.index(" ["):])
             for chain, time in zip(advised.inputs, mine):  # never far from the fastest
                 self.assertLess(time, 1.2 * min(exact(self.run_, self.medians[chain]).values()))
         self.assertEqual(sorted(seen), sorted(self.medians))
@@ -176,7 +181,20 @@ class TwoRunsOfOneMachine(unittest.TestCase):
         self.assertEqual(len(set().union(*said)), sum(map(len, said)))  # no chain twice
         chains = [sum(int(row[-1].split()[0]) for row in of) for of in (quick, tables)]
         self.assertEqual(chains, [len(timed[0]), len(timed[1] - timed[0])])  # what both timed is quick's to advise
+        (row,) = tables  # the paper's was not timed on all of them, nor was any other that is slower
+        self.assertEqual(row[4], "no further was timed on all of them")
+        self.assertRegex(row[6], r"^[\d.]+ \[[\d., ]+\] times on 12 of 18 chains$")
 
+    def test_the_figure_of_a_run_speaks_of_that_run_and_says_whose_advice_stands(self):
+        runs = [runfile.load(QUICK), runfile.load(made.H200)]
+        first, second = [block for block in advice.build(report.Report(runs)).blocks if hasattr(block, "panels")]
+        both = set(waits.end_to_end(runs[0])) & set(waits.end_to_end(runs[1]))
+        for figure, run in ((first, runs[0]), (second, runs[1])):
+            own = {v for row in waits.end_to_end(run).values() for v in row if run.catena["variants"][v]["exact"]}
+            own = {v for v in own if not run.catena["variants"][v]["peer"]}
+            self.assertTrue(figure.title.startswith(f"Of the {len(own)} exact variants that this run timed, end to end: "))
+        self.assertNotIn("Another run", first.caption)
+        self.assertIn(f"timed more variants: its advice stands end to end on {len(both)} chains", second.caption)
 
     def test_a_machine_is_a_host_and_its_gpu(self):
         for gpus, kept in ((("A", "A"), (False, True)), (("A", "B"), (True, True)), ((None, "A"), (True, True))):

@@ -91,6 +91,16 @@ class Costs(unittest.TestCase):
         self.assertIn(f"take {math.exp(plain.mean(every)):.2f} times as long", self.shown.tables["exactness"].title)
         self.assertIn(f"of {len(every)} cases", self.shown.tables["exactness"].title)
 
+    def test_what_is_quick_by_losing_pairs_is_no_price_of_exactness(self):
+        value = made.run()
+        for row in value["benchmarks"]:
+            if "/n:1000/aCPU2+CPU2/literal/find" in row["name"]:
+                row |= {"real_time": row["real_time"] / 1000, "missing": 40.0}
+        lossy = pages.shown(value).tables["exactness"]
+        self.assertIn("2 pairs of chain and variant left out", lossy.caption)
+        value["benchmarks"] = [row for row in value["benchmarks"] if "/n:1000/aCPU2+CPU2/literal" not in row["name"]]
+        self.assertEqual(lossy.as_csv(), pages.shown(value).tables["exactness"].as_csv())
+
     @recomputes("table:wants")
     def test_what_is_asked_for(self):
         rows = self.shown.raw("wants")

@@ -114,20 +114,21 @@ class Chosen(Base):
 
     def test_without_a_peer_there_is_no_column_of_it(self):
         columns = advice.summary_table(self.report()).columns
-        self.assertEqual((len(columns), "a general library takes" in columns), (6, False))
-        self.assertEqual({len(row) for row in advice.summary_table(self.report()).rows}, {6})
+        self.assertEqual((len(columns), "a general library takes" in columns), (8, False))
+        self.assertEqual({len(row) for row in advice.summary_table(self.report()).rows}, {8})
 
-    def test_who_took_longer_is_named_but_for_the_papers(self):
-        ratio = statistics.Interval(2.0, 1.5, 3.0)
-        self.assertEqual(advice._times((choice.PAPERS, ratio), "none").text, "2.00 [1.50, 3.00] times")
-        self.assertEqual(advice._times(("GPU1", ratio), "none").text, "2.00 [1.50, 3.00] times (GPU1)")
+    def test_who_took_longer_is_named_where_the_column_does_not_and_on_how_many_chains(self):
+        one = choice.Beside("GPU1", statistics.Interval(2.0, 1.5, 3.0), 2)
+        self.assertEqual(advice._times(one, "none", 2, named=False).text, "2.00 [1.50, 3.00] times")
+        self.assertEqual(advice._times(one, "none", 2).text, "2.00 [1.50, 3.00] times (GPU1)")
+        self.assertEqual(advice._times(one, "none", 3).text, "2.00 [1.50, 3.00] times on 2 of 3 chains (GPU1)")
         self.assertEqual(advice._times(None, "none").text, "none")
 
     def test_the_papers_own_is_said_to_be_it(self):
         for row in self.value["benchmarks"]:
             row["real_time"] = (1.0 if "/aCPU2+CPU2/whole" in row["name"] else 9.0) * (1 + row.get("repetition_index", 0) / 100)
         row = advice.summary_table(self.report()).rows[0]
-        self.assertEqual((row[0].text, row[4].text), (choice.PAPERS, "this is it"))
+        self.assertEqual([row[at].text for at in (0, 5, 6)], [choice.PAPERS, "not timed", "this is it"])
 
     def test_chains_at_one_place_are_set_side_by_side_and_none_is_at_no_height(self):
         for scene in self.catena["scenes"]:

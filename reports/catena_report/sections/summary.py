@@ -5,7 +5,7 @@ import html
 
 from .. import certainty, choice, runfile, spans, waits, words
 from .. import claims as paper_claims
-from ..section import Prose, Section
+from ..section import Prose, Section, link
 from . import claims, slowdown, stability
 from .advice import summary_table
 
@@ -20,14 +20,16 @@ def build(report):
         points += [text for make in (_overall, _certain, _wrong, _stable) for text in make(run, on)]
     points += _claims(report)
     points += [text for run in report.runs for text in _compared(report, run)]
-    table = summary_table(report)
-    section.blocks = ([table] if table else []) + [Prose("", points)]
+    section.blocks = [summary_table(report) or Prose(_no_advice(report)), Prose("", points)]
     return section
 
 
-def link(section, text):
-    """The text, as a way to the section of that key."""
-    return f'<a href="#{section}"><strong>{text}</strong></a>'
+def _no_advice(report):
+    """Why the first table is not there."""
+    timed = {variant for run in report.runs for row in waits.end_to_end(run).values() for variant in row if run.info(variant).recommended}
+    told = {0: "no exact variant was timed end to end", 1: "one exact variant was timed end to end"}
+    what = told.get(len(timed), "no two exact variants were timed end to end on one chain")
+    return f"<strong>No advice</strong>: {what}; to choose between them takes two."
 
 
 def _compared(report, run):
