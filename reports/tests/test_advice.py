@@ -158,6 +158,16 @@ class OfTheH200(unittest.TestCase):
             factors = self.slowdowns(series.name)
             self.assertAlmostEqual(series.x[0], plain.geometric_mean(factors))
 
+    def test_of_the_curves_shown_at_first_no_two_look_alike(self):
+        """The peers are of one colour and one dash."""
+        for figure in (block for block in slowdown.build(self.report).blocks + advice.build(self.report).blocks if hasattr(block, "panels")):
+            for panel in figure.panels:
+                seen = collections.Counter(
+                    (s.look.colour, s.look.dash if s.line else "", (s.look.marker, s.look.hollow) if s.markers else "")
+                    for s in panel.series if s.shown and s.legend
+                )
+                self.assertLessEqual(max(seen.values(), default=0), 1, (figure.key, panel.title))
+
     def test_no_rank_test_where_it_could_not_tell(self):
         test = profiles.rank_test(self.run_, profiles.slowdowns(self.run_))
         self.assertEqual((test.p, round(test.power, 3)), ({}, 0.314))

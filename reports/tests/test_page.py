@@ -79,9 +79,12 @@ class Everything(pages.Made):
         for key, rows in self.page.tables.items():
             with open(self.output / "tables" / f"{key}.csv", newline="") as file:
                 written = list(csv.reader(file))
-            self.assertEqual(
-                (len(written), [len(row) for row in written]), (len(rows), [len(row) for row in rows]), key
-            )
+            # What is worded has its number in a column beside it; the button of the page saves the same.
+            shown = [at for at, name in enumerate(written[0]) if not name.endswith(": number")]
+            self.assertEqual([written[0][at] for at in shown], rows[0], key)
+            self.assertEqual({len(row) for row in written}, {len(written[0])}, key)
+            self.assertEqual(len(written), len(rows), key)
+            self.assertEqual((self.output / "tables" / f"{key}.csv").read_bytes().decode(), self.page.unpacked("tables")[key])
             latex = (self.output / "tables" / f"{key}.tex").read_text()
             self.assertEqual(latex.count(r"\\"), len(rows), key)
 

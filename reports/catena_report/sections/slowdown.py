@@ -62,7 +62,7 @@ def _figure(report, run, found):
                 x,
                 y,
                 look,
-                markers=False,
+                size=0.7,
                 shown=name in first,
                 hover=[f"<b>{run.info(name).label}</b><br>{words.percent(round(b * slow.chains), slow.chains, 0)} of chains within {a:.3g} times" for a, b in zip(x, y)],
             )
