@@ -130,6 +130,15 @@ class Costs(unittest.TestCase):
                 [plain.median(raw["with_ms"]), plain.median(raw["without_ms"]), ratio(raw["with_ms"], raw["without_ms"])[0]],
             )
 
+    def test_what_is_slower_without_is_told_by_the_worst(self):
+        value = made.run()
+        row = value["catena"]["savings"][0]
+        self.assertNotIn("slower", self.shown.figures["savings"].title)
+        value["catena"]["savings"].append({**row, "what": "hierarchy", "without_ms": [8 * ms for ms in row["with_ms"]]})
+        self.assertTrue(
+            pages.shown(value).figures["savings"].title.endswith(f", slower in 1: up to 8 times (hierarchy, {row['input']})")
+        )
+
     def test_a_saving_that_changes_the_answer_is_said(self):
         value = made.run()
         value["catena"]["savings"][0].update(identical=False, with_ms=[1e-3] * 8)  # drawn last

@@ -84,6 +84,13 @@ class Words(Base):
             other.path = pathlib.Path("c.json")
             self.assertTrue(reproduce.build(several).blocks[-1].text.endswith(f" --from {given} c.json"))
 
+    def test_a_commit_that_lacks_what_was_built_is_said_to(self):
+        run = pages.of(self.value)
+        for commit, said in (("0123", "git checkout 0123"), ("0123-dirty", "git checkout 0123  # it was built with changes that no commit has")):
+            run.context["commit"] = commit
+            lines = reproduce.build(report.Report([run])).blocks[0].text.splitlines()
+            self.assertEqual((lines[0], lines[-1]), (said, "build/release/" + run.catena["command"]))
+
     def test_of_a_run_without_its_command_the_program_is_said_and_that_more_was_given(self):
         run = pages.of(self.value)
         run.catena.pop("command")

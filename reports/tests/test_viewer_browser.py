@@ -9,7 +9,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
 import browser  # noqa: E402
 import shown_chains  # noqa: E402
-from viewer_page import WITHOUT_WEBGL, InBrowser, changed  # noqa: E402
+from viewer_page import REASON, SOFTWARE_WEBGL, WITHOUT_WEBGL, InBrowser, changed, page_of  # noqa: E402
 
 
 class Viewer(InBrowser):
@@ -265,6 +265,20 @@ class WithoutWebGl(InBrowser):
         self.opened.part("frame").send_keys("\ue011")
         self.assertGreater(changed(before, self.opened.picture()), 0.01)
         self.assertEqual(0, self.opened.share("colliding"))
+
+
+class Damaged(unittest.TestCase):
+    @unittest.skipIf(REASON, REASON)
+    def test_what_cannot_be_shown_is_said(self):
+        with page_of([{"input": "x/n:3", "frames": []}]) as page:
+            with browser.opened(page, flags=SOFTWARE_WEBGL) as driver:
+                root = driver.find_element("id", "catena-viewer")
+                browser.wait(driver, lambda _: root.get_attribute("data-ready"))
+                self.assertTrue(root.text.startswith("The viewer cannot be shown ("), root.text)
+                self.assertFalse(driver.execute_async_script("catenaViewer.show('x/n:3').then(arguments[0])"))
+                self.assertEqual([], browser.errors(driver))
+            with browser.opened(page, flags=("--blink-settings=scriptEnabled=false",)) as driver:
+                self.assertEqual("The viewer needs JavaScript.", driver.find_element("id", "catena-viewer").text)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,15 @@ PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>viewer</ti
 <meta name="viewport" content="width=device-width"><body>{}</body></html>"""
 
 
+@contextlib.contextmanager
+def page_of(views):
+    """The path of a page that shows these, and that is there while this lasts."""
+    with tempfile.TemporaryDirectory() as folder:
+        page = pathlib.Path(folder) / "page.html"
+        page.write_text(PAGE.format(viewer.render(views)), encoding="utf-8")
+        yield page
+
+
 class Opened:
     """A page with the viewer, and what a test asks of it."""
 
@@ -66,7 +75,6 @@ def changed(before, after):
 class InBrowser(unittest.TestCase):
     FLAGS = SOFTWARE_WEBGL
     DARK = False
-    VIEWS = staticmethod(shown_chains.views)
 
     @classmethod
     def setUpClass(cls):
@@ -74,9 +82,7 @@ class InBrowser(unittest.TestCase):
             raise unittest.SkipTest(REASON)
         open_until_the_end = contextlib.ExitStack()
         cls.addClassCleanup(open_until_the_end.close)
-        folder = open_until_the_end.enter_context(tempfile.TemporaryDirectory())
-        page = pathlib.Path(folder) / "page.html"
-        page.write_text(PAGE.format(viewer.render(cls.VIEWS())), encoding="utf-8")
+        page = open_until_the_end.enter_context(page_of(shown_chains.views()))
         cls.driver = open_until_the_end.enter_context(
             browser.opened(page, width=1000, height=850, dark=cls.DARK, flags=cls.FLAGS))
         cls.opened = Opened(cls.driver)

@@ -2,6 +2,7 @@
 the data.
 """
 import html
+import re
 
 from .. import certainty, choice, runfile, spans, waits, words
 from .. import claims as paper_claims
@@ -124,12 +125,18 @@ def _wrong(run, on):
     refused = {case: reason for case, reason in run.refused.items() if case not in run.faults}
     for title, cases in (("Failed, by a fault of its own", run.faults), ("Refused", refused)):
         if cases:
-            names = sorted({run.info(case[1]).label for case in cases})
-            points.append(
-                f"<strong>{title}</strong>{on}: {words.plural(len(cases), 'measurement')} of"
-                f" {html.escape(words.listed(names, 4))} (“{html.escape(next(iter(cases.values())))}”)."
-            )
+            points.append(f"<strong>{title}</strong>{on}: {html.escape(words.apart(_by_reason(run, cases), 3))}.")
     return points
+
+
+def _by_reason(run, cases):
+    """Of those refused for one reason, but for its numbers, how many, who, and the first's reason."""
+    found = {}
+    for case, reason in cases.items():
+        found.setdefault(re.sub(r"\d+", "", reason), []).append((run.info(case[1]).label, reason))
+    for several in found.values():
+        names = words.listed(sorted({name for name, _ in several}), 4)
+        yield f"{words.plural(len(several), 'measurement')} of {names} (“{several[0][1]}”)"
 
 
 def _stable(run, on):
