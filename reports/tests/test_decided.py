@@ -151,9 +151,9 @@ class Chosen(Base):
         run = pages.of(self.value)
         alike, alone = {"aCPU2+CPU2": [1.0] * 6, "aCPU2+Dual": [1.0] * 6}, {"aCPU2+CPU2": [1.0] * 6, "aCPU2+Dual": [5.0] * 6}
         panel = advice._panel(self.report(), run, {"path1/n:1000": alike, "path1/n:3000": alone}, "t")
-        self.assertEqual((panel.series[0].name, panel.series[0].x), ("no significant difference", [1000]))
+        self.assertEqual((panel.series[0].name, panel.series[0].x), ("others are as good", [1000]))
         hovers = [text for series in panel.series[1:] for text in series.hover]
-        self.assertEqual(sorted("not significantly different" in text for text in hovers), [False, True])
+        self.assertEqual(sorted("as good" in text for text in hovers), [False, True])
         (none,) = advice._panel(self.report(), run, {"path1/n:3000": alone}, "t").series
         self.assertEqual(none.name, "aCPU2+CPU2")
 

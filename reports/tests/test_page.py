@@ -107,6 +107,7 @@ class Short(pages.Made):
         self.assertIn("<strong>Compared</strong> on", self.text)
         self.assertIn("claims", self.page.sections)  # of the committed run: the summary tells of it
         self.assertIn("No run of this page can test any.", self.text)
+        self.assertEqual({row[2].partition(" committed ")[1] for row in self.page.tables["claims"][1:]}, {" committed "})
 
 
 class Several(pages.Made):

@@ -34,9 +34,9 @@ def build(report):
                     + "Each point is a chain that was timed: right is longer, up has more contacts (chains"
                     " without any lie at the bottom; chains that would coincide are set side by side). Its"
                     " colour and marker are the variant with the least median; a grey ring says that at least"
-                    " one other variant does not differ from it significantly (Mann-Whitney with Holm's"
+                    " one other variant is as good: it does not differ from it significantly (Mann-Whitney with Holm's"
                     " correction; overlapping ranges where the repetitions are too few for it, within a"
-                    " factor of 2 below three): hover for which, and take either. Exact variants"
+                    " factor of 2 below three), or the interval of the ratio holds 1: hover for which, and take either. Exact variants"
                     " of catena's own only."
                 ),
                 panels,
@@ -71,11 +71,12 @@ def _panel(report, run, cases, title):
     points, places = {}, _beside(run, choices)
     for input_, chosen in choices.items():
         points.setdefault(chosen.leader, []).append(input_)
-    rings = [input_ for input_, chosen in choices.items() if chosen.alike]
+    as_good = {input_: chosen.as_good(run) for input_, chosen in choices.items()}
+    rings = [input_ for input_, others in as_good.items() if others]
     if rings:
         panel.series.append(
             Series(
-                "no significant difference",
+                "others are as good",
                 [places[input_] for input_ in rings],
                 [_height(run, input_) for input_ in rings],
                 Look("muted", hollow=True),
@@ -96,8 +97,8 @@ def _panel(report, run, cases, title):
                     f"<b>{leader}</b><br>{input_}, {run.density(input_) or 0:.3g} pairs a sphere<br>"
                     f"{words.duration(choices[input_].time.value)}"
                     + (
-                        f"<br>not significantly different:<br>{'<br>'.join(choices[input_].alike)}"
-                        if choices[input_].alike
+                        f"<br>as good:<br>{'<br>'.join(as_good[input_])}"
+                        if as_good[input_]
                         else ""
                     )
                     for input_ in several
@@ -258,7 +259,7 @@ def _table(report, run, views):
             f" good, and how many times as long {choice.PAPERS}, the paper's on a processor."
         ),
         [
-            "chain", "you wait for", "fastest", "no significant difference", "next", "next / fastest",
+            "chain", "you wait for", "fastest", "as good", "next", "next / fastest",
             "the paper's / fastest", "pairs a sphere", "median, ms",
         ],
         rows,

@@ -40,7 +40,7 @@ def build(report):
         return None
     rows.sort(key=lambda row: (row[2].kind == "committed", ORDER.index(row[3].text)))
     columns = ["claim", "where", "run", "verdict", "what was measured"]
-    several = len({row[2].text for row in rows}) > 1
+    several = len({row[2].text for row in rows}) > 1 or not tally  # committed rows are never without their mark
     if not several:
         columns, rows = columns[:2] + columns[3:], [row[:2] + row[3:] for row in rows]
     section = Section("claims", "The paper's claims, tested")
