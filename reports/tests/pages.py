@@ -116,8 +116,8 @@ def without_figures():
 
 
 class Made(unittest.TestCase):
-    """A page written from `values`, which the cases that derive from this set, and what holds of every page. Its figures take seconds to draw;
-    without `drawn` they are empty.
+    """A page written from `values`, which the cases that derive from this set, and what holds of every page. Its
+    figures take seconds to draw; without `drawn` they are empty.
     """
 
     values, drawn = [], True

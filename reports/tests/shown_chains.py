@@ -52,9 +52,12 @@ def boxed(name, box):
     rows = numpy.ones((60, 4))
     steps = generator.normal(size=(60, 3))
     rows[:, :3] = numpy.cumsum(2.2 * steps / numpy.linalg.norm(steps, axis=1)[:, None], axis=0)
-    rows[:, :3] = numpy.where(numpy.array(box[:3]) > 0, rows[:, :3] % numpy.where(numpy.array(box[:3]) > 0, box[:3], 1), rows[:, :3])
+    for axis, length in enumerate(box[:3]):
+        if length:
+            rows[:, axis] %= length
     found = depths_in(rows, box)
-    frame = {"frame": 0, "spheres": packed(rows.astype(numpy.float32)), "pairs": packed(numpy.array(list(found), numpy.uint32)), "box": box}
+    pairs = numpy.array(list(found), numpy.uint32)
+    frame = {"frame": 0, "spheres": packed(rows.astype(numpy.float32)), "pairs": packed(pairs), "box": box}
     return {"input": name, "command": "", "frames": [frame], "strands": [0], "closed": [False]}, found
 
 

@@ -263,6 +263,11 @@ def _runs(values, index):
 MARKS = re.compile(r'<g((?: clip-path="[^"]*")?)>(\s*<use [^>]*? style="([^"]*)"/>(?:\s*<use [^>]*? style="\3"/>)+\s*)</g>')
 
 
+def _said_once(found):
+    group, marks, style = found.groups()
+    return f'<g{group} style="{style}">' + marks.replace(f' style="{style}"', "") + "</g>"
+
+
 def svg(canvas, key):
     """SVG text with ids that no other figure of a page has."""
     text = io.StringIO()
@@ -274,7 +279,7 @@ def svg(canvas, key):
     # In tags, never in text, a hundredth of a point is enough, at half the size.
     body = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d\.\d{2})\d+", r"\1", tag[0]), body)
     body = re.sub(r' transform="rotate\(-0 [^)]*\)"', "", body)  # every text has one, and it turns nothing
-    body = MARKS.sub(lambda found: f'<g{found[1]} style="{found[3]}">' + found[2].replace(f' style="{found[3]}"', "") + "</g>", body)
+    body = MARKS.sub(_said_once, body)
     return body.replace("'DejaVu Sans'", "'DejaVu Sans', Verdana, sans-serif")
 
 

@@ -27,7 +27,8 @@ def build(report):
 
 def _no_advice(report):
     """Why the first table is not there."""
-    timed = {variant for run in report.runs for row in waits.end_to_end(run).values() for variant in row if run.info(variant).recommended}
+    cases = ((run, row) for run in report.runs for row in waits.end_to_end(run).values())
+    timed = {variant for run, row in cases for variant in row if run.info(variant).recommended}
     told = {0: "no exact variant was timed end to end", 1: "one exact variant was timed end to end"}
     what = told.get(len(timed), "no two exact variants were timed end to end on one chain")
     return f"<strong>No advice</strong>: {what}; to choose between them takes two."

@@ -84,7 +84,8 @@ class FlatScene {
   perUnit() {
     const {sample, corners, centre, reach} = this.placement;
     if (!this.half) {
-      const seen = [...sample, ...corners].map((sphere) => [this.placement.placePoint(sphere, centre, 1 / reach), sphere[3] / reach]);
+      const seen = [...sample, ...corners].map(
+          (sphere) => [this.placement.placePoint(sphere, centre, 1 / reach), sphere[3] / reach]);
       this.half = [0, 1].map((k) => seen.reduce((most, [p, radius]) => Math.max(most, Math.abs(p[k]) + radius), 1e-300));
     }
     return this.zoomed * 0.46 * Math.min(this.stage.clientWidth / this.half[0], this.stage.clientHeight / this.half[1]);
