@@ -193,10 +193,10 @@ class Slowdowns(unittest.TestCase):
         run._described["FCL"] = variant.Variant.of("FCL", made.described("FCL"))
         fast, slow, peer = [2, 2.01, 2.02, 2.03], [9, 9, 9, 9.1], [1, 1, 1, 1.01]
         for names, ratios, said in (
-            (("aCPU2+CPU2", "GPU1"), (fast, slow), ", less than any other exact variant of catena's"),
+            (("aCPU2+CPU2", "GPU1"), (fast, slow), ", less than any other exact variant of catena's that was timed"),
             (("aCPU2+CPU2", "GPU1", "aCPU2+Dual"), (fast, slow, [1.0, 1.0]), ", less than any other exact variant of catena's that was timed on all"),
-            (("FCL", "aCPU2+CPU2", "GPU1"), (peer, fast, slow), ", less than any other exact variant of catena's; of the peers FCL 1.00 [1.00, 1.01]"),
-            (("FCL", "aCPU2+CPU2"), (peer[:2], fast), ", less than any other exact variant of catena's"),
+            (("FCL", "aCPU2+CPU2", "GPU1"), (peer, fast, slow), ", less than any other exact variant of catena's that was timed; of the peers FCL 1.00 [1.00, 1.01]"),
+            (("FCL", "aCPU2+CPU2"), (peer[:2], fast), ", less than any other exact variant of catena's that was timed"),
         ):
             found = {name: self.of(mine, 4) for name, mine in zip(names, ratios)}
             with unittest.mock.patch.object(profiles, "slowdowns", return_value=found):
