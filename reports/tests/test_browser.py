@@ -1,6 +1,7 @@
 """The page in a browser, offline: plots drawn by pixels, a variant toggled, a chain picked, quick to open, silent console."""
 import pathlib
 import tempfile
+import time
 import unittest
 import unittest.mock
 
@@ -93,6 +94,7 @@ class Page(unittest.TestCase):
             "return arguments[0].data.filter(t => t.name == 'GPU1').map(t => t.visible)", plot
         )
         self.assertEqual(states, ["legendonly"])
+        time.sleep(0.6)  # sooner it would be a double click, which leaves this variant alone
         button.click()
         browser.wait(driver, lambda _: changed() < 0.001)
 
