@@ -266,6 +266,14 @@ class WithoutWebGl(InBrowser):
         self.assertGreater(changed(before, self.opened.picture()), 0.01)
         self.assertEqual(0, self.opened.share("colliding"))
 
+    def test_the_box_and_the_image_across_its_face_are_drawn(self):
+        self.assertEqual(0, self.opened.share("bound"))
+        self.opened.show("plain/n:60")
+        self.assertGreater(self.opened.share("bound"), 0.0003)  # thin lines
+        whole = self.opened.picture()
+        self.opened.run("viewer.part('pair-order').value = 'deep'; viewer.pairList.arrange(); viewer.pairList.pick(0)")
+        self.assertGreater(changed(whole, self.opened.picture()), 0.05)
+
 
 class Damaged(unittest.TestCase):
     @unittest.skipIf(REASON, REASON)
