@@ -6,10 +6,16 @@ install(TARGETS catena EXPORT catena-library-targets LIBRARY DESTINATION ${CMAKE
         COMPONENT library NAMELINK_COMPONENT library)
 foreach(folder ${CATENA_LIBRARY_FOLDERS})
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/core/${folder}/*.h)
-  list(FILTER headers EXCLUDE REGEX "-inl\\.h$")  # compiled once a target, and only in this library
-  list(APPEND CATENA_LIBRARY_HEADERS ${headers})
+  list(FILTER headers EXCLUDE REGEX "(-inl|/test_[a-z_]+)\\.h$")  # compiled once a target, and only in this library; tests'
+  foreach(header ${headers})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} highway REGEX "#include [<\"]hwy/")  # of which a user needs nothing
+    if(NOT highway)
+      list(APPEND CATENA_LIBRARY_HEADERS ${header})
+    endif()
+  endforeach()
 endforeach()
-list(APPEND CATENA_LIBRARY_HEADERS core/default_floats.h core/error.h core/export.h core/host_device.h core/pair.h core/sphere.h)
+list(APPEND CATENA_LIBRARY_HEADERS core/default_floats.h core/error.h core/export.h core/host_device.h core/pair.h core/sphere.h
+     core/sphere_vector.h)
 foreach(header ${CATENA_LIBRARY_HEADERS})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/catena/${folder} COMPONENT library)

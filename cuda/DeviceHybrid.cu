@@ -153,8 +153,8 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    told(host_chain(), [&](const ToldSearch& search) { search.show(visitor); });
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) told(chain.view(), [&](const ToldSearch& search) { search.show(visitor); });
   }
   void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
                           EvidenceSink& sink) override {

@@ -59,7 +59,7 @@ class DeviceLBVH final : public ResidentVariant, public EvidenceNodes {
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
+  void visit_evidence(const Chain&, BoundsVisitor& visitor) const override {
     with_tree_on_host([&](const RopeTree& tree) {
       visitor.tree({});
       for (std::uint32_t k = 0; k + 1 < tree.leaves; ++k) {

@@ -113,7 +113,7 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
       const Chain chain = scene(input);
       const auto there = StrategyRegistry::instance().make(device), here = StrategyRegistry::instance().make(host);
       there->build(chain), here->build(chain);
-      const ShownBounds built = ShownBounds::of_evidence(*there), twin = ShownBounds::of_evidence(*here);
+      const ShownBounds built = ShownBounds::of_evidence(*there, chain), twin = ShownBounds::of_evidence(*here, chain);
       EXPECT_EQ(built.edges(), twin.edges()) << device << ", " << input;
       if (const auto difference = built.difference(twin); same_bits && difference)
         ADD_FAILURE() << device << ", " << input << ": " << *difference;

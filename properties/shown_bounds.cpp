@@ -47,10 +47,10 @@ ShownBounds::ShownBounds(const Variant& variant) {
   sort();
 }
 
-ShownBounds ShownBounds::of_evidence(const Variant& variant) {
+ShownBounds ShownBounds::of_evidence(const Variant& variant, const Chain& chain) {
   ShownBounds shown;
   Collector collector(shown.edges_);
-  visit_evidence_nodes(variant, collector);
+  visit_evidence_nodes(variant, chain, collector);
   shown.sort();
   return shown;
 }

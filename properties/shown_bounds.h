@@ -14,7 +14,7 @@ class ShownBounds {
  public:
   explicit ShownBounds(const Variant& variant);
   /// The nodes that its evidence names.
-  static ShownBounds of_evidence(const Variant& variant);
+  static ShownBounds of_evidence(const Variant& variant, const Chain& chain);
 
   /// (parent id, child id), sorted: the shape of the tree.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;

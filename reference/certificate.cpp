@@ -85,7 +85,7 @@ bool has_evidence(Variant& variant, const Chain& chain) {
 Certified certify(Variant& variant, const Chain& chain, const Request& request, Collisions& found) {
   variant.build(chain);
   EvidenceTree tree(chain);
-  visit_evidence_nodes(variant, tree);
+  visit_evidence_nodes(variant, chain, tree);
   tree.complete();
   variant.find(chain, request, found);
   CertificateChecker checker(chain, tree, variant.evidence(), request);

@@ -15,13 +15,12 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
  public:
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) ToldSearch(view_, nullptr, cells_.placed()).show(visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) ToldSearch(chain.view(), nullptr, cells_.placed()).show(visitor);
   }
 
  private:
   void construct(const ChainView& chain) override {
-    view_ = chain;
     cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
   }
   void search(const ChainView& chain, PairCollector& collector) override {
@@ -34,7 +33,6 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
     ToldSearch(chain, nullptr, cells_.placed()).search(lane, sink);
   }
 
-  ChainView view_{};  // of the last build
   HostSphereCells cells_;
   bool in_range_ = false;
 };

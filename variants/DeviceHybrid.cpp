@@ -47,13 +47,12 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) ToldSearch(view_, &blocks_, cells_.placed()).show(visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) ToldSearch(chain.view(), &blocks_, cells_.placed()).show(visitor);
   }
 
  private:
   void construct(const ChainView& chain) override {
-    view_ = chain;
     lay_out(chain);
     if (blocks_.all_crowded) return cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
     const BlockMeeting meeting(blocks_);
@@ -179,7 +178,6 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   const std::uint64_t least_, least_in_cells_;
   const std::uint32_t surveyed_;
   const std::uint32_t meetings_;
-  ChainView view_{};  // of the last build
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
   BlockNodes nodes_{};

@@ -33,13 +33,12 @@ class Grid final : public HostSearch, public EvidenceNodes {
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) GridTrees(view_, grid_, view_.size).show(visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) GridTrees(chain.view(), grid_, chain.size()).show(visitor);
   }
 
  private:
   void construct(const ChainView& chain) override {
-    view_ = chain;
     grid_.wide = cells_ == "wide" || (cells_ == "measured" && wide_cells(chain));
     build_grid(chain, grid_, {}, team_);
   }
@@ -64,7 +63,6 @@ class Grid final : public HostSearch, public EvidenceNodes {
   }
 
   const Team team_;
-  ChainView view_{};  // of the last build
   SphereGrid grid_;
   std::string cells_;               // as asked for
   std::vector<GridQueues> queues_;  // [member of the team]

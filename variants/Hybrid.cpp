@@ -45,17 +45,15 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) search_.show_evidence(view_, visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) search_.show_evidence(chain.view(), visitor);
   }
 
  private:
   void construct(const ChainView& chain) override {
-    view_ = chain;
     search_.build(chain, team_);
   }
   void construct_again(const ChainView& chain) override {
-    view_ = chain;
     search_.build(chain, team_, SpaceSort::where_needed);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
@@ -67,7 +65,6 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   const Team& team() const override { return team_; }
 
   const Team team_;
-  ChainView view_{};  // of the last build
   HybridSearch search_;
 };
 

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "catena/core/executor/pair_collector.h"
+#include "catena/core/executor/host_search.h"
 #include "catena/core/hierarchy/enclosing_ball.h"
 #include "catena/core/strategy/register.h"
 
@@ -14,33 +14,15 @@ namespace {
 /// the smallest ball about its leaves; nested, about the balls of its two children, as in the paper's trees.
 /// They prove O(n^(4/3)) pairs of nodes for the wrapped one where spheres do not overlap too deeply.
 template <class Arithmetic>
-class Necklace final : public Variant {
+class Necklace final : public HostSearch {
  public:
   explicit Necklace(const Parameters& parameters)
       : wrapped_(parameters.choice("balls", {"wrapped", "nested"}) == "wrapped") {}
 
-  void build(const Chain& chain) override {
-    const Stopwatch watch;
-    balls_.resize(chain.size());
-    if (chain.size() > 0) make(chain.spheres(), whole(chain));
-    timings_.build_ms = watch.ms();
-  }
-
-  void find(const Chain& chain, const Request& request, Collisions& result) override {
-    search(chain, request, result, NoEvidence{});
-  }
-
-  Timings timings() const override { return timings_; }
-
   Accounting evidence() const override { return Accounting::each_pair; }
 
-  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
-                          EvidenceSink& sink) override {
-    search<EvidenceSink&>(chain, request, result, sink);
-  }
-
   void visit_bounds(BoundsVisitor& visitor) const override {
-    const auto n = static_cast<std::uint32_t>(balls_.size());
+    const auto n = built() ? static_cast<std::uint32_t>(balls_.size()) : 0;
     visitor.tree({.nested = !wrapped_});
     if (n > 1) show(visitor, {0, n}, n);
   }
@@ -55,7 +37,17 @@ class Necklace final : public Variant {
     Node right() const { return {middle(), end}; }
     std::uint32_t id(std::uint32_t n) const { return is_leaf() ? begin : n + middle(); }
   };
-  static Node whole(const Chain& chain) { return {0, chain.size()}; }
+
+  void construct(const ChainView& chain) override {
+    balls_.resize(chain.size);
+    if (chain.size > 0) make({chain.spheres, chain.size}, {0, chain.size});
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    search(chain, collector.lane(0), NoEvidence{});
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    search<EvidenceSink&>(chain, lane, sink);
+  }
 
   struct NoEvidence {
     void discarded(std::uint32_t, std::uint32_t) const {}
@@ -127,19 +119,13 @@ class Necklace final : public Variant {
   };
 
   template <class Sink>
-  void search(const Chain& chain, const Request& request, Collisions& result, Sink sink) {
-    if (balls_.size() != chain.size()) throw std::logic_error("find: not the chain of the last build");
-    const Stopwatch watch;
-    PairCollector collector(chain.size(), request, result);
-    Search<Sink> search{chain.view(), balls_, collector.lane(0), sink};
-    if (chain.size() > 0) search.within(whole(chain));
-    collector.finish();
-    timings_.find_ms = watch.ms();
+  void search(const ChainView& chain, PairCollector::Lane& lane, Sink sink) const {
+    Search<Sink> search{chain, balls_, lane, sink};
+    if (chain.size > 0) search.within({0, chain.size});
   }
 
   const bool wrapped_;
   std::vector<Sphere> balls_;
-  Timings timings_;
 };
 
 const RegisterVariant<Necklace, Robust> registered{

@@ -29,7 +29,7 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
+  void visit_evidence(const Chain&, BoundsVisitor& visitor) const override {
     if (built()) SphereNodes(tree_, spheres_).show(visitor);
   }
 

@@ -2,10 +2,11 @@
 #include <bit>
 #include <compare>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "catena/core/arithmetic/in_range.h"
-#include "catena/core/executor/pair_collector.h"
+#include "catena/core/executor/host_search.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
@@ -18,46 +19,18 @@ namespace {
 /// frame to frame, so an update has little to sort. O(n log n) and, for each box, those that begin within it:
 /// many where a chain is dense.
 template <class Arithmetic>
-class SweepAndPrune final : public Variant {
+class SweepAndPrune final : public HostSearch {
  public:
-  void build(const Chain& chain) override {
-    const Stopwatch watch;
-    make(chain);
-    lay_out(chain);
-    timings_.build_ms = watch.ms();
-  }
-
-  void update(const Chain& chain, const Moved&) override {
-    const Stopwatch watch;
-    const bool kept = order_.size() == chain.size() && first_ == axis_of_greatest_variance(chain);
-    if (!kept || !sort_again(chain)) make(chain);
-    lay_out(chain);
-    timings_.build_ms = watch.ms();
-  }
-
-  void find(const Chain& chain, const Request& request, Collisions& result) override {
-    search(chain, request, result, [&](auto tests, const ChainView& view, PairCollector::Lane& lane) {
-      for (std::uint32_t a = 0; a < size() && !lane.satisfied(); ++a) sweep<decltype(tests)>(a, view, lane);
-    });
-  }
-
   Accounting evidence() const override { return Accounting::each_pair; }
-
-  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
-                          EvidenceSink& sink) override {
-    search(chain, request, result, [&](auto tests, const ChainView& view, PairCollector::Lane& lane) {
-      for (std::uint32_t a = 0; a < size(); ++a) sweep<decltype(tests)>(a, view, lane, sink);
-    });
-  }
 
   /// For evidence, the order as a tree of halves: all spheres of a node lie behind where its first box
   /// begins.
   void visit_bounds(BoundsVisitor& visitor) const override {
-    visitor.tree({.levels = size() == 0 ? 0 : static_cast<std::uint32_t>(std::bit_width(size() - 1)) + 1});
-    if (size() > 0) show(visitor, all());
+    const bool some = built() && size() > 0;
+    visitor.tree({.levels = some ? static_cast<std::uint32_t>(std::bit_width(size() - 1)) + 1 : 0});
+    if (some) show(visitor, all());
   }
 
-  Timings timings() const override { return timings_; }
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
 
  private:
@@ -74,21 +47,46 @@ class SweepAndPrune final : public Variant {
     std::vector<float> low, high;
   };
 
+  void construct(const ChainView& chain) override {
+    sort(chain);
+    lay_out(chain);
+  }
+  void construct_again(const ChainView& chain) override {
+    if (first_ != axis_of_greatest_variance(chain) || !sort_again(chain)) sort(chain);
+    lay_out(chain);
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    with_tests(chain, [&]<class Tests>(Tests) {
+      PairCollector::Lane& lane = collector.lane(0);
+      for (std::uint32_t a = 0; a < size() && !lane.satisfied(); ++a) sweep<Tests>(a, chain, lane);
+    });
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    with_tests(chain, [&]<class Tests>(Tests) {
+      for (std::uint32_t a = 0; a < size(); ++a) sweep<Tests>(a, chain, lane, sink);
+    });
+  }
+  template <class Work>
+  void with_tests(const ChainView& chain, const Work& work) {
+    in_range_ = in_range<Arithmetic>(chain);
+    with_tests_for<Arithmetic>(chain, work);
+  }
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
 
-  /// The axis and the order, by sorting.
-  void make(const Chain& chain) {
+  /// The axis and the order.
+  void sort(const ChainView& chain) {
     first_ = axis_of_greatest_variance(chain);
-    order_.resize(chain.size());
-    for (std::uint32_t i = 0; i < chain.size(); ++i) order_[i] = {begin_of(chain[i]), i};
+    order_.resize(chain.size);
+    for (std::uint32_t i = 0; i < chain.size; ++i) order_[i] = {begin_of(chain.spheres[i]), i};
     std::ranges::sort(order_);
   }
 
   /// By insertion; false when that takes too long.
-  bool sort_again(const Chain& chain) {
+  bool sort_again(const ChainView& chain) {
     std::uint64_t shifts = 0;
     for (std::uint32_t k = 0; k < size() && shifts <= std::uint64_t{most_shifts} * size(); ++k) {
-      const Place place{begin_of(chain[order_[k].id]), order_[k].id};
+      const Place place{begin_of(chain.spheres[order_[k].id]), order_[k].id};
       std::uint32_t to = k;
       for (; to > 0 && order_[to - 1] > place; --to) order_[to] = order_[to - 1];
       order_[to] = place;
@@ -97,14 +95,14 @@ class SweepAndPrune final : public Variant {
     return shifts <= std::uint64_t{most_shifts} * size();
   }
 
-  void lay_out(const Chain& chain) {
+  void lay_out(const ChainView& chain) {
     for (Ends& ends : ends_)
       for (std::vector<float>* side : {&ends.low, &ends.high}) {
         side->resize(order_.size() + batch);
         std::fill(side->end() - batch, side->end(), std::numeric_limits<float>::quiet_NaN());
       }
     for (std::uint32_t k = 0; k < size(); ++k) {
-      const Box box = Box::around(chain[order_[k].id]);
+      const Box box = Box::around(chain.spheres[order_[k].id]);
       for (int axis = 0; axis < 3; ++axis) {
         ends_[axis].low[k] = box.low[(first_ + axis) % 3];
         ends_[axis].high[k] = box.high[(first_ + axis) % 3];
@@ -114,28 +112,15 @@ class SweepAndPrune final : public Variant {
 
   float begin_of(const Sphere& s) const { return Box::around(s).low[first_]; }
 
-  static int axis_of_greatest_variance(const Chain& chain) {
+  static int axis_of_greatest_variance(const ChainView& chain) {
     double sum[3] = {}, squares[3] = {}, variance[3];
-    for (const Sphere& s : chain.spheres()) {
+    for (const Sphere& s : std::span(chain.spheres, chain.size)) {
       const double centre[] = {s.x, s.y, s.z};
       for (int axis = 0; axis < 3; ++axis)
         sum[axis] += centre[axis], squares[axis] += centre[axis] * centre[axis];
     }
-    for (int axis = 0; axis < 3; ++axis)
-      variance[axis] = squares[axis] - sum[axis] * sum[axis] / chain.size();
+    for (int axis = 0; axis < 3; ++axis) variance[axis] = squares[axis] - sum[axis] * sum[axis] / chain.size;
     return static_cast<int>(std::ranges::max_element(variance) - variance);
-  }
-
-  template <class Work>
-  void search(const Chain& chain, const Request& request, Collisions& result, const Work& work) {
-    if (order_.size() != chain.size()) throw std::logic_error("find: not the chain of the last build");
-    const Stopwatch watch;
-    const ChainView view = chain.view();
-    in_range_ = in_range<Arithmetic>(view);
-    PairCollector collector(view.size, request, result);
-    with_tests_for<Arithmetic>(view, [&](auto tests) { work(tests, view, collector.lane(0)); });
-    collector.finish();
-    timings_.find_ms = watch.ms();
   }
 
   /// True when the boxes at a and b, a before b, overlap on all axes. On the first, b does not begin before
@@ -221,8 +206,7 @@ class SweepAndPrune final : public Variant {
 
   int first_ = 0;  ///< the axis of the sweep
   std::vector<Place> order_;
-  Ends ends_[3];  ///< of the axis of the sweep, then of the two after it
-  Timings timings_;
+  Ends ends_[3];           ///< of the axis of the sweep, then of the two after it
   bool in_range_ = false;  ///< of the last search
 };
 

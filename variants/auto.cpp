@@ -90,8 +90,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!built_) throw std::logic_error("find_with_evidence: nothing was built");
     searcher_->find_with_evidence(chain, request, result, sink);
   }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built_) visit_evidence_nodes(*searcher_, visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built_) visit_evidence_nodes(*searcher_, chain, visitor);
   }
 
   Timings timings() const override { return timings_; }
@@ -260,14 +260,21 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   void search_other(const Chain& chain, const Request& request, Collisions& result) {
     const bool same_spheres =
         chain.size() == spheres_ && topology_ != 0 && chain.view().topology == topology_;
-    built_ = false;
-    if (!same_spheres) stands_ = nullptr;
-    with_room([&] {
-      if (!built_) build_searcher(chain, request);
-      searcher_->find(chain, request, result);
-    });
-    built_ = false;
-    if (!same_spheres) stands_ = nullptr;
+    const auto forget_build = [&] {
+      built_ = false;
+      if (!same_spheres) stands_ = nullptr;
+    };
+    forget_build();
+    try {
+      with_room([&] {
+        if (!built_) build_searcher(chain, request);
+        searcher_->find(chain, request, result);
+      });
+    } catch (...) {
+      forget_build();  // or the next find would be answered of this chain
+      throw;
+    }
+    forget_build();
   }
 
   /// Where a device has no room for what is planned, again by what the plan has for that; where a rival has

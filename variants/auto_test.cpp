@@ -254,7 +254,7 @@ TEST(Auto, GivesEvidenceOfThisFrameOrNone) {
     }
     ++shows;
     reference::EvidenceTree tree(frame);
-    visit_evidence_nodes(*variant, tree);
+    visit_evidence_nodes(*variant, frame, tree);
     tree.complete();
     reference::CertificateChecker checker(frame, tree, variant->evidence(), {});
     variant->find_with_evidence(frame, {}, shown, checker);

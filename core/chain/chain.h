@@ -12,7 +12,8 @@
 
 namespace catena {
 
-/// A tube as spheres in order along it. Immutable: what is checked when it is made stays true.
+/// A tube as spheres in order along it. Immutable: what is checked when it is made stays true. One that was moved from
+/// or released can be assigned to and destroyed, and nothing else.
 class CATENA_API Chain {
  public:
   Chain() : Chain(std::vector<Sphere>{}) {}
@@ -32,8 +33,7 @@ class CATENA_API Chain {
   /// is not valid.
   Chain moved(std::vector<Sphere> spheres) const;
 
-  /// The spheres of a chain that is not needed any more, so that their memory may serve the next frame's. It is then as
-  /// one that was moved from.
+  /// The spheres of a chain that is not needed any more, so that their memory may serve the next frame's.
   std::vector<Sphere> release() && { return std::move(spheres_); }
 
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(spheres_.size()); }

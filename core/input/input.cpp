@@ -56,7 +56,7 @@ std::string said_of(const Thinning& thinning) {
 }
 
 void leave_out(Input& input, double tolerance) {
-  Thinning thinning = thin(*input.animation, input.joints, tolerance);
+  Thinning thinning = thin(*input.animation, input.joints, tolerance, input.boxes);
   input.animation = thinned(std::move(input.animation), thinning);
   if (input.labels.size() > 0) {
     input.labels = input.labels.chosen(thinning.kept);

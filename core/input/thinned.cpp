@@ -10,6 +10,7 @@
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/tube_loss.h"
+#include "catena/core/periodic/periodic.h"
 
 namespace catena {
 namespace {
@@ -83,7 +84,8 @@ class Walk {
 /// The most that is lost between two consecutive spheres, over all frames.
 class OwnLoss {
  public:
-  void look(const Chain& chain) {
+  void look(const Chain& chain, const PeriodicBox* box) {
+    box_ = box;
     const auto& [first, closed] = chain.strands();
     for (std::size_t s = 0; s < closed.size(); ++s) {
       for (std::uint32_t i = first[s]; i + 1 < first[s + 1]; ++i) step(chain[i], chain[i + 1]);
@@ -96,7 +98,12 @@ class OwnLoss {
   /// What is lost of a step, as a share of the least radius r, is 1 - sqrt(1 - x / 4), but for rounding,
   /// which is less than 1e-13 where the radii are alike, and so grows with x = (D^2 - (ra - rb)^2) / r^2:
   /// only where x is about the greatest so far is the loss to be asked for.
-  void step(const Sphere& a, const Sphere& b) {
+  void step(const Sphere& a, Sphere b) {
+    if (box_ != nullptr) {
+      const auto way = box_->to_nearest({double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z});
+      b = {static_cast<float>(a.x + way[0]), static_cast<float>(a.y + way[1]), static_cast<float>(a.z + way[2]),
+           b.radius};
+    }
     const double dx = double{b.x} - a.x, dy = double{b.y} - a.y, dz = double{b.z} - a.z;
     const double taper = double{b.radius} - a.radius, radius = std::min(a.radius, b.radius);
     const double x = dx * dx + dy * dy + dz * dz - taper * taper, square = radius * radius;
@@ -105,6 +112,7 @@ class OwnLoss {
     most_ = std::max(most_, share_lost(std::array{a, b}));
   }
 
+  const PeriodicBox* box_ = nullptr;
   double greatest_ = 0, most_ = 0;  ///< x; what is lost
 };
 
@@ -115,7 +123,7 @@ class Halves {
   Halves(std::vector<Pair> whole, std::uint32_t spheres, double tolerance)
       : tolerance_(tolerance), whole_(std::move(whole)), most_(std::size_t{2} * spheres) {}
 
-  void look(const Chain& chain) {
+  void look(const Chain& chain, const PeriodicBox*) {
     for (const Pair& stretch : whole_) look(chain, stretch.i, stretch.j, root(stretch));
   }
   /// As few halvings as every frame lets be.
@@ -166,11 +174,11 @@ class Stretches {
     most_.resize(whole_.size());
   }
 
-  void look(const Chain& chain) {
+  void look(const Chain& chain, const PeriodicBox* box) {
     for (std::size_t k = 0; k < whole_.size(); ++k)
       if (whole_[k].j - whole_[k].i > 1 && most_[k] <= tolerance_)
         most_[k] = std::max(most_[k], share_lost(stretch_of(chain, whole_[k].i, whole_[k].j)));
-    own_.look(chain);
+    own_.look(chain, box);
   }
   /// Keeps the ends of those that are good; gives the others.
   std::vector<Pair> settle() {
@@ -250,7 +258,8 @@ std::uint32_t Thinning::place_of(std::uint32_t sphere) const {
   return static_cast<std::uint32_t>(std::ranges::lower_bound(kept, sphere) - kept.begin());
 }
 
-Thinning thin(const Animation& whole, std::span<const Pair> joints, double tolerance) {
+Thinning thin(const Animation& whole, std::span<const Pair> joints, double tolerance,
+              std::span<const PeriodicBox> boxes) {
   if (!(tolerance > 0 && tolerance < 1))
     throw InputError(
         fmt::format("--tolerance {}: must be a share of the radius, above 0 and below 1", tolerance));
@@ -260,13 +269,13 @@ Thinning thin(const Animation& whole, std::span<const Pair> joints, double toler
         "--tolerance leaves spheres out, so that neighbours cannot be told by counting them: "
         "give --arc-window F too, such as pi/2");
   const auto for_each_frame = [&](auto& looks) {
-    looks.look(chain);
+    looks.look(chain, box_of(boxes, 0));
     for (std::uint32_t f = 1; f < whole.frames(); ++f) {
       const Chain moved = whole.frame(f);
       if (moved.size() != chain.size())
         throw InputError(fmt::format("--tolerance: frame {} has {}, frame 0 has {}", f,
                                      counted(moved.size(), "sphere"), chain.size()));
-      looks.look(moved);
+      looks.look(moved, box_of(boxes, f));
     }
   };
   Thinning thinning{.tolerance = tolerance, .spheres = chain.size(), .kept = {}};

@@ -67,6 +67,21 @@ TEST(Thin, KeepsWhatTheToleranceNeedsAndNoMore) {
   EXPECT_LT(thinning.own, 1e-4);
 }
 
+TEST(Thin, LosesOfATubeThatABoxCutsApartWhatItLosesWhole) {
+  std::vector<Sphere> rod, cut;
+  for (int i = 0; i <= 1000; ++i) {
+    const float x = rounded(i * 0.015625);
+    rod.push_back({x, 5, 5, 1}), cut.push_back({std::fmod(x, 10.0f), 5, 5, 1});
+  }
+  const Exclusion arcs = Exclusion::arc(bending_window);
+  const PeriodicBox box{{10, 10, 10}};
+  const Thinning whole = thin(Frames({Chain(rod, {}, arcs)}), {}, 0.01);
+  const Thinning apart = thin(Frames({Chain(cut, {}, arcs)}), {}, 0.01, std::span(&box, 1));
+  EXPECT_NEAR(apart.own, whole.own, 1e-6);
+  EXPECT_TRUE(apart.keeps(639) && apart.keeps(640)) << "before and after the face";
+  EXPECT_LE(apart.kept.size(), whole.kept.size() + 2);
+}
+
 TEST(Thin, KeepsTheEndsAloneWhereOneStretchWillDo) {
   for (std::uint32_t steps = 1; steps <= 40; ++steps) {
     std::vector<Sphere> rod;

@@ -61,7 +61,7 @@ const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t fram
 void Periodic::build(const Chain& chain) {
   const Stopwatch watch;
   built_.reset();
-  asked_ = prepared_;
+  asked_ = prepared_, box_ = next_box_;
   follows_ = images_built_ = false;
   const double reach = 2 * double{chain.view().extent.greatest_radius};
   check_box(box_, reach);
@@ -140,7 +140,8 @@ void Periodic::put_into_box(const Chain& chain) {
       const double boxes = box_.length[edge] > 0 ? std::floor(place[i][edge] - origin_[edge]) : 0;
       if (std::abs(boxes) > 0x1p20)
         throw InputError(
-            fmt::format("sphere {} lies {} boxes away along {}, more than 2^20", i, boxes, "xyz"[edge]));
+            fmt::format("sphere {} lies {} boxes away along the box's {} edge, more than 2^20", i, boxes,
+                        std::array{"first", "second", "third"}[edge]));
       home_[i][edge] = -static_cast<std::int32_t>(boxes);
     }
     spheres_.push_back(image(chain[i], home_[i]));

@@ -30,14 +30,14 @@ namespace catena {
 class Periodic final : public Variant {
  public:
   Periodic(std::unique_ptr<Variant> variant, const PeriodicBox& box)
-      : variant_(std::move(variant)), box_(box) {}
+      : variant_(std::move(variant)), next_box_(box) {}
 
   /// Spheres that the last build added for the faces of the box.
   std::uint32_t images() const { return static_cast<std::uint32_t>(ghosts_.size()); }
 
   void prepare(const Request& request) override { prepared_ = request; }
   /// For the next build.
-  void set_box(const PeriodicBox& box) { box_ = box; }
+  void set_box(const PeriodicBox& box) { next_box_ = box; }
 
   /// Throws InputError for a box that is too narrow (see check_box), and a sphere more than 2^20 boxes away.
   void build(const Chain& chain) override;
@@ -72,7 +72,7 @@ class Periodic final : public Variant {
   bool collide(const Chain& chain, std::uint32_t i, std::uint32_t j, const Shift& shift) const;
 
   std::unique_ptr<Variant> variant_;
-  PeriodicBox box_;
+  PeriodicBox next_box_, box_;          ///< for the next build, and of the last one
   Request prepared_, asked_;            ///< for the next build, and of the last one
   std::optional<std::uint32_t> built_;  ///< spheres of the last build; nothing after one that threw
   std::optional<bool> known_;           ///< the answer to asked_, where it was found before there were images

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/periodic/image_squares.h"
@@ -74,6 +75,11 @@ void check_box(const PeriodicBox& box, double reach) {
   const auto [least, greatest] = std::minmax_element(box.length.begin(), box.length.end());
   if (*least < 0 || *greatest == 0)
     throw InputError("the box needs lengths above 0, or 0 along an edge that does not repeat");
+  for (const auto& [tilt, edge] : {std::pair(box.xy, 0), std::pair(box.xz, 0), std::pair(box.yz, 1)})
+    if (const double length = box.length[edge]; length > 0 && std::abs(tilt) > 32 * length)
+      throw InputError(fmt::format("the box is tilted by {} along {}, more than 32 times its length {} there; take whole "
+                                   "lengths off the tilt, which leaves the box the same",
+                                   tilt, "xyz"[edge], length));
   const auto widths = box.widths();
   for (std::size_t edge = 0; edge < 3; ++edge)
     if (box.length[edge] > 0 && widths[edge] < 2 * reach)

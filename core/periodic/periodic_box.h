@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "catena/core/sphere.h"
@@ -27,6 +28,13 @@ struct PeriodicBox {
     return {share(point[0] - b * xy - c * xz, length[0]), b, c};
   }
 
+  /// The way to the image of a point that is nearest edge by edge, from the way to the point; rounded.
+  std::array<double, 3> to_nearest(const std::array<double, 3>& way) const {
+    const auto steps = in_edges(way);
+    const auto whole = along({std::round(steps[0]), std::round(steps[1]), std::round(steps[2])});
+    return {way[0] - whole[0], way[1] - whole[1], way[2] - whole[2]};
+  }
+
   /// How far apart the box's opposite faces are, rounded; 0 for those that do not repeat.
   std::array<double, 3> widths() const;
 };
@@ -44,8 +52,9 @@ bool image_overlaps(const Sphere& a, const Sphere& b, const Shift& shift, const 
 bool image_overlaps_by_integers(const Sphere& a, const Sphere& b, const Shift& shift, const PeriodicBox& box);
 
 /// Throws InputError unless every number is 0 or between 2^-100 and 2^100 in magnitude, no length is
-/// negative, one at least is not 0, and each width is at least twice the reach, the largest sum of two radii:
-/// otherwise which image is the nearest would not be plain.
+/// negative, one at least is not 0, no tilt is above 32 times the length along which it goes, where that repeats
+/// (so that rounding leaves where a sphere is within a box to 1e-6 of it, up to 2^20 boxes away), and each width is at
+/// least twice the reach, the largest sum of two radii: otherwise which image is the nearest would not be plain.
 void check_box(const PeriodicBox& box, double reach);
 
 }  // namespace catena

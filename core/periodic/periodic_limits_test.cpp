@@ -183,7 +183,26 @@ TEST(Periodic, RefusesABoxThatIsNone) {
       EXPECT_NE(refusal(box).find(" where a length or a tilt is due"), std::string::npos) << refusal(box);
   EXPECT_NE(refusal({{4, 3, 9}, 4}).find("the box is 2.4 wide along x, less"), std::string::npos)
       << "across the tilt";
+  EXPECT_EQ(refusal({{9, 900, 900}, 288}), "");
+  EXPECT_EQ(refusal({{9, 900, 900}, 0, 0, -28800}), "");
+  EXPECT_NE(refusal({{9, 900, 900}, 288.1}).find("tilted by 288.1 along x, more than 32 times its length 9"),
+            std::string::npos);
+  EXPECT_NE(refusal({{9, 900, 900}, 0, 0, -28801}).find("tilted by -28801 along y"), std::string::npos);
+  EXPECT_EQ(refusal({{0, 900, 900}, 1e6}), "") << "along an edge that does not repeat";
   EXPECT_EQ(refusal({{4, 9, 0}}), "");
+}
+
+TEST(Periodic, AnswersInTheBoxThatItWasBuiltIn) {
+  const Chain chain({{0, 0, 0, 1}, {5, 5, 5, 1}, {9, 0, 0, 1}});
+  Periodic periodic(StrategyRegistry::instance().make("CPU1"), {{10, 10, 10}});
+  Collisions result;
+  periodic.build(chain);
+  periodic.set_box({{30, 30, 30}});
+  periodic.find(chain, {}, result);
+  EXPECT_EQ(result.pairs, (Pairs{{0, 2}}));
+  periodic.build(chain);
+  periodic.find(chain, {}, result);
+  EXPECT_EQ(result.pairs, Pairs{});
 }
 
 TEST(Periodic, RefusesAChainThatItWasNotBuiltFor) {

@@ -47,7 +47,9 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
     return resident_.search == nullptr ? nullptr : &resident_;
   }
 
-  void visit_evidence(BoundsVisitor& visitor) const override { visit_evidence_nodes(*variant_, visitor); }
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    visit_evidence_nodes(*variant_, chain, visitor);
+  }
   const Collisions& find_kept(const Chain& chain, const Request& request) override {
     const DefaultFloats floats;
     if (keeper_ != nullptr) return keeper_->find_kept(chain, request);

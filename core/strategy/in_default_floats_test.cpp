@@ -62,7 +62,7 @@ class AskedAndKeeping final : public Asked, public KeepsAnswer, public EvidenceN
     note("find_kept", request.pair_limit);
     return kept_;
   }
-  void visit_evidence(BoundsVisitor&) const override { note("visit_evidence", 0); }
+  void visit_evidence(const Chain& chain, BoundsVisitor&) const override { note("visit_evidence", chain.size()); }
   const Collisions kept_{true, 11, {}, {}};
 
  private:
@@ -98,11 +98,11 @@ TEST(InDefaultFloats, PassesAllOnAsItIs) {
     variant.find_with_evidence(chain, request, found, ignored);
     EXPECT_EQ(found.pair_count, 8u);
     variant.visit_bounds(ignored);
-    variant.visit_evidence(ignored);
+    variant.visit_evidence(chain, ignored);
     EXPECT_EQ(variant.find_kept(chain, request).pair_count, keeping ? 11u : 7u);
     EXPECT_EQ(asked,
               (std::vector<std::string>{"prepare 5", "build 3", "update 23", "find 5", "find_with_evidence 5",
-                                        "visit_bounds 0", keeping ? "visit_evidence 0" : "visit_bounds 0",
+                                        "visit_bounds 0", keeping ? "visit_evidence 3" : "visit_bounds 0",
                                         keeping ? "find_kept 5" : "find 5"}));
     const Timings told = variant.timings();
     EXPECT_EQ((std::vector{told.build_ms, told.find_ms, told.transfer_ms, told.start_ms}),

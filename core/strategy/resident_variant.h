@@ -57,8 +57,8 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   void check(const Chain& chain) const {
     if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
   }
-  /// That of the last build on the host; of no spheres where there was none.
-  const ChainView& host_chain() const { return host_chain_; }
+  /// Whether the last build was on the host, and there was one.
+  bool built() const { return built_.has_value(); }
   void run_on_device(const Device::Work& work) const { device_->run(work); }
 
   /// Like enqueue_build.
@@ -73,7 +73,6 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   void build_from(const Chain& chain, const Moved& moved) {
     built_.reset();
     timings_ = {};
-    host_chain_ = chain.view();
     const Stopwatch watch;
     chain_ = device_->to_device(chain.view(), moved);
     upload_ms_ = watch.ms();
@@ -96,7 +95,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   std::unique_ptr<Device> device_;
   Request request_;
   std::optional<std::uint32_t> built_;
-  ChainView chain_{}, host_chain_{};
+  ChainView chain_{};
   Timings timings_;
   double upload_ms_ = 0, build_start_ms_ = 0;
 };

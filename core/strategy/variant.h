@@ -28,8 +28,8 @@ class CATENA_API Variant {
   /// need. Not called: pairs of the whole chain.
   virtual void prepare(const Request&) {}
 
-  /// Stage 1. All-pairs variants do nothing here. Throws CapacityError past a declared limit of the strategy;
-  /// then nothing is built.
+  /// Stage 1. All-pairs variants do nothing here. The chain need not outlive the call. Throws CapacityError past a
+  /// declared limit of the strategy. After whatever it or update throws nothing is built.
   virtual void build(const Chain& chain) = 0;
 
   /// Stage 1 again for the same spheres, moved, of which only those of `moved` differ from the last build or
@@ -44,7 +44,8 @@ class CATENA_API Variant {
   /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; one host thread allocates
   /// nothing when variant and `result` have held as much before. The pair set is that of the strategy's arithmetic.
   /// Throws PairLimitExceeded with the true number, and leaves `result` without pairs. Throws std::logic_error when
-  /// there was no such build and one is needed.
+  /// there was no such build and one is needed. After anything else that it throws, want of memory say, the build
+  /// stands, and find may be asked again.
   virtual void find(const Chain& chain, const Request& request, Collisions& result) = 0;
 
   virtual Timings timings() const = 0;

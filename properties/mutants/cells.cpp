@@ -17,15 +17,14 @@ class FaultyCells : public HostSearch, public EvidenceNodes {
  public:
   explicit FaultyCells(bool wide = false) { grid_.wide = wide; }
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) GridTrees(view_, grid_, view_.size).show(visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) GridTrees(chain.view(), grid_, chain.size()).show(visitor);
   }
 
  private:
   virtual void tamper(SphereGrid::Level& level) = 0;
 
   void construct(const ChainView& chain) override {
-    view_ = chain;
     build_grid(chain, grid_, {}, team());
     for (SphereGrid::Level& level : grid_.levels) tamper(level);
   }
@@ -38,7 +37,6 @@ class FaultyCells : public HostSearch, public EvidenceNodes {
     search_grid(chain, grid_, queues_, lane, evidence);
   }
 
-  ChainView view_{};
   SphereGrid grid_;
   GridQueues queues_;
 };
@@ -94,15 +92,14 @@ const RegisterMutant<OwnReach<true>> wide_reach{"wide-cells-reach-without-the-ot
 class FaultyHashedCells : public HostSearch, public EvidenceNodes {
  public:
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) ToldSearch(view_, nullptr, placed_).show(visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) ToldSearch(chain.view(), nullptr, placed_).show(visitor);
   }
 
  private:
   virtual void tamper(PlacedCells& placed) = 0;
 
   void construct(const ChainView& chain) override {
-    view_ = chain;
     cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
     placed_ = cells_.placed();
     tamper(placed_);
@@ -115,7 +112,6 @@ class FaultyHashedCells : public HostSearch, public EvidenceNodes {
     ToldSearch(chain, nullptr, placed_).search(lane, sink);
   }
 
-  ChainView view_{};
   HostSphereCells cells_;
   PlacedCells placed_;
 };

@@ -11,8 +11,8 @@ namespace catena::properties {
 class FaultyHybrid : public HostSearch, public EvidenceNodes {
  public:
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
-    if (built()) search_.show_evidence(view_, visitor);
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) search_.show_evidence(chain.view(), visitor);
   }
 
  protected:
@@ -30,7 +30,6 @@ class FaultyHybrid : public HostSearch, public EvidenceNodes {
 
  private:
   void construct(const ChainView& chain) override {
-    view_ = chain;
     search_.build(chain, team());
     tamper(chain, search_.parts());
   }
@@ -41,7 +40,6 @@ class FaultyHybrid : public HostSearch, public EvidenceNodes {
     search_.search_with_evidence(chain, lane, sink);
   }
 
-  ChainView view_{};
   HybridSearch search_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 class FaultySpheres : public HostSearch, public EvidenceNodes {
  public:
   Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(BoundsVisitor& visitor) const override {
+  void visit_evidence(const Chain&, BoundsVisitor& visitor) const override {
     if (built()) SphereNodes(tree_, spheres_).show(visitor);
   }
 

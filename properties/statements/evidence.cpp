@@ -25,7 +25,9 @@ class FromAFrame final : public Variant, public EvidenceNodes {
                           EvidenceSink& sink) override {
     variant_.find_with_evidence(chain, request, result, sink);
   }
-  void visit_evidence(BoundsVisitor& visitor) const override { visit_evidence_nodes(variant_, visitor); }
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    visit_evidence_nodes(variant_, chain, visitor);
+  }
 
  private:
   Variant& variant_;

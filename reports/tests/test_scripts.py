@@ -53,6 +53,7 @@ class Ci(Scripts):
             self.stand_in(f"bin/{name}", 'exec "$@"' if name == "sudo" else "")
         for name in ("release/catena", "tsan/catena_library_threads_tests", "asan/catena"):
             self.stand_in(f"build/{name}")
+        self.stand_in("bin/mpirun", "exit ${CATENA_RANK_FAULT:+2}")
 
     def test_it_runs_what_a_reader_is_told_to_then_the_sanitizers(self):
         done, calls = self.run_script(self.folder / ".ci/run")
@@ -66,6 +67,8 @@ class Ci(Scripts):
             "cmake --build --preset tsan --target catena_library_threads_tests", "catena_library_threads_tests ",
             "cmake --preset asan -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -DCATENA_BENCH=OFF -DCATENA_MUTANTS=OFF -DCATENA_TESTS=OFF",
             "cmake --build --preset asan --target catena_cli",
+            "mpirun --quiet --oversubscribe -n 3 build/asan/catena verify yarn:n=3000 hair:n=3000",
+            "mpirun --quiet --oversubscribe -n 3 build/asan/catena detect yarn:n=3000",
         ])  # fmt: skip
         self.assertCountEqual(both, ["catena verify", "catena fuzz --seconds 60 --failures build/asan/failures"])
 
@@ -76,6 +79,9 @@ class Ci(Scripts):
             self.assertNotEqual(done.returncode, 0, name)
             self.assertTrue(calls[-1].startswith(name.rpartition("/")[2]), calls)
             self.stand_in(name)
+        for does in ("exit 1", "exit 0"):  # no answer; no end by an error of its own
+            self.stand_in("bin/mpirun", does)
+            self.assertEqual(self.run_script(self.folder / ".ci/run")[0].returncode, 1, does)
 
     def test_what_verify_found_is_shown(self):
         self.stand_in("build/asan/catena", "[ $1 = fuzz ] || { echo WRONG here; exit 1; }")
