@@ -201,6 +201,8 @@ class ReportCommand final : public Command {
     profile.short_chains.clear(), profile.coherent_inputs.clear(), profile.shown.clear();
     profile.animation_input = {};
     profile.wants_inputs.clear(), profile.regret_inputs.clear();
+    profile.planned_inputs.clear();
+    if (in_command(input_).empty()) profile.planned_inputs = scenes_;  // they are opened without options
     for (const auto& scene : scenes_) {
       const bench::WorkloadSpec one{scene, false, input_};
       profile.wants_inputs.push_back(one), profile.regret_inputs.push_back(one);

@@ -47,6 +47,11 @@ TEST_F(ReportProgram, MeasuresWhatIsAskedForAndSaysHow) {
   for (const char* section : {"stability", "judged", "ranks", "motion", "keyframes", "tube_errors", "examine",
                               "coherence", "animation", "regret", "steps"})
     EXPECT_FALSE(own.contains(section)) << section << " is of other chains, or of frames that follow";
+  EXPECT_FALSE(own.contains("savings")) << "no chain of catena's own";
+  for (const auto& row : run["benchmarks"]) {
+    EXPECT_EQ(row["missing"], 0) << row << ": that nothing was wrong is said";
+    EXPECT_EQ(row["invented"], 0) << row;
+  }
   EXPECT_EQ(own["viewer"].size(), 1u);
   EXPECT_EQ(own["wants"].size() % 2, 0u);
 }

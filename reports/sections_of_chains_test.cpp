@@ -114,6 +114,7 @@ TEST(Sections, OfTheViewerShowWhatIsThere) {
     if (exact.size() > most) most = exact.size(), busiest = f;
   }
   EXPECT_EQ(frames, Json::parse("[0,6,12,18,24,30,36,42,48,55]"));
+  EXPECT_FALSE(views[0]["frames"][0].contains("box"));
   EXPECT_EQ(views[0]["tree_frame"], busiest);
   EXPECT_EQ(views[0]["strands"], Json::parse("[0]"));
   EXPECT_EQ(views[0]["closed"], Json::parse("[false]"));
@@ -147,8 +148,11 @@ TEST(Sections, OfTheViewerShowWhatIsThere) {
   ASSERT_EQ(views[2]["frames"].size(), 3u);
   for (const Json& frame : views[2]["frames"]) {
     const std::uint32_t f = frame["frame"];
-    EXPECT_EQ(array_of<Pair>(frame["pairs"]),
-              reference::find_in(melt.animation->frame(f), box_of(melt.boxes, f)).pairs);
+    const PeriodicBox& box = *box_of(melt.boxes, f);
+    EXPECT_EQ(array_of<Pair>(frame["pairs"]), reference::find_in(melt.animation->frame(f), &box).pairs);
+    EXPECT_EQ(frame["box"],
+              Json({box.length[0], box.length[1], box.length[2], box.xy, box.xz, box.yz}))
+        << "without it a pair across a face is shown as one that is apart";
   }
   EXPECT_FALSE(views[2].contains("levels")) << "a tree of images";
   EXPECT_FALSE(views[2].contains("wrong"));

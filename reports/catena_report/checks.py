@@ -4,6 +4,8 @@ told by the name of that section.
 import json
 import math
 
+from . import views
+
 # The arrays of `catena`, and what each row of theirs names in words.
 ARRAYS = {
     "scenes": ("input",),
@@ -22,7 +24,8 @@ ARRAYS = {
     "steps": ("input", "variant"),
     "viewer": ("input",),
 }
-FACTS = ("cpu", "gpu", "host_name")  # of the context, by which a run is named
+FACTS = ("cpu", "gpu", "host_name", "date", "commit")  # of the context, by which a run is named
+OBJECTS = ("stopping", "work_precision", "pivots", "ranks", "bandwidth")
 NUMBERS = {"counts": ("pair_tests", "node_visits", "bytes")}  # that a row may have
 OF_A_SAMPLE = ("transfer_ms", "least_ms", "pairs", "missing", "invented")  # 0 or more
 KERNELS = ("load_one_ms", "load_all_ms")  # more than 0
@@ -62,12 +65,18 @@ def whole(where, raw):
     catena = raw.get("catena", {})
     if not isinstance(catena, dict):
         raise BadRunFile(f"{where}: catena is not an object; see reports/run_file.md")
-    if catena.get("schema", 1) != 1:
+    if type(catena.get("schema", 1)) is not int or catena.get("schema", 1) != 1:
         raise BadRunFile(
             f"{where}: schema {json.dumps(catena['schema'])}, this report reads 1; use the catena that wrote the file"
         )
     for key in ARRAYS:
         _array(where, key, catena.get(key))
+    for key in OBJECTS:
+        if not isinstance(catena.get(key), (dict, type(None))):
+            raise BadRunFile(f"{where}: catena.{key} is not an object; see reports/run_file.md")
+    for at, view in enumerate(catena.get("viewer") or []):
+        if wrong := views.fault(view):
+            raise BadRunFile(f"{where}: catena.viewer[{at}].{wrong}; see reports/run_file.md")
 
 
 def _array(where, key, rows):
@@ -123,4 +132,4 @@ def _finite(where, value):
 
 
 def _number(value):
-    return isinstance(value, (int, float)) and math.isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)

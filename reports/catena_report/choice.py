@@ -3,12 +3,14 @@ and chains alike joined into one row of advice.
 """
 import dataclasses
 import math
+import typing
 
 import numpy
 
 from . import paper, runfile, statistics
 
 PAPERS = paper.STAGES["CPU2"][0]  # what the paper would run on a processor
+DEFAULT = "auto"  # what a caller gets who names none
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,6 +26,21 @@ class Choice:
     def candidates(self):
         return {self.leader, *self.alike}
 
+    def as_good(self, run):
+        """[name]: exact variants that are not told from the leader, be it by the test or by an interval that holds 1."""
+        return [
+            name for name, ratio in sorted(self.slower.items(), key=lambda entry: entry[1].value)
+            if name in self.alike or (run.info(name).recommended and ratio.low <= 1)
+        ]
+
+
+class Beside(typing.NamedTuple):
+    """A variant set against the one that is advised."""
+
+    name: str
+    ratio: statistics.Interval  # how many times as long it takes, over the chains that it was timed on
+    chains: int  # so many
+
 
 @dataclasses.dataclass(frozen=True)
 class Advice:
@@ -32,9 +49,11 @@ class Advice:
     inputs: list
     variant: str
     times: list  # its medians, ms
-    next: object  # (variant, Interval above 1): of those slower on every chain the nearest, over the chains; or None
-    papers: object  # (variant, Interval) of the paper's CPU2, over the chains that it was timed on; or None
-    peer: object  # the same of the quickest peer; or None
+    as_good: list  # of Beside by rising ratio: exact variants timed on every chain that are not told from it
+    next: object  # Beside, its interval above 1: of the other exact variants timed on every chain the nearest; or None
+    default: object  # Beside of auto; None where that is advised or was not timed
+    papers: object  # the same of the paper's CPU2
+    peer: object  # the same of the quickest peer
     others: int  # exact variants that it was compared with on some chain
 
 
@@ -70,14 +89,18 @@ def _advice(run, cases, choices, inputs, candidates):
     variant = min(sorted(candidates), key=lambda name: sum(map(math.log, medians(name))))
     timed = set().union(*(cases[input_] for input_ in inputs)) - {variant}
     own = [name for name in timed if run.info(name).recommended]
-    slower = set.intersection(*(_slower_than(run, cases[input_], choices[input_], variant) for input_ in inputs))
-    ratios = lambda names: [(name, _slower(cases, inputs, name, variant)) for name in sorted(names)]  # noqa: E731
-    nearest = lambda found: min(found, key=lambda entry: entry[1].value, default=None)  # noqa: E731
+    slower = set().union(*(_slower_than(run, cases[input_], choices[input_], variant) for input_ in inputs))
+    ratios = lambda names: [_beside(cases, inputs, name, variant) for name in sorted(names)]  # noqa: E731
+    nearest = lambda found: min(found, key=lambda entry: entry.ratio.value, default=None)  # noqa: E731
+    on_all = ratios(name for name in own if all(name in cases[input_] for input_ in inputs))
+    told = [entry for entry in on_all if entry.name in slower and entry.ratio.low > 1]
     return Advice(
         inputs,
         variant,
         medians(variant),
-        nearest([entry for entry in ratios(slower) if entry[1].low > 1]),
+        sorted((entry for entry in on_all if entry not in told), key=lambda entry: entry.ratio.value),
+        nearest(told),
+        nearest(ratios(timed & {DEFAULT})),
         nearest(ratios(timed & {PAPERS})),
         nearest(ratios(name for name in timed if run.info(name).peer)),
         len(own),
@@ -94,14 +117,9 @@ def _slower_than(run, row, chosen, variant):
     return {name for name in statistics.differing(own, variant) if numpy.median(own[name]) > numpy.median(own[variant])}
 
 
-def _slower(cases, inputs, name, variant):
-    return over_chains(
-        [
-            statistics.ratio(cases[input_][name], cases[input_][variant])
-            for input_ in inputs
-            if name in cases[input_]
-        ]
-    )
+def _beside(cases, inputs, name, variant):
+    rows = [cases[input_] for input_ in inputs if name in cases[input_]]
+    return Beside(name, over_chains([statistics.ratio(row[name], row[variant]) for row in rows]), len(rows))
 
 
 def over_chains(ratios):

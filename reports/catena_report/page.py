@@ -161,5 +161,6 @@ def _render(report, built, drawings, library, left_out):
         script=read("report.js"),
         figures=_packed({figure.key: interactive.describe(figure) for figure in figures}),
         data=_packed(data(report)),
+        tables=_packed({table.key: table.as_csv() for section in built for table in section.blocks if isinstance(table, Table)}),
         plotly=interactive.packed(library) if library else "",
     )

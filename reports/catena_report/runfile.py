@@ -51,6 +51,8 @@ class Run:
                 self.faults[case] = self.refused[case]
             return
         try:
+            if isinstance(row["real_time"], bool):
+                raise TypeError
             time = float(row["real_time"]) * TO_MS[row.get("time_unit", "ns")]
         except (KeyError, TypeError, ValueError):
             raise BadRunFile(

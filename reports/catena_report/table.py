@@ -1,8 +1,13 @@
-"""A table, and the two files it becomes: CSV with every digit, LaTeX (booktabs) as shown."""
+"""A table, and the two files it becomes: CSV with every digit (what says more than one number as its text, with
+that number in a column beside it), LaTeX (booktabs) as shown.
+"""
 import csv
 import dataclasses
 import io
 import re
+
+# A number and nothing else but a sign, a unit or how it is counted.
+ALONE = re.compile(r"[-+−<>~ ]*[\d.,]+(?:e[-+]?\d+)? ?(?:%|ms|µs|s|times)?")
 
 
 @dataclasses.dataclass
@@ -19,6 +24,11 @@ class Cell:
     @property
     def raw(self):
         return self.text if self.value is None else self.value
+
+    @property
+    def worded(self):
+        """Whether the text says more than the number: an interval, a range, a name."""
+        return self.value is not None and not ALONE.fullmatch(self.text)
 
 
 @dataclasses.dataclass
@@ -38,14 +48,17 @@ class Table:
     def as_csv(self):
         text = io.StringIO(newline="")
         writer = csv.writer(text)
-        writer.writerow(self.columns)
-        writer.writerows([cell.raw for cell in row] for row in self.rows)
+        worded = [any(cell.worded for cell in column) for column in zip(*self.rows)] or [False] * len(self.columns)
+        writer.writerow(_beside(worded, ((name, f"{name}: number") for name in self.columns)))
+        for row in self.rows:
+            told = ((cell.text, cell.value) if is_worded else (cell.raw, None) for is_worded, cell in zip(worded, row))
+            writer.writerow(_beside(worded, told))
         return text.getvalue()
 
     def markdown(self):
-        lines = [self.columns, ["---"] * self.words + ["---:"] * (len(self.columns) - self.words)]
+        lines = [list(map(plain, self.columns)), ["---"] * self.words + ["---:"] * (len(self.columns) - self.words)]
         lines += [
-            [f"*{cell.text}*" if "paper" in cell.kind and cell.text else cell.text for cell in row]
+            [f"*{plain(cell.text)}*" if "paper" in cell.kind and cell.text else plain(cell.text) for cell in row]
             for row in self.rows
         ]
         return "".join("| " + " | ".join(line) + " |\n" for line in lines)
@@ -72,6 +85,17 @@ class Table:
         return "\n".join(lines)
 
 
+def _beside(worded, pairs):
+    """Both of each pair where the column is worded, else the first."""
+    return [value for both, pair in zip(worded, pairs) for value in (pair if both else pair[:1])]
+
+
+def plain(text):
+    """Text as Markdown shows it in a cell: a name may hold what parts cells, begins HTML or slants."""
+    return re.sub(r"[\\|<>&*_`]", lambda found: ESCAPED.get(found[0], "\\" + found[0]), text)
+
+
+ESCAPED = {"<": "&lt;", ">": "&gt;", "&": "&amp;"}
 SPECIAL = {
     "\\": r"\textbackslash{}",
     "~": r"\textasciitilde{}",

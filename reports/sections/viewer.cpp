@@ -133,10 +133,13 @@ Json view(const bench::WorkloadSpec& shown, const Profile& profile) {
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t frame = count == 1 ? all / 2 : k * (all - 1) / (count - 1);
     const Chain chain = input.animation->frame(frame);
-    const auto exact = reference::find_in(chain, box_of(input.boxes, frame));
-    frames.push_back({{"frame", frame},
-                      {"spheres", spheres_of(chain)},
-                      {"pairs", base64(std::span<const Pair>(exact.pairs))}});
+    const PeriodicBox* box = box_of(input.boxes, frame);
+    const auto exact = reference::find_in(chain, box);
+    Json stored{{"frame", frame},
+                {"spheres", spheres_of(chain)},
+                {"pairs", base64(std::span<const Pair>(exact.pairs))}};
+    if (box) stored["box"] = {box->length[0], box->length[1], box->length[2], box->xy, box->xz, box->yz};
+    frames.push_back(std::move(stored));
     for (auto& answer : wrong_answers(chain, input.boxes, frame, exact, profile))
       wrong.push_back(std::move(answer));
     if (k == 0 || exact.pair_count > most) busiest = chain, busiest_frame = frame, most = exact.pair_count;

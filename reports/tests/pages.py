@@ -116,8 +116,8 @@ def without_figures():
 
 
 class Made(unittest.TestCase):
-    """A page written from `values`, which the cases that derive from this set. Its figures take seconds to draw;
-    without `drawn` they are empty.
+    """A page written from `values`, which the cases that derive from this set, and what holds of every page. Its
+    figures take seconds to draw; without `drawn` they are empty.
     """
 
     values, drawn = [], True
@@ -134,3 +134,8 @@ class Made(unittest.TestCase):
         with contextlib.nullcontext() if cls.drawn else without_figures():
             cls.text = page.write(report.Report(runs), cls.output).read_text()
         cls.page = Parsed(cls.text)
+
+    def test_every_link_within_the_page_leads_somewhere(self):
+        within = {address[1:] for address in self.page.addresses if address.startswith("#")}
+        self.assertTrue(within)
+        self.assertEqual(within - set(self.page.ids), set())

@@ -1,10 +1,13 @@
 """views[] of a run file (run_file.md) made for tests of the viewer: small chains whose pairs are found here by brute force."""
 import base64
+import itertools
 
 import numpy
 
 COUNT = 160
 RADIUS = 1.0
+# In which space repeats: plain, tilted by more than half an edge, and not along every edge.
+BOXES = {"plain/n:60": [12, 9, 10, 0, 0, 0], "tilted/n:60": [12, 9, 10, 8, -7, 6], "slab/n:60": [12, 9, 0, 3, 0, 0]}
 
 
 def packed(array):
@@ -32,6 +35,32 @@ def pairs_of(rows):
     return numpy.stack([i, j], 1).astype(numpy.uint32)
 
 
+def depths_in(rows, box):
+    """{(i, j): how deep} of what collides in a space that a box (as run_file.md has it) repeats: by all images near."""
+    rows = rows.astype(numpy.float32).astype(float)
+    edges = numpy.array([[box[0], 0, 0], [box[3], box[1], 0], [box[4], box[5], box[2]]])
+    reach = [range(-2, 3) if length else (0,) for length in box[:3]]
+    shifts = numpy.array([numpy.array(steps) @ edges for steps in itertools.product(*reach)])
+    ways = rows[:, None, None, :3] - rows[None, :, None, :3] - shifts
+    depth = rows[:, None, 3] + rows[None, :, 3] - numpy.linalg.norm(ways, axis=3).min(2)
+    return {(int(i), int(j)): depth[i, j] for i, j in zip(*numpy.nonzero(numpy.triu(depth >= 0, 2)))}
+
+
+def boxed(name, box):
+    """A walk through a box that repeats, wrapped into it as simulations write it."""
+    generator = numpy.random.default_rng(7)
+    rows = numpy.ones((60, 4))
+    steps = generator.normal(size=(60, 3))
+    rows[:, :3] = numpy.cumsum(2.2 * steps / numpy.linalg.norm(steps, axis=1)[:, None], axis=0)
+    for axis, length in enumerate(box[:3]):
+        if length:
+            rows[:, axis] %= length
+    found = depths_in(rows, box)
+    pairs = numpy.array(list(found), numpy.uint32)
+    frame = {"frame": 0, "spheres": packed(rows.astype(numpy.float32)), "pairs": packed(pairs), "box": box}
+    return {"input": name, "command": "", "frames": [frame], "strands": [0], "closed": [False]}, found
+
+
 def levels_of(rows):
     """Boxes' circumscribed spheres of 1, 2, 4, ... neighbours in chain order: enough to be seen."""
     levels, width = [], 1
@@ -53,7 +82,7 @@ def view(name, frames, wrong=(), offset=0.0, scale=1.0):
         moved = (rows + numpy.array([offset, offset, -offset, 0])) * scale
         shown.append({"frame": number, "spheres": packed(moved.astype(numpy.float32)), "pairs": packed(pairs_of(rows))})
     first = (next(iter(frames.values())) + numpy.array([offset, offset, -offset, 0])) * scale
-    return {"input": name, "command": f"catena detect {name.replace('/n:', ':n=')} --frame all",
+    return {"input": name, "command": f"catena detect {name.replace('/n:', ':n=')} --frame all --variant CPU1 --pairs pairs.csv",
             "frames": shown, "strands": [0], "closed": [False], "levels": levels_of(first), "wrong": list(wrong)}
 
 
@@ -72,4 +101,5 @@ def views():
                 [{"variant": "aCPU2+CPU2/literal", "frame": 20, "missing": found[:3], "invented": [[10, 40], [20, 50]]}])
     grid = on_grid(near)
     return [hair, view("near/n:160", {0: grid}), view("far/n:160", {0: grid}, offset=2.0 ** 18),
-            view("huge/n:160", {0: grid}, scale=2.0 ** 115), view("tiny/n:160", {0: grid}, scale=2.0 ** -115)]
+            view("huge/n:160", {0: grid}, scale=2.0 ** 115), view("tiny/n:160", {0: grid}, scale=2.0 ** -115),
+            *(boxed(name, box)[0] for name, box in BOXES.items())]

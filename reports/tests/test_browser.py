@@ -1,6 +1,7 @@
 """The page in a browser, offline: plots drawn by pixels, a variant toggled, a chain picked, quick to open, silent console."""
 import pathlib
 import tempfile
+import time
 import unittest
 import unittest.mock
 
@@ -93,6 +94,7 @@ class Page(unittest.TestCase):
             "return arguments[0].data.filter(t => t.name == 'GPU1').map(t => t.visible)", plot
         )
         self.assertEqual(states, ["legendonly"])
+        time.sleep(0.6)  # sooner it would be a double click, which leaves this variant alone
         button.click()
         browser.wait(driver, lambda _: changed() < 0.001)
 
@@ -115,6 +117,27 @@ class Page(unittest.TestCase):
         browser.wait(driver, lambda _: box.is_displayed())
         self.assertEqual(box.find_element("class name", "command").text, place[2]["command"])
         self.assertIn(place[2]["input"].split("/")[0], place[2]["command"])
+
+    def test_the_csv_of_a_table_is_its_file(self):
+        driver = self.usual()
+        saved = driver.execute_async_script("""
+            const done = arguments[0], make = URL.createObjectURL;
+            URL.createObjectURL = blob => {
+              if (blob.type !== 'text/csv') return make(blob);
+              blob.text().then(done);
+              URL.createObjectURL = make;
+              return 'javascript:void 0';
+            };
+            document.querySelector('#table-choice [data-save="csv"]').click();""")
+        with open(self.path.parent / "tables" / "choice.csv", newline="", encoding="utf-8") as file:
+            self.assertEqual(saved, file.read())
+
+    def test_without_javascript_there_is_nothing_to_press(self):
+        with browser.opened(self.path, flags=("--blink-settings=scriptEnabled=false",)) as driver:
+            buttons = driver.find_elements("css selector", "button")
+            self.assertGreater(len(buttons), 10)
+            self.assertFalse(any(button.is_displayed() for button in buttons))
+            self.assertTrue(driver.find_element("css selector", "#table-choice").is_displayed())
 
     def test_no_table_hides_a_column(self):
         """At 1,400 px every table fits; narrower, tables in words are cards; on a phone every number is in sight."""

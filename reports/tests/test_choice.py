@@ -92,7 +92,7 @@ class Advised(unittest.TestCase):
             alike += sum(len(chosen.alike) > 0 for chosen in choices.values())
         self.assertGreater(min(joined, alike), 20)
 
-    def test_of_several_the_least_is_named_and_the_next_is_slower_on_every_chain(self):
+    def test_of_several_the_least_is_named_and_who_is_nearer_than_the_next_is_as_good(self):
         named = 0
         for view, _, choices, advices in self.each:
             for advice in advices:
@@ -101,10 +101,21 @@ class Advised(unittest.TestCase):
                 self.assertEqual(least[advice.variant], min(least.values()))
                 seen = set().union(*(view[i] for i in advice.inputs)) & set(EXACT)
                 self.assertEqual(advice.others, len(seen - {advice.variant}))
-                everywhere = set.intersection(*(surely_slower(view[i], advice.variant) for i in advice.inputs))
-                everywhere = {name for name in everywhere if self.interval(view, advice, name).low > 1}
+                slower = set().union(*(surely_slower(view[i], advice.variant) for i in advice.inputs))
+                slower = {name for name in slower if self.interval(view, advice, name).low > 1}
+                everywhere = set.intersection(*(set(view[i]) for i in advice.inputs)) & seen - {advice.variant}
+                self.assertEqual({entry.name for entry in advice.as_good}, everywhere - slower)
+                order = [entry.ratio.value for entry in advice.as_good]
+                self.assertEqual(order, sorted(order))
+                if advice.next:
+                    nearer = {
+                        name for name in everywhere
+                        if mean_ratio(view, advice.inputs, name, advice.variant) < advice.next.ratio.value * (1 - 1e-9)
+                    }
+                    self.assertLessEqual(nearer, {entry.name for entry in advice.as_good})
+                    self.assertGreater(advice.next.ratio.low, 1)
                 for told, names in (
-                    (advice.next, everywhere),
+                    (advice.next, everywhere & slower),
                     (advice.papers, {choice.PAPERS} - {advice.variant}),
                     (advice.peer, {"FCL"}),
                 ):
@@ -112,8 +123,9 @@ class Advised(unittest.TestCase):
                     self.assertEqual(told is not None, bool(timed))
                     if told:
                         ratios = {name: mean_ratio(view, advice.inputs, name, advice.variant) for name in timed}
-                        self.assertAlmostEqual(told[1].value, min(ratios.values()))
-                        self.assertAlmostEqual(ratios[told[0]], told[1].value)
+                        self.assertAlmostEqual(told.ratio.value, min(ratios.values()))
+                        self.assertAlmostEqual(ratios[told.name], told.ratio.value)
+                        self.assertEqual(told.chains, sum(told.name in view[i] for i in advice.inputs))
                         named += len(ratios) > 1
         self.assertGreater(named, 20)
 
@@ -131,9 +143,23 @@ class Advised(unittest.TestCase):
         }
         (advice,) = choice.advise(run_of({"a/n:1000": 1, "a/n:2000": 1}), view)
         self.assertEqual((advice.variant, advice.next), (EXACT[1], None))
+        self.assertEqual({entry.name for entry in advice.as_good}, {EXACT[0], EXACT[2]})
         view["a/n:1000"][EXACT[2]] = slow + 2
         (advice,) = choice.advise(run_of({"a/n:1000": 1, "a/n:2000": 1}), view)
         self.assertEqual(advice.next[0], EXACT[2])
+
+    def test_who_differs_by_the_test_and_not_by_its_interval_is_as_good(self):
+        """Eight against eight that interleave at one end: told by ranks, and the ratio's interval, of ranges, holds 1."""
+        quick = numpy.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.3])
+        slow = numpy.array([1.0, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1])
+        view = {"a/n:1000": dict(zip(EXACT, (quick, slow, 4 * quick)))}
+        self.assertEqual(statistics.differing(view["a/n:1000"], EXACT[0]), set(EXACT[1:3]))
+        run = run_of({"a/n:1000": 1})
+        (advice,) = choice.advise(run, view)
+        self.assertEqual([entry.name for entry in advice.as_good], [EXACT[1]])
+        self.assertEqual(advice.next.name, EXACT[2])
+        chosen = choice.choose(run, view)["a/n:1000"]
+        self.assertEqual((chosen.alike, chosen.as_good(run)), ([], [EXACT[1]]))
 
     def test_four_chains_measured_alike_leave_half_of_what_one_leaves_open(self):
         one = statistics.Interval(2.0, 1.5, 3.0)

@@ -91,6 +91,16 @@ class Costs(unittest.TestCase):
         self.assertIn(f"take {math.exp(plain.mean(every)):.2f} times as long", self.shown.tables["exactness"].title)
         self.assertIn(f"of {len(every)} cases", self.shown.tables["exactness"].title)
 
+    def test_what_is_quick_by_losing_pairs_is_no_price_of_exactness(self):
+        value = made.run()
+        for row in value["benchmarks"]:
+            if "/n:1000/aCPU2+CPU2/literal/find" in row["name"]:
+                row |= {"real_time": row["real_time"] / 1000, "missing": 40.0}
+        lossy = pages.shown(value).tables["exactness"]
+        self.assertIn("2 pairs of chain and variant left out", lossy.caption)
+        value["benchmarks"] = [row for row in value["benchmarks"] if "/n:1000/aCPU2+CPU2/literal" not in row["name"]]
+        self.assertEqual(lossy.as_csv(), pages.shown(value).tables["exactness"].as_csv())
+
     @recomputes("table:wants")
     def test_what_is_asked_for(self):
         rows = self.shown.raw("wants")
@@ -119,6 +129,15 @@ class Costs(unittest.TestCase):
                 row[4:],
                 [plain.median(raw["with_ms"]), plain.median(raw["without_ms"]), ratio(raw["with_ms"], raw["without_ms"])[0]],
             )
+
+    def test_what_is_slower_without_is_told_by_the_worst(self):
+        value = made.run()
+        row = value["catena"]["savings"][0]
+        self.assertNotIn("slower", self.shown.figures["savings"].title)
+        value["catena"]["savings"].append({**row, "what": "hierarchy", "without_ms": [8 * ms for ms in row["with_ms"]]})
+        self.assertTrue(
+            pages.shown(value).figures["savings"].title.endswith(f", slower in 1: up to 8 times (hierarchy, {row['input']})")
+        )
 
     def test_a_saving_that_changes_the_answer_is_said(self):
         value = made.run()

@@ -84,6 +84,13 @@ class Words(Base):
             other.path = pathlib.Path("c.json")
             self.assertTrue(reproduce.build(several).blocks[-1].text.endswith(f" --from {given} c.json"))
 
+    def test_a_commit_that_lacks_what_was_built_is_said_to(self):
+        run = pages.of(self.value)
+        for commit, said in (("0123", "git checkout 0123"), ("0123-dirty", "git checkout 0123  # it was built with changes that no commit has")):
+            run.context["commit"] = commit
+            lines = reproduce.build(report.Report([run])).blocks[0].text.splitlines()
+            self.assertEqual((lines[0], lines[-1]), (said, "build/release/" + run.catena["command"]))
+
     def test_of_a_run_without_its_command_the_program_is_said_and_that_more_was_given(self):
         run = pages.of(self.value)
         run.catena.pop("command")
@@ -114,20 +121,21 @@ class Chosen(Base):
 
     def test_without_a_peer_there_is_no_column_of_it(self):
         columns = advice.summary_table(self.report()).columns
-        self.assertEqual((len(columns), "a general library takes" in columns), (6, False))
-        self.assertEqual({len(row) for row in advice.summary_table(self.report()).rows}, {6})
+        self.assertEqual((len(columns), "a general library takes" in columns), (8, False))
+        self.assertEqual({len(row) for row in advice.summary_table(self.report()).rows}, {8})
 
-    def test_who_took_longer_is_named_but_for_the_papers(self):
-        ratio = statistics.Interval(2.0, 1.5, 3.0)
-        self.assertEqual(advice._times((choice.PAPERS, ratio), "none").text, "2.00 [1.50, 3.00] times")
-        self.assertEqual(advice._times(("GPU1", ratio), "none").text, "2.00 [1.50, 3.00] times (GPU1)")
+    def test_who_took_longer_is_named_where_the_column_does_not_and_on_how_many_chains(self):
+        one = choice.Beside("GPU1", statistics.Interval(2.0, 1.5, 3.0), 2)
+        self.assertEqual(advice._times(one, "none", 2, named=False).text, "2.00 [1.50, 3.00] times")
+        self.assertEqual(advice._times(one, "none", 2).text, "2.00 [1.50, 3.00] times (GPU1)")
+        self.assertEqual(advice._times(one, "none", 3).text, "2.00 [1.50, 3.00] times on 2 of 3 chains (GPU1)")
         self.assertEqual(advice._times(None, "none").text, "none")
 
     def test_the_papers_own_is_said_to_be_it(self):
         for row in self.value["benchmarks"]:
             row["real_time"] = (1.0 if "/aCPU2+CPU2/whole" in row["name"] else 9.0) * (1 + row.get("repetition_index", 0) / 100)
         row = advice.summary_table(self.report()).rows[0]
-        self.assertEqual((row[0].text, row[4].text), (choice.PAPERS, "this is it"))
+        self.assertEqual([row[at].text for at in (0, 5, 6)], [choice.PAPERS, "not timed", "this is it"])
 
     def test_chains_at_one_place_are_set_side_by_side_and_none_is_at_no_height(self):
         for scene in self.catena["scenes"]:
@@ -143,9 +151,9 @@ class Chosen(Base):
         run = pages.of(self.value)
         alike, alone = {"aCPU2+CPU2": [1.0] * 6, "aCPU2+Dual": [1.0] * 6}, {"aCPU2+CPU2": [1.0] * 6, "aCPU2+Dual": [5.0] * 6}
         panel = advice._panel(self.report(), run, {"path1/n:1000": alike, "path1/n:3000": alone}, "t")
-        self.assertEqual((panel.series[0].name, panel.series[0].x), ("no significant difference", [1000]))
+        self.assertEqual((panel.series[0].name, panel.series[0].x), ("others are as good", [1000]))
         hovers = [text for series in panel.series[1:] for text in series.hover]
-        self.assertEqual(sorted("not significantly different" in text for text in hovers), [False, True])
+        self.assertEqual(sorted("as good" in text for text in hovers), [False, True])
         (none,) = advice._panel(self.report(), run, {"path1/n:3000": alone}, "t").series
         self.assertEqual(none.name, "aCPU2+CPU2")
 
@@ -185,10 +193,10 @@ class Slowdowns(unittest.TestCase):
         run._described["FCL"] = variant.Variant.of("FCL", made.described("FCL"))
         fast, slow, peer = [2, 2.01, 2.02, 2.03], [9, 9, 9, 9.1], [1, 1, 1, 1.01]
         for names, ratios, said in (
-            (("aCPU2+CPU2", "GPU1"), (fast, slow), ", less than any other exact variant of catena's"),
+            (("aCPU2+CPU2", "GPU1"), (fast, slow), ", less than any other exact variant of catena's that was timed"),
             (("aCPU2+CPU2", "GPU1", "aCPU2+Dual"), (fast, slow, [1.0, 1.0]), ", less than any other exact variant of catena's that was timed on all"),
-            (("FCL", "aCPU2+CPU2", "GPU1"), (peer, fast, slow), ", less than any other exact variant of catena's; of the peers FCL 1.00 [1.00, 1.01]"),
-            (("FCL", "aCPU2+CPU2"), (peer[:2], fast), ", less than any other exact variant of catena's"),
+            (("FCL", "aCPU2+CPU2", "GPU1"), (peer, fast, slow), ", less than any other exact variant of catena's that was timed; of the peers FCL 1.00 [1.00, 1.01]"),
+            (("FCL", "aCPU2+CPU2"), (peer[:2], fast), ", less than any other exact variant of catena's that was timed"),
         ):
             found = {name: self.of(mine, 4) for name, mine in zip(names, ratios)}
             with unittest.mock.patch.object(profiles, "slowdowns", return_value=found):

@@ -1,5 +1,6 @@
 """How figures are drawn: labels, points under one marker, their words."""
 import dataclasses
+import re
 import unittest
 
 import made
@@ -123,6 +124,16 @@ class Drawn(unittest.TestCase):
                 self.assertAlmostEqual(low, min(low_end, middle))
                 self.assertAlmostEqual(high, max(high_end, middle))
             self.assertEqual((first.get_xscale(), second.get_xscale()), ("log", "linear"))
+
+    def test_svg_says_once_how_the_marks_of_a_series_look_and_turns_no_text_by_nothing(self):
+        """Both were a tenth of a page that has to stay small enough for a browser."""
+        text = static.svg(static.draw(self.figure(False)), "k")
+        uses = re.findall(r"<use [^>]*>", text[text.index('id="k-series-0-0"'):])[:3]
+        self.assertEqual(len(uses), 3)
+        self.assertFalse(any("style" in use for use in uses), uses)
+        self.assertRegex(text, r'<g clip-path="[^"]*" style="fill: #[^"]*">\s*<use ')
+        self.assertNotIn("rotate(-0", text)
+        self.assertIn("rotate(-90", text)
 
     def test_plotly_has_points_and_bars(self):
         for across in (False, True):

@@ -91,9 +91,9 @@ class Costs(Base):
         times = lambda factor: [factor * t for t in steady]  # noqa: E731
         wild = [0.1, 10.0] * 4
         rows = [
-            (times(1.04), steady, "no significant difference"),
+            (times(1.04), steady, "update is faster by less than 5 %"),
             (times(1.06), steady, "update is faster"),
-            (steady, times(1.04), "no significant difference"),
+            (steady, times(1.04), "rebuild is faster by less than 5 %"),
             (steady, times(1.06), "rebuild is faster"),
             (wild, steady, "no significant difference"),
         ]

@@ -7,6 +7,7 @@ import scipy.stats
 
 import made
 import pages
+from catena_report.sections import environment
 from pages import recomputes
 
 
@@ -59,6 +60,30 @@ class Environment(unittest.TestCase):
         prose = pages.shown(value).prose
         self.assertIn("was within 5 % of the median, at most 9 times and 90 s in all", prose)
         self.assertIn("1 of 7 cases became that narrow, 2 were not reached", prose)
+
+    def test_what_was_measured_so_many_times_has_no_width_to_become(self):
+        value = made.run()
+        value["catena"]["stopping"] |= {"share": 0, "narrow": 0, "cases": 18, "most_samples": 3, "not_reached": []}
+        for seconds, said in ((30, " where 30 s in all sufficed. Intervals"), (environment.UNLIMITED, ". Intervals")):
+            value["catena"]["stopping"]["seconds"] = seconds
+            prose = pages.shown(value).prose
+            self.assertIn("each measured 3 times" + said, prose)
+            self.assertNotIn("became that narrow", prose)
+
+    def test_each_reason_for_a_refusal_is_told_of_those_that_gave_it(self):
+        value = made.run()
+        value["benchmarks"] = [row for row in value["benchmarks"] if not row.get("error_occurred")]
+        for variant in ("bGPU2+GPU2", "bGPU2@host+GPU2"):
+            for n in (3000, 10000):
+                stage = variant.partition("+")[0]
+                why = {"error_occurred": True, "error_message": f"{stage} takes at most 1536 spheres, got {n}"}
+                value["benchmarks"].append({"name": f"path1/n:{n}/{variant}/whole", **why})
+                value["catena"]["variants"][variant] = made.described(variant)
+        self.assertIn(
+            "<strong>Refused</strong>: 2 measurements of bGPU2+GPU2 (“bGPU2 takes at most 1536 spheres, got 3000”); 2"
+            " measurements of bGPU2@host+GPU2 (“bGPU2@host takes at most 1536 spheres, got 3000”).",
+            pages.shown(value).prose,
+        )
 
     def test_false_alarms_are_a_share_of_the_cases_with_enough_samples(self):
         value = made.run(repetitions=8)

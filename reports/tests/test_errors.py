@@ -5,7 +5,7 @@ import statistics as plain
 import unittest
 
 import made
-from catena_report import report, runfile
+from catena_report import report, runfile, variant
 from catena_report.sections import work_precision
 import pages
 from pages import recomputes
@@ -41,9 +41,28 @@ def with_rounded(answer_error=0.0):
 class Headline(unittest.TestCase):
     def test_it_says_what_exactness_costs_and_what_rounding_loses(self):
         run = with_rounded(0.07)
-        said = work_precision._message(run, run.catena["work_precision"]["points"])
-        self.assertIn("Exact answers take 1.11 [1.11, 1.11] times as long as literal ones", said)
-        self.assertIn("literal ones get up to 7 % of the pairs wrong", said)
+        points = run.catena["work_precision"]["points"]
+        self.assertEqual(work_precision._message(run, points), "Literal ones get up to 7 % of the pairs wrong, 1.11 times as quick where they do")
+
+    def test_what_is_quick_by_losing_pairs_is_no_price_of_exactness(self):
+        run = with_rounded()
+        points = run.catena["work_precision"]["points"]
+        self.assertIn("Exact answers take 1.11 [1.11, 1.11] times as long as literal ones;", work_precision._message(run, points))
+        lossy = [{**p, "answer_error": 0.5, "median_ms": p["median_ms"] / 10, "tube": "far"} for p in points if "/" in p["variant"]]
+        exact = [{**p, "tube": "far"} for p in points if "/" not in p["variant"]]
+        said = work_precision._message(run, points + exact + lossy)
+        self.assertIn("Exact answers take 1.11 [1.11, 1.11] times as long as literal ones that are right;", said)
+        self.assertIn("50 % of the pairs wrong, 11.11 times as quick where they do", said)
+
+    def test_variants_on_one_chain_are_one_ratio_of_it(self):
+        run = with_rounded()
+        points = run.catena["work_precision"]["points"]
+        run._described["aCPU2+Dual/literal"] = variant.Variant.of("aCPU2+Dual/literal", made.described("aCPU2+Dual/literal"))
+        other = [{**p, "variant": p["variant"].replace("CPU2+CPU2", "CPU2+Dual"), "median_ms": p["median_ms"] * (1 if "/" in p["variant"] else 4)} for p in points]
+        (ratios,) = work_precision.prices(run, points + other).values()
+        self.assertEqual(len(ratios), len(made.SIZES))
+        for ratio in ratios:
+            self.assertAlmostEqual(ratio, 2 / 0.9)
 
     def test_a_rounded_variant_is_on_no_front_however_fast(self):
         run = with_rounded()
@@ -72,12 +91,12 @@ class OfTheH200(unittest.TestCase):
     def test_the_price_of_exactness_is_that_of_its_points(self):
         points = self.run_.raw["catena"]["work_precision"]["points"]
         exact = {(p["offset"], p["n"], p["variant"]): p["median_ms"] for p in points if p["arithmetic"] == "robust"}
-        ratios = [
-            exact[p["offset"], p["n"], p["variant"].removesuffix("/literal")] / p["median_ms"]
-            for p in points
-            if p["variant"].endswith("/literal")
-        ]
-        mean = math.exp(plain.mean(map(math.log, ratios)))
+        ratios = {}
+        for p in points:
+            if p["variant"].endswith("/literal") and p["answer_error"] == 0:
+                ratio = exact[p["offset"], p["n"], p["variant"].removesuffix("/literal")] / p["median_ms"]
+                ratios.setdefault((p["tube"], p["offset"], p["n"]), []).append(ratio)
+        mean = plain.geometric_mean(map(plain.geometric_mean, ratios.values()))
         figure = next(b for b in self.blocks if getattr(b, "key", "") == "work-precision")
         self.assertIn(f"take {mean:.2f} [", figure.title.partition("double ones")[2])
 

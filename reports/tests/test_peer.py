@@ -52,7 +52,7 @@ class Peer(unittest.TestCase):
         self.assertTrue(all("FCL" not in " ".join(row) for row in self.shown.rows("choice")))
         for row in self.shown.rows("advice-short"):
             self.assertNotIn("FCL", row[0])
-            self.assertIn("FCL", row[5])
+            self.assertIn("FCL", row[7])
         self.assertIn("FCL (peer)", self.names("slowdown"))
         for figure in self.shown.figures.values():
             self.assertNotIn("FCL is fastest", figure.title)

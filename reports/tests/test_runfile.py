@@ -5,6 +5,7 @@ import tempfile
 import unittest
 
 import made  # noqa: F401  (finds catena_report)
+import shown_chains
 from catena_report import runfile, statistics, words
 
 
@@ -79,6 +80,36 @@ class Files(unittest.TestCase):
         self.assertIn("catena.regret is not an array", self.refusal({**whole, "catena": {"regret": {}}}))
         self.assertIn("catena.steps holds something else", self.refusal({**whole, "catena": {"steps": [[]]}}))
         self.assertIn("catena is not an object", self.refusal({**whole, "catena": []}))
+
+    def test_what_would_fail_later_is_refused_by_its_name(self):
+        whole = {"context": {}, "benchmarks": [], "catena": {}}
+        self.assertIn("context.date is not a text", self.refusal({**whole, "context": {"date": 5}}))
+        self.assertIn("schema true, this report reads 1", self.refusal({**whole, "catena": {"schema": True}}))
+        self.assertIn("catena.stopping is not an object", self.refusal({**whole, "catena": {"stopping": []}}))
+        row = {"name": "path1/n:10/CPU1/find", "real_time": True}
+        self.assertIn("benchmarks[0] has no real_time", self.refusal({**whole, "benchmarks": [row]}))
+
+    def test_a_view_that_cannot_be_unpacked_is_refused(self):
+        whole = {"context": {}, "benchmarks": []}
+        good = shown_chains.views()[-1]
+        frame = good["frames"][0]
+        refused = lambda view: self.refusal({**whole, "catena": {"viewer": [good, view]}})  # noqa: E731
+        for broken, said in (
+            ({"spheres": "AAAA"}, "spheres is not base64 of one sphere"),
+            ({"spheres": ""}, "spheres is not base64 of one sphere"),
+            ({"spheres": "A"}, "spheres is not base64 of one sphere"),
+            ({"pairs": "AAAA"}, "pairs is not base64 of pairs"),
+            ({"frame": "0"}, "frame is no number"),
+            ({"box": [1, 2, 3]}, "box is no array of six numbers"),
+        ):
+            self.assertIn(f"catena.viewer[1].frames[0].{said}", refused({**good, "frames": [{**frame, **broken}]}))
+        for broken, said in (
+            ({"frames": []}, "frames is no array of one frame or more"),
+            ({"levels": [{"level": 0}]}, "levels[0].spheres is not base64"),
+            ({"wrong": [{"variant": "a", "frame": 0}]}, "wrong[0] lacks"),
+        ):
+            self.assertIn(f"catena.viewer[1].{said}", refused({**good, **broken}))
+        self.assertIn("catena.viewer[1].frames is no array", refused({"input": "x/n:3"}))
 
     def test_a_variant_that_only_others_are_described_beside_is_said(self):
         stage = {"text": "CPU1", "algorithm": "CPU1", "on_host": False, "place": "host"}

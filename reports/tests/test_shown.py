@@ -143,6 +143,21 @@ class Advice(Base):
         self.assertEqual((choice.choose(run, view), choice.advise(run, view)), ({}, []))
         self.assertEqual(profiles.slowdowns(run), {})
 
+    def test_without_a_choice_the_page_says_why_there_is_no_advice(self):
+        alone = lambda name: "/aCPU2+CPU2/" in name and "literal" not in name  # noqa: E731
+        apart = lambda name: alone(name) and name.startswith("path1") or "/aCPU2+Dual/" in name and name.startswith("path2")  # noqa: E731
+        for keep, said in (
+            (alone, "one exact variant was timed end to end"),
+            (apart, "no two exact variants were timed end to end on one chain"),
+            (lambda name: "literal" in name, "no exact variant was timed end to end"),
+        ):
+            self.value = copy.deepcopy(self.base)
+            self.keep(keep)
+            first = self.blocks(summary)[0]
+            self.assertEqual(first.text, f"<strong>No advice</strong>: {said}; to choose between them takes two.")
+        self.value = copy.deepcopy(self.base)
+        self.assertEqual(self.blocks(summary)[0].key, "advice-short")
+
     def test_one_chain_has_one_time(self):
         self.keep(lambda name: name.startswith("path1/n:1000/"))
         row = advice.summary_table(self.report()).rows[0]

@@ -83,7 +83,7 @@ class Views(unittest.TestCase):
     def test_a_chain_without_a_view_shows_the_nearest_of_its_scene(self):
         value = made.run()
         value["catena"]["viewer"] = [
-            {"input": name} for name in ("path1/n:20", "path1/n:9000", "far:exponent=22/n:50")
+            {**shown_chains.views()[0], "input": name} for name in ("path1/n:20", "path1/n:9000", "far:exponent=22/n:50")
         ]
         with tempfile.TemporaryDirectory() as folder:
             pages = report.Report([runfile.load(made.write(folder, value))])

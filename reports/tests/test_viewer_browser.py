@@ -1,8 +1,7 @@
 """The viewer as a reader meets it: a page from a file, offline, in headless Chromium with WebGL in software."""
-import contextlib
+import math
 import pathlib
 import sys
-import tempfile
 import time
 import unittest
 
@@ -10,84 +9,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
 import browser  # noqa: E402
 import shown_chains  # noqa: E402
-from catena_report import viewer  # noqa: E402
-
-SOFTWARE_WEBGL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
-WITHOUT_WEBGL = ("--disable-3d-apis",)
-REASON = browser.missing() or viewer.missing()
-PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>viewer</title><link rel="icon" href="data:,">
-<meta name="viewport" content="width=device-width"><body>{}</body></html>"""
-
-
-class Opened:
-    """A page with the viewer, and what a test asks of it."""
-
-    def __init__(self, driver):
-        self.driver = driver
-        browser.wait(driver, lambda d: d.execute_script("return document.getElementById('catena-viewer').dataset.ready"), 60)
-
-    def part(self, name):
-        return self.driver.find_element("css selector", f'#catena-viewer [data-part="{name}"]')
-
-    def run(self, script, *arguments):
-        return self.driver.execute_script(f"const viewer = window.catenaViewer.viewer, scene = viewer.scene; {script}", *arguments)
-
-    def show(self, name, frame=None):
-        return self.driver.execute_async_script(
-            "const done = arguments[2]; catenaViewer.show(arguments[0], arguments[1] ?? undefined).then(done);", name, frame)
-
-    def settle(self):
-        """Until nothing was drawn in some of the browser's frames, and nothing is waiting to be: a flight has landed."""
-        end, renders = time.monotonic() + 60, []
-        while time.monotonic() < end:
-            browser.next_frame(self.driver)
-            renders.append(self.run("return scene.requested ? null : scene.renders"))
-            if renders[-1] and renders[-4:] == 4 * renders[-1:]:
-                return
-            time.sleep(0.05)
-        raise AssertionError("the viewer never comes to rest")
-
-    def picture(self):
-        self.settle()
-        return browser.pixels(self.part("stage"))[50:-60, 6:-90]  # without buttons, legend, axes, focus
-
-    def share(self, name):
-        """Share of the picture in a colour of the palette, lit or in shade."""
-        import numpy
-        colour = numpy.array(self.run("return viewer.palette[arguments[0]]", name), float)
-        picture = self.picture().astype(float)
-        light = numpy.linalg.norm(picture, axis=2)
-        cosine = picture @ (colour / numpy.linalg.norm(colour)) / numpy.maximum(light, 1e-9)
-        return float(((cosine > 0.99) & (light > 0.35)).mean())
-
-
-def changed(before, after):
-    """Share of pixels that differ visibly."""
-    return float((abs(before - after).max(axis=2) > 0.1).mean())
-
-
-class InBrowser(unittest.TestCase):
-    FLAGS = SOFTWARE_WEBGL
-    DARK = False
-
-    @classmethod
-    def setUpClass(cls):
-        if REASON:
-            raise unittest.SkipTest(REASON)
-        open_until_the_end = contextlib.ExitStack()
-        cls.addClassCleanup(open_until_the_end.close)
-        folder = open_until_the_end.enter_context(tempfile.TemporaryDirectory())
-        page = pathlib.Path(folder) / "page.html"
-        page.write_text(PAGE.format(viewer.render(shown_chains.views())), encoding="utf-8")
-        cls.driver = open_until_the_end.enter_context(
-            browser.opened(page, width=1000, height=850, dark=cls.DARK, flags=cls.FLAGS))
-        cls.opened = Opened(cls.driver)
-
-    def setUp(self):
-        self.assertTrue(self.opened.show("hairpin/n:160", 20))
-
-    def tearDown(self):
-        self.assertEqual([], browser.errors(self.driver))
+from viewer_page import REASON, SOFTWARE_WEBGL, WITHOUT_WEBGL, InBrowser, changed, page_of  # noqa: E402
 
 
 class Viewer(InBrowser):
@@ -269,8 +191,45 @@ class Viewer(InBrowser):
         self.assertEqual("10 of 20", self.opened.part("frame-number").text)
         self.assertFalse(self.opened.show("nothing/n:1", 0))
 
-    def test_the_replay_command_is_the_views(self):
-        self.assertEqual(shown_chains.views()[0]["command"], self.opened.part("command").text)
+    def test_the_replay_command_asks_for_the_frame_and_the_variant_that_are_shown(self):
+        from selenium.webdriver.support.ui import Select
+        self.assertEqual("catena detect hairpin:n=160 --frame 20 --variant CPU1 --pairs pairs.csv", self.opened.part("command").text)
+        Select(self.opened.part("variant")).select_by_index(1)
+        self.assertEqual("catena detect hairpin:n=160 --frame 20 --variant aCPU2+CPU2/literal --pairs pairs.csv",
+                         self.opened.part("command").text)
+        said = self.opened.run("return viewer.view.replay(3, 'aGPU2@host(subtree=256)+CPU2/literal')")
+        self.assertIn(" --frame 3 --variant 'aGPU2@host(subtree=256)+CPU2/literal' --pairs", said)
+        self.opened.part("frame").send_keys("\ue011")
+        self.assertIn(" --frame 0 ", self.opened.part("command").text)
+
+    def test_a_pair_across_a_face_of_the_box_overlaps_and_is_flown_to(self):
+        for name, box in shown_chains.BOXES.items():
+            depths = shown_chains.boxed(name, box)[1]
+            self.opened.show(name)
+            self.assertTrue(self.opened.part("legend-box").is_displayed())
+            found = self.opened.run("""
+                const list = viewer.pairList;
+                list.order.value = 'deep';
+                list.arrange();
+                return list.items.map((item, place) => {
+                  list.pick(place);
+                  return [viewer.part('pair').textContent, list.depth(item), viewer.selected.rows];
+                });""")
+            order = sorted(depths, key=depths.get, reverse=True)
+            self.assertEqual(len(order), len(found))
+            for (i, j), (line, depth, (a, b)) in zip(order, found):
+                self.assertTrue(line.startswith(f"{i} – {j}: overlap "), line)
+                self.assertAlmostEqual(depth, depths[i, j])
+                self.assertAlmostEqual(math.dist(a[:3], b[:3]), 2 - depth)
+            across = sum("across the face of the box" in line for line, *_ in found)
+            self.assertTrue(3 < across < len(order), (name, across, len(order)))
+
+    def test_of_another_chain_the_pairs_of_all_spheres_are_shown(self):
+        only = self.opened.part("pair-only")
+        only.send_keys("-5")  # no sphere's number
+        self.assertTrue(self.opened.part("pair-count").text.startswith("0 of "))
+        self.opened.show("near/n:160")
+        self.assertEqual(("", False), (only.get_attribute("value"), " of " in self.opened.part("pair-count").text))
 
     def test_the_page_can_choose_dark(self):
         light = self.opened.picture()
@@ -306,6 +265,28 @@ class WithoutWebGl(InBrowser):
         self.opened.part("frame").send_keys("\ue011")
         self.assertGreater(changed(before, self.opened.picture()), 0.01)
         self.assertEqual(0, self.opened.share("colliding"))
+
+    def test_the_box_and_the_image_across_its_face_are_drawn(self):
+        self.assertEqual(0, self.opened.share("bound"))
+        self.opened.show("plain/n:60")
+        self.assertGreater(self.opened.share("bound"), 0.0003)  # thin lines
+        whole = self.opened.picture()
+        self.opened.run("viewer.part('pair-order').value = 'deep'; viewer.pairList.arrange(); viewer.pairList.pick(0)")
+        self.assertGreater(changed(whole, self.opened.picture()), 0.05)
+
+
+class Damaged(unittest.TestCase):
+    @unittest.skipIf(REASON, REASON)
+    def test_what_cannot_be_shown_is_said(self):
+        with page_of([{"input": "x/n:3", "frames": []}]) as page:
+            with browser.opened(page, flags=SOFTWARE_WEBGL) as driver:
+                root = driver.find_element("id", "catena-viewer")
+                browser.wait(driver, lambda _: root.get_attribute("data-ready"))
+                self.assertTrue(root.text.startswith("The viewer cannot be shown ("), root.text)
+                self.assertFalse(driver.execute_async_script("catenaViewer.show('x/n:3').then(arguments[0])"))
+                self.assertEqual([], browser.errors(driver))
+            with browser.opened(page, flags=("--blink-settings=scriptEnabled=false",)) as driver:
+                self.assertEqual("The viewer needs JavaScript.", driver.find_element("id", "catena-viewer").text)
 
 
 if __name__ == "__main__":

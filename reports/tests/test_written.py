@@ -35,6 +35,21 @@ class Written(unittest.TestCase):
         text = table.Table("a", "", "", ["x", "y"], [["word, quoted", table.Cell("0.333", 1 / 3)]]).as_csv()
         self.assertEqual(list(csv.reader(io.StringIO(text, newline=""))), [["x", "y"], ["word, quoted", str(1 / 3)]])
 
+    def test_what_says_more_than_its_number_stands_beside_it(self):
+        cells = [table.Cell("1.58 [1.42, 1.85] times (LBVH)", 1.575), table.Cell("1,234 ms", 1234.5), table.Cell("none")]
+        rows = [cells, [table.Cell("2.00", 2.0), table.Cell("< 0.1 %", 0.0005), table.Cell("auto, Grid")]]
+        text = table.Table("a", "", "", ["next", "time", "as good"], rows).as_csv()
+        self.assertEqual(list(csv.reader(io.StringIO(text, newline=""))), [
+            ["next", "next: number", "time", "as good"],
+            ["1.58 [1.42, 1.85] times (LBVH)", "1.575", "1234.5", "none"],
+            ["2.00", "2.0", "0.0005", "auto, Grid"],
+        ])  # fmt: skip
+
+    def test_a_name_parts_no_cell_of_markdown_and_begins_no_html(self):
+        text = table.Table("a", "", "", ["x|y", "n"], [["p|q <b> a_b *c* `d` \\ &", "1"]]).markdown()
+        self.assertEqual(text.splitlines()[0], r"| x\|y | n |")
+        self.assertEqual(text.splitlines()[2], r"| p\|q &lt;b&gt; a\_b \*c\* \`d\` \\ &amp; | 1 |")
+
     def test_what_a_folder_holds_of_earlier_reports_stays_listed(self):
         with tempfile.TemporaryDirectory() as folder:
             listed = pathlib.Path(folder) / ".catena-report"

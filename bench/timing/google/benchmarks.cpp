@@ -23,10 +23,9 @@ void measure(benchmark::State& state, Trial& trial, Stage stage) {
     state.SetIterationTime(ms / 1000);
   }
   state.counters["pairs"] = static_cast<double>(trial.pairs());
-  if (trial.missing() + trial.invented() > 0) {
-    state.counters["missing"] = static_cast<double>(trial.missing());
-    state.counters["invented"] = static_cast<double>(trial.invented());
-  }
+  // Where they are 0, too: that nothing was wrong is something to say.
+  state.counters["missing"] = static_cast<double>(trial.missing());
+  state.counters["invented"] = static_cast<double>(trial.invented());
   state.counters["transfer_ms"] = trial.transfer_ms();
   if (!trial.spec().all_frames)
     state.counters["least_ms"] = least_ms;  // of frames that differ it would be the easiest

@@ -274,20 +274,13 @@
     };
     image.src = address;
   }
-  function csv(table) {
-    const quoted = cell => /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
-    return $$('tr', table)
-               .map(row => [...row.cells].map(cell => quoted(cell.textContent.trim())).join(','))
-               .join('\n') +
-        '\n';
-  }
   document.addEventListener('click', async event => {
     const button = event.target.closest('button');
     if (!button) return;
     const kind = button.dataset.save;
     if (kind === 'csv') {
-      const table = button.closest('.table');
-      save(new Blob([csv(table)], {type: 'text/csv'}), table.id.replace('table-', '') + '.csv');
+      const key = button.closest('.table').id.replace('table-', '');
+      save(new Blob([(await unpacked('tables'))[key]], {type: 'text/csv'}), key + '.csv');
     } else if (kind) {
       const figure = button.closest('figure'), text = standalone(figure);
       if (kind === 'svg')

@@ -259,6 +259,15 @@ def _runs(values, index):
     return zip(edges[::2], edges[1::2])
 
 
+# Marks of one series: each says the colours that all of them have.
+MARKS = re.compile(r'<g((?: clip-path="[^"]*")?)>(\s*<use [^>]*? style="([^"]*)"/>(?:\s*<use [^>]*? style="\3"/>)+\s*)</g>')
+
+
+def _said_once(found):
+    group, marks, style = found.groups()
+    return f'<g{group} style="{style}">' + marks.replace(f' style="{style}"', "") + "</g>"
+
+
 def svg(canvas, key):
     """SVG text with ids that no other figure of a page has."""
     text = io.StringIO()
@@ -269,6 +278,8 @@ def svg(canvas, key):
     body = re.sub(r'(xlink:href="#|url\(#)', rf"\g<1>{key}-", body)
     # In tags, never in text, a hundredth of a point is enough, at half the size.
     body = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d\.\d{2})\d+", r"\1", tag[0]), body)
+    body = re.sub(r' transform="rotate\(-0 [^)]*\)"', "", body)  # every text has one, and it turns nothing
+    body = MARKS.sub(_said_once, body)
     return body.replace("'DejaVu Sans'", "'DejaVu Sans', Verdana, sans-serif")
 
 

@@ -30,6 +30,7 @@ from . import (
     work_precision,
 )
 from .. import checks
+from ..section import without_dead_links
 
 ORDER = (
     summary,
@@ -63,7 +64,7 @@ ORDER = (
 
 def build(report):
     """Every section that has content."""
-    return [section for section in (_built(module, report) for module in ORDER) if section]
+    return without_dead_links([section for section in (_built(module, report) for module in ORDER) if section])
 
 
 def _built(module, report):

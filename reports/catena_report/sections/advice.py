@@ -17,6 +17,9 @@ VIEWS = {
 
 def build(report):
     section = Section("advice", "Which variant should I use?")
+    informed = {
+        name: report.best_informed({run: cases_of(run) for run in report.runs}) for name, (cases_of, _) in VIEWS.items()
+    }
     for run in report.runs:
         views = {name: cases for name, (cases_of, _) in VIEWS.items() if choice.choose(run, cases := cases_of(run))}
         if not views:
@@ -27,12 +30,13 @@ def build(report):
                 f"advice{report.key(run)}",
                 _message(run, *next(iter(views.items()))),
                 (
-                    "Each point is a chain that was timed: right is longer, up has more contacts (chains"
+                    _elsewhere(views, {name: informed[name][run] for name in views})
+                    + "Each point is a chain that was timed: right is longer, up has more contacts (chains"
                     " without any lie at the bottom; chains that would coincide are set side by side). Its"
                     " colour and marker are the variant with the least median; a grey ring says that at least"
-                    " one other variant does not differ from it significantly (Mann-Whitney with Holm's"
+                    " one other variant is as good: it does not differ from it significantly (Mann-Whitney with Holm's"
                     " correction; overlapping ranges where the repetitions are too few for it, within a"
-                    " factor of 2 below three): hover for which, and take either. Exact variants"
+                    " factor of 2 below three), or the interval of the ratio holds 1: hover for which, and take either. Exact variants"
                     " of catena's own only."
                 ),
                 panels,
@@ -67,11 +71,12 @@ def _panel(report, run, cases, title):
     points, places = {}, _beside(run, choices)
     for input_, chosen in choices.items():
         points.setdefault(chosen.leader, []).append(input_)
-    rings = [input_ for input_, chosen in choices.items() if chosen.alike]
+    as_good = {input_: chosen.as_good(run) for input_, chosen in choices.items()}
+    rings = [input_ for input_, others in as_good.items() if others]
     if rings:
         panel.series.append(
             Series(
-                "no significant difference",
+                "others are as good",
                 [places[input_] for input_ in rings],
                 [_height(run, input_) for input_ in rings],
                 Look("muted", hollow=True),
@@ -92,8 +97,8 @@ def _panel(report, run, cases, title):
                     f"<b>{leader}</b><br>{input_}, {run.density(input_) or 0:.3g} pairs a sphere<br>"
                     f"{words.duration(choices[input_].time.value)}"
                     + (
-                        f"<br>not significantly different:<br>{'<br>'.join(choices[input_].alike)}"
-                        if choices[input_].alike
+                        f"<br>as good:<br>{'<br>'.join(as_good[input_])}"
+                        if as_good[input_]
                         else ""
                     )
                     for input_ in several
@@ -119,9 +124,23 @@ def _height(run, input_):
 
 
 def _message(run, view, cases):
-    return f"Use, {view}: " + words.apart(
+    """What this run alone says: another run of the page may have timed a variant that is quicker."""
+    own = {variant for row in cases.values() for variant in row if run.info(variant).recommended}
+    return f"Of the {len(own)} exact variants that this run timed, {view}: " + words.apart(
         (f"{advice.variant} for {spans.in_words(advice.inputs, cases)}" for advice in choice.advise(run, cases)), 3
     )
+
+
+def _elsewhere(views, informed):
+    """On which chains the first table rests on another run of the page instead."""
+    better = [
+        f"{view} on {words.plural(missing, 'chain')}"
+        for view, cases in views.items()
+        if (missing := len(cases.keys() - informed[view].keys()))
+    ]
+    if not better:
+        return ""
+    return f"Another run of this machine timed more variants: its advice stands {words.listed(better)}. "
 
 
 def summary_table(report):
@@ -138,18 +157,20 @@ def summary_table(report):
         return None
     peers = any(advice.peer for run, cases in informed.items() for advice in choice.advise(run, cases))
     columns = [
-        "use", "for chains of", "a call takes, ms", "the next takes", "the paper's takes", "a general library takes",
-        "rests on",
+        "use", "for chains of", "a call takes, ms", "as good", "the next takes", "auto takes", "the paper's takes",
+        "a general library takes", "rests on",
     ]
     if not peers:  # said once, in the caption
-        columns, rows = columns[:5] + columns[6:], [row[:5] + row[6:] for row in rows]
+        columns, rows = columns[:7] + columns[8:], [row[:7] + row[8:] for row in rows]
     return Table(
         "advice-short",
         "Which variant should I use?",
         (
             "Each row is chains alike: of the exact variants timed on them, the one named is the fastest or not"
-            " significantly slower than it on each. “Next” is the nearest variant that is significantly slower"
-            f" on all of them, by an interval above 1; “the paper's” is {choice.PAPERS}"
+            " significantly slower than it on each. “As good” are those that are not told from it, where they were timed on all the"
+            " row's chains: no significant difference on any, or an interval that holds 1, each with its ratio. “Next” is"
+            f" the nearest of the others; {choice.DEFAULT} is what a caller gets who names none; “the paper's” is"
+            f" {choice.PAPERS}"
             + ("; a general library searches any set of spheres:" if peers else " (no general library was timed):")
             + " how many times as long each takes, geometric mean over the row's chains with its 95 % interval"
             " (below six repetitions the range). A call is end to end: from a chain in the host's memory to its"
@@ -172,30 +193,45 @@ def _advised(report, run, informed, advice):
         Cell(advice.variant, kind="pick"),
         spans.in_words(advice.inputs, report.timed_beside(run, informed)),
         Cell(words.ms(low) if len(advice.inputs) == 1 else f"{words.ms(low)} to {words.ms(high)}", low),
-        _times(advice.next, "none is slower on all of them"),
-        Cell("this is it") if advice.variant == choice.PAPERS else _times(advice.papers, "not timed"),
-        _times(advice.peer, "none was timed"),
+        _as_good(advice),
+        _times(advice.next, _no_next(advice)),
+        *[
+            Cell("this is it") if advice.variant == name else _times(entry, "not timed", len(advice.inputs), False)
+            for name, entry in ((choice.DEFAULT, advice.default), (choice.PAPERS, advice.papers))
+        ],
+        _times(advice.peer, "none was timed", len(advice.inputs)),
         f"{words.plural(len(advice.inputs), 'chain')}, {words.plural(samples, 'sample')}, against"
         f" {words.plural(advice.others, 'exact variant')}{where}",
     ]
 
 
-def _times(slower, otherwise):
-    """(name, how many times as long)."""
-    if not slower:
+def _as_good(advice):
+    return words.listed((f"{name} {ratio.value:.2f}" for name, ratio, _ in advice.as_good), 3)
+
+
+def _no_next(advice):
+    everywhere = advice.others == len(advice.as_good)
+    return "all are as good" if everywhere else f"no {'further' if advice.as_good else 'other'} was timed on all of them"
+
+
+def _times(beside, otherwise, chains=None, named=True):
+    """How many times as long, and on how many of the row's chains where not on all."""
+    if not beside:
         return Cell(otherwise)
-    name, ratio = slower
+    name, ratio, timed = beside
     text = words.interval(ratio) if ratio.low < ratio.high else f"{ratio.value:.3g}"  # one sample has no interval
-    return Cell(f"{text} times" + ("" if name == choice.PAPERS else f" ({name})"), ratio.value)
+    some = f" on {timed} of {words.plural(chains, 'chain')}" if chains and timed < chains else ""
+    return Cell(f"{text} times{some}" + (f" ({name})" if named else ""), ratio.value)
 
 
 def _table(report, run, views):
     rows = []
     for view, cases in views.items():
         for input_, chosen in choice.choose(run, cases).items():
+            as_good = chosen.as_good(run)
             slower = [
                 (name, ratio) for name, ratio in chosen.slower.items()
-                if name not in chosen.alike and run.info(name).recommended and ratio.low > 1
+                if name not in as_good and run.info(name).recommended
             ]
             nearest = min(slower, key=lambda entry: entry[1].value, default=None)
             papers = chosen.slower.get(choice.PAPERS)
@@ -204,7 +240,7 @@ def _table(report, run, views):
                     input_,
                     view,
                     chosen.leader,
-                    words.listed(chosen.alike, 3) if chosen.alike else "none",
+                    words.listed(as_good, 3),
                     Cell(nearest[0]) if nearest else "",
                     Cell(words.interval(nearest[1]), nearest[1].value) if nearest else "",
                     Cell(words.interval(papers), papers.value) if papers else "",
@@ -219,11 +255,11 @@ def _table(report, run, views):
         f"choice{report.key(run)}",
         "The fastest variant for each chain, and how much faster it is",
         (
-            "Ratios of medians with their 95 % interval: how many times as long the next variant takes that differs"
-            f" significantly and by an interval above 1, and how many times as long {choice.PAPERS}, the paper's on a processor."
+            "Ratios of medians with their 95 % interval: how many times as long the next variant takes that is not as"
+            f" good, and how many times as long {choice.PAPERS}, the paper's on a processor."
         ),
         [
-            "chain", "you wait for", "fastest", "no significant difference", "next", "next / fastest",
+            "chain", "you wait for", "fastest", "as good", "next", "next / fastest",
             "the paper's / fastest", "pairs a sphere", "median, ms",
         ],
         rows,

@@ -36,23 +36,18 @@ def build(report):
         if claim.key in stored:
             decided.append((_committed_label(), stored[claim.key], "committed"))
         rows += [_row(claim, *one) for one in decided]
-    if not tally:
+    if not rows:
         return None
     rows.sort(key=lambda row: (row[2].kind == "committed", ORDER.index(row[3].text)))
     columns = ["claim", "where", "run", "verdict", "what was measured"]
-    several = len({row[2].text for row in rows}) > 1
+    several = len({row[2].text for row in rows}) > 1 or not tally  # committed rows are never without their mark
     if not several:
         columns, rows = columns[:2] + columns[3:], [row[:2] + row[3:] for row in rows]
     section = Section("claims", "The paper's claims, tested")
     section.blocks = [
         Prose(
             "Each verdict follows from the samples by a rule fixed beforehand; the rule is the hint of the"
-            f" verdict and is listed below the table. Of {words.plural(sum(tally.values()), 'verdict')}"
-            f"{' of this page’s runs' if stored else ''}, "
-            + words.listed(
-                f"{number} {'say' if number > 1 else 'says'} “{verdict}”" for verdict, number in tally.items()
-            )
-            + "."
+            " verdict and is listed below the table. " + _tally(tally, stored)
             + (
                 f" Rows marked <strong>committed</strong> are verdicts of {html.escape(_committed_label())}, stored"
                 " with the program: not measured here."
@@ -76,6 +71,16 @@ def build(report):
         ),
     ]
     return section
+
+
+def _tally(tally, stored):
+    if not tally:
+        return "No run of this page can test any."
+    return (
+        f"Of {words.plural(sum(tally.values()), 'verdict')}{' of this page’s runs' if stored else ''}, "
+        + words.listed(f"{number} {'say' if number > 1 else 'says'} “{verdict}”" for verdict, number in tally.items())
+        + "."
+    )
 
 
 def _row(claim, label, verdict, kind):

@@ -25,6 +25,7 @@ SHOWN_FIRST = (
     "date",
     "load_avg",
 )
+UNLIMITED = 1e9  # seconds of a timing that ends by its repetitions alone, as in reports/run_file.h
 SILENT = ("executable", "json_schema_version", "cores", "host_name")
 
 
@@ -79,6 +80,14 @@ def _stopping(report, run):
     """When the measuring of a run ended, and what it reached."""
     stopping = run.catena["stopping"]
     missed = stopping.get("not_reached") or []
+    if not stopping["share"]:  # asked for so many samples, however wide
+        return (
+            f"<strong>{html.escape(report.label(run))}</strong>: cases interleaved at random (seed"
+            f" {stopping['seed']}), each measured {words.plural(stopping['most_samples'], 'time')}"
+            + (f" where {stopping['seconds']:g} s in all sufficed" if stopping["seconds"] < UNLIMITED else "")
+            + (f"; {len(missed):,} were not reached" if missed else "")
+            + f". Intervals are {html.escape(stopping['interval'])}."
+        )
     return (
         f"<strong>{html.escape(report.label(run))}</strong>: cases interleaved at random (seed"
         f" {stopping['seed']}), each repeated until its interval ({html.escape(stopping['interval'])}) was"

@@ -80,15 +80,19 @@ def _held(report, run):
                 )
         if panel.series and max(len(series.x) for series in panel.series) > 1:
             panels.append(panel)
-    if not panels or all(run.info(name).all_pairs for name in order):
+    if not panels or all(run.info(series.name).all_pairs for panel in panels for series in panel.series):
         return None
-    least = {
-        name: float(numpy.median(sizes)) for name, sizes in order.items() if not run.info(name).all_pairs
-    }
-    low, high = min(least, key=least.get), max(least, key=least.get)
+    drawn = [
+        (size, series.name)
+        for panel in panels
+        for series in panel.series
+        for size in series.y
+        if not run.info(series.name).all_pairs
+    ]
+    (least, low), (most, high) = min(drawn), max(drawn)
     return Figure(
         f"memory{report.key(run)}",
-        f"From {least[low]:.3g} bytes a sphere ({low}) to {least[high]:.3g} ({high}), beside the chain's own {SPHERE}",
+        f"From {least:.3g} bytes a sphere ({low}) to {most:.3g} ({high}) over all chains, beside the chain's own {SPHERE}",
         (
             "What the heap holds after a build and a find, the answer apart, divided by n; host variants. A level"
             " line is memory in proportion to the chain. The table has the peak too."

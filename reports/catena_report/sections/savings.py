@@ -28,6 +28,7 @@ def _figure(report, run):
     rows = sorted(((row, ratio) for row, ratio in rows if ratio), key=lambda entry: -entry[1].value)
     names = [f"{row['input']}: {row['what']}" for row, _ in rows]
     clear = sum(ratio.low > 1 for _, ratio in rows)
+    slower = [(row, ratio) for row, ratio in rows if ratio.high < 1]
     wrong = sum(not row.get("identical", True) for row, _ in rows)
     series = Series(
         "saved",
@@ -57,6 +58,9 @@ def _figure(report, run):
     message = (
         f"Leaving out what a scene does not need was faster in {clear} of {words.plural(len(rows), 'case')}"
     )
+    if slower:
+        row, ratio = min(slower, key=lambda entry: entry[1].value)
+        message += f", slower in {len(slower)}: up to {1 / ratio.value:.3g} times ({row['what']}, {row['input']})"
     if wrong:
         message += f", and gave another result in {wrong}"
     return Figure(

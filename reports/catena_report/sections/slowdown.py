@@ -62,7 +62,7 @@ def _figure(report, run, found):
                 x,
                 y,
                 look,
-                markers=False,
+                size=0.7,
                 shown=name in first,
                 hover=[f"<b>{run.info(name).label}</b><br>{words.percent(round(b * slow.chains), slow.chains, 0)} of chains within {a:.3g} times" for a, b in zip(x, y)],
             )
@@ -150,7 +150,7 @@ def beside(run, name, near):
     text = f"; the intervals of {words.listed(near, 3)} overlap its own"
     if not near:
         partial = any(run.info(other).recommended and not whole(other) for other in found)
-        text = ", less than any other exact variant of catena's" + (" that was timed on all" if partial else "")
+        text = ", less than any other exact variant of catena's that was timed" + (" on all" if partial else "")
     quicker = [
         f"{other} {mean_text(slow)}" for other, slow in found.items()
         if run.info(other).peer and whole(other) and slow.mean.value < found[name].mean.value

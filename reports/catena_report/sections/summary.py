@@ -2,10 +2,11 @@
 the data.
 """
 import html
+import re
 
 from .. import certainty, choice, runfile, spans, waits, words
 from .. import claims as paper_claims
-from ..section import Prose, Section
+from ..section import Prose, Section, link
 from . import claims, slowdown, stability
 from .advice import summary_table
 
@@ -20,14 +21,17 @@ def build(report):
         points += [text for make in (_overall, _certain, _wrong, _stable) for text in make(run, on)]
     points += _claims(report)
     points += [text for run in report.runs for text in _compared(report, run)]
-    table = summary_table(report)
-    section.blocks = ([table] if table else []) + [Prose("", points)]
+    section.blocks = [summary_table(report) or Prose(_no_advice(report)), Prose("", points)]
     return section
 
 
-def link(section, text):
-    """The text, as a way to the section of that key."""
-    return f'<a href="#{section}"><strong>{text}</strong></a>'
+def _no_advice(report):
+    """Why the first table is not there."""
+    cases = ((run, row) for run in report.runs for row in waits.end_to_end(run).values())
+    timed = {variant for run, row in cases for variant in row if run.info(variant).recommended}
+    told = {0: "no exact variant was timed end to end", 1: "one exact variant was timed end to end"}
+    what = told.get(len(timed), "no two exact variants were timed end to end on one chain")
+    return f"<strong>No advice</strong>: {what}; to choose between them takes two."
 
 
 def _compared(report, run):
@@ -122,12 +126,18 @@ def _wrong(run, on):
     refused = {case: reason for case, reason in run.refused.items() if case not in run.faults}
     for title, cases in (("Failed, by a fault of its own", run.faults), ("Refused", refused)):
         if cases:
-            names = sorted({run.info(case[1]).label for case in cases})
-            points.append(
-                f"<strong>{title}</strong>{on}: {words.plural(len(cases), 'measurement')} of"
-                f" {html.escape(words.listed(names, 4))} (“{html.escape(next(iter(cases.values())))}”)."
-            )
+            points.append(f"<strong>{title}</strong>{on}: {html.escape(words.apart(_by_reason(run, cases), 3))}.")
     return points
+
+
+def _by_reason(run, cases):
+    """Of those refused for one reason, but for its numbers, how many, who, and the first's reason."""
+    found = {}
+    for case, reason in cases.items():
+        found.setdefault(re.sub(r"\d+", "", reason), []).append((run.info(case[1]).label, reason))
+    for several in found.values():
+        names = words.listed(sorted({name for name, _ in several}), 4)
+        yield f"{words.plural(len(several), 'measurement')} of {names} (“{several[0][1]}”)"
 
 
 def _stable(run, on):

@@ -58,8 +58,11 @@ def front(run, points):
     return [p for p in exact if not any(beats(other, p) for other in exact)]
 
 
-def prices(run, points):
-    """arithmetic -> [median of the exact variant over that of the same stages in it], at every point of both."""
+def prices(run, points, wrong=False):
+    """arithmetic -> [median of the exact variant over that of the same stages in it, geometric mean over the variants
+    of one chain: what these share is no new evidence]. Only where the rounded one was right: one that loses pairs has
+    less to do. With `wrong` only where it was not.
+    """
     exact = {
         (_place(p), p["n"], run.info(p["variant"]).stages): p
         for p in points
@@ -69,15 +72,20 @@ def prices(run, points):
     for p in points:
         info = run.info(p["variant"])
         twin = exact.get((_place(p), p["n"], info.stages))
-        if info.rounded and twin:
-            found.setdefault(info.arithmetic, []).append(twin["median_ms"] / p["median_ms"])
-    return found
+        if info.rounded and twin and (p["answer_error"] > 0) == wrong:
+            on_chain = found.setdefault(info.arithmetic, {}).setdefault((_place(p), p["n"]), [])
+            on_chain.append(twin["median_ms"] / p["median_ms"])
+    return {
+        name: [statistics.mean_log(ratios).value for ratios in by_chain.values()] for name, by_chain in found.items()
+    }
 
 
 def _message(run, points):
+    right, lossy = prices(run, points), prices(run, points, wrong=True)
     parts = [
         f"exact answers take {words.interval(statistics.mean_log(ratios))} times as long as {name} ones"
-        for name, ratios in prices(run, points).items()
+        + (" that are right" if name in lossy else "")
+        for name, ratios in right.items()
         if len(ratios) > 1
     ]
     wrong = {}
@@ -85,7 +93,11 @@ def _message(run, points):
         info = run.info(p["variant"])
         if info.rounded and p["answer_error"] > 0:
             wrong[info.arithmetic] = max(wrong.get(info.arithmetic, 0), p["answer_error"])
-    parts += [f"{name} ones get up to {100 * share:.3g} % of the pairs wrong" for name, share in wrong.items()]
+    parts += [
+        f"{name} ones get up to {100 * share:.3g} % of the pairs wrong"
+        + (f", {statistics.mean_log(lossy[name]).value:.2f} times as quick where they do" if name in lossy else "")
+        for name, share in wrong.items()
+    ]
     if not wrong and parts:
         parts.append("no answer was wrong on these tubes")
     text = "; ".join(parts) or "Error against run time"
@@ -118,6 +130,8 @@ def _figure(report, run, points):
             " the points of exact variants that no other exact one beats in both. Points that are beaten, and those"
             " of rounded arithmetic, are grey: their answers are right only where no panel of the answer shows"
             " them. Far from the origin the error of the tube includes that of storing coordinates in binary32."
+            " The title's ratios are of the same stages in both arithmetics, one for each chain (the geometric mean over"
+            " its variants), with the 95 % t interval over the chains."
             " Bars are the quartiles of the time. A ring marks the fastest exact variant at the fewest spheres that a"
             " tolerance of the tube asks for: more of them buy what that tolerance does not need."
         ),

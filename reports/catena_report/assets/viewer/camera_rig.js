@@ -81,11 +81,11 @@ class CameraRig {
     return best;
   }
 
-  // At these spheres; without any, at all that the chain reaches in any frame.
-  lookAtAll(spheres) {
+  // At these spheres and corners of the box; without any, at all that the chain reaches in any frame.
+  lookAtAll(frame) {
     this.stopFlight();
-    const sample = spheres ? sampled(spheres) : this.placement.sample;
-    const {distance, target, backward} = this.bestView(sample);
+    const {sample, corners} = frame ? {sample: sampled(frame.spheres), corners: frame.corners} : this.placement;
+    const {distance, target, backward} = this.bestView([...sample, ...corners]);
     this.origin = this.placement.original(target, this.placement.centre, 1);
     this.scale = 10 / (distance * 1.06 || 1);
     this.controls.target.set(0, 0, 0);

@@ -39,16 +39,22 @@ class View {
     if (!this.decoded.has(position)) {
       if (this.decoded.size >= decodedFramesKept) this.decoded.delete(this.decoded.keys().next().value);
       const stored = this.frames[position];
+      const spheres = floatsOf(stored.spheres), box = stored.box || null;
       this.decoded.set(position, {
-        number: stored.frame,
-        spheres: floatsOf(stored.spheres),
-        pairs: indicesOf(stored.pairs || ''),
+        number: stored.frame, spheres, pairs: indicesOf(stored.pairs || ''), box, corners: cornersOf(spheres, box),
       });
     }
     return this.decoded.get(position);
   }
 
   bounds(level) { return floatsOf(this.levels[level].spheres); }
+
+  // Asks for what is shown: that frame, by the variant chosen.
+  replay(frameNumber, variant) {
+    const word = /^[\w@+/=.,:-]+$/.test(variant) ? variant : `'${variant}'`;
+    const named = this.command.replace(/^(.*) --frame \S+/s, (_, before) => `${before} --frame ${frameNumber}`);
+    return variant ? named.replace(/^(.*) --variant \S+/s, (_, before) => `${before} --variant ${word}`) : named;
+  }
 
   // What a wrong variant missed and invented in a frame; null where nothing was recorded.
   wrongIn(variant, frameNumber) {
@@ -66,10 +72,18 @@ class View {
   }
 }
 
+// Rows of a sphere and of the image of another that is nearest to it.
+function rowsOfPair(spheres, i, j, box) {
+  const a = Array.from(spheres.subarray(4 * i, 4 * i + 4)), b = Array.from(spheres.subarray(4 * j, 4 * j + 4));
+  const {point, across} = nearestImage(a.slice(0, 3), b.slice(0, 3), box);
+  return {rows: [a, [...point, b[3]]], across};
+}
+
+const distanceOf = ([a, b]) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+
 // How deep two spheres reach into each other, in the input's unit; below 0 they are apart. In binary64, for the eye:
 // the verdict was exact and is not made here.
-function overlapDepth(spheres, i, j) {
-  const a = 4 * i, b = 4 * j;
-  const distance = Math.hypot(spheres[a] - spheres[b], spheres[a + 1] - spheres[b + 1], spheres[a + 2] - spheres[b + 2]);
-  return spheres[a + 3] + spheres[b + 3] - distance;
+function overlapDepth(spheres, i, j, box) {
+  const {rows} = rowsOfPair(spheres, i, j, box);
+  return rows[0][3] + rows[1][3] - distanceOf(rows);
 }

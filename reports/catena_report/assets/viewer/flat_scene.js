@@ -20,8 +20,9 @@ class FlatScene {
     this.lookAtAll();
   }
 
-  setSpheres(spheres, colours) {
+  setSpheres({spheres, corners}, colours) {
     this.spheres = spheres;
+    this.corners = corners;
     this.rows = this.placement.place(spheres, this.placement.centre, 1 / this.placement.reach,
                                      new Float32Array(spheres.length));
     this.depthOrder = Uint32Array.from({length: spheres.length / 4}, (_, i) => i)
@@ -81,9 +82,10 @@ class FlatScene {
 
   // Pixels of a drawn unit, so that all is seen.
   perUnit() {
-    const {sample, centre, reach} = this.placement;
+    const {sample, corners, centre, reach} = this.placement;
     if (!this.half) {
-      const seen = sample.map((sphere) => [this.placement.placePoint(sphere, centre, 1 / reach), sphere[3] / reach]);
+      const seen = [...sample, ...corners].map(
+          (sphere) => [this.placement.placePoint(sphere, centre, 1 / reach), sphere[3] / reach]);
       this.half = [0, 1].map((k) => seen.reduce((most, [p, radius]) => Math.max(most, Math.abs(p[k]) + radius), 1e-300));
     }
     return this.zoomed * 0.46 * Math.min(this.stage.clientWidth / this.half[0], this.stage.clientHeight / this.half[1]);
@@ -109,6 +111,15 @@ class FlatScene {
                   this.stage.clientHeight / 2 - (row[k + 1] - this.middle[1]) * unit,
                   Math.max(row[k + 3] * unit, least), 0, 2 * Math.PI);
     };
+    context.strokeStyle = cssColour(palette.bound);
+    context.lineWidth = 1;
+    for (const ends of boxLines(this.corners)) {
+      const [from, to] = ends.map((corner) => this.project(this.corners[corner]));
+      context.beginPath();
+      context.moveTo(from.x, from.y);
+      context.lineTo(to.x, to.y);
+      context.stroke();
+    }
     for (const i of this.depthOrder) {
       const colour = [colours[4 * i], colours[4 * i + 1], colours[4 * i + 2]];
       disc(rows, 4 * i, colours[4 * i + 3] ? 2 : 0.8);
@@ -139,7 +150,11 @@ class FlatScene {
     }
     context.lineWidth = 2.5;
     context.strokeStyle = cssColour(palette.ink);
-    if (this.selected) for (const i of [this.selected.i, this.selected.j]) disc(rows, 4 * i, 4), context.stroke();
+    if (this.selected)
+      for (const row of this.selected.rows) {
+        disc(this.placement.place(row, this.placement.centre, 1 / this.placement.reach, []), 0, 4);
+        context.stroke();
+      }
     context.lineWidth = 1;
     ++this.renders;
     this.onDraw();

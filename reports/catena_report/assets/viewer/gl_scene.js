@@ -43,6 +43,11 @@ class GlScene {
       triangles.mesh.renderOrder = k;
       this.scene.add(triangles.mesh);
     });
+    // Behind everything, as lines have not the spheres' depth.
+    const line = new THREE.LineBasicMaterial({depthTest: false, depthWrite: false});
+    this.box = new THREE.LineSegments(new THREE.BufferGeometry(), line);
+    Object.assign(this.box, {frustumCulled: false, renderOrder: -1, visible: false});
+    this.scene.add(this.box);
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => this.request());
     this.renders = 0;
@@ -59,8 +64,9 @@ class GlScene {
     this.rig.setPlacement(placement);
   }
 
-  setSpheres(spheres, colours) {
+  setSpheres({spheres, corners}, colours) {
     this.spheres = spheres;
+    this.corners = corners;
     this.setColours(colours);
   }
 
@@ -90,6 +96,7 @@ class GlScene {
 
   setPalette(palette) {
     this.shared.ground.value.fromArray(palette.ground).divideScalar(255);
+    this.box.material.color = new THREE.Color(...palette.bound.map((value) => value / 255));
     this.renderer.setClearColor(new THREE.Color(...palette.ground.map((value) => value / 255)), 1);
     this.request();
   }
@@ -121,11 +128,17 @@ class GlScene {
     placement.place(spheres, origin, scale, chain.rows);
     chain.tints.set(colours);
     chain.chosen(picked);
-    some(giants, giant);
+    const image = this.selected?.across ? [this.selected.j] : [];     // not where the sphere is stored
+    some(giants, [...giant, ...image]);
+    image.forEach(() => giants.rows.set(placement.place(this.selected.rows[1], origin, scale, []), 4 * giant.length));
     giants.chosen(picked.map((i) => giant.indexOf(i)));
     giant.forEach((i) => chain.rows.fill(outOfSight, 4 * i, 4 * i + 4));
-    some(outlines, picked);
-    picked.forEach((_, k) => outlines.tints.set([...this.inkColour, 255], 4 * k));
+    outlines.resize(picked.length);
+    picked.forEach((_, k) => {
+      outlines.rows.set(placement.place(this.selected.rows[k], origin, scale, []), 4 * k);
+      outlines.tints.set([...this.inkColour, 255], 4 * k);
+    });
+    this.uploadBox(origin, scale);
 
     const boundRows = this.boundRows || [];
     bounds.resize(boundRows.length / 4);
@@ -143,6 +156,16 @@ class GlScene {
     for (const triangles of [chain, giants, outlines, bounds, marks]) triangles.changed();
   }
 
+  uploadBox(origin, scale) {
+    const {corners, placement, box} = this;
+    box.visible = corners.length > 0;
+    if (!box.visible) return;
+    const ends = boxLines(corners).flat().flatMap((corner) => placement.placePoint(corners[corner], origin, scale));
+    box.geometry.dispose();
+    box.geometry = new THREE.BufferGeometry();
+    box.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(ends), 3));
+  }
+
   // Few and wide among many: drawn as shells, because they would hide the chain.
   giantSpheres() {
     const {spheres} = this, limit = giantShare * this.placement.reach, giant = [];
@@ -151,7 +174,7 @@ class GlScene {
     return giant.length > 8 ? [] : giant;     // a short, thick chain is no crowd of specks
   }
 
-  lookAtAll(spheres) { this.rig.lookAtAll(spheres); }
+  lookAtAll(frame) { this.rig.lookAtAll(frame); }
   flyTo(point, reach) { this.rig.flyTo(point, reach); }
   flyToContact(contact) {
     const far = this.rig.viewing(contact.reach);
@@ -201,8 +224,8 @@ class GlScene {
     shared.haze.value.set(near, 0.4 / Math.max(centre + radius - near, 1e-30));
     shared.contactFront.value = 0;
     if (this.selected) {
-      const {point, small, reach, i, j} = this.selected;
-      const nearest = Math.min(...[i, j].map((k) => rig.inCamera(this.spheres.subarray(4 * k, 4 * k + 3)).length()));
+      const {point, small, reach, rows} = this.selected;
+      const nearest = Math.min(...rows.map((row) => rig.inCamera(row).length()));
       shared.contact.value.set(...rig.inCamera(point).toArray(), reach * rig.scale);
       shared.contactFront.value = nearest - 0.4 * small * rig.scale;
     }

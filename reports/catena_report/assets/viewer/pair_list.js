@@ -29,15 +29,19 @@ class PairList {
 
   clear() { this.set(new Uint32Array(0), new Uint8Array(0), new Float32Array(0)); }
 
-  // pairs: i, j, i, j, ...; a kind for each, and the spheres of the frame.
-  set(pairs, kinds, spheres) {
-    Object.assign(this, {pairs, kinds, spheres, depths: null});
+  // pairs: i, j, i, j, ...; a kind for each, and the spheres of the frame and the box that repeats them.
+  set(pairs, kinds, spheres, box = null) {
+    Object.assign(this, {pairs, kinds, spheres, space: box, depths: null});
     this.arrange();
   }
 
+  // Of another chain the numbers of spheres say something else.
+  unfilter() { this.only.value = ''; }
+
   depth(item) {
     if (!this.depths) {
-      this.depths = Float64Array.from(this.kinds, (_, k) => overlapDepth(this.spheres, this.pairs[2 * k], this.pairs[2 * k + 1]));
+      this.depths = Float64Array.from(this.kinds, (_, k) => overlapDepth(
+          this.spheres, this.pairs[2 * k], this.pairs[2 * k + 1], this.space));
     }
     return this.depths[item];
   }
@@ -45,9 +49,9 @@ class PairList {
   arrange() {
     const {pairs, kinds} = this;
     const wanted = this.only.value.trim();
-    const only = wanted === '' ? -1 : Number(wanted);
+    const only = Number(wanted);
     let items = Array.from(kinds, (_, k) => k);
-    if (only >= 0) items = items.filter((k) => pairs[2 * k] === only || pairs[2 * k + 1] === only);
+    if (wanted !== '') items = items.filter((k) => pairs[2 * k] === only || pairs[2 * k + 1] === only);
     const sign = {deep: -1, shallow: 1}[this.order.value] || 0;
     // What is wrong comes first, whatever the order.
     const rank = (k) => kinds[k] ? 0 : 1;

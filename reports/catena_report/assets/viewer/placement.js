@@ -16,14 +16,21 @@ class Placement {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     const step = Math.max(1, Math.ceil(view.frames.length / framesMeasured));
     this.sample = [];     // spheres of the chain in those frames
+    this.corners = [];    // of the box that repeats, in those frames
     for (let f = 0; f < view.frames.length; f += step) {
-      const {spheres} = view.frame(f);
+      const {spheres, corners} = view.frame(f);
       this.sample.push(...sampled(spheres));
       for (let k = 0; k < spheres.length; k += 4)
         for (let axis = 0; axis < 3; ++axis) {
           low[axis] = Math.min(low[axis], spheres[k + axis] - spheres[k + 3]);
           high[axis] = Math.max(high[axis], spheres[k + axis] + spheres[k + 3]);
         }
+      for (const corner of corners)
+        for (let axis = 0; axis < 3; ++axis) {
+          low[axis] = Math.min(low[axis], corner[axis]);
+          high[axis] = Math.max(high[axis], corner[axis]);
+        }
+      this.corners.push(...corners);
     }
     this.centre = low.map((value, axis) => (high[axis] + value) / 2);
     this.reach = Math.max(...low.map((value, axis) => (high[axis] - value) / 2)) || 1;
@@ -89,10 +96,10 @@ function principalAxes(sample, centre, reach) {
   return [a, b, [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]];
 }
 
-// The contact of two spheres: the point between their surfaces, and a reach around it that holds what there is to see.
-function contactOf(spheres, i, j) {
-  const a = Array.from(spheres.subarray(4 * i, 4 * i + 4)), b = Array.from(spheres.subarray(4 * j, 4 * j + 4));
-  const distance = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+// The contact of two spheres, or of one and the nearest image of the other: the point between their surfaces, and a
+// reach around it that holds what there is to see.
+function contactOf(spheres, i, j, box) {
+  const {rows, across} = rowsOfPair(spheres, i, j, box), [a, b] = rows, distance = distanceOf(rows);
   const small = Math.min(a[3], b[3]);
   // Along the line of centres, halfway between where each surface meets it; of one centre in the other's: that centre.
   const along = distance > 0 ? Math.min(Math.max((distance + a[3] - b[3]) / (2 * distance), 0), 1) : 0;
@@ -100,5 +107,5 @@ function contactOf(spheres, i, j) {
   const point = axis.map((value, k) => a[k] + value * along);
   // A giant's far side need not be seen.
   const half = (distance + Math.min(a[3], 6 * small) + Math.min(b[3], 6 * small)) / 2;
-  return {point, small, axis: axis.map((value) => value / (distance || 1)), reach: half || 1e-30};
+  return {point, small, rows, across, axis: axis.map((value) => value / (distance || 1)), reach: half || 1e-30};
 }

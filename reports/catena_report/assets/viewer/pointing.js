@@ -73,17 +73,16 @@ function addKeys(viewer) {
 
 // After each picture: labels at the two spheres of the pair chosen, and the axes in the corner.
 function drawLabels(viewer) {
-  const {scene, selected, frame} = viewer;
+  const {scene, selected} = viewer;
   viewer.part('tip').hidden = true;
   viewer.part('legend-shell').hidden = !scene.shells;
   ['i', 'j'].forEach((name) => {
     const label = viewer.part(`label-${name}`);
     label.hidden = !selected;
     if (!selected) return;
-    const sphere = selected[name], other = selected[name === 'i' ? 'j' : 'i'];
-    const centre = (k) => scene.project([0, 1, 2].map((axis) => frame.spheres[4 * k + axis]));
-    const at = centre(sphere), from = centre(other);
-    label.textContent = sphere;
+    const [own, other] = name === 'i' ? selected.rows : [...selected.rows].reverse();
+    const at = scene.project(own), from = scene.project(other);
+    label.textContent = selected[name];
     label.hidden = !at.before;
     const length = Math.hypot(at.x - from.x, at.y - from.y);
     const [dx, dy] = length > 1 ? [(at.x - from.x) / length, (at.y - from.y) / length] : [0, name === 'i' ? -1 : 1];

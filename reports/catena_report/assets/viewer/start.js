@@ -23,6 +23,7 @@ async function makeScene(stage, onDraw) {
 
 function startViewer() {
   const root = document.getElementById('catena-viewer');
+  root.dataset.js = 'yes';     // its controls would do nothing without
   readPalette(root);
   let entries = null, started = null;
   const read = async () => entries = entries || JSON.parse(await unpacked('catena-views'));
@@ -33,7 +34,13 @@ function startViewer() {
     window.catenaViewer.viewer = viewer;
     root.dataset.ready = 'yes';
     return viewer;
-  })();
+  })().catch((error) => {
+    const notice = root.querySelector('[data-part="notice"]');
+    notice.textContent = `The viewer cannot be shown (${error.message || error}).`;
+    notice.hidden = false;
+    root.dataset.ready = 'failed';
+    return null;
+  });
   const nearby = new IntersectionObserver((sights) => {
     if (sights.some((sight) => sight.isIntersecting)) nearby.disconnect(), start();
   }, {rootMargin: '400px'});
@@ -45,8 +52,8 @@ function startViewer() {
       if (index < 0) return false;
       root.scrollIntoView({block: 'start'});
       const viewer = await start();
-      viewer.setView(index, frame);
-      return true;
+      if (viewer) viewer.setView(index, frame);
+      return Boolean(viewer);
     },
   };
 }

@@ -52,6 +52,7 @@ class Viewer {
     this.variant = '';
     this.level = -1;
     this.selected = null;
+    this.pairList.unfilter();
     this.part('pair').hidden = true;
     this.scene.setPlacement(this.placement);
     this.fillVariants();
@@ -60,11 +61,10 @@ class Viewer {
     slider.value = -1;
     this.part('level-label').hidden = this.view.levels.length === 0;
     this.part('transport').hidden = this.view.frames.length < 2;
-    this.part('command').textContent = this.view.command;
     this.part('replay').hidden = !this.view.command;
     const position = frameNumber === undefined ? this.busiestFrame() : this.view.nearest(frameNumber);
     this.playback.setFrames(this.view.frames.map((frame) => frame.frame), position);
-    this.scene.lookAtAll(this.frame.spheres);
+    this.scene.lookAtAll(this.frame);
   }
 
   // The frame with the most pairs says most about a chain.
@@ -129,16 +129,16 @@ class Viewer {
     this.touching = new Uint32Array(count);
     for (const sphere of frame.pairs) ++this.touching[sphere];
     if (this.selected) this.select(null);
-    this.pairList.set(pairs, kinds, frame.spheres);
+    this.pairList.set(pairs, kinds, frame.spheres, frame.box);
     this.paint();
     this.describe(missing.length / 2, invented.length / 2);
   }
 
   paint() {
     const {scene, palette, frame, pairs, kinds} = this;
-    scene.setSpheres(frame.spheres, chainColours(palette, this.along, this.marked));
+    scene.setSpheres(frame, chainColours(palette, this.along, this.marked));
     scene.setContacts(Array.from(kinds, (kind, k) => ({
-      ...contactOf(frame.spheres, pairs[2 * k], pairs[2 * k + 1]), kind, colour: palette[pairKinds[kind]],
+      ...contactOf(frame.spheres, pairs[2 * k], pairs[2 * k + 1], frame.box), kind, colour: palette[pairKinds[kind]],
     })));
     scene.select(this.selected, palette);
   }
@@ -178,6 +178,8 @@ class Viewer {
     this.part('facts').setAttribute('aria-live', this.playback.timer ? 'off' : 'polite');
     this.part('facts').textContent = text;
     this.scene.canvas.setAttribute('aria-label', `The chain ${view.input} in 3-D, ${text}`);
+    this.part('command').textContent = view.replay(frame.number, this.variant);
+    this.part('legend-box').hidden = !frame.box;
     this.part('legend-colliding').hidden = frame.pairs.length === 0;
     this.part('legend-missing').hidden = missing === 0;
     this.part('legend-invented').hidden = invented === 0;
@@ -185,7 +187,7 @@ class Viewer {
 
   pickPair(i, j, kind) {
     this.playback.pause();
-    this.select({i, j, kind, ...contactOf(this.frame.spheres, i, j)});
+    this.select({i, j, kind, ...contactOf(this.frame.spheres, i, j, this.frame.box)});
     this.scene.flyToContact(this.selected);
   }
 
@@ -200,15 +202,17 @@ class Viewer {
     const {selected} = this, line = this.part('pair');
     line.hidden = !selected;
     if (!selected) return;
-    const {i, j, kind, small} = selected, depth = overlapDepth(this.frame.spheres, i, j);
+    const {i, j, kind, small, across} = selected, depth = overlapDepth(this.frame.spheres, i, j, this.frame.box);
     const share = small > 0 && depth > 0 ? `, ${shortNumber(100 * depth / small)} % of the smaller radius` : '';
     const by = kind ? `, ${['', 'missed', 'invented'][kind]} by ${this.variant}` : '';
-    line.textContent = `${i} – ${j}: ${depth < 0 ? 'apart by' : 'overlap'} ${shortNumber(Math.abs(depth))}${share}${by}`;
+    const where = across ? ', across the face of the box' : '';
+    line.textContent =
+        `${i} – ${j}: ${depth < 0 ? 'apart by' : 'overlap'} ${shortNumber(Math.abs(depth))}${share}${where}${by}`;
   }
 
   reset() {
     this.select(null);
-    this.scene.lookAtAll(this.frame.spheres);
+    this.scene.lookAtAll(this.frame);
   }
 
   save() {
