@@ -67,8 +67,9 @@ ReportFolder::ReportFolder(fs::path folder) : folder_(std::move(folder)) {
 
 ReportFolder::~ReportFolder() {
   std::error_code kept;
-  const auto files =
-      made_ ? std::distance(fs::directory_iterator(folder_, kept), fs::directory_iterator()) : 0;
+  int files = 0;
+  if (made_)
+    for (fs::directory_iterator at(folder_, kept); at != fs::directory_iterator() && !kept; at.increment(kept)) ++files;
   if (files == 1 && fs::file_size(list(), kept) == 0) fs::remove(list(), kept), fs::remove(folder_, kept);
   close(lock_);
 }

@@ -78,10 +78,11 @@ class StabilityCommand final : public Command {
       progress.clear();
       if (!report) report.emplace(form, scenes_, variants_, arithmetics);
       report->scene(cells);
-      answered |= std::ranges::any_of(cells, &Cell::answered);
+      answered |= std::ranges::any_of(
+          cells, [](const Cell& c) { return c.answered && c.outcome != Outcome::unavailable; });
     }
     report->finish();
-    if (!answered) throw InputError("nothing was measured: every input was left out");
+    if (!answered) throw InputError("nothing was measured: every input or variant was left out");
     return report->any_defect() ? 1 : 0;
   }
 

@@ -67,6 +67,7 @@ TEST_F(StabilityProgram, HasScenesOfTheSizeThatIsAsked) {
   expect_refused("stability lattice:n=100 --n 30", "--n sizes the scenes of the full matrix");
   expect_says("stability coincident:n=300 --overlaps 10 --variant CPU1", 2,
               {"overlapping spheres, neighbours included; see --overlaps", "nothing was measured"});
+  expect_says("stability rod:n=60000 --variant CPU1", 2, {"O(n^2)", "nothing was measured"});
 }
 
 }  // namespace

@@ -117,11 +117,15 @@ std::string words_of(const CLI::ParseError& wrong, const CLI::App& command) {
   }
   const auto left = command.remaining();
   const std::string words = wrong.what();
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) != nullptr)
-    return words.substr(0, words.find(':')) + " lacks a value";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) != nullptr) {
+    const std::string name = words.substr(0, words.find(':'));
+    const CLI::Option* const option = command.get_option_no_throw(name);
+    const int takes = option != nullptr ? option->get_items_expected_max() : 1;
+    return takes > 1 ? fmt::format("{} takes {} values", name, takes) : name + " lacks a value";
+  }
   if (left.empty()) return words;
   const std::string name = left.front().substr(0, left.front().find('='));
-  if (name.starts_with("-"))
+  if (name.size() > 1 && name.starts_with("-"))
     return fmt::format("there is no option {} here{}", name, did_you_mean(name, known));
   return fmt::format("{} is one argument too many", left.front());
 }

@@ -37,6 +37,7 @@ class Series {
     std::error_code unknown;
     for (const std::string& name : names_) {
       const fs::file_status was = fs::status(name, unknown);
+      targets_.push_back(OutputFile::target(name));
       new_.push_back(!fs::exists(was));
       // What is neither file nor folder may wait to be read.
       if (names_.size() > 1 && (new_.back() || fs::is_regular_file(was) || fs::is_directory(was)))
@@ -46,7 +47,7 @@ class Series {
   ~Series() {
     std::error_code gone;
     for (std::size_t k = 0; k < written_; ++k)
-      if (new_[k]) std::filesystem::remove(names_[k], gone);
+      if (new_[k]) std::filesystem::remove(targets_[k], gone);  // a link to it was there
   }
   Series(const Series&) = delete;
   Series& operator=(const Series&) = delete;
@@ -60,6 +61,7 @@ class Series {
 
  private:
   std::vector<std::string> names_;
+  std::vector<std::filesystem::path> targets_;
   std::vector<bool> new_;
   std::size_t written_ = 0;
 };

@@ -108,12 +108,14 @@ TEST_F(Program, ExportsASeriesWholeOrNotAtAll) {
     moving += "20\nt\n";
     for (int i = 0; i < 20; ++i) moving += std::string("C") + at + at + at + '\n';
   }
+  std::filesystem::create_symlink(file("elsewhere.csv"), file("m_0.csv"));
   const ProgramOutcome cut = shell("ulimit -f 1; catena export --frame all --radius 1 " +
                                    write("m.xyz", moving) + " '" + file("m.csv") + "'");
   EXPECT_EQ(cut.code, 2);
   EXPECT_NE(cut.output.find("cannot write " + file("m_1.csv") + ": File too large"), std::string::npos)
       << cut.output;
   EXPECT_FALSE(std::filesystem::exists(file("m_0.csv")));
+  EXPECT_TRUE(std::filesystem::is_symlink(file("m_0.csv"))) << "it was there";
 }
 
 /// A file's name may hold what drives a terminal, and bytes that are no text.

@@ -156,7 +156,7 @@ TEST(FrameSearch, SaysThatItSearchesAllToKnowWhatThatTakes) {
   std::vector<Sphere> row;
   for (int i = 0; i < 30000; ++i) row.push_back({3 * static_cast<float>(i), 0, 0, 1});
   const Chain chain(row), other(row, {}, Exclusion::index(2));
-  double full_ms = 0, frame_ms = 0;
+  double full_ms = 0, frame_ms = 1e9;
   const FullSearch none = [&](const Chain& c, const Request&, Collisions& found) {
     const Stopwatch watch;
     found = {};
@@ -173,13 +173,20 @@ TEST(FrameSearch, SaysThatItSearchesAllToKnowWhatThatTakes) {
     if (search.way() == Way::full) reason = search.plan()[0].reason;
     return watch.ms();
   };
-  search.begin(true);
-  for (int k = 0; k < 3; ++k) next(other), next(chain), frame_ms = next(chain);
-  full_ms = 2 * frame_ms;
-  search.begin(true);
-  for (int k = 0; k < 3; ++k) next(other), next(chain);
+  const auto told = [&] { return reason.starts_with("once in a while"); };
   std::size_t frames = 0;
-  for (reason.clear(); frames < 1000 && !reason.starts_with("once in a while"); ++frames) next(chain);
+  for (int tries = 0; tries < 20 && !told(); ++tries) {  // a frame in whose time others ran spoils one
+    full_ms = 0;
+    for (int k = 0; k < 10; ++k) {
+      search.begin(true);
+      next(other), next(chain), frame_ms = std::min(frame_ms, next(chain));
+    }
+    full_ms = 2 * frame_ms;
+    search.begin(true);
+    for (int k = 0; k < 3; ++k) next(other), next(chain);
+    reason.clear();
+    for (frames = 0; frames < 1000 && !told(); ++frames) next(chain);
+  }
   EXPECT_EQ(reason, "once in a while, to know what it takes") << frames;
   EXPECT_GT(frames, 24u);
 }

@@ -37,7 +37,11 @@ void require_folder(const std::filesystem::path& folder) {
   while (!fs::exists(there, none) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, none))
     throw InputError(fmt::format("cannot make the folder {}: {} is none", folder.string(), there.string()));
-  OutputFile probe(there / ".catena-probe");
+  try {
+    OutputFile probe(there / ".catena-probe");
+  } catch (const InputError&) {
+    throw InputError(fmt::format("cannot write into the folder {}; give another", folder.string()));
+  }
 }
 
 std::filesystem::path store(const std::filesystem::path& folder, const Finding& finding,

@@ -257,9 +257,11 @@ class Calls final : public Property {
 
   std::optional<std::string> check(const Subject&, Variant& variant, const Case& test) override {
     const auto& shots = shots_(test, [&] { return shots_of(test.chain); });
-    auto fault = Script(variant, shots, seed_of(test.chain), reused_).run();
-    variant.prepare({});
-    return fault;
+    struct Reset {  // also where a declared limit is passed
+      Variant& variant;
+      ~Reset() { variant.prepare({}); }
+    } reset{variant};
+    return Script(variant, shots, seed_of(test.chain), reused_).run();
   }
 
  private:

@@ -27,7 +27,7 @@ class Choice:
         return {self.leader, *self.alike}
 
     def as_good(self, run):
-        """[name]: exact variants that are not told from the leader, be it by the test or by an interval that holds 1."""
+        """[name]: exact variants that are not told from the leader, be it by the test or by an interval that begins at 1 or below."""
         return [
             name for name, ratio in sorted(self.slower.items(), key=lambda entry: entry[1].value)
             if name in self.alike or (run.info(name).recommended and ratio.low <= 1)

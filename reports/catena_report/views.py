@@ -31,8 +31,8 @@ def fault(view):
 def _of_frame(frame):
     if type(frame.get("frame")) is not int:
         return "frame is no number"
-    if not _size(frame.get("spheres"), ROW):
-        return "spheres is not base64 of one sphere or more"
+    if _size(frame.get("spheres"), ROW) is None:
+        return "spheres is not base64 of spheres"
     if _size(frame.get("pairs", ""), PAIR) is None:
         return "pairs is not base64 of pairs"
     box = frame.get("box", [1] * 6)

@@ -69,6 +69,27 @@ def wait(driver, condition, seconds=30):
     return WebDriverWait(driver, seconds, poll_frequency=0.05).until(condition)
 
 
+def settled(driver, element):
+    """The element's pixels once they stay: what is drawn when it comes into sight may take a while."""
+    seen = [pixels(element)]
+
+    def stays(_):
+        next_frame(driver)
+        seen.append(pixels(element))
+        return (seen[-1] == seen[-2]).all()
+
+    wait(driver, stays)
+    return seen[-1]
+
+
+def point_nowhere(driver):
+    """The pointer goes to the margin: what it would be over when the page scrolls may show more for it."""
+    from selenium.webdriver import ActionChains
+    actions = ActionChains(driver)
+    actions.w3c_actions.pointer_action.move_to_location(0, 0)
+    actions.perform()
+
+
 def next_frame(driver):
     """Waits until what was drawn up to now is on the screen."""
     driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")

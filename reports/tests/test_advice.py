@@ -190,9 +190,16 @@ class TwoRunsOfOneMachine(unittest.TestCase):
         self.assertEqual(len(set().union(*said)), sum(map(len, said)))  # no chain twice
         chains = [sum(int(row[-1].split()[0]) for row in of) for of in (quick, tables)]
         self.assertEqual(chains, [len(timed[0]), len(timed[1] - timed[0])])  # what both timed is quick's to advise
-        (row,) = tables  # the paper's was not timed on all of them, nor was any other that is slower
-        self.assertEqual(row[4], "no further was timed on all of them")
-        self.assertRegex(row[6], r"^[\d.]+ \[[\d., ]+\] times on 12 of 18 chains$")
+        for row in tables:  # the paper's was not timed on all of them, nor was any other that is slower
+            self.assertIn(row[4], ("no further was timed on all of them", "all are as good"), row)
+        of_some = [(row, re.fullmatch(r"[\d.]+ \[[\d., ]+\] times on (\d+) of (\d+) chains", row[6])) for row in tables]
+        self.assertTrue(any(some for _, some in of_some))
+        for row, some in of_some:
+            if some:
+                self.assertLess(int(some[1]), int(some[2]))
+                self.assertEqual(some[2], row[-1].split()[0])
+            else:
+                self.assertEqual(row[6], "not timed")
 
     def test_the_figure_of_a_run_speaks_of_that_run_and_says_whose_advice_stands(self):
         runs = [runfile.load(QUICK), runfile.load(made.H200)]

@@ -85,7 +85,7 @@ class Page(unittest.TestCase):
         figure = self.figure(driver, "times-find")
         plot = figure.find_element("class name", "js-plotly-plot")
         button = figure.find_element("css selector", '.legend button[data-name="GPU1"]')
-        before = browser.pixels(plot)
+        before = browser.settled(driver, plot)
         button.click()
         browser.wait(driver, lambda _: button.get_attribute("aria-pressed") == "false")
         changed = lambda: (before != browser.pixels(plot)).any(axis=2).mean()  # noqa: E731
@@ -96,6 +96,7 @@ class Page(unittest.TestCase):
         self.assertEqual(states, ["legendonly"])
         time.sleep(0.6)  # sooner it would be a double click, which leaves this variant alone
         button.click()
+        browser.point_nowhere(driver)
         browser.wait(driver, lambda _: changed() < 0.001)
 
     @unittest.skipUnless(interactive.library(), "python3-plotly is not installed")

@@ -168,7 +168,7 @@ def summary_table(report):
         (
             "Each row is chains alike: of the exact variants timed on them, the one named is the fastest or not"
             " significantly slower than it on each. “As good” are those that are not told from it, where they were timed on all the"
-            " row's chains: no significant difference on any, or an interval that holds 1, each with its ratio. “Next” is"
+            " row's chains: no significant difference on any, or an interval that begins at 1 or below, each with its ratio. “Next” is"
             f" the nearest of the others; {choice.DEFAULT} is what a caller gets who names none; “the paper's” is"
             f" {choice.PAPERS}"
             + ("; a general library searches any set of spheres:" if peers else " (no general library was timed):")
