@@ -82,6 +82,10 @@ fs::path OutputFile::target(fs::path name) {
   return name;
 }
 
+bool OutputFile::written_through(const fs::path& target) {
+  return descriptor_of(target) || !regular_or_new(target);
+}
+
 fs::path OutputFile::unfinished_beside(const fs::path& target) {
   constexpr std::size_t longest = 200;  // of the 255 bytes of a name
   static std::atomic<unsigned> files{0};

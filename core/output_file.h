@@ -29,6 +29,8 @@ class OutputFile {
   /// What a name stands for: links are followed to what is none (it need not exist), or to the name of an
   /// open descriptor.
   static std::filesystem::path target(std::filesystem::path name);
+  /// Whether what lies behind a target is written through: a device, a FIFO, an open descriptor.
+  static bool written_through(const std::filesystem::path& target);
   /// A name beside a target that no other file being written has, and that a file system takes where it takes
   /// that one.
   static std::filesystem::path unfinished_beside(const std::filesystem::path& target);

@@ -73,11 +73,7 @@ class PivotCommand final : public Command {
   void check_out() const {
     require_apart({}, {out_});
     const std::filesystem::path out = OutputFile::target(out_);
-    std::error_code unknown;
-    const bool device =
-        out.string().starts_with("/dev/") || out.string().starts_with("/proc/") ||  // a descriptor, of a file even
-        (std::filesystem::exists(out, unknown) && !std::filesystem::is_regular_file(out, unknown));
-    if (!device && lower_case(out.extension().string()) != ".chain")
+    if (!OutputFile::written_through(out) && lower_case(out.extension().string()) != ".chain")
       throw InputError(
           fmt::format("{}: a walk is written as .chain; catena export makes other files of that", out_));
   }

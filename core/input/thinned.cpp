@@ -85,11 +85,10 @@ class Walk {
 class OwnLoss {
  public:
   void look(const Chain& chain, const PeriodicBox* box) {
-    box_ = box;
     const auto& [first, closed] = chain.strands();
     for (std::size_t s = 0; s < closed.size(); ++s) {
-      for (std::uint32_t i = first[s]; i + 1 < first[s + 1]; ++i) step(chain[i], chain[i + 1]);
-      if (closed[s] && first[s] < first[s + 1]) step(chain[first[s + 1] - 1], chain[first[s]]);
+      for (std::uint32_t i = first[s]; i + 1 < first[s + 1]; ++i) step(chain[i], chain[i + 1], box);
+      if (closed[s] && first[s] < first[s + 1]) step(chain[first[s + 1] - 1], chain[first[s]], box);
     }
   }
   double most() const { return most_; }
@@ -98,9 +97,9 @@ class OwnLoss {
   /// What is lost of a step, as a share of the least radius r, is 1 - sqrt(1 - x / 4), but for rounding,
   /// which is less than 1e-13 where the radii are alike, and so grows with x = (D^2 - (ra - rb)^2) / r^2:
   /// only where x is about the greatest so far is the loss to be asked for.
-  void step(const Sphere& a, Sphere b) {
-    if (box_ != nullptr) {
-      const auto way = box_->to_nearest({double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z});
+  void step(const Sphere& a, Sphere b, const PeriodicBox* box) {
+    if (box != nullptr) {
+      const auto way = box->to_nearest({double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z});
       b = {static_cast<float>(a.x + way[0]), static_cast<float>(a.y + way[1]), static_cast<float>(a.z + way[2]),
            b.radius};
     }
@@ -112,7 +111,6 @@ class OwnLoss {
     most_ = std::max(most_, share_lost(std::array{a, b}));
   }
 
-  const PeriodicBox* box_ = nullptr;
   double greatest_ = 0, most_ = 0;  ///< x; what is lost
 };
 

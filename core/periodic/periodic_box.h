@@ -28,10 +28,14 @@ struct PeriodicBox {
     return {share(point[0] - b * xy - c * xz, length[0]), b, c};
   }
 
+  /// The whole edges that are nearest to a way, edge by edge.
+  std::array<double, 3> whole_edges(const std::array<double, 3>& way) const {
+    const auto edges = in_edges(way);
+    return {std::round(edges[0]), std::round(edges[1]), std::round(edges[2])};
+  }
   /// The way to the image of a point that is nearest edge by edge, from the way to the point; rounded.
   std::array<double, 3> to_nearest(const std::array<double, 3>& way) const {
-    const auto steps = in_edges(way);
-    const auto whole = along({std::round(steps[0]), std::round(steps[1]), std::round(steps[2])});
+    const auto whole = along(whole_edges(way));
     return {way[0] - whole[0], way[1] - whole[1], way[2] - whole[2]};
   }
 

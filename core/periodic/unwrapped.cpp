@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "catena/core/error.h"
 
 namespace catena {
@@ -59,9 +57,8 @@ class Unwrapping {
   /// The shift of j that puts it nearest to i where that is now, edge by edge.
   Edges nearest(std::uint32_t i, std::uint32_t j) const {
     const Sphere &a = spheres_[i], &b = spheres_[j];
-    const Edges step = box_.in_edges({double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z});
-    return {shift_[i][0] - std::round(step[0]), shift_[i][1] - std::round(step[1]),
-            shift_[i][2] - std::round(step[2])};
+    const Edges step = box_.whole_edges({double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z});
+    return {shift_[i][0] - step[0], shift_[i][1] - step[1], shift_[i][2] - step[2]};
   }
 
   void move(std::uint32_t strand, const Edges& wanted, const Edges& now) {

@@ -12,8 +12,10 @@ def fault(view):
     frames = view.get("frames")
     if not isinstance(frames, list) or not frames or not all(isinstance(frame, dict) for frame in frames):
         return "frames is no array of one frame or more"
+    named = str(view.get("input")).rpartition(":")[2]
+    least = 0 if named == "0" else 1  # a chain of no spheres is said to be one, by who draws it
     for at, frame in enumerate(frames):
-        if wrong := _of_frame(frame):
+        if wrong := _of_frame(frame, least):
             return f"frames[{at}].{wrong}"
     for key in ("levels", "wrong"):
         rows = view.get(key) or []
@@ -28,11 +30,12 @@ def fault(view):
     return None
 
 
-def _of_frame(frame):
+def _of_frame(frame, least):
     if type(frame.get("frame")) is not int:
         return "frame is no number"
-    if _size(frame.get("spheres"), ROW) is None:
-        return "spheres is not base64 of spheres"
+    spheres = _size(frame.get("spheres"), ROW)
+    if spheres is None or spheres < least:
+        return "spheres is not base64 of one sphere or more"
     if _size(frame.get("pairs", ""), PAIR) is None:
         return "pairs is not base64 of pairs"
     box = frame.get("box", [1] * 6)

@@ -95,8 +95,9 @@ class Files(unittest.TestCase):
         frame = good["frames"][0]
         refused = lambda view: self.refusal({**whole, "catena": {"viewer": [good, view]}})  # noqa: E731
         for broken, said in (
-            ({"spheres": "AAAA"}, "spheres is not base64 of spheres"),
-            ({"spheres": "A"}, "spheres is not base64 of spheres"),
+            ({"spheres": "AAAA"}, "spheres is not base64 of one sphere"),
+            ({"spheres": ""}, "spheres is not base64 of one sphere"),
+            ({"spheres": "A"}, "spheres is not base64 of one sphere"),
             ({"pairs": "AAAA"}, "pairs is not base64 of pairs"),
             ({"frame": "0"}, "frame is no number"),
             ({"box": [1, 2, 3]}, "box is no array of six numbers"),
