@@ -304,5 +304,12 @@ TEST(Writers, NameWhatThereIs) {
   }
 }
 
+TEST(Writers, HaveExtensionsOfTheirOwn) {
+  WriterRegistry registry;
+  registry.add({.name = "A", .extensions = {".a", ".b"}}, nullptr);
+  EXPECT_THROW(registry.add({.name = "B", .extensions = {".c", ".b"}}, nullptr), std::logic_error);
+  EXPECT_EQ(registry.writers().size(), 1u);
+}
+
 }  // namespace
 }  // namespace catena
