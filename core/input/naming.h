@@ -15,7 +15,7 @@ decltype(auto) naming(const std::string& name, const Work& work) {
     return work();
   } catch (const InputError& error) {
     const std::string what = error.what();
-    if (what.starts_with(name)) throw;
+    if (what.starts_with(name) && what.substr(name.size()).find_first_of(":, ") == 0) throw;
     throw InputError(fmt::format("{}: {}", name, what));
   }
 }
