@@ -3,6 +3,7 @@
 #include <cub/device/device_radix_sort.cuh>
 
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/morton_grid.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/launch.cuh"
 

@@ -19,8 +19,7 @@ class ChainTree final : public Variant {
   void build(const Chain& chain) override {
     const Stopwatch watch;
     built_ = false;
-    view_ = chain.view();
-    build_block_tree(view_, tree_, Team());
+    build_block_tree(chain.view(), tree_, Team());
     if (!rows_) tree_.forget_rows();
     spheres_ = chain.size();
     built_ = true;

@@ -291,7 +291,7 @@ TEST(Naming, PutsANameInFrontUnlessItIsThere) {
     }
     return std::string();
   };
-  EXPECT_EQ(said("a", "a strand ends"), "a strand ends");
+  EXPECT_EQ(said("a", "a strand ends"), "a: a strand ends");
   EXPECT_EQ(said("s", "strand 2 ends"), "s: strand 2 ends");
   EXPECT_EQ(said("knot", "knot: is empty"), "knot: is empty");
   EXPECT_EQ(said("knot", "knot frame 2: is empty"), "knot frame 2: is empty");

@@ -77,7 +77,7 @@ std::optional<std::int64_t> take_frame(std::string& spec) {
       throw InputError(fmt::format("{}: frame={} must be a frame number from 0", spec, setting.value));
     frame = number;
   }
-  if (frame) spec = spec.substr(0, colon) + (rest.empty() ? "" : ":" + text_of(rest));
+  if (frame) spec = rest.empty() ? scene_name(spec) : fmt::format("{}:{}", scene_name(spec), text_of(rest));
   return frame;
 }
 

@@ -146,5 +146,20 @@ TEST(Composed, TellsWhatItsTraversalDecided) {
             (std::vector<std::string>{"range checks", "more threads"}));
 }
 
+/// What it is made of may be computed, too.
+TEST(InDefaultFloats, IsMadeThere) {
+  bool stood = false;
+  StrategyRegistry some;
+  some.add_variant({.name = "A", .summary = "one"}, {"robust"}, [&](const Parameters&) {
+    stood = DefaultFloats::stands();
+    return StrategyRegistry::instance().make("CPU1");
+  });
+  {
+    const properties::StrangeFloats strange(FE_UPWARD);
+    some.make("A");
+  }
+  EXPECT_TRUE(stood);
+}
+
 }  // namespace
 }  // namespace catena

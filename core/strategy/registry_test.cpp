@@ -134,15 +134,16 @@ TEST(Registry, FindBeforeBuildIsAProgrammingError) {
 TEST(Registry, RefusesASecondOfOneNameAndArithmetic) {
   StrategyRegistry some;
   const ArithmeticInfo robust{"robust"}, literal{"literal"};
+  const StrategyInfo a{.name = "A", .summary = "one"}, b{.name = "B", .summary = "two stages"};
   const StrategyRegistry::TreeType tree{typeid(int), true, nullptr};
-  some.add_variant({.name = "A"}, robust, nullptr);
-  some.add_variant({.name = "A"}, literal, nullptr);
-  some.add_construction({.name = "B"}, robust, tree, nullptr);
-  some.add_traversal({.name = "B"}, robust, tree, nullptr);
-  EXPECT_THROW(some.add_variant({.name = "A"}, robust, nullptr), std::logic_error);
-  EXPECT_THROW(some.add_variant({.name = "A"}, literal, nullptr, true), std::logic_error);
-  EXPECT_THROW(some.add_construction({.name = "B"}, robust, tree, nullptr), std::logic_error);
-  EXPECT_THROW(some.add_traversal({.name = "B"}, robust, tree, nullptr), std::logic_error);
+  some.add_variant(a, robust, nullptr);
+  some.add_variant(a, literal, nullptr);
+  some.add_construction(b, robust, tree, nullptr);
+  some.add_traversal(b, robust, tree, nullptr);
+  EXPECT_THROW(some.add_variant(a, robust, nullptr), std::logic_error);
+  EXPECT_THROW(some.add_variant(a, literal, nullptr, true), std::logic_error);
+  EXPECT_THROW(some.add_construction(b, robust, tree, nullptr), std::logic_error);
+  EXPECT_THROW(some.add_traversal(b, robust, tree, nullptr), std::logic_error);
   EXPECT_EQ(some.strategy_names(), (std::vector<std::string>{"A", "B"}));
 }
 

@@ -306,8 +306,10 @@ TEST(Writers, NameWhatThereIs) {
 
 TEST(Writers, HaveExtensionsOfTheirOwn) {
   WriterRegistry registry;
-  registry.add({.name = "A", .extensions = {".a", ".b"}}, nullptr);
-  EXPECT_THROW(registry.add({.name = "B", .extensions = {".c", ".b"}}, nullptr), std::logic_error);
+  WriterInfo info{"A", {".a", ".b"}, false, false, false, false, false, false, "some lines"};
+  registry.add(info, nullptr);
+  info.name = "B", info.extensions = {".c", ".b"};
+  EXPECT_THROW(registry.add(info, nullptr), std::logic_error);
   EXPECT_EQ(registry.writers().size(), 1u);
 }
 
