@@ -20,9 +20,7 @@ namespace {
 /// before the next but one meeting, so that two boxes, in turn, are enough.
 class World {
  public:
-  explicit World(unsigned ranks) : ranks_(ranks) {
-    for (Box& box : boxes_) box.given.resize(ranks), box.inbox.resize(ranks), box.lent.resize(ranks);
-  }
+  explicit World(unsigned ranks) : ranks_(ranks), boxes_{Box(ranks), Box(ranks)} {}
   unsigned ranks() const { return ranks_; }
 
   /// `bring` is called under the lock with the box of this meeting, `close` by the last rank to come.
@@ -30,6 +28,8 @@ class World {
   void meet(std::size_t& turn, const Bring& bring, const Close& close) {
     std::unique_lock lock(mutex_);
     Box& box = boxes_[turn % 2];
+    if (here_ == 0 && box.failed)
+      box = Box(ranks_);  // of what a failure two meetings ago kept from being read
     bring(box);
     if (here_ + 1 == ranks_) {
       close(box);  // before anything is changed: where it throws, this rank has not come, and comes to fail()
@@ -46,6 +46,7 @@ class World {
   }
 
   struct Box {
+    explicit Box(unsigned ranks) : given(ranks), inbox(ranks), lent(ranks) {}
     std::vector<Bytes> given;                 // [rank]
     Gathered gathered;                        // all of `given`
     std::vector<std::vector<Message>> inbox;  // [rank]

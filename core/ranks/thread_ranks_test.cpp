@@ -60,6 +60,23 @@ TEST(ThreadRanks, EndWhereOneThrows) {
           << calls << ' ' << failing;
 }
 
+/// As processes do.
+TEST(ThreadRanks, GoOnAfterAFailureThatIsCaught) {
+  run_in_threads(3, [](Communicator& c) {
+    for (unsigned failing = 0; failing < 3; ++failing) {
+      EXPECT_THROW(together(c,
+                            [&] {
+                              if (c.rank() == failing) throw InputError("no more");
+                            }),
+                   RankFailed);
+      for (unsigned call = 0; call < 3; ++call) {
+        EXPECT_EQ(c.all_gather(Bytes(call))->size(), 3u);
+        EXPECT_EQ(c.exchange({{0, Bytes(c.rank() + 1)}}).size(), c.rank() == 0 ? 3u : 0u);
+      }
+    }
+  });
+}
+
 /// The lowest rank's own, rather than what others said of another.
 TEST(ThreadRanks, ThrowWhatTheLowestThrew) {
   const auto thrown = [](unsigned first, unsigned second) -> std::string {
