@@ -55,7 +55,13 @@ class RopeScene final : public Animation {
   Chain frame(std::uint32_t f) const override {
     if (f >= spec_.frames) throw std::out_of_range("rope: no such frame");
     const std::lock_guard<std::mutex> lock(mutex_);
-    while (frames_.size() <= f) simulate_frame();
+    try {
+      while (frames_.size() <= f) simulate_frame();
+    } catch (...) {  // within a step, or between the steps of a frame: the motion begins anew
+      motion_.reset();
+      frames_.resize(1);
+      throw;
+    }
     return still_.moved(placed(f));
   }
 

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <new>
 #include <string>
 #include <utility>
 
+#include "catena/core/arithmetic/robust.h"
 #include "catena/core/error.h"
 #include "catena/core/motion/knot.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/test_pairs.h"
+#include "catena/core/strategy/register.h"
 
 namespace catena {
 namespace {
@@ -119,6 +123,43 @@ TEST(Rope, SaysWhatIsWrong) {
   const auto frame = std::stoul(diverges.substr(diverges.find("before frame ") + 13));
   EXPECT_EQ(refusal("rope:n=120,step=1e5,stiffness=1e9", static_cast<std::uint32_t>(frame - 1)), "accepted");
   EXPECT_EQ(refusal("rope:n=120,step=1e5,stiffness=1e9", static_cast<std::uint32_t>(frame)), diverges);
+}
+
+/// Contacts as CPU1 finds them, but for one frame in which there is no memory.
+class OutOfMemoryOnce final : public Variant {
+ public:
+  static inline int finds_left = -1;  ///< until then; negative: never
+  void build(const Chain& chain) override { found_by_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    if (finds_left >= 0 && finds_left-- == 0) throw std::bad_alloc();
+    found_by_->find(chain, request, found);
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  std::unique_ptr<Variant> found_by_ = StrategyRegistry::instance().make("CPU1");
+};
+
+/// What a frame is asked for anew after an exception, it is not a longer motion.
+TEST(Rope, HasTheSameFramesAfterOneThatCouldNotBeMade) {
+  static const bool registered = [] {
+    StrategyRegistry::instance().add_variant(
+        {.name = "OutOfMemoryOnce", .summary = "as a test asks"}, arithmetic_info<Robust>(),
+        [](const Parameters&) { return std::make_unique<OutOfMemoryOnce>(); }, true);
+    return true;
+  }();
+  EXPECT_TRUE(registered);
+  const std::string spec = "rope:n=40,rope=40,duration=12,frames=5";
+  const auto right = open(spec), scene = open(spec + ",variant=OutOfMemoryOnce");
+  for (const int finds : {0, 1, 4, 9}) {
+    OutOfMemoryOnce::finds_left = finds;
+    EXPECT_THROW(scene->frame(3), std::bad_alloc) << finds;
+    EXPECT_TRUE(same(scene->frame(1), right->frame(1))) << finds;
+    EXPECT_TRUE(same(scene->frame(0), right->frame(0))) << finds;
+    if (finds == 9) {
+      EXPECT_TRUE(same(scene->frame(3), right->frame(3)));
+    }
+  }
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 #include "catena/core/ranks/thread_ranks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -16,9 +20,7 @@ namespace {
 /// before the next but one meeting, so that two boxes, in turn, are enough.
 class World {
  public:
-  explicit World(unsigned ranks) : ranks_(ranks) {
-    for (Box& box : boxes_) box.given.resize(ranks), box.inbox.resize(ranks), box.lent.resize(ranks);
-  }
+  explicit World(unsigned ranks) : ranks_(ranks), boxes_{Box(ranks), Box(ranks)} {}
   unsigned ranks() const { return ranks_; }
 
   /// `bring` is called under the lock with the box of this meeting, `close` by the last rank to come.
@@ -26,14 +28,17 @@ class World {
   void meet(std::size_t& turn, const Bring& bring, const Close& close) {
     std::unique_lock lock(mutex_);
     Box& box = boxes_[turn % 2];
+    if (here_ == 0 && box.failed)
+      box = Box(ranks_);  // of what a failure two meetings ago kept from being read
     bring(box);
-    if (++here_ == ranks_) {
+    if (here_ + 1 == ranks_) {
+      close(box);  // before anything is changed: where it throws, this rank has not come, and comes to fail()
       here_ = 0;
       ++meeting_;
-      close(box);
       lock.unlock();  // so that those who wake do not wait for it
       met_.notify_all();
     } else {
+      ++here_;
       const std::size_t this_one = meeting_;
       met_.wait(lock, [&] { return meeting_ != this_one; });
     }
@@ -41,6 +46,7 @@ class World {
   }
 
   struct Box {
+    explicit Box(unsigned ranks) : given(ranks), inbox(ranks), lent(ranks) {}
     std::vector<Bytes> given;                 // [rank]
     Gathered gathered;                        // all of `given`
     std::vector<std::vector<Message>> inbox;  // [rank]
@@ -66,9 +72,7 @@ class ThreadRank final : public Communicator {
   unsigned size() const override { return world_.ranks(); }
 
   void vote() override {
-    world_.meet(
-        turn_, [](World::Box&) {}, [](World::Box&) {});
-    if (const World::Box& box = world_.box_of_last(turn_); box.failed) throw RankFailed(box.failure);
+    meet([](World::Box&) {}, [](World::Box&) {});
   }
 
   std::string fail(const std::string& what) override {
@@ -81,18 +85,17 @@ class ThreadRank final : public Communicator {
 
  private:
   Gathered gather(Bytes own) override {
-    world_.meet(
-        turn_, [&](World::Box& box) { box.given[rank_] = std::move(own); },
-        [](World::Box& box) {
-          box.gathered = std::make_shared<const std::vector<Bytes>>(
-              std::exchange(box.given, std::vector<Bytes>(box.given.size())));
-        });
+    meet([&](World::Box& box) { box.given[rank_] = std::move(own); },
+         [](World::Box& box) {
+           auto all = std::make_shared<std::vector<Bytes>>(box.given.size());
+           all->swap(box.given);
+           box.gathered = std::move(all);
+         });
     return world_.box_of_last(turn_).gathered;
   }
 
   std::vector<Message> deliver(std::vector<Message> out) override {
-    world_.meet(
-        turn_,
+    meet(
         [&](World::Box& box) {
           for (Message& message : out)
             if (!message.bytes.empty()) box.inbox[message.rank].push_back({rank_, std::move(message.bytes)});
@@ -104,8 +107,7 @@ class ThreadRank final : public Communicator {
   }
 
   void transfer(std::span<const Outgoing> out, const Destination& to) override {
-    world_.meet(
-        turn_,
+    meet(
         [&](World::Box& box) {
           for (const Outgoing& message : out)
             if (!message.bytes.empty()) box.lent[message.rank].push_back({rank_, message.bytes});
@@ -113,8 +115,19 @@ class ThreadRank final : public Communicator {
         [](World::Box&) {});
     std::vector<Outgoing> in = std::exchange(world_.box_of_last(turn_).lent[rank_], {});
     std::ranges::sort(in, {}, &Outgoing::rank);
-    for (const auto& [rank, bytes] : in) std::ranges::copy(bytes, to(rank, bytes.size()));
+    std::vector<std::byte*> places;
+    places.reserve(in.size());
+    for (const auto& [rank, bytes] : in) places.push_back(to(rank, bytes.size()));
+    vote();  // all have the memory: what a rank without it has lent is read by nobody
+    for (std::size_t k = 0; k < in.size(); ++k) std::ranges::copy(in[k].bytes, places[k]);
     vote();  // all have read
+  }
+
+  /// Throws RankFailed where another came to fail() instead.
+  template <class Bring, class Close>
+  void meet(const Bring& bring, const Close& close) {
+    world_.meet(turn_, bring, close);
+    if (const World::Box& box = world_.box_of_last(turn_); box.failed) throw RankFailed(box.failure);
   }
 
   World& world_;
@@ -126,21 +139,53 @@ class ThreadRank final : public Communicator {
 
 void run_in_threads(unsigned ranks, const std::function<void(Communicator&)>& work) {
   World world(ranks);
-  std::vector<std::exception_ptr> thrown(ranks);
+  std::vector<std::exception_ptr> thrown(ranks), failed(ranks);
   const auto run = [&](unsigned rank) {
     ThreadRank communicator(world, rank);
     try {
-      work(communicator);
-    } catch (...) {
-      thrown[rank] = std::current_exception();
+      together(communicator, [&] {  // none waits for a rank that has thrown
+        try {
+          work(communicator);
+        } catch (const RankFailed&) {
+          throw;
+        } catch (...) {
+          thrown[rank] = std::current_exception();
+          throw;
+        }
+      });
+    } catch (const RankFailed&) {
+      if (!thrown[rank]) failed[rank] = std::current_exception();
     }
   };
+  // No rank begins before all have a thread: it would wait for one that never comes.
+  enum class Start { waits, begins, given_up };
+  std::atomic<Start> start = Start::waits;
+  const auto tell = [&](Start what) {
+    start = what;
+    start.notify_all();
+  };
   std::vector<std::jthread> others;
-  for (unsigned rank = 1; rank < ranks; ++rank) others.emplace_back(run, rank);
+  others.reserve(ranks - 1);
+  try {
+    for (unsigned rank = 1; rank < ranks; ++rank)
+      others.emplace_back([&, rank] {
+        start.wait(Start::waits);
+        if (start == Start::begins) run(rank);
+      });
+  } catch (const std::system_error& error) {
+    tell(Start::given_up);
+    throw CapacityError(fmt::format("only {} of {} ranks could be started, a thread each ({}); ask for fewer",
+                                    others.size() + 1, ranks, error.code().message()));
+  } catch (...) {
+    tell(Start::given_up);
+    throw;
+  }
+  tell(Start::begins);
   run(0);
   others.clear();  // joins
-  for (const std::exception_ptr& problem : thrown)
-    if (problem) std::rethrow_exception(problem);
+  for (const auto& problems : {thrown, failed})
+    for (const std::exception_ptr& problem : problems)
+      if (problem) std::rethrow_exception(problem);
 }
 
 }  // namespace catena::ranks
