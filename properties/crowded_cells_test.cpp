@@ -39,6 +39,23 @@ TEST(Cells, ShareOutACrowdAmongAllWhoSearch) {
     }
 }
 
+/// Rods in bundles, of as many as a row of cells is looked through by one thread, or one more, or so many
+/// that a group of blocks has no room for all that are near; what is next in the chain is in another bundle.
+TEST(Cells, FindWhatTouchesInABundle) {
+  for (const std::uint32_t in_bundle : {3u, 6u, 7u, 48u}) {
+    const std::uint32_t bundles = 3072 / in_bundle, step = static_cast<std::uint32_t>(0.618 * bundles) | 1;
+    std::vector<Sphere> spheres;
+    for (std::uint32_t k = 0; k < bundles * in_bundle; ++k) {
+      const std::uint32_t bundle = k * step % bundles, rod = k / bundles;
+      const auto at = [](std::uint32_t of_bundle, std::uint32_t of_rod) {
+        return 256 * static_cast<float>(of_bundle) + 1.9f * static_cast<float>(of_rod) + 24;
+      };
+      add_rod(spheres, at(bundle % 16, 0), at(bundle / 16 % 16, rod % 7), at(bundle / 256, rod / 7));
+    }
+    expect_exact(each_block_a_strand(spheres), "bundles of " + std::to_string(in_bundle) + " rods");
+  }
+}
+
 /// How many blocks a search on the host left to the grid, in words.
 std::string left_to_grid(const std::string& variant, const Chain& chain) {
   const auto search = StrategyRegistry::instance().make(variant);
@@ -71,8 +88,8 @@ TEST(Cells, LeaveAllBlocksToTheSearchOfCrowdsWhereItHasLittleMoreToDo) {
     }
 }
 
-/// Where the tree says little of what is near, blocks are looked for in cells, if these are there, and few are
-/// left to the grid. (What the survey counts of such blocks is BlockSurvey's own test.)
+/// Where the tree says little of what is near, blocks are looked for in cells, if these are there, and few
+/// are left to the grid. (What the survey counts of such blocks is BlockSurvey's own test.)
 TEST(Cells, LeaveFewToTheSearchOfCrowdsWhereTheTreeSaysLittle) {
   constexpr std::uint32_t rods = 8 * (BlockSurvey::room + 40);
   const Chain chain = each_block_a_strand(scattered_rods(rods, 900));

@@ -1,36 +1,98 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "catena/core/cells/sphere_cells.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/testing/no_device.h"
 
+// So many spheres that kernels have more to do than a device has threads for at a time, or count further than
+// 16 bits reach.
 namespace catena::properties {
 namespace {
 
-/// So many spheres that a device's cells are sorted by bins which are begun some thousands at a time, and
-/// which are more than those of fewer spheres may be.
-TEST(DeviceCells, OfMoreBinsThanAreBegunAtATime) {
-  if (const auto why = no_device()) GTEST_SKIP() << *why;
-  constexpr std::uint32_t side = 290;  // 18 million cells
+class DeviceCells : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const auto why = no_device()) GTEST_SKIP() << *why;
+  }
+};
+
+Collisions counts(const std::string& name, const Chain& chain) {
+  const auto variant = StrategyRegistry::instance().make(name);
+  Collisions found;
+  variant->build(chain);
+  variant->find(chain, {.want = Request::Want::counts}, found);
+  return found;
+}
+
+/// Of so many a side, row by row. Those above and below, in front and behind touch; beside it are neighbours.
+void expect_counts_of_lattice(std::uint32_t x_side, std::uint32_t y_side, std::uint32_t z_side,
+                              const std::vector<const char*>& names) {
   std::vector<Sphere> spheres;
-  std::vector<std::uint32_t>
-      expected;  // those above and below, in front and behind; beside it are neighbours
-  const auto beside = [](std::uint32_t k) { return std::uint32_t{k > 0} + (k + 1 < side); };
-  for (std::uint32_t z = 0; z < side; ++z)
-    for (std::uint32_t y = 0; y < side; ++y)
-      for (std::uint32_t x = 0; x < side; ++x) {
-        spheres.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), 0.55f});
-        expected.push_back(beside(y) + beside(z));
+  std::vector<std::uint32_t> expected;
+  const auto begin =
+      static_cast<float>(x_side / 2);  // on both sides of the first bucket: the last ones hold some, too
+  const auto beside = [](std::uint32_t k, std::uint32_t side) {
+    return std::uint32_t{k > 0} + (k + 1 < side);
+  };
+  for (std::uint32_t z = 0; z < z_side; ++z)
+    for (std::uint32_t y = 0; y < y_side; ++y)
+      for (std::uint32_t x = 0; x < x_side; ++x) {
+        spheres.push_back(
+            {static_cast<float>(x) - begin, static_cast<float>(y), static_cast<float>(z), 0.55f});
+        expected.push_back(beside(y, y_side) + beside(z, z_side));
       }
   const Chain chain(std::move(spheres));
-  Collisions found;
-  for (const char* name : {"DeviceGrid", "DeviceHybrid(crowd=0)"}) {
-    const auto variant = StrategyRegistry::instance().make(name);
-    variant->build(chain);
-    variant->find(chain, {.want = Request::Want::counts}, found);
-    EXPECT_EQ(found.pair_count, std::uint64_t{2} * side * side * (side - 1)) << name;
+  for (const char* name : names) {
+    const Collisions found = counts(name, chain);
+    EXPECT_EQ(found.pair_count, std::uint64_t{x_side} * ((y_side - 1) * z_side + y_side * (z_side - 1)))
+        << name;
+    EXPECT_TRUE(found.count == expected) << name;
+  }
+}
+
+/// So many spheres that a device's cells are sorted by bins which are begun some thousands at a time, and
+/// which are more than those of fewer spheres may be.
+TEST_F(DeviceCells, OfMoreBinsThanAreBegunAtATime) {
+  expect_counts_of_lattice(290, 290, 290, {"DeviceGrid", "DeviceHybrid(crowd=0)"});  // 18 million cells
+}
+
+/// The last bins that are begun together are full: nothing but where the last one ends comes behind them.
+TEST_F(DeviceCells, OfTheMostBins) {
+  constexpr std::uint32_t side = 5793;
+  static_assert(side * side > 1u << 25);  // the largest table, as a plane is not near a cube
+  expect_counts_of_lattice(side, side, 1, {"DeviceGrid"});
+}
+
+/// More spheres by octaves than a search has threads.
+TEST_F(DeviceCells, OfOctavesInManyRounds) {
+  std::vector<Sphere> spheres{{-8, 0, 0, 8}};
+  for (int i = 0; i < 700'000; ++i)
+    spheres.push_back({static_cast<float>(i % 100), static_cast<float>(i / 100 % 100),
+                       static_cast<float>(i / 10'000), 0.55f});
+  spheres.push_back({107, 90, 60, 8});
+  const Chain chain(std::move(spheres));
+  const Collisions expected = counts("Grid", chain);
+  ASSERT_GT(expected.pair_count, 1'300'000u);
+  for (const char* name : {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid(crowd=0)"}) {
+    const Collisions found = counts(name, chain);
+    EXPECT_EQ(found.pair_count, expected.pair_count) << name;
+    EXPECT_TRUE(found.count == expected.count) << name;
+  }
+}
+
+/// In one place: threads that come first count more pairs than 16 bits tell.
+TEST_F(DeviceCells, OfMoreThan65535PairsAThread) {
+  constexpr std::uint32_t n = 80'000;
+  const Chain chain(std::vector<Sphere>(n, Sphere{1, 2, 3, 4}));
+  std::vector<std::uint32_t> expected(n, n - 3);  // all but itself and its neighbours
+  expected.front() = expected.back() = n - 2;
+  for (const char* name : {"DeviceGrid", "DeviceLBVH"}) {
+    const Collisions found = counts(name, chain);
+    EXPECT_EQ(found.pair_count, std::uint64_t{n} * (n - 1) / 2 - (n - 1)) << name;
     EXPECT_TRUE(found.count == expected) << name;
   }
 }

@@ -186,7 +186,7 @@ TEST_F(Device, MovesLargeChainsAndAnswersWhole) {
     spheres.push_back({static_cast<float>(i % 1000), static_cast<float>(i / 1000 % 40),
                        static_cast<float>(i / 40'000), 0.55f});
   const Chain chain(spheres);
-  for (const char* name : {"DeviceGrid", "aGPU2+GPU2", "aCPU2+GPU2", "DeviceParts(memory=64)",
+  for (const char* name : {"DeviceGrid", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "DeviceParts(memory=64)",
                            "DeviceParts(memory=64,order=space)"}) {
     const auto variant = StrategyRegistry::instance().make(name),
                host = StrategyRegistry::instance().make("Grid");
@@ -199,6 +199,9 @@ TEST_F(Device, MovesLargeChainsAndAnswersWhole) {
       variant->build(moved), variant->find(moved, {}, found);
       sort(found.pairs), sort(expected.pairs);
       EXPECT_EQ(found.pairs, expected.pairs) << name << ", frame " << frame;
+      EXPECT_EQ(found.count, expected.count) << name << ", frame " << frame;
+      variant->find(moved, {.want = Request::Want::counts}, found);  // none leaves as others have found some
+      EXPECT_EQ(found.pair_count, expected.pair_count) << name << ", frame " << frame;
       EXPECT_EQ(found.count, expected.count) << name << ", frame " << frame;
     }
   }
@@ -291,7 +294,7 @@ TEST_F(Device, BlockPastTheLimitPointsToTheUnlimitedStrategy) {
 
 TEST_F(Device, EveryExclusionRuleTravels) {
   auto rule = Exclusion::index(3);
-  rule.extra_pairs = {{0, 40}, {10, 70}};
+  rule.extra_pairs = {{0, 40}, {10, 70}, {80, 89}};  // of the last sphere, too
   std::vector<Sphere> spheres;
   for (int i = 0; i < 90; ++i) spheres.push_back({float(i % 9), float(i / 9), float(i % 3), 1.5f});
   const Strands strands{{0, 30, 60, 90}, {1, 0, 1}};

@@ -7,7 +7,7 @@ if(NOT catena_tests_TESTS)
 endif()
 
 # Needs a device; skipped without one.
-set(gpu Device DeviceCells DeviceGolden DeviceMemory DeviceRepeats DeviceTrial)
+set(gpu Device DeviceBlocks DeviceCells DeviceGolden DeviceMemory DeviceRepeats DeviceTrial)
 # Of the host, and of a device where there is one: `ctest -L gpu` has them too.
 set(gpu-too Cells)
 # Not in the fast suite; `ctest --preset long`.

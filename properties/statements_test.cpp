@@ -196,6 +196,9 @@ TEST(Statements, NoticeRequestsThatDisagree) {
   const auto other_answer = [](Collisions& found) { found.found = !found.found; };
   const auto other_count = [](Collisions& found) { ++found.count[0]; };
   expect_noticed("requests agree", where(Want::pairs, Want::any, other_answer), "found differs when less");
+  expect_noticed("requests agree",
+                 where(Want::pairs, Want::any, [](Collisions& found) { found.count.push_back(1); }),
+                 "counts of an earlier answer");
   expect_noticed("requests agree", where(Want::pairs, Want::counts, other_count), "counts differ when less");
   expect_noticed("requests agree",
                  where(Want::pairs, Want::pairs, [](Collisions& found) { found.pairs.pop_back(); }),

@@ -81,7 +81,7 @@ void FaultyTree::hit(std::uint32_t i, std::uint32_t j) {
 void FaultyTree::answer(const Request& request, Collisions& result) {
   result.found = !pairs_.empty();
   result.pair_count = pairs_.size();
-  result.count = counts_;
+  result.count.assign(counts_.begin(), request.want == Request::Want::any ? counts_.begin() : counts_.end());
   result.pairs.clear();
   if (request.want != Request::Want::pairs) return;
   if (pairs_.size() > request.pair_limit) throw PairLimitExceeded(pairs_.size(), request.pair_limit);

@@ -25,6 +25,7 @@ class Requests final : public Property {
     less_ = pairs_;                                // what an earlier answer left is none of the next one
     variant.find(test.chain, {Want::any}, less_);  // less than was prepared for
     if (!less_.pairs.empty()) return "pairs of an earlier answer are left where yes or no was asked";
+    if (!less_.count.empty()) return "counts of an earlier answer are left where yes or no was asked";
     if (less_.found != pairs_.found) return "found differs when less is asked for than was prepared";
     less_ = pairs_;
     variant.find(test.chain, {Want::counts}, less_);

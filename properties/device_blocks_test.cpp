@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "catena/core/cells/block_nodes.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/properties/testing/no_device.h"
+#include "catena/properties/testing/rods.h"
+
+// Chains of so many blocks that their tree has levels between its top and the blocks, and kernels more to do
+// than a device has threads for at a time: what short chains never ask of them.
+namespace catena::properties {
+namespace {
+
+class DeviceBlocks : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const auto why = no_device()) GTEST_SKIP() << *why;
+  }
+};
+
+Collisions answer(const std::string& name, const Chain& chain, const Request& request = {}) {
+  const auto variant = StrategyRegistry::instance().make(name);
+  Collisions found;
+  variant->build(chain);
+  variant->find(chain, request, found);
+  return found;
+}
+
+/// Two strands side by side, each sphere of which touches the one beside it: of the meetings of nodes, which
+/// follow one another along both, none may be lost, wherever the room for them ends.
+TEST_F(DeviceBlocks, LoseNoMeetingWhereTheRoomForThemEnds) {
+  constexpr std::uint32_t each = 10'000 * block;
+  ASSERT_GE(BlockNodes::over(2 * each / block, 0).top, 2u);
+  std::vector<Sphere> spheres;
+  for (const float y : {0.0f, 1.875f})
+    for (std::uint32_t k = 0; k < each; ++k) spheres.push_back({1.5f * static_cast<float>(k), y, 0, 1});
+  const Chain chain(std::move(spheres), Strands{{0, each, 2 * each}, {}});
+  const std::vector<std::uint32_t> expected(2 * each, 1);
+  std::vector<std::string> names{"DeviceHybrid", "DeviceHybrid(cells=0)"};
+  for (std::uint32_t room = 1; room < 8000; room += room < 1600 ? 311 : 401) {
+    names.push_back("DeviceHybrid(meetings=" + std::to_string(room) + ")");
+    names.push_back("DeviceHybrid(cells=0,meetings=" + std::to_string(room) + ")");
+  }
+  for (const std::string& name : names) {
+    const Collisions found = answer(name, chain);
+    EXPECT_EQ(found.pair_count, each) << name;
+    EXPECT_TRUE(found.count == expected) << name;
+  }
+}
+
+/// Ten million spheres in pairs of rods that cross, all tangled: more blocks than any kernel takes in one
+/// round.
+TEST_F(DeviceBlocks, FindAllThatTangledBlocksMeetInManyRounds) {
+  constexpr std::uint32_t crossings = 157'000, side = 54, step = 97'031;
+  static_assert(crossings <= side * side * side && crossings % step != 0);
+  std::vector<Sphere> spheres;
+  std::vector<std::uint32_t> expected(std::size_t{crossings} * 2 * block);
+  for (std::uint32_t k = 0; k < crossings; ++k) {
+    const auto place = static_cast<std::uint32_t>(std::uint64_t{k} * step % crossings);
+    const float x = 128 * static_cast<float>(place % side), y = 128 * static_cast<float>(place / side % side),
+                z = 128 * static_cast<float>(place / side / side);
+    add_rod(spheres, x, y, z), add_rod(spheres, x, y, z + 1.5f, true);
+    for (const std::uint32_t rod : {2 * k, 2 * k + 1})
+      for (const std::uint32_t middle : {block / 2 - 1, block / 2}) expected[rod * block + middle] = 2;
+  }
+  const Chain chain = each_block_a_strand(spheres);
+  for (const char* name : {"DeviceHybrid", "DeviceHybrid(binned=4294967295)"}) {
+    const Collisions found = answer(name, chain, {.want = Request::Want::counts});
+    EXPECT_EQ(found.pair_count, std::uint64_t{4} * crossings) << name;
+    EXPECT_TRUE(found.count == expected) << name;
+  }
+}
+
+}  // namespace
+}  // namespace catena::properties
