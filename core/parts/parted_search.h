@@ -65,7 +65,7 @@ class PartedSearch {
 
   void share_out(const Chain& chain);
   void part_with_halos(const Chain& chain);
-  void set_parts(const Chain& chain, Partition partition);
+  void set_parts(const Chain& chain, const Partition& partition, bool without_halos);
   std::uint32_t wanted_parts(std::uint64_t spheres) const;
   /// One more search is needed for what is between parts that come without halos.
   bool stay() const { return parts_.size() + without_halos_ <= workers_.size(); }

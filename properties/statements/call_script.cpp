@@ -1,7 +1,6 @@
 #include "catena/properties/statements/call_script.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <new>
 #include <stdexcept>
 
@@ -45,7 +44,6 @@ std::optional<std::string> CallScript::run() {
   prepare();
   Fault fault = build();
   for (int made = 0; made < calls && !fault; ++made) fault = call();
-  if (std::getenv("TOLD")) fmt::print(stderr, "{}\n", told_);
   if (fault) return told_ + ": " + *fault;
   return std::nullopt;
 }
@@ -258,6 +256,10 @@ std::optional<std::string> CallScript::answer_of(const Case& test, const Request
     if (!passes_limit || error.found() != pairs)
       return fmt::format("says {} pairs, there are {}", error.found(), pairs);
     if (!kept && !found.pairs.empty()) return "pairs are left past the limit";
+    return std::nullopt;
+  } catch (const CapacityError&) {
+    if (!troubles_.any) throw;
+    tell("which is refused");
     return std::nullopt;
   }
   if (passes_limit) return fmt::format("{} pairs pass the limit", pairs);

@@ -13,10 +13,10 @@
 
 namespace catena::properties {
 
-std::vector<Shot> shots_of(const Chain& chain) {
+std::vector<Shot> shots_of(const Chain& chain, const std::function<Case(Chain)>& solve) {
   std::vector<Shot> shots;
   const auto add = [&](const Chain& shot, int film, std::optional<std::int64_t> along = std::nullopt) {
-    shots.push_back({Case::of(shot), film, along});
+    shots.push_back({solve(shot), film, along});
   };
   std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
   add(chain, 0, 0);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,8 @@ struct Shot {
       along;  ///< this many spheres on along the film's first frame, where it is no other
 };
 
-/// The chain, frames of it, another chain and its frame, and one of no spheres.
-std::vector<Shot> shots_of(const Chain& chain);
+/// The chain, frames of it, another chain and its frame, and one of no spheres; answered by `solve`.
+std::vector<Shot> shots_of(const Chain& chain, const std::function<Case(Chain)>& solve = Case::of);
 
 /// The same numbers for the same chain, so that a failure shows again.
 std::uint64_t seed_of(const Chain& chain);
