@@ -207,8 +207,8 @@ std::optional<std::string> CallScript::find() {
   };
   try {
     return answer_of(test, request, kept, found, search);
-  } catch (const std::logic_error&) {
-    if (!other) throw;
+  } catch (const std::logic_error& refusal) {
+    if (!other) return fmt::format("refuses the chain that is built: {}", refusal.what());
     tell("which is refused");
     return std::nullopt;
   }
@@ -231,8 +231,8 @@ std::optional<std::string> CallScript::find_with_evidence() {
   };
   try {
     return answer_of(test, request, false, found, search);
-  } catch (const std::logic_error&) {
-    if (built_) throw;
+  } catch (const std::logic_error& refusal) {
+    if (built_) return fmt::format("refuses the chain that is built: {}", refusal.what());
     tell("which is refused");
     return std::nullopt;
   }
