@@ -3,7 +3,10 @@
 
 #include <memory>
 #include <new>
+#include <utility>
+#include <vector>
 #include <stdexcept>
+#include <string>
 
 #include "catena/core/error.h"
 #include "catena/properties/failing_allocations.h"
@@ -13,6 +16,19 @@ namespace catena::properties {
 namespace {
 
 constexpr const char* some_fail = "calls in any order, some of which fail";
+
+/// In one of some scripts, as none has room for every call.
+void expect_noticed_in_some(const Faulty::Fault& fault, const std::string& words) {
+  std::string noticed;
+  for (std::uint32_t n = 8; n < 40; ++n) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 1.25f});
+    const Case test = Case::of(Chain(std::move(spheres)));
+    EXPECT_EQ(asked(some_fail, {}, test), std::nullopt);
+    noticed += asked(some_fail, fault, test).value_or("") + "\n";
+  }
+  EXPECT_NE(noticed.find(words), std::string::npos) << "not '" << words << "', but:\n" << noticed;
+}
 
 /// Refuses every third chain; `failed` says whether the last one was.
 Faulty::Fault refusing(const std::shared_ptr<bool>& failed) {
@@ -30,10 +46,10 @@ TEST(Statements, NoticeWhatARefusedChainLeaves) {
     if (*failed) found = {false, 0, std::vector<std::uint32_t>(q.chain.size(), 0), {}};
     return *failed;
   };
-  expect_noticed(some_fail, answers, "found is false, with");
+  expect_noticed_in_some(answers, "found is false, with");
   Faulty::Fault shows = refusing(failed);
   shows.bounds = [](const Told& told, BoundsVisitor& visitor) { show_twos(*told.chain, visitor, 1e9); };
-  expect_noticed(some_fail, shows, "bounds are shown, and nothing is built");
+  expect_noticed_in_some(shows, "bounds are shown, and nothing is built");
 }
 
 TEST(Statements, NoticeWhatAFailedSearchLeaves) {
@@ -43,9 +59,9 @@ TEST(Statements, NoticeWhatAFailedSearchLeaves) {
     return false;
   };
   const auto forgets = [=](const Question&, Collisions& found) {
-    if (std::exchange(*failed, false)) drop_a_pair(found);
+    if (!found.pairs.empty() && std::exchange(*failed, false)) drop_a_pair(found);
   };
-  expect_noticed(some_fail, {.spoil = forgets, .instead = past_the_limit}, "exactly");
+  expect_noticed_in_some({.spoil = forgets, .instead = past_the_limit}, "exactly");
   if (!FailingAllocations::possible()) GTEST_SKIP() << "memory is never wanting";
   const auto without_memory = [=](const Question&, Collisions&) {
     try {
@@ -57,13 +73,13 @@ TEST(Statements, NoticeWhatAFailedSearchLeaves) {
     return false;
   };
   *failed = false;
-  expect_noticed(some_fail, {.spoil = forgets, .instead = without_memory}, "exactly");
+  expect_noticed_in_some({.spoil = forgets, .instead = without_memory}, "exactly");
   *failed = false;
   const auto refuses = [=](const Question& q, Collisions& found) {
     if (std::exchange(*failed, false)) throw std::logic_error("find: not the chain of the last build");
     return without_memory(q, found);
   };
-  expect_noticed(some_fail, {.instead = refuses}, "refuses the chain that is built");
+  expect_noticed_in_some({.instead = refuses}, "refuses the chain that is built");
 }
 
 }  // namespace

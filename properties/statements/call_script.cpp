@@ -102,7 +102,8 @@ SphereRange CallScript::some_of(const SphereRange& all, std::uint32_t n) {
 }
 
 std::optional<std::string> CallScript::prepare() {
-  next_ = {.want = dice_.pick({Request::Want::any, Request::Want::counts, Request::Want::pairs}),
+  using enum Request::Want;
+  next_ = {.want = dice_.pick({any, counts, pairs, pairs}),
            .queries = dice_.one_in(3) ? some_of({}, shots_.front().test.chain.size()) : SphereRange{},
            .frames_follow = dice_.one_in(2)};
   tell("prepare {} [{}, {})", word(next_.want), next_.queries.begin, next_.queries.end);
@@ -195,7 +196,8 @@ std::optional<std::string> CallScript::find() {
   if (other && built_ && test.chain.size() == shots_[last_].test.chain.size()) return std::nullopt;
   Request request = prepared_;
   request.queries = some_of(prepared_.queries, test.chain.size());
-  request.want = static_cast<Request::Want>(dice_.below(static_cast<std::uint32_t>(prepared_.want) + 1));
+  if (dice_.one_in(2))
+    request.want = static_cast<Request::Want>(dice_.below(static_cast<std::uint32_t>(prepared_.want) + 1));
   const bool kept = keeper_ != nullptr && dice_.one_in(4);
   tell("{}{} {} [{}, {})", kept ? "find_kept" : "find", other ? " of another" : "", word(request.want),
        request.queries.begin, request.queries.end);
