@@ -93,7 +93,19 @@ class RopeScene final : public Animation {
     return spheres;
   }
 
+  /// Where it throws, the motion may stand between two frames: then it begins anew.
   void simulate_frame() const {
+    try {
+      go_on();
+      frames_.push_back(motion_->positions());
+    } catch (...) {
+      motion_.reset();
+      frames_.resize(1);
+      throw;
+    }
+  }
+
+  void go_on() const {
     if (!motion_) {
       motion::RopeSettings settings;
       settings.stretching = spec_.stiffness;
@@ -109,7 +121,6 @@ class RopeScene final : public Animation {
         throw InputError(fmt::format(
             "scene rope: the motion diverges, or leaves binary32, before frame {}; lower step={:g} or scale",
             frames_.size(), spec_.step));
-    frames_.push_back(motion_->positions());
   }
 
   RopeSpec spec_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "catena/core/motion/knot.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/test_pairs.h"
+#include "catena/properties/failing_allocations.h"
 
 namespace catena {
 namespace {
@@ -41,6 +43,22 @@ TEST(Rope, HasTheSameFramesInWhateverOrderAndFromWhateverExactVariant) {
   EXPECT_FALSE(same(late, backward->frame(5)));
   EXPECT_FALSE(same(late, open(spec + ",seed=2")->frame(6)));
   EXPECT_THROW(forward->frame(7), std::out_of_range);
+}
+
+/// What a frame has not become is not a part of those that come after it.
+TEST(Rope, HasTheSameFramesAfterOneThatThrew) {
+  const std::string spec = "rope:n=30,rope=15,duration=4,frames=4";
+  const auto whole = open(spec);
+  for (std::int64_t given = 0; given < 3000; given += 1 + given / 4) {
+    const auto interrupted = open(spec);
+    try {
+      const properties::FailingAllocations none(given);
+      interrupted->frame(2);
+    } catch (const std::bad_alloc&) {
+    }
+    for (const std::uint32_t f : {1u, 2u, 3u})
+      EXPECT_TRUE(same(interrupted->frame(f), whole->frame(f))) << f << " after " << given << " allocations";
+  }
 }
 
 TEST(Rope, RepeatsTwoRopesAndKeepsTheOthersApart) {
@@ -104,13 +122,20 @@ TEST(Rope, AnswersToTheContactsThatItsVariantFinds) {
 }
 
 TEST(Rope, SaysWhatIsWrong) {
-  const auto refusal = [](const std::string& spec, std::uint32_t frame) -> std::string {
+  const auto refusal_of = [](const Animation& rope, std::uint32_t frame) -> std::string {
     try {
-      open(spec)->frame(frame);
+      rope.frame(frame);
     } catch (const InputError& error) {
       return error.what();
     }
     return "accepted";
+  };
+  const auto refusal = [&](const std::string& spec, std::uint32_t frame) -> std::string {
+    try {
+      return refusal_of(*open(spec), frame);
+    } catch (const InputError& error) {
+      return error.what();
+    }
   };
   EXPECT_NE(refusal("rope:variant=CPU7", 0).find("CPU1"), std::string::npos);
   EXPECT_NE(refusal("rope:step=0", 0).find("step=0"), std::string::npos);
@@ -119,6 +144,8 @@ TEST(Rope, SaysWhatIsWrong) {
   const auto frame = std::stoul(diverges.substr(diverges.find("before frame ") + 13));
   EXPECT_EQ(refusal("rope:n=120,step=1e5,stiffness=1e9", static_cast<std::uint32_t>(frame - 1)), "accepted");
   EXPECT_EQ(refusal("rope:n=120,step=1e5,stiffness=1e9", static_cast<std::uint32_t>(frame)), diverges);
+  const auto asked_again = open("rope:n=120,step=1e5,stiffness=1e9");
+  for (int again = 0; again < 2; ++again) EXPECT_EQ(refusal_of(*asked_again, 40), diverges) << again;
 }
 
 }  // namespace
