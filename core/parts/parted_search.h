@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "catena/core/export.h"
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/parts/local_chain.h"
@@ -26,7 +27,7 @@ namespace catena::parts {
 /// to touch other parts are searched together, for pairs of two parts. So the chain is read once. Else parts
 /// come with halos. Parts that have a search to themselves are built once and stay there; others come and go
 /// with each find.
-class PartedSearch {
+class CATENA_API PartedSearch {
  public:
   struct Options {
     PartitionOptions partition;
