@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <memory>
 #include <new>
+#include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,7 @@ class SmallDevice final : public PartSearch {
   }
   void find(const LocalChain& part, const Request& request, Collisions& result,
             std::span<std::uint32_t> count) override {
+    if (part.size() != chain_.size()) throw std::logic_error("find: not the part of the last build");
     expect_room_for(part);
     variant_->find(chain_, request, result);
     if (!result.count.empty())
