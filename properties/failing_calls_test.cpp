@@ -82,7 +82,8 @@ Case solved_in(const Chain& chain, const PeriodicBox& box) {
 Chain row_in_a_box(std::uint32_t n, Dice& dice) {
   std::vector<Sphere> spheres;
   for (std::uint32_t i = 0; i < n; ++i)
-    spheres.push_back({20 * dice.unit() - 4, 20 * dice.unit() - 4, static_cast<float>(i % 3), 0.5f + dice.unit()});
+    spheres.push_back(
+        {20 * dice.unit() - 4, 20 * dice.unit() - 4, static_cast<float>(i % 3), 0.5f + dice.unit()});
   return Chain(std::move(spheres));
 }
 
@@ -95,7 +96,8 @@ TEST(FailingCalls, LeaveNoWrongAnswerBehindInABox) {
       if (seed % 4 == 0) periodic.emplace(StrategyRegistry::instance().make(name), box);
       Dice dice(seed);
       const Chain chain = row_in_a_box(2 + dice.below(24), dice);
-      const auto fault = run(*periodic, shots_of(chain, [&](const Chain& c) { return solved_in(c, box); }), seed);
+      const auto fault =
+          run(*periodic, shots_of(chain, [&](const Chain& c) { return solved_in(c, box); }), seed);
       periodic->prepare({});
       ASSERT_FALSE(fault) << name << ", seed " << seed << ": " << *fault;
     }

@@ -3,10 +3,10 @@
 
 #include <memory>
 #include <new>
-#include <utility>
-#include <vector>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "catena/core/error.h"
 #include "catena/properties/failing_allocations.h"

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "catena/core/export.h"
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/export.h"
 #include "catena/core/parts/local_chain.h"
 #include "catena/core/parts/part_search.h"
 #include "catena/core/parts/parted_answer.h"

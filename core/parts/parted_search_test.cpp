@@ -18,7 +18,8 @@
 #include "catena/properties/sorted_pairs.h"
 #include "catena/reference/reference.h"
 
-// What a device's memory does to a search by parts: there is less of it than was thought, or less than there was.
+// What a device's memory does to a search by parts: there is less of it than was thought, or less than there
+// was.
 namespace catena::parts {
 namespace {
 
@@ -27,7 +28,8 @@ class SmallDevice final : public PartSearch {
  public:
   explicit SmallDevice(const std::uint32_t& room) : room_(room) { drop(); }
   LocalChain::Neighbours knows() const override { return LocalChain::Neighbours::in_pieces; }
-  void build(const Chain& whole, const LocalChain& part, const Request& request, const BoxesWanted&) override {
+  void build(const Chain& whole, const LocalChain& part, const Request& request,
+             const BoxesWanted&) override {
     expect_room_for(part);
     chain_ = part_as_chain(whole, part);
     variant_->prepare(request);

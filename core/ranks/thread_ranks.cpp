@@ -195,7 +195,8 @@ void run_in_threads(unsigned ranks, const std::function<void(Communicator&)>& wo
     for (unsigned rank = 1; rank < ranks; ++rank) others.emplace_back(run, rank);
   } catch (const std::system_error&) {
     without_the_rest();
-    throw CapacityError(fmt::format("{} ranks are more threads than the system starts here: take fewer", ranks));
+    throw CapacityError(
+        fmt::format("{} ranks are more threads than the system starts here: take fewer", ranks));
   } catch (...) {
     without_the_rest();
     throw;

@@ -56,7 +56,8 @@ class CallScript {
   Fault find();
   Fault find_with_evidence();
   template <class Search>
-  Fault answer_of(const Case& test, const Request& request, bool kept, Collisions& found, const Search& search);
+  Fault answer_of(const Case& test, const Request& request, bool kept, Collisions& found,
+                  const Search& search);
 
   Variant& variant_;
   KeepsAnswer* const keeper_;

@@ -19,7 +19,8 @@ class FailingCalls final : public Property {
     const PreparedForAll after(variant);
     // Neither other people's libraries nor those of a device promise anything without memory.
     const bool memory = FailingAllocations::possible() && !subject.info.peer && !subject.info.on_device();
-    return CallScript(variant, shots, seed_of(test.chain) + 1, reused_, {.any = true, .memory = memory}).run();
+    return CallScript(variant, shots, seed_of(test.chain) + 1, reused_, {.any = true, .memory = memory})
+        .run();
   }
 
  private:
