@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "catena/core/error.h"
+#include "catena/core/thrown.h"
 
 namespace catena::ranks {
 namespace {
@@ -137,7 +138,11 @@ class ThreadRank final : public Communicator {
     });
     std::vector<Outgoing> in = std::exchange(box.lent[rank_], {});
     std::ranges::sort(in, {}, &Outgoing::rank);
-    for (const auto& [rank, bytes] : in) std::ranges::copy(bytes, to(rank, bytes.size()));
+    try {
+      for (const auto& [rank, bytes] : in) std::ranges::copy(bytes, to(rank, bytes.size()));
+    } catch (...) {  // what this rank lent is read yet by others
+      meet([&](World::Box& with) { with.fail(rank_, thrown_words()); });
+    }
     vote();  // all have read
   }
 

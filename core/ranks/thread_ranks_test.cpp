@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,29 @@ TEST(ThreadRanks, EndWithoutMemory) {
       }
     }
   }
+}
+
+/// What it lent is read by the others while it has no place for what comes.
+TEST(ThreadRanks, KeepWhatTheyLentUntilAllHaveRead) {
+  for (int again = 0; again < 100; ++again) try {
+      run_in_threads(4, [&](Communicator& c) {
+        together(c, [&] {
+          const auto own = std::make_unique<Bytes>(1u << 16, std::byte(c.rank()));
+          std::vector<Outgoing> lent;
+          for (unsigned rank = 0; rank < 4; ++rank)
+            if (rank != c.rank()) lent.push_back({rank, *own});
+          std::vector<Bytes> came(4);
+          c.exchange_in_place(lent, [&](unsigned rank, std::size_t bytes) {
+            if (c.rank() == 3) throw std::bad_alloc();
+            came[rank].resize(bytes);
+            return came[rank].data();
+          });
+        });
+      });
+      FAIL() << "one had no memory";
+    } catch (const RankFailed& failed) {
+      EXPECT_STREQ(failed.what(), "out of memory");
+    }
 }
 
 /// A rank that throws, or has nothing more to say, comes to no other call.
