@@ -186,8 +186,10 @@ set(commit_header ${PROJECT_BINARY_DIR}/generated/commit.h)
 add_custom_target(catena_commit ALL BYPRODUCTS ${commit_header}
   COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DHEADER=${commit_header} -P ${PROJECT_SOURCE_DIR}/core/commit.cmake)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+set(flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off")
+string(REGEX REPLACE "([\\\"])" "\\\\\\1" flags "${flags}")  # in a string of C++
 set_source_files_properties(${PROJECT_SOURCE_DIR}/core/environment.cpp PROPERTIES COMPILE_DEFINITIONS
-  "CATENA_COMMIT_HEADER=\"${commit_header}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off\""
+  "CATENA_COMMIT_HEADER=\"${commit_header}\";CATENA_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\";CATENA_COMPILER=\"${CMAKE_CXX_COMPILER_ID}\";CATENA_FLAGS=\"${flags}\""
   OBJECT_DEPENDS ${commit_header})
 set_source_files_properties(${PROJECT_SOURCE_DIR}/core/installed_files.cpp PROPERTIES COMPILE_DEFINITIONS
   "CATENA_DATADIR=\"${CMAKE_INSTALL_DATADIR}\"")

@@ -9,8 +9,9 @@
 namespace catena {
 
 /// While it lives, this thread and those that it starts compute in the floating-point environment that the
-/// proofs suppose: to nearest, subnormal numbers kept. A program linked with -ffast-math flushes them to zero
-/// from its start, others choose a rounding; they get back what they had.
+/// proofs suppose: to nearest, subnormal numbers kept, nothing trapped. A program linked with -ffast-math
+/// flushes them to zero from its start, others choose a rounding, or have feenableexcept() end them where
+/// infinity is computed, which is an answer here; they get back what they had.
 class DefaultFloats {
  public:
   DefaultFloats() : changed_(!stands()) {
@@ -29,9 +30,13 @@ class DefaultFloats {
   /// its own environment.
   static bool stands() {
 #ifdef __SSE__
-    constexpr unsigned flushes_results = 0x8000, reads_as_zero = 0x0040;
-    return (_mm_getcsr() & (_MM_ROUND_MASK | flushes_results | reads_as_zero)) == _MM_ROUND_NEAREST;
+    constexpr unsigned flushes_results = 0x8000, reads_as_zero = 0x0040, untrapped = _MM_MASK_MASK;
+    return (_mm_getcsr() & (_MM_ROUND_MASK | flushes_results | reads_as_zero | untrapped)) ==
+           (_MM_ROUND_NEAREST | untrapped);
 #else
+#ifdef __GLIBC__
+    if (fegetexcept() != 0) return false;
+#endif
     volatile float least_normal = std::numeric_limits<float>::min(),
                    subnormal = std::numeric_limits<float>::denorm_min();
     return std::fegetround() == FE_TONEAREST && subnormal > 0 && 0.5f * least_normal > 0;

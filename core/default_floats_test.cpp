@@ -4,6 +4,7 @@
 
 #include <cfenv>
 #include <fstream>
+#include <limits>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/chain/joints.h"
 #include "catena/core/error.h"
 #include "catena/properties/float_environment.h"
 
@@ -43,6 +45,23 @@ TEST(DefaultFloats, StandOnlyWhereNothingIsStrange) {
     EXPECT_FALSE(stands) << flushed;
   }
 #endif
+#ifdef __GLIBC__
+  for (const int trapped : {FE_DIVBYZERO, FE_INVALID, FE_OVERFLOW, FE_UNDERFLOW}) {
+    std::feclearexcept(FE_ALL_EXCEPT);
+    if (feenableexcept(trapped) == -1) continue;  // the processor has no traps
+    const bool stands = DefaultFloats::stands();
+    volatile float infinite = 0;
+    {
+      const DefaultFloats floats;
+      infinite = std::numeric_limits<float>::max();
+      infinite = infinite * infinite / 0.0f;
+    }
+    const int again = fegetexcept();
+    fedisableexcept(FE_ALL_EXCEPT);
+    EXPECT_FALSE(stands) << trapped;
+    EXPECT_EQ(again, trapped) << "the caller's come back";
+  }
+#endif
 }
 
 /// With subnormal numbers read as zero this radius is not negative, and this arc has no length.
@@ -55,6 +74,19 @@ TEST(DefaultFloats, AChainIsTheSameInEveryEnvironment) {
   const DefaultFloats floats;
   EXPECT_TRUE(chain.neighbours(0, 1));
   EXPECT_FALSE(chain.neighbours(0, 2));
+}
+
+/// Read as zero, these radii would have no reach, and no sphere a neighbour across the joint.
+TEST(DefaultFloats, NeighboursAcrossJointsAreTheSameInEveryEnvironment) {
+  constexpr float least = 0x1p-149f;
+  const std::vector<Sphere> spheres{{0, 0, 0, least}, {3 * least, 0, 0, least}, {6 * least, 0, 0, least}};
+  const std::vector<Pair> joint{{1, 2}};
+  std::vector<Pair> found;
+  {
+    const StrangeFloats strange(FE_UPWARD);
+    found = pairs_across_joints(spheres, {{0, 2, 3}, {0, 0}}, joint, Exclusion::arc(2));
+  }
+  EXPECT_EQ(found, joint);
 }
 
 /// The registry's wrapper must pass on every function of Variant: one that it does not know would quietly

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catena/core/error.h"
+#include "catena/core/plan/machine.h"
 
 #include CATENA_COMMIT_HEADER
 
@@ -21,9 +22,7 @@ std::vector<RegisterEnvironment::Facts>& contributors() {
 
 std::string cpu_model() {
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
+  return processor_of(info);
 }
 
 /// How the clock of the CPU is governed. Not shown in most virtual machines.

@@ -32,7 +32,7 @@ class CATENA_API PairLimitExceeded : public Error {
   PairLimitExceeded(std::uint64_t found, std::uint64_t limit)
       : Error("found " + std::to_string(found) + (found == 1 ? " colliding pair" : " colliding pairs") +
               ", more than the limit of " + std::to_string(limit) +
-              "; ask for counts only (--counts-only), or raise the limit (detect: --pair-limit)"),
+              "; ask for counts alone, or raise the limit"),
         found_(found),
         limit_(limit) {}
   std::uint64_t found() const noexcept { return found_; }

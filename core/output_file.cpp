@@ -6,11 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cerrno>
-#include <cstdlib>
+#include <charconv>
+#include <climits>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -28,9 +27,11 @@ std::optional<int> descriptor_of(const fs::path& name) {
   const auto folder = fs::canonical(name.parent_path(), absent);
   const std::string number = name.filename().string();
   if (absent || folder != fs::path("/proc") / std::to_string(getpid()) / "fd") return std::nullopt;
-  if (number.empty() || !std::ranges::all_of(number, [](unsigned char c) { return std::isdigit(c); }))
+  unsigned descriptor = 0;  // no sign is a descriptor's
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+  if (error != std::errc() || end != number.data() + number.size() || descriptor > INT_MAX)
     return std::nullopt;
-  return std::atoi(number.c_str());
+  return static_cast<int>(descriptor);
 }
 
 bool regular_or_new(const fs::path& name) {
@@ -53,7 +54,8 @@ void keep_permissions(int file, const fs::path& replaced) {
   if (stat(replaced.c_str(), &status) == 0) fchmod(file, status.st_mode & 0777);
 }
 
-/// Ctrl-C waits while this lives.
+/// Ctrl-C waits while this lives, where no other thread takes it. Where one does, a whole file may be left
+/// that has not its name yet.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -108,8 +110,13 @@ OutputFile::OutputFile(const fs::path& name) : name_(name), target_(target(name)
   } else {
     file = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   }
-  if (file >= 0) out_ = fdopen(file, "wb");
-  if (out_ == nullptr) fail(errno);
+  if (file < 0) fail(errno);
+  out_ = fdopen(file, "wb");
+  if (out_ != nullptr) return;
+  const int reason = errno;
+  ::close(file);
+  if (!unfinished_.empty() && !nameless_) unlink(unfinished_.c_str());
+  fail(reason);
 }
 
 OutputFile::~OutputFile() {

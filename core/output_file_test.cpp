@@ -244,5 +244,15 @@ TEST_F(OutputFiles, SayWhatIsWrong) {
   EXPECT_EQ(refusal("/dev/fd/999"), "cannot write /dev/fd/999: Bad file descriptor");
 }
 
+/// And not taken for 1, which is so many times 2^32 less.
+TEST_F(OutputFiles, RefuseADescriptorThatNoneCanBe) {
+  testing::internal::CaptureStdout();
+  for (const char* name :
+       {"/dev/fd/4294967297", "/dev/fd/18446744073709551617", "/dev/fd/+1", "/dev/fd/2147483648"})
+    EXPECT_TRUE(refusal(name).starts_with(std::string("cannot write ") + name))
+        << name << ": " << refusal(name);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
 }  // namespace
 }  // namespace catena

@@ -18,7 +18,8 @@ class CATENA_API CudaError : public Error {
               ": " + cudaGetErrorString(code)) {}
 };
 
-/// Throws CudaError when `code` is not success; clears the sticky last error.
+/// Throws CudaError when `code` is not success. Clears the last error, so that no later check meets it again;
+/// one that has spoilt the context stays, and every later call returns it.
 inline void check(cudaError_t code, const char* call, const char* file, int line) {
   if (code == cudaSuccess) return;
   cudaGetLastError();

@@ -1,6 +1,6 @@
 # GPU strategies, a part of the library. AUTO builds them when nvcc is found; OFF leaves no trace of CUDA in the build. On a machine
 # without a device or driver they build all the same and are listed as unavailable, with the reason.
-set(CATENA_CUDA AUTO CACHE STRING "GPU strategies: AUTO, ON or OFF")
+catena_choice(CATENA_CUDA AUTO "GPU strategies" AUTO ON OFF)
 set(CATENA_CUDA_ARCHITECTURES "" CACHE STRING "CUDA architectures; empty: native when a device is here, else 75, whose PTX suits every later one")
 
 if(NOT CATENA_CUDA STREQUAL "OFF")

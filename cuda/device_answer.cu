@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "catena/core/error.h"
 #include "catena/core/executor/large_vector.h"
@@ -61,7 +62,8 @@ DeviceAnswer::Found DeviceAnswer::search_all(std::uint32_t n, const Request& req
                                              const Stream& stream, Device::Times& times) {
   Found found{prepare(n, request, result, stream), {}};
   auto& [answer, state] = found;
-  for (;;) {
+  constexpr int most_searches = 64;  // of one that makes room for what it saw to be too little; mostly 1 or 2
+  for (int searches = 0; searches < most_searches; ++searches) {
     clear_answer(answer, n, stream);
     const double work_ms = timer_.time(stream, [&] { search(answer, stream); });
     if (timer_.is_start(work_ms, times.start_ms)) continue;
@@ -76,6 +78,7 @@ DeviceAnswer::Found DeviceAnswer::search_all(std::uint32_t n, const Request& req
       answer.pairs = pairs_.reserve(state.found, stream);
     }
   }
+  throw std::logic_error("a search on a device has too little room, however often it is mended");
 }
 
 void DeviceAnswer::fetch_state(Found& found, const Stream& stream, Device::Times& times) {

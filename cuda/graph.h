@@ -24,7 +24,9 @@ class Graph {
     const cudaError_t made = cudaGraphInstantiate(&graph_, recorded, 0);
     cudaGraphDestroy(recorded);
     check(made, "cudaGraphInstantiate", __FILE__, __LINE__);
-    CATENA_CUDA(cudaGraphUpload(graph_, stream));
+    const cudaError_t uploaded = cudaGraphUpload(graph_, stream);
+    if (uploaded != cudaSuccess) cudaGraphExecDestroy(graph_);  // a constructor that throws has no destructor
+    check(uploaded, "cudaGraphUpload", __FILE__, __LINE__);
   }
   ~Graph() { cudaGraphExecDestroy(graph_); }
   Graph(const Graph&) = delete;

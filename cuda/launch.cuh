@@ -34,18 +34,29 @@ __device__ inline void await_previous() {
 #endif
 }
 
+/// Of a kernel on the current device, asked once for each device that a thread comes from another one to: its code
+/// may be of another architecture there.
+template <auto kernel>
+const cudaFuncAttributes& attributes_here() {
+  thread_local int known = -1;
+  thread_local cudaFuncAttributes attributes{};
+  int device = 0;
+  CATENA_CUDA(cudaGetDevice(&device));
+  if (device != known) {
+    CATENA_CUDA(cudaFuncGetAttributes(&attributes, kernel));
+    known = device;
+  }
+  return attributes;
+}
+
 /// Like launch_blocks, of a kernel that begins with await_previous() and comes next after another kernel: its
 /// start overlaps that one's end, where the code is of an architecture that can wait.
 /// Each block has `shared` bytes of memory of a size that is known only here.
 template <auto kernel, class... Arguments>
 void launch_next_sharing(unsigned blocks, unsigned threads, std::size_t shared, cudaStream_t stream,
                          const Arguments&... arguments) {
-  static const cudaFuncAttributes attributes = [] {
-    cudaFuncAttributes of_kernel{};
-    CATENA_CUDA(cudaFuncGetAttributes(&of_kernel, kernel));
-    return of_kernel;
-  }();
   if (blocks == 0) return;
+  const cudaFuncAttributes& attributes = attributes_here<kernel>();
   constexpr std::size_t without_asking = 32 << 10;  // with what a kernel has of a fixed size, at most 48 KiB
   if (shared > without_asking) {  // for all that there is: another thread may launch it with more at this moment
     int device = 0, most = 0;

@@ -3,6 +3,7 @@
 #include <cub/device/device_radix_sort.cuh>
 
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/hierarchy/morton_grid.h"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/launch.cuh"
 
@@ -44,12 +45,7 @@ __global__ void __launch_bounds__(256) box_of_centres(const __grid_constant__ Ch
 
 /// The cell along one axis of the box, of 2^21, two zeros after each bit.
 __device__ inline std::uint64_t spread_cell(float at, double low, double cells_per_unit) {
-  auto v = static_cast<std::uint64_t>((at - low) * cells_per_unit);
-  v = (v | v << 32) & 0x001F00000000FFFF;
-  v = (v | v << 16) & 0x001F0000FF0000FF;
-  v = (v | v << 8) & 0x100F00F00F00F00F;
-  v = (v | v << 4) & 0x10C30C30C30C30C3;
-  return (v | v << 2) & 0x1249249249249249;
+  return spread_bits(static_cast<std::uint64_t>((at - low) * cells_per_unit));
 }
 
 template <class Chain>

@@ -97,7 +97,7 @@ class PartTables {
                     cudaStream_t stream) {
     host_ends_.assign(part.extra().begin(), part.extra().end());
     for (const Pair& pair : part.extra()) host_ends_.push_back({pair.j, pair.i});
-    std::sort(host_ends_.begin(), host_ends_.end(), [](const Pair& a, const Pair& b) { return a.i < b.i; });
+    std::sort(host_ends_.begin(), host_ends_.end());
     host_extra_.clear();
     for (const Pair& end : host_ends_) host_extra_.push_back(end.j);
     host_row_.resize(part.size() + std::size_t{1});

@@ -75,6 +75,10 @@ add_dependencies(catena_tests catena_headers)
 add_test(NAME library.border COMMAND ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:catena> -DNM=${CMAKE_NM} -DREADELF=${CMAKE_READELF}
          -DLOG=${PROJECT_BINARY_DIR}/.ninja_log -DSANITIZE=${CATENA_SANITIZE} -P ${PROJECT_SOURCE_DIR}/properties/library_test.cmake)
 
+add_test(NAME choice COMMAND ${CMAKE_COMMAND} -DWORK=${PROJECT_BINARY_DIR}/choice_test -P ${PROJECT_SOURCE_DIR}/properties/choice_test.cmake)
+add_test(NAME commit COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DWORK=${PROJECT_BINARY_DIR}/commit_test
+         -P ${PROJECT_SOURCE_DIR}/properties/commit_test.cmake)
+
 # An installed catena is found by another project, which adds README's one-file variant from outside.
 set(sanitize_flags "")
 if(CATENA_SANITIZE)

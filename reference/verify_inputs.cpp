@@ -40,7 +40,8 @@ std::vector<std::string> default_inputs() {
 
 Input open_for_verification(const std::string& spec, InputOptions options, bool sample) {
   const auto& readers = ReaderRegistry::instance();
-  if (sample && !options.radius && std::filesystem::is_regular_file(spec) && readers.knows(spec))
+  std::error_code unknown;
+  if (sample && !options.radius && std::filesystem::is_regular_file(spec, unknown) && readers.knows(spec))
     options.radius_half_spacing = !readers.read(spec, options.reading).has_radii;
   return open_input(spec, options);
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "catena/core/error.h"
 #include "catena/core/strategy/timings.h"
@@ -17,6 +18,22 @@ namespace {
 
 [[noreturn]] void fail(const std::string& file) {
   throw InputError(fmt::format("cannot write {}: {}", file, std::strerror(errno)));
+}
+
+/// To its end, whatever interrupts it.
+bool write_all(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(file, text.data(), text.size());
+    if (written > 0)
+      text.remove_prefix(static_cast<std::size_t>(written));
+    else if (written == 0 || errno != EINTR)
+      return false;
+  }
+  return true;
+}
+
+bool has_seconds(const Journal::Json& line) {
+  return line.contains("seconds") && line["seconds"].is_number();
 }
 
 }  // namespace
@@ -45,6 +62,10 @@ Journal Journal::resume(const std::string& file) {
   for (std::string text; std::getline(in, text) && !in.eof(); whole += text.size() + 1) {
     const Json line = Json::parse(text, nullptr, false);
     if (line.is_discarded()) break;
+    if ((line.contains("row") && !has_seconds(line)) ||
+        (line.contains("section") &&
+         !(line["section"].is_string() && line.contains("content") && has_seconds(line))))
+      throw InputError(fmt::format("{}: no run can be resumed from it; remove it to begin anew", file));
     if (line.contains("run")) journal.run_ = line["run"];
     if (line.contains("row")) journal.rows_.push_back(line["row"]), journal.row_seconds_ = line["seconds"];
     if (line.contains("section")) {
@@ -85,9 +106,7 @@ void Journal::append(const Json& line) {
   const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
   const int out = open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (out < 0) fail(file_);
-  const ssize_t written = write(out, text.data(), text.size());
-  const bool all = written == static_cast<ssize_t>(text.size());
-  if (!all && written >= 0) errno = ENOSPC;
+  const bool all = write_all(out, text);
   const int reason = errno;
   close(out);
   errno = reason;

@@ -27,12 +27,27 @@ std::filesystem::path package_folder() {
                   installed.string(), CATENA_REPORTS_IN_SOURCE));
 }
 
-/// This process's environment with PYTHONPATH set to `folder`.
+/// As `python -m catena_report`, but for the folder of the user, in front of all others with that, whose
+/// files may have the names of modules. (Python 3.11 has -P for it.)
+constexpr const char* run_package = R"(import sys
+if sys.path[0] == "":
+    del sys.path[0]
+import runpy
+runpy.run_module("catena_report", run_name="__main__", alter_sys=True))";
+
+/// This process's environment with `folder` in front of PYTHONPATH.
 std::vector<std::string> environment_with(const std::filesystem::path& folder) {
+  constexpr std::string_view name = "PYTHONPATH=";
   std::vector<std::string> variables;
-  for (char** entry = environ; *entry != nullptr; ++entry)
-    if (!std::string_view(*entry).starts_with("PYTHONPATH=")) variables.emplace_back(*entry);
-  variables.push_back("PYTHONPATH=" + folder.string());
+  std::string path = folder.string();
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view variable = *entry;
+    if (!variable.starts_with(name))
+      variables.emplace_back(variable);
+    else if (variable.size() > name.size())  // else an empty entry would be the current folder
+      path.append(":").append(variable.substr(name.size()));
+  }
+  variables.push_back(fmt::format("{}{}", name, path));
   return variables;
 }
 
@@ -76,7 +91,7 @@ class InterruptsLeftToChild {
 }  // namespace
 
 int run_page_writer(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{CATENA_PYTHON, "-m", "catena_report"};
+  std::vector<std::string> command{CATENA_PYTHON, "-c", run_package};
   command.insert(command.end(), arguments.begin(), arguments.end());
   auto variables = environment_with(package_folder());
   pid_t child = 0;

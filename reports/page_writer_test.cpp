@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* before_the_package = R"(
 import os, signal, sys
-print(os.environ["PYTHONPATH"], signal.getsignal(signal.SIGINT) is signal.SIG_IGN, *sys.orig_argv[1:], flush=True)
+print(os.environ["PYTHONPATH"], signal.getsignal(signal.SIGINT) is signal.SIG_IGN, *sys.orig_argv[3:], flush=True)
 if sys.orig_argv[-1] == "exit":
     os._exit(7)
 ends = getattr(signal, sys.orig_argv[-1])
@@ -44,10 +44,9 @@ TEST(PageWriter, HasThePackageItsArgumentsAndInterrupts) {
   for (const bool ignored : {false, true}) {
     std::signal(SIGINT, ignored ? SIG_IGN : +handler);
     const std::string how = ignored ? "SIGKILL" : "exit", said = run(how, ignored ? 2 : 7);
-    EXPECT_TRUE(
-        said.ends_with(fmt::format(" {} -m catena_report --output {}\n", ignored ? "True" : "False", how)))
+    EXPECT_TRUE(said.ends_with(fmt::format(":/nowhere {} --output {}\n", ignored ? "True" : "False", how)))
         << said;
-    EXPECT_TRUE(fs::exists(fs::path(said.substr(0, said.find(' '))) / "catena_report" / "__main__.py"))
+    EXPECT_TRUE(fs::exists(fs::path(said.substr(0, said.find(':'))) / "catena_report" / "__main__.py"))
         << said;
     EXPECT_EQ(std::signal(SIGINT, SIG_DFL), ignored ? SIG_IGN : +handler) << "as it was before";
   }
@@ -55,6 +54,26 @@ TEST(PageWriter, HasThePackageItsArgumentsAndInterrupts) {
   unsetenv("PYTHONUSERBASE");
   unsetenv("PYTHONPATH");
   fs::remove_all(base);
+}
+
+/// A file of the user's with the name of a module is none.
+TEST(PageWriter, RunsNothingOfTheCurrentFolder) {
+  namespace fs = std::filesystem;
+  const fs::path before = fs::current_path(),
+                 folder = testing::TempDir() + fmt::format("catena_users_folder_{}", getpid());
+  fs::create_directories(folder);
+  for (const char* module : {"runpy", "json", "argparse", "numpy", "catena_report"})
+    std::ofstream(folder / fmt::format("{}.py", module)) << "open('taken', 'w')\nraise SystemExit(99)\n";
+  unsetenv("PYTHONPATH");
+  fs::current_path(folder);
+  testing::internal::CaptureStdout();
+  const int code = run_page_writer({"--help"});
+  const std::string said = testing::internal::GetCapturedStdout();
+  fs::current_path(before);
+  EXPECT_FALSE(fs::exists(folder / "taken"));
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("usage"), std::string::npos) << said;
+  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ ReportFolder::ReportFolder(fs::path folder) : folder_(std::move(folder)) {
   made_ = fs::create_directories(folder_, failed);
   if (failed)
     throw InputError(fmt::format("cannot make the folder {}: {}", folder_.string(), failed.message()));
-  lock_ = open(list().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW, 0666);
+  lock_ = open(list().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (lock_ < 0) throw InputError(fmt::format("cannot write {}: {}", list().string(), std::strerror(errno)));
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     close(lock_);

@@ -19,8 +19,7 @@ class ChainTree final : public Variant {
   void build(const Chain& chain) override {
     const Stopwatch watch;
     built_ = false;
-    view_ = chain.view();
-    build_block_tree(view_, tree_, Team());
+    build_block_tree(chain.view(), tree_, Team());
     if (!rows_) tree_.forget_rows();
     spheres_ = chain.size();
     built_ = true;
@@ -35,13 +34,17 @@ class ChainTree final : public Variant {
 
   void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
                           EvidenceSink& sink) override {
+    require_built(chain);
     const ChainView view = chain.view();
     const BlockEvidence evidence(view, tree_, sink);
     search(chain, request, result, &evidence);
   }
 
   void visit_bounds(BoundsVisitor& visitor) const override {
-    if (built_) show_blocks(view_, tree_, visitor);
+    if (!built_) return;
+    ChainView chain{};  // whose spheres may be gone by now: to number nodes takes how many there are
+    chain.size = spheres_;
+    show_blocks(chain, tree_, visitor);
   }
 
   Timings timings() const override { return timings_; }
@@ -59,8 +62,12 @@ class ChainTree final : public Variant {
   }
 
  private:
-  void search(const Chain& chain, const Request& request, Collisions& result, const BlockEvidence* evidence) {
+  void require_built(const Chain& chain) const {
     if (!built_ || chain.size() != spheres_) throw std::logic_error("find: not the chain of the last build");
+  }
+
+  void search(const Chain& chain, const Request& request, Collisions& result, const BlockEvidence* evidence) {
+    require_built(chain);
     const Stopwatch watch;
     PairCollector collector(spheres_, request, result);
     rows_before_ = queues_.rows_done(), pairs_before_ = queues_.pairs_done();
@@ -74,7 +81,6 @@ class ChainTree final : public Variant {
   BlockTree tree_;
   BlockQueues queues_;
   std::uint64_t rows_before_ = 0, pairs_before_ = 0, open_before_ = 0;  // the last search
-  ChainView view_{};
   std::uint32_t spheres_ = 0;
   bool built_ = false;
   Timings timings_;

@@ -32,13 +32,6 @@ class Dual final : public Traversal<HierarchyView<typename Arithmetic::Bound>> {
   }
 
  private:
-  struct NoEvidence {
-    void discarded(std::uint32_t, std::uint32_t) const {}
-    void tested(std::uint32_t, std::uint32_t) const {}
-    void excluded(std::uint32_t, std::uint32_t) const {}
-    void compared(std::uint32_t, std::uint32_t) const {}
-  };
-
   template <class Tests, class Sink>
   struct Search {
     const ChainView& chain;

@@ -32,11 +32,6 @@ class Half final : public Traversal<BoxTree> {
   }
 
  private:
-  struct NoEvidence {
-    void discarded(std::uint32_t, std::uint32_t) const {}
-    void compared(std::uint32_t, std::uint32_t) const {}
-  };
-
   template <class Tests, class Sink>
   struct Search {
     const ChainView& chain;

@@ -49,13 +49,6 @@ class Necklace final : public HostSearch {
     search<EvidenceSink&>(chain, lane, sink);
   }
 
-  struct NoEvidence {
-    void discarded(std::uint32_t, std::uint32_t) const {}
-    void tested(std::uint32_t, std::uint32_t) const {}
-    void excluded(std::uint32_t, std::uint32_t) const {}
-    void compared(std::uint32_t, std::uint32_t) const {}
-  };
-
   Sphere make(std::span<const Sphere> spheres, const Node& node) {
     if (node.is_leaf()) return spheres[node.begin];
     const Sphere left = make(spheres, node.left()), right = make(spheres, node.right());

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "catena/bench/timing/cases.h"
-#include "catena/bench/timing/times_told.h"
+#include "catena/bench/timing/test_times_told.h"
 #include "catena/core/commands/input_options.h"
 #include "catena/core/input/input.h"
 #include "catena/core/readers/test_file.h"

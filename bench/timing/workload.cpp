@@ -17,6 +17,7 @@
 #include "catena/core/commands/show_warnings.h"
 #include "catena/core/error.h"
 #include "catena/core/input/naming.h"
+#include "catena/core/parameters/settings.h"
 #include "catena/core/parameters/whole_number.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/scenes/scene.h"
@@ -78,15 +79,11 @@ Label written_label(const WorkloadSpec& spec, const std::vector<PeriodicBox>& bo
   std::string name = spec.input.substr(0, colon), n;
   std::vector<std::string> others;
   if (SceneRegistry::instance().contains(name) && colon != std::string::npos) {
-    std::string_view rest = std::string_view(spec.input).substr(colon + 1);
-    while (!rest.empty()) {
-      const std::string_view item = rest.substr(0, rest.find(','));
-      rest.remove_prefix(std::min(rest.size(), item.size() + 1));
-      if (item.starts_with("n="))
-        n = in_digits(item.substr(2));
+    for (const auto& [key, value] : parse_settings(name, std::string_view(spec.input).substr(colon + 1)))
+      if (key == "n")
+        n = in_digits(value);
       else
-        others.emplace_back(item);
-    }
+        others.push_back(key + "=" + value);
   } else {
     name = std::filesystem::path(spec.input).filename();
   }

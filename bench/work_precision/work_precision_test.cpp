@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "catena/bench/timing/times_told.h"
+#include "catena/bench/timing/test_times_told.h"
 #include "catena/bench/tube/error.h"
 #include "catena/core/error.h"
 #include "catena/core/strategy/registry.h"

@@ -23,8 +23,8 @@ concept OverlapTests = requires(const Sphere& sphere, const typename Tests::Boun
 
 /// How a strategy computes, its template parameter `Arithmetic`: Robust, Literal, Double, or one of your own.
 ///
-///     name, exact      as in VariantInfo: what is written after the '/', and whether nothing excuses its
-///     answer parent(a, b)     the bound of two nodes' parent; when exact, it encloses all that they do
+///     name, exact      as in VariantInfo: what is written after the '/', whether nothing excuses its answer
+///     parent(a, b)     the bound of two nodes' parent; when exact, it encloses all that they do
 ///     in_range(radii)  true: InRange decides the same as this arithmetic for a chain of such radii
 ///     InRange          the tests without range checks; the arithmetic itself when it has none
 template <class Arithmetic>

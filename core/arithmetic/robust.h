@@ -30,12 +30,6 @@ struct Robust {
   /// Negative unless they are separate for certain.
   CATENA_HD static float excess(const Sphere& a, const Sphere& b) { return separate(a, b) ? 1.0f : -1.0f; }
 
-  /// True only when they overlap for certain by stage 1; free of calls and branches.
-  CATENA_HD static bool surely_overlap(const Sphere& a, const Sphere& b) {
-    const Binary32 n(a, b);
-    return (n.t > safe_square_min) & (n.t < safe_square_max) & (n.q * binary32_slack < n.t);
-  }
-
   /// True when the spheres overlap or touch. Exact for all finite Spheres.
   CATENA_HD static bool overlap(const Sphere& a, const Sphere& b) {
     const Binary32 n(a, b);

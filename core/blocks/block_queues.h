@@ -35,6 +35,9 @@ class BlockQueues {
 
   /// Blocks i and j. At most one row between two calls of pairs_full.
   void add_pair(const Pair& pair) { pairs_[pair_count_++] = pair; }
+  /// Or so many that were stored here, where a vector may write past the last.
+  Pair* next_pairs() { return pairs_.data() + pair_count_; }
+  void add_pairs(std::size_t count) { pair_count_ += count; }
   bool pairs_full() const { return pair_count_ > pair_limit; }
   std::span<const Pair> pairs() const { return {pairs_.data(), pair_count_}; }
   void clear_pairs() {

@@ -18,6 +18,13 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The lanes whose bits are set, of sixteen from bit 0 on.
+template <class Bits>
+HWY_INLINE hn::Mask<Bits> lanes_of(Bits bits, std::uint32_t lanes) {
+  std::uint8_t bytes[8] = {static_cast<std::uint8_t>(lanes), static_cast<std::uint8_t>(lanes >> 8)};
+  return hn::LoadMaskBits(bits, bytes);
+}
+
 /// Which lanes of 32-bit numbers are kept, for any number of vectors.
 template <class Bits>
 class Kept {

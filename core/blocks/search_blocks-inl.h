@@ -187,10 +187,9 @@ class BlockSearch {
                                              Capsules::load(tree_.capsules_of(r.group))) &
                                  r.lanes;
       for_each_lane(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
-      for_each_lane(near, [&](std::uint32_t j) {
-        sink_.blocks_near(a, r.group * group + j);
-        leaves_.add(a, r.group * group + j);
-      });
+      if constexpr (Sink::listens)
+        for_each_lane(near, [&](std::uint32_t j) { sink_.blocks_near(a, r.group * group + j); });
+      leaves_.add(a, r.group * group, near);
       leaves_.make_room();
     }
     queues_.clear_rows();

@@ -17,16 +17,38 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// a and b of each of a vector's first `size` lanes, side by side. May write as many as a vector has lanes.
+template <class Bits>
+HWY_INLINE void store_side_by_side(Bits bits, hn::Vec<Bits> a, hn::Vec<Bits> b, std::uint32_t size,
+                                   Pair* to) {
+  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
+#if HWY_TARGET <= HWY_AVX3
+  if constexpr (hn::MaxLanes(Bits()) == 16) {
+    // Highway moves both halves by six shuffles; the second is mostly empty.
+    alignas(64) static constexpr std::uint32_t twice[2][16] = {
+        {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7},
+        {8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 13, 14, 14, 15, 15}};
+    const auto half = [&](std::uint32_t k) HWY_ATTR {
+      const auto lane = hn::IndicesFromVec(bits, hn::Load(bits, twice[k]));
+      hn::StoreU(hn::OddEven(hn::TableLookupLanes(b, lane), hn::TableLookupLanes(a, lane)), bits,
+                 &to[8 * k].i);
+    };
+    half(0);
+    if (HWY_UNLIKELY(size > 8)) half(1);
+    return;
+  }
+#endif
+  hn::StoreInterleaved2(a, b, bits, &to->i);
+}
+
 /// Stores pairs of i and the lanes of j that are kept, side by side, the lower index first; returns their
 /// number. May write as many pairs as a vector has lanes.
 template <class Bits>
 HWY_INLINE std::uint32_t store_pairs(Bits bits, std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
                                      Pair* to) {
-  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const Kept<Bits> lanes(keep);
-  const auto kept = lanes.compress(j);
-  const auto all_i = hn::Set(bits, i);
-  hn::StoreInterleaved2(hn::Min(all_i, kept), hn::Max(all_i, kept), bits, &to->i);
+  const auto kept = lanes.compress(j), all_i = hn::Set(bits, i);
+  store_side_by_side(bits, hn::Min(all_i, kept), hn::Max(all_i, kept), lanes.size(), to);
   return lanes.size();
 }
 /// Of each lane of i and its counterpart.
@@ -34,7 +56,7 @@ template <class Bits>
 HWY_INLINE std::uint32_t store_pairs(Bits bits, hn::Vec<Bits> i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
                                      Pair* to) {
   const Kept<Bits> lanes(keep);
-  hn::StoreInterleaved2(lanes.compress(hn::Min(i, j)), lanes.compress(hn::Max(i, j)), bits, &to->i);
+  store_side_by_side(bits, lanes.compress(hn::Min(i, j)), lanes.compress(hn::Max(i, j)), lanes.size(), to);
   return lanes.size();
 }
 

@@ -62,6 +62,20 @@ std::vector<Solved> solved_chains() {
     properties::Dice dice(++seed);
     add("tangle of " + std::to_string(n), Chain(properties::tangle(dice, n)));
   }
+  // Neighbours that end within a block, at its end, and beyond it; and blocks that a strand does not fill.
+  for (const std::uint32_t window : {1u, 3u, 7u, 8u, 9u, 15u, 16u, 17u, 40u})
+    for (const std::uint32_t strand : {400u, 21u}) {
+      properties::Dice dice(++seed);
+      std::vector<Sphere> spheres = properties::tangle(dice, 400);
+      Strands strands;
+      strands.first = {0};
+      for (std::uint32_t at = 0; at < 400; at += strand) {
+        strands.first.push_back(std::min(at + strand, 400u));
+        strands.closed.push_back(at / strand % 3 == 1);
+      }
+      add("window " + std::to_string(window) + " on strands of " + std::to_string(strand),
+          Chain(std::move(spheres), std::move(strands), Exclusion::index(window)));
+    }
   for (const char* scene : {"path1:n=6000", "path2:n=3000", "rod:n=4500"})
     add(scene, SceneRegistry::instance().open(scene)->frame(0));
   for (const float factor : {1.0f, 0x1p-140f, 0x1p-60f, 0x1p90f, 0.1f, 1e-12f, 1e25f}) {

@@ -33,14 +33,26 @@ HWY_INLINE std::uint32_t may_collide(const Capsules& a, const Capsules& b) {
   return ~separate.bits() & 0xFFFFu;
 }
 
+/// No number of eight spheres loses a bit times a power of two.
+HWY_INLINE bool scale_exactly(const Sphere* spheres, float scale) {
+  using Tag = hn::CappedTag<float, 16>;
+  const auto by = hn::Set(Tag(), scale), back = hn::Set(Tag(), 1 / scale);
+  auto same = hn::FirstN(Tag(), hn::MaxLanes(Tag()));
+  for (std::size_t k = 0; k < 8 * sizeof(Sphere) / sizeof(float); k += hn::MaxLanes(Tag())) {
+    const auto v = hn::LoadU(Tag(), &spheres->x + k);
+    same = hn::And(same, hn::Eq(hn::Mul(hn::Mul(v, by), back), v));
+  }
+  return hn::AllTrue(Tag(), same);
+}
+
 /// Eight spheres, all numbers times a power of two. What is above 1 makes subnormal numbers normal: their
 /// digits, taken as whole numbers, are multiplied, as most machines take a hundred times as long for a
 /// product with a subnormal number.
 HWY_INLINE void scale_spheres(const Sphere* spheres, float by, Sphere* to) {
-  using Tag = Lanes8::Tag;
+  using Tag = hn::CappedTag<float, 16>;
   const hn::RebindToSigned<Tag> whole;
   const float* const from = reinterpret_cast<const float*>(spheres);
-  for (std::size_t k = 0; k < 8 * sizeof(Sphere) / sizeof(float); k += Lanes8::width) {
+  for (std::size_t k = 0; k < 8 * sizeof(Sphere) / sizeof(float); k += hn::MaxLanes(Tag())) {
     const auto v = hn::LoadU(Tag(), from + k), all_by = hn::Set(Tag(), by);
     const auto digits = hn::BitCast(whole, hn::Abs(v));
     const auto tiny = hn::Lt(digits, hn::Set(whole, 0x00800000));
@@ -72,13 +84,6 @@ class SphereLanes {
                            y_.part[k], z_.part[k], radius_.part[k]);
   }
 
-  /// No number loses a bit times a power of two.
-  HWY_INLINE bool scale_exactly(float scale) const {
-    const Lanes8 by = Lanes8::all(scale), back = Lanes8::all(1 / scale);
-    const auto same = [&](const Lanes8& v) HWY_ATTR { return (v * by * back <= v) & (v <= v * by * back); };
-    return (same(x_) & same(y_) & same(z_) & same(radius_)).bits() == 0xFF;
-  }
-
   HWY_INLINE Squares squares(const Sphere& s) const {
     const Lanes8 dx = x_ - Lanes8::all(s.x), dy = y_ - Lanes8::all(s.y), dz = z_ - Lanes8::all(s.z);
     const Lanes8 reach = radius_ + Lanes8::all(s.radius);
@@ -100,10 +105,9 @@ class SphereLanes {
     return within.bits();
   }
 
-  static constexpr float overlap_slack = 1 + 12 * 0x1p-24f;
+  static constexpr float overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;
 
  private:
-  static constexpr float overlap_floor = 0x1p-120f;
   Lanes8 x_, y_, z_, radius_;
 };
 

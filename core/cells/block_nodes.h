@@ -121,9 +121,8 @@ class NodeMeeting {
   CATENA_HD bool settled(std::uint32_t level, std::uint32_t node) const {
     return (level == 1 && nodes_.box[nodes_.at(1, node)].in_a_row != 0) || nodes_.tangled(level, node);
   }
-  /// Both nodes are tangled; marks it where one is.
-  /// A meeting at the top may be listed by both, the one that lists it first; then that of the lower number
-  /// counts.
+  /// Both nodes are tangled; marks it where one is. A meeting at the top may be listed by both, the one that
+  /// lists it first; then that of the lower number counts.
   CATENA_HD bool leaves_out(std::uint32_t level, Meeting& of) const {
     constexpr std::uint32_t mark = BlockNodes::below_tangled;
     if (level == nodes_.top && of.a > of.b && !nodes_.crowded(level, of.b)) return true;

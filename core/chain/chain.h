@@ -20,7 +20,7 @@ class CATENA_API Chain {
 
   /// Throws InputError, naming the sphere, strand or pair, unless: every number is finite, every radius >= 0,
   /// n < 2^31, offsets ascend from 0 to n, window >= 1, the arc factor is finite and > 0, extra pairs are two
-  /// different spheres of the chain. Cost O(n + p log p) for p extra pairs.
+  /// different spheres of the chain, and fewer than 2^31. Cost O(n + p log p) for p extra pairs.
   explicit Chain(std::vector<Sphere> spheres, Strands strands = {}, Exclusion exclusion = {});
 
   /// A part of a longer chain, under an arc window whose arc lengths are those of the whole: one a sphere and one a

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <numbers>
 
@@ -231,6 +232,37 @@ TEST(Chain, EmptyAndSingle) {
   EXPECT_EQ(Chain().size(), 0u);
   EXPECT_EQ(Chain().strand_count(), 1u);
   EXPECT_EQ(Chain(row(1)).size(), 1u);
+}
+
+/// Of some pairs among all, each from both ends.
+TEST(Chain, FindsEveryExtraPairAndNoOther) {
+  constexpr std::uint32_t n = 60;
+  const auto extra = [](std::uint32_t i, std::uint32_t j) {
+    return (i * 7 + j * 11) % 5 == 0 || i == 9 || j == 40;
+  };
+  Exclusion exclusion = Exclusion::index(1);
+  for (std::uint32_t j = n; j-- > 0;)
+    for (std::uint32_t i = 0; i < j; ++i)
+      if (extra(i, j)) exclusion.extra_pairs.push_back(i % 2 == 0 ? Pair{i, j} : Pair{j, i});
+  const Chain chain(row(n, 9), {}, exclusion);
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < j; ++i) {
+      EXPECT_EQ(chain.neighbours(i, j), j - i <= 1 || extra(i, j)) << i << ' ' << j;
+      EXPECT_EQ(chain.neighbours(j, i), chain.neighbours(i, j)) << i << ' ' << j;
+    }
+}
+
+/// Looked through one by one, the partners of this hub would take 10^10 comparisons.
+TEST(Chain, LooksUpAnExtraPairOfManyQuickly) {
+  constexpr std::uint32_t n = 200'000;
+  Exclusion exclusion = Exclusion::index(1);
+  for (std::uint32_t i = 2; i < n; i += 2) exclusion.extra_pairs.push_back({0, i});
+  const Chain chain(row(n), {}, exclusion);
+  const std::clock_t begin = std::clock();
+  std::uint32_t found = 0;
+  for (std::uint32_t i = 1; i < n; ++i) found += chain.neighbours(0, i);
+  EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC);
+  EXPECT_EQ(found, n / 2);
 }
 
 }  // namespace

@@ -12,9 +12,10 @@ namespace catena {
 /// Who counts as a neighbour, and so never collides. Fixed when the chain is made.
 struct CATENA_API Exclusion {
   enum class Rule {
-    index_window,  ///< on one strand |i - j| <= window, cyclic when the strand is closed (the paper: window
-                   ///< 1)
-    arc_window     ///< nearer along the strand than factor * (ri + rj)
+    /// On one strand |i - j| <= window, cyclic when the strand is closed (the paper: window 1).
+    index_window,
+    /// Nearer along the strand than factor * (ri + rj).
+    arc_window
   };
   Rule rule = Rule::index_window;
   std::uint32_t window = 1;  ///< index window k >= 1
@@ -57,9 +58,9 @@ struct CATENA_API ExclusionView {
   const double* arc;               ///< n entries, arc rule only: arc length from the strand's first sphere
   const double* loop_length;       ///< one a strand, arc rule only: length of the closed loop
   const std::uint32_t* extra_row;  ///< n + 1 offsets into extra, or nullptr when there are no extra pairs
-  const std::uint32_t* extra;      ///< partners of a sphere, both directions
+  const std::uint32_t* extra;      ///< partners of a sphere, both directions; those of each ascend
 
-  /// True when i and j (i != j) are neighbours. O(1) but for extra pairs, which cost their number at i.
+  /// True when i and j (i != j) are neighbours. O(1) but for extra pairs, O(log p) for p of them at i.
   CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j, float radius_i, float radius_j) const {
     if (window_alone) return within_window(i, j, 0, false);
     std::uint32_t first = 0, size = 0;
@@ -96,8 +97,12 @@ struct CATENA_API ExclusionView {
   CATENA_HD bool ascends(std::uint32_t i) const { return i >= ascends_from && i < ascends_to; }
   CATENA_HD static std::uint32_t distance(std::uint32_t i, std::uint32_t j) { return i < j ? j - i : i - j; }
   CATENA_HD bool listed(std::uint32_t i, std::uint32_t j) const {
-    for (std::uint32_t k = extra_row[i]; k < extra_row[i + 1]; ++k)
-      if (extra[k] == j) return true;
+    std::uint32_t begin = extra_row[i], end = extra_row[i + 1];
+    while (begin < end) {
+      const std::uint32_t middle = begin + (end - begin) / 2;
+      if (extra[middle] == j) return true;
+      extra[middle] < j ? begin = middle + 1 : end = middle;
+    }
     return false;
   }
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "catena/core/chain/centre_distance.h"
+#include "catena/core/default_floats.h"
 #include "catena/core/error.h"
 
 namespace catena {
@@ -131,6 +132,7 @@ class TubeGraph {
 std::vector<Pair> pairs_across_joints(std::span<const Sphere> spheres, const Strands& strands,
                                       std::span<const Pair> joints, const Exclusion& rule) {
   if (joints.empty()) return {};
+  const DefaultFloats floats;
   std::vector<std::uint32_t> ends;
   for (const Pair& joint : joints) {
     if (joint.i >= spheres.size() || joint.j >= spheres.size() || joint.i == joint.j)

@@ -42,6 +42,8 @@ void check_exclusion(Exclusion& exclusion, std::uint32_t n) {
   }
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  if (pairs.size() >= std::size_t{1} << 31)  // both directions of each are numbered in 32 bits
+    throw InputError(fmt::format("{} extra pairs are too many: at most 2^31 - 1", pairs.size()));
 }
 
 void index_strands(Topology& t, std::uint32_t n) {

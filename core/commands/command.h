@@ -29,7 +29,7 @@ struct CommandInfo {
 class CommandRegistry {
  public:
   static CommandRegistry& instance();
-  void add(CommandInfo info) { commands_.push_back(std::move(info)); }
+  void add(CommandInfo info);
   std::vector<CommandInfo> commands(bool by_ranks = false) const;  ///< sorted by name
 
   /// Set once, by the folder that owns it.

@@ -54,6 +54,8 @@ int guarded_main(std::string_view program, const std::function<int()>& body) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout.flush())
       return refuse_output(program, errno);
     return code;
+  } catch (const PairLimitExceeded& error) {
+    return refuse(program, fmt::format("{} (--counts-only, --pair-limit)", error.what()));
   } catch (const Error& error) {
     return refuse(program, error.what());
   } catch (const std::bad_alloc&) {

@@ -14,6 +14,9 @@ namespace catena {
 /// for else.
 class CATENA_API FrameAnswer {
  public:
+  /// The places of its pairs have 32 bits: of a frame with more none is kept.
+  static constexpr std::uint64_t most_pairs = 0xFFFFFFFF;
+
   /// Where a search may leave an answer; `found` then, if it is all pairs and their counts.
   Collisions& room() { return all_; }
   void found() { counts_ = Counts::stand; }

@@ -48,7 +48,7 @@ bool FrameSearch::search_all(const Chain& chain, const Request& request, Collisi
     }
   search(request, result);
   if (whole) crowded_ = result.pair_count > most_pairs_;
-  if (!keep || !as_asked) return true;
+  if (!keep || !as_asked || result.pair_count > FrameAnswer::most_pairs) return true;
   if (&result != &answer_.room())
     answer_.copy(result);
   else
@@ -107,9 +107,9 @@ bool FrameSearch::search_changes(const Chain& chain, const Request& request, Col
   compared_ = row_.changed_runs();
   const bool tree_stood = row_.tree_stands();
   row_.find_changed(answer_.pairs(), places_);
-  const std::uint64_t stay = answer_.pairs().size() - places_.size(),
-                      most = request.want == Request::Want::pairs ? std::max(most_pairs_, request.pair_limit)
-                                                                  : most_pairs_,
+  const std::uint64_t asked = request.want == Request::Want::pairs ? request.pair_limit : 0,
+                      most = std::min(std::max(most_pairs_, asked), FrameAnswer::most_pairs),
+                      stay = answer_.pairs().size() - places_.size(),
                       many = 4 * (chain.size() + answer_.pairs().size()),  // no small change any more
       room = std::min(many, most - std::min(most, stay));
   by_cells_ = row_.search(chain.view(), fresh_, by_cells_, room);

@@ -1,21 +1,14 @@
 #include "catena/core/frames/run_tree.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "catena/core/frames/frame_kernels.h"
 
 namespace catena {
-namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr Box nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-
-}  // namespace
 
 void RunTree::refresh(const RunRow& row, std::uint32_t first, std::uint32_t end) {
   const auto partly = [&](std::uint32_t r) {
-    Box box = nothing;
+    Box box = Box::nothing();
     for (std::uint32_t p = std::max(r * run, row.begin); p < std::min((r + 1) * run, row.end); ++p)
       box.join(Box::around(row.places[p]));
     tree_.set(r, box);

@@ -1,4 +1,4 @@
-// The box of all centres of a chain.
+// The box of the centres of a chain, or of a part of one.
 #if defined(CATENA_CORE_GRID_CENTRE_BOX_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_GRID_CENTRE_BOX_INL_H
 #undef CATENA_CORE_GRID_CENTRE_BOX_INL_H

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "catena/core/hierarchy/bound.h"
 #include "catena/core/host_device.h"
@@ -25,6 +26,12 @@ struct Box {
       box.high[axis] = high + std::fabs(high) * 0x1p-23f;
     }
     return box;
+  }
+
+  /// What encloses nothing, and meets nothing, until a box joins it.
+  static constexpr Box nothing() {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   }
 
   void join(const Box& other) {

@@ -4,9 +4,19 @@
 #include <limits>
 #include <span>
 
+#include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 
 namespace catena {
+
+/// Two zeros after each of the 21 lowest bits.
+CATENA_HD inline std::uint64_t spread_bits(std::uint64_t v) {
+  v = (v | v << 32) & 0x001F00000000FFFF;
+  v = (v | v << 16) & 0x001F0000FF0000FF;
+  v = (v | v << 8) & 0x100F00F00F00F00F;
+  v = (v | v << 4) & 0x10C30C30C30C30C3;
+  return (v | v << 2) & 0x1249249249249249;
+}
 
 /// The least and the greatest coordinates of some centres; radii are 0.
 struct CentreCorners {
@@ -47,12 +57,7 @@ class MortonGrid {
   }
   /// The cell along one axis, two zeros after each bit.
   std::uint64_t spread(float at, float low) const {
-    auto v = static_cast<std::uint64_t>((double{at} - low) * cells_);
-    v = (v | v << 32) & 0x001F00000000FFFF;
-    v = (v | v << 16) & 0x001F0000FF0000FF;
-    v = (v | v << 8) & 0x100F00F00F00F00F;
-    v = (v | v << 4) & 0x10C30C30C30C30C3;
-    return (v | v << 2) & 0x1249249249249249;
+    return spread_bits(static_cast<std::uint64_t>((double{at} - low) * cells_));
   }
 
   Sphere low_;

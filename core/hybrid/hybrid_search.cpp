@@ -85,12 +85,12 @@ bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres
     single = single_spheres(chain, sort);
     if (single.in_cells && single.wide) return true;
   }
-  constexpr double least = 4;  // in wide cells with nothing near
+  constexpr double least = 6;  // in wide cells with nothing near
   const double share = settings_.dense * shallow_share(chain.size),
                octaves = octaves_beyond_cache(chain.size);
   if (!look_.everywhere(chain, share * least)) return false;
   single = single_spheres(chain, sort);
-  const double others = std::min(9 + 0.75 * octaves, single.ns * BlockTree::block / SpaceCost::near_ns);
+  const double others = std::min(13 + 1.1 * octaves, single.ns * BlockTree::block / SpaceCost::near_ns);
   return others <= least || look_.everywhere(chain, share * others);
 }
 

@@ -29,8 +29,7 @@ void choose_boxes(CurveFile& curves, const InputOptions& options, const std::str
     return;
   }
   // "ff ff ff" of a dump, "b = 0 0 0": the file says that nothing repeats.
-  const auto repeats_nothing = [](const PeriodicBox& box) { return box.length == std::array<double, 3>{}; };
-  if (std::ranges::all_of(curves.boxes, repeats_nothing)) curves.boxes.clear();
+  if (std::ranges::none_of(curves.boxes, &PeriodicBox::repeats)) curves.boxes.clear();
   if (options.box_from == BoxFrom::file && curves.boxes.empty())
     throw InputError(fmt::format("{}: has no box that repeats space; give one with --box X,Y,Z", name));
   if (options.box_from == BoxFrom::none || curves.boxes.empty()) return curves.boxes.clear();

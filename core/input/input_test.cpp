@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "catena/core/input/curve_input.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/input/test_refusal.h"
 #include "catena/core/readers/test_file.h"
 
@@ -278,6 +279,23 @@ TEST(HalfMedianStep, IsOfTheStepsInTheMiddle) {
       ASSERT_EQ(half_median_step(curves), median / 2);
     } while (std::ranges::next_permutation(some).found);
   }
+}
+
+/// A name that its text only happens to begin with is not in front of it.
+TEST(Naming, PutsANameInFrontUnlessItIsThere) {
+  const auto said = [](const std::string& name, const char* what) {
+    try {
+      naming(name, [&] { throw InputError(what); });
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(said("a", "a strand ends"), "a: a strand ends");
+  EXPECT_EQ(said("s", "strand 2 ends"), "s: strand 2 ends");
+  EXPECT_EQ(said("knot", "knot: is empty"), "knot: is empty");
+  EXPECT_EQ(said("knot", "knot frame 2: is empty"), "knot frame 2: is empty");
+  EXPECT_EQ(said("knot", "knot.xyz: is empty"), "knot: knot.xyz: is empty");
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ decltype(auto) naming(const std::string& name, const Work& work) {
     return work();
   } catch (const InputError& error) {
     const std::string what = error.what();
-    if (what.starts_with(name)) throw;
+    for (const char* const after : {":", ",", " frame "})
+      if (what.starts_with(name + after)) throw;
     throw InputError(fmt::format("{}: {}", name, what));
   }
 }

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/input/curve_input.h"
 #include "catena/core/made_once.h"
+#include "catena/core/parameters/settings.h"
 #include "catena/core/readers/number_text.h"
 #include "catena/core/scenes/scene.h"
 
@@ -59,28 +59,25 @@ class OneFrame final : public Animation {
   std::uint32_t frame_;
 };
 
-/// Takes frame=F out of the spec.
+/// Takes frame=F out of the spec of a scene.
 std::optional<std::int64_t> take_frame(std::string& spec) {
   const auto colon = spec.find(':');
-  if (colon == std::string::npos) return {};
+  if (colon == std::string::npos || !SceneRegistry::instance().contains(scene_name(spec))) return {};
   std::optional<std::int64_t> frame;
-  std::string rest;
-  std::string_view text = std::string_view(spec).substr(colon + 1);
-  while (!text.empty()) {
-    const std::string_view item = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(text.size(), item.size() + 1));
-    if (!item.starts_with("frame=")) {
-      if (!rest.empty()) rest += ',';
-      rest += item;
+  std::vector<Setting> rest;
+  for (Setting& setting :
+       parse_settings("scene " + scene_name(spec), std::string_view(spec).substr(colon + 1))) {
+    if (setting.key != "frame") {
+      rest.push_back(std::move(setting));
       continue;
     }
     if (frame) throw InputError(fmt::format("{}: frame is given twice", spec));
-    const auto [number, problem] = parse_integer(item.substr(6));
+    const auto [number, problem] = parse_integer(setting.value);
     if (!problem.empty() || number < 0 || number > 0xFFFFFFFF)
-      throw InputError(fmt::format("{}: {} must be a frame number from 0", spec, item));
+      throw InputError(fmt::format("{}: frame={} must be a frame number from 0", spec, setting.value));
     frame = number;
   }
-  if (frame) spec = spec.substr(0, colon) + (rest.empty() ? "" : ":" + rest);
+  if (frame) spec = rest.empty() ? scene_name(spec) : fmt::format("{}:{}", scene_name(spec), text_of(rest));
   return frame;
 }
 
@@ -90,7 +87,6 @@ std::string scene_name(const std::string& spec) { return spec.substr(0, spec.fin
 
 std::uint32_t written_frame(const std::string& spec) {
   std::string rest = spec;
-  if (!SceneRegistry::instance().contains(scene_name(spec))) return 0;
   return static_cast<std::uint32_t>(take_frame(rest).value_or(0));
 }
 

@@ -81,5 +81,11 @@ TEST(OpenInput, WindowsApplyToEveryFrameOfAScene) {
   EXPECT_EQ(arc.animation->frame(0).exclusion().rule, Exclusion::Rule::arc_window);
 }
 
+TEST(OpenInput, RefusesACommaWithNothingBesideIt) {
+  for (const char* spec : {"rod:n=5,", "rod:,n=5", "rod:n=5,frame=0,", "rod:,frame=0", "rod:frame=0,,n=5"})
+    EXPECT_REFUSAL("rod: a comma has no key=value on one side of it", spec);
+  EXPECT_REFUSAL("no scene is named 'rods'", "rods:n=5,");
+}
+
 }  // namespace
 }  // namespace catena

@@ -57,7 +57,8 @@ class RopeMotion {
 
   /// Moves on by `dt` > 0, which should not change from step to step (a change restarts with backward Euler),
   /// then finds the contacts anew. False when the step has no solution or a coordinate is too large to be
-  /// stored; the ropes then stay where they were. O(n + contacts), and a find of the variant.
+  /// stored; the ropes then stay where they were. O(n + contacts), and a find of the variant. What it throws,
+  /// of the variant or for want of memory, leaves the motion of no further use: it may be within a step.
   bool step(double dt);
 
   /// What the variant was given: spheres of one radius, neighbours as rope_neighbours says.

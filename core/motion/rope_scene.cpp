@@ -55,7 +55,13 @@ class RopeScene final : public Animation {
   Chain frame(std::uint32_t f) const override {
     if (f >= spec_.frames) throw std::out_of_range("rope: no such frame");
     const std::lock_guard<std::mutex> lock(mutex_);
-    while (frames_.size() <= f) simulate_frame();
+    try {
+      while (frames_.size() <= f) simulate_frame();
+    } catch (...) {  // within a step, or between the steps of a frame: the motion begins anew
+      motion_.reset();
+      frames_.resize(1);
+      throw;
+    }
     return still_.moved(placed(f));
   }
 
@@ -93,19 +99,7 @@ class RopeScene final : public Animation {
     return spheres;
   }
 
-  /// Where it throws, the motion may stand between two frames: then it begins anew.
   void simulate_frame() const {
-    try {
-      go_on();
-      frames_.push_back(motion_->positions());
-    } catch (...) {
-      motion_.reset();
-      frames_.resize(1);
-      throw;
-    }
-  }
-
-  void go_on() const {
     if (!motion_) {
       motion::RopeSettings settings;
       settings.stretching = spec_.stiffness;
@@ -121,6 +115,7 @@ class RopeScene final : public Animation {
         throw InputError(fmt::format(
             "scene rope: the motion diverges, or leaves binary32, before frame {}; lower step={:g} or scale",
             frames_.size(), spec_.step));
+    frames_.push_back(motion_->positions());
   }
 
   RopeSpec spec_;

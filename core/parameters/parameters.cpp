@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/parameters/nearest_name.h"
+#include "catena/core/parameters/settings.h"
 #include "catena/core/parameters/whole_number.h"
 
 namespace catena {
@@ -20,19 +23,13 @@ Parameters::Parameters(std::string owner, const std::vector<ParameterInfo>& decl
     values_[p.name] = p.default_value;
     known.push_back(p.name);
   }
-  while (!text.empty()) {
-    const std::string_view item = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(text.size(), item.size() + 1));
-    const auto equals = item.find('=');
-    const std::string key(item.substr(0, equals));
-    if (equals == std::string_view::npos || key.empty())
-      throw InputError(fmt::format("{}: '{}' is not key=value", owner_, item));
+  for (auto& [key, value] : parse_settings(owner_, text)) {
     if (!values_.contains(key))
       throw InputError(known.empty() ? fmt::format("{} takes no parameters, got '{}'", owner_, key)
                                      : fmt::format("{} has no parameter '{}'; it has: {}{}", owner_, key,
                                                    fmt::join(known, ", "), did_you_mean(key, known)));
     if (given(key)) throw InputError(fmt::format("{}: '{}' is given twice", owner_, key));
-    values_[key] = item.substr(equals + 1);
+    values_[key] = std::move(value);
     given_.push_back(key);
   }
 }
@@ -76,13 +73,15 @@ std::vector<std::string> Parameters::choices(const std::string& key,
   std::vector<std::string> chosen;
   std::string_view text = value(key);
   if (text == "none") return chosen;
-  do {
-    chosen.emplace_back(text.substr(0, text.find('+')));
+  for (bool more = true; more;) {
+    const auto plus = text.find('+');
+    chosen.emplace_back(text.substr(0, plus));
     if (std::ranges::find(allowed, chosen.back()) == allowed.end())
       refuse(key, fmt::format("none, or of these, joined by '+': {}{}", fmt::join(allowed, ", "),
                               did_you_mean(chosen.back(), allowed)));
-    text.remove_prefix(std::min(text.size(), chosen.back().size() + 1));
-  } while (!text.empty());
+    more = plus != std::string_view::npos;
+    if (more) text.remove_prefix(plus + 1);
+  }
   return chosen;
 }
 

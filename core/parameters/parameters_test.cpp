@@ -55,7 +55,7 @@ TEST(Parameters, ReadSeveralChoices) {
   EXPECT_EQ(read(""), std::vector<std::string>{});
   EXPECT_EQ(read("keep=list"), std::vector<std::string>{"list"});
   EXPECT_EQ(read("keep=list+tree"), (std::vector<std::string>{"list", "tree"}));
-  for (const char* wrong : {"keep=", "keep=x", "keep=tree+x", "keep=+tree"})
+  for (const char* wrong : {"keep=", "keep=x", "keep=tree+x", "keep=+tree", "keep=tree+", "keep=tree++list"})
     EXPECT_THROW(read(wrong), InputError) << wrong;
 }
 
@@ -72,6 +72,8 @@ TEST(Parameters, SayWhatIsWrong) {
   const auto made = [&](const std::string& text, const std::vector<ParameterInfo>& known) {
     return refusal([&] { Parameters("scene x", known, text); });
   };
+  for (const char* text : {"x=1,", ",x=1", "x=1,,kind=b"})
+    EXPECT_EQ(made(text, declared), "scene x: a comma has no key=value on one side of it") << text;
   for (const std::string text : {"=1", "=", "x"})
     EXPECT_EQ(made(text, declared), "scene x: '" + text + "' is not key=value");
   EXPECT_EQ(made("y=1", {}), "scene x takes no parameters, got 'y'");

@@ -22,9 +22,7 @@ class Across {
       for (std::size_t p = 0; p + 1 < of_strand.size(); ++p) follow(of_strand, p);
       if (whole_.strands().closed[of_strand[0].strand] != 0 && !of_strand[0].closed) go_around(of_strand);
     }
-    for (const Pair& pair : whole_.exclusion().extra_pairs)
-      if (const auto i = local(pair.i))
-        if (const auto j = local(pair.j)) add(*i, *j);
+    for (const Piece& piece : pieces_) add_extra(piece);
     std::ranges::sort(pairs_);
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     return std::move(pairs_);
@@ -32,6 +30,14 @@ class Across {
 
  private:
   void add(std::uint32_t i, std::uint32_t j) { pairs_.push_back({std::min(i, j), std::max(i, j)}); }
+
+  /// The extra pairs whose lower sphere is of this piece.
+  void add_extra(const Piece& piece) {
+    const auto& extra = whole_.exclusion().extra_pairs;  // sorted
+    for (auto pair = std::ranges::lower_bound(extra, piece.first, {}, &Pair::i);
+         pair != extra.end() && pair->i - piece.first < piece.size; ++pair)
+      if (const auto j = local(pair->j)) add(piece.begin + (pair->i - piece.first), *j);
+  }
 
   std::optional<std::uint32_t> local(std::uint32_t id) const {
     const auto after = std::ranges::upper_bound(pieces_, id, {}, &Piece::first);

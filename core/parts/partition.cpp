@@ -1,7 +1,6 @@
 #include "catena/core/parts/partition.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "catena/core/hierarchy/box_around.h"
@@ -14,11 +13,6 @@ namespace {
 
 /// A halo is moved and searched with its part: dearer than to share the groups out by space.
 constexpr double most_in_halos = 0.125;
-
-Box empty_box() {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-}
 
 /// A chain as groups of consecutive spheres.
 struct Groups {
@@ -136,7 +130,7 @@ class BySpace {
     });
   }
   std::vector<Box> boxes_of_parts() const {
-    std::vector<std::vector<Box>> boxes(stretches(), std::vector<Box>(parts_, empty_box()));
+    std::vector<std::vector<Box>> boxes(stretches(), std::vector<Box>(parts_, Box::nothing()));
     for_each_run(
         [&](std::uint32_t stretch, SphereRange run, const Box& box, std::optional<std::uint32_t> own) {
           if (own) return boxes[stretch][*own].join(box);
@@ -144,7 +138,7 @@ class BySpace {
             boxes[stretch][regions_.of(middle(range))].join(box_around(groups_.of(range)));
           });
         });
-    std::vector<Box> all(parts_, empty_box());
+    std::vector<Box> all(parts_, Box::nothing());
     for (const auto& of_stretch : boxes)
       for (std::uint32_t p = 0; p < parts_; ++p) all[p].join(of_stretch[p]);
     return all;
@@ -202,7 +196,7 @@ bool seems_tangled(const Chain& chain, std::uint32_t parts, std::uint32_t group,
   team.for_each_range(stretches.count(), 64, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t s = begin; s < end; ++s) {
       const SphereRange range = stretches.range(s);
-      boxes[s] = empty_box();
+      boxes[s] = Box::nothing();
       for (std::uint64_t first = range.begin; first < range.end; first += step * group)
         boxes[s].join(box_around(
             stretches.of({static_cast<std::uint32_t>(first),

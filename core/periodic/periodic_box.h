@@ -15,6 +15,9 @@ struct PeriodicBox {
   double xy = 0, xz = 0, yz = 0;
   friend bool operator==(const PeriodicBox&, const PeriodicBox&) = default;
 
+  /// Along one edge at least. A file's box that does not says that nothing repeats.
+  bool repeats() const { return length != std::array<double, 3>{}; }
+
   /// The three coordinates of whole multiples of the edges, rounded.
   std::array<double, 3> along(const std::array<double, 3>& edges) const {
     return {edges[0] * length[0] + edges[1] * xy + edges[2] * xz, edges[1] * length[1] + edges[2] * yz,

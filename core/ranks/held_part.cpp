@@ -49,9 +49,8 @@ std::vector<std::uint32_t> piece_at_every(std::uint32_t stride, std::span<const 
 /// pieces part, is to be no more than there are spheres.
 bool will_do_as_one_strand(const Part& part) {
   if (part.rule.kind != Exclusion::Rule::index_window || !part.extra.empty()) return false;
-  const std::uint64_t window = part.rule.window;
-  if (window > part.spheres.size() || part.pieces.size() * window * window > part.spheres.size())
-    return false;
+  const std::size_t window = part.rule.window;
+  if (window == 0 || part.pieces.size() > part.spheres.size() / window / window) return false;
   return none_closed(part.pieces) && std::ranges::is_sorted(part.pieces, {}, &Piece::first);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <system_error>
 #include <tuple>
 
 #include "catena/core/commands/show_warnings.h"
@@ -12,6 +13,7 @@
 #include "catena/core/ranks/box_search.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/part_file.h"
+#include "catena/core/readers/text_lines.h"
 
 namespace catena::ranks {
 
@@ -24,7 +26,8 @@ bool in_parts(const std::string& spec, const InputOptions& options) {
                         !options.radius_half_spacing && options.reading == ReadOptions() &&
                         options.box_from != BoxFrom::file &&
                         options.box_from != BoxFrom::options;
-  return as_it_is && spec.ends_with(".catena") && std::filesystem::is_regular_file(spec);
+  std::error_code unknown;
+  return as_it_is && lower_case(spec).ends_with(".catena") && std::filesystem::is_regular_file(spec, unknown);
 }
 
 }  // namespace

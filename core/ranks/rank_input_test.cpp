@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <functional>
 #include <mutex>
@@ -248,6 +249,36 @@ TEST(RankInput, SaysOnceWhatHadToBeAssumed) {
   EXPECT_EQ(
       shown([&] { run_in_threads(3, [&](Communicator& c) { RankInput(c, spec, options, in_memory); }); }),
       one);
+}
+
+/// As one process does: no file has such a name, and none is looked for in vain.
+TEST(RankInput, SaysOfANameThatIsTooLongWhatOneProcessDoes) {
+  const std::string spec = std::string(300, 'x') + ".catena";
+  std::string one;
+  try {
+    open_input(spec);
+  } catch (const InputError& error) {
+    one = error.what();
+  }
+  EXPECT_NE(one, "");
+  EXPECT_EQ(by_ranks(2, spec, {}).refusal, one);
+}
+
+TEST(RankInput, ReadsPartsOfAFileWhateverTheCaseOfItsName) {
+  const TestFile file("ROD.CATENA", "");
+  const Labels none;
+  const Chain rod = open_input("rod:n=50").animation->frame(0);
+  WriterRegistry::instance()
+      .of(file.path())
+      .write(file.path(), {0, 1, [&](std::uint32_t) { return ExportedFrame{rod}; }, none});
+  std::atomic<unsigned> opened = 0;
+  run_in_threads(2, [&](Communicator& c) {
+    RankInput(c, file.path().string(), {}, [&](const std::string& spec) {
+      ++opened;
+      return in_memory(spec);
+    });
+  });
+  EXPECT_EQ(opened, 2u);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 # A search shared by ranks: threads of one process are built everywhere; processes, in the folders ranks/mpi, where MPI is.
 # AUTO takes MPI when it is found; OFF leaves no trace of it in the build.
-set(CATENA_MPI AUTO CACHE STRING "Ranks under mpirun: AUTO, ON or OFF")
+catena_choice(CATENA_MPI AUTO "Ranks under mpirun" AUTO ON OFF)
 
 if(NOT CATENA_MPI STREQUAL "OFF")
   find_package(MPI QUIET COMPONENTS CXX)

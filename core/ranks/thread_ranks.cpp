@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
-
-#include "catena/core/error.h"
-#include "catena/core/thrown.h"
 
 namespace catena::ranks {
 namespace {
@@ -23,46 +20,33 @@ namespace {
 /// before the next but one meeting, so that two boxes, in turn, are enough.
 class World {
  public:
-  struct Box {
-    std::vector<Bytes> given;                 // [rank]
-    Gathered gathered;                        // all of `given`
-    std::vector<std::vector<Message>> inbox;  // [rank]
-    std::vector<std::vector<Outgoing>> lent;  // [rank]: what is read where it lies, and from whom
-    std::optional<unsigned> failed;           // the first rank that did, and what it said
-    std::string failure;
-
-    void fail(unsigned rank, const std::string& what) {
-      if (failed && *failed <= rank) return;
-      failure = what;
-      failed = rank;
-    }
-  };
-
-  explicit World(unsigned ranks) : ranks_(ranks) {
-    for (Box& box : boxes_) box.given.resize(ranks), box.inbox.resize(ranks), box.lent.resize(ranks);
-  }
+  explicit World(unsigned ranks) : ranks_(ranks), boxes_{Box(ranks), Box(ranks)} {}
   unsigned ranks() const { return ranks_; }
 
-  /// `bring` is called under the lock with the box of this meeting, `close` by the last rank to come. Where
-  /// either has too little memory, or a rank has left, the meeting has failed, for all alike.
+  /// `bring` is called under the lock with the box of this meeting, `close` by the last rank to come. It has
+  /// failed where a rank has left.
   template <class Bring, class Close>
-  Box& meet(unsigned rank, const Bring& bring, const Close& close) {
+  void meet(std::size_t& turn, const Bring& bring, const Close& close) {
     std::unique_lock lock(mutex_);
-    Box& box = boxes_[meeting_ % 2];
-    in_memory(box, rank, bring);
-    const std::size_t this_one = meeting_;
-    if (++here_ + gone_ == ranks_) {
-      in_memory(box, rank, close);
+    Box& box = boxes_[turn % 2];
+    if (here_ == 0 && box.failed)
+      box = Box(ranks_);  // of what a failure two meetings ago kept from being read
+    bring(box);
+    if (here_ + 1 + gone_ == ranks_) {
+      close(box);  // before anything is changed: where it throws, this rank has not come, and comes to fail()
       end_meeting();
       lock.unlock();  // so that those who wake do not wait for it
       met_.notify_all();
     } else {
+      ++here_;
+      const std::size_t this_one = meeting_;
       met_.wait(lock, [&] { return meeting_ != this_one; });
     }
-    return box;
+    ++turn;
   }
 
-  /// A rank comes to no meeting any more: nobody waits for it.
+  /// A rank comes to no meeting any more, and nobody waits for it: it is done, or has not even the memory to
+  /// say that it has failed.
   void leave() {
     const std::lock_guard lock(mutex_);
     ++gone_;
@@ -71,17 +55,21 @@ class World {
     met_.notify_all();
   }
 
+  struct Box {
+    explicit Box(unsigned ranks) : given(ranks), inbox(ranks), lent(ranks) {}
+    std::vector<Bytes> given;                 // [rank]
+    Gathered gathered;                        // all of `given`
+    std::vector<std::vector<Message>> inbox;  // [rank]
+    std::vector<std::vector<Outgoing>> lent;  // [rank]: what is read where it lies, and from whom
+    std::optional<unsigned> failed;           // the first rank that did, and what it said
+    std::string failure;
+  };
+  Box& box_of_last(std::size_t turn) { return boxes_[(turn + 1) % 2]; }
+
  private:
-  template <class Work>
-  static void in_memory(Box& box, unsigned rank, const Work& work) {
-    try {
-      work(box);
-    } catch (const std::bad_alloc&) {
-      box.fail(rank, "out of memory");  // so few letters need none
-    }
-  }
   void end_meeting() {
-    if (gone_ > 0) boxes_[meeting_ % 2].fail(ranks_, "a rank is gone");
+    if (Box& box = boxes_[meeting_ % 2]; gone_ > 0 && !box.failed)
+      box.failed = ranks_, box.failure = "a rank is gone";  // so few letters need no memory
     here_ = 0;
     ++meeting_;
   }
@@ -101,114 +89,121 @@ class ThreadRank final : public Communicator {
   unsigned size() const override { return world_.ranks(); }
 
   void vote() override {
-    meet([](World::Box&) {});
+    meet([](World::Box&) {}, [](World::Box&) {});
   }
 
   std::string fail(const std::string& what) override {
-    return world_
-        .meet(
-            rank_, [&](World::Box& box) { box.fail(rank_, what); }, [](World::Box&) {})
-        .failure;
+    const auto take_down = [&](World::Box& box) {
+      if (!box.failed || rank_ < *box.failed) box.failed = rank_, box.failure = what;
+    };
+    world_.meet(turn_, take_down, [](World::Box&) {});
+    return world_.box_of_last(turn_).failure;
   }
 
  private:
   Gathered gather(Bytes own) override {
-    return meet([&](World::Box& box) { box.given[rank_] = std::move(own); },
-                [](World::Box& box) {
-                  box.gathered = std::make_shared<const std::vector<Bytes>>(
-                      std::exchange(box.given, std::vector<Bytes>(box.given.size())));
-                })
-        .gathered;
+    meet([&](World::Box& box) { box.given[rank_] = std::move(own); },
+         [](World::Box& box) {
+           auto all = std::make_shared<std::vector<Bytes>>(box.given.size());
+           all->swap(box.given);
+           box.gathered = std::move(all);
+         });
+    return world_.box_of_last(turn_).gathered;
   }
 
   std::vector<Message> deliver(std::vector<Message> out) override {
-    World::Box& box = meet([&](World::Box& to) {
-      for (Message& message : out)
-        if (!message.bytes.empty()) to.inbox[message.rank].push_back({rank_, std::move(message.bytes)});
-    });
-    std::vector<Message> in = std::exchange(box.inbox[rank_], {});
+    meet(
+        [&](World::Box& box) {
+          for (Message& message : out)
+            if (!message.bytes.empty()) box.inbox[message.rank].push_back({rank_, std::move(message.bytes)});
+        },
+        [](World::Box&) {});
+    std::vector<Message> in = std::exchange(world_.box_of_last(turn_).inbox[rank_], {});
     std::ranges::sort(in, {}, &Message::rank);
     return in;
   }
 
   void transfer(std::span<const Outgoing> out, const Destination& to) override {
-    World::Box& box = meet([&](World::Box& with) {
-      for (const Outgoing& message : out)
-        if (!message.bytes.empty()) with.lent[message.rank].push_back({rank_, message.bytes});
-    });
-    std::vector<Outgoing> in = std::exchange(box.lent[rank_], {});
+    meet(
+        [&](World::Box& box) {
+          for (const Outgoing& message : out)
+            if (!message.bytes.empty()) box.lent[message.rank].push_back({rank_, message.bytes});
+        },
+        [](World::Box&) {});
+    std::vector<Outgoing> in = std::exchange(world_.box_of_last(turn_).lent[rank_], {});
     std::ranges::sort(in, {}, &Outgoing::rank);
-    try {
-      for (const auto& [rank, bytes] : in) std::ranges::copy(bytes, to(rank, bytes.size()));
-    } catch (...) {  // what this rank lent is read yet by others
-      meet([&](World::Box& with) { with.fail(rank_, thrown_words()); });
-    }
+    std::vector<std::byte*> places;
+    places.reserve(in.size());
+    for (const auto& [rank, bytes] : in) places.push_back(to(rank, bytes.size()));
+    vote();  // all have the memory: what a rank without it has lent is read by nobody
+    for (std::size_t k = 0; k < in.size(); ++k) std::ranges::copy(in[k].bytes, places[k]);
     vote();  // all have read
   }
 
+  /// Throws RankFailed where another came to fail() instead.
   template <class Bring, class Close>
-  World::Box& meet(const Bring& bring, const Close& close) {
-    World::Box& box = world_.meet(rank_, bring, close);
-    if (box.failed) throw RankFailed(box.failure);
-    return box;
-  }
-  template <class Bring>
-  World::Box& meet(const Bring& bring) {
-    return meet(bring, [](World::Box&) {});
+  void meet(const Bring& bring, const Close& close) {
+    world_.meet(turn_, bring, close);
+    if (const World::Box& box = world_.box_of_last(turn_); box.failed) throw RankFailed(box.failure);
   }
 
   World& world_;
   const unsigned rank_;
+  std::size_t turn_ = 0;
 };
-
-/// What the lowest rank threw that failed itself, not because another had.
-void rethrow_first(const std::vector<std::exception_ptr>& thrown) {
-  std::exception_ptr first;
-  for (const std::exception_ptr& problem : thrown) {
-    if (!problem) continue;
-    if (!first) first = problem;
-    try {
-      std::rethrow_exception(problem);
-    } catch (const RankFailed&) {
-    } catch (...) {
-      throw;
-    }
-  }
-  if (first) std::rethrow_exception(first);
-}
 
 }  // namespace
 
 void run_in_threads(unsigned ranks, const std::function<void(Communicator&)>& work) {
   World world(ranks);
-  std::vector<std::exception_ptr> thrown(ranks);
+  std::vector<std::exception_ptr> thrown(ranks), failed(ranks);
   const auto run = [&](unsigned rank) {
     ThreadRank communicator(world, rank);
     try {
-      work(communicator);
+      together(communicator, [&] {  // none waits for a rank that has thrown
+        try {
+          work(communicator);
+        } catch (const RankFailed&) {
+          throw;
+        } catch (...) {
+          thrown[rank] = std::current_exception();
+          throw;
+        }
+      });
     } catch (...) {
-      thrown[rank] = std::current_exception();
+      if (!thrown[rank]) failed[rank] = std::current_exception();
     }
     world.leave();
   };
+  // No rank begins before all have a thread: it would wait for one that never comes.
+  enum class Start { waits, begins, given_up };
+  std::atomic<Start> start = Start::waits;
+  const auto tell = [&](Start what) {
+    start = what;
+    start.notify_all();
+  };
   std::vector<std::jthread> others;
   others.reserve(ranks - 1);
-  const auto without_the_rest = [&] {
-    for (std::size_t rank = others.size(); rank < ranks; ++rank) world.leave();  // and without this one
-  };
   try {
-    for (unsigned rank = 1; rank < ranks; ++rank) others.emplace_back(run, rank);
-  } catch (const std::system_error&) {
-    without_the_rest();
-    throw CapacityError(
-        fmt::format("{} ranks are more threads than the system starts here: take fewer", ranks));
+    for (unsigned rank = 1; rank < ranks; ++rank)
+      others.emplace_back([&, rank] {
+        start.wait(Start::waits);
+        if (start == Start::begins) run(rank);
+      });
+  } catch (const std::system_error& error) {
+    tell(Start::given_up);
+    throw CapacityError(fmt::format("only {} of {} ranks could be started, a thread each ({}); ask for fewer",
+                                    others.size() + 1, ranks, error.code().message()));
   } catch (...) {
-    without_the_rest();
+    tell(Start::given_up);
     throw;
   }
+  tell(Start::begins);
   run(0);
   others.clear();  // joins
-  rethrow_first(thrown);
+  for (const auto& problems : {thrown, failed})
+    for (const std::exception_ptr& problem : problems)
+      if (problem) std::rethrow_exception(problem);
 }
 
 }  // namespace catena::ranks

@@ -5,9 +5,9 @@
 
 namespace catena::ranks {
 
-/// Runs `work` on so many ranks within this process, a thread each, and returns when all are done. What they send is
-/// handed over in memory. Throws what the lowest rank of those that threw has thrown, RankFailed last; CapacityError
-/// where the system starts fewer threads. A rank that ends keeps none waiting: the others' next call fails.
+/// Runs `work` on so many ranks within this process, a thread each, and returns when all are done. What they
+/// send is handed over in memory. When one throws, all end: throws what the lowest rank of those that threw
+/// has thrown, RankFailed last; CapacityError, before any begins, when the system gives fewer threads.
 void run_in_threads(unsigned ranks, const std::function<void(Communicator&)>& work);
 
 }  // namespace catena::ranks

@@ -17,11 +17,6 @@ struct Cubes {
   std::vector<Box> box;
 };
 
-constexpr Box nowhere() {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-}
-
 /// Cubes along each axis of a box that encloses all, 2^bits, from first to last along the longest.
 class CubeGrid {
  public:
@@ -62,10 +57,10 @@ class CubeGrid {
 };
 
 Cubes cubes_of(std::span<const Box> blocks) {
-  Box all = nowhere();
+  Box all = Box::nothing();
   for (const Box& box : blocks) all.join(box);
   const CubeGrid grid(all, blocks.size());
-  std::vector<Box> cubes(grid.size(), nowhere());
+  std::vector<Box> cubes(grid.size(), Box::nothing());
   for (const Box& box : blocks) cubes[grid.cube(box)].join(box);
   std::vector<std::uint32_t> cube_of(grid.size());  // [Morton code]
   for (std::uint32_t k = 0; k < grid.size(); ++k) cube_of[grid.code(k)] = k;

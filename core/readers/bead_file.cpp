@@ -9,17 +9,10 @@
 
 #include "catena/core/error.h"
 #include "catena/core/readers/curve_graph.h"
+#include "catena/core/readers/in_order.h"
 
 namespace catena {
 namespace {
-
-template <class T>
-void permute(std::vector<T>& values, std::span<const std::uint32_t> order) {
-  std::vector<T> arranged;
-  arranged.reserve(order.size());
-  for (const std::uint32_t k : order) arranged.push_back(values[k]);
-  values = std::move(arranged);
-}
 
 std::vector<std::uint32_t> order_of(const std::vector<std::int64_t>& ids) {
   std::vector<std::uint32_t> order(ids.size());
@@ -47,9 +40,9 @@ void BeadFile::end_frame() {
   if (frames_ > 0 && curves_.later_frames.size() < frames_) curves_.begin_later_frame();
   if (!std::ranges::is_sorted(ids)) {
     const auto order = order_of(ids);
-    permute(frames_ == 0 ? curves_.spheres : curves_.later_frames.back(), order);
-    permute(ids, order);
-    if (frames_ == 0 && !molecules_.empty()) permute(molecules_, order);
+    put_in_order(frames_ == 0 ? curves_.spheres : curves_.later_frames.back(), order);
+    put_in_order(ids, order);
+    if (frames_ == 0 && !molecules_.empty()) put_in_order(molecules_, order);
   }
   if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
     throw InputError(fmt::format("{}: atom {} comes twice in frame {}", file_, *twice, frames_));

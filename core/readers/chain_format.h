@@ -7,6 +7,7 @@
 
 namespace catena {
 
+// clang-format off
 /// Catena's own plain text, `.chain`: everything that Chain is made from, and every float as the shortest
 /// text that reads as exactly that float (also -0 and denormals). Reading it back and making a Chain gives
 /// the same chain.
@@ -19,9 +20,9 @@ namespace catena {
 ///     2 0 0 0.5
 ///     pairs 1                         extra neighbours, by sphere number from 0; as many lines `i j` follow
 ///     0 2
-///     joints 1                        steps of the tube beside those of the strands: where a branch begins,
-///     or a loop 0 2                             ends on itself; as many lines `i j`. Neighbours across them
-///     follow from the rule end                             what tells a whole file from a truncated one
+///     joints 1                        steps of the tube beside those of the strands: where a branch begins, or a loop
+///     0 2                             ends on itself; as many lines `i j`. Neighbours across them follow from the rule
+///     end                             what tells a whole file from a truncated one
 ///
 /// `#` starts a comment; blank lines are skipped. A chain that was `moved` under an arc window is written
 /// where it is now: the arc lengths of a reader are those of the written spheres.
@@ -30,6 +31,7 @@ namespace catena {
 ///
 /// Cost O(n), and that of pairs_across_joints. Throws InputError when the stream or the file cannot be
 /// written, and for a joint that names no sphere.
+// clang-format on
 void write_chain(std::ostream& out, const Chain& chain, std::span<const Pair> joints = {});
 void write_chain(const std::filesystem::path& file, const Chain& chain, std::span<const Pair> joints = {});
 

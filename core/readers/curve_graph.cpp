@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catena/core/error.h"
+#include "catena/core/readers/in_order.h"
 
 namespace catena {
 namespace {
@@ -114,14 +115,6 @@ class Strands {
   std::vector<std::uint32_t> place_, order_;
 };
 
-void permute(std::vector<Sphere>& spheres, std::span<const std::uint32_t> order) {
-  if (order.size() == spheres.size() && std::ranges::is_sorted(order)) return;
-  std::vector<Sphere> arranged;
-  arranged.reserve(order.size());
-  for (const std::uint32_t point : order) arranged.push_back(spheres[point]);
-  spheres = std::move(arranged);
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> arrange_along_edges(CurveFile& curves, std::span<const Pair> edges,
@@ -131,8 +124,8 @@ std::vector<std::uint32_t> arrange_along_edges(CurveFile& curves, std::span<cons
     const CurveGraph graph(static_cast<std::uint32_t>(curves.spheres.size()), edges);
     order = Strands(curves, graph).lay_out(keep_free);
   }
-  permute(curves.spheres, order);
-  for (auto& frame : curves.later_frames) permute(frame, order);
+  put_in_order(curves.spheres, order);
+  for (auto& frame : curves.later_frames) put_in_order(frame, order);
   return order;
 }
 

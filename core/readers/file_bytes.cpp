@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#include <unistd.h>
-#endif
-
 #include <algorithm>
-#include <cstdint>
 #include <fstream>
 #include <iostream>
 
 #include "catena/core/error.h"
+#include "catena/core/executor/give_back_pages.h"
 #include "catena/core/readers/compressed.h"
 
 namespace catena {
@@ -90,12 +85,7 @@ std::string first_bytes(const fs::path& file, std::size_t size) {
 }
 
 void release_pages(std::string& bytes, std::size_t begin, std::size_t end) {
-#ifdef __linux__
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto first = (reinterpret_cast<std::uintptr_t>(bytes.data() + begin) + page - 1) / page * page;
-  const auto last = reinterpret_cast<std::uintptr_t>(bytes.data() + end) / page * page;
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
-#endif
+  give_back_pages(bytes.data() + begin, end - begin);
 }
 
 std::string in_quotes(std::string_view text) {

@@ -138,8 +138,7 @@ class LammpsDump {
     if (id_ == none || place_[0] == none) lines_.fail("the columns lack id, or x y z (or xu, xs, xsu)");
     if (scaled_ && !has_box_)
       lines_.fail("scaled coordinates need their box; the frame has no 'ITEM: BOX BOUNDS'");
-    const auto repeats = [](const PeriodicBox& box) { return box.length != std::array<double, 3>{}; };
-    if (const auto& boxes = beads_.about().boxes; !boxes.empty() && repeats(box_) != repeats(boxes.front()))
+    if (const auto& boxes = beads_.about().boxes; !boxes.empty() && box_.repeats() != boxes.front().repeats())
       lines_.fail("this frame and the first differ in having a periodic box");
     const bool has_radii = radius_ != none || diameter_ != none;
     if (!beads_.about().boxes.empty() && has_radii != beads_.about().has_radii)

@@ -140,7 +140,8 @@ class Oxdna {
   static std::filesystem::path topology_of(const std::filesystem::path& file, const ReadOptions& options) {
     if (!options.topology.empty()) return options.topology;
     const auto beside = topology_beside(file);
-    if (is_standard_input(file) || !std::filesystem::exists(beside))
+    std::error_code unknown;
+    if (is_standard_input(file) || !std::filesystem::exists(beside, unknown))
       throw InputError(fmt::format(
           "{}: the strands are in oxDNA's topology; name it with --topology FILE.top", shown_name(file)));
     return beside;
@@ -171,8 +172,7 @@ class Oxdna {
     if (fields.size() != 5) lines_.fail("the box is 'b = X Y Z'");
     PeriodicBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) box.length[axis] = lines_.wide_real(fields[2 + axis], "box");
-    const auto repeats = [](const PeriodicBox& b) { return b.length != std::array<double, 3>{}; };
-    if (!curves_.boxes.empty() && repeats(box) != repeats(curves_.boxes.front()))
+    if (!curves_.boxes.empty() && box.repeats() != curves_.boxes.front().repeats())
       lines_.fail("this frame and the first differ in having a periodic box");
     curves_.boxes.push_back(box);
   }

@@ -10,6 +10,7 @@
 #include "catena/core/error.h"
 #include "catena/core/parameters/nearest_name.h"
 #include "catena/core/readers/file_bytes.h"
+#include "catena/core/readers/in_order.h"
 #include "catena/core/readers/repeated_labels.h"
 #include "catena/core/readers/text_lines.h"
 
@@ -69,14 +70,8 @@ void CurveFile::end_strand(bool closed) {
 }
 
 void CurveFile::choose(std::span<const std::uint32_t> order) {
-  const auto choose_of = [&](std::vector<Sphere>& frame) {
-    std::vector<Sphere> chosen;
-    chosen.reserve(order.size());
-    for (const std::uint32_t i : order) chosen.push_back(frame[i]);
-    frame = std::move(chosen);
-  };
-  choose_of(spheres);
-  std::ranges::for_each(later_frames, choose_of);
+  put_in_order(spheres, order);
+  for (auto& frame : later_frames) put_in_order(frame, order);
   labels = labels.chosen(order);
 }
 

@@ -1,17 +1,15 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
-#include "catena/core/readers/binary_fields.h"
 #include "catena/core/readers/file_bytes.h"
-#include "catena/core/readers/number_text.h"
 #include "catena/core/readers/reader.h"
 #include "catena/core/readers/text_lines.h"
 #include "catena/core/readers/vtk_mesh.h"
+#include "catena/core/readers/vtk_numbers.h"
 
 /// VTK's legacy files, https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html: POLYDATA
 /// and UNSTRUCTURED_GRID, ASCII and binary (big-endian), of versions 1 to 5. What is taken of them vtk_mesh.h
@@ -19,28 +17,8 @@
 namespace catena {
 namespace {
 
-enum class Kind { floating, signed_integer, unsigned_integer };
-struct Type {
-  unsigned size;
-  Kind kind;
-};
-
-std::optional<Type> type_named(const std::string& name) {
-  if (name == "float") return Type{4, Kind::floating};
-  if (name == "double") return Type{8, Kind::floating};
-  if (name == "char" || name == "signed_char") return Type{1, Kind::signed_integer};
-  if (name == "unsigned_char") return Type{1, Kind::unsigned_integer};
-  if (name == "short") return Type{2, Kind::signed_integer};
-  if (name == "unsigned_short") return Type{2, Kind::unsigned_integer};
-  if (name == "int" || name == "vtkidtype")
-    return Type{4, Kind::signed_integer};  // as VTK writes its ids here
-  if (name == "unsigned_int") return Type{4, Kind::unsigned_integer};
-  if (name == "long" || name == "vtktypeint64") return Type{8, Kind::signed_integer};
-  if (name == "unsigned_long" || name == "vtktypeuint64") return Type{8, Kind::unsigned_integer};
-  return std::nullopt;
-}
-
-constexpr Type int32{4, Kind::signed_integer};
+using Kind = VtkNumbers::Kind;
+using Type = VtkNumbers::Type;
 
 /// VTK writes a name's odd characters as %20.
 std::string decoded(std::string_view name) {
@@ -61,7 +39,7 @@ std::string decoded(std::string_view name) {
 class VtkLegacy {
  public:
   VtkLegacy(const std::filesystem::path& file, const ReadOptions& options)
-      : fields_(file, BinaryFields::Order::big), mesh_(options) {}
+      : numbers_(file), fields_(numbers_.fields()), mesh_(options) {}
 
   CurveFile curves() {
     if (!fields_.line("the header").starts_with("# vtk DataFile Version"))
@@ -70,7 +48,7 @@ class VtkLegacy {
     const std::string form = lower_case(trimmed(fields_.line("ASCII or BINARY")));
     if (form != "ascii" && form != "binary")
       fail(fmt::format("{}: expected ASCII or BINARY", in_quotes(form)));
-    ascii_ = form == "ascii";
+    numbers_.are_ascii(form == "ascii");
     while (!fields_.next_word().empty()) read_section();
     add_cells();
     fields_.forget();
@@ -112,11 +90,12 @@ class VtkLegacy {
 
   void read_points() {
     const std::uint64_t points = count(1, "number of points");
-    const Type type = type_of(argument(2));
-    require(points, 3, type);
+    const Type type = numbers_.type_of(argument(2));
+    numbers_.require(points, 3, type);
     mesh_.reserve_points(points);
     for (std::uint64_t p = 0; p < points; ++p) {
-      const double x = coordinate(type, "x"), y = coordinate(type, "y"), z = coordinate(type, "z");
+      const double x = numbers_.coordinate(type, "x"), y = numbers_.coordinate(type, "y"),
+                   z = numbers_.coordinate(type, "z");
       mesh_.add_point(x, y, z);
     }
   }
@@ -124,18 +103,18 @@ class VtkLegacy {
   void read_cells(Cells& cells) {
     const std::uint64_t first = count(1, "number of cells"), second = count(2, "size of the cells");
     if (lower_case(fields_.next_word()) == "offsets") return read_offset_cells(cells, first, second);
-    require(second, 1, int32);
+    numbers_.require(second, 1, VtkNumbers::int32);
     std::uint64_t used = 0;
     for (std::uint64_t cell = 0; cell < first; ++cell) {
       if (used >= second)
         fail(fmt::format("{} do not fit into the {} announced", counted(first, "cell"),
                          counted(second, "number")));
-      const std::int64_t size = integer(int32, "size of a cell");
+      const std::int64_t size = numbers_.integer(VtkNumbers::int32, "size of a cell");
       if (size < 0) fail(fmt::format("a cell of {} points", size));
       if (static_cast<std::uint64_t>(size) > second - used - 1)
         fail(fmt::format("a cell of {}, where room for {} is left",
                          counted(static_cast<std::uint64_t>(size), "point"), second - used - 1));
-      for (std::int64_t k = 0; k < size; ++k) cells.points.push_back(point_of(cells, int32));
+      for (std::int64_t k = 0; k < size; ++k) cells.points.push_back(point_of(cells, VtkNumbers::int32));
       cells.end.push_back(cells.points.size());
       used += 1 + static_cast<std::uint64_t>(size);
     }
@@ -146,10 +125,10 @@ class VtkLegacy {
   // Version 5: where each cell begins, and one more; then the points.
   void read_offset_cells(Cells& cells, std::uint64_t offsets, std::uint64_t size) {
     words_of_line();
-    const Type type = type_of(argument(1));
-    require(offsets, 1, type);
+    const Type type = numbers_.type_of(argument(1));
+    numbers_.require(offsets, 1, type);
     std::vector<std::int64_t> begin(offsets);
-    for (auto& offset : begin) offset = integer(type, "offset");
+    for (auto& offset : begin) offset = numbers_.integer(type, "offset");
     for (std::size_t k = 0; k < begin.size(); ++k)
       if (k == 0 ? begin[k] != 0 : begin[k] < begin[k - 1] || static_cast<std::uint64_t>(begin[k]) > size)
         fail(fmt::format("offset {} is {}; offsets ascend from 0 to {}", k, begin[k], size));
@@ -157,8 +136,8 @@ class VtkLegacy {
       fail(fmt::format("the offsets end at {}, not at {}, the numbers announced", last, size));
     words_of_line();
     if (lower_case(argument(0)) != "connectivity") fail("CONNECTIVITY is due after OFFSETS");
-    const Type point_type = type_of(argument(1));
-    require(size, 1, point_type);
+    const Type point_type = numbers_.type_of(argument(1));
+    numbers_.require(size, 1, point_type);
     for (std::uint64_t k = 0; k < size; ++k) cells.points.push_back(point_of(cells, point_type));
     for (std::size_t k = 1; k < begin.size(); ++k) cells.end.push_back(static_cast<std::uint64_t>(begin[k]));
   }
@@ -166,7 +145,7 @@ class VtkLegacy {
   // What is no point is said where it stands. Not of a grid: which of its cells name points its types tell,
   // which follow.
   std::int64_t point_of(const Cells& cells, Type type) {
-    const std::int64_t point = integer(type, "point number");
+    const std::int64_t point = numbers_.integer(type, "point number");
     const bool known = !unstructured_ && &cells != &others_ && mesh_.points() > 0;
     if (const std::string refusal = known ? mesh_.refusal_of(point) : ""; !refusal.empty()) fail(refusal);
     return point;
@@ -174,8 +153,9 @@ class VtkLegacy {
 
   void read_types() {
     const std::uint64_t cells = count(1, "number of cell types");
-    require(cells, 1, int32);
-    for (std::uint64_t k = 0; k < cells; ++k) types_.push_back(integer(int32, "cell type"));
+    numbers_.require(cells, 1, VtkNumbers::int32);
+    for (std::uint64_t k = 0; k < cells; ++k)
+      types_.push_back(numbers_.integer(VtkNumbers::int32, "cell type"));
   }
 
   // Cell data counts vertices first, then lines, then the rest.
@@ -204,31 +184,29 @@ class VtkLegacy {
       while (lower_case(fields_.next_word()) == "metadata") skip_metadata();
       words_of_line();
       read_array(argument(0), count(1, "number of components"), count(2, "number of tuples"),
-                 type_of(argument(3)));
+                 numbers_.type_of(argument(3)));
     }
   }
 
   void read_attribute(const std::string& word) {
     const std::string name = words_.size() > 1 ? words_[1] : "";
     if (word == "scalars") {
-      const Type type = type_of(argument(2));
+      const Type type = numbers_.type_of(argument(2));
       const std::uint64_t components = words_.size() > 3 ? count(3, "number of components") : 1;
       if (lower_case(fields_.next_word()) == "lookup_table") words_of_line();
       read_array(name, components, items_, type);
     } else if (word == "vectors" || word == "normals") {
-      read_array(name, 3, items_, type_of(argument(2)));
+      read_array(name, 3, items_, numbers_.type_of(argument(2)));
     } else if (word == "tensors" || word == "tensors6") {
-      read_array(name, word == "tensors" ? 9 : 6, items_, type_of(argument(2)));
+      read_array(name, word == "tensors" ? 9 : 6, items_, numbers_.type_of(argument(2)));
     } else if (word == "texture_coordinates") {
-      read_array(name, count(2, "dimension"), items_, type_of(argument(3)));
+      read_array(name, count(2, "dimension"), items_, numbers_.type_of(argument(3)));
     } else if (word == "global_ids" || word == "pedigree_ids" || word == "edge_flags") {
-      read_array(name, 1, items_, type_of(argument(2)));
+      read_array(name, 1, items_, numbers_.type_of(argument(2)));
     } else if (word == "color_scalars") {
-      read_array(name, count(2, "number of components"), items_,
-                 ascii_ ? Type{4, Kind::floating} : Type{1, Kind::unsigned_integer});
+      read_array(name, count(2, "number of components"), items_, colour_type());
     } else if (word == "lookup_table") {
-      read_array("", 4, count(2, "size of the table"),
-                 ascii_ ? Type{4, Kind::floating} : Type{1, Kind::unsigned_integer});
+      read_array("", 4, count(2, "size of the table"), colour_type());
     } else {
       fail(fmt::format("{}: no section of a VTK file is named so", in_quotes(word)));
     }
@@ -237,16 +215,14 @@ class VtkLegacy {
   void read_array(const std::string& coded_name, std::uint64_t components, std::uint64_t tuples, Type type) {
     if (components > 0 && tuples > fields_.size() / components)
       fail("more numbers are announced than the file can hold");
-    require(tuples, components, type);
+    numbers_.require(tuples, components, type);
     const std::string name = decoded(coded_name);
     if (of_ && components == 1 && mesh_.may_be_radii(name)) {
       std::vector<double> values(tuples);
-      for (double& value : values) value = real(type, name);
+      for (double& value : values) value = numbers_.real(type, name);
       mesh_.add_array(name, *of_, values);
-    } else if (ascii_) {
-      for (std::uint64_t k = 0; k < tuples * components; ++k) fields_.word(name);
     } else {
-      fields_.skip(tuples * components * type.size, name);
+      numbers_.skip(tuples * components, type, name);
     }
   }
 
@@ -274,70 +250,18 @@ class VtkLegacy {
     return words_[k];
   }
 
-  // Whatever is counted takes a byte at least, so that a damaged count asks for no memory.
   std::uint64_t count(std::size_t k, std::string_view what) const {
-    const auto [value, problem] = parse_integer(argument(k));
-    if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(argument(k)), problem));
-    if (value < 0 || static_cast<std::uint64_t>(value) > fields_.size())
-      fail(fmt::format("{} {} is not one that a file of {} bytes can have", what, value, fields_.size()));
-    return static_cast<std::uint64_t>(value);
+    return numbers_.count(argument(k), what);
   }
-
-  Type type_of(const std::string& name) const {
-    const auto type = type_named(lower_case(name));
-    if (!type) fail(fmt::format("{} is no type of numbers here; leave the array out", in_quotes(name)));
-    return *type;
+  Type colour_type() const {
+    return numbers_.ascii() ? Type{4, Kind::floating} : Type{1, Kind::unsigned_integer};
   }
+  [[noreturn]] void fail(const std::string& reason) const { numbers_.fail(reason); }
 
-  void require(std::uint64_t count, std::uint64_t components, Type type) const {
-    if (!ascii_) fields_.require(count, components * type.size, "values");
-  }
-
-  double real(Type type, std::string_view what) {
-    if (ascii_) {
-      const std::string_view text = fields_.word(what);
-      const auto [value, problem] = parse_double(text);
-      if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
-      return value;
-    }
-    if (type.kind != Kind::floating) return static_cast<double>(integer(type, what));
-    return type.size == 4 ? double{fields_.raw_f32(what)} : fields_.raw_f64(what);
-  }
-
-  double coordinate(Type type, std::string_view what) {
-    if (ascii_) {
-      const std::string_view text = fields_.word(what);
-      const auto [value, problem] = parse_coordinate(text);
-      if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
-      return value;
-    }
-    const double value = real(type, what);
-    if (!std::isfinite(static_cast<float>(value)))
-      fail(fmt::format("{} is {}, no finite 32-bit float", what, value));
-    return value;
-  }
-
-  std::int64_t integer(Type type, std::string_view what) {
-    if (ascii_) {
-      const std::string_view text = fields_.word(what);
-      const auto [value, problem] = parse_integer(text);
-      if (!problem.empty()) fail(fmt::format("{} {} {}", what, in_quotes(text), problem));
-      return value;
-    }
-    if (type.kind == Kind::floating) fail(fmt::format("{} is of a floating type", what));
-    const std::uint64_t bits = fields_.unsigned_of(type.size, what);
-    const unsigned unused = 64 - 8 * type.size;
-    return type.kind == Kind::unsigned_integer ? static_cast<std::int64_t>(bits)
-                                               : static_cast<std::int64_t>(bits << unused) >> unused;
-  }
-
-  [[noreturn]] void fail(const std::string& reason) const {
-    ascii_ ? fields_.fail_at_line(reason) : fields_.fail(reason);
-  }
-
-  BinaryFields fields_;
+  VtkNumbers numbers_;
+  BinaryFields& fields_;  ///< of the numbers
   VtkMesh mesh_;
-  bool ascii_ = true, unstructured_ = false;
+  bool unstructured_ = false;
   std::vector<std::string> words_;  ///< of the section's line
   std::optional<VtkMesh::Of> of_;
   std::uint64_t items_ = 0;

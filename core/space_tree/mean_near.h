@@ -9,10 +9,11 @@ namespace catena {
 
 /// Pairs of spheres a sphere of the chain, itself among them, that searches of single spheres look at, about.
 struct NearSpheres {
-  double by_reach;  ///< centres no farther apart along any axis than one and a half times the sum of radii,
-                    ///< as told by those no farther than that sum: boxes that meet
-  double
-      in_cells;  ///< those in the 27 cells around one, which are as wide as two of the radius that is given
+  /// Centres no farther apart along any axis than one and a half times the sum of radii, as told by those no
+  /// farther than that sum: boxes that meet.
+  double by_reach;
+  /// Those in the 27 cells around one, which are as wide as two of the radius that is given.
+  double in_cells;
 };
 
 constexpr std::size_t most_samples = 32;

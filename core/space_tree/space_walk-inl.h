@@ -93,10 +93,7 @@ class SpaceWalk {
                     [&](std::uint32_t k) { sink_.boxes_apart(i, first + k); });
     for (std::uint32_t k = 0; k < Lanes16::parts; ++k) {
       constexpr std::uint32_t width = Lanes16::width;
-      const std::uint16_t some = static_cast<std::uint16_t>(candidates >> (k * width));
-      std::uint8_t bytes[8] = {};
-      std::memcpy(bytes, &some, sizeof some);
-      const auto wanted = hn::LoadMaskBits(bits, bytes);
+      const auto wanted = lanes_of(bits, candidates >> (k * width));
       size_ += store_pairs(bits, i, count_up(bits, first + k * width),
                            hn::And(hn::RebindMask(bits, met.part[k]), wanted), queue_ + size_);
     }

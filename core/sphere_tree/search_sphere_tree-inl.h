@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "catena/core/blocks/compress-inl.h"
 #include "catena/core/blocks/count_up-inl.h"
@@ -186,10 +185,7 @@ class SphereSearch {
   HWY_INLINE void add_tests(std::uint32_t node, std::uint32_t lanes, std::uint32_t other) {
     const Bits bits;
     for (std::uint32_t k = 0; k < group; k += sphere_lanes) {
-      const auto some = static_cast<std::uint16_t>(lanes >> k);
-      std::uint8_t bytes[8] = {};
-      std::memcpy(bytes, &some, sizeof some);
-      const Kept<Bits> kept(hn::LoadMaskBits(bits, bytes));
+      const Kept<Bits> kept(lanes_of(bits, lanes >> k));
       hn::StoreInterleaved2(kept.compress(count_up(bits, node * group + k)), hn::Set(bits, other), bits,
                             &q_.tests[tests_].place);
       tests_ += kept.size();

@@ -32,6 +32,17 @@ class CATENA_API EvidenceSink {
   virtual void compared(std::uint32_t /*a*/, std::uint32_t /*b*/) {}
 };
 
+/// The longest chain of which evidence is given: ids have 32 bits.
+constexpr std::uint32_t most_spheres_with_evidence = std::uint32_t{1} << 29;
+
+/// In place of an EvidenceSink where nobody asks: nothing is computed for it.
+struct NoEvidence {
+  void discarded(std::uint32_t, std::uint32_t) const {}
+  void tested(std::uint32_t, std::uint32_t) const {}
+  void excluded(std::uint32_t, std::uint32_t) const {}
+  void compared(std::uint32_t, std::uint32_t) const {}
+};
+
 /// What the search for sphere i reports to a sink; base of visitors that also gather its hits.
 struct CATENA_API EvidenceVisitor : Visitor {
   EvidenceVisitor(std::uint32_t sphere, EvidenceSink& to) : i(sphere), sink(to) {}

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catena/core/default_floats.h"
+#include "catena/core/error.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/strategy/resident.h"
@@ -11,14 +12,18 @@
 
 namespace catena {
 
-/// A variant as the registry gives it out: whatever the floating-point environment of its caller, it builds
-/// and finds in the default one. All else is passed on; a test holds that to every function of Variant.
+/// A variant as the registry gives it out: whatever the floating-point environment of its caller, it computes
+/// in the default one. Functions that only tell are passed on; a test holds that to every function of
+/// Variant.
 class InDefaultFloats final : public Variant, public KeepsAnswer, public EvidenceNodes {
  public:
   explicit InDefaultFloats(std::unique_ptr<Variant> variant)
       : variant_(std::move(variant)), keeper_(dynamic_cast<KeepsAnswer*>(variant_.get())) {}
 
-  void prepare(const Request& request) override { variant_->prepare(request); }
+  void prepare(const Request& request) override {
+    const DefaultFloats floats;
+    variant_->prepare(request);
+  }
   void build(const Chain& chain) override {
     const DefaultFloats floats;
     variant_->build(chain);
@@ -34,13 +39,17 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
   void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
                           EvidenceSink& sink) override {
     const DefaultFloats floats;
+    require_ids(chain);
     variant_->find_with_evidence(chain, request, result, sink);
   }
   Timings timings() const override { return variant_->timings(); }
   Plan plan() const override { return variant_->plan(); }
   std::vector<WorkDone> work() const override { return variant_->work(); }
   std::string answered_by() const override { return variant_->answered_by(); }
-  void visit_bounds(BoundsVisitor& visitor) const override { variant_->visit_bounds(visitor); }
+  void visit_bounds(BoundsVisitor& visitor) const override {
+    const DefaultFloats floats;
+    variant_->visit_bounds(visitor);
+  }
   Accounting evidence() const override { return variant_->evidence(); }
   ResidentSearch* resident() override {
     resident_.search = variant_->resident();
@@ -48,6 +57,8 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
   }
 
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    const DefaultFloats floats;
+    require_ids(chain);
     visit_evidence_nodes(*variant_, chain, visitor);
   }
   const Collisions& find_kept(const Chain& chain, const Request& request) override {
@@ -58,6 +69,10 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
   }
 
  private:
+  static void require_ids(const Chain& chain) {
+    if (chain.size() > most_spheres_with_evidence)
+      throw CapacityError("evidence is given of chains of up to 2^29 spheres");
+  }
   /// What of a resident search is computed on the host: cells and ranges of its chain.
   struct Resident final : ResidentSearch {
     ResidentSearch* search = nullptr;
@@ -70,7 +85,10 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
       const DefaultFloats floats;
       search->enqueue_find(chain, request, answer, stream);
     }
-    void mend(const ResidentState& seen) override { search->mend(seen); }
+    void mend(const ResidentState& seen) override {
+      const DefaultFloats floats;
+      search->mend(seen);
+    }
   };
 
   std::unique_ptr<Variant> variant_;

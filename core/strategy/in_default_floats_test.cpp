@@ -1,15 +1,14 @@
 #include "catena/core/strategy/in_default_floats.h"
 
 #include <gtest/gtest.h>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
+#include <cfenv>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/float_environment.h"
 
 namespace catena {
 namespace {
@@ -40,7 +39,8 @@ class Asked : public Variant {
 
  protected:
   void note(const std::string& what, std::uint64_t number) const {
-    asked_.push_back(what + " " + std::to_string(number));
+    asked_.push_back(what + " " + std::to_string(number) +
+                     (DefaultFloats::stands() ? "" : " in strange floats"));
   }
 
  private:
@@ -52,10 +52,10 @@ class AskedAndKeeping final : public Asked, public KeepsAnswer, public EvidenceN
   using Asked::Asked;
   ResidentSearch* resident() override { return this; }
   void enqueue_build(const ChainView& chain, const Request&, StreamHandle) override {
-    note("enqueue_build", chain.size + (tiny_ * 0.5f > 0 ? 0 : 100));
+    note("enqueue_build", chain.size);
   }
   void enqueue_find(const ChainView& chain, const Request&, const ResidentAnswer&, StreamHandle) override {
-    note("enqueue_find", chain.size + (tiny_ * 0.5f > 0 ? 0 : 100));
+    note("enqueue_find", chain.size);
   }
   void mend(const ResidentState& seen) override { note("mend", seen.found); }
   const Collisions& find_kept(const Chain&, const Request& request) override {
@@ -64,9 +64,6 @@ class AskedAndKeeping final : public Asked, public KeepsAnswer, public EvidenceN
   }
   void visit_evidence(const Chain& chain, BoundsVisitor&) const override { note("visit_evidence", chain.size()); }
   const Collisions kept_{true, 11, {}, {}};
-
- private:
-  volatile float tiny_ = 1e-38f;  ///< half of it is 0 where a caller has subnormal numbers flushed
 };
 
 struct Ignored final : BoundsVisitor, EvidenceSink {
@@ -90,16 +87,19 @@ TEST(InDefaultFloats, PassesAllOnAsItIs) {
     InDefaultFloats variant(std::move(inner));
     Collisions found;
     Ignored ignored;
-    variant.prepare(request);
-    variant.build(chain);
-    variant.update(chain, Moved::along(2));
-    variant.find(chain, request, found);
-    EXPECT_EQ(found.pair_count, 7u);
-    variant.find_with_evidence(chain, request, found, ignored);
-    EXPECT_EQ(found.pair_count, 8u);
-    variant.visit_bounds(ignored);
-    variant.visit_evidence(chain, ignored);
-    EXPECT_EQ(variant.find_kept(chain, request).pair_count, keeping ? 11u : 7u);
+    {
+      const properties::StrangeFloats strange(FE_UPWARD);
+      variant.prepare(request);
+      variant.build(chain);
+      variant.update(chain, Moved::along(2));
+      variant.find(chain, request, found);
+      EXPECT_EQ(found.pair_count, 7u);
+      variant.find_with_evidence(chain, request, found, ignored);
+      EXPECT_EQ(found.pair_count, 8u);
+      variant.visit_bounds(ignored);
+      variant.visit_evidence(chain, ignored);
+      EXPECT_EQ(variant.find_kept(chain, request).pair_count, keeping ? 11u : 7u);
+    }
     EXPECT_EQ(asked,
               (std::vector<std::string>{"prepare 5", "build 3", "update 23", "find 5", "find_with_evidence 5",
                                         "visit_bounds 0", keeping ? "visit_evidence 3" : "visit_bounds 0",
@@ -117,22 +117,20 @@ TEST(InDefaultFloats, PassesAllOnAsItIs) {
   }
 }
 
-#ifdef __SSE2__
 /// A resident search computes its cells on the host.
 TEST(InDefaultFloats, PassesOnWhatIsResident) {
   std::vector<std::string> asked;
   InDefaultFloats variant(std::make_unique<AskedAndKeeping>(asked));
-  const unsigned before = _mm_getcsr();
-  _mm_setcsr(before | 0x8040);  // results and operands that are subnormal are 0
   ChainView chain{};
   chain.size = 3;
-  variant.resident()->enqueue_build(chain, {}, nullptr);
-  variant.resident()->enqueue_find(chain, {}, {}, nullptr);
-  variant.resident()->mend({4, 1});
-  _mm_setcsr(before);
+  {
+    const properties::StrangeFloats strange(FE_UPWARD);
+    variant.resident()->enqueue_build(chain, {}, nullptr);
+    variant.resident()->enqueue_find(chain, {}, {}, nullptr);
+    variant.resident()->mend({4, 1});
+  }
   EXPECT_EQ(asked, (std::vector<std::string>{"enqueue_build 3", "enqueue_find 3", "mend 4"}));
 }
-#endif
 
 /// Of both stages, the construction's first.
 TEST(Composed, TellsWhatItsTraversalDecided) {
@@ -146,6 +144,21 @@ TEST(Composed, TellsWhatItsTraversalDecided) {
   ASSERT_GE(steps.size(), 2u);
   EXPECT_EQ((std::vector<std::string>{steps.end() - 2, steps.end()}),
             (std::vector<std::string>{"range checks", "more threads"}));
+}
+
+/// What it is made of may be computed, too.
+TEST(InDefaultFloats, IsMadeThere) {
+  bool stood = false;
+  StrategyRegistry some;
+  some.add_variant({.name = "A", .summary = "one"}, {"robust"}, [&](const Parameters&) {
+    stood = DefaultFloats::stands();
+    return StrategyRegistry::instance().make("CPU1");
+  });
+  {
+    const properties::StrangeFloats strange(FE_UPWARD);
+    some.make("A");
+  }
+  EXPECT_TRUE(stood);
 }
 
 }  // namespace

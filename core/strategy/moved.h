@@ -24,9 +24,8 @@ class CATENA_API Moved {
   }
 
   bool everything() const { return everything_; }
-  std::span<const SphereRange> ranges() const {
-    return ranges_;
-  }  ///< means nothing when everything may have moved
+  /// Means nothing when everything may have moved.
+  std::span<const SphereRange> ranges() const { return ranges_; }
   /// The s of along; 0 where it is not known, or there is none.
   std::int64_t shift() const { return shift_; }
 

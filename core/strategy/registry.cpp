@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 
+#include "catena/core/default_floats.h"
 #include "catena/core/error.h"
 #include "catena/core/parameters/nearest_name.h"
 #include "catena/core/strategy/in_default_floats.h"
@@ -61,6 +63,15 @@ std::string instead_of(const std::string& wanted, const Names& names) {
   return did_you_mean(wanted, {names.begin(), names.end()});
 }
 
+/// One name has one meaning: by which of two of them a search is made, nobody could tell.
+template <class Entries>
+void require_new(const Entries& entries, const StrategyInfo& info, const ArithmeticInfo& arithmetic) {
+  for (const auto& e : entries)
+    if (e.info.name == info.name && e.arithmetic.name == arithmetic.name)
+      throw std::logic_error(
+          fmt::format("the strategy {} in {} arithmetic is registered twice", info.name, arithmetic.name));
+}
+
 template <class Entries>
 std::set<std::string> arithmetics(const Entries& entries) {
   std::set<std::string> names;
@@ -77,16 +88,19 @@ StrategyRegistry& StrategyRegistry::instance() {
 
 void StrategyRegistry::add_construction(const StrategyInfo& info, const ArithmeticInfo& arithmetic,
                                         const TreeType& tree, MakeStage make) {
+  require_new(constructions_, info, arithmetic);
   constructions_.push_back({info, arithmetic, tree, std::move(make)});
 }
 
 void StrategyRegistry::add_traversal(const StrategyInfo& info, const ArithmeticInfo& arithmetic,
                                      const TreeType& tree, MakeStage make) {
+  require_new(traversals_, info, arithmetic);
   traversals_.push_back({info, arithmetic, tree, std::move(make)});
 }
 
 void StrategyRegistry::add_variant(const StrategyInfo& info, const ArithmeticInfo& arithmetic,
                                    MakeVariant make, bool hidden) {
+  require_new(complete_, info, arithmetic);
   complete_.push_back({info, arithmetic, hidden, std::move(make)});
 }
 
@@ -258,6 +272,7 @@ VariantInfo StrategyRegistry::describe(std::string_view text) const {
 }
 
 std::unique_ptr<Variant> StrategyRegistry::make(std::string_view text) const {
+  const DefaultFloats floats;
   const VariantName name = VariantName::parse(text);
   const Resolved found = resolve(name);
   if (found.whole != nullptr) {

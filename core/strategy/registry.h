@@ -31,6 +31,7 @@ class CATENA_API StrategyRegistry {
 
   static StrategyRegistry& instance();
 
+  /// Each throws std::logic_error where there is one of its kind of this name and arithmetic.
   void add_construction(const StrategyInfo& info, const ArithmeticInfo& arithmetic, const TreeType& tree,
                         MakeStage make);
   void add_traversal(const StrategyInfo& info, const ArithmeticInfo& arithmetic, const TreeType& tree,

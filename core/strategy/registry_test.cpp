@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <stdexcept>
+#include <typeinfo>
 
 #include "catena/core/error.h"
 #include "catena/core/strategy/test_registry.h"
@@ -126,6 +128,23 @@ TEST(Registry, FindBeforeBuildIsAProgrammingError) {
   const Chain chain(std::vector<Sphere>(3, Sphere{0, 0, 0, 1}));
   Collisions result;
   EXPECT_THROW(registry().make("aCPU2+CPU2")->find(chain, {}, result), std::logic_error);
+}
+
+/// Which of two a search is made by, nobody could tell: the first for a name alone, the last for a stage.
+TEST(Registry, RefusesASecondOfOneNameAndArithmetic) {
+  StrategyRegistry some;
+  const ArithmeticInfo robust{"robust"}, literal{"literal"};
+  const StrategyInfo a{.name = "A", .summary = "one"}, b{.name = "B", .summary = "two stages"};
+  const StrategyRegistry::TreeType tree{typeid(int), true, nullptr};
+  some.add_variant(a, robust, nullptr);
+  some.add_variant(a, literal, nullptr);
+  some.add_construction(b, robust, tree, nullptr);
+  some.add_traversal(b, robust, tree, nullptr);
+  EXPECT_THROW(some.add_variant(a, robust, nullptr), std::logic_error);
+  EXPECT_THROW(some.add_variant(a, literal, nullptr, true), std::logic_error);
+  EXPECT_THROW(some.add_construction(b, robust, tree, nullptr), std::logic_error);
+  EXPECT_THROW(some.add_traversal(b, robust, tree, nullptr), std::logic_error);
+  EXPECT_EQ(some.strategy_names(), (std::vector<std::string>{"A", "B"}));
 }
 
 }  // namespace

@@ -22,15 +22,15 @@ struct CATENA_API Promises {
 
 /// What a strategy file says of itself.
 struct CATENA_API StrategyInfo {
-  std::string
-      name;  ///< as in the paper: "aCPU2"; with "@host" when a device algorithm is run by the host executor
+  /// As in the paper: "aCPU2"; with "@host" when a device algorithm is run by the host executor.
+  std::string name;
   std::string summary;  ///< one line for `catena list`
   Place place = Place::host();
   /// The parameters it understands, with defaults and meaning: `aGPU2@host(subtree=256)`.
   std::vector<ParameterInfo> parameters = {};
   bool all_pairs = false;  ///< compares all pairs, O(n^2); benchmarks leave it out on long chains
-  bool has_tree =
-      false;  ///< a variant complete in itself that shows a hierarchy; every combination of stages does
+  /// A variant complete in itself that shows a hierarchy; every combination of stages does.
+  bool has_tree = false;
   bool peer = false;  ///< somebody else's library, asked for comparison
   Promises promises = {};
   /// On a usual machine; without one no plan chooses it. `catena calibrate` measures those that have one.
@@ -49,8 +49,8 @@ struct CATENA_API StrategyInfo {
 /// How a variant computes.
 struct CATENA_API ArithmeticInfo {
   std::string name;  ///< "robust", "literal", "double", or the strategy's own
-  bool exact =
-      true;  ///< its pair set is that of exact real arithmetic; otherwise it may miss and invent pairs
+  /// Its pair set is that of exact real arithmetic; otherwise it may miss and invent pairs.
+  bool exact = true;
 };
 
 /// One complete variant: everything that others need to know of it without running it.

@@ -1,24 +1,9 @@
 #include "catena/core/strategy/variant_name.h"
 
-#include <algorithm>
-
 #include "catena/core/error.h"
 
 namespace catena {
 namespace {
-
-std::vector<Setting> settings(std::string_view stage, std::string_view text) {
-  std::vector<Setting> list;
-  while (!text.empty()) {
-    const std::string_view item = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(text.size(), item.size() + 1));
-    const auto equals = item.find('=');
-    if (equals == std::string_view::npos || equals == 0)
-      throw InputError(std::string(stage) + ": '" + std::string(item) + "' is not key=value");
-    list.push_back({std::string(item.substr(0, equals)), std::string(item.substr(equals + 1))});
-  }
-  return list;
-}
 
 StageName stage(std::string_view text) {
   const auto open = text.find('(');
@@ -26,10 +11,10 @@ StageName stage(std::string_view text) {
   if (open == std::string_view::npos || text.find(')') != text.size() - 1)
     throw InputError("'" + std::string(text) + "': write parameters as name(key=value,...)");
   const std::string_view name = text.substr(0, open);
-  return {std::string(name), settings(name, text.substr(open + 1, text.size() - open - 2))};
+  return {std::string(name), parse_settings(name, text.substr(open + 1, text.size() - open - 2))};
 }
 
-/// The first of these characters outside of parentheses.
+/// Where this character is first outside of parentheses.
 std::size_t find_outside(std::string_view text, char wanted) {
   int depth = 0;
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -41,11 +26,7 @@ std::size_t find_outside(std::string_view text, char wanted) {
 
 }  // namespace
 
-std::string StageName::settings_text() const {
-  std::string text;
-  for (const Setting& s : settings) text += (text.empty() ? "" : ",") + s.key + "=" + s.value;
-  return text;
-}
+std::string StageName::settings_text() const { return text_of(settings); }
 
 std::string StageName::text() const {
   return settings.empty() ? strategy : strategy + "(" + settings_text() + ")";

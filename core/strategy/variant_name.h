@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "catena/core/export.h"
+#include "catena/core/parameters/settings.h"
 
 namespace catena {
-
-/// A parameter and its value, as written.
-struct CATENA_API Setting {
-  std::string key, value;
-  friend bool operator==(const Setting&, const Setting&) = default;
-};
 
 /// One stage of a variant's name, "aGPU2@host(subtree=6,block=2)".
 struct CATENA_API StageName {

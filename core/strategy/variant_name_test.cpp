@@ -46,7 +46,8 @@ TEST(VariantName, ParametersChangeNothingElseOfADescription) {
 }
 
 TEST(VariantName, IsRefusedWhereItCannotBeRead) {
-  for (const char* text : {"A(x=1", "A(x)", "A(=1)", "A)+B", "A(x=1)y", "A/"})
+  for (const char* text :
+       {"A(x=1", "A(x)", "A(=1)", "A)+B", "A(x=1)y", "A/", "A(x=1,)", "A(,x=1)", "A+B(x=1,,y=2)"})
     EXPECT_THROW(VariantName::parse(text), InputError) << text;
 }
 

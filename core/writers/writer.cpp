@@ -4,16 +4,32 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "catena/core/error.h"
 #include "catena/core/parameters/nearest_name.h"
 #include "catena/core/readers/text_lines.h"
 
 namespace catena {
+namespace {
+
+bool writes(const WriterInfo& info, const std::string& extension) {
+  return std::ranges::find(info.extensions, extension) != info.extensions.end();
+}
+
+}  // namespace
 
 WriterRegistry& WriterRegistry::instance() {
   static WriterRegistry registry;
   return registry;
+}
+
+void WriterRegistry::add(WriterInfo info, Write write) {
+  for (const Entry& entry : entries_)
+    for (const std::string& extension : info.extensions)
+      if (writes(entry.info, extension))
+        throw std::logic_error(fmt::format("both {} and {} write {}", entry.info.name, info.name, extension));
+  entries_.push_back({std::move(info), std::move(write)});
 }
 
 std::vector<WriterInfo> WriterRegistry::writers() const {
@@ -27,7 +43,7 @@ const WriterRegistry::Entry& WriterRegistry::of(const std::filesystem::path& fil
   const std::string extension = lower_case(file.extension().string());
   std::vector<std::string> known;
   for (const Entry& entry : entries_) {
-    if (std::ranges::find(entry.info.extensions, extension) != entry.info.extensions.end()) return entry;
+    if (writes(entry.info, extension)) return entry;
     known.insert(known.end(), entry.info.extensions.begin(), entry.info.extensions.end());
   }
   std::ranges::sort(known);

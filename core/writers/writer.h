@@ -44,7 +44,7 @@ class WriterRegistry {
   /// Writes the file whole or not at all. Throws InputError when it cannot be written.
   using Write = std::function<void(const std::filesystem::path&, const ExportedFrames&)>;
   static WriterRegistry& instance();
-  void add(WriterInfo info, Write write) { entries_.push_back({std::move(info), std::move(write)}); }
+  void add(WriterInfo info, Write write);
   std::vector<WriterInfo> writers() const;  ///< sorted by name
 
   struct Entry {

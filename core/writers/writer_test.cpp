@@ -304,5 +304,14 @@ TEST(Writers, NameWhatThereIs) {
   }
 }
 
+TEST(Writers, HaveExtensionsOfTheirOwn) {
+  WriterRegistry registry;
+  WriterInfo info{"A", {".a", ".b"}, false, false, false, false, false, false, "some lines"};
+  registry.add(info, nullptr);
+  info.name = "B", info.extensions = {".c", ".b"};
+  EXPECT_THROW(registry.add(info, nullptr), std::logic_error);
+  EXPECT_EQ(registry.writers().size(), 1u);
+}
+
 }  // namespace
 }  // namespace catena

@@ -6,8 +6,8 @@
 namespace catena::properties {
 namespace {
 
-/// The same answer in a program that flushes subnormal numbers to zero and rounds otherwise: chain, tree and
-/// search are made in the default environment, and the caller gets its own back.
+/// The same answer in a program that flushes subnormal numbers to zero, rounds otherwise and traps infinity:
+/// chain, tree and search are made in the default environment, and the caller gets its own back.
 class FloatEnvironment final : public Property {
  public:
   std::string name() const override { return "any floating-point environment"; }

@@ -11,7 +11,6 @@ from . import paper, statistics, words
 HOLDS, FAILS, UNTESTED = "holds", "does not hold", "not testable here"
 PATHS = tuple(paper.TABLES)
 TOLERANCE = 0.1  # of an exponent: what caches and clocks add to a law over a decade or two of n
-DECIDED = 1 - statistics.CONFIDENCE
 
 
 @dataclasses.dataclass(frozen=True)

@@ -7,7 +7,7 @@
 #include <set>
 #include <span>
 
-#include "catena/bench/timing/times_told.h"
+#include "catena/bench/timing/test_times_told.h"
 #include "catena/core/error.h"
 #include "catena/core/strategy/timings.h"
 

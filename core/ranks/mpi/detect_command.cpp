@@ -9,6 +9,7 @@
 #include "catena/core/commands/output_names.h"
 #include "catena/core/counted.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/one_line.h"
 #include "catena/core/ranks/answer_text.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
@@ -139,7 +140,7 @@ class DetectCommand final : public Command {
     fmt::print(
         "{} frame {}: {}, {}; {} {}, {}: share {:.3f} ms, build {:.3f} ms, find {:.3f} ms, exchange {:.3f} "
         "ms\n",
-        input_, frame, counted(n, "sphere"), what, counted(ranks_.size(), "rank"),
+        one_line(input_), frame, counted(n, "sphere"), what, counted(ranks_.size(), "rank"),
         work.in_space ? "by space" : "in chain order", search_.variant(),
         slowest(Phase::take_part) + slowest(Phase::order) + slowest(Phase::repartition),
         slowest(Phase::build), slowest(Phase::within), slowest(Phase::across) + slowest(Phase::answers));

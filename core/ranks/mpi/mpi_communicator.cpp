@@ -7,6 +7,7 @@
 #include <chrono>
 #include <climits>
 #include <cstdlib>
+#include <numeric>
 #include <thread>
 
 #include "catena/core/executor/large_vector.h"
@@ -20,10 +21,19 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a message; MPI counts them in an int
 constexpr int tag = 0, tag_of_the_end = 1;
 
-/// Messages on their way, in pieces.
+std::size_t pieces_of(std::size_t bytes) { return (bytes + most_bytes - 1) / most_bytes; }
+
+/// Of messages of so many bytes each.
+std::size_t pieces_in(const std::vector<std::uint64_t>& bytes) {
+  return std::accumulate(bytes.begin(), bytes.end(), std::size_t{0},
+                         [](std::size_t sum, std::uint64_t of) { return sum + pieces_of(of); });
+}
+
+/// Messages on their way, in pieces. There is room for all from the start, as nothing may throw once one is
+/// on its way: it would come into memory that is gone.
 class Transfers {
  public:
-  explicit Transfers(MPI_Comm world) : world_(world) {}
+  Transfers(MPI_Comm world, std::size_t pieces) : world_(world) { requests_.reserve(pieces); }
   void receive(unsigned rank, std::byte* to, std::size_t bytes) {
     in_pieces(bytes, [&](std::size_t done, int piece, MPI_Request* request) {
       MPI_Irecv(to + done, piece, MPI_BYTE, static_cast<int>(rank), tag, world_, request);
@@ -152,9 +162,9 @@ std::vector<Message> MpiCommunicator::deliver(std::vector<Message> out) {
       in.push_back({rank, {}});
       if (rank != rank_) resize_large(in.back().bytes, coming[rank]);
     }
+  Transfers transfers(world_, pieces_in(sent) + pieces_in(coming));
   vote();  // all have the memory, and none waits for another's
 
-  Transfers transfers(world_);
   for (Message& message : in)
     if (message.rank != rank_) transfers.receive(message.rank, message.bytes.data(), message.bytes.size());
   for (Message& message : out) {
@@ -175,9 +185,9 @@ void MpiCommunicator::transfer(std::span<const Outgoing> out, const Destination&
   std::vector<std::byte*> places(size_);
   for (unsigned rank = 0; rank < size_; ++rank)
     if (coming[rank] > 0) places[rank] = to(rank, coming[rank]);
+  Transfers transfers(world_, pieces_in(sent) + pieces_in(coming));
   vote();  // all have the memory
 
-  Transfers transfers(world_);
   for (unsigned rank = 0; rank < size_; ++rank) transfers.receive(rank, places[rank], coming[rank]);
   for (const Outgoing& message : out) transfers.send(message.rank, message.bytes);
   transfers.wait();

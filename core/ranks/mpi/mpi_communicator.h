@@ -7,7 +7,7 @@
 
 namespace catena::ranks {
 
-/// The ranks that mpirun started. One object a process, after MPI_Init.
+/// The ranks that mpirun started. One object a process, after MPI_Init_thread.
 class MpiCommunicator final : public Communicator {
  public:
   /// `standard_error` is a descriptor for what cannot wait for rank 0.

@@ -13,6 +13,7 @@
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/guarded_main.h"
+#include "catena/core/error.h"
 #include "catena/core/executor/usable_cores.h"
 #include "catena/core/ranks/core_share.h"
 #include "catena/core/ranks/mpi/mpi_communicator.h"
@@ -59,7 +60,8 @@ unsigned own_cores() {
 class Session {
  public:
   Session() {
-    MPI_Init(nullptr, nullptr);
+    // oneTBB's threads search beside the one that calls MPI.
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &threads_);
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     communicator =
@@ -72,6 +74,14 @@ class Session {
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
+
+  void require_threads() const {
+    if (threads_ < MPI_THREAD_FUNNELED)
+      throw CapacityError("this MPI allows no threads (MPI_THREAD_FUNNELED); run catena by another one");
+  }
+
+ private:
+  int threads_ = MPI_THREAD_SINGLE;
 };
 
 /// What a rank refuses before it works with others, such as an option, they would wait for in vain; so all of
@@ -111,7 +121,10 @@ class MpiLauncher final : public Launcher {
     const Session session;
     const CoreLimit limit(own_cores());
     // Before this process may leave: mpirun ends the others when one left with an exit code.
-    return guarded_main("catena", [&] { return run_together(body); });
+    return guarded_main("catena", [&] {
+      session.require_threads();
+      return run_together(body);
+    });
   }
 };
 

@@ -25,22 +25,10 @@ std::string said_by_first(Communicator& ranks, const std::string& text) {
   return {reinterpret_cast<const char*>(first.data()), first.size()};
 }
 
-/// What a link points to, which need not exist; else the name itself.
-fs::path followed(fs::path name) {
-  constexpr int most_links = 40;  // the kernel's limit
-  std::error_code none;
-  for (int link = 0; link < most_links; ++link) {
-    const auto to = fs::read_symlink(name, none);
-    if (none) break;
-    name = name.parent_path() / to;  // `to` itself, when it is absolute
-  }
-  return name;
-}
-
 std::string unfinished_name(const std::string& name, const std::string& target) {
   std::error_code unknown;
   const auto status = fs::status(target, unknown);
-  if (fs::exists(status) && !fs::is_regular_file(status))
+  if (OutputFile::written_through(target))
     throw InputError(fmt::format("cannot write {}: ranks write a file together, and this is none", name));
   const std::string unfinished = OutputFile::unfinished_beside(target).string();
   std::FILE* const made = std::fopen(unfinished.c_str(), "wx");
@@ -63,7 +51,7 @@ void SharedOutput::remove_unfinished() noexcept {
 }
 
 SharedOutput::SharedOutput(Communicator& ranks, std::string name)
-    : ranks_(ranks), name_(std::move(name)), target_(followed(name_).string()) {
+    : ranks_(ranks), name_(std::move(name)), target_(OutputFile::target(name_).string()) {
   if (ranks_.rank() == 0) unfinished_ = unfinished_name(name_, target_);
   try {
     unfinished_ = said_by_first(ranks_, unfinished_);

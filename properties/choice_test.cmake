@@ -1,0 +1,38 @@
+# cmake -DWORK=... -P choice_test.cmake
+# catena_choice as -D options meet it: written one way or another, and refused.
+cmake_minimum_required(VERSION 3.25)
+file(WRITE ${WORK}/choose.cmake "cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../core/choice.cmake)
+catena_choice(CATENA_X AUTO \"Something\" \${WORDS})
+message(STATUS \"[\${CATENA_X}]\")
+")
+
+function(expect given words wanted)
+  set(option)
+  if(NOT given STREQUAL "nothing")
+    set(option "-DCATENA_X=${given}")
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} ${option} "-DWORDS=${words}" -P ${WORK}/choose.cmake
+                  OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE refused)
+  string(REGEX REPLACE "[ \n]+" " " said "${said}")  # where CMake breaks its lines
+  string(FIND "${said}" "${wanted}" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "CATENA_X=${given} of ${words}: says ${said} and not ${wanted}")
+  endif()
+  if(wanted MATCHES "none of" AND NOT refused)
+    message(SEND_ERROR "CATENA_X=${given} of ${words}: is not refused")
+  endif()
+endfunction()
+
+expect(nothing "AUTO;ON;OFF" "[AUTO]")
+foreach(off OFF off 0 FALSE no)
+  expect(${off} "AUTO;ON;OFF" "[OFF]")
+endforeach()
+foreach(on ON On 1 true YES)
+  expect(${on} "AUTO;ON;OFF" "[ON]")
+endforeach()
+expect(auto "AUTO;ON;OFF" "[AUTO]")
+expect(perhaps "AUTO;ON;OFF" "CATENA_X=perhaps: is none of AUTO, ON, OFF")
+expect("" "AUTO;ON;OFF" "is none of")
+expect(few "ALL;FEW" "[FEW]")
+expect(0 "ALL;FEW" "is none of ALL, FEW")
