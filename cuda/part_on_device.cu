@@ -21,7 +21,8 @@ class PartOnDevice final : public parts::PartSearch {
  public:
   PartOnDevice(Place place, const std::string& variant) : place_(place), name_(variant) {
     require_device(place);
-    drop();
+    const DeviceScope scope(place_);
+    memory();
   }
   ~PartOnDevice() override {
     const DeviceScope scope(place_);
@@ -34,7 +35,7 @@ class PartOnDevice final : public parts::PartSearch {
     const DeviceScope scope(place_);
     built_ = false;
     timings_ = {};
-    Memory& m = *memory_;
+    Memory& m = memory();
     chain_ = whole.view();
     chain_.size = part.size();
     chain_.strand_count =
@@ -80,7 +81,6 @@ class PartOnDevice final : public parts::PartSearch {
     const DeviceScope scope(place_);
     built_ = false;
     memory_.reset();
-    memory_ = std::make_unique<Memory>(name_ + "(device=" + std::to_string(place_.index) + ")");
   }
 
   Timings timings() const override { return timings_; }
@@ -99,6 +99,13 @@ class PartOnDevice final : public parts::PartSearch {
     std::unique_ptr<Variant> variant;
     ResidentSearch* search;
   };
+
+  /// Taken where there is none: a build that finds no room for it may come again.
+  Memory& memory() {
+    if (!memory_)
+      memory_ = std::make_unique<Memory>(name_ + "(device=" + std::to_string(place_.index) + ")");
+    return *memory_;
+  }
 
   const Place place_;
   const std::string name_;

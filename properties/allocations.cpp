@@ -12,4 +12,9 @@ Allocations::Read& Allocations::held() {
   return read;
 }
 
+Allocations::Give& Allocations::give() {
+  static Give give = nullptr;
+  return give;
+}
+
 }  // namespace catena::properties

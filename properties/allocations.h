@@ -10,6 +10,10 @@ struct Allocations {
   static Read& counter();
   /// Likewise the bytes that it was given and has not given back, on this thread.
   static Read& held();
+
+  /// Likewise from then on gives all threads so many more, and past them none.
+  using Give = void (*)(std::int64_t more);
+  static Give& give();
 };
 
 }  // namespace catena::properties

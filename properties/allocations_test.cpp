@@ -11,14 +11,13 @@
 #include <new>
 #include <vector>
 
-#include "catena/properties/testing/failing_allocations.h"
 
 /// The test program counts its allocations, for the property "no allocation once warm".
 namespace {
 
 thread_local std::uint64_t calls = 0, bytes = 0;
 constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
-std::atomic<std::int64_t> left = unlimited;  ///< given until FailingAllocations ends
+std::atomic<std::int64_t> left = unlimited;  ///< to be given
 
 void* counted(std::size_t size, std::size_t alignment) {
   if (left.load(std::memory_order_relaxed) != unlimited && left.fetch_sub(1) <= 0) throw std::bad_alloc();
@@ -40,6 +39,7 @@ void give_back(void* memory) noexcept {
 const bool counting = [] {
   catena::properties::Allocations::counter() = [] { return calls; };
   catena::properties::Allocations::held() = [] { return bytes; };
+  catena::properties::Allocations::give() = [](std::int64_t more) { left = more; };
   return true;
 }();
 
@@ -65,9 +65,6 @@ void operator delete(void* memory, std::align_val_t) noexcept { give_back(memory
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { give_back(memory); }
 
 namespace catena::properties {
-
-FailingAllocations::FailingAllocations(std::int64_t given) { left = given; }
-FailingAllocations::~FailingAllocations() { left = unlimited; }
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/failing_allocations.h"
 #include "catena/properties/sorted_pairs.h"
-#include "catena/properties/testing/failing_allocations.h"
 #include "catena/properties/testing/letters_of.h"
 #include "catena/properties/testing/random_spheres.h"
 #include "catena/reference/reference.h"

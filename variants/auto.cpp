@@ -219,6 +219,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     with_room([&] {
       built_ = told_ = false;
       if (searcher_ == nullptr || turn_ != rivals_.turn()) {
+        searcher_ = nullptr;  // where there is no memory for the next one
         turn_ = rivals_.turn(), searcher_is_ = rivals_.next();
         searcher_ = &held(searcher_is_);
         planned_ = searcher_is_ == rivals_.planned();

@@ -73,25 +73,22 @@ std::uint32_t PartedSearch::wanted_parts(std::uint64_t spheres) const {
 void PartedSearch::share_out(const Chain& chain) {
   const Stopwatch watch;
   const std::uint32_t parts = wanted_parts(chain.size());
-  without_halos_ = parts > 1 && options_.partition.order != Order::space &&
-                   (options_.partition.order == Order::chain ||
-                    !seems_tangled(chain, parts, options_.partition.group, team_));
-  if (without_halos_) {
-    group_ = options_.partition.group;
-    set_parts(chain, cut_in_chain_order(chain.size(), parts, group_));
-  } else {
+  const bool without_halos = parts > 1 && options_.partition.order != Order::space &&
+                             (options_.partition.order == Order::chain ||
+                              !seems_tangled(chain, parts, options_.partition.group, team_));
+  if (without_halos)
+    set_parts(chain, cut_in_chain_order(chain.size(), parts, options_.partition.group), true);
+  else
     part_with_halos(chain);
-  }
   share_out_ms_ = watch.ms();
 }
 
 void PartedSearch::part_with_halos(const Chain& chain) {
   const std::uint64_t n = chain.size(), room = std::max<std::uint64_t>(1, options_.room);
-  without_halos_ = false;
   for (std::uint32_t parts = wanted_parts(n);;) {
     Partition partition = part_chain(chain, parts, options_.partition, team_);
     const std::uint64_t greatest = partition.greatest();
-    if (partition.parts.size() == 1 || greatest <= room) return set_parts(chain, std::move(partition));
+    if (partition.parts.size() == 1 || greatest <= room) return set_parts(chain, std::move(partition), false);
     const double more = 1.1 * parts * static_cast<double>(greatest) / static_cast<double>(room);
     parts = std::max(parts + 1, static_cast<std::uint32_t>(std::min(more, 4.0 * parts)));
     if (std::uint64_t{parts} * room / (most_halo + 1) > n + room)
@@ -101,17 +98,21 @@ void PartedSearch::part_with_halos(const Chain& chain) {
   }
 }
 
-void PartedSearch::set_parts(const Chain& chain, Partition partition) {
-  built_ = false;
-  in_space_ = partition.in_space;
+/// All at once or, where that throws, nothing: a find that comes after searches the parts that there were.
+void PartedSearch::set_parts(const Chain& chain, const Partition& partition, bool without_halos) {
   const auto parts = static_cast<std::uint32_t>(partition.parts.size());
   std::vector<std::optional<LocalChain>> made(parts);
   team_.for_each_range(parts, 1, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t p = begin; p < end; ++p)
       made[p].emplace(chain, partition.parts[p], workers_[0].search->knows());
   });
-  parts_.clear();
-  for (auto& part : made) parts_.push_back(std::move(*part));
+  std::vector<LocalChain> all;
+  all.reserve(parts);
+  for (auto& part : made) all.push_back(std::move(*part));
+  parts_.swap(all);
+  group_ = options_.partition.group;
+  built_ = false;
+  in_space_ = partition.in_space, without_halos_ = without_halos;
 }
 
 void PartedSearch::with_room(const Chain& chain, const std::function<void()>& work) {
@@ -123,6 +124,7 @@ void PartedSearch::with_room(const Chain& chain, const std::function<void()>& wo
       std::uint64_t greatest = 0;
       for (const LocalChain& part : parts_) greatest = std::max<std::uint64_t>(greatest, part.size());
       options_.room = std::min(options_.room, greatest) / 4 * 3;
+      built_ = false;
       for (Worker& worker : workers_) worker.search->drop();
       share_out(chain);
     }

@@ -7,6 +7,7 @@
 
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/export.h"
 #include "catena/core/parts/local_chain.h"
 #include "catena/core/parts/part_search.h"
 #include "catena/core/parts/parted_answer.h"
@@ -26,7 +27,7 @@ namespace catena::parts {
 /// to touch other parts are searched together, for pairs of two parts. So the chain is read once. Else parts
 /// come with halos. Parts that have a search to themselves are built once and stay there; others come and go
 /// with each find.
-class PartedSearch {
+class CATENA_API PartedSearch {
  public:
   struct Options {
     PartitionOptions partition;
@@ -65,7 +66,7 @@ class PartedSearch {
 
   void share_out(const Chain& chain);
   void part_with_halos(const Chain& chain);
-  void set_parts(const Chain& chain, Partition partition);
+  void set_parts(const Chain& chain, const Partition& partition, bool without_halos);
   std::uint32_t wanted_parts(std::uint64_t spheres) const;
   /// One more search is needed for what is between parts that come without halos.
   bool stay() const { return parts_.size() + without_halos_ <= workers_.size(); }

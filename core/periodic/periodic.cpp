@@ -133,7 +133,9 @@ void Periodic::put_into_box(const Chain& chain) {
     origin_[edge] = span < 1 ? least[edge] : 0;
     apart_ = apart_ && (box_.length[edge] == 0 || span < 1 - margin[edge] - slack);
   }
-  home_.assign(chain.size(), nowhere);
+  std::vector<Shift> home = std::move(home_);  // nobody has one until all have
+  home_.clear();
+  home.assign(chain.size(), nowhere);
   spheres_.clear();
   for (std::uint32_t i = 0; i < chain.size(); ++i) {
     for (std::size_t edge = 0; edge < 3; ++edge) {
@@ -142,10 +144,11 @@ void Periodic::put_into_box(const Chain& chain) {
         throw InputError(
             fmt::format("sphere {} lies {} boxes away along the box's {} edge, more than 2^20", i, boxes,
                         std::array{"first", "second", "third"}[edge]));
-      home_[i][edge] = -static_cast<std::int32_t>(boxes);
+      home[i][edge] = -static_cast<std::int32_t>(boxes);
     }
-    spheres_.push_back(image(chain[i], home_[i]));
+    spheres_.push_back(image(chain[i], home[i]));
   }
+  home_ = std::move(home);
 }
 
 /// Fractions of the edges that two spheres reach over at most.

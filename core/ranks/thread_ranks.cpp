@@ -23,7 +23,8 @@ class World {
   explicit World(unsigned ranks) : ranks_(ranks), boxes_{Box(ranks), Box(ranks)} {}
   unsigned ranks() const { return ranks_; }
 
-  /// `bring` is called under the lock with the box of this meeting, `close` by the last rank to come.
+  /// `bring` is called under the lock with the box of this meeting, `close` by the last rank to come. It has
+  /// failed where a rank has left.
   template <class Bring, class Close>
   void meet(std::size_t& turn, const Bring& bring, const Close& close) {
     std::unique_lock lock(mutex_);
@@ -31,10 +32,9 @@ class World {
     if (here_ == 0 && box.failed)
       box = Box(ranks_);  // of what a failure two meetings ago kept from being read
     bring(box);
-    if (here_ + 1 == ranks_) {
+    if (here_ + 1 + gone_ == ranks_) {
       close(box);  // before anything is changed: where it throws, this rank has not come, and comes to fail()
-      here_ = 0;
-      ++meeting_;
+      end_meeting();
       lock.unlock();  // so that those who wake do not wait for it
       met_.notify_all();
     } else {
@@ -43,6 +43,16 @@ class World {
       met_.wait(lock, [&] { return meeting_ != this_one; });
     }
     ++turn;
+  }
+
+  /// A rank comes to no meeting any more, and nobody waits for it: it is done, or has not even the memory to
+  /// say that it has failed.
+  void leave() {
+    const std::lock_guard lock(mutex_);
+    ++gone_;
+    if (here_ == 0 || here_ + gone_ < ranks_) return;
+    end_meeting();
+    met_.notify_all();
   }
 
   struct Box {
@@ -57,10 +67,17 @@ class World {
   Box& box_of_last(std::size_t turn) { return boxes_[(turn + 1) % 2]; }
 
  private:
+  void end_meeting() {
+    if (Box& box = boxes_[meeting_ % 2]; gone_ > 0 && !box.failed)
+      box.failed = ranks_, box.failure = "a rank is gone";  // so few letters need no memory
+    here_ = 0;
+    ++meeting_;
+  }
+
   const unsigned ranks_;
   std::mutex mutex_;
   std::condition_variable met_;
-  unsigned here_ = 0;
+  unsigned here_ = 0, gone_ = 0;
   std::size_t meeting_ = 0;
   std::array<Box, 2> boxes_;
 };
@@ -153,9 +170,10 @@ void run_in_threads(unsigned ranks, const std::function<void(Communicator&)>& wo
           throw;
         }
       });
-    } catch (const RankFailed&) {
+    } catch (...) {
       if (!thrown[rank]) failed[rank] = std::current_exception();
     }
+    world.leave();
   };
   // No rank begins before all have a thread: it would wait for one that never comes.
   enum class Start { waits, begins, given_up };

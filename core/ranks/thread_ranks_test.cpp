@@ -12,6 +12,12 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "catena/core/error.h"
+#include "catena/core/ranks/rank_search.h"
+#include "catena/core/ranks/test_chain.h"
+#include "catena/properties/failing_allocations.h"
 
 namespace catena::ranks {
 namespace {
@@ -120,6 +126,39 @@ TEST(ThreadRanks, EndWhereOneHasNoPlaceForWhatComes) {
   };
   EXPECT_THROW(run_in_threads(3, work), std::bad_alloc);
   EXPECT_EQ(told, 2u);
+}
+
+/// However little memory there is, and wherever it ends: to say so may want more than there is.
+TEST(ThreadRanks, EndWithoutMemory) {
+  const Chain chain = chain_of("yarn:n=300");
+  for (const Order order : {Order::chain, Order::space}) {
+    bool done = false;
+    for (std::int64_t given = 0; !done; given += 1 + given / 8) {
+      std::vector<RankAnswer> answers(3);
+      try {
+        const properties::FailingAllocations none(given);
+        run_in_threads(3, [&](Communicator& c) {
+          RankWork work;
+          answers[c.rank()] = search(c, even_part_of(chain, 3, c.rank()), {.order = order}, work);
+        });
+        done = true;
+      } catch (const std::bad_alloc&) {
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("out of memory"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+/// A rank that has nothing more to say comes to no other call.
+TEST(ThreadRanks, WaitForNoneThatIsDone) {
+  for (const unsigned done : {0u, 1u, 2u})
+    EXPECT_THROW(run_in_threads(3,
+                                [&](Communicator& c) {
+                                  c.vote();
+                                  if (c.rank() != done) c.all_gather(Bytes(1));
+                                }),
+                 RankFailed);
 }
 
 }  // namespace

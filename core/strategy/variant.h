@@ -35,7 +35,8 @@ class CATENA_API Variant {
   /// Stage 1 again for the same spheres, moved, of which only those of `moved` differ from the last build or
   /// update. What find gives, and the shape of the tree that visit_bounds shows, are those of build; its
   /// bounds enclose, but need not be those of build unless the strategy promises it. What was looked at or
-  /// sorted for an earlier frame may serve this one. Does not allocate once warm.
+  /// sorted for an earlier frame may serve this one. Does not allocate once warm. Where nothing is built, as
+  /// after a build that threw, it builds, whatever `moved` says.
   virtual void update(const Chain& chain, const Moved& moved = {}) {
     static_cast<void>(moved);
     build(chain);
@@ -60,7 +61,8 @@ class CATENA_API Variant {
   /// What answered the last find, in a few words, where this holds other variants and chooses; else empty.
   virtual std::string answered_by() const { return {}; }
 
-  /// Every (parent, child) of the last build; nothing for strategies without a hierarchy.
+  /// Every (parent, child) of the last build; nothing for strategies without a hierarchy, and where nothing is
+  /// built.
   virtual void visit_bounds(BoundsVisitor&) const {}
 
   /// What find_with_evidence can show; none for strategies that discard nothing or cannot tell.

@@ -14,7 +14,7 @@ class FaultyBlocks : public HostSearch {
  protected:
   void construct(const ChainView& chain) override {
     build_block_tree(chain, tree_, team());
-    tamper(chain, tree_);
+    if (chain.size > 0) tamper(chain, tree_);  // else levels are of an earlier one
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     search_blocks(chain, tree_, queues_, collector.lane(0), nullptr);

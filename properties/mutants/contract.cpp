@@ -109,5 +109,26 @@ class UnlikeItsEvidence final : public Witness {
 const RegisterMutant<UnlikeItsEvidence> unlike{"find-unlike-its-evidence",
                                                "catena's own verify --certify: find() was never called"};
 
+/// Lends a pair to the sink, and gets it back when the search is done, if it is.
+class LendsToASink final : public Witness {
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    FaultyTree::find(chain, request, result);
+    if (!lent_ || result.pairs.empty()) return;
+    const Pair lost = result.pairs.back();
+    result.pairs.pop_back();
+    --result.pair_count, --result.count[lost.i], --result.count[lost.j];
+    result.found = result.pair_count > 0;
+  }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
+                          EvidenceSink& sink) override {
+    lent_ = true;
+    Witness::find_with_evidence(chain, request, result, sink);
+    lent_ = false;
+  }
+  bool lent_ = false;
+};
+const RegisterMutant<LendsToASink> lends{"evidence-lost-to-a-sink-that-throws",
+                                         "parts that a search without room left half shared out"};
+
 }  // namespace
 }  // namespace catena::properties
