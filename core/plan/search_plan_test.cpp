@@ -383,6 +383,21 @@ TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {
   EXPECT_EQ(SearchPlan(1u << 20, {}, of, {}).variant(), "device");
 }
 
+/// The figure of the usual variant is none of another that an unusual kind of chain puts in its place.
+TEST(SearchPlan, EstimatesTheVariantThatItNamesOrNone) {
+  const Machine of = sixteen_cores();
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 2000; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.4f});
+  const Chain chain(std::move(spheres));
+  const SearchPlan unusual(chain.size(), {}, of, {}, chain.view().extent, chain.spheres());
+  const SearchPlan usual(chain.size(), {}, of, {});
+  ASSERT_EQ(unusual.variant(), "ChainTree");
+  ASSERT_EQ(usual.variant(), "Hybrid");
+  EXPECT_EQ(step(unusual.steps(), "choice of variant").estimate_ms, std::nullopt);
+  EXPECT_EQ(step(usual.steps(), "choice of variant").estimate_ms, usual.estimate_ms());
+  EXPECT_NE(step(unusual.steps(), "hierarchy").reason.find("Hybrid about"), std::string::npos);
+}
+
 TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {
   const Machine of = machine();
   const Plan plan = SearchPlan(20, {Want::counts}, of, {}).steps();
