@@ -77,13 +77,13 @@ double share_that_meets(std::span<const Sphere> spheres) {
 /// but for the greatest and the least of all. Few spheres that are unlike the others, or many among these,
 /// make no difference.
 double growth(std::span<const Sphere> spheres) {
-  constexpr std::size_t parts = 16, some = 16;
-  const std::size_t n = spheres.size(), one_of = std::max<std::size_t>(1, n / (parts * some));
+  constexpr std::uint32_t parts = 16, some = 16;
+  const std::size_t n = spheres.size();
+  const auto of_a_sample = static_cast<std::uint32_t>(n / (parts * some));
   std::array<float, parts> greatest{};
   for (std::uint32_t k = 0; k < parts * some; ++k) {
-    // Not at even distances, which may be those of spheres of one kind.
-    const std::size_t at = k * n / (parts * some) + scattered(k, static_cast<std::uint32_t>(one_of));
-    greatest[k / some] = std::max(greatest[k / some], spheres[at].radius);
+    const Sphere& s = spheres[k * n / (parts * some) + scattered(k, of_a_sample)];
+    greatest[k / some] = std::max(greatest[k / some], s.radius);
   }
   std::ranges::sort(greatest);
   const double least = greatest[1];
@@ -97,12 +97,13 @@ double distance(const Sphere& a, const Sphere& b) {
 
 /// How much of a sphere is not within the next one, by some of them: 1 of spheres that touch.
 double beside_the_next(std::span<const Sphere> spheres) {
-  constexpr std::size_t some = 16;
-  if (spheres.size() < 2) return 1;
+  constexpr std::uint32_t some = 16;
+  if (spheres.size() <= some) return 1;
   double beside = 0;
-  for (std::size_t k = 0; k < some; ++k) {
-    const auto at = spheres.subspan(k * (spheres.size() - 2) / (some - 1), 2);
-    beside += std::min(1.0, distance(at[0], at[1]) / (double{at[0].radius} + at[1].radius));
+  for (std::uint32_t k = 0; k < some; ++k) {
+    const auto at = sample_along(k, some, static_cast<std::uint32_t>(spheres.size() - 1));
+    const Sphere &a = spheres[at], &b = spheres[at + 1];
+    beside += std::min(1.0, distance(a, b) / (double{a.radius} + b.radius));
   }
   return beside / some;
 }

@@ -2,8 +2,10 @@
 #include <hwy/contrib/sort/vqsort.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,17 +31,21 @@ class KeySort {
     choose_borders(keys);
     const auto parts = static_cast<std::uint32_t>((keys.size() + part - 1) / part);
     next_.assign(std::size_t{parts} * shares_, 0);
-    const auto each_key = [&](const auto& body) {
+    share_.resize(keys.size());
+    copy_.resize(keys.size());
+    const auto each_part = [&](const auto& body) {
       team.for_each_range(parts, 1, [&](std::uint32_t begin, std::uint32_t end) {
         for (std::uint32_t p = begin; p < end; ++p)
-          for (const std::uint64_t key : keys.subspan(p * part, std::min(part, keys.size() - p * part)))
-            body(next_[std::size_t{p} * shares_ + share_of(key)], key);
+          body(&next_[std::size_t{p} * shares_], p * part, std::min((p + 1) * part, keys.size()));
       });
     };
-    each_key([](std::uint32_t& count, std::uint64_t) { ++count; });
+    each_part([&](std::uint32_t* count, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) ++count[share_[k] = share_of(keys[k])];
+    });
     add_up(parts);
-    copy_.resize(keys.size());
-    each_key([&](std::uint32_t& next, std::uint64_t key) { copy_[next++] = key; });
+    each_part([&](std::uint32_t* next, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) copy_[next[share_[k]]++] = keys[k];
+    });
     team.for_each_range(shares_, 1, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t s = begin; s < end; ++s) {
         const std::size_t size = first_[s + 1] - first_[s];
@@ -80,12 +86,16 @@ class KeySort {
     std::vector<std::uint64_t> some(samples);
     for (std::size_t k = 0; k < samples; ++k) some[k] = keys[k * keys.size() / samples];
     std::sort(some.begin(), some.end());
-    borders_.clear();
-    for (std::uint32_t s = 1; s < shares_; ++s) borders_.push_back(some[s * samples_a_share]);
+    borders_.assign(std::bit_ceil(shares_) - 1, std::numeric_limits<std::uint64_t>::max());
+    for (std::uint32_t s = 1; s < shares_; ++s) borders_[s - 1] = some[s * samples_a_share];
   }
-  std::size_t share_of(std::uint64_t key) const {
-    return static_cast<std::size_t>(std::upper_bound(borders_.begin(), borders_.end(), key) -
-                                    borders_.begin());
+  /// How many borders are not above the key, by halves and without a branch: which way it goes cannot be
+  /// foretold where keys are in no order.
+  std::uint16_t share_of(std::uint64_t key) const {
+    std::size_t below = 0;
+    for (std::size_t half = (borders_.size() + 1) / 2; half > 0; half /= 2)
+      below += half * static_cast<std::size_t>(borders_[below + half - 1] <= key);
+    return static_cast<std::uint16_t>(std::min<std::size_t>(below, shares_ - 1));
   }
 
   /// Numbers of keys become places.
@@ -108,7 +118,8 @@ class KeySort {
   std::deque<hwy::Sorter> sorters_;
   std::deque<LargeVector<std::uint64_t>> rooms_;
   std::uint32_t shares_ = 0;
-  std::vector<std::uint64_t> borders_;
+  std::vector<std::uint64_t> borders_;       // and the greatest number, until halves of halves are whole
+  LargeVector<std::uint16_t> share_;         // of each key
   std::vector<std::uint32_t> next_, first_;  // [part][share], [share]
   LargeVector<std::uint64_t> copy_;
 };
