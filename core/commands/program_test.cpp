@@ -209,6 +209,17 @@ TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {
   expect_says("detect - --format xyzr < " + last, 0, {"3 spheres, 1 pair"});
 }
 
+// Some open their input again, for the reference or for each section.
+TEST_F(Program, TakesStandardInputWhereverItTakesAFile) {
+  const std::string from = " - --format vtp < " + examples + "branch.vtp";
+  for (const std::string command :
+       {"detect", "detect --frame all", "verify --variant CPU1", "plan", "plan --run", "margins", "scaling",
+        "examine", "regret --variant CPU1 --rounds 2 --seconds 0.01", "stability --variant CPU1",
+        "verify --variant aCPU2+CPU2 --certify"})
+    expect_says(command + from, 0, {});
+  expect_says("export - " + file("of.csv") + from.substr(2), 0, {"7 spheres"});
+}
+
 // Where nobody can be asked, nothing was verified, and that is no success.
 TEST_F(Program, VerifiesNothingByNobody) {
   const auto& variants = StrategyRegistry::instance().variants();
