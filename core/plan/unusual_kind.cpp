@@ -114,16 +114,18 @@ constexpr double anywhere = 0.25;
 constexpr double sparse = 0.25;
 
 /// Of a few spheres, by how their rows of eight lie: where many are near one, a tree of these tells little
-/// apart, and the less so the less straight they are. Rows of a tube of overlapping spheres are near those
+/// apart, and the less so the less straight they are and the fuller their box is, as boxes of rows that pass
+/// meet before they do. Rows of a tube of overlapping spheres are near those
 /// along it too: other variants look at each of these spheres, as many to either side as overlap. Measured
 /// over the registry's scenes and 50 other kinds of chain, of five sizes or densities each.
 Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
-  constexpr double few_rows = 12, dense = 3, least_beside = 1. / 128;
+  constexpr double few_rows = 4, dense = 3, least_beside = 1. / 128;
   constexpr std::uint32_t very_few = 300;
   const RowLook look = RowLook::at(spheres);
   const bool ordered = look.straight > anywhere;
   if (ordered) {
-    double rows = few_rows * std::min(1.0, look.straight / anywhere - 1);
+    double rows =
+        std::clamp(few_rows / std::sqrt(filled), 6.0, 30.0) * std::min(1.0, look.straight / anywhere - 1);
     if (look.near > rows) rows += 1 / std::max(beside_the_next(spheres), least_beside) - 1;
     if (look.near <= rows) return short_apart;
   }
