@@ -64,9 +64,9 @@ RowLook RowLook::at(std::span<const Sphere> spheres) {
     }
     ++taken;
   };
-  for (std::uint32_t k = 0; k < some; ++k) take((2 * k + 1) * rows / (2 * some));
+  for (std::uint32_t k = 0; k < some; ++k) take(sample_along(2 * k + 1, 2 * some, rows));
   if (near > 0 && rows >= few)  // or nothing more will be found
-    for (std::uint32_t k = 0; k < some; ++k) take(k * rows / some);
+    for (std::uint32_t k = 0; k < some; ++k) take(sample_along(2 * k, 2 * some, rows));
   look.near = static_cast<double>(near) / taken;
   if (gone > 0) {  // that of the middle ones: a row that jumps would outweigh all others
     std::sort(straight.begin(), straight.begin() + gone);

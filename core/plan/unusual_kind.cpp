@@ -119,14 +119,14 @@ constexpr double sparse = 0.25;
 /// along it too: other variants look at each of these spheres, as many to either side as overlap. Measured
 /// over the registry's scenes and 50 other kinds of chain, of five sizes or densities each.
 Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
-  constexpr double few_rows = 4, dense = 3, least_beside = 1. / 128;
+  constexpr double few_rows = 8, dense = 3, least_beside = 1. / 128;
   constexpr std::uint32_t very_few = 300;
   const RowLook look = RowLook::at(spheres);
   const bool ordered = look.straight > anywhere;
   if (ordered) {
     double rows =
-        std::clamp(few_rows / std::sqrt(filled), 6.0, 30.0) * std::min(1.0, look.straight / anywhere - 1);
-    if (look.near > rows) rows += 1 / std::max(beside_the_next(spheres), least_beside) - 1;
+        std::clamp(few_rows / std::sqrt(filled), 8.0, 40.0) * std::min(1.0, look.straight / anywhere - 1);
+    if (look.near > rows) rows += 2 / std::max(beside_the_next(spheres), least_beside) - 2;
     if (look.near <= rows) return short_apart;
   }
   // A tree of single spheres needs no like ones, and finds sooner where nothing is.
