@@ -210,7 +210,7 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
 TEST(Calibrate, NamesWhomThreadsHardlyHelped) {
   Machine machine;
   machine.cores = 2;
-  machine.costs = {{"Hybrid", {{.serial = 0.999}}}, {"Grid", {{.serial = 0.3}}}, {"ChainTree", {{.serial = 1}}}};
+  machine.costs = {{"Hybrid", {{}, 0.999}}, {"Grid", {{}, 0.3}}, {"ChainTree", {{}, 1}}};
   EXPECT_EQ(hardly_helped_by_threads(machine), std::vector<std::string>{"Hybrid"});
   machine.cores = 1;
   EXPECT_EQ(hardly_helped_by_threads(machine), std::vector<std::string>{});

@@ -64,9 +64,13 @@ RowLook RowLook::at(std::span<const Sphere> spheres) {
     }
     ++taken;
   };
-  for (std::uint32_t k = 0; k < some; ++k) take(sample_along(2 * k + 1, 2 * some, rows));
+  // Not quite at even distances, which are whole strands where numbers are round.
+  const auto place = [&](std::uint32_t k) {
+    return k * rows / (2 * some) + scattered(k, std::min(rows / (2 * some), 7u));
+  };
+  for (std::uint32_t k = 0; k < some; ++k) take(place(2 * k + 1));
   if (near > 0 && rows >= few)  // or nothing more will be found
-    for (std::uint32_t k = 0; k < some; ++k) take(sample_along(2 * k, 2 * some, rows));
+    for (std::uint32_t k = 0; k < some; ++k) take(place(2 * k));
   look.near = static_cast<double>(near) / taken;
   if (gone > 0) {  // that of the middle ones: a row that jumps would outweigh all others
     std::sort(straight.begin(), straight.begin() + gone);
