@@ -15,11 +15,11 @@ namespace catena {
 namespace {
 
 enum Kind {
-  horn,
   subnormal,
   crowded,
   crowded_anywhere,
   short_extreme,
+  short_horn,
   short_apart,
   short_dense,
   short_like,
@@ -30,13 +30,14 @@ enum Kind {
 
 const UnusualKind& info(Kind kind) {
   static const std::array<UnusualKind, kinds> all{{
-      {"SphereTree", "radii of which those of one part are more than 2^60 times those of another", true},
       {"Grid",
        "radii that are subnormal, with which other searches multiply, which this machine does slowly"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
        true, 6},
       {"Hybrid", "spheres of like radii that fill their box, in no order", true, 6},
       {"ChainTree", "at most 2,048 spheres in a box that is mostly empty, whose squares leave binary32"},
+      {"SphereTree",
+       "at most 2,048 spheres, of which those of one part have more than 2^60 times the radius of another's"},
       {"ChainTree", "at most 2,048 spheres, of which rows of eight are near few others"},
       {"Grid",
        "301 to 2,048 spheres of like radii that fill their box, of which rows of eight are near many others"},
@@ -143,13 +144,15 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
   constexpr double widest = 0x1p60, full = 0.2, very_dense = 10, most_meet = 0.7;
   constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
-    if (extent.greatest_radius > widest * extent.least_radius && !spheres.empty() && growth(spheres) > widest)
-      return &info(horn);
     if (extent.greatest_radius < std::numeric_limits<float>::min() && subnormals_are_slow())
       return &info(subnormal);
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius;
     if (n <= few) {
+      // A tree in the chain's order alone has no scale for all of these.
+      if (!spheres.empty() && extent.greatest_radius > widest * extent.least_radius &&
+          growth(spheres) > widest)
+        return &info(short_horn);
       // The chain's order is the only one that scales its numbers.
       if (!squares_in_range(extent.greatest_radius) && filled <= sparse) return &info(short_extreme);
       if (spheres.empty()) return nullptr;
