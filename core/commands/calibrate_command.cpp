@@ -30,12 +30,6 @@ class CalibrateCommand final : public Command {
       throw InputError(fmt::format("cannot make {}: {}", file.parent_path().string(), fault.message()));
     write_file(file, calibration_text(machine));
     json_ ? print_json(machine, file) : print_text(machine, file);
-    for (const std::string& variant : hardly_helped_by_threads(machine))
-      fmt::print(
-          stderr,
-          "catena: {} took hardly less by {} cores than by one, as where other work keeps them busy; plans "
-          "will take one thread until calibrate is run again\n",
-          variant, machine.cores);
     return 0;
   }
 
@@ -50,11 +44,18 @@ class CalibrateCommand final : public Command {
     if (const std::uint32_t n = crossover(machine); n > 0)
       fmt::print("a hierarchy pays from {} spheres on\n", n);
     fmt::print("kept in {}\n", file.string());
+    for (const std::string& variant : hardly_helped_by_threads(machine))
+      fmt::print(
+          stderr,
+          "catena: {} took hardly less by {} cores than by one, as where other work keeps them busy; plans "
+          "will take one thread until calibrate is run again\n",
+          variant, machine.cores);
   }
 
   static void print_json(const Machine& machine, const std::filesystem::path& file) {
     nlohmann::ordered_json line{{"file", file.string()},
                                 {"crossover", crossover(machine)},
+                                {"hardly_helped", hardly_helped_by_threads(machine)},
                                 {"costs", nlohmann::ordered_json::array()}};
     for (const Machine::VariantCost& v : machine.costs)
       line["costs"].push_back({{"variant", v.variant},
