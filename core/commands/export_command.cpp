@@ -164,9 +164,8 @@ class ExportCommand final : public Command {
     if (!info.box && !input.boxes.empty()) say("box; give it with --box when it is read, or export to .xyz");
   }
 
-  /// No format has arc lengths but those of the spheres in it; frames keep those of
-  /// frame 0, and a thinned chain those of the whole. Once, of the first frame whose neighbours may be others
-  /// when it is read.
+  /// No format has arc lengths but those of the spheres in it; frames keep those of frame 0, and a thinned
+  /// chain those of the whole. Once, of the first frame whose neighbours may be others when it is read.
   void say_lost_arcs(const Chain& chain) {
     const ExclusionView view = chain.view().exclusion;
     if (said_arcs_ || view.rule != Exclusion::Rule::arc_window) return;
