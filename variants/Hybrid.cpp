@@ -2,6 +2,7 @@
 
 #include "catena/core/blocks/told_exact.h"
 #include "catena/core/blocks/told_rows.h"
+#include "catena/core/counted.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/grid/told_radii.h"
 #include "catena/core/hybrid/hybrid_search.h"
@@ -31,7 +32,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
                             search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)}};
     if (search_.sorts()) steps.push_back(search_.told_order());
     steps.push_back(
-        {"single spheres", work.dense == 0, fmt::format("{} spheres have much near them", work.dense)});
+        {"single spheres", work.dense == 0, fmt::format("{} with much near", counted(work.dense, "sphere"))});
     steps.push_back(told_radii(search_.equal_radii()));
     steps.push_back(told_exact(work.open, search_.settings().doubt));
     return steps;
@@ -50,9 +51,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   }
 
  private:
-  void construct(const ChainView& chain) override {
-    search_.build(chain, team_);
-  }
+  void construct(const ChainView& chain) override { search_.build(chain, team_); }
   void construct_again(const ChainView& chain) override {
     search_.build(chain, team_, SpaceSort::where_needed);
   }

@@ -200,6 +200,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
 
   void tell_of_rivals(Plan& steps) const {
     const Rivals::Contender& leader = rivals_.leader();
+    steps.front().estimate_ms.reset();  // of the planned one
     steps.front().reason += fmt::format("; {} in its place, which took {:.3g} ms where {:.3g} were taken",
                                         plan_->named(leader), rivals_.leader_ms(), rivals_.other_ms());
     for (Decision& step : steps)

@@ -6,6 +6,7 @@
 #include "catena/bench/closed_form/lattice_options.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
+#include "catena/core/counted.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
@@ -49,11 +50,10 @@ class ClosedFormCommand final : public Command {
       fmt::print("{}\n", json_line(line));
     } else {
       fmt::print(
-          "{}: {} spheres; closed form {} pairs, {} of them exact ties\n{}: {} pairs, {}; build {:.3f} ms, "
-          "find "
-          "{:.3f} ms\n",
-          box.scene(), chain.size(), box.pairs(), box.ties(), variant_, found.pair_count,
-          wrong.empty() ? "right" : "WRONG: " + wrong, t.build_ms, t.find_ms);
+          "{}: {}; closed form {}, {} of them exact ties\n{}: {}, {}; build {:.3f} ms, find {:.3f} ms\n",
+          box.scene(), counted(chain.size(), "sphere"), counted(box.pairs(), "pair"), box.ties(), variant_,
+          counted(found.pair_count, "pair"), wrong.empty() ? "right" : "WRONG: " + wrong, t.build_ms,
+          t.find_ms);
     }
     return wrong.empty() ? 0 : 1;
   }

@@ -9,6 +9,7 @@
 
 #include "catena/bench/counts/count_work.h"
 #include "catena/bench/fit/least_squares.h"
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 
@@ -59,8 +60,8 @@ Growth measure_growth(const std::string& scene, const VariantInfo& variant, std:
     if (!work)
       throw InputError(fmt::format("{} does not count what it compares; see catena list", variant.name));
     if (!growth.points.empty() && chain.size() <= growth.points.back().n)
-      throw InputError(fmt::format("{} has {} spheres at every n; leave out what sets another number", scene,
-                                   chain.size()));
+      throw InputError(fmt::format("{} has {} at every n; leave out what sets another number", scene,
+                                   counted(chain.size(), "sphere")));
     growth.points.push_back({chain.size(), work->pair_tests + work->node_visits});
   }
 }

@@ -36,7 +36,8 @@ TEST_F(GrowthProgram, TellsTheLawThatItFitted) {
 }
 
 TEST_F(GrowthProgram, SaysWhatIsAboveTheLaw) {
-  expect_says("growth yarn --n 32000 --variant CPU1", 0, {"ABOVE", "      1000         498501     498.5 a sphere"});
+  expect_says("growth yarn --n 32000 --variant CPU1", 0,
+              {"ABOVE", "      1000         498501     498.5 a sphere"});
   EXPECT_EQ(
       nlohmann::json::parse(run("growth yarn --n 32000 --variant CPU1 --json").output)["within_four_thirds"],
       false);

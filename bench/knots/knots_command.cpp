@@ -13,6 +13,7 @@
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/input/naming.h"
 #include "catena/core/one_line.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/thrown.h"
@@ -59,8 +60,10 @@ class KnotsCommand final : public Command {
     const auto variant = blaming(variant_, [&] { return StrategyRegistry::instance().make(variant_); });
     bool faulty = false;
     for (const KnownKnot& knot : knots()) {
-      const KnotVerdict v =
-          blaming(variant_, [&] { return judge_knot(*variant, knot.published, knot.centres, knot.blur); });
+      const KnotVerdict v = naming(knot.input, [&] {
+        return blaming(variant_,
+                       [&] { return judge_knot(*variant, knot.published, knot.centres, knot.blur); });
+      });
       faulty |= !v.within();
       json_ ? print_json(knot.input, v) : print(knot.input, v);
     }
@@ -118,7 +121,8 @@ class KnotsCommand final : public Command {
         v.bounds.least, v.bounds.most, v.shape.longest_edge, counted(v.contacts, "contact"),
         v.contacts_at_most);
     if (!v.published.struts_of.empty())
-      fmt::print("  struts     are of {}: no more is asked than that as many fit in\n", v.published.struts_of);
+      fmt::print("  struts     are of {}: no more is asked than that as many fit in\n",
+                 v.published.struts_of);
     fmt::print("  {}\n", v.within() ? "within" : "NOT WITHIN: " + v.fault());
   }
 

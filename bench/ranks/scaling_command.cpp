@@ -8,6 +8,7 @@
 #include "catena/core/commands/input_options.h"
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/show_warnings.h"
+#include "catena/core/counted.h"
 #include "catena/core/input/scene_input.h"
 #include "catena/core/one_line.h"
 
@@ -46,9 +47,8 @@ class ScalingCommand final : public Command {
       fmt::print("{}\n", json_line(line));
       return 0;
     }
-    fmt::print(
-        "{}: {} spheres; of a rank that has the most, and blocks asked for over blocks that truly touch\n",
-        one_line(input_), chain.size());
+    fmt::print("{}: {}; of a rank that has the most, and blocks asked for over blocks that truly touch\n",
+               one_line(input_), counted(chain.size(), "sphere"));
     const auto ms = [&](const std::string& text) {
       return timed_.empty() ? "" : fmt::format(" {:>9}", text);
     };

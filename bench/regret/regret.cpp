@@ -31,11 +31,14 @@ double processor_ms() {
   return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
 }
 
+/// For all searches, or for each.
+enum class Made { once, anew };
+
 /// A variant that stands on a workload's first chain, and gave the right answer.
 class Contender {
  public:
-  Contender(const std::string& name, const Workload& work)
-      : name_(name), chain_(work.chains.front()), variant_(work.make(name)) {
+  Contender(const std::string& name, const Workload& work, Made made)
+      : name_(name), work_(work), chain_(work.chains.front()), made_(made), variant_(work.make(name)) {
     pass();
     const auto comparison = reference::compare(chain_, work.exact.front(), found_);
     if (!comparison.right())
@@ -78,12 +81,15 @@ class Contender {
 
  private:
   void pass() {
+    if (made_ == Made::anew) variant_.reset(), variant_ = work_.make(name_);
     variant_->build(chain_);
     variant_->find(chain_, {}, found_);
   }
 
   std::string name_;
+  const Workload& work_;
   const Chain& chain_;
+  const Made made_;
   std::unique_ptr<Variant> variant_;
   Collisions found_;
   std::size_t passes_ = 1;
@@ -111,9 +117,9 @@ bool alone(const Variant& planned) {
 }
 
 /// Null when it refuses the chain.
-std::unique_ptr<Contender> contender(const std::string& name, const Workload& work) {
+std::unique_ptr<Contender> contender(const std::string& name, const Workload& work, Made made = Made::once) {
   try {
-    return blaming(name, [&] { return std::make_unique<Contender>(name, work); });
+    return blaming(name, [&] { return std::make_unique<Contender>(name, work, made); });
   } catch (const CapacityError&) {
     return nullptr;
   }
@@ -145,6 +151,8 @@ std::unique_ptr<Contender> quickest(const std::vector<VariantInfo>& variants, co
 
 }  // namespace
 
+double Regret::first_median() const { return median(first_ms); }
+double Regret::best_first_median() const { return median(best_first_ms); }
 double Regret::auto_median() const { return median(auto_ms); }
 double Regret::best_median() const { return median(best_ms); }
 
@@ -157,7 +165,8 @@ std::vector<VariantInfo> regret_variants(std::vector<VariantInfo> all) {
   return all;
 }
 
-Regret regret(const WorkloadSpec& spec, const std::vector<VariantInfo>& others, const RegretEffort& effort) {
+Regret regret(const WorkloadSpec& spec, const std::vector<VariantInfo>& others, const RegretEffort& effort,
+              const std::string& of) {
   constexpr double most_overlaps = 2e7;  // beyond, every variant does little but write pairs
   Regret result{.input = label_of(spec)};
   try {
@@ -171,23 +180,28 @@ Regret regret(const WorkloadSpec& spec, const std::vector<VariantInfo>& others, 
   }
   if (!result.left_out.empty()) return result;
   const auto work = workload(spec);
-  const auto planned = contender("auto", *work);
-  result.left_out = "auto refuses it";
-  if (planned == nullptr) return result;
-  planned->settle();
+  const auto fresh = contender(of, *work, Made::anew), settled = contender(of, *work);
+  result.left_out = of + " refuses it";
+  if (fresh == nullptr || settled == nullptr) return result;
+  settled->settle();
+  const auto both_alone = [&] { return alone(fresh->variant()) && alone(settled->variant()); };
   // What it takes may still change its mind, and time of the processor is no measure of several threads.
-  for (result.processor = alone(planned->variant());; result.processor = false) {
+  for (result.processor = both_alone();; result.processor = false) {
     const auto best = quickest(others, *work, result.processor, effort);
     result.left_out = "no other variant takes it";
     if (best == nullptr) return result;
     result.left_out.clear();
-    planned->try_out(result.processor, effort.least_ms);
-    auto ms = in_turns({planned.get(), best.get()}, result.processor, effort.rounds, effort);
-    result.chosen = planned->mostly_by();
+    const auto best_fresh = contender(best->name(), *work, Made::anew);
+    const std::vector<Contender*> all{fresh.get(), best_fresh.get(), settled.get(), best.get()};
+    for (Contender* const c : {fresh.get(), best_fresh.get(), settled.get()})
+      c->try_out(result.processor, effort.least_ms);
+    auto ms = in_turns(all, result.processor, effort.rounds, effort);
+    result.first = fresh->variant().answered_by();
+    result.chosen = settled->mostly_by();
     result.best = best->name();
-    result.auto_ms = std::move(ms[0]);
-    result.best_ms = std::move(ms[1]);
-    if (!result.processor || alone(planned->variant())) return result;
+    result.first_ms = std::move(ms[0]), result.best_first_ms = std::move(ms[1]);
+    result.auto_ms = std::move(ms[2]), result.best_ms = std::move(ms[3]);
+    if (!result.processor || both_alone()) return result;
   }
 }
 
@@ -199,9 +213,15 @@ std::vector<WorkloadSpec> all_scenes(std::uint32_t n) {
 }
 
 nlohmann::ordered_json to_json(const Regret& regret) {
-  return {{"input", regret.input},     {"chosen", regret.chosen},
-          {"best", regret.best},       {"clock", regret.processor ? "processor" : "wall"},
-          {"auto_ms", regret.auto_ms}, {"best_ms", regret.best_ms}};
+  return {{"input", regret.input},
+          {"first", regret.first},
+          {"chosen", regret.chosen},
+          {"best", regret.best},
+          {"clock", regret.processor ? "processor" : "wall"},
+          {"first_ms", regret.first_ms},
+          {"best_first_ms", regret.best_first_ms},
+          {"auto_ms", regret.auto_ms},
+          {"best_ms", regret.best_ms}};
 }
 
 }  // namespace catena::bench

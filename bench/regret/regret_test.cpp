@@ -30,6 +30,10 @@ TEST(Regret, HoldsAutoAgainstTheQuickestOfTheOthers) {
     EXPECT_EQ(r.auto_ms.size(), r.best_ms.size());
     EXPECT_GE(r.auto_ms.size(), 3u);
     EXPECT_GT(r.ratio(), 0);
+    EXPECT_EQ(r.first_ms.size(), r.best_first_ms.size());
+    EXPECT_GE(r.first_ms.size(), 3u);
+    EXPECT_GT(r.first_ratio(), 0);
+    EXPECT_FALSE(r.first.empty());
   }
   EXPECT_EQ(few.n, 8u);
   EXPECT_EQ(many.input, "yarn/n:3000");
@@ -40,8 +44,10 @@ TEST(Regret, OfSeveralThreadsIsByTheWallClock) {
   const std::vector<VariantInfo> one{registry().describe("Hybrid")};
   for (const char* input : {"slender:n=8000", "rod:n=100"}) {
     const Regret r = regret({input}, one, little());
-    const bool alone = r.chosen.find("threads=") == std::string::npos && !r.chosen.starts_with("Device");
-    EXPECT_EQ(r.processor, alone) << r.chosen;
+    const auto alone = [](const std::string& name) {
+      return name.find("threads=") == std::string::npos && !name.starts_with("Device");
+    };
+    EXPECT_EQ(r.processor, alone(r.first) && alone(r.chosen)) << r.first << ", then " << r.chosen;
   }
 }
 
@@ -93,14 +99,53 @@ TEST(Regret, IsOfOnePassOfEachAndOfWhoTakesLeast) {
     EXPECT_GT(Busy::calls, 60u) << "15 passes a sample";
     EXPECT_TRUE(r.processor);
   }
-  Regret told{
-      .input = "a/n:1", .chosen = "A", .best = "B", .processor = true, .auto_ms = {1}, .best_ms = {2}};
+  Regret told{.input = "a/n:1",
+              .first = "F",
+              .chosen = "A",
+              .best = "B",
+              .processor = true,
+              .first_ms = {9},
+              .best_first_ms = {3},
+              .auto_ms = {1},
+              .best_ms = {2}};
+  EXPECT_EQ(to_json(told)["first"], "F");
+  EXPECT_EQ(to_json(told)["first_ms"], told.first_ms);
+  EXPECT_EQ(to_json(told)["best_first_ms"], told.best_first_ms);
+  EXPECT_EQ(told.first_ratio(), 3);
   EXPECT_EQ(to_json(told)["clock"], "processor");
   told.processor = false;
   EXPECT_EQ(to_json(told)["clock"], "wall");
   EXPECT_EQ(to_json(told)["auto_ms"], told.auto_ms);
   EXPECT_EQ(to_json(told)["best_ms"], told.best_ms);
   EXPECT_EQ(told.ratio(), 0.5);
+}
+
+/// Who searches slowly until he has settled on another.
+class Settling final : public Variant {
+ public:
+  void build(const Chain& chain) override { first_.build(chain), later_.build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    (searches_++ < 5 ? first_ : later_).find(chain, request, result);
+  }
+  Timings timings() const override { return {}; }
+  std::string answered_by() const override { return searches_ <= 5 ? "at once" : "settled"; }
+
+ private:
+  Busy first_{1.2, false}, later_{0.1, false};
+  int searches_ = 0;
+};
+
+/// One who searches once has what was chosen at once, whatever many searches would have settled on.
+TEST(Regret, OfTheFirstChoiceShowsThoughManySearchesMendIt) {
+  StrategyRegistry::instance().add_variant(
+      {.name = "Settling", .summary = "slow at once"}, arithmetic_info<Robust>(),
+      [](const Parameters&) { return std::make_unique<Settling>(); }, true);
+  const Regret r = regret({"path1:n=8"}, {busy("BusyAsSettled", 0.3)},
+                          {.seconds = 0.3, .rounds = 9, .least_ms = 1}, "Settling");
+  EXPECT_EQ(r.first, "at once");
+  EXPECT_EQ(r.chosen, "settled");
+  EXPECT_GT(r.first_ratio(), 2) << "4 times 0.3 ms";
+  EXPECT_LT(r.ratio(), 0.8) << "a third of 0.3 ms";
 }
 
 /// What took less than twice the least when it was tried is timed in turns; what took more was tried alone.

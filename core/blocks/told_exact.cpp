@@ -8,8 +8,9 @@ namespace catena {
 
 Decision told_exact(std::uint64_t open, float doubt) {
   return {"exact stage where binary32 is certain", doubt == 1,
-          fmt::format("{} of spheres {} decided beyond binary32", counted(open, "pair"),
-                      open == 1 ? "was" : "were")};
+          doubt == 1 ? fmt::format("it was of all but {} of spheres", counted(open, "pair"))
+                     : fmt::format("{} of spheres decided beyond binary32, whether it was or not",
+                                   counted(open, "pair"))};
 }
 
 ParameterInfo exact_parameter() {

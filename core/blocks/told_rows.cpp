@@ -6,8 +6,9 @@ namespace catena {
 
 Decision told_rows(std::uint32_t rows, std::uint32_t nodes) {
   return {"search within straight stretches", rows > 0,
-          fmt::format("in {} of {} nodes of 128 spheres blocks follow one another along an axis", rows,
-                      nodes)};
+          nodes == 0 ? "too few spheres for a node of 128"
+                     : fmt::format("in {} of {} nodes of 128 spheres blocks follow one another along an axis",
+                                   rows, nodes)};
 }
 
 ParameterInfo rows_parameter() {

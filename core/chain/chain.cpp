@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "catena/core/chain/make_topology.h"
+#include "catena/core/counted.h"
 #include "catena/core/default_floats.h"
 #include "catena/core/error.h"
 #include "catena/core/sphere_vector.h"
@@ -86,8 +87,8 @@ Chain::Chain(std::vector<Sphere> spheres, std::shared_ptr<const Topology> topolo
 
 Chain Chain::moved(std::vector<Sphere> spheres) const {
   if (spheres.size() != spheres_.size())
-    throw InputError(
-        fmt::format("a moved chain must keep its {} spheres, got {}", spheres_.size(), spheres.size()));
+    throw InputError(fmt::format("a moved chain must keep its {}, got {}", counted(spheres_.size(), "sphere"),
+                                 spheres.size()));
   return Chain(std::move(spheres), topology_);
 }
 

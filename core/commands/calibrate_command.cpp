@@ -38,17 +38,24 @@ class CalibrateCommand final : public Command {
     fmt::print("{:<24} {:>12} {:>14} {:>12} {:>12} {:>12} {:>10}\n", "variant", "fixed, us", "a sphere, ns",
                "a pair, ns", "threads, us", "serial", "start, ms");
     for (const Machine::VariantCost& v : machine.costs)
-      fmt::print("{:<24} {:>12.3g} {:>14.3g} {:>12.3g} {:>12.3g} {:>12.3g} {:>10.3g}\n", v.variant, v.cost.fixed_us,
-                 v.cost.sphere_ns, v.cost.sphere_pair_ns, v.cost.team_us, v.cost.serial,
+      fmt::print("{:<24} {:>12.3g} {:>14.3g} {:>12.3g} {:>12.3g} {:>12.3g} {:>10.3g}\n", v.variant,
+                 v.cost.fixed_us, v.cost.sphere_ns, v.cost.sphere_pair_ns, v.cost.team_us, v.cost.serial,
                  v.cost.start_ms);
     if (const std::uint32_t n = crossover(machine); n > 0)
       fmt::print("a hierarchy pays from {} spheres on\n", n);
     fmt::print("kept in {}\n", file.string());
+    for (const std::string& variant : hardly_helped_by_threads(machine))
+      fmt::print(
+          stderr,
+          "catena: {} took hardly less by {} cores than by one, as where other work keeps them busy; plans "
+          "will take one thread until calibrate is run again\n",
+          variant, machine.cores);
   }
 
   static void print_json(const Machine& machine, const std::filesystem::path& file) {
     nlohmann::ordered_json line{{"file", file.string()},
                                 {"crossover", crossover(machine)},
+                                {"hardly_helped", hardly_helped_by_threads(machine)},
                                 {"costs", nlohmann::ordered_json::array()}};
     for (const Machine::VariantCost& v : machine.costs)
       line["costs"].push_back({{"variant", v.variant},

@@ -107,6 +107,26 @@ std::string refusal_of_an_option(const std::string& text) {
                                 : "";
 }
 
+/// The option that no command of this name has; empty: it is not that.
+std::string unknown_option(const CLI::App& command) {
+  const auto left = command.remaining();
+  const std::string name = left.empty() ? "" : left.front().substr(0, left.front().find('='));
+  return name.size() > 1 && name.starts_with("-") ? name : "";
+}
+
+/// A command of one process takes it.
+bool known_without_ranks(const std::string& option, const std::string& command) {
+  for (const CommandInfo& info : CommandRegistry::instance().commands()) {
+    if (info.name != command) continue;
+    CLI::App alone;
+    OptionParser parser(alone);
+    const auto made = info.make();
+    made->configure(parser);
+    return alone.get_option_no_throw(option) != nullptr;
+  }
+  return false;
+}
+
 /// What is wrong with the arguments of a command.
 std::string words_of(const CLI::ParseError& wrong, const CLI::App& command) {
   std::vector<std::string> known;
@@ -124,8 +144,7 @@ std::string words_of(const CLI::ParseError& wrong, const CLI::App& command) {
     return takes > 1 ? fmt::format("{} takes {} values", name, takes) : name + " lacks a value";
   }
   if (left.empty()) return words;
-  const std::string name = left.front().substr(0, left.front().find('='));
-  if (name.size() > 1 && name.starts_with("-"))
+  if (const std::string name = unknown_option(command); !name.empty())
     return fmt::format("there is no option {} here{}", name, did_you_mean(name, known));
   return fmt::format("{} is one argument too many", left.front());
 }
@@ -213,10 +232,12 @@ std::unique_ptr<Command> parse_command_line(int argc, char** argv, bool by_ranks
       throw InputError(fmt::format("no command is named '{}'{}; see catena --help", unknown.front(),
                                    did_you_mean(unknown.front(), names)));
     const auto command = app.get_subcommands();
-    throw InputError(command.empty()
-                         ? fmt::format("{}; see catena --help", wrong.what())
-                         : fmt::format("{}; see catena {} --help", words_of(wrong, *command.front()),
-                                       command.front()->get_name()));
+    if (command.empty()) throw InputError(fmt::format("{}; see catena --help", wrong.what()));
+    const std::string name = command.front()->get_name(), option = unknown_option(*command.front());
+    if (by_ranks && !option.empty() && known_without_ranks(option, name))
+      throw InputError(fmt::format("ranks do not share {} {}; leave out mpirun", name, option));
+    throw InputError(fmt::format("{}; see {}catena {} --help", words_of(wrong, *command.front()),
+                                 by_ranks ? "mpirun -n 2 " : "", name));
   }
   return std::move(*chosen);
 }

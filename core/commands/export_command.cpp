@@ -120,7 +120,8 @@ class ExportCommand final : public Command {
  private:
   ExportedFrame exported(const Input& input, std::uint32_t f, bool first) {
     ExportedFrame frame{input.animation->frame(f)};
-    say_lost_arcs(frame.chain);
+    // What holds all frames is read back with the neighbours of its first.
+    if (first || !WriterRegistry::instance().of(out_).info.frames) say_lost_arcs(frame.chain);
     if (!search_) return frame;
     frame.box = box_of(input.boxes, f);
     go_to_frame(periodic_, input.boxes, f);
@@ -163,14 +164,11 @@ class ExportCommand final : public Command {
     if (!info.box && !input.boxes.empty()) say("box; give it with --box when it is read, or export to .xyz");
   }
 
-  /// A format that has the arc window has no arc lengths but those of the spheres in it; frames keep those of
-  /// frame 0, and a thinned chain those of the whole. Once, of the first frame whose neighbours may be others
-  /// when it is read.
+  /// No format has arc lengths but those of the spheres in it; frames keep those of frame 0, and a thinned
+  /// chain those of the whole. Once, of the first frame whose neighbours may be others when it is read.
   void say_lost_arcs(const Chain& chain) {
     const ExclusionView view = chain.view().exclusion;
-    if (said_arcs_ || view.rule != Exclusion::Rule::arc_window ||
-        !WriterRegistry::instance().of(out_).info.rule)
-      return;
+    if (said_arcs_ || view.rule != Exclusion::Rule::arc_window) return;
     const Chain read({chain.spheres().begin(), chain.spheres().end()}, chain.strands(), chain.exclusion());
     const ExclusionView then = read.view().exclusion;
     if (std::equal(view.arc, view.arc + chain.size(), then.arc) &&

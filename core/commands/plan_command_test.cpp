@@ -105,6 +105,7 @@ TEST_F(PlanProgram, UsesTheFiguresThatCalibrateKeepsAndSaysSoWhenTheyAreDamaged)
   EXPECT_NE(r.output.find("built-in figures"), std::string::npos) << r.output;
   const auto told = json("calibrate --json");
   EXPECT_GT(told["crossover"], 1);
+  EXPECT_TRUE(told["hardly_helped"].is_array());
   std::istringstream kept(text_of(figures()));
   std::string line;
   std::getline(kept, line), std::getline(kept, line);  // what it is, and of which processor

@@ -76,6 +76,18 @@ TEST_F(Program, SaysWhatAnExportLoses) {
     for (int k = 0; k < 9; ++k) frames += "C " + std::to_string(step * k) + " 0 0\n";
   }
   const std::string two = write("two.xyz", frames) + " --radius 0.6 --arc-window 1";
+  for (const char* const out : {"a.csv", "a.vtp", "a.obj", "a.xyz"})
+    for (const char* const frame : {"0", "1", "all"}) {
+      const ProgramOutcome r = run("export " + two + " --frame " + frame + " '" + file(out) + "'");
+      EXPECT_EQ(r.code, 0) << r.output;
+      // Frames in one file keep those of its first again when they are read.
+      const bool lost = *frame == '1' || (*frame == 'a' && std::string_view(out) != "a.xyz");
+      EXPECT_EQ(r.output.find("holds no arc lengths of another frame") != std::string::npos, lost)
+          << out << " of " << frame << ": " << r.output;
+    }
+  for (const char* const out : {"a.csv", "a.vtp", "a.obj", "a.xyz", "a.chain", "a.catena"})
+    expect_says("export path1:n=2000,spacing=0.1 --arc-window pi/2 --tolerance 0.05 '" + file(out) + "'", 0,
+                {"holds no arc lengths of another frame, nor of spheres left out"});
   for (const char* const out : {"a.chain", "a.catena"})
     for (const int frame : {0, 1}) {
       const std::string of = " --frame " + std::to_string(frame);

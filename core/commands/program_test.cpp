@@ -60,7 +60,7 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
                  "nothing published is carried of a knot '9_47'; there are 3_1_328");
   expect_refused("knots tight_knot:n=100 --knot 3_1 --ropelength 33", "excludes");
   expect_refused("knots tight_knot:n=100 --ropelength -1", "--ropelength");
-  expect_refused("knots path1:n=100 --ropelength 33", "strand 0 is open");
+  expect_refused("knots path1:n=100 --ropelength 33", "path1:n=100: strand 0 is open");
   expect_refused("knots " + examples + "9_47-cubiclattice.txt --knot knotted", "say --closed");
   expect_refused("knots nowhere.vect --knot 3_1", "nowhere.vect");
   expect_refused("growth serpentine:side=10 --n 32000", "serpentine:side=10 has 1000 spheres at every n");
@@ -76,6 +76,8 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("report --from R --scene nosuch", "excludes");
   expect_refused("knots torus_knot:n=64 --thickness 1e308", "the thickness told does not fit into binary32");
   expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from");
+  expect_says("growth --help", 0, {"32,000 or more"});
+  expect_says("scaling path1:n=1", 0, {"path1:n=1: 1 sphere; of a rank"});
   expect_refused("pivot --n 1", "--n: 1 is not a whole number from");
   expect_refused("pivot --n 5e6 --rotations any", "--n must be at most 2^22 with --rotations any");
   expect_refused("pivot --n 50 --rotations some", "--rotations: some is none of lattice, any");
@@ -207,6 +209,17 @@ TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {
   const std::string last =
       write("last.xyzr", std::string((3 << 20) / 2, '\n') + "0 0 0 1\n9 0 0 1\n0 1 0 1\n");
   expect_says("detect - --format xyzr < " + last, 0, {"3 spheres, 1 pair"});
+}
+
+// Some open their input again, for the reference or for each section.
+TEST_F(Program, TakesStandardInputWhereverItTakesAFile) {
+  const std::string from = " - --format vtp < " + examples + "branch.vtp";
+  for (const std::string command :
+       {"detect", "detect --frame all", "verify --variant CPU1", "plan", "plan --run", "margins", "scaling",
+        "examine", "regret --variant CPU1 --rounds 2 --seconds 0.01", "stability --variant CPU1",
+        "verify --variant aCPU2+CPU2 --certify"})
+    expect_says(command + from, 0, {});
+  expect_says("export - " + file("of.csv") + from.substr(2), 0, {"7 spheres"});
 }
 
 // Where nobody can be asked, nothing was verified, and that is no success.

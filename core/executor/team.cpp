@@ -26,7 +26,9 @@ Team::Team(const Parameters& parameters)
 Team::~Team() = default;
 
 unsigned Team::member() const {
-  return size_ == 1 ? 0 : static_cast<unsigned>(oneapi::tbb::this_task_arena::current_thread_index());
+  // Outside a body it is the number in an arena of the caller's, or none.
+  const auto at = static_cast<unsigned>(oneapi::tbb::this_task_arena::current_thread_index());
+  return at < size_ ? at : 0;
 }
 
 // Compiled without ThreadSanitizer, which does not see how oneTBB hands its ranges over.

@@ -23,7 +23,7 @@ class CATENA_API Team {
   Team& operator=(const Team&) = delete;
 
   unsigned size() const { return size_; }
-  /// The number of the calling thread below size(), in a range's body.
+  /// The number of the calling thread below size(), in a range's body; elsewhere any below size().
   unsigned member() const;
 
   /// body(begin, end) for ranges that part 0 .. n, at most about `grain` long, by any members at a time. May

@@ -84,5 +84,11 @@ TEST(Team, MayBeCalledByATeam) {
   EXPECT_EQ(done, 64);
 }
 
+/// Who sorts little does so at once, outside a body.
+TEST(Team, HasAMemberBelowItsSizeOutsideABody) {
+  const Team team(Parameters("test", {Team::threads_parameter()}, "threads=0"));
+  EXPECT_LT(team.member(), team.size());
+}
+
 }  // namespace
 }  // namespace catena

@@ -20,9 +20,9 @@ Plan FrameSearch::plan() const {
     case Way::full:
       break;
     case Way::unmoved:
-      return {left_out(Omission::unmoved, fmt::format("none of {} spheres differs", n), saved)};
+      return {left_out(Omission::unmoved, fmt::format("none of {} differs", counted(n, "sphere")), saved)};
     case Way::parts:
-      return {left_out(Omission::still_parts, fmt::format("{} of {} spheres moved", moved_, n),
+      return {left_out(Omission::still_parts, fmt::format("{} of {} moved", moved_, counted(n, "sphere")),
                        fmt::format("all but {} of {}", counted(compared_, "run"), RunTree::run))};
     case Way::shifted:
       return {left_out(
@@ -30,9 +30,10 @@ Plan FrameSearch::plan() const {
           fmt::format("sphere i is what i {} {} was, of {}", shift_ < 0 ? '-' : '+', std::abs(shift_), n),
           fmt::format("all but {} of {}", counted(compared_, "run"), RunTree::run))};
     case Way::kept_list:
-      return {left_out(Omission::far_pairs,
-                       fmt::format("each of {} spheres is within a skin of {:.3g}", n, list_->skin()),
-                       fmt::format("all but {} whose state may change", counted(compared_, "pair")))};
+      return {
+          left_out(Omission::far_pairs,
+                   fmt::format("each of {} is within a skin of {:.3g}", counted(n, "sphere"), list_->skin()),
+                   fmt::format("all but {} whose state may change", counted(compared_, "pair")))};
   }
   return {{"search of the whole frame", false, why_full(), std::nullopt, full_ms_}};
 }

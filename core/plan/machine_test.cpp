@@ -206,6 +206,16 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
 }
 
 /// By the figures of the host's variants, whatever a device takes.
+/// As a loaded machine measures it; a variant that knows no threads is no such sign, nor is one core.
+TEST(Calibrate, NamesWhomThreadsHardlyHelped) {
+  Machine machine;
+  machine.cores = 2;
+  machine.costs = {{"Hybrid", {{}, 0.999}}, {"Grid", {{}, 0.3}}, {"ChainTree", {{}, 1}}};
+  EXPECT_EQ(hardly_helped_by_threads(machine), std::vector<std::string>{"Hybrid"});
+  machine.cores = 1;
+  EXPECT_EQ(hardly_helped_by_threads(machine), std::vector<std::string>{});
+}
+
 TEST(Calibrate, TellsFromHowManySpheresOnATreeIsCheaper) {
   const auto machine = [](double fixed_us, double pair_ns) {
     return Machine{{{"pairs", {{.sphere_pair_ns = pair_ns}}, false, true},

@@ -1,6 +1,7 @@
 #include "catena/core/plan/row_look.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -36,17 +37,19 @@ double along_the_axes(const Sphere& a, const Sphere& b) {
 }  // namespace
 
 RowLook RowLook::at(std::span<const Sphere> spheres) {
-  constexpr std::uint32_t least = 4, few = 16;
-  const auto rows = static_cast<std::uint32_t>(spheres.size() / row_size), some = rows < few ? 2u : 4u;
+  constexpr std::uint32_t least = 4, few = 16, most = 4;
+  const auto rows = static_cast<std::uint32_t>(spheres.size() / row_size), some = rows < few ? 2u : most;
   RowLook look;
   if (rows < least) return look;
-  std::uint32_t near = 0, looks = 0, taken = 0;
-  double across = 0, along = 0;
+  std::uint32_t near = 0, looks = 0, taken = 0, gone = 0;
+  std::array<double, 2 * most> straight;
   const auto take = [&](std::uint32_t own) {
     const Sphere* const first = spheres.data() + own * row_size;
-    across += along_the_axes(first[0], first[row_size - 1]);
+    double steps = 0;
     for (const std::uint32_t at : {0u, row_size / 2 - 1, row_size - 2})
-      along += along_the_axes(first[at], first[at + 1]);
+      steps += along_the_axes(first[at], first[at + 1]);
+    if (steps > 0)
+      straight[gone++] = 3 * along_the_axes(first[0], first[row_size - 1]) / ((row_size - 1) * steps);
     const RowBox box(first);
     for (std::uint32_t apart = 2; apart < rows; apart *= 2) {
       // Those from `apart` to 2 apart - 1 away.
@@ -61,11 +64,18 @@ RowLook RowLook::at(std::span<const Sphere> spheres) {
     }
     ++taken;
   };
-  for (std::uint32_t k = 0; k < some; ++k) take((2 * k + 1) * rows / (2 * some));
+  // Not quite at even distances, which are whole strands where numbers are round.
+  const auto place = [&](std::uint32_t k) {
+    return k * rows / (2 * some) + scattered(k, std::min(rows / (2 * some), 7u));
+  };
+  for (std::uint32_t k = 0; k < some; ++k) take(place(2 * k + 1));
   if (near > 0 && rows >= few)  // or nothing more will be found
-    for (std::uint32_t k = 0; k < some; ++k) take(k * rows / some);
+    for (std::uint32_t k = 0; k < some; ++k) take(place(2 * k));
   look.near = static_cast<double>(near) / taken;
-  if (along > 0) look.straight = across / ((row_size - 1) * along / 3);
+  if (gone > 0) {  // that of the middle ones: a row that jumps would outweigh all others
+    std::sort(straight.begin(), straight.begin() + gone);
+    look.straight = (straight[(gone - 1) / 2] + straight[gone / 2]) / 2;
+  }
   return look;
 }
 

@@ -12,8 +12,8 @@ struct RowLook {
   /// with one at every distance along the chain, doubled from one to the next. So what is near along the
   /// chain and what is near by chance tell alike.
   double near = 0;
-  /// From the first of a row to the last, of the way along it: a seventh or less where spheres that follow
-  /// one another lie anywhere.
+  /// From the first of a row to the last, of the way along it, of the middle one: a seventh or less where
+  /// spheres that follow one another lie anywhere.
   double straight = 1;
 
   /// That of fewer than four rows is the default. O(log n).

@@ -248,7 +248,7 @@ Plan SearchPlan::steps() const {
   Plan plan{
       {"choice of variant", false,
        variant_with_threads() + " by " + (kind_ != nullptr ? kind_->reason : machine_.source) + gave_way_,
-       estimate_ms()}};
+       variant() == chosen_->variant ? std::optional(estimate_ms()) : std::nullopt}};
   plan.push_back(hierarchy());
   plan.push_back(device());
   plan.push_back(further_threads());

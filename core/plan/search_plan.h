@@ -55,7 +55,8 @@ class CATENA_API SearchPlan {
   double worth_trying_ms() const;
   bool on_device() const { return chosen_->on_device; }
   bool all_pairs() const { return chosen_->all_pairs; }
-  /// About what build and find take.
+  /// About what build and find take by the usual variant; what another takes of an unusual kind of chain is
+  /// not known.
   double estimate_ms() const { return ms(*chosen_, threads()); }
   /// Yes or no is asked, and the likeliest places are to be looked at before anything is built.
   bool look_first() const { return look_first_; }

@@ -383,6 +383,21 @@ TEST(SearchPlan, WeighsTheDeviceAgainstAllCores) {
   EXPECT_EQ(SearchPlan(1u << 20, {}, of, {}).variant(), "device");
 }
 
+/// The figure of the usual variant is none of another that an unusual kind of chain puts in its place.
+TEST(SearchPlan, EstimatesTheVariantThatItNamesOrNone) {
+  const Machine of = sixteen_cores();
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 2000; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.4f});
+  const Chain chain(std::move(spheres));
+  const SearchPlan unusual(chain.size(), {}, of, {}, chain.view().extent, chain.spheres());
+  const SearchPlan usual(chain.size(), {}, of, {});
+  ASSERT_EQ(unusual.variant(), "ChainTree");
+  ASSERT_EQ(usual.variant(), "Hybrid");
+  EXPECT_EQ(step(unusual.steps(), "choice of variant").estimate_ms, std::nullopt);
+  EXPECT_EQ(step(usual.steps(), "choice of variant").estimate_ms, usual.estimate_ms());
+  EXPECT_NE(step(unusual.steps(), "hierarchy").reason.find("Hybrid about"), std::string::npos);
+}
+
 TEST(SearchPlan, SaysWhatItLeavesOutAndTheFigureThatDecided) {
   const Machine of = machine();
   const Plan plan = SearchPlan(20, {Want::counts}, of, {}).steps();
@@ -427,14 +442,12 @@ TEST(SearchPlan, HasNoFurtherThreadsOnOneCore) {
   EXPECT_EQ(threads.reason, "there is one core");
 }
 
-/// A tangle of a few spheres is sorted once for several frames.
+/// A few spheres in no order are sorted once for several frames.
 TEST(SearchPlan, OfFramesTakesWhatKeepsAnOrder) {
+  std::mt19937 dice(5);
+  std::uniform_real_distribution<float> side(0, 30);
   std::vector<Sphere> spheres;
-  for (std::uint32_t i = 0; i < 1000; ++i) {
-    const auto turn = static_cast<float>(i / 8), along = static_cast<float>(i % 8);
-    spheres.push_back(
-        {along, 4 * std::cos(turn), 4 * std::sin(turn) + 0.3f * static_cast<float>(i % 2), 0.4f});
-  }
+  for (int i = 0; i < 1000; ++i) spheres.push_back({side(dice), side(dice), side(dice), 0.4f});
   const Chain chain(std::move(spheres));
   const auto variant_of = [&](bool frames_follow) {
     return SearchPlan(chain.size(), {.frames_follow = frames_follow}, Machine::here(), {},

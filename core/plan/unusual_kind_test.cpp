@@ -18,7 +18,7 @@ namespace {
 TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   std::vector<std::string> taken;
   for (const char* input :
-       {"yarn:n=1000", "path1:n=700", "mixed_radii:n=3000,decades=30", "mixed_radii:n=700,decades=60",
+       {"yarn:n=1000", "path1:n=700", "mixed_radii:n=2000,decades=30", "mixed_radii:n=700,decades=60",
         "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "hair:n=3000,radius=1e-41", "serpentine:n=1000",
         "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500", "hair:n=1000,strands=1000",
         "hair:n=2000,strands=4"}) {
@@ -48,9 +48,9 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
     const std::string reason = planned->plan().front().reason;
     EXPECT_NE(reason.find(kind->reason), std::string::npos) << reason;
   }
-  EXPECT_EQ(taken[0], "Grid");
+  EXPECT_EQ(taken[0], "Grid") << "that fill their box";
   EXPECT_EQ(taken[1], "ChainTree");
-  EXPECT_EQ(taken[2], "aCPU2+Dual");
+  EXPECT_EQ(taken[2], "SphereTree") << "a horn";
   EXPECT_EQ(taken[5], subnormals_are_slow() ? "Grid" : "as others");
   EXPECT_EQ(taken[7], "SphereTree") << "crowded";
   EXPECT_EQ(taken[10], "ChainTree") << "a smooth tube";
@@ -59,7 +59,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[11], "Grid") << "strands shorter than a block, anywhere";
   EXPECT_EQ(taken[12], "ChainTree") << "long strands";
   for (const char* usual :
-       {"winding:n=30000", "lattice:n=3000", "tight_knot:n=30000", "mixed_radii:n=3000,decades=6",
+       {"winding:n=30000", "lattice:n=3000", "tight_knot:n=30000", "mixed_radii:n=3000,decades=30",
         "points:n=3000,share=0.7", "lattice:n=3000,scale=1e-30", "cluster:n=30000",
         "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
     const Chain chain = open_input(usual).animation->frame(0);
@@ -74,57 +74,6 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
   for (const std::uint32_t n : {100u, 3000u})
     EXPECT_EQ(UnusualKind::of(n, {1, 1, 3 * std::cbrt(n), 0}, {}), nullptr) << "where they lie is not known";
-}
-
-/// Very few spheres are searched before it is seen how they lie.
-TEST(UnusualKind, OfASmoothTubeIsSeenFrom513SpheresOn) {
-  for (const std::uint32_t n : {500u, 512u, 513u, 2000u}) {
-    std::vector<Sphere> tube;
-    for (std::uint32_t i = 0; i < n; ++i) tube.push_back({static_cast<float>(i) * 0.01f, 0, 0, 1});
-    const Chain chain(std::move(tube));
-    EXPECT_EQ(UnusualKind::of(n, {1, 1, 3 * std::cbrt(n), 0}, chain.spheres())->variant,
-              n > 512 ? "ChainTree" : "SphereTree")
-        << n;
-  }
-}
-
-/// An extent of like radii in which so many spheres fill so much.
-Extent filled(std::uint32_t n, double fill) { return {1, 1, 3 * (2 * std::cbrt(n / fill) - 2), 0}; }
-
-/// More than 700 that are near many others, in order, in a box that is neither empty nor full: whatever of
-/// it is missing, and without a smooth tube, single spheres in a tree.
-TEST(UnusualKind, OfAFewLikeSpheresIsToldByEachOfItsSigns) {
-  const auto coil = [](std::uint32_t n, double straight) {
-    std::vector<Sphere> spheres;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const auto t = static_cast<float>(i / 8), u = static_cast<float>(i % 8 * straight);
-      spheres.push_back({u, std::cos(t), std::sin(t) + 0.3f * static_cast<float>(i % 2), 1});
-    }
-    return Chain(std::move(spheres));
-  };
-  const auto line = [](std::uint32_t n, float step, float aside) {
-    std::vector<Sphere> spheres;
-    for (std::uint32_t i = 0; i < n; ++i)
-      spheres.push_back({step * static_cast<float>(i), aside * static_cast<float>(i % 2), 0, 1});
-    return Chain(std::move(spheres));
-  };
-  const auto kind = [](const Chain& chain, double fill) {
-    return UnusualKind::of(chain.size(), filled(chain.size(), fill), chain.spheres())->variant;
-  };
-  const auto moving = [](const Chain& chain, double fill) {
-    return UnusualKind::of(chain.size(), filled(chain.size(), fill), chain.spheres(), true)->variant;
-  };
-  EXPECT_EQ(kind(coil(1000, 1), 1), "Grid");
-  EXPECT_EQ(moving(coil(1000, 1), 1), "SphereTree") << "sorted once for several frames";
-  EXPECT_EQ(moving(line(1000, 0.1f, 0), 1), "ChainTree");
-  EXPECT_EQ(kind(coil(700, 1), 1), "SphereTree") << "too few";
-  EXPECT_EQ(kind(coil(701, 1), 1), "Grid");
-  EXPECT_EQ(kind(coil(1000, 1), 3.5), "SphereTree") << "too full";
-  EXPECT_EQ(kind(coil(1000, 0), 1), "SphereTree") << "in no order";
-  EXPECT_EQ(kind(line(1000, 5, 5), 1), "SphereTree") << "near none";
-  EXPECT_EQ(kind(line(1000, 0.1f, 0), 1), "ChainTree") << "a smooth tube";
-  EXPECT_EQ(kind(line(1000, 2, 0), 1), "SphereTree") << "whose spheres do but touch";
-  EXPECT_EQ(kind(line(1000, 0.1f, 0.1f), 1), "SphereTree") << "that is not smooth";
 }
 
 /// So many spheres in a box of these sides, anywhere.
@@ -142,16 +91,71 @@ const UnusualKind* unusual(const std::vector<Sphere>& spheres) {
 }
 std::string kind_of(const std::vector<Sphere>& spheres) { return unusual(spheres)->variant; }
 
-/// Parts beside one another always meet, which tells nothing: here half of all do, but less of the others.
-TEST(UnusualKind, OfVeryUnlikeRadiiIsToldByPartsThatAreNotBesideOneAnother) {
-  const auto parts = [](std::uint32_t here) {  // of 16, at one place; the others at another
+/// Radii that grow along the chain; but not by a few specks or giants, nor where each part has all radii.
+TEST(UnusualKind, OfVeryUnlikeRadiiIsToldByPartsOfTheChain) {
+  const auto radii = [](std::uint32_t n, const auto& exponent) {  // of two, of sphere i
     std::vector<Sphere> spheres;
-    for (std::uint32_t i = 0; i < 16 * 16; ++i) spheres.push_back({i / 16 < here ? 0.0f : 9.0f, 0, 0, 1});
-    spheres[100].radius = 1e-25f;
+    float x = 0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const auto radius = static_cast<float>(std::exp2(exponent(i)));
+      x += 1.5f * radius;
+      spheres.push_back({x, 0.0f, 0.0f, radius});
+    }
     return spheres;
   };
-  EXPECT_EQ(kind_of(parts(11)), "aCPU2+Dual") << "51 of 105";
-  EXPECT_NE(kind_of(parts(12)), "aCPU2+Dual") << "58 of 105";
+  const auto is_horn = [](const std::vector<Sphere>& spheres) {
+    const UnusualKind* const kind = unusual(spheres);
+    return kind != nullptr && kind->reason.find("2^60") != std::string::npos;
+  };
+  EXPECT_EQ(unusual(radii(5000, [](double i) { return 80 * (i / 5000 - 0.5); })), nullptr) << "many";
+  for (const std::uint32_t n : {300u, 2000u}) {
+    const auto along = [&](double octaves) { return [=](double i) { return octaves * (i / n - 0.5); }; };
+    for (const double octaves : {80., 120., 180.}) EXPECT_TRUE(is_horn(radii(n, along(octaves)))) << n;
+    EXPECT_TRUE(is_horn(radii(n, along(-80)))) << n;
+    EXPECT_FALSE(is_horn(radii(n, along(50)))) << n;
+    const auto plain = radii(n, [](double) { return 0; });
+    for (const float one : {1e-19f, 1e-30f, 0.0f, 1e19f})
+      for (std::uint32_t at = 0; at < n; at += n / 10) {
+        auto spheres = plain;
+        spheres[at].radius = one;
+        EXPECT_FALSE(is_horn(spheres)) << n << ' ' << one << ' ' << at;
+      }
+    EXPECT_FALSE(is_horn(radii(n, [](std::uint32_t i) { return i % 3 == 0 ? 0 : -80; }))) << n;
+    EXPECT_FALSE(is_horn(radii(n, [](std::uint32_t i) { return i * 31 % 97 - 90.0; }))) << n;
+    auto specks = radii(n, along(80));
+    for (std::uint32_t i = 0; i < n; i += 3) specks[i].radius = 0;
+    EXPECT_TRUE(is_horn(specks)) << n;
+  }
+  std::vector<Sphere> spiral;
+  for (int i = 0; i < 2000; ++i) {
+    const double size = std::exp2(80 * (i / 2000. - 0.5)), turn = 0.08 * i;
+    spiral.push_back({static_cast<float>(size * std::cos(turn)), static_cast<float>(size * std::sin(turn)),
+                      static_cast<float>(size / 10), static_cast<float>(size / 20)});
+  }
+  EXPECT_EQ(kind_of(spiral), "SphereTree");
+}
+
+/// Of a finely sampled tube rows of eight are near many others of it, whose spheres other variants look at
+/// one by one.
+TEST(UnusualKind, OfAFinelySampledTubeIsTheChainsOrder) {
+  const auto tube = [](std::uint32_t n, float step, float radius, float wave) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const float along = step * static_cast<float>(i);
+      spheres.push_back({along, wave * std::sin(along / 10), wave * std::cos(along / 10), radius});
+    }
+    return spheres;
+  };
+  for (const std::uint32_t n : {100u, 301u, 600u, 800u, 1500u, 2048u})
+    for (const float radius : {0.5f, 1.0f, 2.0f, 4.0f})
+      for (const float wave : {0.0f, 2.0f})
+        EXPECT_EQ(kind_of(tube(n, 0.1f, radius, wave)), "ChainTree") << n << ' ' << radius << ' ' << wave;
+  // As near one another, of spheres that lie beside each other: pages of touching rows.
+  std::vector<Sphere> block;
+  for (int i = 0; i < 1728; ++i)
+    block.push_back(
+        {static_cast<float>(i % 12), static_cast<float>(i / 12 % 12), static_cast<float>(i / 144), 1.5f});
+  EXPECT_EQ(kind_of(block), "SphereTree");
 }
 
 /// The chain's order alone scales its numbers; in a box that is not empty they tell more by themselves.
@@ -212,10 +216,11 @@ TEST(UnusualKind, OfSpheresThatLieAnywhereIsToldByTheirNumberAndRadii) {
   EXPECT_EQ(kind_of(unlike), "Grid");
   unlike[7].radius = 0.601f;
   EXPECT_EQ(kind_of(unlike), "SphereTree");
-  const auto filled_box = anywhere(2000, 3, 3, 3, 0.3f);
-  const UnusualKind* const full = unusual(filled_box);
-  EXPECT_EQ(full->variant, "SphereTree");
-  EXPECT_NE(full->reason.find("fill their box more than six times"), std::string::npos) << full->reason;
+  EXPECT_EQ(kind_of(anywhere(2000, 3, 3, 3, 0.3f)), "SphereTree") << "that fill their box";
+  const Chain frames(anywhere(2000, 30, 30, 30, 0.3f));
+  EXPECT_EQ(UnusualKind::of(frames.size(), frames.view().extent, frames.spheres(), true)->variant,
+            "SphereTree")
+      << "sorted once for several frames";
 }
 
 }  // namespace

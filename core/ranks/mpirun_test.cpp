@@ -136,6 +136,16 @@ TEST_F(Mpirun, HeedsOptionsBesideAFileThatRanksReadInParts) {
   EXPECT_EQ(answers.size(), 2u) << "each option matters";
 }
 
+/// Rank 0 has it, and needs it again for the reference.
+TEST_F(Mpirun, TakesStandardInputWhereverItTakesAFile) {
+  const std::string chain = file("c.chain");
+  ASSERT_EQ(run("export yarn:n=60 '" + chain + "'").code, 0);
+  for (const char* command : {"detect", "verify", "bench --json"}) {
+    const ProgramOutcome r = run_ranks(fmt::format("{} - --format chain < '{}'", command, chain), 2);
+    EXPECT_EQ(r.code, 0) << command << r.output;
+  }
+}
+
 TEST_F(Mpirun, WritesTheTablesOfOneProcessInABox) {
   const std::string examples = CATENA_SOURCE_DIR "/core/readers/examples/";
   std::string frame = text_of(examples + "melt.dump"), wider;
@@ -340,6 +350,10 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   EXPECT_EQ(text_of(file("in.csv")), table);
   expect_one_line(run_ranks("detect coincident:n=60 --depth"), "--depth and --margin are columns of --pairs");
   expect_one_line(run_ranks("list"), "ranks do not share the command 'list'");
+  for (const char* const option : {"--tolerance 0.1", "--plan", "--no-omit exact"})
+    expect_one_line(run_ranks("detect coincident:n=60 " + std::string(option)), "; leave out mpirun");
+  expect_one_line(run_ranks("bench coincident:n=60 --plan"),
+                  "there is no option --plan here; see mpirun -n 2 catena bench --help");
   // On a disk of few pages.
   const std::string disk = file("disk");
   std::filesystem::create_directories(disk);

@@ -31,6 +31,8 @@ TEST(XyzrReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("2: a point is 'x y z r', got 3 columns", "a.xyzr", "0 0 0 1\n1 0 0\n");
   EXPECT_COMPLAINT("1: a point is 'x y z r', got 5 columns", "a.xyzr", "0 0 0 1 2\n");
   EXPECT_COMPLAINT("1: radius '-1' is negative", "a.xyzr", "0 0 0 -1\n");
+  EXPECT_COMPLAINT("1: radius '1e-46' is no 0, but binary32 has no radius so small", "a.xyzr",
+                   "0 0 0 1e-46\n");
   EXPECT_EQ(read_text("a.xyzr", "# r\n0 0 0 1\n").labels.of(0), "2");
 }
 

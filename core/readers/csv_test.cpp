@@ -143,6 +143,8 @@ TEST(CsvReader, ComplainsWithFileAndLine) {
   EXPECT_COMPLAINT("3: the row has 2 columns, not 3", "a.csv", "x,y,z\n1,2,3\n1,2\n");
   EXPECT_COMPLAINT("2: z '' is not a number", "a.csv", "x,y,z\n1,2,\n");
   EXPECT_COMPLAINT("2: radius '-1' is negative", "a.csv", "x,y,z,r\n1,2,3,-1\n");
+  EXPECT_COMPLAINT("2: radius '0.1e-300' is no 0", "a.csv", "x,y,z,r\n1,2,3,0.1e-300\n");
+  EXPECT_COMPLAINT("2: diameter '1.4e-45' is no 0", "a.csv", "x,y,z,d\n1,2,3,1.4e-45\n");
   EXPECT_COMPLAINT(" holds no points", "a.csv", "x,y,z\n");
 }
 

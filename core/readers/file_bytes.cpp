@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/executor/give_back_pages.h"
@@ -48,7 +51,7 @@ std::string packed_bytes(const fs::path& file) {
 }
 
 // A pipe has no size, so it is read to its end before anything is made of it.
-std::string bytes_of_standard_input() {
+std::string read_standard_input() {
   constexpr std::size_t piece = std::size_t{1} << 20;
   std::string bytes;
   for (std::size_t got = piece; got == piece;) {
@@ -60,6 +63,23 @@ std::string bytes_of_standard_input() {
   }
   if (std::cin.bad()) throw InputError("standard input: cannot be read to its end");
   if (bytes.empty()) throw InputError("standard input: is empty");
+  return bytes;
+}
+
+/// Of a command that opens its input again it is the same again, as a file is.
+std::string bytes_of_standard_input() {
+  constexpr std::size_t most_kept = std::size_t{1}
+                                    << 26;  // a command that reads it once keeps it for nothing
+  static std::mutex reading;
+  static std::optional<std::string> kept;
+  static bool was_read = false;
+  const std::lock_guard lock(reading);
+  if (kept) return *kept;
+  if (std::exchange(was_read, true))
+    throw InputError(
+        "standard input: can be read once where it has more than 64 MiB, and is needed again; give a file");
+  std::string bytes = read_standard_input();
+  if (bytes.size() <= most_kept) kept = bytes;
   return bytes;
 }
 

@@ -12,8 +12,9 @@ bool is_standard_input(const std::filesystem::path& file);
 /// How errors name it: the path, or "standard input".
 std::string shown_name(const std::filesystem::path& file);
 
-/// The whole file, or all of standard input, unpacked where it is gzip's. Throws InputError, naming the file,
-/// unless it is a readable regular file (or standard input) of at least one byte.
+/// The whole file, or all of standard input, unpacked where it is gzip's; the same again where it is read
+/// again. Throws InputError, naming the file, unless it is a readable regular file (or standard input) of at
+/// least one byte.
 std::string read_bytes(const std::filesystem::path& file);
 
 /// The first bytes of what read_bytes gives, at most `size`; fewer where it has no more, or cannot be read or

@@ -199,7 +199,7 @@ class LammpsAtoms {
     const TextLines& lines = data_.lines();
     float radius = 0;
     if (columns.diameter) {
-      radius = lines.radius(row[*columns.diameter]) / 2;
+      radius = lines.half(row[*columns.diameter]);
       beads_.about().has_radii = true;
     }
     beads_.add(

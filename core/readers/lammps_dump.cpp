@@ -156,7 +156,7 @@ class LammpsDump {
     }
     float radius = 0;
     if (radius_ != none) radius = lines_.radius(fields[radius_]);
-    if (radius_ == none && diameter_ != none) radius = lines_.radius(fields[diameter_]) / 2;
+    if (radius_ == none && diameter_ != none) radius = lines_.half(fields[diameter_]);
     beads_.add(lines_.integer(fields[id_], "id"), x, y, z, radius,
                molecule_ == none ? 0 : lines_.integer(fields[molecule_], "mol"));
   }

@@ -46,7 +46,7 @@ void TablePoints::add(std::span<const std::string_view> cells) {
   const double x = coordinate(Role::x, "x"), y = coordinate(Role::y, "y"), z = coordinate(Role::z, "z");
   float radius = 0;
   if (columns_.has(Role::radius)) radius = lines_.radius(cells[columns_.place(Role::radius)]);
-  if (columns_.has(Role::diameter)) radius = lines_.radius(cells[columns_.place(Role::diameter)]) / 2;
+  if (columns_.has(Role::diameter)) radius = lines_.half(cells[columns_.place(Role::diameter)]);
   if (curves_.later_frames.empty()) {
     if (columns_.has(Role::strand)) enter_strand(cells[columns_.place(Role::strand)]);
     if (columns_.has(Role::closed)) read_closed(cells[columns_.place(Role::closed)]);

@@ -101,10 +101,17 @@ double TextLines::wide_real(std::string_view text, std::string_view what) const 
   return value;
 }
 
-float TextLines::radius(std::string_view text) const {
-  const float value = real(text, "radius");
-  if (value < 0) fail(fmt::format("radius {} is negative", in_quotes(text)));
-  return value;
+float TextLines::radius(std::string_view text) const { return size(text, "radius"); }
+float TextLines::half(std::string_view diameter) const { return size(diameter, "diameter", 2); }
+
+float TextLines::size(std::string_view text, std::string_view what, float parts) const {
+  const float value = real(text, what);
+  if (value < 0) fail(fmt::format("{} {} is negative", what, in_quotes(text)));
+  const std::string_view mantissa = text.substr(0, text.find_first_of("eEdD"));
+  if (value / parts == 0 && mantissa.find_first_of("123456789") != mantissa.npos)
+    fail(fmt::format("{} {} is no 0, but binary32 has no radius so small; scale the points and radii", what,
+                     in_quotes(text)));
+  return value / parts;
 }
 
 std::int64_t TextLines::integer(std::string_view text, std::string_view what) const {

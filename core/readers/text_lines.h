@@ -62,11 +62,14 @@ class TextLines {
   float real(std::string_view text, std::string_view what) const;
   double coordinate(std::string_view text, std::string_view what) const;  ///< see parse_coordinate
   double wide_real(std::string_view text, std::string_view what) const;
-  float radius(std::string_view text) const;  ///< a real that is not negative
+  /// A real that is not negative, and 0 only where it says so.
+  float radius(std::string_view text) const;
+  float half(std::string_view diameter) const;  ///< of such a one, as a radius
   std::int64_t integer(std::string_view text, std::string_view what) const;
   std::uint32_t count(std::string_view text, std::string_view what) const;  ///< an integer from 0 to 2^32 - 1
 
  private:
+  float size(std::string_view text, std::string_view what, float parts = 1) const;
   /// At blanks and at `separator`.
   const std::vector<std::string_view>& split(char separator);
   std::size_t end_of_line() const;

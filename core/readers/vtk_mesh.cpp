@@ -74,6 +74,10 @@ float VtkMesh::radius_of(const Array& array, std::size_t k, const std::string& f
   if (!(value >= 0 && value <= double{std::numeric_limits<float>::max()}))
     throw InputError(fmt::format("{}: {} of {} {} is {}, no radius", file, in_quotes(array.name),
                                  array.of == Of::points ? "point" : "cell", k, array.values[k]));
+  if (value > 0 && static_cast<float>(value) == 0)
+    throw InputError(
+        fmt::format("{}: {} of {} {} is {}; binary32 has no radius so small, scale points and radii", file,
+                    in_quotes(array.name), array.of == Of::points ? "point" : "cell", k, array.values[k]));
   return static_cast<float>(value);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <hwy/contrib/sort/vqsort.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -9,106 +8,40 @@
 
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/team.h"
-#include "catena/core/grid/grid_kernels.h"
-#include "catena/core/space_tree/digit_sort.h"
+#include "catena/core/export.h"
 
 namespace catena {
 
 /// Sorts numbers of 64 bits by a team: shared out by some of them that part the rest about evenly (a sample
 /// sort), each share by vectors, or by digits where vectors are narrow and keys many.
-class KeySort {
+class CATENA_API KeySort {
  public:
   /// Fewer are sorted by the caller alone; so few may be sorted by several members of the team at once.
   static constexpr std::size_t few = 1 << 14;
 
+  KeySort();
+  ~KeySort();
+  KeySort(const KeySort&) = delete;
+  KeySort& operator=(const KeySort&) = delete;
+
   /// Keys that are all different; where upper halves are alike the lower ones rise. O(n log n).
-  void operator()(std::span<std::uint64_t> keys, const Team& team) {
-    while (sorters_.size() < team.size()) sorters_.emplace_back(), rooms_.emplace_back();
-    if (team.size() == 1 || keys.size() < few) return sort(keys, rooms_[team.member()], team);
-    shares_ = shares_a_member * team.size();
-    choose_borders(keys);
-    const auto parts = static_cast<std::uint32_t>((keys.size() + part - 1) / part);
-    next_.assign(std::size_t{parts} * shares_, 0);
-    const auto each_key = [&](const auto& body) {
-      team.for_each_range(parts, 1, [&](std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t p = begin; p < end; ++p)
-          for (const std::uint64_t key : keys.subspan(p * part, std::min(part, keys.size() - p * part)))
-            body(next_[std::size_t{p} * shares_ + share_of(key)], key);
-      });
-    };
-    each_key([](std::uint32_t& count, std::uint64_t) { ++count; });
-    add_up(parts);
-    copy_.resize(keys.size());
-    each_key([&](std::uint32_t& next, std::uint64_t key) { copy_[next++] = key; });
-    team.for_each_range(shares_, 1, [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t s = begin; s < end; ++s) {
-        const std::size_t size = first_[s + 1] - first_[s];
-        const std::span<std::uint64_t> share(copy_.data() + first_[s], size),
-            to = keys.subspan(first_[s], size);
-        const std::span<std::uint64_t> sorted = sort(share, to, team);
-        if (sorted.data() != to.data()) std::copy(sorted.begin(), sorted.end(), to.begin());
-      }
-    });
-  }
+  void operator()(std::span<std::uint64_t> keys, const Team& team);
 
  private:
-  static constexpr std::size_t part = 1 << 13;
-  static constexpr std::uint32_t shares_a_member = 4, samples_a_share = 32;
-
-  /// Vectors of AVX-512 sort at 4 ns a key, digits at 5; narrower ones at 10.
-  static bool by_digits(std::size_t keys) {
-    constexpr std::size_t many = 1 << 10;
-    return keys >= many && spheres_of_a_vector() < 16;
-  }
-
-  void sort(std::span<std::uint64_t> keys, LargeVector<std::uint64_t>& room, const Team& team) {
-    if (by_digits(keys.size()) && room.size() < keys.size()) room.clear(), room.resize(keys.size());
-    const std::span<std::uint64_t> sorted =
-        sort(keys, {room.data(), std::min(room.size(), keys.size())}, team);
-    if (sorted.data() != keys.data()) std::copy(sorted.begin(), sorted.end(), keys.begin());
-  }
+  void sort(std::span<std::uint64_t> keys, LargeVector<std::uint64_t>& room, const Team& team);
   /// Where they are then, in `keys` or in `room`.
   std::span<std::uint64_t> sort(std::span<std::uint64_t> keys, std::span<std::uint64_t> room,
-                                const Team& team) {
-    if (by_digits(keys.size())) return sort_by_digits(keys, room);
-    sorters_[team.member()](keys.data(), keys.size(), hwy::SortAscending());
-    return keys;
-  }
-
-  void choose_borders(std::span<const std::uint64_t> keys) {
-    const std::size_t samples = std::size_t{shares_} * samples_a_share;
-    std::vector<std::uint64_t> some(samples);
-    for (std::size_t k = 0; k < samples; ++k) some[k] = keys[k * keys.size() / samples];
-    std::sort(some.begin(), some.end());
-    borders_.clear();
-    for (std::uint32_t s = 1; s < shares_; ++s) borders_.push_back(some[s * samples_a_share]);
-  }
-  std::size_t share_of(std::uint64_t key) const {
-    return static_cast<std::size_t>(std::upper_bound(borders_.begin(), borders_.end(), key) -
-                                    borders_.begin());
-  }
-
-  /// Numbers of keys become places.
-  void add_up(std::uint32_t parts) {
-    first_.assign(shares_ + 1, 0);
-    std::uint32_t place = 0;
-    for (std::uint32_t s = 0; s < shares_; ++s) {
-      first_[s] = place;
-      for (std::uint32_t p = 0; p < parts; ++p) {
-        std::uint32_t& next = next_[std::size_t{p} * shares_ + s];
-        const std::uint32_t count = next;
-        next = place;
-        place += count;
-      }
-    }
-    first_[shares_] = place;
-  }
+                                const Team& team);
+  void choose_borders(std::span<const std::uint64_t> keys);
+  std::uint16_t share_of(std::uint64_t key) const;
+  void add_up(std::uint32_t parts);
 
   // [member]: they have memory of their own
   std::deque<hwy::Sorter> sorters_;
   std::deque<LargeVector<std::uint64_t>> rooms_;
   std::uint32_t shares_ = 0;
-  std::vector<std::uint64_t> borders_;
+  std::vector<std::uint64_t> borders_;       // and the greatest number, until halves of halves are whole
+  LargeVector<std::uint16_t> share_;         // of each key
   std::vector<std::uint32_t> next_, first_;  // [part][share], [share]
   LargeVector<std::uint64_t> copy_;
 };

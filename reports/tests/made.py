@@ -385,9 +385,12 @@ def run(**options):
             "regret": [
                 {
                     "input": i,
+                    "first": "Grid",
                     "chosen": "Hybrid",
                     "best": exact[0],
                     "clock": "processor",
+                    "first_ms": times(5 + 3 * k),
+                    "best_first_ms": times(5),
                     "auto_ms": times(2 + k),
                     "best_ms": times(2),
                 }

@@ -28,6 +28,7 @@ class BenchCommand final : public Command {
         .capture_default_str();
     search_.add_to(app);
     search_.add_input_to(app);
+    app.add_flag("--json", json_, "As without it: one JSON object");
   }
 
   int run() override {
@@ -127,6 +128,7 @@ class BenchCommand final : public Command {
   Communicator& ranks_ = world();
   std::string input_;
   unsigned repetitions_ = 5;
+  bool json_ = false;
   SearchOptions search_;
   PhaseClock clock_;
   PhasePeaks peaks_;

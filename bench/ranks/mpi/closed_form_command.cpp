@@ -7,6 +7,7 @@
 #include "catena/bench/ranks/lattice_part.h"
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
+#include "catena/core/counted.h"
 #include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/mpi/mpi_launcher.h"
 #include "catena/core/ranks/mpi/phase_peaks.h"
@@ -69,11 +70,10 @@ class ClosedFormCommand final : public Command {
       fmt::print("{}\n", json_line(line));
       return;
     }
-    fmt::print(
-        "{}: {} spheres; closed form {} pairs, {} of them exact ties\n{} ranks, shared out by {}: {} pairs, "
-        "{}\n",
-        box.scene(), answer.starts.back(), box.pairs(), box.ties(), ranks_.size(), order, answer.pair_count,
-        wrong.empty() ? "right" : "WRONG: " + wrong);
+    fmt::print("{}: {}; closed form {}, {} of them exact ties\n{}, shared out by {}: {}, {}\n", box.scene(),
+               counted(answer.starts.back(), "sphere"), counted(box.pairs(), "pair"), box.ties(),
+               counted(ranks_.size(), "rank"), order, counted(answer.pair_count, "pair"),
+               wrong.empty() ? "right" : "WRONG: " + wrong);
   }
 
   Communicator& ranks_ = world();
