@@ -26,7 +26,9 @@ bool write_all(int file, std::string_view text) {
     const ssize_t written = write(file, text.data(), text.size());
     if (written > 0)
       text.remove_prefix(static_cast<std::size_t>(written));
-    else if (written == 0 || errno != EINTR)
+    else if (written == 0)
+      return errno = ENOSPC, false;
+    else if (errno != EINTR)
       return false;
   }
   return true;

@@ -190,8 +190,10 @@ Regret regret(const WorkloadSpec& spec, const std::vector<VariantInfo>& others, 
     const auto best = quickest(others, *work, result.processor, effort);
     result.left_out = "no other variant takes it";
     if (best == nullptr) return result;
-    result.left_out.clear();
     const auto best_fresh = contender(best->name(), *work, Made::anew);
+    result.left_out = best->name() + " refuses it when made anew";
+    if (best_fresh == nullptr) return result;
+    result.left_out.clear();
     const std::vector<Contender*> all{fresh.get(), best_fresh.get(), settled.get(), best.get()};
     for (Contender* const c : {fresh.get(), best_fresh.get(), settled.get()})
       c->try_out(result.processor, effort.least_ms);

@@ -97,22 +97,23 @@ class LeafPairs {
       scale_spheres(sa, scale, scaled_a), scale_spheres(sb, scale, scaled_b);
       sa = scaled_a, sb = scaled_b;
     }
-    met.row = tree_.begin_of(a), met.column = tree_.begin_of(b);
-    auto found = SphereTiles(sb).compare(sa, last_within(a == b, met.row, met.column), slack_,
-                                         SphereLanes::overlap_floor);
+    const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
+    auto found = SphereTiles(sb).compare(sa, last_within(a == b, row, column), slack_);
     if ((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled)
       SphereTiles::cut(tree_.size_of(a), tree_.size_of(b), found);
     if (HWY_UNLIKELY(!SphereTiles::none(found.open))) {
       const SphereTiles::Bits bits;
       for (std::uint32_t t = 0; t < SphereTiles::count; ++t) {
         if (SphereTiles::count > 4 && hn::AllFalse(bits, found.open[t])) continue;
-        open_.add(bits, hn::Add(hn::Set(bits, met.row), SphereTiles::row_of(t)),
-                  hn::Add(hn::Set(bits, met.column), SphereTiles::column_of(t)), found.open[t]);
+        open_.add(bits, hn::Add(hn::Set(bits, row), SphereTiles::row_of(t)),
+                  hn::Add(hn::Set(bits, column), SphereTiles::column_of(t)), found.open[t]);
         found.may[t] = hn::AndNot(found.open[t], found.may[t]);
       }
       if (open_.full()) decide();
     }
-    return met.set(found.may);
+    const bool any = met.set(found.may);
+    met.row = row, met.column = column;
+    return any;
   }
 
   /// Of spheres `row` + p and `column` + q of two blocks those are looked at for which q - p is greater than

@@ -12,6 +12,7 @@
 
 #include "catena/core/blocks/simd_targets.h"
 #include "catena/core/blocks/store_pairs-inl.h"
+#include "catena/core/blocks/tests-inl.h"
 #include "catena/core/sphere.h"
 #include "hwy/highway.h"
 
@@ -43,12 +44,11 @@ class SphereTiles {
   /// Of the eight spheres of the rows and those of the columns, where the column is further on than the row
   /// by more than `after`. Not less, rather than at most: a NaN of two infinities is neither, and may
   /// overlap.
-  HWY_INLINE Verdict compare(const Sphere* spheres, std::int32_t after, float slack_of,
-                             float floor_of) const {
+  HWY_INLINE Verdict compare(const Sphere* spheres, std::int32_t after, float slack) const {
     const Tag tag;
     const Bits bits;
     const hn::RebindToSigned<Tag> whole;
-    const auto slack = hn::Set(tag, slack_of), floor = hn::Set(tag, floor_of);
+    const auto all_slack = hn::Set(tag, slack), floor = hn::Set(tag, SphereLanes::overlap_floor);
     const auto nearest = hn::Set(whole, after);
     Verdict verdict;
     for (std::uint32_t t = 0; t < count; t += across) {
@@ -58,8 +58,8 @@ class SphereTiles {
         const auto dx = hn::Sub(column.x, row.x), dy = hn::Sub(column.y, row.y),
                    dz = hn::Sub(column.z, row.z), reach = hn::Add(column.radius, row.radius),
                    q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), of = hn::Mul(reach, reach);
-        const auto apart = hn::Lt(hn::MulAdd(of, slack, floor), q),
-                   certain = hn::Lt(hn::MulAdd(q, slack, floor), of);
+        const auto apart = hn::Lt(hn::MulAdd(of, all_slack, floor), q),
+                   certain = hn::Lt(hn::MulAdd(q, all_slack, floor), of);
         const auto later = hn::Gt(hn::BitCast(whole, hn::Sub(column_of(t + c), row_of(t + c))), nearest);
         verdict.may[t + c] = hn::AndNot(hn::RebindMask(bits, apart), hn::RebindMask(bits, later));
         verdict.open[t + c] = hn::AndNot(hn::RebindMask(bits, certain), verdict.may[t + c]);
@@ -136,6 +136,7 @@ class SphereTiles {
 };
 
 #if HWY_TARGET <= HWY_AVX3
+static_assert(SphereTiles::lanes == 16);
 /// Of tiles of sixteen: the row and the column of each lane, side by side; and a byte's bits, each twice.
 struct PairsWithin {
   std::uint32_t of[128];
@@ -153,7 +154,8 @@ struct PairsWithin {
 struct MetTiles {
   static constexpr std::uint32_t bytes = (SphereTiles::lanes + 7) / 8;
   std::uint8_t bits[bytes * SphereTiles::count];
-  /// The first sphere of the rows, and of the columns. Highway may read eight bytes for one of `bits`.
+  /// The first sphere of the rows, and of the columns. Highway may read and write eight bytes for one of
+  /// `bits`: they are set after these.
   std::uint32_t row, column;
 
   /// Whether there are any.

@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// a and b of each of a vector's first `size` lanes, side by side. May write as many as a vector has lanes.
 template <class Bits>
-HWY_INLINE void store_side_by_side(Bits bits, hn::Vec<Bits> a, hn::Vec<Bits> b, std::uint32_t size,
-                                   Pair* to) {
+HWY_INLINE void store_side_by_side(Bits bits, hn::Vec<Bits> a, hn::Vec<Bits> b,
+                                   [[maybe_unused]] std::uint32_t size, Pair* to) {
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
 #if HWY_TARGET <= HWY_AVX3
   if constexpr (hn::MaxLanes(Bits()) == 16) {

@@ -1,4 +1,4 @@
-// One capsule against sixteen, and eight spheres against eight. Each says "may collide" unless it is certain.
+// One capsule against sixteen, and eight spheres against one. Each says "may collide" unless it is certain.
 #if defined(CATENA_CORE_BLOCKS_TESTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_TESTS_INL_H
 #undef CATENA_CORE_BLOCKS_TESTS_INL_H
@@ -90,11 +90,11 @@ class SphereLanes {
     return {mul_add(dx, dx, mul_add(dy, dy, dz * dz)), reach * reach};
   }
   /// Not less, rather than at most: a NaN of two infinities is neither, and may overlap.
-  static HWY_INLINE Flags<8> may_overlap(const Squares& s, float slack = overlap_slack) {
-    return not_less(mul_add(s.t, Lanes8::all(slack), Lanes8::all(overlap_floor)), s.q);
+  static HWY_INLINE Flags<8> may_overlap(const Squares& s) {
+    return not_less(mul_add(s.t, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)), s.q);
   }
-  static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s, float slack = overlap_slack) {
-    return mul_add(s.q, Lanes8::all(slack), Lanes8::all(overlap_floor)) < s.t;
+  static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s) {
+    return mul_add(s.q, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)) < s.t;
   }
 
   /// Which of the centres lie in a cube around that of `s`, which reaches so far to either side.

@@ -201,8 +201,8 @@ void run_in_threads(unsigned ranks, const std::function<void(Communicator&)>& wo
   tell(Start::begins);
   run(0);
   others.clear();  // joins
-  for (const auto& problems : {thrown, failed})
-    for (const std::exception_ptr& problem : problems)
+  for (const auto* const problems : {&thrown, &failed})
+    for (const std::exception_ptr& problem : *problems)
       if (problem) std::rethrow_exception(problem);
 }
 

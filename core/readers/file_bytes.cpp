@@ -75,10 +75,11 @@ std::string bytes_of_standard_input() {
   static bool was_read = false;
   const std::lock_guard lock(reading);
   if (kept) return *kept;
-  if (std::exchange(was_read, true))
+  if (was_read)
     throw InputError(
         "standard input: can be read once where it has more than 64 MiB, and is needed again; give a file");
   std::string bytes = read_standard_input();
+  was_read = true;
   if (bytes.size() <= most_kept) kept = bytes;
   return bytes;
 }

@@ -41,7 +41,8 @@ class ClosedFormCommand final : public Command {
       RankWork work;
       const RankAnswer answer = search(ranks_, lattice_part(box, begin, end), options, work);
       if (answer.pair_count > request.pair_limit && !lattice_.counts_only)
-        throw PairLimitExceeded(answer.pair_count, request.pair_limit);
+        throw CapacityError(fmt::format(
+            "{} (--counts-only)", PairLimitExceeded(answer.pair_count, request.pair_limit).what()));
       wrong = lattice_fault(ranks_, box, answer, !lattice_.counts_only);
       const Gathered faults = ranks_.all_gather(ByteWriter().put_all(std::span<const char>(wrong)).take());
       for (const Bytes& fault : *faults)
