@@ -1,6 +1,7 @@
 # cmake -DSOURCE=... -DHEADER=... -P commit.cmake
-# Writes which commit of catena is built, not of a repository that holds a copy of it; "-dirty" when anything differs from it, new files included. Run at every build; the
-# header is touched only when its content changes, so that at most one file is compiled again.
+# Writes which commit of catena is built, not of a repository that holds a copy of it; "-dirty" when anything
+# differs from it, new files included. Run at every build; the header is touched only when its content
+# changes, so that at most one file is compiled again.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND git describe --always --abbrev=12 --exclude=* WORKING_DIRECTORY ${SOURCE}
                 OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_commit)

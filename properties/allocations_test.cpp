@@ -11,7 +11,6 @@
 #include <new>
 #include <vector>
 
-
 /// The test program counts its allocations, for the property "no allocation once warm".
 namespace {
 

@@ -8,6 +8,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
+#include <system_error>
 
 /// How the page writer is run, told by what Python runs before any package: a file usercustomize.py, which
 /// ends it as the last argument says.
@@ -56,20 +59,41 @@ TEST(PageWriter, HasThePackageItsArgumentsAndInterrupts) {
   fs::remove_all(base);
 }
 
+/// Puts the current folder and PYTHONPATH back as they were, also where a test throws.
+class Surroundings {
+ public:
+  Surroundings() {
+    if (const char* path = std::getenv("PYTHONPATH")) path_ = path;
+  }
+  ~Surroundings() {
+    std::error_code ignored;  // a destructor may not throw
+    std::filesystem::current_path(folder_, ignored);
+    path_ ? setenv("PYTHONPATH", path_->c_str(), 1) : unsetenv("PYTHONPATH");
+  }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+ private:
+  std::filesystem::path folder_ = std::filesystem::current_path();
+  std::optional<std::string> path_;
+};
+
 /// A file of the user's with the name of a module is none.
 TEST(PageWriter, RunsNothingOfTheCurrentFolder) {
   namespace fs = std::filesystem;
-  const fs::path before = fs::current_path(),
-                 folder = testing::TempDir() + fmt::format("catena_users_folder_{}", getpid());
+  const fs::path folder = testing::TempDir() + fmt::format("catena_users_folder_{}", getpid());
   fs::create_directories(folder);
   for (const char* module : {"runpy", "json", "argparse", "numpy", "catena_report"})
     std::ofstream(folder / fmt::format("{}.py", module)) << "open('taken', 'w')\nraise SystemExit(99)\n";
-  unsetenv("PYTHONPATH");
-  fs::current_path(folder);
+  int code = -1;
   testing::internal::CaptureStdout();
-  const int code = run_page_writer({"--help"});
+  {
+    const Surroundings as_before;
+    unsetenv("PYTHONPATH");
+    fs::current_path(folder);
+    code = run_page_writer({"--help"});
+  }
   const std::string said = testing::internal::GetCapturedStdout();
-  fs::current_path(before);
   EXPECT_FALSE(fs::exists(folder / "taken"));
   EXPECT_EQ(code, 0) << said;
   EXPECT_NE(said.find("usage"), std::string::npos) << said;

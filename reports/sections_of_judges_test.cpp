@@ -153,9 +153,13 @@ class Saying final : public Variant {
 };
 
 TEST(Sections, OfWantsHaveTheTimesOfWhatWasAskedFor) {
-  StrategyRegistry::instance().add_variant(
-      {.name = "Saying", .summary = "says"}, arithmetic_info<Robust>(),
-      [](const Parameters&) { return std::make_unique<Saying>(); }, true);
+  static const bool registered = [] {
+    StrategyRegistry::instance().add_variant(
+        {.name = "Saying", .summary = "says"}, arithmetic_info<Robust>(),
+        [](const Parameters&) { return std::make_unique<Saying>(); }, true);
+    return true;
+  }();
+  EXPECT_TRUE(registered);
   Profile p = profile_of({"Saying"});
   p.wants_inputs = {{"path1:n=100"}};
   const std::map<std::string, double> said{{"pairs", 3}, {"counts", 2}, {"any", 1}};

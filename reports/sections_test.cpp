@@ -90,9 +90,13 @@ class DearBuild final : public Variant {
 };
 
 TEST(Sections, OfCoherenceTellAnUpdateFromABuild) {
-  StrategyRegistry::instance().add_variant(
-      {.name = "DearBuild", .summary = "dear"}, arithmetic_info<Robust>(),
-      [](const Parameters&) { return std::make_unique<DearBuild>(); }, true);
+  static const bool registered = [] {
+    StrategyRegistry::instance().add_variant(
+        {.name = "DearBuild", .summary = "dear"}, arithmetic_info<Robust>(),
+        [](const Parameters&) { return std::make_unique<DearBuild>(); }, true);
+    return true;
+  }();
+  EXPECT_TRUE(registered);
   Profile p = profile_of({"CPU1", "DearBuild"});
   const TestFile file("boxes.xyz", in_boxes({"8", "20", "20"}));
   p.coherent_inputs = {{"path1:n=100"}, {file.path().string()}};

@@ -48,10 +48,8 @@ class RegretCommand final : public Command {
     app.add_flag("--json", json_, "One JSON object a line for each input");
     app.footer(
         "The first search of a variant that is made anew, as detect does it, and then the ratio of the same "
-        "two "
-        "after some 40 searches, by which auto has tried others than it chose. Times are the processor's "
-        "where "
-        "auto takes one thread of the host, and wall times where it does not.");
+        "two after some 40 searches, by which auto has tried others than it chose. Times are the processor's "
+        "where auto takes one thread of the host, and wall times where it does not.");
   }
 
   int run() override {

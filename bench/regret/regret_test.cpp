@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,10 +80,13 @@ class Busy final : public Variant {
   std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
 };
 
+/// Registered once, however often a test is run.
 VariantInfo busy(const std::string& name, double ms, bool wrong = false) {
-  StrategyRegistry::instance().add_variant(
-      {.name = name, .summary = "busy"}, arithmetic_info<Robust>(),
-      [=](const Parameters&) { return std::make_unique<Busy>(ms, wrong); }, true);
+  static std::set<std::string> registered;
+  if (registered.insert(name).second)
+    StrategyRegistry::instance().add_variant(
+        {.name = name, .summary = "busy"}, arithmetic_info<Robust>(),
+        [=](const Parameters&) { return std::make_unique<Busy>(ms, wrong); }, true);
   return registry().describe(name);
 }
 
@@ -137,9 +141,13 @@ class Settling final : public Variant {
 
 /// One who searches once has what was chosen at once, whatever many searches would have settled on.
 TEST(Regret, OfTheFirstChoiceShowsThoughManySearchesMendIt) {
-  StrategyRegistry::instance().add_variant(
-      {.name = "Settling", .summary = "slow at once"}, arithmetic_info<Robust>(),
-      [](const Parameters&) { return std::make_unique<Settling>(); }, true);
+  static const bool registered = [] {
+    StrategyRegistry::instance().add_variant(
+        {.name = "Settling", .summary = "slow at once"}, arithmetic_info<Robust>(),
+        [](const Parameters&) { return std::make_unique<Settling>(); }, true);
+    return true;
+  }();
+  EXPECT_TRUE(registered);
   const Regret r = regret({"path1:n=8"}, {busy("BusyAsSettled", 0.3)},
                           {.seconds = 0.3, .rounds = 9, .least_ms = 1}, "Settling");
   EXPECT_EQ(r.first, "at once");

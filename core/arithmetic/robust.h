@@ -73,7 +73,7 @@ struct Robust {
     CATENA_HD static bool overlap_unless(bool excluded, const Sphere& a, const Sphere& b) {
       const Binary32 n(a, b);
       const bool apart = n.q > n.t * binary32_slack, sure = n.q * binary32_slack < n.t;
-      return apart | sure | excluded ? sure & !excluded : overlap_undecided(a, b);
+      return (apart | sure | excluded) ? sure & !excluded : overlap_undecided(a, b);
     }
     CATENA_HD static bool may_overlap(const Sphere& query, const Sphere& node) {
       const Binary32 n(query, node);

@@ -30,8 +30,8 @@ template <class Bits>
 class Kept {
  public:
   explicit HWY_INLINE Kept(hn::Mask<Bits> keep) : keep_(keep) {
-    if constexpr (hn::MaxLanes(Bits()) ==
-                  8) {  // for which Highway 1.0 copies its table to the stack at each call
+    // Of eight lanes, for which Highway 1.0 copies its table to the stack at each call.
+    if constexpr (hn::MaxLanes(Bits()) == 8) {
       std::uint8_t mask[8];
       hn::StoreMaskBits(Bits(), keep, mask);
       const hn::Rebind<std::uint8_t, Bits> bytes;

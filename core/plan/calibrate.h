@@ -8,8 +8,8 @@
 namespace catena {
 
 /// Measures what each variant that says what it costs costs here, on springs of two lengths: about a
-/// twentieth of a second each, and again where threads hardly help. One that fails keeps its built-in
-/// figures.
+/// twentieth of a second each, and again where threads hardly help: in a second or two. One that fails keeps
+/// its built-in figures.
 CATENA_API Machine calibrate();
 
 /// Variants that several cores searched hardly any sooner than one: what is measured while other work keeps

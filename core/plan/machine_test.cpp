@@ -205,7 +205,6 @@ TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
   }
 }
 
-/// By the figures of the host's variants, whatever a device takes.
 /// As a loaded machine measures it; a variant that knows no threads is no such sign, nor is one core.
 TEST(Calibrate, NamesWhomThreadsHardlyHelped) {
   Machine machine;
@@ -216,6 +215,7 @@ TEST(Calibrate, NamesWhomThreadsHardlyHelped) {
   EXPECT_EQ(hardly_helped_by_threads(machine), std::vector<std::string>{});
 }
 
+/// By the figures of the host's variants, whatever a device takes.
 TEST(Calibrate, TellsFromHowManySpheresOnATreeIsCheaper) {
   const auto machine = [](double fixed_us, double pair_ns) {
     return Machine{{{"pairs", {{.sphere_pair_ns = pair_ns}}, false, true},

@@ -118,7 +118,8 @@ TEST(RowLook, TellsAnOrderFromNone) {
         walk.push_back({s.x + step(dice), s.y + step(dice), s.z + step(dice), 0.1f});
         gas.push_back({step(dice), step(dice), step(dice), 0.1f});
       }
-      walks += RowLook::at(walk).straight<0.25, gases += RowLook::at(gas).straight> 0.25;
+      walks += 0.25 > RowLook::at(walk).straight;
+      gases += 0.25 < RowLook::at(gas).straight;
     }
     EXPECT_LT(walks, chains / 5) << n;
     EXPECT_LT(gases, chains / 10) << n;

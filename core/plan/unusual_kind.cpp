@@ -42,7 +42,7 @@ const UnusualKind& info(Kind kind) {
       {"Grid",
        "301 to 2,048 spheres of like radii that fill their box, of which rows of eight are near many others"},
       {"Grid", "301 to 2,048 spheres of like radii in a box that is mostly empty, in no order"},
-      {"SphereTree", "at most 2,048 spheres, of which rows of eight are near many others"},
+      {"SphereTree", "at most 2,048 spheres in no order, or of which rows of eight are near many others"},
       {"SphereTree",
        "301 to 2,048 spheres of like radii that cells would suit, in frames: they are sorted in space for "
        "several at once"},
@@ -116,9 +116,9 @@ constexpr double sparse = 0.25;
 
 /// Of a few spheres, by how their rows of eight lie: where many are near one, a tree of these tells little
 /// apart, and the less so the less straight they are and the fuller their box is, as boxes of rows that pass
-/// meet before they do. Rows of a tube of overlapping spheres are near those
-/// along it too: other variants look at each of these spheres, as many to either side as overlap. Measured
-/// over the registry's scenes and 50 other kinds of chain, of five sizes or densities each.
+/// meet before they do. Rows of a tube of overlapping spheres are near those along it too: other variants
+/// look at each of these spheres, as many to either side as overlap. Measured over the registry's scenes and
+/// 50 other kinds of chain, of five sizes or densities each.
 Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
   constexpr double few_rows = 8, dense = 3, least_beside = 1. / 128;
   constexpr std::uint32_t very_few = 300;

@@ -18,6 +18,7 @@
 #include "catena/core/ranks/rank_search.h"
 #include "catena/core/ranks/test_chain.h"
 #include "catena/properties/failing_allocations.h"
+#include "catena/properties/testing/sanitized.h"
 
 namespace catena::ranks {
 namespace {
@@ -43,9 +44,7 @@ bool refuses_more_ranks_than_threads() {
 }
 
 TEST(ThreadRanks, AllBeginOrNone) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a sanitizer takes terabytes of addresses";
-#endif
+  if (properties::sanitized) GTEST_SKIP() << "a sanitizer takes terabytes of addresses";
   EXPECT_EXIT(std::_Exit(refuses_more_ranks_than_threads() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 

@@ -68,8 +68,8 @@ std::string read_standard_input() {
 
 /// Of a command that opens its input again it is the same again, as a file is.
 std::string bytes_of_standard_input() {
-  constexpr std::size_t most_kept = std::size_t{1}
-                                    << 26;  // a command that reads it once keeps it for nothing
+  // A command that reads it once keeps it for nothing.
+  constexpr std::size_t most_kept = std::size_t{1} << 26;
   static std::mutex reading;
   static std::optional<std::string> kept;
   static bool was_read = false;

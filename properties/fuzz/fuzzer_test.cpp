@@ -200,9 +200,14 @@ class WrongOnce final : public Variant {
 };
 
 TEST(Fuzzer, SaysWhatDoesNotRepeat) {
-  StrategyRegistry::instance().add_variant(
-      {.name = "WrongOnce", .summary = "wrong once"}, arithmetic_info<Robust>(),
-      [](const Parameters&) { return std::make_unique<WrongOnce>(); }, true);
+  static const bool known = [] {
+    StrategyRegistry::instance().add_variant(
+        {.name = "WrongOnce", .summary = "wrong once"}, arithmetic_info<Robust>(),
+        [](const Parameters&) { return std::make_unique<WrongOnce>(); }, true);
+    return true;
+  }();
+  EXPECT_TRUE(known);
+  WrongOnce::done = false;
   Fuzzer fuzzer({Subject::named("WrongOnce")}, {});
   const auto found = fuzz(fuzzer, 1000);
   ASSERT_TRUE(found);
