@@ -80,8 +80,9 @@ class Capsules final : public Variant {
  public:
   void build(const Chain& chain) override {
     const Stopwatch watch;
+    spheres_ = 0, capsules_.clear();  // nothing is built where memory ends
+    capsules_.resize((chain.size() + block - 1) / block);
     spheres_ = chain.size();
-    capsules_.resize((spheres_ + block - 1) / block);
     for (std::uint32_t k = 0; k < capsules_.size(); ++k)
       capsules_[k] = around(chain.spheres().data() + k * block, std::min(block, spheres_ - k * block));
     timings_.build_ms = watch.ms();
