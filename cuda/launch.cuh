@@ -34,8 +34,8 @@ __device__ inline void await_previous() {
 #endif
 }
 
-/// Of a kernel on the current device, asked once for each device that a thread comes from another one to: its code
-/// may be of another architecture there.
+/// Of a kernel on the current device, asked once for each device that a thread comes to from another one: its
+/// code may be of another architecture there.
 template <auto kernel>
 const cudaFuncAttributes& attributes_here() {
   thread_local int known = -1;
