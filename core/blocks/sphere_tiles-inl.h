@@ -142,8 +142,12 @@ struct PairsWithin {
   std::uint32_t of[128];
   std::uint16_t twice[256 + 3];
   constexpr PairsWithin() : of(), twice() {
-    for (std::uint32_t k = 0; k < 64; ++k)
-      of[2 * k] = k / 32 * 4 + k % 16 / 4, of[2 * k + 1] = k / 16 % 2 * 4 + k % 4;
+    using T = SphereTiles;
+    for (std::uint32_t k = 0; k < 64; ++k) {
+      const std::uint32_t tile = k / T::lanes, lane = k % T::lanes;
+      of[2 * k] = tile / T::across * T::rows + lane / T::columns;
+      of[2 * k + 1] = tile % T::across * T::columns + lane % T::columns;
+    }
     for (std::uint32_t byte = 0; byte < 256; ++byte)
       for (std::uint32_t k = 0; k < 8; ++k) twice[byte] |= (byte >> k & 1) * 3 << 2 * k;
   }

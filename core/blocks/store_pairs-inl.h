@@ -17,11 +17,10 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// a and b of each of a vector's first `size` lanes, side by side. May write as many as a vector has lanes.
+/// a and b of each of a vector's first `size` lanes, side by side. May write those of all lanes.
 template <class Bits>
 HWY_INLINE void store_side_by_side(Bits bits, hn::Vec<Bits> a, hn::Vec<Bits> b,
-                                   [[maybe_unused]] std::uint32_t size, Pair* to) {
-  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
+                                   [[maybe_unused]] std::uint32_t size, std::uint32_t* to) {
 #if HWY_TARGET <= HWY_AVX3
   if constexpr (hn::MaxLanes(Bits()) == 16) {
     // Highway moves both halves by six shuffles; the second is mostly empty.
@@ -31,14 +30,14 @@ HWY_INLINE void store_side_by_side(Bits bits, hn::Vec<Bits> a, hn::Vec<Bits> b,
     const auto half = [&](std::uint32_t k) HWY_ATTR {
       const auto lane = hn::IndicesFromVec(bits, hn::Load(bits, twice[k]));
       hn::StoreU(hn::OddEven(hn::TableLookupLanes(b, lane), hn::TableLookupLanes(a, lane)), bits,
-                 &to[8 * k].i);
+                 to + 16 * k);
     };
     half(0);
     if (HWY_UNLIKELY(size > 8)) half(1);
     return;
   }
 #endif
-  hn::StoreInterleaved2(a, b, bits, &to->i);
+  hn::StoreInterleaved2(a, b, bits, to);
 }
 
 /// Stores pairs of i and the lanes of j that are kept, side by side, the lower index first; returns their
@@ -46,9 +45,10 @@ HWY_INLINE void store_side_by_side(Bits bits, hn::Vec<Bits> a, hn::Vec<Bits> b,
 template <class Bits>
 HWY_INLINE std::uint32_t store_pairs(Bits bits, std::uint32_t i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
                                      Pair* to) {
+  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const Kept<Bits> lanes(keep);
   const auto kept = lanes.compress(j), all_i = hn::Set(bits, i);
-  store_side_by_side(bits, hn::Min(all_i, kept), hn::Max(all_i, kept), lanes.size(), to);
+  store_side_by_side(bits, hn::Min(all_i, kept), hn::Max(all_i, kept), lanes.size(), &to->i);
   return lanes.size();
 }
 /// Of each lane of i and its counterpart.
@@ -56,7 +56,8 @@ template <class Bits>
 HWY_INLINE std::uint32_t store_pairs(Bits bits, hn::Vec<Bits> i, hn::Vec<Bits> j, hn::Mask<Bits> keep,
                                      Pair* to) {
   const Kept<Bits> lanes(keep);
-  store_side_by_side(bits, lanes.compress(hn::Min(i, j)), lanes.compress(hn::Max(i, j)), lanes.size(), to);
+  store_side_by_side(bits, lanes.compress(hn::Min(i, j)), lanes.compress(hn::Max(i, j)), lanes.size(),
+                     &to->i);
   return lanes.size();
 }
 

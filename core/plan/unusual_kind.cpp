@@ -79,11 +79,10 @@ double share_that_meets(std::span<const Sphere> spheres) {
 /// make no difference.
 double growth(std::span<const Sphere> spheres) {
   constexpr std::uint32_t parts = 16, some = 16;
-  const std::size_t n = spheres.size();
-  const auto of_a_sample = static_cast<std::uint32_t>(n / (parts * some));
+  const auto n = static_cast<std::uint32_t>(spheres.size());
   std::array<float, parts> greatest{};
   for (std::uint32_t k = 0; k < parts * some; ++k) {
-    const Sphere& s = spheres[k * n / (parts * some) + scattered(k, of_a_sample)];
+    const Sphere& s = spheres[sample_along(k, parts * some, n)];
     greatest[k / some] = std::max(greatest[k / some], s.radius);
   }
   std::ranges::sort(greatest);

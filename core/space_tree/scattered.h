@@ -9,7 +9,8 @@ constexpr std::uint32_t scattered(std::uint32_t k, std::uint32_t end) {
   return static_cast<std::uint32_t>(std::uint64_t{k * 0x9E3779B1u} * end >> 32);
 }
 
-/// The k-th of so many samples all along 0 .. end, k < samples <= end: scattered in an even part each.
+/// The k-th of so many samples all along 0 .. end, k < samples: scattered in an even part each, all
+/// different where samples <= end.
 constexpr std::uint32_t sample_along(std::uint32_t k, std::uint32_t samples, std::uint32_t end) {
   const auto begin = [&](std::uint64_t j) { return static_cast<std::uint32_t>(j * end / samples); };
   return begin(k) + scattered(k, begin(k + 1) - begin(k));

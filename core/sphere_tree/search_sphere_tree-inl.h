@@ -12,6 +12,7 @@
 
 #include "catena/core/blocks/compress-inl.h"
 #include "catena/core/blocks/count_up-inl.h"
+#include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/vector_hits-inl.h"
 #include "catena/core/space_tree/axis_boxes-inl.h"
 #include "catena/core/sphere_tree/sphere_evidence.h"
@@ -186,8 +187,8 @@ class SphereSearch {
     const Bits bits;
     for (std::uint32_t k = 0; k < group; k += sphere_lanes) {
       const Kept<Bits> kept(lanes_of(bits, lanes >> k));
-      hn::StoreInterleaved2(kept.compress(count_up(bits, node * group + k)), hn::Set(bits, other), bits,
-                            &q_.tests[tests_].place);
+      store_side_by_side(bits, kept.compress(count_up(bits, node * group + k)), hn::Set(bits, other),
+                         kept.size(), &q_.tests[tests_].place);
       tests_ += kept.size();
     }
   }
