@@ -46,7 +46,7 @@ class BlockQueues {
   }
 
   /// Room for colliding spheres, with what a vector writes past the last: past hit_limit they are to be
-  /// handed over before the next two blocks.
+  /// handed over before the next eight pairs of blocks.
   static constexpr std::size_t hit_limit = 448;
   Pair* hits() { return hits_.data(); }
 
@@ -60,7 +60,7 @@ class BlockQueues {
 
  private:
   static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024,
-                               pair_room = pair_limit + 64, hit_room = hit_limit + 64 + 8;
+                               pair_room = pair_limit + 64, hit_room = hit_limit + 8 * 64 + 8;
 
   std::vector<Row> rows_;
   std::vector<Pair> pairs_, hits_;

@@ -11,6 +11,7 @@
 
 #include "catena/core/blocks/block_queues.h"
 #include "catena/core/blocks/count_up-inl.h"
+#include "catena/core/blocks/met_tiles-inl.h"
 #include "catena/core/blocks/open_pairs-inl.h"
 #include "catena/core/blocks/sphere_tiles-inl.h"
 #include "catena/core/blocks/squares_in_range.h"
@@ -35,8 +36,8 @@ class LeafPairs {
   void add(std::uint32_t a, std::uint32_t b) { queues_.add_pair({a, b}); }
   /// Block a and each of sixteen from b on whose bit is set.
   HWY_INLINE void add(std::uint32_t a, std::uint32_t b, std::uint32_t lanes) {
-    const SphereTiles::Bits bits;
-    for (std::uint32_t k = 0; k < BlockTree::group; k += SphereTiles::lanes)
+    const hn::CappedTag<std::uint32_t, 16> bits;
+    for (std::uint32_t k = 0; k < BlockTree::group; k += hn::MaxLanes(bits))
       queues_.add_pairs(
           store_pairs(bits, a, count_up(bits, b + k), lanes_of(bits, lanes >> k), queues_.next_pairs()));
   }
@@ -48,34 +49,43 @@ class LeafPairs {
 
  private:
   static constexpr std::uint32_t block = BlockTree::block;
-  static constexpr std::size_t met_at_once = 64;
 
-  /// Most blocks that are met have no spheres that may overlap, and which have is hard to foretell: some are
-  /// looked at in a row, and who was found is told when all are.
   template <bool scaled>
   HWY_INLINE void flush_as() {
     const auto pairs = queues_.pairs();
     constexpr std::size_t ahead = 6;
-    MetTiles met[met_at_once];
-    for (std::size_t begin = 0; begin < pairs.size(); begin += met_at_once) {
-      std::size_t count = 0;
-      for (std::size_t k = begin; k < std::min(begin + met_at_once, pairs.size()); ++k) {
+    MetTiles met;
+    for (std::size_t begin = 0; begin < pairs.size(); begin += MetTiles::most) {
+      for (std::size_t k = begin; k < std::min<std::size_t>(begin + MetTiles::most, pairs.size()); ++k) {
         if (k + ahead < pairs.size()) {
           for (const std::uint32_t b : {pairs[k + ahead].i, pairs[k + ahead].j}) {
             const Sphere* const s = tree_.spheres(chain_, b);
             hwy::Prefetch(s), hwy::Prefetch(s + 4);
           }
         }
-        count += meet<scaled>(pairs[k].i, pairs[k].j, met[count]);
+        meet<scaled>(pairs[k].i, pairs[k].j, met);
       }
-      for (std::size_t k = 0; k < count; ++k) {
-        hit_count_ = static_cast<std::size_t>(met[k].store(hits_ + hit_count_) - hits_);
-        if (HWY_UNLIKELY(hit_count_ > BlockQueues::hit_limit)) hand_over();
-      }
+      tell(met);
+      met.clear();
     }
     queues_.clear_pairs();
     decide();
     hand_over();
+  }
+  /// Keeps the pairs that overlap, and those that are decided later.
+  HWY_INLINE void tell(const MetTiles& met) {
+    for (std::uint32_t k = 0; k < met.size(); k += MetTiles::at_once) {
+      Pair* to = hits_ + hit_count_;
+      met.for_overlap(k, [&](const MetTiles::Eight& eight) HWY_ATTR { to = store_pairs(eight, to); });
+      hit_count_ = static_cast<std::size_t>(to - hits_);
+      if (HWY_UNLIKELY(hit_count_ > BlockQueues::hit_limit)) hand_over();
+    }
+    if (HWY_LIKELY(!met.any_open())) return;
+    for (std::uint32_t k = 0; k < met.size(); k += MetTiles::at_once)
+      met.for_open(k, [&](const MetTiles::Eight& eight) HWY_ATTR {
+        open_.add(eight);
+        if (open_.full()) decide();
+      });
   }
 
   /// What the spheres of these blocks are looked at times: 1 where scaling would lose a bit of one of them.
@@ -85,10 +95,9 @@ class LeafPairs {
     return 1;
   }
 
-  /// Spheres of block a against those of block b: whether any overlap for certain, and which. What is open is
-  /// decided later.
+  /// Spheres of block a against those of block b.
   template <bool scaled>
-  HWY_INLINE bool meet(std::uint32_t a, std::uint32_t b, MetTiles& met) {
+  HWY_INLINE void meet(std::uint32_t a, std::uint32_t b, MetTiles& met) {
     const Sphere *sa = tree_.spheres(chain_, a), *sb = tree_.spheres(chain_, b);
     if constexpr (Sink::listens) account(a, b);
     [[maybe_unused]] Sphere scaled_a[block], scaled_b[block];
@@ -98,22 +107,11 @@ class LeafPairs {
       sa = scaled_a, sb = scaled_b;
     }
     const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
-    auto found = SphereTiles(sb).compare(sa, last_within(a == b, row, column), slack_);
+    auto verdict = SphereTiles(sb).compare(sa, slack_);
+    verdict.keep(later_than(last_within(a == b, row, column)));
     if ((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled)
-      SphereTiles::cut(tree_.size_of(a), tree_.size_of(b), found);
-    if (HWY_UNLIKELY(!SphereTiles::none(found.open))) {
-      const SphereTiles::Bits bits;
-      for (std::uint32_t t = 0; t < SphereTiles::count; ++t) {
-        if (SphereTiles::count > 4 && hn::AllFalse(bits, found.open[t])) continue;
-        open_.add(bits, hn::Add(hn::Set(bits, row), SphereTiles::row_of(t)),
-                  hn::Add(hn::Set(bits, column), SphereTiles::column_of(t)), found.open[t]);
-        found.may[t] = hn::AndNot(found.open[t], found.may[t]);
-      }
-      if (open_.full()) decide();
-    }
-    const bool any = met.set(found.may);
-    met.row = row, met.column = column;
-    return any;
+      verdict.keep(within_first(tree_.size_of(a), tree_.size_of(b)));
+    met.add(row, column, verdict);
   }
 
   /// Of spheres `row` + p and `column` + q of two blocks those are looked at for which q - p is greater than

@@ -12,6 +12,7 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/exact_lanes-inl.h"
+#include "catena/core/blocks/met_tiles-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/chain/chain_view.h"
 
@@ -31,6 +32,9 @@ class OpenPairs {
   template <class Bits, class I>
   HWY_INLINE void add(Bits bits, I i, hn::Vec<Bits> j, hn::Mask<Bits> open) {
     size_ += store_pairs(bits, i, j, open, pairs_.data() + size_);
+  }
+  void add(const MetTiles::Eight& eight) {
+    size_ = static_cast<std::size_t>(store_pairs(eight, pairs_.data() + size_) - pairs_.data());
   }
   static constexpr std::size_t at_once = 8;  ///< of most_lanes
   bool full() const { return size_ > limit; }

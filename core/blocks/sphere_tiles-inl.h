@@ -6,12 +6,11 @@
 #define CATENA_CORE_BLOCKS_SPHERE_TILES_INL_H
 #endif
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include "catena/core/blocks/simd_targets.h"
-#include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/sphere.h"
 #include "hwy/highway.h"
@@ -36,21 +35,18 @@ class SphereTiles {
     for (std::uint32_t c = 0; c < across; ++c) columns_[c] = columns_of(spheres + c * columns);
   }
 
-  /// What stage 1 of Robust says of a row's sphere and a column's: that they may overlap; and, of those that
-  /// may, that binary32 leaves it open.
+  /// What stage 1 of Robust says of a row's sphere and a column's: that they overlap, or that binary32 leaves
+  /// it open. A bit for each two, those of a tile side by side.
   struct Verdict {
-    Mask may[count], open[count];
+    std::uint64_t overlap, open;
+    void keep(std::uint64_t bits) { overlap &= bits, open &= bits; }
   };
-  /// Of the eight spheres of the rows and those of the columns, where the column is further on than the row
-  /// by more than `after`. Not less, rather than at most: a NaN of two infinities is neither, and may
-  /// overlap.
-  HWY_INLINE Verdict compare(const Sphere* spheres, std::int32_t after, float slack) const {
+  /// Of the eight spheres of the rows and those of the columns. What is neither apart nor certain is open: so
+  /// is a NaN of two infinities.
+  HWY_INLINE Verdict compare(const Sphere* spheres, float slack) const {
     const Tag tag;
-    const Bits bits;
-    const hn::RebindToSigned<Tag> whole;
     const auto all_slack = hn::Set(tag, slack), floor = hn::Set(tag, SphereLanes::overlap_floor);
-    const auto nearest = hn::Set(whole, after);
-    Verdict verdict;
+    std::uint64_t all_apart = 0, all_certain = 0;
     for (std::uint32_t t = 0; t < count; t += across) {
       const Fields row = rows_of(spheres + t / across * rows);
       for (std::uint32_t c = 0; c < across; ++c) {
@@ -58,38 +54,19 @@ class SphereTiles {
         const auto dx = hn::Sub(column.x, row.x), dy = hn::Sub(column.y, row.y),
                    dz = hn::Sub(column.z, row.z), reach = hn::Add(column.radius, row.radius),
                    q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), of = hn::Mul(reach, reach);
-        const auto apart = hn::Lt(hn::MulAdd(of, all_slack, floor), q),
-                   certain = hn::Lt(hn::MulAdd(q, all_slack, floor), of);
-        const auto later = hn::Gt(hn::BitCast(whole, hn::Sub(column_of(t + c), row_of(t + c))), nearest);
-        verdict.may[t + c] = hn::AndNot(hn::RebindMask(bits, apart), hn::RebindMask(bits, later));
-        verdict.open[t + c] = hn::AndNot(hn::RebindMask(bits, certain), verdict.may[t + c]);
+        all_apart |= bits_of(hn::Lt(hn::MulAdd(of, all_slack, floor), q)) << lanes * (t + c);
+        all_certain |= bits_of(hn::Lt(hn::MulAdd(q, all_slack, floor), of)) << lanes * (t + c);
       }
     }
-    return verdict;
-  }
-  /// Without what is below the first rows and beyond the first columns.
-  static HWY_INLINE void cut(std::uint32_t height, std::uint32_t breadth, Verdict& verdict) {
-    const Bits bits;
-    for (std::uint32_t t = 0; t < count; ++t) {
-      const auto filled =
-          hn::And(hn::Lt(row_of(t), hn::Set(bits, height)), hn::Lt(column_of(t), hn::Set(bits, breadth)));
-      verdict.may[t] = hn::And(verdict.may[t], filled), verdict.open[t] = hn::And(verdict.open[t], filled);
-    }
-  }
-  static HWY_INLINE bool none(const Mask (&mask)[count]) {
-    Mask any = mask[0];
-    for (std::uint32_t t = 1; t < count; ++t) any = hn::Or(any, mask[t]);
-    return hn::AllFalse(Bits(), any);
+    return {all_certain, ~(all_apart | all_certain)};
   }
 
-  /// The row, and the column, of each lane of tile t.
-  static HWY_INLINE hn::Vec<Bits> row_of(std::uint32_t t) {
-    alignas(64) static constexpr std::uint32_t within[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-    return hn::Add(hn::Load(Bits(), within), hn::Set(Bits(), t / across * rows));
+  /// Of a bit of Verdict.
+  static constexpr std::uint32_t row_of(std::uint32_t bit) {
+    return bit / lanes / across * rows + bit % lanes / columns;
   }
-  static HWY_INLINE hn::Vec<Bits> column_of(std::uint32_t t) {
-    alignas(64) static constexpr std::uint32_t within[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-    return hn::Add(hn::Load(Bits(), within), hn::Set(Bits(), t % across * columns));
+  static constexpr std::uint32_t column_of(std::uint32_t bit) {
+    return bit / lanes % across * columns + bit % columns;
   }
 
  private:
@@ -132,72 +109,40 @@ class SphereTiles {
 #endif
   }
 
+  static HWY_INLINE std::uint64_t bits_of(hn::Mask<Tag> mask) {
+    std::uint8_t bytes[8];
+    hn::StoreMaskBits(Tag(), mask, bytes);
+    std::conditional_t<lanes == 16, std::uint16_t, std::uint8_t> bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+  }
+
   Fields columns_[across];
 };
 
-#if HWY_TARGET <= HWY_AVX3
-static_assert(SphereTiles::lanes == 16);
-/// Of tiles of sixteen: the row and the column of each lane, side by side; and a byte's bits, each twice.
-struct PairsWithin {
-  std::uint32_t of[128];
-  std::uint16_t twice[256 + 3];
-  constexpr PairsWithin() : of(), twice() {
-    using T = SphereTiles;
-    for (std::uint32_t k = 0; k < 64; ++k) {
-      const std::uint32_t tile = k / T::lanes, lane = k % T::lanes;
-      of[2 * k] = tile / T::across * T::rows + lane / T::columns;
-      of[2 * k + 1] = tile % T::across * T::columns + lane % T::columns;
+/// Sets of bits of Verdict.
+struct TileCuts {
+  std::uint64_t later[17], rows[9], columns[9];
+  constexpr TileCuts() : later(), rows(), columns() {
+    for (std::uint32_t bit = 0; bit < 64; ++bit) {
+      const std::uint64_t one = std::uint64_t{1} << bit;
+      const std::uint32_t row = SphereTiles::row_of(bit), column = SphereTiles::column_of(bit);
+      for (std::int32_t after = -8; after <= 8; ++after)
+        if (static_cast<std::int32_t>(column - row) > after) later[after + 8] |= one;
+      for (std::uint32_t size = 0; size <= 8; ++size) {
+        if (row < size) rows[size] |= one;
+        if (column < size) columns[size] |= one;
+      }
     }
-    for (std::uint32_t byte = 0; byte < 256; ++byte)
-      for (std::uint32_t k = 0; k < 8; ++k) twice[byte] |= (byte >> k & 1) * 3 << 2 * k;
   }
 };
-#endif
-
-/// Which spheres of two blocks overlap, a byte or two a tile, until they are told.
-struct MetTiles {
-  static constexpr std::uint32_t bytes = (SphereTiles::lanes + 7) / 8;
-  std::uint8_t bits[bytes * SphereTiles::count];
-  /// The first sphere of the rows, and of the columns. Highway may read and write eight bytes for one of
-  /// `bits`: they are set after these.
-  std::uint32_t row, column;
-
-  /// Whether there are any.
-  HWY_INLINE bool set(const SphereTiles::Mask (&near)[SphereTiles::count]) {
-    for (std::uint32_t t = 0; t < SphereTiles::count; ++t)
-      hn::StoreMaskBits(SphereTiles::Bits(), near[t], bits + bytes * t);
-    if constexpr (sizeof bits != sizeof(std::uint64_t)) return !SphereTiles::none(near);
-    std::uint64_t all;
-    std::memcpy(&all, bits, sizeof all);
-    return all != 0;
-  }
-  /// Stores the pairs, and returns the place after the last. May write as many more as a vector has lanes.
-  HWY_INLINE Pair* store(Pair* to) const {
-    static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
-#if HWY_TARGET <= HWY_AVX3
-    // A pair is two lanes side by side, which stay or go together: Highway 1.0 copies a table to the stack
-    // for each vector of 64 bits.
-    const SphereTiles::Bits halves;
-    alignas(64) static constexpr PairsWithin within;
-    const auto first = hn::BitCast(halves, hn::Set(hn::Repartition<std::uint64_t, SphereTiles::Bits>(),
-                                                   std::uint64_t{column} << 32 | row));
-    for (std::uint32_t k = 0; k < 8; ++k) {
-      const auto keep =
-          hn::LoadMaskBits(halves, reinterpret_cast<const std::uint8_t*>(&within.twice[bits[k]]));
-      hn::StoreU(hn::Compress(hn::Add(first, hn::Load(halves, within.of + 16 * k)), keep), halves, &to->i);
-      to += std::popcount(bits[k]);
-    }
-#else
-    const SphereTiles::Bits all;
-    for (std::uint32_t t = 0; t < SphereTiles::count; ++t)
-      if (bits[bytes * t] != 0)
-        to += store_pairs(all, hn::Add(hn::Set(all, row), SphereTiles::row_of(t)),
-                          hn::Add(hn::Set(all, column), SphereTiles::column_of(t)),
-                          hn::LoadMaskBits(all, bits + bytes * t), to);
-#endif
-    return to;
-  }
-};
+inline constexpr TileCuts tile_cuts;
+/// Where the column is further on than the row by more than `after`, from -8 to 8.
+inline std::uint64_t later_than(std::int32_t after) { return tile_cuts.later[after + 8]; }
+/// The first rows and columns.
+inline std::uint64_t within_first(std::uint32_t rows, std::uint32_t columns) {
+  return tile_cuts.rows[rows] & tile_cuts.columns[columns];
+}
 
 }  // namespace catena::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
