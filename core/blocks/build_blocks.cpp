@@ -12,7 +12,11 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 void build_groups_here(const ChainView& chain, BlockTree& tree, std::uint32_t begin, std::uint32_t end) {
-  for (std::uint32_t g = begin; g < end; ++g) build_group(chain, tree, g);
+  constexpr std::uint32_t ahead = 2;
+  for (std::uint32_t g = begin; g < end; ++g) {
+    if (g + ahead < end) fetch_group(chain, tree, g + ahead);
+    build_group(chain, tree, g);
+  }
 }
 void build_level_here(BlockTree& tree, std::size_t l, std::uint32_t begin, std::uint32_t end) {
   build_level(tree, l, begin, end);
