@@ -68,8 +68,8 @@ struct Robust {
       if (n.q > n.t * binary32_slack) return false;
       return n.q * binary32_slack < n.t || overlap_undecided(a, b);
     }
-    /// overlap(), but false where `excluded`. For those that are mostly near: of one branch, which then nearly
-    /// always goes the same way.
+    /// overlap(), but false where `excluded`. For those that are mostly near: of one branch, which then
+    /// nearly always goes the same way.
     CATENA_HD static bool overlap_unless(bool excluded, const Sphere& a, const Sphere& b) {
       const Binary32 n(a, b);
       const bool apart = n.q > n.t * binary32_slack, sure = n.q * binary32_slack < n.t;
@@ -109,16 +109,18 @@ struct Robust {
     return {x, y, z, (half_span + drift) * parent_slack};
   }
 
+  /// Of stage 1, here and where it is asked for many spheres at a time.
+  static constexpr float binary32_slack = 1 + 12 * 0x1p-24f;  // 1 + 12u
+  static constexpr float underflow_floor = 0x1p-120f;
+
  private:
   enum class Decision { separate, overlap, open };
 
   static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f;
   static constexpr float safe_radius_min = 0x1p-45f, safe_radius_max = 0x1p60f;  // their roots
-  static constexpr float binary32_slack = 1 + 12 * 0x1p-24f;                     // 1 + 12u
-  static constexpr float underflow_floor = 0x1p-120f;
-  static constexpr double binary64_slack = 1 + 10 * 0x1p-53;  // 1 + 10u
-  static constexpr float contained_slack = 1 + 6 * 0x1p-24f;  // 1 + 6u
-  static constexpr float parent_slack = 1 + 32 * 0x1p-24f;    // 1 + 32u; 25u and 5u of the drift are needed
+  static constexpr double binary64_slack = 1 + 10 * 0x1p-53;                     // 1 + 10u
+  static constexpr float contained_slack = 1 + 6 * 0x1p-24f;                     // 1 + 6u
+  static constexpr float parent_slack = 1 + 32 * 0x1p-24f;  // 1 + 32u; 25u and 5u of the drift are needed
   static constexpr double parent_binary64_slack = 1 + 0x1p-48;
 
   /// Stage 1, binary32: q = |cA - cB|^2 with relative error <= 5.01u, t = (rA + rB)^2 with <= 3.01u, and,
@@ -136,8 +138,8 @@ struct Robust {
     CATENA_HD bool in_range() const { return t > safe_square_min && t < safe_square_max; }
     float q, t;
 
-    /// q with fused products where they are faster: what it decides is certain either way, and need not be alike
-    /// on host and device.
+    /// q with fused products where they are faster: what it decides is certain either way, and need not be
+    /// alike on host and device.
     CATENA_HD static float fused_square(const Sphere& a, const Sphere& b) {
       const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
       return mul_add(dz, dz, mul_add(dy, dy, dx * dx));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <span>
 
+#include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
 #include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/met_tiles-inl.h"
@@ -160,7 +161,7 @@ class LeafPairs {
   /// Not 1 where squares of radii or their sums leave binary32's range: then all is looked at times this
   /// power of two, where that is exact.
   const float scale_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : tree_.scale;
-  const float slack_ = SphereLanes::overlap_slack * tree_.doubt;
+  const float slack_ = Robust::binary32_slack * tree_.doubt;
   OpenPairs open_{chain_};
   Pair* const hits_ = queues_.hits();
   std::size_t hit_count_ = 0;

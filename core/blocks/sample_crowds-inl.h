@@ -225,7 +225,9 @@ class CrowdSample {
   std::array<FirstLook, 8> first_;
   std::size_t seen_ = 0;
   const double beyond_ = octaves_beyond_cache(chain_.size);
-  const double exact_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : 6;   ///< times as long in cells
+  /// Times as long in cells.
+  const double exact_ =
+      squares_in_range(chain_.extent.greatest_radius) || differences_in_range(chain_.extent) ? 1 : 6;
   const double unfilled_ = double{BlockTree::block} * tree_.blocks / chain_.size;  ///< times as many blocks
   /// What it takes to change to another order, told which: some looks, whatever the chain's length.
   static constexpr double change_ns = 10'000;

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/simd_targets.h"
-#include "catena/core/blocks/tests-inl.h"
 #include "catena/core/sphere.h"
 #include "hwy/highway.h"
 
@@ -45,7 +45,7 @@ class SphereTiles {
   /// is a NaN of two infinities.
   HWY_INLINE Verdict compare(const Sphere* spheres, float slack) const {
     const Tag tag;
-    const auto all_slack = hn::Set(tag, slack), floor = hn::Set(tag, SphereLanes::overlap_floor);
+    const auto all_slack = hn::Set(tag, slack), floor = hn::Set(tag, Robust::underflow_floor);
     std::uint64_t all_apart = 0, all_certain = 0;
     for (std::uint32_t t = 0; t < count; t += across) {
       const Fields row = rows_of(spheres + t / across * rows);

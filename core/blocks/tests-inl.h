@@ -6,6 +6,7 @@
 #define CATENA_CORE_BLOCKS_TESTS_INL_H
 #endif
 
+#include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/capsules-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -91,10 +92,11 @@ class SphereLanes {
   }
   /// Not less, rather than at most: a NaN of two infinities is neither, and may overlap.
   static HWY_INLINE Flags<8> may_overlap(const Squares& s) {
-    return not_less(mul_add(s.t, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)), s.q);
+    return not_less(mul_add(s.t, Lanes8::all(Robust::binary32_slack), Lanes8::all(Robust::underflow_floor)),
+                    s.q);
   }
   static HWY_INLINE Flags<8> overlap_for_certain(const Squares& s) {
-    return mul_add(s.q, Lanes8::all(overlap_slack), Lanes8::all(overlap_floor)) < s.t;
+    return mul_add(s.q, Lanes8::all(Robust::binary32_slack), Lanes8::all(Robust::underflow_floor)) < s.t;
   }
 
   /// Which of the centres lie in a cube around that of `s`, which reaches so far to either side.
@@ -104,8 +106,6 @@ class SphereLanes {
                             (abs(z_ - Lanes8::all(s.z)) <= far);
     return within.bits();
   }
-
-  static constexpr float overlap_slack = 1 + 12 * 0x1p-24f, overlap_floor = 0x1p-120f;
 
  private:
   Lanes8 x_, y_, z_, radius_;

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "catena/core/blocks/open_pairs-inl.h"
+#include "catena/core/blocks/overlap_test-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/window_filter.h"
 #include "catena/core/chain/chain_view.h"
@@ -20,23 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using SphereTag = hn::CappedTag<float, 16>;
+using SphereTag = OverlapTest::Tag;
 inline constexpr std::uint32_t sphere_lanes = hn::MaxLanes(SphereTag());
-
-inline constexpr float sphere_slack = 1 + 12 * 0x1p-24f;  ///< of Robust's stage 1
-
-struct Verdict {
-  hn::Mask<SphereTag> may, certain;
-};
-/// Stage 1 of Robust, as sphere_pairs has it: q = |cA - cB|^2 against t = (rA + rB)^2. A NaN overlaps
-/// nothing.
-HWY_INLINE Verdict may_overlap(hn::Vec<SphereTag> dx, hn::Vec<SphereTag> dy, hn::Vec<SphereTag> dz,
-                               hn::Vec<SphereTag> reach, float slack_of) {
-  const SphereTag tag;
-  const auto slack = hn::Set(tag, slack_of), floor = hn::Set(tag, 0x1p-120f);
-  const auto q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), t = hn::Mul(reach, reach);
-  return {hn::Le(q, hn::MulAdd(t, slack, floor)), hn::Lt(hn::MulAdd(q, slack, floor), t)};
-}
 
 /// A vector of spheres: x y z radius, each so many numbers behind the one before, and their indices. What is
 /// no sphere has no x (NaN).
@@ -61,7 +47,7 @@ class VectorHits {
   VectorHits(const ChainView& chain, std::span<Pair> room, float doubt, std::uint64_t& open_done,
              Found& found)
       : filter_(chain),
-        slack_(sphere_slack * doubt),
+        overlap_(chain.extent, doubt),
         room_(room),
         limit_(room.size() - sphere_lanes),
         found_(found),
@@ -77,15 +63,15 @@ class VectorHits {
   /// are not read.
   template <bool equal_radii = false>
   HWY_INLINE void test(std::uint32_t i, const Sphere& sphere, const VectorOfSpheres& others) {
-    const Verdict verdict = compare<equal_radii>(sphere, others);
+    const OverlapTest::Verdict verdict = compare<equal_radii>(sphere, others);
     store(i, hn::Set(Bits(), i - window_), hn::LoadU(Bits(), others.index),
           hn::RebindMask(Bits(), verdict.may), verdict);
   }
   /// Spheres that are told to be met by their counterparts, lane by lane, none by itself.
-  HWY_INLINE void add(hn::Vec<Bits> i, hn::Vec<Bits> j, const Verdict& verdict) {
+  HWY_INLINE void add(hn::Vec<Bits> i, hn::Vec<Bits> j, const OverlapTest::Verdict& verdict) {
     store(i, hn::Sub(i, hn::Set(Bits(), window_)), j, hn::RebindMask(Bits(), verdict.may), verdict);
   }
-  float slack() const { return slack_; }
+  const OverlapTest& overlap_test() const { return overlap_; }
 
   /// Hands over what is left.
   void finish() {
@@ -95,19 +81,18 @@ class VectorHits {
 
  private:
   template <bool equal_radii>
-  HWY_INLINE Verdict compare(const Sphere& s, const VectorOfSpheres& others) const {
+  HWY_INLINE OverlapTest::Verdict compare(const Sphere& s, const VectorOfSpheres& others) const {
     const SphereTag tag;
     const auto reach =
         equal_radii ? hn::Set(tag, s.radius + s.radius) : hn::Add(others.field(3), hn::Set(tag, s.radius));
-    return may_overlap(hn::Sub(others.field(0), hn::Set(tag, s.x)),
-                       hn::Sub(others.field(1), hn::Set(tag, s.y)),
-                       hn::Sub(others.field(2), hn::Set(tag, s.z)), reach, slack_);
+    return overlap_(hn::Sub(others.field(0), hn::Set(tag, s.x)), hn::Sub(others.field(1), hn::Set(tag, s.y)),
+                    hn::Sub(others.field(2), hn::Set(tag, s.z)), reach);
   }
 
   /// Sphere i, or each lane of i; `first` is the first of its window.
   template <class I>
   HWY_INLINE void store(I i, hn::Vec<Bits> first, hn::Vec<Bits> j, hn::Mask<Bits> keep,
-                        const Verdict& verdict) {
+                        const OverlapTest::Verdict& verdict) {
     // |j - i| > window is one comparison of what wraps, and never true of i itself.
     keep = hn::And(keep, hn::Gt(hn::Sub(j, first), hn::Set(Bits(), 2 * window_)));
     const auto undecided = hn::AndNot(hn::RebindMask(Bits(), verdict.certain), keep);
@@ -134,7 +119,7 @@ class VectorHits {
   }
 
   const WindowFilter filter_;
-  const float slack_;
+  const OverlapTest overlap_;
   const std::span<Pair> room_;
   const std::size_t limit_;
   Found& found_;

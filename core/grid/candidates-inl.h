@@ -37,7 +37,6 @@ class Candidates {
   Candidates(const SphereGrid& grid, GridQueues& queues, VectorHits<Found>& hits, Sink& sink)
       : from_{grid.x.data(), grid.y.data(), grid.z.data(), grid.radius.data(), grid.index.data()},
         equal_radii_(grid.equal_radii),
-        slack_(sphere_slack * grid.doubt),
         q_(queues),
         sink_(sink),
         hits_(hits) {}
@@ -115,7 +114,7 @@ class Candidates {
       const auto dz = beside(of.z + c, box.centres.low[2], box.centres.high[2]);
       const auto radius = equal_radii_ ? hn::Set(Tag(), box.radius) : hn::LoadU(Tag(), of.radius + c);
       const auto reach = hn::Add(radius, hn::Set(Tag(), box.radius));
-      if (!hn::AllFalse(Tag(), may_overlap(dx, dy, dz, reach, slack_).may)) return false;
+      if (!hn::AllFalse(Tag(), hits_.overlap_test()(dx, dy, dz, reach).may)) return false;
     }
     return true;
   }
@@ -188,7 +187,6 @@ class Candidates {
 
   const Places from_;
   const bool equal_radii_;
-  const float slack_;
   GridQueues& q_;
   Sink& sink_;
   VectorHits<Found>& hits_;

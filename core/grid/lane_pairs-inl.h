@@ -233,15 +233,15 @@ class LanePairs {
     };
     const float* const radius = grid_.radius.data();
     const auto twice = hn::Set(Tag(), equal_radii && pairs > 0 ? radius[0] + radius[0] : 0);
-    const float slack = hits_.slack();
+    const OverlapTest& overlap = hits_.overlap_test();
     for (std::uint32_t k = 0; k < pairs; k += lanes) {
       const auto a = hn::LoadU(bits, q_.pairs.a.data() + k), b = hn::LoadU(bits, q_.pairs.b.data() + k);
       if constexpr (Sink::listens)
         for (std::uint32_t n = k; n < std::min(pairs, k + lanes); ++n)
           sink_.compared(grid_.index[q_.pairs.a[n]], grid_.index[q_.pairs.b[n]]);
-      const Verdict verdict =
-          may_overlap(apart(grid_.x, a, b), apart(grid_.y, a, b), apart(grid_.z, a, b),
-                      equal_radii ? twice : hn::Add(field(radius, a), field(radius, b)), slack);
+      const OverlapTest::Verdict verdict =
+          overlap(apart(grid_.x, a, b), apart(grid_.y, a, b), apart(grid_.z, a, b),
+                  equal_radii ? twice : hn::Add(field(radius, a), field(radius, b)));
       const auto may = hn::And(verdict.may, hn::FirstN(Tag(), pairs - k));
       if (!hn::AllFalse(Tag(), may)) hits_.add(index(a), index(b), {may, verdict.certain});
     }

@@ -6,7 +6,6 @@
 #define CATENA_CORE_SPHERE_TREE_TURNED_SPHERES_INL_H
 #endif
 
-
 #include "catena/core/blocks/vector_hits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,7 +39,7 @@ class TurnedSpheres {
     for (std::uint32_t k = 0; k < size; k += sphere_lanes)
       for (std::uint32_t by = 1; by <= half; ++by) {
         if (by == half && k >= half) break;
-        Verdict verdict = compare(k, k + by, hits.slack());
+        OverlapTest::Verdict verdict = compare(k, k + by, hits.overlap_test());
         if (by == half && sphere_lanes > half) verdict.may = hn::And(verdict.may, hn::FirstN(Tag(), half));
         if (HWY_LIKELY(hn::AllFalse(Tag(), verdict.may))) continue;
         hits.add(hn::LoadU(Bits(), index_ + k), hn::LoadU(Bits(), index_ + k + by), verdict);
@@ -55,9 +54,10 @@ class TurnedSpheres {
     return hn::LoadU(Tag(), field_[f] + k);
   }
   /// Those from lane k on with those from lane j on.
-  HWY_INLINE Verdict compare(std::uint32_t k, std::uint32_t j, float slack) const {
-    return may_overlap(hn::Sub(field(0, j), field(0, k)), hn::Sub(field(1, j), field(1, k)),
-                       hn::Sub(field(2, j), field(2, k)), hn::Add(field(3, j), field(3, k)), slack);
+  HWY_INLINE OverlapTest::Verdict compare(std::uint32_t k, std::uint32_t j,
+                                          const OverlapTest& overlap) const {
+    return overlap(hn::Sub(field(0, j), field(0, k)), hn::Sub(field(1, j), field(1, k)),
+                   hn::Sub(field(2, j), field(2, k)), hn::Add(field(3, j), field(3, k)));
   }
 
   alignas(64) float field_[4][2 * size];
