@@ -8,7 +8,7 @@
 #include <string>
 
 #include "catena/core/error.h"
-#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 
 namespace catena::properties {
 namespace {
@@ -35,12 +35,7 @@ class Moody final : public Variant {
   std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
 };
 
-const bool registered = [] {
-  StrategyRegistry::instance().add_variant(
-      {.name = "Moody", .summary = "as a test asks"}, arithmetic_info<Robust>(),
-      [](const Parameters&) { return std::make_unique<Moody>(); }, true);
-  return true;
-}();
+const test::RegisterHidden<Moody> moody{{.name = "Moody", .summary = "as a test asks"}};
 
 Case row(std::uint32_t n) {
   std::vector<Sphere> spheres;
@@ -92,7 +87,6 @@ TEST(Suite, LeavesAllPairsOutOnLongChainsAlone) {
 }
 
 TEST(Suite, AThrowIsAFindingAndARefusalIsCounted) {
-  ASSERT_TRUE(registered);
   const Case test = row(7), other = row(8);
   Suite suite({Subject::named("Moody")});
   EXPECT_FALSE(suite.check(test));

@@ -1,87 +1,27 @@
+// The run file against its description, reports/run_file.md; and that a run goes on where it was interrupted.
 #include "catena/reports/run_file.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <csignal>
-#include <cstdio>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
-#include <sstream>
+#include <string>
+#include <string_view>
 
-#include "catena/bench/regret/regret.h"
-#include "catena/bench/timing/cases.h"
-#include "catena/bench/tube/tube.h"
-#include "catena/core/commands/command.h"
-#include "catena/core/commands/command_line.h"
 #include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
-#include "catena/reports/base64.h"
-#include "catena/reports/section.h"
+#include "catena/core/strategy/registry.h"
+#include "catena/reports/journal.h"
+#include "catena/reports/test_run_file.h"
 
-/// The run file against its description, reports/run_file.md.
 namespace catena::reports {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Every section, small.
-Profile small_profile() {
-  Profile p = profile_named("quick");
-  std::erase_if(p.variants, [](const VariantInfo& v) {
-    return !std::set<std::string>{"CPU1",       "CPU1/literal", "aCPU2+CPU2", "aCPU2+CPU2/literal",
-                                  "aCPU2+Dual", "Hybrid",       "auto"}
-                .contains(v.name);
-  });
-  bench::WorkloadSpec in_box{CATENA_SOURCE_DIR "/core/readers/examples/melt.dump"};  // a box, two frames
-  in_box.options.radius = 0.5f;
-  p.inputs = {{"path1:n=300"}, {"path1:n=100", true}, in_box};
-  p.stopping = {.seconds = 60, .share = 0, .most_samples = 2, .least_ms = 0.01, .seed = 5};
-  p.section_seconds = 0.01;
-  p.section_rounds = 3;
-  p.stability_n = 200;  // the rope diverges when it is much shorter
-  p.tube_spacings = {1};
-  p.motion_steps.clear();
-  p.examine_settings = {"n=200"};
-  p.shown = {{"path1:n=200", true}, {"far:n=500,exponent=22"}, {"hair:n=200"}};
-  p.wants_inputs = p.coherent_inputs = {bench::WorkloadSpec{"path1:n=200"}, in_box};
-  p.regret_inputs = {bench::WorkloadSpec{"path1:n=16"}, bench::WorkloadSpec{"yarn:n=300"}, in_box};
-  p.short_chains = {10, 100};
-  p.animation_input = {"path1:n=200"};
-  p.animation_step = 10;
-  p.keyframe_sizes = {200};
-  p.copy_bytes = 1 << 20;
-  p.rank_chains = {{"yarn:n=1000", 8}, {"hair:n=1000", 4}};
-  return p;
-}
-
-bool measures() {
-  if (environment().at("build type") != "Release") return false;
-  try {
-    bench::measure_in_rounds({}, {});
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-const Json& small_run() {
-  static const Json run = measure_run(small_profile(), "catena report --quick");
-  return run;
-}
-
-class RunFile : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!measures()) GTEST_SKIP() << "measures in a Release build with Google Benchmark only";
-  }
-};
 
 std::size_t decoded_size(const std::string& text) {
   EXPECT_EQ(text.size() % 4, 0u);
@@ -264,166 +204,6 @@ TEST_F(RunFile, NothingToMeasureIsSaid) {
 TEST(Report, RefusesABuildThatIsNotRelease) {
   if (environment().at("build type") == "Release") GTEST_SKIP() << "this is a Release build";
   EXPECT_THROW(measure_run(small_profile(), ""), InputError);
-}
-
-TEST(Report, PaperMeasuresThePapersTables) {
-  std::ifstream file(CATENA_SOURCE_DIR "/reports/catena_report/paper_tables.json");
-  const Json tables = Json::parse(file);
-  std::vector<std::string> expected, planned;
-  for (const char* path : {"path1", "path2"})
-    for (const std::uint32_t n : tables["n"])
-      expected.push_back(std::string(path) + ":n=" + std::to_string(n));
-  for (const auto& input : profile_named("paper").inputs) {
-    EXPECT_TRUE(input.all_frames);
-    planned.push_back(input.input);
-  }
-  EXPECT_EQ(planned, expected);
-  for (const char* profile : {"paper", "full"})
-    EXPECT_EQ(Json(profile_named(profile).keyframe_sizes), tables["n"]) << profile;
-  // Each of its ways once in either arithmetic, on a device or as the host does it.
-  std::multiset<std::string> measured, ways;
-  for (const VariantInfo& v : profile_named("paper").variants) {
-    std::string name = v.name;
-    for (auto at = name.find("@host"); at != std::string::npos; at = name.find("@host")) name.erase(at, 5);
-    measured.insert(name);
-  }
-  for (const std::string way : {"GPU1", "aCPU2+CPU2", "aGPU2+GPU2", "aGPU2+GPUv2"})
-    for (const char* arithmetic : {"", "/literal"}) ways.insert(way + arithmetic);
-  EXPECT_EQ(measured, ways);
-}
-
-/// The stages and variants of each, and scenes for all of what auto may choose.
-TEST(Report, ProfilesMeasureWhatTheyAreFor) {
-  const auto has = [](const Profile& p, const std::string& part) {
-    const auto cases = bench::filtered(bench::cases(p.inputs, p.variants, p.most_all_pairs), p.filter);
-    return std::ranges::any_of(
-        cases, [&](const bench::Case& c) { return c.name().find(part) != std::string::npos; });
-  };
-  const Profile quick = profile_named("quick"), full = profile_named("full"), paper = profile_named("paper");
-  for (const auto& [name, p] : {std::pair("quick", &quick), {"full", &full}, {"paper", &paper}}) {
-    EXPECT_EQ(p->name, name);
-    for (const VariantInfo& v : p->variants) EXPECT_FALSE(v.unavailable) << v.name;
-    std::vector<std::string> exact, all_exact;
-    for (const VariantInfo& v : exact_variants(*p)) exact.push_back(v.name);
-    for (const VariantInfo& v : p->variants)
-      if (v.exact) all_exact.push_back(v.name);
-    EXPECT_EQ(exact, all_exact);
-    EXPECT_LT(exact.size(), p->variants.size());
-    EXPECT_EQ(has(*p, "/whole"), p != &paper) << name << ": the tables have construction and traversal";
-    EXPECT_EQ(has(*p, "/double/"), p == &full) << name << ": of the error only";
-    EXPECT_TRUE(p == &paper || has(*p, "path1/n:10000/CPU1/")) << name << ": the paper's claim";
-  }
-  for (const auto& [p, n] : {std::pair(&quick, 1000u), {&full, 1000u}, {&full, 30'000u}, {&full, 1'000'000u}})
-    for (const bench::WorkloadSpec& scene : bench::all_scenes(n))
-      EXPECT_TRUE(std::ranges::count(p->regret_inputs, scene.input, &bench::WorkloadSpec::input))
-          << scene.input;
-  EXPECT_EQ(full.whole_seconds, 0) << "as long as it takes";
-}
-
-TEST(Report, EveryProfileNamesTubesThatThereAre) {
-  for (const char* profile : {"quick", "full", "paper"}) {
-    for (const std::string& tube : profile_named(profile).tubes)
-      EXPECT_EQ(bench::tubes_named({tube}).size(), 1u) << profile;
-  }
-}
-
-TEST(Report, Base64IsThatOfTheStandard) {
-  const auto of = [](const std::string& text) { return base64(std::span<const char>(text)); };
-  EXPECT_EQ(of(""), "");
-  EXPECT_EQ(of("f"), "Zg==");
-  EXPECT_EQ(of("fo"), "Zm8=");
-  EXPECT_EQ(of("foo"), "Zm9v");
-  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(of("\xff\xfe\xfd"), "//79");
-}
-
-/// The command report with these options. Throws InputError for what it does not take.
-std::unique_ptr<Command> with_options(const std::string& arguments) {
-  const auto commands = CommandRegistry::instance().commands();
-  auto command = std::ranges::find(commands, "report", &CommandInfo::name)->make();
-  std::istringstream words(arguments);
-  parse_options({std::istream_iterator<std::string>(words), {}},
-                [&](OptionParser& app) { command->configure(app); });
-  return command;
-}
-
-int report(const std::string& arguments) { return with_options(arguments)->run(); }
-
-/// The files of a folder, but for the list of its reports.
-std::set<std::string> files_in(const std::filesystem::path& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
-  names.erase(".catena-report");
-  return names;
-}
-
-TEST_F(RunFile, KeepsWhatWasMeasuredAtCtrlC) {
-  const std::filesystem::path folder = testing::TempDir() + "catena_interrupted_" + std::to_string(getpid());
-  std::filesystem::remove_all(folder);
-  const pid_t child = fork();
-  if (child == 0) {
-    std::freopen("/dev/null", "w", stderr);
-    report("--scene path1:n=100 --variant aCPU2+CPU2 --seconds 3 --repetitions 9999 --no-page --output " +
-           folder.string());
-    _exit(0);
-  }
-  const auto rows = [&] {
-    std::ifstream in(folder / "run.journal");
-    std::size_t found = 0;
-    for (std::string line; std::getline(in, line);) found += line.starts_with(R"({"row")");
-    return found;
-  };
-  for (int wait = 0; wait < 3000 && rows() < 20; ++wait) usleep(10'000);
-  kill(child, SIGINT);
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
-  EXPECT_EQ(files_in(folder), std::set<std::string>{"run.journal"});
-  const std::size_t kept = rows();
-  ASSERT_GE(kept, 20u);
-
-  EXPECT_THROW(report("--scene path1:n=100 --no-page --output " + folder.string()), InputError)
-      << "would lose it";
-  EXPECT_THROW(with_options("--resume --seed 3 --output " + folder.string()), InputError)
-      << "its options are known";
-  EXPECT_EQ(report("--resume --output " + folder.string()), 0);
-  EXPECT_EQ(files_in(folder), std::set<std::string>{"run.json"});
-  std::ifstream in(folder / "run.json");
-  const Json run = Json::parse(in);
-  EXPECT_GE(run["benchmarks"].size(), kept);
-  EXPECT_NE(run["catena"]["command"].get<std::string>().find("--repetitions 9999"), std::string::npos);
-  EXPECT_THROW(report("--resume --output " + folder.string()), InputError) << "nothing is left to resume";
-  std::filesystem::remove_all(folder);
-}
-
-TEST_F(RunFile, HoldsAsManyRepetitionsAsAreAskedFor) {
-  const std::filesystem::path folder = testing::TempDir() + "catena_repetitions_" + std::to_string(getpid());
-  EXPECT_EQ(
-      report("--scene path1:n=50 --variant CPU1 --repetitions 14 --no-page --output " + folder.string()), 0);
-  std::ifstream in(folder / "run.json");
-  const Json run = Json::parse(in);
-  std::map<std::string, int> repetitions;
-  for (const Json& row : run["benchmarks"]) {
-    ++repetitions[row["name"]];
-    for (const char* key : {"least_ms", "load_one_ms", "load_all_ms"}) EXPECT_GT(row[key], 0) << key;
-    EXPECT_LE(row["least_ms"], row["real_time"].get<double>() * (1 + 1e-9));
-  }
-  EXPECT_EQ(repetitions.size(), 2u);
-  EXPECT_FALSE(run["catena"].contains("judged")) << "what is not about the scene asked for";
-  for (const auto& [name, times] : repetitions) EXPECT_EQ(times, 14) << name;
-  std::filesystem::remove_all(folder);
-}
-
-TEST(Report, RefusesWhatMakesNoSense) {
-  EXPECT_THROW(report("--variant Nope"), InputError);
-  EXPECT_THROW(report("--scene nope:n=3 --no-page"), InputError);
-  EXPECT_THROW(report("--benchmark_filter ( --no-page"), InputError);
-  EXPECT_THROW(with_options("--quick --full"), InputError);
-  EXPECT_THROW(with_options("--seconds -1"), InputError);
-  EXPECT_THROW(with_options("--repetitions 0"), InputError);
-  EXPECT_THROW(with_options("--resume --full"), InputError);
-  EXPECT_THROW(with_options("--compare only_one.json"), InputError);
-  EXPECT_THROW(profile_named("slow"), InputError);
 }
 
 }  // namespace

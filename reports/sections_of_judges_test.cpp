@@ -8,7 +8,7 @@
 
 #include "catena/bench/closed_form/lattice_box.h"
 #include "catena/core/readers/test_file.h"
-#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 #include "catena/reports/test_sections.h"
 
 /// What stands in each section of a run file, against what it is said to be. That the keys are those of
@@ -152,14 +152,9 @@ class Saying final : public Variant {
   Timings said_;
 };
 
+const test::RegisterHidden<Saying> saying{{.name = "Saying", .summary = "says"}};
+
 TEST(Sections, OfWantsHaveTheTimesOfWhatWasAskedFor) {
-  static const bool registered = [] {
-    StrategyRegistry::instance().add_variant(
-        {.name = "Saying", .summary = "says"}, arithmetic_info<Robust>(),
-        [](const Parameters&) { return std::make_unique<Saying>(); }, true);
-    return true;
-  }();
-  EXPECT_TRUE(registered);
   Profile p = profile_of({"Saying"});
   p.wants_inputs = {{"path1:n=100"}};
   const std::map<std::string, double> said{{"pairs", 3}, {"counts", 2}, {"any", 1}};

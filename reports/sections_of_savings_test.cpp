@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "catena/core/plan/omissions.h"
-#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 #include "catena/reports/test_sections.h"
 
 /// That a row of savings says `identical` of what is, and not of what is not; and who is quickest.
@@ -51,15 +51,10 @@ class Fickle final : public Variant {
   bool updated_ = false;  ///< an odd number of times since the build
 };
 
+const test::RegisterHidden<Fickle> fickle{{.name = "Fickle", .summary = "as a test asks", .has_tree = true}};
+
 /// Of a fault: the rows that are not identical.
 std::set<std::string> differing(Fickle::Fault fault) {
-  static const bool registered = [] {
-    StrategyRegistry::instance().add_variant(
-        {.name = "Fickle", .summary = "as a test asks", .has_tree = true}, arithmetic_info<Robust>(),
-        [](const Parameters&) { return std::make_unique<Fickle>(); }, true);
-    return true;
-  }();
-  EXPECT_TRUE(registered);
   Profile p = profile_of({"CPU1", "Fickle"});
   p.wants_inputs = p.coherent_inputs = {{"winding:n=300"}};
   p.short_chains = {1000};

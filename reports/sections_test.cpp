@@ -5,7 +5,7 @@
 
 #include "catena/bench/counts/count_work.h"
 #include "catena/core/readers/test_file.h"
-#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 #include "catena/reports/test_sections.h"
 
 /// What stands in each section of a run file, against what it is said to be. That the keys are those of
@@ -89,14 +89,9 @@ class DearBuild final : public Variant {
   std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
 };
 
+const test::RegisterHidden<DearBuild> dear_build{{.name = "DearBuild", .summary = "dear"}};
+
 TEST(Sections, OfCoherenceTellAnUpdateFromABuild) {
-  static const bool registered = [] {
-    StrategyRegistry::instance().add_variant(
-        {.name = "DearBuild", .summary = "dear"}, arithmetic_info<Robust>(),
-        [](const Parameters&) { return std::make_unique<DearBuild>(); }, true);
-    return true;
-  }();
-  EXPECT_TRUE(registered);
   Profile p = profile_of({"CPU1", "DearBuild"});
   const TestFile file("boxes.xyz", in_boxes({"8", "20", "20"}));
   p.coherent_inputs = {{"path1:n=100"}, {file.path().string()}};

@@ -13,6 +13,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 
 namespace catena::bench {
 namespace {
@@ -139,15 +140,10 @@ class Settling final : public Variant {
   int searches_ = 0;
 };
 
+const test::RegisterHidden<Settling> settling{{.name = "Settling", .summary = "slow at once"}};
+
 /// One who searches once has what was chosen at once, whatever many searches would have settled on.
 TEST(Regret, OfTheFirstChoiceShowsThoughManySearchesMendIt) {
-  static const bool registered = [] {
-    StrategyRegistry::instance().add_variant(
-        {.name = "Settling", .summary = "slow at once"}, arithmetic_info<Robust>(),
-        [](const Parameters&) { return std::make_unique<Settling>(); }, true);
-    return true;
-  }();
-  EXPECT_TRUE(registered);
   const Regret r = regret({"path1:n=8"}, {busy("BusyAsSettled", 0.3)},
                           {.seconds = 0.3, .rounds = 9, .least_ms = 1}, "Settling");
   EXPECT_EQ(r.first, "at once");

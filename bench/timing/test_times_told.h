@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catena/core/executor/pair_collector.h"
-#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 #include "catena/reference/exact_gap.h"
 
 namespace catena::bench {
@@ -61,11 +61,7 @@ class TimesTold final : public Variant {
   Timings timings_;
 };
 
-inline const bool times_told_registered = [] {
-  StrategyRegistry::instance().add_variant(
-      {.name = "TimesTold", .summary = "times that are told"}, arithmetic_info<Robust>(),
-      [](const Parameters&) { return std::make_unique<TimesTold>(); }, true);
-  return true;
-}();
+inline const test::RegisterHidden<TimesTold> times_told{
+    {.name = "TimesTold", .summary = "times that are told"}};
 
 }  // namespace catena::bench

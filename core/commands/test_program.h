@@ -43,6 +43,9 @@ inline Texts words_of(const std::string& line) {
 /// folder of its own.
 class Program : public testing::Test {
  protected:
+  /// The folder of the files that tests of the readers read, too.
+  static inline const std::string examples = CATENA_SOURCE_DIR "/core/readers/examples/";
+
   Program()
       : folder_(std::filesystem::temp_directory_path() / ("catena-program-" + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder_);

@@ -13,7 +13,7 @@
 #include "catena/core/motion/knot.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/scenes/test_pairs.h"
-#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 
 namespace catena {
 namespace {
@@ -140,15 +140,11 @@ class OutOfMemoryOnce final : public Variant {
   std::unique_ptr<Variant> found_by_ = StrategyRegistry::instance().make("CPU1");
 };
 
+const test::RegisterHidden<OutOfMemoryOnce> out_of_memory_once{
+    {.name = "OutOfMemoryOnce", .summary = "as a test asks"}};
+
 /// What a frame is asked for anew after an exception, it is not a longer motion.
 TEST(Rope, HasTheSameFramesAfterOneThatCouldNotBeMade) {
-  static const bool registered = [] {
-    StrategyRegistry::instance().add_variant(
-        {.name = "OutOfMemoryOnce", .summary = "as a test asks"}, arithmetic_info<Robust>(),
-        [](const Parameters&) { return std::make_unique<OutOfMemoryOnce>(); }, true);
-    return true;
-  }();
-  EXPECT_TRUE(registered);
   const std::string spec = "rope:n=40,rope=40,duration=12,frames=5";
   const auto right = open(spec), scene = open(spec + ",variant=OutOfMemoryOnce");
   for (const int finds : {0, 1, 4, 9}) {

@@ -11,11 +11,13 @@
 
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/plan/slow_subnormals.h"
+#include "catena/core/plan/test_plan.h"
 
 namespace catena {
 namespace {
 
 using Variant = Machine::VariantCost;
+using test::step;
 
 /// What a plan is to do, computed a second time: as the page of it says, from the figures alone.
 struct Rules {
@@ -126,10 +128,6 @@ class Made {
  private:
   std::mt19937 dice_;
 };
-
-const Decision& step(const Plan& plan, const char* name) {
-  return *std::ranges::find(plan, name, &Decision::step);
-}
 
 TEST(SearchPlan, IsThatOfItsRulesForAnyMachineAndHistory) {
   std::size_t several_threads = 0, devices = 0, learnt = 0;

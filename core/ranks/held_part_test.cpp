@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "catena/bench/ranks/lattice_part.h"
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/ranks/local_search.h"
 #include "catena/core/strategy/registry.h"
@@ -102,6 +103,24 @@ TEST(HeldPart, TellsOfAPairWherePiecesPart) {
     KeptPairs kept(10);
     search_within(held, *variant, want, 10, kept);
     EXPECT_EQ(kept.found(), 1u);
+  }
+}
+
+/// Numbers past 2^32, as no chain of one process has them: three parts in the middle of a chain of 5e9
+/// spheres.
+TEST(HeldPart, NumbersSpheresIn64Bits) {
+  const bench::LatticeBox box{.side = 1700, .reach = 1, .rods = true};
+  const SphereId first = (SphereId{1} << 32) - 500;
+  const HeldPart held(lattice_part(box, first, first + 1000));
+  const Place below = held.place(499), above = held.place(500);
+  EXPECT_EQ(below.id, (SphereId{1} << 32) - 1);
+  EXPECT_EQ(above.id, SphereId{1} << 32);
+  for (std::uint32_t i = 1; i < 1000; ++i) {
+    const Place a = held.place(i - 1), b = held.place(i), first_of_all = held.place(0);
+    EXPECT_EQ(held.neighbours(a, b), box.neighbours(a.id, b.id)) << i;
+    if (i > 1) {
+      EXPECT_FALSE(held.neighbours(first_of_all, b)) << i;
+    }
   }
 }
 

@@ -13,7 +13,7 @@
 
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/readers/chain_format.h"
-#include "catena/core/strategy/register.h"
+#include "catena/core/strategy/test_variant.h"
 #include "catena/properties/fuzz/failure_store.h"
 #include "catena/properties/fuzz/sequence.h"
 #include "catena/properties/generators/mutate.h"
@@ -41,12 +41,8 @@ class MissesTouching final : public Variant {
   Timings timings() const override { return {}; }
 };
 
-const bool registered = [] {
-  StrategyRegistry::instance().add_variant(
-      {.name = "MissesTouching", .summary = "`<` for `<=`"}, arithmetic_info<Robust>(),
-      [](const Parameters&) { return std::make_unique<MissesTouching>(); }, true);
-  return true;
-}();
+const test::RegisterHidden<MissesTouching> misses_touching{
+    {.name = "MissesTouching", .summary = "`<` for `<=`"}};
 
 std::optional<Fuzzer::Counterexample> fuzz(Fuzzer& fuzzer, std::uint64_t cases) {
   while (fuzzer.cases() < cases)
@@ -61,7 +57,6 @@ std::string text_of(const Chain& chain) {
 }
 
 TEST(Fuzzer, FindsAndShrinksAnError) {
-  ASSERT_TRUE(registered);
   Fuzzer fuzzer({Subject::named("MissesTouching")}, {});
   const auto found = fuzz(fuzzer, 1000);
   ASSERT_TRUE(found);
@@ -199,14 +194,9 @@ class WrongOnce final : public Variant {
   static inline bool done = false;
 };
 
+const test::RegisterHidden<WrongOnce> wrong_once{{.name = "WrongOnce", .summary = "wrong once"}};
+
 TEST(Fuzzer, SaysWhatDoesNotRepeat) {
-  static const bool known = [] {
-    StrategyRegistry::instance().add_variant(
-        {.name = "WrongOnce", .summary = "wrong once"}, arithmetic_info<Robust>(),
-        [](const Parameters&) { return std::make_unique<WrongOnce>(); }, true);
-    return true;
-  }();
-  EXPECT_TRUE(known);
   WrongOnce::done = false;
   Fuzzer fuzzer({Subject::named("WrongOnce")}, {});
   const auto found = fuzz(fuzzer, 1000);

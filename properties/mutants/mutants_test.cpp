@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "catena/core/error.h"
+#include "catena/core/strategy/test_variant.h"
 #include "catena/core/thrown.h"
 #include "catena/properties/giants.h"
 #include "catena/properties/mutants/chains_to_kill.h"
-#include "catena/core/strategy/register.h"
 #include "catena/properties/mutants/faulty_parts.h"
 #include "catena/properties/mutants/faulty_ranks.h"
 #include "catena/properties/mutants/faulty_tree.h"
@@ -133,17 +133,14 @@ void expect_passes_everything(const Subject& base) {
   }
 }
 
+const test::RegisterHidden<FaultyTree> faulty_tree{
+    {.name = "FaultyTree", .summary = "no mutant", .has_tree = true, .promises = {true, true}}};
+const test::RegisterHidden<FaultyParts> faulty_parts{
+    {.name = "FaultyParts", .summary = "no mutant", .parameters = FaultyParts::parameters()}};
+const test::RegisterHidden<FaultyRanks> faulty_ranks{
+    {.name = "FaultyRanks", .summary = "no mutant", .parameters = FaultyRanks::parameters()}};
+
 TEST(Mutants, WithoutABugTheirBasePasses) {
-  StrategyRegistry& registry = StrategyRegistry::instance();
-  registry.add_variant(
-      {.name = "FaultyTree", .summary = "no mutant", .has_tree = true, .promises = {true, true}},
-      arithmetic_info<Robust>(), make_strategy<FaultyTree, Variant>, true);
-  registry.add_variant(
-      {.name = "FaultyParts", .summary = "no mutant", .parameters = FaultyParts::parameters()},
-      arithmetic_info<Robust>(), make_strategy<FaultyParts, Variant>, true);
-  registry.add_variant(
-      {.name = "FaultyRanks", .summary = "no mutant", .parameters = FaultyRanks::parameters()},
-      arithmetic_info<Robust>(), make_strategy<FaultyRanks, Variant>, true);
   for (const char* const base : {"FaultyTree", "FaultyParts", "FaultyRanks"}) expect_passes_everything(Subject::named(base));
 }
 
