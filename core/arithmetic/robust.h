@@ -109,16 +109,16 @@ struct Robust {
     return {x, y, z, (half_span + drift) * parent_slack};
   }
 
-  /// Of stage 1, here and where it is asked for many spheres at a time.
+  /// Of stages 1 and 2, here and where they are asked for many spheres at a time.
   static constexpr float binary32_slack = 1 + 12 * 0x1p-24f;  // 1 + 12u
   static constexpr float underflow_floor = 0x1p-120f;
+  static constexpr double binary64_slack = 1 + 10 * 0x1p-53;  // 1 + 10u
 
  private:
   enum class Decision { separate, overlap, open };
 
   static constexpr float safe_square_min = 0x1p-90f, safe_square_max = 0x1p120f;
   static constexpr float safe_radius_min = 0x1p-45f, safe_radius_max = 0x1p60f;  // their roots
-  static constexpr double binary64_slack = 1 + 10 * 0x1p-53;                     // 1 + 10u
   static constexpr float contained_slack = 1 + 6 * 0x1p-24f;                     // 1 + 6u
   static constexpr float parent_slack = 1 + 32 * 0x1p-24f;  // 1 + 32u; 25u and 5u of the drift are needed
   static constexpr double parent_binary64_slack = 1 + 0x1p-48;

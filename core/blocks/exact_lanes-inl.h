@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/simd_targets.h"
 #include "catena/core/sphere.h"
 #include "hwy/highway.h"
@@ -50,8 +51,7 @@ constexpr std::size_t pair_lanes = hn::MaxLanes(PairTag());
 HWY_INLINE Told told_in_binary64(const Sphere* some, const Sphere* others) {
   using D = PairTag;
   using Half = hn::Rebind<float, D>;
-  constexpr double binary64_slack = 1 + 10 * 0x1p-53;
-  const auto slack = hn::Set(D(), binary64_slack);
+  const auto slack = hn::Set(D(), Robust::binary64_slack);
   struct Wide {
     hn::Vec<D> x, y, z, radius;
     explicit HWY_INLINE Wide(const Sphere* spheres) {

@@ -60,7 +60,7 @@ class LeafPairs {
       for (std::size_t k = begin; k < std::min<std::size_t>(begin + MetTiles::most, pairs.size()); ++k) {
         if (k + ahead < pairs.size()) {
           for (const std::uint32_t b : {pairs[k + ahead].i, pairs[k + ahead].j}) {
-            const Sphere* const s = tree_.spheres(chain_, b);
+            const Sphere* const s = chain_.spheres + tree_.begin_of(b);
             hwy::Prefetch(s), hwy::Prefetch(s + 4);
           }
         }
@@ -99,7 +99,13 @@ class LeafPairs {
   /// Spheres of block a against those of block b.
   template <bool scaled>
   HWY_INLINE void meet(std::uint32_t a, std::uint32_t b, MetTiles& met) {
-    const Sphere *sa = tree_.spheres(chain_, a), *sb = tree_.spheres(chain_, b);
+    const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
+    const Sphere *sa = chain_.spheres + row, *sb = chain_.spheres + column;
+    std::uint64_t asked = later_than(last_within(a == b, row, column));
+    if (HWY_UNLIKELY(((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled) != 0)) {
+      sa = tree_.spheres(chain_, a), sb = tree_.spheres(chain_, b);
+      asked &= within_first(tree_.size_of(a), tree_.size_of(b));
+    }
     if constexpr (Sink::listens) account(a, b);
     [[maybe_unused]] Sphere scaled_a[block], scaled_b[block];
     if constexpr (scaled) {
@@ -107,23 +113,20 @@ class LeafPairs {
       scale_spheres(sa, scale, scaled_a), scale_spheres(sb, scale, scaled_b);
       sa = scaled_a, sb = scaled_b;
     }
-    const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
     auto verdict = SphereTiles(sb).compare(sa, slack_);
-    verdict.keep(later_than(last_within(a == b, row, column)));
-    if ((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled)
-      verdict.keep(within_first(tree_.size_of(a), tree_.size_of(b)));
+    verdict.keep(asked);
     met.add(row, column, verdict);
   }
 
   /// Of spheres `row` + p and `column` + q of two blocks those are looked at for which q - p is greater than
   /// this: no nearer ones on a strand may collide. Those of one block are met once.
   HWY_INLINE std::int32_t last_within(bool same, std::uint32_t row, std::uint32_t column) const {
-    constexpr std::int64_t most = block;
+    constexpr std::int32_t most = block;
     const ExclusionView& rule = chain_.exclusion;
-    std::int64_t last = std::max(window_ - (std::int64_t{column} - row), -most);
-    if (last > -most && !same && !rule.one_open_strand && rule.strand_of[row] != rule.strand_of[column])
-      last = -most;
-    return static_cast<std::int32_t>(std::min(last, most));
+    const std::uint32_t left = beside_ - std::min(column - row, beside_);
+    if (!rule.one_open_strand && left > 0 && !same && rule.strand_of[row] != rule.strand_of[column])
+      return -most;
+    return static_cast<std::int32_t>(std::min(left, 2 * block)) - most;
   }
 
   HWY_NOINLINE void decide() {
@@ -156,8 +159,10 @@ class LeafPairs {
   const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
                               chain_.exclusion.rule == Exclusion::Rule::index_window;
   /// Within it spheres of a strand are neighbours, whatever else makes some.
-  const std::int64_t window_ =
+  const std::uint32_t window_ =
       chain_.exclusion.rule == Exclusion::Rule::index_window ? chain_.exclusion.window : 0;
+  /// Blocks whose first spheres are farther apart have none within it.
+  const std::uint32_t beside_ = std::min(window_, ~std::uint32_t{0} - block) + block;
   /// Not 1 where squares of radii or their sums leave binary32's range: then all is looked at times this
   /// power of two, where that is exact.
   const float scale_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : tree_.scale;

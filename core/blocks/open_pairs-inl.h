@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/exact_lanes-inl.h"
+#include "catena/core/blocks/lanes-inl.h"
 #include "catena/core/blocks/met_tiles-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/chain/chain_view.h"
@@ -51,11 +53,13 @@ class OpenPairs {
     for (std::size_t k = size_; k % pair_lanes != 0; ++k) a[k] = a[k - 1], b[k] = b[k - 1];
     std::size_t kept = 0;
     for (std::size_t begin = 0; begin < size_; begin += pair_lanes) {
-      const Told told = told_in_binary64(a.data() + begin, b.data() + begin);
+      Told told = told_in_binary64(a.data() + begin, b.data() + begin);
+      for (std::uint32_t left = told.open & lane_bits(static_cast<std::uint32_t>(size_ - begin)); left != 0;
+           left &= left - 1)
+        if (overlap(pairs_[begin + std::countr_zero(left)])) told.overlap |= left & (~left + 1);
       for (std::size_t k = begin; k < std::min(size_, begin + pair_lanes); ++k) {
-        const Pair pair = pairs_[k];
-        if ((told.overlap >> (k - begin) & 1) != 0 || ((told.open >> (k - begin) & 1) != 0 && overlap(pair)))
-          pairs_[kept++] = pair;
+        pairs_[kept] = pairs_[k];
+        kept += told.overlap >> (k - begin) & 1;
       }
     }
     size_ = 0;
