@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Host, OutOfMemory,
                                          "Hybrid(threads=2,crowd=0,dense=1000000)", "SphereTree", "ChainTree",
                                          "Grid", "LBVH+Half", "SweepAndPrune", "Necklace", "aCPU2+Dual",
                                          "DeviceHybrid@host(least=0)"),
-                         [](const auto& info) { return letters_of(info.param); });
+                         [](const auto& variant) { return letters_of(variant.param); });
 
 }  // namespace
 }  // namespace catena::properties

@@ -29,10 +29,12 @@ struct Solved {
 };
 
 /// Spheres of which each has one that touches it to the last bit, or misses that by one or two: (3, 4, 0) k
-/// apart with radii that add up to 5 k, times `factor`, by which none, some or all of this stays exact.
-Chain near_ties(properties::Dice& dice, std::uint32_t pairs, float factor) {
+/// apart with radii that add up to 5 k, times `factor`, by which none, some or all of this stays exact, and
+/// times one of so many powers of two for each.
+Chain near_ties(properties::Dice& dice, std::uint32_t pairs, float all_times, int octaves = 0) {
   std::vector<Sphere> first, second;
   for (std::uint32_t p = 0; p < pairs; ++p) {
+    const float factor = std::ldexp(all_times, dice.between(0, octaves));
     const int k = dice.between(1, 1000), own = dice.between(0, 5 * k);
     const auto at = static_cast<float>(p % 64) * 0x1p14f;
     const auto size = static_cast<float>(k);
@@ -82,6 +84,10 @@ std::vector<Solved> solved_chains() {
     properties::Dice dice(++seed);
     add("ties times " + std::to_string(factor), near_ties(dice, 500, factor));
   }
+  for (const auto& [least, octaves] : {std::pair{0x1p-148f, 240}, {0x1p-148f, 60}, {0x1p-80f, 180}}) {
+    properties::Dice dice(++seed);
+    add("ties over octaves " + std::to_string(octaves), near_ties(dice, 500, least, octaves));
+  }
   return solved;
 }
 
@@ -127,6 +133,37 @@ TEST(SimdTargets, AnswerFrameAfterFrameEachOfThem) {
       if (s.chain.size() == 0) continue;
       const auto fault = (*frames)->check(subject, *variant, properties::Case::of(s.chain));
       EXPECT_FALSE(fault) << hwy::TargetName(target) << ", " << s.name << ": " << *fault;
+    }
+  }
+}
+
+/// Powers of two leave all digits as they are.
+TEST(SimdTargets, LeaveAsMuchOpenWhateverTheScale) {
+  properties::Dice dice(1);
+  const Chain chain = near_ties(dice, 1500, 1);
+  const auto open = [](const char* name, const Chain& of) {
+    const auto variant = StrategyRegistry::instance().make(name);
+    Collisions found;
+    variant->build(of);
+    variant->find(of, {}, found);
+    EXPECT_GT(found.pair_count, 0u);
+    const auto work = variant->work();
+    const auto step = std::ranges::find(work, "pair of spheres, beyond binary32", &WorkDone::step);
+    EXPECT_NE(step, work.end());
+    return step == work.end() ? 0 : step->times;
+  };
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    const properties::ForcedTarget forced(target);
+    for (const char* name : {"ChainTree", "Grid(cells=wide)", "Grid(cells=narrow)", "SphereTree"}) {
+      const std::uint64_t here = open(name, chain);
+      EXPECT_GT(here, 0u) << name;
+      for (const int by : {-120, -60, 60, 90}) {
+        std::vector<Sphere> scaled(chain.spheres().begin(), chain.spheres().end());
+        for (Sphere& s : scaled)
+          s = {std::ldexp(s.x, by), std::ldexp(s.y, by), std::ldexp(s.z, by), std::ldexp(s.radius, by)};
+        EXPECT_EQ(open(name, Chain(std::move(scaled))), here)
+            << name << " times 2^" << by << " on " << hwy::TargetName(target);
+      }
     }
   }
 }
