@@ -134,8 +134,9 @@ void expect_covered(const std::string& file, const std::string& script,
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheLanes) {
-  expect_covered("core/blocks/exact_lanes-inl.h", "overlap_binary64.g",
-                 {{"binary64_slack = 1 + 10 * 0x1p-53;", "binary64_slack = 1 + 10u", "(1 + 10b-53)"}});
+  expect_covered(
+      "core/blocks/exact_lanes-inl.h", "overlap_binary64.g",
+      {{"slack = hn::Set(D(), Robust::binary64_slack);", "binary64_slack = 1 + 10u", "(1 + 10b-53)"}});
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
@@ -208,11 +209,24 @@ TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
                 "the bare radius's 16u"},
         Covered{"oriented_boxes-inl.h", "centre_slack = 0x1p-20f;  // 16 u", "capsule_binary32.g",
                 "centre_slack = 16u"},
-        Covered{"tests-inl.h", "overlap_slack = 1 + 12 * 0x1p-24f", "overlap_binary32.g",
+        // Stages of Robust, many spheres at a time, by its own constants.
+        Covered{"tests-inl.h",
+                "not_less(mul_add(s.t, Lanes8::all(Robust::binary32_slack), "
+                "Lanes8::all(Robust::underflow_floor)),",
+                "overlap_binary32.g", "binary32_slack = 1 + 12u"},
+        Covered{
+            "tests-inl.h",
+            "mul_add(s.q, Lanes8::all(Robust::binary32_slack), Lanes8::all(Robust::underflow_floor)) < s.t;",
+            "overlap_binary32.g", "underflow_floor = 2^-120"},
+        Covered{"sphere_tiles-inl.h",
+                "all_slack = hn::Set(tag, slack), floor = hn::Set(tag, Robust::underflow_floor);",
+                "overlap_binary32.g", "underflow_floor = 2^-120"},
+        Covered{"leaf_pairs-inl.h", "slack_ = Robust::binary32_slack * tree_.doubt;", "overlap_binary32.g",
                 "binary32_slack = 1 + 12u"},
-        Covered{"tests-inl.h", "overlap_floor = 0x1p-120f", "overlap_binary32.g", "underflow_floor = 2^-120"},
-        Covered{"vector_hits-inl.h", "sphere_slack = 1 + 12 * 0x1p-24f", "overlap_binary32.g",
-                "binary32_slack = 1 + 12u"}}) {
+        Covered{"overlap_test-inl.h", "slack_(Robust::binary32_slack * doubt)", "overlap_binary32.g",
+                "binary32_slack = 1 + 12u"},
+        Covered{"overlap_test-inl.h", "floor = hn::Set(tag, Robust::underflow_floor);", "overlap_binary32.g",
+                "underflow_floor = 2^-120"}}) {
     EXPECT_NE(text_of("core/blocks/" + c.file).find(c.declared), std::string::npos)
         << c.file << " no longer says " << c.declared;
     EXPECT_NE(text_of("properties/proofs/" + c.script).find(c.covered), std::string::npos)
