@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catena/core/blocks/squares_in_range.h"
+
 namespace catena {
 namespace {
 
@@ -58,6 +60,7 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
   const std::uint32_t blocks = count_blocks(chain);
   make_room_for_blocks(tree, blocks);
   make_room(tree, blocks);
+  tree.scaled.resize(squares_in_range(chain.extent.greatest_radius) ? 0 : chain.size);
   std::uint32_t b = 0;
   for (std::uint32_t s = 0; s < chain.strand_count; ++s) {
     const bool one = chain.strand_count == 1;
@@ -68,9 +71,13 @@ void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
     b += full, at += full * BlockTree::block;
     if (at < end) set_block(tree, b++, at, end - at);
   }
-  for (std::uint32_t k = 0; k < 2 * BlockTree::block && chain.size > 0; ++k)
-    tree.tail[k] = chain.spheres[std::min(BlockTree::tail_first(chain.size) + k, chain.size - 1)];
   tree.blocks = blocks;
+}
+
+void fill_tail(const ChainView& chain, BlockTree& tree) {
+  const Sphere* const spheres = tree.spheres(chain);
+  for (std::uint32_t k = 0; k < 2 * BlockTree::block && chain.size > 0; ++k)
+    tree.tail[k] = spheres[std::min(BlockTree::tail_first(chain.size) + k, chain.size - 1)];
 }
 
 }  // namespace catena

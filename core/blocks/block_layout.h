@@ -15,9 +15,12 @@ void make_room_for_blocks(BlockTree& tree, std::uint32_t count);
 /// Block b has `size` consecutive spheres, 1 to 8. Several threads may set some.
 void set_block(BlockTree& tree, std::uint32_t b, std::uint32_t begin, std::uint32_t size);
 
+/// The tree's tail, once the spheres that it looks at are known.
+void fill_tail(const ChainView& chain, BlockTree& tree);
+
 /// Lays every strand out in blocks of eight consecutive spheres, and a last one of what is left. Sets scale,
-/// blocks, first, filled, tail; makes room for capsules, order and nodes. O(n / 8 + strands); does not
-/// allocate when n has not grown.
+/// blocks, first, filled; makes room for capsules, order and nodes, and for scaled spheres where these are
+/// wanted. O(n / 8 + strands); does not allocate when n has not grown.
 void lay_out_blocks(const ChainView& chain, BlockTree& tree);
 
 }  // namespace catena

@@ -78,13 +78,16 @@ struct BlockTree {
   }
 
   float scale = 1;
+  /// The chain's spheres times `scale`, where squares of what lies between them leave binary32's range and no
+  /// number loses a bit by that; else empty.
+  LargeVector<Sphere> scaled;
   /// Binary32 tells of two spheres where it is right by so many times the slack that is proved; 1, or more.
   float doubt = 1;
   std::uint32_t blocks = 0;  ///< in the order of the chain
   /// [block]: the index of its first sphere, and `unfilled` where it has fewer than eight.
   LargeVector<std::uint32_t> first;
   LargeVector<std::uint8_t> filled;  ///< [block]: the spheres of one that is unfilled
-  Sphere tail[2 * block];            ///< the chain's from tail_first() on, and what no block has
+  Sphere tail[2 * block];            ///< spheres from tail_first() on, and what no block has
   LargeVector<float> capsules;       ///< groups of sixteen
   /// Bit k of group g: in block 16 g + k and the next no two spheres collide that are not next to one
   /// another.
@@ -118,10 +121,15 @@ struct BlockTree {
   std::uint32_t begin_of(std::uint32_t b) const { return first[b] & ~unfilled; }
   std::uint32_t end_of(std::uint32_t b) const { return begin_of(b) + size_of(b); }
 
-  /// Eight spheres, of which the first size_of(b) are those of a block.
+  /// Those of the chain that are looked at, and what they are still to be times for the tree's lengths.
+  const Sphere* spheres(const ChainView& chain) const {
+    return scaled.empty() ? chain.spheres : scaled.data();
+  }
+  float unit() const { return scaled.empty() ? scale : 1; }
+  /// Eight of them, of which the first size_of(b) are those of a block.
   const Sphere* spheres(const ChainView& chain, std::uint32_t b) const {
     const std::uint32_t i = begin_of(b);
-    if ((first[b] & unfilled) == 0 || i + block <= chain.size) return chain.spheres + i;
+    if ((first[b] & unfilled) == 0 || i + block <= chain.size) return spheres(chain) + i;
     return tail + (i - tail_first(chain.size));
   }
   /// The index of sphere k of a block, or no_sphere.

@@ -27,7 +27,7 @@ HWY_INLINE const Sphere* consecutive_blocks(const ChainView& chain, const BlockT
   // The next is filled then, as its bit is not set; and all before it are, as they end there.
   if (next < tree.blocks && !(tree.first[begin] & BlockTree::unfilled) &&
       tree.first[next] == tree.first[begin] + group * block)
-    return chain.spheres + tree.first[begin];
+    return tree.spheres(chain) + tree.first[begin];
   for (std::uint32_t k = 0; k <= group; ++k)
     copy_block(chain, tree, begin + k < tree.blocks ? begin + k : tree.blocks - 1, copy + k * block);
   return copy;
@@ -38,7 +38,7 @@ HWY_INLINE const Sphere* consecutive_blocks(const ChainView& chain, const BlockT
 HWY_INLINE void fetch_group(const ChainView& chain, const BlockTree& tree, std::uint32_t g) {
   constexpr std::size_t spheres = std::size_t{BlockTree::group} * BlockTree::block, line = 64;
   const std::uint32_t begin = tree.first[g * BlockTree::group] & ~BlockTree::unfilled;
-  const char* const from = reinterpret_cast<const char*>(chain.spheres + begin);
+  const char* const from = reinterpret_cast<const char*>(tree.spheres(chain) + begin);
   for (std::size_t k = 0; k < spheres * sizeof(Sphere); k += line) hwy::Prefetch(from + k);
 }
 
@@ -50,11 +50,11 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
   const Sphere* const spheres = consecutive_blocks(chain, tree, g, copy);
   const bool in_one_run = spheres != copy;
   BlockSpheres own;
-  load(spheres, Lanes16::all(tree.scale), own);
+  load(spheres, Lanes16::all(tree.unit()), own);
   Lanes16 reach;
   const Capsules capsules = capsules_around(own, reach);
   capsules.store(tree.capsules_of(g));
-  std::uint32_t ordered = ordered_windows(own, capsules.centre, reach, spheres + group * block, tree.scale);
+  std::uint32_t ordered = ordered_windows(own, capsules.centre, reach, spheres + group * block, tree.unit());
   if (!in_one_run || chain.strand_count > 1) {
     for (std::uint32_t k = 0; k < group; ++k) {
       const std::uint32_t b = begin + k;

@@ -15,7 +15,6 @@
 #include "catena/core/blocks/met_tiles-inl.h"
 #include "catena/core/blocks/open_pairs-inl.h"
 #include "catena/core/blocks/sphere_tiles-inl.h"
-#include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/blocks/window_filter.h"
@@ -46,13 +45,7 @@ class LeafPairs {
     if (queues_.pairs_full()) flush();
   }
 
-  void flush() { scale_ != 1 ? flush_as<true>() : flush_as<false>(); }
-
- private:
-  static constexpr std::uint32_t block = BlockTree::block;
-
-  template <bool scaled>
-  HWY_INLINE void flush_as() {
+  void flush() {
     const auto pairs = queues_.pairs();
     constexpr std::size_t ahead = 6;
     MetTiles met;
@@ -60,11 +53,11 @@ class LeafPairs {
       for (std::size_t k = begin; k < std::min<std::size_t>(begin + MetTiles::most, pairs.size()); ++k) {
         if (k + ahead < pairs.size()) {
           for (const std::uint32_t b : {pairs[k + ahead].i, pairs[k + ahead].j}) {
-            const Sphere* const s = chain_.spheres + tree_.begin_of(b);
+            const Sphere* const s = spheres_ + tree_.begin_of(b);
             hwy::Prefetch(s), hwy::Prefetch(s + 4);
           }
         }
-        meet<scaled>(pairs[k].i, pairs[k].j, met);
+        meet(pairs[k].i, pairs[k].j, met);
       }
       tell(met);
       met.clear();
@@ -73,6 +66,10 @@ class LeafPairs {
     decide();
     hand_over();
   }
+
+ private:
+  static constexpr std::uint32_t block = BlockTree::block;
+
   /// Keeps the pairs that overlap, and those that are decided later.
   HWY_INLINE void tell(const MetTiles& met) {
     for (std::uint32_t k = 0; k < met.size(); k += MetTiles::at_once) {
@@ -89,30 +86,16 @@ class LeafPairs {
       });
   }
 
-  /// What the spheres of these blocks are looked at times: 1 where scaling would lose a bit of one of them.
-  /// What grows, to below 2^20, loses none.
-  HWY_INLINE float scale_of(const Sphere* a, const Sphere* b) const {
-    if (scale_ > 1 || (scale_exactly(a, scale_) && scale_exactly(b, scale_))) return scale_;
-    return 1;
-  }
-
   /// Spheres of block a against those of block b.
-  template <bool scaled>
   HWY_INLINE void meet(std::uint32_t a, std::uint32_t b, MetTiles& met) {
     const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
-    const Sphere *sa = chain_.spheres + row, *sb = chain_.spheres + column;
+    const Sphere *sa = spheres_ + row, *sb = spheres_ + column;
     std::uint64_t asked = later_than(last_within(a == b, row, column));
     if (HWY_UNLIKELY(((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled) != 0)) {
       sa = tree_.spheres(chain_, a), sb = tree_.spheres(chain_, b);
       asked &= within_first(tree_.size_of(a), tree_.size_of(b));
     }
     if constexpr (Sink::listens) account(a, b);
-    [[maybe_unused]] Sphere scaled_a[block], scaled_b[block];
-    if constexpr (scaled) {
-      const float scale = scale_of(sa, sb);
-      scale_spheres(sa, scale, scaled_a), scale_spheres(sb, scale, scaled_b);
-      sa = scaled_a, sb = scaled_b;
-    }
     auto verdict = SphereTiles(sb).compare(sa, slack_);
     verdict.keep(asked);
     met.add(row, column, verdict);
@@ -152,6 +135,7 @@ class LeafPairs {
   const ChainView& chain_;
   const WindowFilter filter_{chain_};
   const BlockTree& tree_;
+  const Sphere* const spheres_ = tree_.spheres(chain_);
   BlockQueues& queues_;
   PairCollector::Lane& lane_;
   const Sink& sink_;
@@ -163,9 +147,6 @@ class LeafPairs {
       chain_.exclusion.rule == Exclusion::Rule::index_window ? chain_.exclusion.window : 0;
   /// Blocks whose first spheres are farther apart have none within it.
   const std::uint32_t beside_ = std::min(window_, ~std::uint32_t{0} - block) + block;
-  /// Not 1 where squares of radii or their sums leave binary32's range: then all is looked at times this
-  /// power of two, where that is exact.
-  const float scale_ = squares_in_range(chain_.extent.greatest_radius) ? 1 : tree_.scale;
   const float slack_ = Robust::binary32_slack * tree_.doubt;
   OpenPairs open_{chain_};
   Pair* const hits_ = queues_.hits();

@@ -134,7 +134,7 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
   const Sphere& middle = tree.spheres(chain, b)[place];
   const float reach = 3 * middle.radius;
   Capsules cube = Capsules::all(tree.capsules_of(b / group), b % group);
-  cube.radius = cube.radius + Lanes16::all(reach * tree.scale);
+  cube.radius = cube.radius + Lanes16::all(reach * tree.unit());
   std::uint32_t count = 0, beside = 0;
   for (const std::uint32_t node : near_b.some_nodes()) {
     const std::uint32_t near = may_collide(cube, Capsules::load(tree.capsules_of(node))),

@@ -88,7 +88,7 @@ class SpaceBuild {
     std::uint32_t g = 0;
     while (!crowding_.crowded(g)) ++g;
     const Sphere& first = tree_.spheres(chain_, g * group)[0];
-    const float at[3] = {first.x * tree_.scale, first.y * tree_.scale, first.z * tree_.scale};
+    const float at[3] = {first.x * tree_.unit(), first.y * tree_.unit(), first.z * tree_.unit()};
     std::copy(at, at + 3, space_.origin);
     origin_ = {Lanes16::all(at[0]), Lanes16::all(at[1]), Lanes16::all(at[2])};
   }
@@ -97,7 +97,7 @@ class SpaceBuild {
   void gather(std::uint32_t g, SpaceTree::Gathered& own) const {
     Sphere copy[(group + 1) * block];
     BlockSpheres spheres;
-    load(consecutive_blocks(chain_, tree_, g, copy), Lanes16::all(tree_.scale), spheres);
+    load(consecutive_blocks(chain_, tree_, g, copy), Lanes16::all(tree_.unit()), spheres);
     const std::uint32_t all = lane_bits(tree_.blocks_of(g));
     const std::uint32_t broken =
         all & cut(tree_, g, spheres, [&](std::uint32_t b, std::uint32_t first, std::uint32_t size) {
@@ -175,7 +175,7 @@ class SpaceBuild {
     for (std::uint32_t k = 0; k < group; ++k)
       copy_block(chain_, tree_, tree_.blocks + first + std::min(k, count - 1), some + k * block);
     BlockSpheres spheres;
-    load(some, Lanes16::all(tree_.scale), spheres);
+    load(some, Lanes16::all(tree_.unit()), spheres);
     Lanes16 reach;
     tell(spheres, capsules_around(spheres, reach), lane_bits(count),
          [&](std::uint32_t k) -> SpaceTree::Unsorted& {
