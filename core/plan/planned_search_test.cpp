@@ -40,6 +40,21 @@ TEST(Auto, TakesMemoryAFewTimesForAFewSpheres) {
   }
 }
 
+/// Searches that come to nothing are searches too, also the first ones.
+TEST(Auto, SearchesNoSpheresAsOftenAsAsked) {
+  const auto variant = StrategyRegistry::instance().make("auto");
+  Collisions found;
+  for (int k = 0; k < 100; ++k) {
+    k % 3 == 2 ? variant->update(Chain()) : variant->build(Chain());
+    variant->find(Chain(), {}, found);
+    EXPECT_TRUE(!found.found && found.count.empty());
+    ASSERT_EQ(variant->answered_by(), "CPU1");
+  }
+  variant->build(row(4, 1));
+  variant->find(row(4, 1), {}, found);
+  EXPECT_EQ(found.pair_count, 2u);
+}
+
 /// Of frames it is told with the build, or by the first update: it is the same from then on.
 TEST(Auto, SearchesFramesWhetherOrNotTheyWereExpected) {
   const Chain chain = row(3000, 2.5f);

@@ -34,7 +34,8 @@ class CATENA_API Rivals {
   /// Of as many spheres, for which another may be planned by now: who was found to lead leads on, and the
   /// planned one is tried before long.
   void go_on(const Contender& planned);
-  std::uint32_t spheres() const { return n_; }
+  /// None before the first begin.
+  const std::optional<std::uint32_t>& spheres() const { return n_; }
   /// The leader has searched for a while without rivals, so that it is worth while to look for them.
   bool expected() const { return !joined_ && own_ >= patience; }
   /// None is tried while the leader takes less than worth_ms.
@@ -75,7 +76,7 @@ class CATENA_API Rivals {
   };
   std::size_t place_of(const Contender& who);
 
-  std::uint32_t n_ = 0;
+  std::optional<std::uint32_t> n_;
   std::vector<Known> contenders_;
   bool joined_ = false;
   std::size_t planned_ = 0, leader_ = 0, tried_ = none, lost_ = none;
