@@ -74,6 +74,22 @@ TEST(Auto, SearchesFramesWhetherOrNotTheyWereExpected) {
       EXPECT_EQ(last_of(expected, build_again), "the frame before") << expected << build_again;
 }
 
+/// Where there is no memory to begin, it stays as it was.
+TEST(Rivals, BeginOrStay) {
+  if (!FailingAllocations::possible()) GTEST_SKIP();
+  const Rivals::Contender first_choice{"planned", 2}, other{"planned", 1};
+  Rivals rivals;
+  rivals.begin(first_choice, 1);
+  const std::uint64_t turn = rivals.turn();
+  {
+    const FailingAllocations failing(0);
+    EXPECT_THROW(rivals.begin(other, 2), std::bad_alloc);
+  }
+  EXPECT_EQ(rivals.next(), first_choice);
+  EXPECT_EQ(rivals.spheres(), 1u);
+  EXPECT_EQ(rivals.turn(), turn);
+}
+
 /// Wherever memory ended in a build, the chain before is not taken for the new one.
 TEST(Auto, StandsOnNoChainWhoseBuildFailed) {
   if (!FailingAllocations::possible()) GTEST_SKIP();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <new>
 #include <random>
 #include <string>
 #include <vector>
@@ -12,7 +11,6 @@
 #include "catena/core/input/input.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/registry.h"
-#include "catena/properties/failing_allocations.h"
 #include "catena/properties/sorted_pairs.h"
 
 namespace catena {
@@ -202,21 +200,6 @@ TEST(Rivals, AreTriedWhoeverIsPlanned) {
     f.search();
   }
   EXPECT_EQ(f.rivals.leader().variant, "a");
-}
-
-/// Where there is no memory to begin, it stays as it was.
-TEST(Rivals, BeginOrStay) {
-  if (!properties::FailingAllocations::possible()) GTEST_SKIP();
-  Rivals rivals;
-  rivals.begin(first_choice, 1);
-  const std::uint64_t turn = rivals.turn();
-  {
-    const properties::FailingAllocations failing(0);
-    EXPECT_THROW(rivals.begin(other_choices[0], 2), std::bad_alloc);
-  }
-  EXPECT_EQ(rivals.next(), first_choice);
-  EXPECT_EQ(rivals.spheres(), 1u);
-  EXPECT_EQ(rivals.turn(), turn);
 }
 
 /// Nobody is looked for by who searches a few times only.
