@@ -65,6 +65,12 @@ void require_sphere(const Sphere& s, std::size_t i) {
 
 }  // namespace
 
+/// They are made to be assigned to, and share one topology.
+Chain::Chain() {
+  static const auto of_none = make_topology({}, {}, {});
+  topology_ = of_none;
+}
+
 Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion)
     : spheres_(std::move(spheres)) {
   const DefaultFloats floats;

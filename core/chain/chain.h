@@ -5,27 +5,28 @@
 #include <utility>
 #include <vector>
 
-#include "catena/core/export.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/chain/topology.h"
+#include "catena/core/export.h"
 #include "catena/core/sphere.h"
 
 namespace catena {
 
-/// A tube as spheres in order along it. Immutable: what is checked when it is made stays true. One that was moved from
-/// or released can be assigned to and destroyed, and nothing else.
+/// A tube as spheres in order along it. Immutable: what is checked when it is made stays true. One that was
+/// moved from or released can be assigned to and destroyed, and nothing else.
 class CATENA_API Chain {
  public:
-  Chain() : Chain(std::vector<Sphere>{}) {}
+  /// Of no spheres. Only the first one of a program allocates.
+  Chain();
 
   /// Throws InputError, naming the sphere, strand or pair, unless: every number is finite, every radius >= 0,
   /// n < 2^31, offsets ascend from 0 to n, window >= 1, the arc factor is finite and > 0, extra pairs are two
   /// different spheres of the chain, and fewer than 2^31. Cost O(n + p log p) for p extra pairs.
   explicit Chain(std::vector<Sphere> spheres, Strands strands = {}, Exclusion exclusion = {});
 
-  /// A part of a longer chain, under an arc window whose arc lengths are those of the whole: one a sphere and one a
-  /// strand, which are taken as they are. Throws InputError also when there are not as many, one is not finite, or
-  /// they fall along a strand.
+  /// A part of a longer chain, under an arc window whose arc lengths are those of the whole: one a sphere and
+  /// one a strand, which are taken as they are. Throws InputError also when there are not as many, one is not
+  /// finite, or they fall along a strand.
   Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion, ArcLengths arcs);
 
   /// The same chain with its spheres moved: strands and neighbours stay, the arc lengths of an arc window

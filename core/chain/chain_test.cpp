@@ -231,6 +231,7 @@ TEST(Chain, MovedKeepsNeighboursAndChecksItsSpheres) {
 TEST(Chain, EmptyAndSingle) {
   EXPECT_EQ(Chain().size(), 0u);
   EXPECT_EQ(Chain().strand_count(), 1u);
+  EXPECT_TRUE(Chain().view().topology != 0 && Chain().strands().closed.size() == 1);
   EXPECT_EQ(Chain(row(1)).size(), 1u);
 }
 

@@ -15,45 +15,56 @@
 #include "catena/core/parameters/whole_number.h"
 
 namespace catena {
+namespace {
+
+std::string unknown(const std::string& owner, const std::string& key,
+                    const std::vector<ParameterInfo>& declared) {
+  if (declared.empty()) return fmt::format("{} takes no parameters, got '{}'", owner, key);
+  std::vector<std::string> known;
+  for (const ParameterInfo& p : declared) known.push_back(p.name);
+  return fmt::format("{} has no parameter '{}'; it has: {}{}", owner, key, fmt::join(known, ", "),
+                     did_you_mean(key, known));
+}
+
+}  // namespace
 
 Parameters::Parameters(std::string owner, const std::vector<ParameterInfo>& declared, std::string_view text)
     : owner_(std::move(owner)) {
-  std::vector<std::string> known;
-  for (const auto& p : declared) {
-    values_[p.name] = p.default_value;
-    known.push_back(p.name);
-  }
-  for (auto& [key, value] : parse_settings(owner_, text)) {
-    if (!values_.contains(key))
-      throw InputError(known.empty() ? fmt::format("{} takes no parameters, got '{}'", owner_, key)
-                                     : fmt::format("{} has no parameter '{}'; it has: {}{}", owner_, key,
-                                                   fmt::join(known, ", "), did_you_mean(key, known)));
-    if (given(key)) throw InputError(fmt::format("{}: '{}' is given twice", owner_, key));
-    values_[key] = std::move(value);
-    given_.push_back(key);
+  values_.reserve(declared.size());
+  for (const auto& p : declared) values_.push_back({p.name, p.default_value});
+  for (auto& [key, text_of_it] : parse_settings(owner_, text)) {
+    const auto found = std::ranges::find(values_, key, &Value::key);
+    if (found == values_.end()) throw InputError(unknown(owner_, key, declared));
+    if (found->given) throw InputError(fmt::format("{}: '{}' is given twice", owner_, key));
+    found->text = std::move(text_of_it), found->given = true;
   }
 }
 
-bool Parameters::given(const std::string& key) const { return std::ranges::find(given_, key) != given_.end(); }
-
-const std::string& Parameters::value(const std::string& key) const {
-  const auto found = values_.find(key);
-  if (found == values_.end()) throw std::logic_error(owner_ + " reads the undeclared parameter " + key);
-  return found->second;
+bool Parameters::given(std::string_view key) const {
+  const auto found = std::ranges::find(values_, key, &Value::key);
+  return found != values_.end() && found->given;
 }
 
-void Parameters::refuse(const std::string& key, const std::string& wanted) const {
+const std::string& Parameters::value(std::string_view key) const {
+  const auto found = std::ranges::find(values_, key, &Value::key);
+  if (found == values_.end())
+    throw std::logic_error(fmt::format("{} reads the undeclared parameter {}", owner_, key));
+  return found->text;
+}
+
+void Parameters::refuse(std::string_view key, const std::string& wanted) const {
   throw InputError(fmt::format("{}: {}={} must be {}", owner_, key, value(key), wanted));
 }
 
-std::uint64_t Parameters::unsigned_integer(const std::string& key, std::uint64_t least, std::uint64_t greatest) const {
+std::uint64_t Parameters::unsigned_integer(std::string_view key, std::uint64_t least,
+                                           std::uint64_t greatest) const {
   const auto number = whole_number(value(key));
   if (!number || *number < least || *number > greatest)
     refuse(key, fmt::format("a whole number from {} to {}", least, greatest));
   return *number;
 }
 
-double Parameters::real(const std::string& key, double least, double greatest) const {
+double Parameters::real(std::string_view key, double least, double greatest) const {
   const std::string& text = value(key);
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -62,13 +73,19 @@ double Parameters::real(const std::string& key, double least, double greatest) c
   return number;
 }
 
-std::string Parameters::choice(const std::string& key, const std::vector<std::string>& allowed) const {
+std::string Parameters::choice(std::string_view key, std::initializer_list<std::string_view> allowed) const {
+  const std::string& text = value(key);
+  if (std::ranges::find(allowed, text) != allowed.end()) return text;
+  return choice(key, std::vector<std::string>(allowed.begin(), allowed.end()));  // which says why not
+}
+
+std::string Parameters::choice(std::string_view key, const std::vector<std::string>& allowed) const {
   if (std::ranges::find(allowed, value(key)) == allowed.end())
     refuse(key, fmt::format("one of: {}{}", fmt::join(allowed, ", "), did_you_mean(value(key), allowed)));
   return value(key);
 }
 
-std::vector<std::string> Parameters::choices(const std::string& key,
+std::vector<std::string> Parameters::choices(std::string_view key,
                                              const std::vector<std::string>& allowed) const {
   std::vector<std::string> chosen;
   std::string_view text = value(key);

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <map>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,21 +23,25 @@ class CATENA_API Parameters {
   /// `text` is "key=value,key=value" or empty. Throws InputError for an unknown, repeated or malformed key.
   Parameters(std::string owner, const std::vector<ParameterInfo>& declared, std::string_view text);
 
-  std::uint64_t unsigned_integer(const std::string& key, std::uint64_t least, std::uint64_t greatest) const;
-  double real(const std::string& key, double least, double greatest) const;
-  std::string choice(const std::string& key, const std::vector<std::string>& allowed) const;
+  std::uint64_t unsigned_integer(std::string_view key, std::uint64_t least, std::uint64_t greatest) const;
+  double real(std::string_view key, double least, double greatest) const;
+  std::string choice(std::string_view key, std::initializer_list<std::string_view> allowed) const;
+  std::string choice(std::string_view key, const std::vector<std::string>& allowed) const;
   /// Several of them, joined by '+'; none of them for "none".
-  std::vector<std::string> choices(const std::string& key, const std::vector<std::string>& allowed) const;
+  std::vector<std::string> choices(std::string_view key, const std::vector<std::string>& allowed) const;
   /// False when the value is the default one.
-  bool given(const std::string& key) const;
+  bool given(std::string_view key) const;
 
  private:
-  const std::string& value(const std::string& key) const;
-  [[noreturn]] void refuse(const std::string& key, const std::string& wanted) const;
+  struct Value {
+    std::string key, text;
+    bool given = false;
+  };
+  const std::string& value(std::string_view key) const;
+  [[noreturn]] void refuse(std::string_view key, const std::string& wanted) const;
 
   std::string owner_;
-  std::map<std::string, std::string> values_;
-  std::vector<std::string> given_;
+  std::vector<Value> values_;  ///< in the order declared; few, so that each is looked for among all
 };
 
 }  // namespace catena

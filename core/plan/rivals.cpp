@@ -8,17 +8,18 @@ namespace catena {
 
 void Rivals::begin(const Contender& planned, std::uint32_t n) {
   const std::uint64_t turn = turn_;
+  std::vector<Known> alone{{planned}};  // before anything is forgotten: memory may end
   *this = {};
   turn_ = turn + 1;
   n_ = n;
-  contenders_.front() = planned;
+  contenders_ = std::move(alone);
 }
 
 void Rivals::go_on(const Contender& planned) {
   if (planned == this->planned()) return;
-  history_[planned_].due = searches_ + first_pause;
+  contenders_[planned_].due = searches_ + first_pause;
   planned_ = place_of(planned);
-  history_[planned_] = {0, searches_};
+  contenders_[planned_].lost_times = 0, contenders_[planned_].due = searches_;
   if (!compared_) {
     leader_ = planned_;
     if (tried_ == leader_) tried_ = none;
@@ -35,19 +36,19 @@ void Rivals::join(const std::vector<Contender>& rivals, double worth_ms) {
 
 /// Among the contenders; the last where it was none yet.
 std::size_t Rivals::place_of(const Contender& who) {
-  const auto at = std::ranges::find(contenders_, who);
+  const auto at = std::ranges::find(contenders_, who, &Known::who);
   const auto place = static_cast<std::size_t>(at - contenders_.begin());
-  if (at == contenders_.end()) history_.resize(place + 1), contenders_.push_back(who);
+  if (at == contenders_.end()) contenders_.push_back({who});
   return place;
 }
 
 double Rivals::least() const { return *std::ranges::min_element(recent_); }
 
 void Rivals::begin_trial() {
-  const auto sooner = [&](std::size_t k) { return std::pair{history_[k].lost_times, k != planned_}; };
+  const auto sooner = [&](std::size_t k) { return std::pair{contenders_[k].lost_times, k != planned_}; };
   tried_ = none;
   for (std::size_t k = 0; k < contenders_.size(); ++k)
-    if (k != leader_ && history_[k].due <= searches_ && (tried_ == none || sooner(k) < sooner(tried_)))
+    if (k != leader_ && contenders_[k].due <= searches_ && (tried_ == none || sooner(k) < sooner(tried_)))
       tried_ = k;
   step_ = 0;
   ++turn_;
@@ -61,23 +62,23 @@ void Rivals::end_trial(bool won) {
   compared_ = true;
   compared_ms_ = won ? std::pair{best_ms_, leader_ms} : std::pair{leader_ms, best_ms_};
   lost_ = won ? leader_ : tried_;
-  if (won) leader_ = tried_, history_[leader_].lost_times = 0;
-  Tried& lost = history_[lost_];
+  if (won) leader_ = tried_, contenders_[leader_].lost_times = 0;
+  Known& lost = contenders_[lost_];
   lost.due = searches_ + (first_pause << std::min(lost.lost_times++, most_doublings));
   tried_ = none, own_ = 0;
   ++turn_;
 }
 
 void Rivals::without(const Contender& who) {
-  history_[place_of(who)].due = std::numeric_limits<std::uint64_t>::max();
-  if (contenders_[leader_] == who) leader_ = planned_, compared_ms_ = {};
+  contenders_[place_of(who)].due = std::numeric_limits<std::uint64_t>::max();
+  if (leader() == who) leader_ = planned_, compared_ms_ = {};
   tried_ = none, own_ = 0;
   ++turn_;
 }
 
 std::optional<Rivals::Contender> Rivals::take_lost() {
   const std::size_t lost = std::exchange(lost_, none);
-  return lost != none ? std::optional(contenders_[lost]) : std::nullopt;
+  return lost != none ? std::optional(contenders_[lost].who) : std::nullopt;
 }
 
 void Rivals::took(double ms) {

@@ -28,12 +28,14 @@ class CATENA_API Rivals {
   static constexpr unsigned patience = 5;  ///< searches of the leader before the first trial
   static constexpr unsigned trial = 3;     ///< searches of one that is not far behind
 
-  /// Of n spheres: nothing is known, and the planned one leads.
+  /// Of n spheres: nothing is known, and the planned one leads. To be called first. Where it throws, all is
+  /// as it was.
   void begin(const Contender& planned, std::uint32_t n);
   /// Of as many spheres, for which another may be planned by now: who was found to lead leads on, and the
   /// planned one is tried before long.
   void go_on(const Contender& planned);
-  std::uint32_t spheres() const { return n_; }
+  /// None before the first begin.
+  const std::optional<std::uint32_t>& spheres() const { return n_; }
   /// The leader has searched for a while without rivals, so that it is worth while to look for them.
   bool expected() const { return !joined_ && own_ >= patience; }
   /// None is tried while the leader takes less than worth_ms.
@@ -42,9 +44,9 @@ class CATENA_API Rivals {
   /// Another number whenever another is to search, or another is planned: all else is for who looks.
   std::uint64_t turn() const { return turn_; }
   /// Who is to do the next search.
-  const Contender& next() const { return contenders_[tried_ != none ? tried_ : leader_]; }
-  const Contender& leader() const { return contenders_[leader_]; }
-  const Contender& planned() const { return contenders_[planned_]; }
+  const Contender& next() const { return contenders_[tried_ != none ? tried_ : leader_].who; }
+  const Contender& leader() const { return contenders_[leader_].who; }
+  const Contender& planned() const { return contenders_[planned_].who; }
   /// Whether the leader took the planned one's place.
   bool replaced() const { return leader_ != planned_; }
   /// What the leader took, and the planned one or the last that lost, when they were compared last; 0: never.
@@ -67,15 +69,15 @@ class CATENA_API Rivals {
   void end_trial(bool won);
   double least() const;
 
-  struct Tried {
+  struct Known {
+    Contender who;
     unsigned lost_times = 0;  ///< since it led
     std::uint64_t due = 0;    ///< the search from which it may be tried
   };
   std::size_t place_of(const Contender& who);
 
-  std::uint32_t n_ = 0;
-  std::vector<Contender> contenders_{{}};
-  std::vector<Tried> history_{{}};  ///< of each
+  std::optional<std::uint32_t> n_;
+  std::vector<Known> contenders_;
   bool joined_ = false;
   std::size_t planned_ = 0, leader_ = 0, tried_ = none, lost_ = none;
   std::array<double, some> recent_{};  ///< of the leader

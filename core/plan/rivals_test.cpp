@@ -39,7 +39,7 @@ struct TimedFilm {
   std::uint64_t turn = 0;
   std::string search(double times = 1) {
     const std::string who = key(rivals.next());
-    const std::string now = who + ' ' + key(rivals.planned()) + ' ' + std::to_string(rivals.spheres());
+    const std::string now = who + ' ' + key(rivals.planned()) + ' ' + std::to_string(*rivals.spheres());
     if (now != seen && !seen.empty()) {
       EXPECT_NE(rivals.turn(), turn) << seen << ", then " << now;
     }

@@ -6,28 +6,32 @@
 #include <cstdint>
 
 #include "catena/core/space_tree/scattered.h"
+#include "catena/core/sphere_vector.h"
 
 namespace catena {
 namespace {
 
+using namespace sphere_vector;
+
 constexpr std::uint32_t row_size = 8;
 
-/// Where some of a row's spheres lie along an axis, about.
-struct Interval {
-  float low, high;
-  Interval(float a, float b, float c, float radius)
-      : low(std::min(std::min(a, b), c) - radius), high(std::max(std::max(a, b), c) + radius) {}
-  bool meets(const Interval& other) const { return (low <= other.high) & (other.low <= high); }
-};
-/// Not a Box, which encloses for certain: that takes twice as long, and nothing but time depends on this one.
+/// Where some of a row's spheres lie, about: not a Box, which encloses for certain. That takes longer, and
+/// nothing but time depends on this one.
 struct RowBox {
-  Interval x, y, z;
-  RowBox(const Sphere& a, const Sphere& b, const Sphere& c, float radius)
-      : x(a.x, b.x, c.x, radius), y(a.y, b.y, c.y, radius), z(a.z, b.z, c.z, radius) {}
-  explicit RowBox(const Sphere* of)
-      : RowBox(of[0], of[row_size / 2], of[row_size - 1],
-               std::max(std::max(of[0].radius, of[row_size / 2].radius), of[row_size - 1].radius)) {}
-  bool meets(const RowBox& other) const { return x.meets(other.x) & y.meets(other.y) & z.meets(other.z); }
+  Four low, high;
+  explicit RowBox(const Sphere* of) {
+    const Four a = four(of[0]), b = four(of[row_size / 2]), c = four(of[row_size - 1]);
+    const Four most = greater(greater(a, b), c), radius = Four{} + most[3];
+    low = lesser(lesser(a, b), c) - radius, high = most + radius;
+  }
+  bool meets(const RowBox& other) const {
+    const Bits apart = (low > other.high) | (other.low > high);
+    return (apart[0] | apart[1] | apart[2]) == 0;
+  }
+
+ private:
+  static Four lesser(Four a, Four b) { return b < a ? b : a; }
+  static Four greater(Four a, Four b) { return a < b ? b : a; }
 };
 
 double along_the_axes(const Sphere& a, const Sphere& b) {
@@ -42,14 +46,18 @@ RowLook RowLook::at(std::span<const Sphere> spheres) {
   RowLook look;
   if (rows < least) return look;
   std::uint32_t near = 0, looks = 0, taken = 0, gone = 0;
-  std::array<double, 2 * most> straight;
+  std::array<double, 2 * most> straight;  // ascending
   const auto take = [&](std::uint32_t own) {
     const Sphere* const first = spheres.data() + own * row_size;
     double steps = 0;
     for (const std::uint32_t at : {0u, row_size / 2 - 1, row_size - 2})
       steps += along_the_axes(first[at], first[at + 1]);
-    if (steps > 0)
-      straight[gone++] = 3 * along_the_axes(first[0], first[row_size - 1]) / ((row_size - 1) * steps);
+    if (steps > 0) {
+      const double share = 3 * along_the_axes(first[0], first[row_size - 1]) / ((row_size - 1) * steps);
+      std::uint32_t at = gone++;
+      for (; at > 0 && straight[at - 1] > share; --at) straight[at] = straight[at - 1];
+      straight[at] = share;
+    }
     const RowBox box(first);
     for (std::uint32_t apart = 2; apart < rows; apart *= 2) {
       // Those from `apart` to 2 apart - 1 away.
@@ -72,10 +80,8 @@ RowLook RowLook::at(std::span<const Sphere> spheres) {
   if (near > 0 && rows >= few)  // or nothing more will be found
     for (std::uint32_t k = 0; k < some; ++k) take(place(2 * k));
   look.near = static_cast<double>(near) / taken;
-  if (gone > 0) {  // that of the middle ones: a row that jumps would outweigh all others
-    std::sort(straight.begin(), straight.begin() + gone);
-    look.straight = (straight[(gone - 1) / 2] + straight[gone / 2]) / 2;
-  }
+  // That of the middle ones: a row that jumps would outweigh all others.
+  if (gone > 0) look.straight = (straight[(gone - 1) / 2] + straight[gone / 2]) / 2;
   return look;
 }
 

@@ -17,8 +17,7 @@ namespace catena {
 /// Variant.
 class InDefaultFloats final : public Variant, public KeepsAnswer, public EvidenceNodes {
  public:
-  explicit InDefaultFloats(std::unique_ptr<Variant> variant)
-      : variant_(std::move(variant)), keeper_(dynamic_cast<KeepsAnswer*>(variant_.get())) {}
+  explicit InDefaultFloats(std::unique_ptr<Variant> variant) : variant_(std::move(variant)) {}
 
   void prepare(const Request& request) override {
     const DefaultFloats floats;
@@ -63,7 +62,9 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
   }
   const Collisions& find_kept(const Chain& chain, const Request& request) override {
     const DefaultFloats floats;
-    if (keeper_ != nullptr) return keeper_->find_kept(chain, request);
+    // Looked for here, as that takes as long as a short search, and few ask.
+    if (const auto keeper = dynamic_cast<KeepsAnswer*>(variant_.get()))
+      return keeper->find_kept(chain, request);
     variant_->find(chain, request, own_);
     return own_;
   }
@@ -93,8 +94,7 @@ class InDefaultFloats final : public Variant, public KeepsAnswer, public Evidenc
 
   std::unique_ptr<Variant> variant_;
   Resident resident_;
-  KeepsAnswer* keeper_;  ///< the same, if it is one
-  Collisions own_;       ///< where it is none
+  Collisions own_;  ///< of one that keeps no answer
 };
 
 }  // namespace catena

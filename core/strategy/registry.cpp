@@ -101,7 +101,8 @@ void StrategyRegistry::add_traversal(const StrategyInfo& info, const ArithmeticI
 void StrategyRegistry::add_variant(const StrategyInfo& info, const ArithmeticInfo& arithmetic,
                                    MakeVariant make, bool hidden) {
   require_new(complete_, info, arithmetic);
-  complete_.push_back({info, arithmetic, hidden, std::move(make)});
+  complete_.push_back(
+      {info, arithmetic, hidden, std::move(make), Parameters(info.name, info.parameters, "")});
 }
 
 VariantInfo StrategyRegistry::info_of(const VariantEntry& entry) const {
@@ -198,18 +199,21 @@ const StrategyInfo& StrategyRegistry::strategy(std::string_view name) const {
   return *found;
 }
 
-const StrategyRegistry::VariantEntry* StrategyRegistry::resolve_whole(const VariantName& name) const {
-  const std::string& wanted = name.stages[0].strategy;
-  std::vector<VariantEntry const*> entries;
+/// `arithmetic`: as written, or empty.
+const StrategyRegistry::VariantEntry* StrategyRegistry::resolve_whole(std::string_view wanted,
+                                                                      std::string_view arithmetic) const {
+  const std::string_view meant = arithmetic.empty() ? usual_arithmetic : arithmetic;
   std::set<std::string> had;
-  for (const VariantEntry& e : complete_)
-    if (e.info.name == wanted) entries.push_back(&e), had.insert(e.arithmetic.name);
-  const std::string arithmetic = arithmetic_meant(name, had);
-  for (const VariantEntry* e : entries)
-    if (e->arithmetic.name == arithmetic) return e;
+  const VariantEntry* last = nullptr;
+  for (const VariantEntry& e : complete_) {
+    if (e.info.name != wanted) continue;
+    if (e.arithmetic.name == meant) return &e;
+    had.insert(e.arithmetic.name), last = &e;
+  }
+  if (had.size() == 1 && arithmetic.empty()) return last;
   if (!had.empty())
     throw InputError(
-        fmt::format("'{}' has no {} arithmetic; it has: {}", wanted, arithmetic, fmt::join(had, ", ")));
+        fmt::format("'{}' has no {} arithmetic; it has: {}", wanted, meant, fmt::join(had, ", ")));
   strategy(wanted);  // throws when there is no such strategy at all
   throw InputError(
       fmt::format("'{}' is one stage only; write construction+traversal, as in aCPU2+CPU2", wanted));
@@ -223,9 +227,9 @@ StrategyRegistry::Resolved StrategyRegistry::resolve_composed(const VariantName&
     if (c.info.name == build) had.insert(c.arithmetic.name);
   const std::string arithmetic = arithmetic_meant(name, had);
   if (!known.contains(arithmetic))
-    throw InputError(
-        fmt::format("there is no arithmetic '{}'; there are: {}{}", arithmetic, fmt::join(known, ", "),
-                    did_you_mean(arithmetic, {known.begin(), known.end()})));
+    throw InputError(fmt::format("there is no arithmetic '{}'; there are: {}{}", arithmetic,
+                                 fmt::join(known, ", "),
+                                 did_you_mean(arithmetic, {known.begin(), known.end()})));
 
   const auto stage = [&](const std::vector<StageEntry>& entries, const std::string& wanted,
                          const char* kind) {
@@ -254,7 +258,8 @@ StrategyRegistry::Resolved StrategyRegistry::resolve_composed(const VariantName&
 }
 
 StrategyRegistry::Resolved StrategyRegistry::resolve(const VariantName& name) const {
-  return name.composed() ? resolve_composed(name) : Resolved{resolve_whole(name)};
+  return name.composed() ? resolve_composed(name)
+                         : Resolved{resolve_whole(name.stages[0].strategy, name.arithmetic)};
 }
 
 VariantInfo StrategyRegistry::describe(std::string_view text) const {
@@ -272,14 +277,23 @@ VariantInfo StrategyRegistry::describe(std::string_view text) const {
 }
 
 std::unique_ptr<Variant> StrategyRegistry::make(std::string_view text) const {
+  return std::make_unique<InDefaultFloats>(make_held(text));
+}
+
+std::unique_ptr<Variant> StrategyRegistry::make_held(std::string_view text) const {
   const DefaultFloats floats;
+  const auto whole = [](const VariantEntry& entry, const Parameters& parameters) {
+    require_available(entry.info);
+    return entry.make(parameters);
+  };
+  // Nothing to take apart: to do so takes longer than to search a few spheres.
+  if (text.find_first_of("()+/") == std::string_view::npos) {
+    const VariantEntry& entry = *resolve_whole(text, {});
+    return whole(entry, entry.defaults);
+  }
   const VariantName name = VariantName::parse(text);
   const Resolved found = resolve(name);
-  if (found.whole != nullptr) {
-    require_available(found.whole->info);
-    return std::make_unique<InDefaultFloats>(
-        found.whole->make(parameters_of(name.stages[0], found.whole->info)));
-  }
+  if (found.whole != nullptr) return whole(*found.whole, parameters_of(name.stages[0], found.whole->info));
   const StageEntry &c = *found.construction, &t = *found.traversal;
   require_available(c.info);
   require_available(t.info);
@@ -290,8 +304,8 @@ std::unique_ptr<Variant> StrategyRegistry::make(std::string_view text) const {
     throw InputError(fmt::format("{}: both stages must be on one device, got {} and {}", text,
                                  build_place.index, find_place.index));
   const Place place = build_place.on_device() ? build_place : find_place;
-  return std::make_unique<InDefaultFloats>(c.tree.compose(
-      c.make(build), build_place, t.make(find), find_place, place.on_device() ? make_device(place) : nullptr));
+  return c.tree.compose(c.make(build), build_place, t.make(find), find_place,
+                        place.on_device() ? make_device(place) : nullptr);
 }
 
 VariantName StrategyRegistry::on_host(VariantName name) const {

@@ -66,6 +66,9 @@ class CATENA_API StrategyRegistry {
   VariantInfo describe(std::string_view name) const;
   /// Makes it. Throws like describe, and CapacityError when the variant is not available here.
   std::unique_ptr<Variant> make(std::string_view name) const;
+  /// The same for a variant that make gave out and that holds others: each call comes to these in the default
+  /// floating-point environment already, and they need not look, which takes a few spheres' search.
+  std::unique_ptr<Variant> make_held(std::string_view name) const;
 
   /// The name with each device stage that has a twin on the host ("@host") replaced by it.
   VariantName on_host(VariantName name) const;
@@ -76,6 +79,7 @@ class CATENA_API StrategyRegistry {
     ArithmeticInfo arithmetic;
     bool hidden;
     MakeVariant make;
+    Parameters defaults;  ///< as none is written
   };
   struct StageEntry {
     StrategyInfo info;
@@ -91,7 +95,7 @@ class CATENA_API StrategyRegistry {
   };
 
   Resolved resolve(const VariantName& name) const;
-  const VariantEntry* resolve_whole(const VariantName& name) const;
+  const VariantEntry* resolve_whole(std::string_view wanted, std::string_view arithmetic) const;
   Resolved resolve_composed(const VariantName& name) const;
   VariantInfo info_of(const VariantEntry& entry) const;
   static VariantInfo info_of(const StageEntry& construction, const StageEntry& traversal);

@@ -112,6 +112,38 @@ TEST(Registry, ParametersAreCheckedAndUsed) {
   EXPECT_NE(refusal("CPU1(threads=2)").find("takes no parameters"), std::string::npos);
 }
 
+/// A name alone, which is not taken apart, means what it means with an arithmetic and parameters written.
+TEST(Registry, ANameAloneMeansItsUsualArithmeticAndDefaults) {
+  StrategyRegistry some;
+  std::vector<std::string> made;
+  const auto by = [&](const std::string& arithmetic) {
+    return [&made, arithmetic](const Parameters& parameters) {
+      made.push_back(arithmetic + " " + parameters.choice("x", {"one", "two"}) +
+                     (parameters.given("x") ? " given" : ""));
+      return registry().make("CPU1");
+    };
+  };
+  const std::vector<ParameterInfo> parameters{{"x", "one", "number"}};
+  const StrategyInfo a{.name = "A", .summary = "usual too", .parameters = parameters},
+      b{.name = "B", .summary = "one unusual", .parameters = parameters},
+      c{.name = "C", .summary = "two unusual", .parameters = parameters};
+  some.add_variant(a, {"literal"}, by("literal"));
+  some.add_variant(a, {"robust"}, by("robust"));
+  some.add_variant(b, {"literal"}, by("literal"));
+  some.add_variant(c, {"literal"}, by("literal"));
+  some.add_variant(c, {"double"}, by("double"));
+  for (const char* name : {"A", "A(x=two)", "A/literal", "B", "B()", "C/double", "C(x=two)/literal"})
+    some.make(name), some.make_held(name);
+  EXPECT_EQ(made, (std::vector<std::string>{"robust one", "robust one", "robust two given",
+                                            "robust two given", "literal one", "literal one", "literal one",
+                                            "literal one", "literal one", "literal one", "double one",
+                                            "double one", "literal two given", "literal two given"}));
+  for (const char* none : {"C", "A/double", "D"}) {
+    EXPECT_THROW(some.make(none), InputError) << none;
+    EXPECT_THROW(some.make_held(none), InputError) << none;
+  }
+}
+
 TEST(Registry, DeclaredLimitIsAClearError) {
   std::vector<Sphere> spheres(1537, Sphere{0, 0, 0, 1});
   const auto variant = registry().make("bGPU2@host+CPU2");
