@@ -194,11 +194,11 @@ class CrowdSample {
     if (most <= in_cells(0)) return {ns, in_cells(0), false};
     const SpheresAround around = spheres_around(
         chain_, tree_, b, near,
-        SphereCost::candidates((among != nullptr ? 1.5 * most : most) / (exact_ * shallow_), beyond_), among);
+        SphereCost::candidates((among != nullptr ? 1.5 * most : most) / share_, beyond_), among);
     return {ns + SphereCost::of_pairs(near, around.overlaps), in_cells(around.candidates), false};
   }
   double in_cells(std::uint32_t candidates) const {
-    return exact_ * shallow_ * SphereCost::in_cells(candidates, beyond_) + change_;
+    return share_ * SphereCost::in_cells(candidates, beyond_) + change_;
   }
   /// More others than the limit, or as much is to be looked at on the way to them.
   bool meets_many(std::uint32_t node, const Crowding* among) const {
@@ -225,14 +225,12 @@ class CrowdSample {
   std::array<FirstLook, 8> first_;
   std::size_t seen_ = 0;
   const double beyond_ = octaves_beyond_cache(chain_.size);
-  /// Times as long in cells.
-  const double exact_ =
-      squares_in_range(chain_.extent.greatest_radius) || differences_in_range(chain_.extent) ? 1 : 6;
+  /// Of what a search in cells takes of many spheres in range.
+  const double share_ = single_spheres_share(chain_.extent) * shallow_share(chain_.size);
   const double unfilled_ = double{BlockTree::block} * tree_.blocks / chain_.size;  ///< times as many blocks
   /// What it takes to change to another order, told which: some looks, whatever the chain's length.
   static constexpr double change_ns = 10'000;
   const double change_ = change_ns / chain_.size;
-  const double shallow_ = shallow_share(chain_.size);
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -1,5 +1,6 @@
 #pragma once
 #include "catena/core/chain/chain_view.h"
+#include "catena/core/export.h"
 
 namespace catena {
 
@@ -12,5 +13,9 @@ inline bool squares_in_range(float radius) { return radius == 0 || (radius > 0x1
 inline bool differences_in_range(const Extent& extent) {
   return extent.greatest_coordinate < 0x1p126f && extent.greatest_radius < 0x1p126f;
 }
+
+/// What a search of spheres one by one takes, of what it would of a chain in range: more where differences
+/// overflow, or are subnormal and this machine is slow with these. Trees of blocks are as fast as ever.
+CATENA_API double single_spheres_share(const Extent& extent);
 
 }  // namespace catena

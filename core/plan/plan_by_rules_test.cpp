@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "catena/core/plan/search_plan.h"
-#include "catena/core/plan/slow_subnormals.h"
 #include "catena/core/plan/test_plan.h"
 
 namespace catena {
@@ -208,17 +207,16 @@ TEST(SearchPlan, HoldsForWhatIsAskedWhateverIsSearchedForInItsPlace) {
   }
 }
 
-/// Radii so small that arithmetic is slow, where it is, are searched by one thread where that is no worse
-/// than four.
+/// Spheres whose squares leave binary32 are searched by one thread where that is no worse than four.
 TEST(SearchPlan, TakesAKindOfOneThreadInsteadOfFour) {
-  Extent subnormal;
-  subnormal.least_radius = subnormal.greatest_radius = 1e-40f;
-  subnormal.sides = 1, subnormal.greatest_coordinate = 1;
+  Extent tiny;
+  tiny.least_radius = tiny.greatest_radius = 1e-20f;
+  tiny.sides = 1, tiny.greatest_coordinate = 1;
   for (const unsigned cores : {1u, 2u, 4u, 5u, 16u}) {
-    const Machine machine{{{"ChainTree", {{1, 100}, 0, 1}}}, "a test", {}, cores};
-    const SearchPlan plan(1'000'000, {}, machine, {}, subnormal);
-    const bool kind = subnormals_are_slow() && cores <= 4;
-    EXPECT_EQ(plan.variant(), kind ? "Grid" : "ChainTree") << cores;
+    const Machine machine{{{"Hybrid", {{1, 1000}, 0, 1}}}, "a test", {}, cores};
+    const SearchPlan plan(2000, {}, machine, {}, tiny);
+    const bool kind = cores <= 4;
+    EXPECT_EQ(plan.variant(), kind ? "ChainTree" : "Hybrid") << cores;
     EXPECT_EQ(plan.threads(), kind ? 1 : cores) << cores;
   }
 }

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/plan/row_look.h"
-#include "catena/core/plan/slow_subnormals.h"
 #include "catena/core/space_tree/scattered.h"
 
 namespace catena {
 namespace {
 
 enum Kind {
-  subnormal,
   crowded,
   crowded_anywhere,
   short_extreme,
@@ -30,12 +27,13 @@ enum Kind {
 
 const UnusualKind& info(Kind kind) {
   static const std::array<UnusualKind, kinds> all{{
-      {"Grid",
-       "radii that are subnormal, with which other searches multiply, which this machine does slowly"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
        true, 6},
       {"Hybrid", "spheres of like radii that fill their box, in no order", true, 6},
-      {"ChainTree", "at most 2,048 spheres in a box that is mostly empty, whose squares leave binary32"},
+      {"ChainTree",
+       "at most 2,048 spheres whose squares leave binary32, in a box that is mostly empty, or where that "
+       "slows "
+       "down others"},
       {"SphereTree",
        "at most 2,048 spheres, of which those of one part have more than 2^60 times the radius of another's"},
       {"ChainTree", "at most 2,048 spheres, of which rows of eight are near few others"},
@@ -143,23 +141,23 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
   constexpr double widest = 0x1p60, full = 0.2, very_dense = 10, most_meet = 0.7;
   constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
-    if (extent.greatest_radius < std::numeric_limits<float>::min() && subnormals_are_slow())
-      return &info(subnormal);
     const double filled = fill(n, extent);
-    const bool like = extent.greatest_radius <= 2 * extent.least_radius;
+    const bool like = extent.greatest_radius <= 2 * extent.least_radius,
+               slow_alone = single_spheres_share(extent) > 1;
     if (n <= few) {
       // A tree in the chain's order alone has no scale for all of these.
       if (!spheres.empty() && extent.greatest_radius > widest * extent.least_radius &&
           growth(spheres) > widest)
         return &info(short_horn);
       // The chain's order is the only one that scales its numbers.
-      if (!squares_in_range(extent.greatest_radius) && filled <= sparse) return &info(short_extreme);
+      if (!squares_in_range(extent.greatest_radius) && (filled <= sparse || slow_alone))
+        return &info(short_extreme);
       if (spheres.empty()) return nullptr;
       const Kind kind = short_kind(n, filled, like, spheres);
       return &info((kind == short_like || kind == short_dense) && frames_follow ? short_moving : kind);
     }
-    if (like && filled > full && filled <= very_dense && filled * beside_the_next(spheres) > full &&
-        !spheres.empty() && share_that_meets(spheres) > most_meet)
+    if (like && !slow_alone && filled > full && filled <= very_dense &&
+        filled * beside_the_next(spheres) > full && !spheres.empty() && share_that_meets(spheres) > most_meet)
       return &info(RowLook::at(spheres).straight > anywhere ? crowded : crowded_anywhere);
   }
   return nullptr;

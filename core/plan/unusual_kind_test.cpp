@@ -9,7 +9,6 @@
 #include "catena/core/input/input.h"
 #include "catena/core/plan/find.h"
 #include "catena/core/plan/search_plan.h"
-#include "catena/core/plan/slow_subnormals.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -19,17 +18,11 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   std::vector<std::string> taken;
   for (const char* input :
        {"yarn:n=1000", "path1:n=700", "mixed_radii:n=2000,decades=30", "mixed_radii:n=700,decades=60",
-        "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "hair:n=3000,radius=1e-41", "serpentine:n=1000",
+        "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "yarn:n=700,radius=1e-41", "serpentine:n=1000",
         "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500", "hair:n=1000,strands=1000",
         "hair:n=2000,strands=4"}) {
     const Chain chain = open_input(input).animation->frame(0);
     const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
-    if (chain.view().extent.greatest_radius < std::numeric_limits<float>::min() && !subnormals_are_slow()) {
-      EXPECT_TRUE(kind == nullptr || std::string(kind->reason).find("subnormal") == std::string::npos)
-          << input;
-      taken.push_back("as others");
-      continue;
-    }
     ASSERT_NE(kind, nullptr) << input;
     taken.push_back(kind->variant);
     const auto all = StrategyRegistry::instance().make("CPU1");
@@ -51,7 +44,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[0], "Grid") << "that fill their box";
   EXPECT_EQ(taken[1], "ChainTree");
   EXPECT_EQ(taken[2], "SphereTree") << "a horn";
-  EXPECT_EQ(taken[5], subnormals_are_slow() ? "Grid" : "as others");
+  EXPECT_EQ(taken[5], "ChainTree") << "out of range, in a box that is mostly empty";
   EXPECT_EQ(taken[7], "SphereTree") << "crowded";
   EXPECT_EQ(taken[10], "ChainTree") << "a smooth tube";
   EXPECT_EQ(taken[9], "Grid") << "crowded, and its parts lie among one another";
@@ -61,7 +54,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   for (const char* usual :
        {"winding:n=30000", "lattice:n=3000", "tight_knot:n=30000", "mixed_radii:n=3000,decades=30",
         "points:n=3000,share=0.7", "lattice:n=3000,scale=1e-30", "cluster:n=30000",
-        "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000"}) {
+        "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000", "hair:n=3000,radius=1e-41"}) {
     const Chain chain = open_input(usual).animation->frame(0);
     EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr) << usual;
   }

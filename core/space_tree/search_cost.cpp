@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/space_tree/mean_near.h"
 #include "catena/core/space_tree/scattered.h"
@@ -79,7 +80,8 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
                pairs = ball * near.by_reach / 2;
   const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
   const bool cells = one_width && in_cells < shallow_share(spheres) * in_space;
-  return {cells, one_width ? std::min(in_cells, in_space) : in_space, pairs, radii.greatest,
+  const double ns = one_width ? std::min(in_cells, in_space) : in_space;
+  return {cells, single_spheres_share(chain.extent) * ns, pairs, radii.greatest,
           SingleSphereCost::wide_cells(near.in_cells, spheres)};
 }
 

@@ -1,4 +1,4 @@
-#include "catena/core/plan/slow_subnormals.h"
+#include "catena/core/arithmetic/slow_subnormals.h"
 
 #include <algorithm>
 #include <chrono>
