@@ -20,7 +20,7 @@ namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The row and the column of each bit of SphereTiles::Verdict, apart and side by side; and a byte's bits,
-/// each twice.
+/// each twice. Highway may read eight bytes for two of these.
 struct TilePairs {
   std::uint32_t rows[64], columns[64], both[128];
   std::uint16_t twice[256 + 3];

@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -111,18 +112,22 @@ HWY_INLINE Bits32 cube(hn::Vec<Lanes16::Tag> at, float low, const SpaceGrid& gri
   return Bits32(hn::BitCast(Bits32::Tag(), hn::ConvertTo(hn::RebindToSigned<Lanes16::Tag>(), which)));
 }
 
-/// How many times `step` as large some sizes would have to be to be of the first class.
+/// How many times `step` as large some sizes are, with which they are smaller than the greatest. By
+/// exponents: patterns of positive numbers rise as these do, and what is subnormal is raised out of that
+/// before, unless it is of the last class anyway.
 HWY_INLINE Bits32 class_of(hn::Vec<Lanes16::Tag> size, float greatest) {
+  static_assert(SpaceGrid::step == 8);
+  constexpr int bits_of_step = 3, digits = 23;
+  constexpr float raise = 0x1p23f, no_subnormal = 0x1p100f;
   const Lanes16::Tag tag;
-  const auto most = hn::Set(tag, greatest), step = hn::Set(tag, SpaceGrid::step);
-  auto smaller = hn::Zero(Bits32::Tag());
-  for (int k = 1; k < SpaceGrid::classes; ++k) {
-    size = hn::Mul(size, step);
-    const auto less = hn::Lt(size, most);
-    if (hn::AllFalse(tag, less)) break;
-    smaller = hn::Sub(smaller, hn::VecFromMask(Bits32::Tag(), hn::RebindMask(Bits32::Tag(), less)));
-  }
-  return Bits32(smaller);
+  const hn::RebindToSigned<Lanes16::Tag> whole;
+  const float times = greatest < no_subnormal ? raise : 1;
+  const auto apart = hn::Sub(hn::Set(whole, std::bit_cast<std::int32_t>(greatest * times) - 1),
+                             hn::BitCast(whole, hn::Mul(size, hn::Set(tag, times))));
+  const auto octaves = hn::Max(hn::ShiftRight<digits>(apart), hn::Zero(whole));
+  // A third of what is below 2^9.
+  const auto steps = hn::ShiftRight<9>(hn::Mul(octaves, hn::Set(whole, (1 << 9) / bits_of_step + 1)));
+  return Bits32(hn::BitCast(Bits32::Tag(), hn::Min(steps, hn::Set(whole, SpaceGrid::classes - 1))));
 }
 
 inline void make_keys_of_middles(const SpaceRows& rows, const SpaceGrid& grid,
