@@ -90,7 +90,7 @@ class LeafPairs {
   HWY_INLINE void meet(std::uint32_t a, std::uint32_t b, MetTiles& met) {
     const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
     const Sphere *sa = spheres_ + row, *sb = spheres_ + column;
-    std::uint64_t asked = later_than(last_within(a == b, row, column));
+    std::uint64_t asked = later_than(last_within(row, column));
     if (HWY_UNLIKELY(((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled) != 0)) {
       sa = tree_.spheres(chain_, a), sb = tree_.spheres(chain_, b);
       asked &= within_first(tree_.size_of(a), tree_.size_of(b));
@@ -103,12 +103,11 @@ class LeafPairs {
 
   /// Of spheres `row` + p and `column` + q of two blocks those are looked at for which q - p is greater than
   /// this: no nearer ones on a strand may collide. Those of one block are met once.
-  HWY_INLINE std::int32_t last_within(bool same, std::uint32_t row, std::uint32_t column) const {
+  HWY_INLINE std::int32_t last_within(std::uint32_t row, std::uint32_t column) const {
     constexpr std::int32_t most = block;
     const ExclusionView& rule = chain_.exclusion;
     const std::uint32_t left = beside_ - std::min(column - row, beside_);
-    if (!rule.one_open_strand && left > 0 && !same && rule.strand_of[row] != rule.strand_of[column])
-      return -most;
+    if (!rule.one_open_strand && left > 0 && rule.strand_of[row] != rule.strand_of[column]) return -most;
     return static_cast<std::int32_t>(std::min(left, 2 * block)) - most;
   }
 

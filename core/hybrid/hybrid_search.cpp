@@ -90,7 +90,7 @@ bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres
                octaves = octaves_beyond_cache(chain.size);
   if (!look_.everywhere(chain, share * least)) return false;
   single = single_spheres(chain, sort);
-  const double others = std::min(13 + 1.1 * octaves, single.ns * BlockTree::block / SpaceCost::near_ns);
+  const double others = std::min(16 + 1.1 * octaves, single.ns * BlockTree::block / SpaceCost::near_ns);
   return others <= least || look_.everywhere(chain, share * others);
 }
 

@@ -17,7 +17,7 @@ namespace catena {
 /// What a search of a SpaceTree costs, about, on one core with AVX-512. Measured on chains of many kinds; a
 /// wrong figure costs time and changes no answer.
 struct SpaceCost {
-  static constexpr double node_ns = 40, entry_ns = 8, near_ns = 28;
+  static constexpr double node_ns = 40, entry_ns = 8, near_ns = 24;
   static constexpr double build_ns = 80;     ///< a block
   static constexpr double near_share = 0.6;  ///< of all that is not the build, where much is near
   static constexpr double row_ns = 1;  ///< a sphere and those of eight that it overlaps, if there are any
