@@ -181,7 +181,7 @@ double SearchPlan::worth_trying_ms() const {
 }
 
 bool SearchPlan::give_way(const std::string& why) {
-  static const std::string parts = "DeviceParts";
+  constexpr const char* parts = "DeviceParts";
   if (!on_device()) return false;
   gave_way_ += fmt::format("; {}: {}", variant(), why);
   const StrategyInfo* const info = StrategyRegistry::instance().find_strategy(parts);

@@ -7,6 +7,7 @@
 
 #include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/hierarchy/box.h"
+#include "catena/core/never_destroyed.h"
 #include "catena/core/plan/row_look.h"
 #include "catena/core/plan/slow_subnormals.h"
 #include "catena/core/space_tree/scattered.h"
@@ -29,7 +30,7 @@ enum Kind {
 };
 
 const UnusualKind& info(Kind kind) {
-  static const std::array<UnusualKind, kinds> all{{
+  static const auto& all = never_destroyed(std::array<UnusualKind, kinds>{{
       {"Grid",
        "radii that are subnormal, with which other searches multiply, which this machine does slowly"},
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
@@ -46,7 +47,7 @@ const UnusualKind& info(Kind kind) {
       {"SphereTree",
        "301 to 2,048 spheres of like radii that cells would suit, in frames: they are sorted in space for "
        "several at once"},
-  }};
+  }});
   return all[kind];
 }
 
