@@ -14,16 +14,13 @@
 #include <system_error>
 
 #include "catena/core/error.h"
-#include "catena/core/one_line.h"
+#include "catena/core/notice.h"
 
 namespace catena {
 namespace {
 
-/// Says it in one line. Not fmt::print: that throws when standard error takes nothing, and there is nobody to
-/// tell.
-int refuse(std::string_view program, const std::string& what) {
-  const std::string line = fmt::format("{}: {}\n", program, one_line(what));
-  std::fwrite(line.data(), 1, line.size(), stderr);
+int refuse(std::string_view program, std::string_view what) {
+  notice(program, what);
   return 2;
 }
 
