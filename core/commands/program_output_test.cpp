@@ -72,6 +72,14 @@ TEST_F(Program, AnswersWhereStandardErrorTakesNothing) {
   }
 }
 
+TEST_F(Program, SaysThatItsFolderIsGone) {
+  const ProgramOutcome r = shell("mkdir '" + file("gone") + "' && cd '" + file("gone") + "' && rmdir '" +
+                                 file("gone") + "' && catena fuzz --cases 1");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(r.output.ends_with(": the working folder is not to be found (No such file or directory)\n"))
+      << r.output;
+}
+
 TEST_F(Program, SaysWhatAnExportLoses) {
   const std::string neuron =
       write("neuron.swc", "1 1 0 0 0 1 -1\n2 3 3 0 0 1 1\n3 3 6 0 0 1 2\n4 3 3 3 0 1 2\n");
@@ -227,7 +235,7 @@ TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
   }
   const ProgramOutcome closed = shell("catena detect coincident:n=60 --pairs '" + file("p.csv") + "' >&-");
   EXPECT_EQ(closed.code, 2);
-  EXPECT_EQ(closed.output, "catena: cannot write the output: Bad file descriptor\n");
+  EXPECT_EQ(closed.output, "catena: cannot write the output: standard output is closed\n");
   EXPECT_EQ(std::ranges::count(text_of(file("p.csv")), '\n'), 813) << "what is printed got into the table";
   // What is printed, more than is buffered, goes into no file that takes the number of a closed stream.
   const std::string frames = "detect path1:n=20 --frame all --counts '" + file("c.csv") + "'";
