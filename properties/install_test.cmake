@@ -109,7 +109,10 @@ if(NOT code EQUAL 0 AND NOT (code EQUAL 2 AND NOT CMAKE_HOST_SYSTEM_PROCESSOR ST
   message(FATAL_ERROR "a program linked with -ffast-math gets another answer, or nothing was flushed: ${code}")
 endif()
 
-must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target fast_math)
+foreach(target fast_math fast_core_frames_within fast_core_chain_centre_distance)
+  must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target ${target})
+endforeach()
+must_fail("catena needs C++20" ${CMAKE_COMMAND} --build ${WORK}/build --target too_old)
 must_fail("catena has no component 'engine'; there are: library, program"
           ${configure} -B ${WORK}/unknown_component -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=engine)
 must_fail("that is compatible with requested version \"99.0\""
