@@ -60,7 +60,10 @@ unsigned startable_threads(unsigned wanted) {
   const unsigned probed = is_tight ? wanted : 1, can = started(probed);
   if (can == 0) return 0;
   // Two teams at a time must not have more, nor others who use oneTBB. As long as the process lives.
-  if (can < probed) never_destroyed(std::make_unique<CoreLimit>(1 + can));
+  if (can < probed) {
+    static const auto& limit = never_destroyed(std::make_unique<CoreLimit>(1 + can));
+    static_cast<void>(limit);
+  }
   found = is_tight ? can : wanted;
   asked = wanted;
   return found;
