@@ -125,6 +125,8 @@ set_target_properties(catena PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0 E
   CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${PROJECT_SOURCE_DIR}/core/exports.map)
 target_link_libraries(catena PUBLIC Threads::Threads PRIVATE catena_options fmt::fmt hwy::hwy hwy::hwy_contrib TBB::tbb)
 target_link_options(catena PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/core/exports.map LINKER:-Bsymbolic-functions)
+# Threads of oneTBB run its code until the process ends: where a plugin that linked it is closed, it stays.
+target_link_options(catena PRIVATE LINKER:-z,nodelete)
 if(NOT CATENA_SANITIZE)
   target_link_options(catena PRIVATE LINKER:--no-undefined)  # nothing of the program is missed
 endif()

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
@@ -40,11 +41,37 @@ bool regular_or_new(const fs::path& name) {
   return status.type() == fs::file_type::regular || status.type() == fs::file_type::not_found;
 }
 
-/// A file without a name in the folder of this one, which vanishes with the process however that ends; -1 where
-/// the file system has none.
+std::string open_name(int file) { return fmt::format("/proc/self/fd/{}", file); }
+
+/// A file without a name in the folder of this one, which vanishes with the process however that ends; -1
+/// where the file system has none, or where there is no /proc, by which it would get its name. To be read,
+/// too: see copied().
 int open_nameless(const fs::path& target) {
   const auto folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  return open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  const int file = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+  if (file < 0 || access(open_name(file).c_str(), F_OK) == 0) return file;
+  ::close(file);
+  return -1;
+}
+
+int open_named(const fs::path& unfinished) {
+  return open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
+/// Whether the second has all of the first; else errno says why not.
+bool copied(int from, int to) {
+  std::string part(std::size_t{1} << 20, '\0');
+  for (off_t at = 0;;) {
+    const ssize_t got = pread(from, part.data(), part.size(), at);
+    if (got == 0) return true;
+    if (got < 0 && errno != EINTR) return false;
+    for (ssize_t done = 0; done < got;) {
+      const ssize_t written = ::write(to, part.data() + done, static_cast<std::size_t>(got - done));
+      if (written < 0 && errno != EINTR) return false;
+      done += std::max<ssize_t>(written, 0);
+    }
+    at += std::max<ssize_t>(got, 0);
+  }
 }
 
 /// Of a file that will be replaced, so that it is read by nobody new. Where a file system has no permissions,
@@ -104,8 +131,7 @@ OutputFile::OutputFile(const fs::path& name) : name_(name), target_(target(name)
     unfinished_ = unfinished_beside(target_);
     file = open_nameless(target_);
     nameless_ = file >= 0;
-    if (!nameless_)
-      file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (!nameless_) file = open_named(unfinished_);
     if (file >= 0) keep_permissions(file, target_);
   } else {
     file = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -132,15 +158,26 @@ void OutputFile::close() {
   const SignalsHeld held;
   if (std::fflush(out_) != 0) fail(errno);
   if (nameless_) {
-    const std::string open_file = fmt::format("/proc/self/fd/{}", fileno(out_));
     unlink(unfinished_.c_str());  // of a process that had our number and was killed
-    if (linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, unfinished_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail(errno);
+    if (linkat(AT_FDCWD, open_name(fileno(out_)).c_str(), AT_FDCWD, unfinished_.c_str(), AT_SYMLINK_FOLLOW) !=
+        0)
+      copy_to_named();  // a sandbox forbids links, perhaps
   }
   std::FILE* const out = std::exchange(out_, nullptr);
   if (std::fclose(out) != 0) fail(errno);
   if (unfinished_.empty()) return;
   if (std::rename(unfinished_.c_str(), target_.c_str()) != 0) fail(errno);
   unfinished_.clear();
+}
+
+void OutputFile::copy_to_named() const {
+  const int file = open_named(unfinished_);
+  if (file < 0) fail(errno);
+  keep_permissions(file, target_);
+  const bool all = copied(fileno(out_), file);
+  const int reason = errno;
+  if (::close(file) != 0) fail(errno);
+  if (!all) fail(reason);
 }
 
 void OutputFile::fail(int reason) const {

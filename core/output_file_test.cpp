@@ -2,13 +2,23 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -91,6 +101,54 @@ TEST_F(OutputFiles, LeaveNothingBehindWhenTheProcessIsKilled) {
     EXPECT_TRUE(WIFSIGNALED(status)) << signal;
     EXPECT_EQ(names(), std::set<std::string>{"a"}) << signal;
     EXPECT_EQ(text_of(file("a")), "old") << signal;
+  }
+}
+
+/// A sandbox forbids links.
+void forbid_links() {
+  sock_filter steps[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_linkat, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+  };
+  const sock_fprog program{std::size(steps), steps};
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
+      prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
+    std::_Exit(77);
+}
+
+/// A container or a chroot has no /proc.
+void lose_proc() {
+  if (unshare(CLONE_NEWNS) != 0 || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+      mount("none", "/proc", "tmpfs", 0, nullptr) != 0)
+    std::_Exit(77);
+}
+
+TEST_F(OutputFiles, AreWrittenWhereLinksAreForbiddenOrThereIsNoProc) {
+  for (const auto& lose : {forbid_links, lose_proc}) {
+    const std::string text(3 << 20, 'x');
+    write_file(file("old"), "old");
+    chmod(file("old").c_str(), 0640);
+    const pid_t child = fork();
+    if (child == 0) {
+      lose();
+      for (const char* const name : {"old", "new"})
+        if (const std::string why = refusal(file(name), text); !why.empty()) {
+          std::fprintf(stderr, "%s\n", why.c_str());
+          std::_Exit(1);
+        }
+      std::_Exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == 77) continue;  // that is for root alone, or for nobody here
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    EXPECT_EQ(names(), (std::set<std::string>{"new", "old"}));
+    for (const char* const name : {"old", "new"}) EXPECT_TRUE(text_of(file(name)) == text) << name;
+    EXPECT_EQ(fs::status(file("old")).permissions(), fs::perms(0640));
+    fs::remove(file("new"));
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
 namespace catena {
 namespace {
@@ -23,6 +25,15 @@ TEST(Thrown, NamesTheVariantWhateverItThrows) {
   EXPECT_EQ(blamed(std::out_of_range("past the end")), "CPU9 threw: past the end" + after);
   EXPECT_EQ(blamed(std::bad_alloc()),
             "CPU9: out of memory; take fewer spheres or ask for counts instead of pairs");
+  const std::string no_thread =
+      "CPU9: no more threads can be started; raise ulimit -u or the container's limit of processes, or take "
+      "threads=1";
+  EXPECT_EQ(blamed(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again))),
+            no_thread);
+  EXPECT_EQ(blamed(std::runtime_error("pthread_create has failed: Resource temporarily unavailable")),
+            no_thread);
+  EXPECT_EQ(blamed(std::system_error(std::make_error_code(std::errc::io_error))).substr(0, 11),
+            "CPU9 threw:");
   EXPECT_EQ(blamed(7), "CPU9 threw: a foreign exception" + after);
 }
 

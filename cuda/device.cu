@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "catena/core/never_destroyed.h"
 #include "catena/cuda/call.h"
 #include "catena/cuda/device.h"
 
@@ -32,7 +33,7 @@ std::optional<std::string> probe_device() {
 }  // namespace
 
 std::optional<std::string> unavailable() {
-  static const std::optional<std::string> reason = probe_device();
+  static const auto& reason = never_destroyed(probe_device());
   probed = true;
   return reason;
 }

@@ -109,7 +109,18 @@ if(NOT code EQUAL 0 AND NOT (code EQUAL 2 AND NOT CMAKE_HOST_SYSTEM_PROCESSOR ST
   message(FATAL_ERROR "a program linked with -ffast-math gets another answer, or nothing was flushed: ${code}")
 endif()
 
-must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target fast_math)
+foreach(target fast_math fast_core_frames_within fast_core_chain_centre_distance)
+  must_fail("catena cannot be compiled with -ffast-math" ${CMAKE_COMMAND} --build ${WORK}/build --target ${target})
+endforeach()
+must_fail("catena needs C++20" ${CMAKE_COMMAND} --build ${WORK}/build --target too_old)
+# Of a project without languages, which has no compiler.
+file(WRITE ${WORK}/no_language/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(no_language NONE)
+find_package(catena REQUIRED COMPONENTS program)
+add_custom_target(program_version ALL COMMAND catena::program --version)
+")
+run(${CMAKE_COMMAND} -S ${WORK}/no_language -B ${WORK}/no_language/build -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK}/no_language/build)
 must_fail("catena has no component 'engine'; there are: library, program"
           ${configure} -B ${WORK}/unknown_component -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=engine)
 must_fail("that is compatible with requested version \"99.0\""

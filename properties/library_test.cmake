@@ -1,6 +1,7 @@
 # cmake -DLIBRARY=libcatena.so -DNM=nm -DREADELF=readelf [-DLOG=.ninja_log] [-DSANITIZE=...] -P library_test.cmake
 # Prints what libcatena.so, the smallest build that is of use, weighs, took to compile, shows and needs. It shows names of
-# catena alone, none of its arithmetic, and needs nothing but the C++ runtime, fmt, Highway, oneTBB and, if built in, CUDA's.
+# catena alone, none of its arithmetic, and needs nothing but the C++ runtime, fmt, Highway, oneTBB and, if built in, CUDA's;
+# it stays where it was loaded.
 cmake_minimum_required(VERSION 3.25)
 
 function(lines_of out)
@@ -56,6 +57,9 @@ foreach(line ${symbols})
 endforeach()
 
 lines_of(dynamic ${READELF} -d ${LIBRARY})
+if(NOT dynamic MATCHES "NODELETE")
+  message(FATAL_ERROR "${LIBRARY} can be unloaded, under the threads that its searches have made")
+endif()
 list(FILTER dynamic INCLUDE REGEX "NEEDED")
 if(NOT dynamic)
   message(FATAL_ERROR "${READELF} names no library that ${LIBRARY} needs, not even the C library")

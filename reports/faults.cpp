@@ -1,9 +1,8 @@
 #include "catena/reports/faults.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstdio>
+
+#include "catena/core/notice.h"
 
 namespace catena::reports {
 namespace {
@@ -18,7 +17,7 @@ std::vector<std::string>& faults() {
 void note_fault(const std::string& what) {
   if (std::ranges::find(faults(), what) != faults().end()) return;
   faults().push_back(what);
-  fmt::print(stderr, "catena report: {}\n", what);
+  notice("catena report", what);
 }
 
 const std::vector<std::string>& noted_faults() { return faults(); }

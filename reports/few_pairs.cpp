@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "catena/core/notice.h"
 
 namespace catena::reports {
 
@@ -16,7 +17,7 @@ Profile with_few_pairs(Profile profile, const std::function<void(const bench::Wo
     try {
       make(spec);
     } catch (const bench::TooManyPairs& why) {
-      fmt::print(stderr, "catena report: {}; it is left out\n", why.what());
+      notice("catena report", fmt::format("{}; it is left out", why.what()));
       crowded.insert(spec.input);
     }
   }

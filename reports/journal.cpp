@@ -75,6 +75,7 @@ Journal Journal::resume(const std::string& file) {
       journal.section_seconds_ += line["seconds"].get<double>();
     }
   }
+  if (in.bad()) throw InputError(fmt::format("{}: cannot be read to its end", file));  // to be cut there
   journal.kept_ = !journal.rows_.empty() || !journal.sections_.empty();
   if (!journal.run_.is_object())
     throw InputError(fmt::format("{}: no run can be resumed from it; remove it to begin anew", file));

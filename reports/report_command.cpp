@@ -12,6 +12,7 @@
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/notice.h"
 #include "catena/core/shell_word.h"
 #include "catena/reports/faults.h"
 #include "catena/reports/interrupted.h"
@@ -160,7 +161,7 @@ class ReportCommand final : public Command {
     } catch (const InputError& why) {
       throw InputError(fmt::format("{}{}", why.what(), from_.empty() ? "; " + kept(runs) : ""));
     }
-    if (code != 0 && from_.empty()) fmt::print(stderr, "catena: no page was written; {}\n", kept(runs));
+    if (code != 0 && from_.empty()) notice("catena", "no page was written; " + kept(runs));
     return code;
   }
 

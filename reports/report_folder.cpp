@@ -31,6 +31,7 @@ std::vector<std::set<std::string>> reports_in(const fs::path& list) {
     else if (!reports.empty() && file.is_relative() && std::ranges::find(file, "..") == file.end())
       reports.back().insert(line);
   }
+  if (in.bad()) throw InputError(fmt::format("{}: cannot be read to its end", list.string()));
   return reports;
 }
 

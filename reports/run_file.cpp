@@ -8,6 +8,7 @@
 #include "catena/core/commands/variant_json.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
+#include "catena/core/notice.h"
 #include "catena/core/output_file.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/timings.h"
@@ -48,7 +49,7 @@ Json measured(const Section& section, const Profile& profile) {
   } catch (const VariantThrew& fault) {
     note_fault(fmt::format("{}; the section {} is left out", fault.what(), section.name));
   } catch (const PairLimitExceeded& why) {
-    fmt::print(stderr, "catena report: {}; it is left out\n", bench::TooManyPairs(section.name, why).what());
+    notice("catena report", fmt::format("{}; it is left out", bench::TooManyPairs(section.name, why).what()));
   }
   return {};
 }
@@ -92,7 +93,7 @@ Json measure_run(const Profile& profile, const std::string& command, Journal& jo
     Json content = journal.section(section.name, [&] { return measured(section, of_sections); });
     if (content.is_null() || content.empty()) continue;
     measured_sections[section.name] = std::move(content);
-    fmt::print(stderr, "catena report: {} in {:.1f} s\n", section.name, own_watch.ms() / 1000);
+    notice("catena report", fmt::format("{} in {:.1f} s", section.name, own_watch.ms() / 1000));
   }
 
   const double sections_before = journal.section_seconds(), rows_before = journal.row_seconds();
@@ -103,7 +104,7 @@ Json measure_run(const Profile& profile, const std::string& command, Journal& jo
                  std::max(least_seconds, profile.whole_seconds - sections_before - watch.ms() / 1000));
   const auto limit =
       stopping.seconds < unlimited_seconds ? fmt::format(" for at most {:.0f} s", stopping.seconds) : "";
-  fmt::print(stderr, "catena report: timing {} cases{}\n", cases.size(), limit);
+  notice("catena report", fmt::format("timing {} cases{}", cases.size(), limit));
   bench::Stopping rest = stopping;
   rest.seconds = std::max(0.0, stopping.seconds - rows_before);
   const Stopwatch timing;

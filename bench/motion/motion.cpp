@@ -12,6 +12,7 @@
 #include "catena/bench/motion/knot_determinant.h"
 #include "catena/bench/timing/sampling.h"
 #include "catena/core/error.h"
+#include "catena/core/executor/startable_threads.h"
 #include "catena/core/motion/knot.h"
 #include "catena/core/motion/rope.h"
 #include "catena/core/strategy/registry.h"
@@ -119,8 +120,9 @@ std::vector<MotionStart> measure_starts(const MotionCase& motion, std::size_t st
     }
   };
   std::vector<std::future<void>> workers;
-  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-    workers.push_back(std::async(std::launch::async, work));
+  const unsigned others = startable_threads(std::max(1u, std::thread::hardware_concurrency()) - 1);
+  for (unsigned k = 0; k < others; ++k) workers.push_back(std::async(std::launch::async, work));
+  work();
   for (auto& worker : workers) worker.get();
   return found;
 }

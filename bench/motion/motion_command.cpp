@@ -13,9 +13,11 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/progress.h"
+#include "catena/core/counted.h"
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/motion/knot.h"
+#include "catena/core/notice.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/core/strategy/timings.h"
 
@@ -121,7 +123,8 @@ class MotionCommand final : public Command {
     if (!json_)
       for (const auto& line : motion_verdicts(rows)) fmt::print("\n{}\n", line);
     if (left_out > 0)
-      fmt::print(stderr, "{} motions left out: --seconds {:g} were over\n", left_out, seconds_);
+      notice("catena motion",
+             fmt::format("{} left out: --seconds {:g} were over", counted(left_out, "motion"), seconds_));
     if (rows.empty()) throw InputError("nothing was measured: --seconds were over before the first motion");
     const bool defect = std::ranges::any_of(rows, [](const MotionRow& row) {
       return row.motion.exact() && row.result.missed + row.result.invented > 0;

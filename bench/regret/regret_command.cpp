@@ -16,6 +16,7 @@
 #include "catena/core/commands/somebody.h"
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
+#include "catena/core/notice.h"
 #include "catena/core/one_line.h"
 #include "catena/core/strategy/registry.h"
 
@@ -74,7 +75,7 @@ class RegretCommand final : public Command {
       if (!found.left_out.empty()) {
         const std::string what = one_line(fmt::format("{} is left out: {}", found.input, found.left_out));
         if (specs.size() == 1) throw InputError(what);
-        fmt::print(stderr, "catena regret: {}\n", what);
+        notice("catena regret", what);
         continue;
       }
       if (!std::exchange(begun, true))

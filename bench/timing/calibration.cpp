@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "catena/core/executor/startable_threads.h"
 #include "catena/core/strategy/timings.h"
 
 namespace catena::bench {
@@ -54,7 +55,7 @@ void run_once(const Kernel& kernel) { kept.store(kernel.run(), std::memory_order
 
 Load measured_load() {
   static const Kernel kernel;
-  static const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  static const unsigned cores = 1 + startable_threads(std::max(1u, std::thread::hardware_concurrency()) - 1);
   Load load;
   run_once(kernel);  // into the caches, from which the sample before has driven it
   const Stopwatch one;

@@ -1,6 +1,8 @@
 #pragma once
 #include <numbers>
 
+#include "catena/core/compiled_for.h"
+
 namespace catena {
 
 /// The arc window of what a tube can bend into, which is no contact: spheres nearer along it than so many

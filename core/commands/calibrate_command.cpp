@@ -6,6 +6,7 @@
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
 #include "catena/core/error.h"
+#include "catena/core/notice.h"
 #include "catena/core/output_file.h"
 #include "catena/core/plan/calibrate.h"
 
@@ -45,11 +46,11 @@ class CalibrateCommand final : public Command {
       fmt::print("a hierarchy pays from {} spheres on\n", n);
     fmt::print("kept in {}\n", file.string());
     for (const std::string& variant : hardly_helped_by_threads(machine))
-      fmt::print(
-          stderr,
-          "catena: {} took hardly less by {} cores than by one, as where other work keeps them busy; plans "
-          "will take one thread until calibrate is run again\n",
-          variant, machine.cores);
+      notice("catena",
+             fmt::format(
+                 "{} took hardly less by {} cores than by one, as where other work keeps them busy; plans "
+                 "will take one thread until calibrate is run again",
+                 variant, machine.cores));
   }
 
   static void print_json(const Machine& machine, const std::filesystem::path& file) {

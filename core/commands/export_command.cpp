@@ -17,6 +17,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/notice.h"
 #include "catena/core/one_line.h"
 #include "catena/core/output_file.h"
 #include "catena/core/periodic/periodic.h"
@@ -153,7 +154,7 @@ class ExportCommand final : public Command {
 
   void say_losses(const WriterInfo& info, const Chain& chain, const Input& input) const {
     const auto say = [&](const char* what) {
-      fmt::print(stderr, "catena: {}\n", one_line(fmt::format("{}: {} holds no {}", out_, info.name, what)));
+      notice("catena", fmt::format("{}: {} holds no {}", out_, info.name, what));
     };
     if (!info.radii) say("radii; give them with --radius when it is read");
     const Exclusion& rule = chain.exclusion();
@@ -175,11 +176,9 @@ class ExportCommand final : public Command {
         std::equal(view.loop_length, view.loop_length + chain.strand_count(), then.loop_length))
       return;
     said_arcs_ = true;
-    fmt::print(
-        stderr, "catena: {}\n",
-        one_line(fmt::format("{}: {} holds no arc lengths of another frame, nor of spheres left out; who "
-                             "are neighbours is measured anew when it is read",
-                             out_, WriterRegistry::instance().of(out_).info.name)));
+    notice("catena", fmt::format("{}: {} holds no arc lengths of another frame, nor of spheres left out; who "
+                                 "are neighbours is measured anew when it is read",
+                                 out_, WriterRegistry::instance().of(out_).info.name));
   }
 
   std::string input_, out_, variant_;

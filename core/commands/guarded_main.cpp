@@ -14,21 +14,20 @@
 #include <system_error>
 
 #include "catena/core/error.h"
-#include "catena/core/one_line.h"
+#include "catena/core/notice.h"
 
 namespace catena {
 namespace {
 
-/// Says it in one line. Not fmt::print: that throws when standard error takes nothing, and there is nobody to
-/// tell.
-int refuse(std::string_view program, const std::string& what) {
-  const std::string line = fmt::format("{}: {}\n", program, one_line(what));
-  std::fwrite(line.data(), 1, line.size(), stderr);
+int refuse(std::string_view program, std::string_view what) {
+  notice(program, what);
   return 2;
 }
 
 int refuse_output(std::string_view program, int reason) {
   if (reason == EPIPE) return 2;
+  if (reason == EBADF || (fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY)
+    return refuse(program, "cannot write the output: standard output is closed");
   if (reason == 0)
     return refuse(program, "cannot write the output");  // a stream failed long ago and kept no reason
   return refuse(program, fmt::format("cannot write the output: {}", std::strerror(reason)));
@@ -59,7 +58,7 @@ int guarded_main(std::string_view program, const std::function<int()>& body) {
   } catch (const Error& error) {
     return refuse(program, error.what());
   } catch (const std::bad_alloc&) {
-    return refuse(program, "out of memory; take fewer spheres or ask for counts instead of pairs");
+    return refuse(program, "out of memory; take fewer spheres");
   } catch (const std::system_error& error) {
     if (std::ferror(stdout)) return refuse_output(program, error.code().value());
     return refuse(program, error.what());

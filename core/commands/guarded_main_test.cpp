@@ -45,8 +45,7 @@ TEST(GuardedMain, GivesTheExitCodeOfItsBody) {
 TEST(GuardedMain, SaysEveryExceptionInOneLine) {
   expect_one_line(InputError("no scene\nis named so"), "program: no scene is named so");
   expect_one_line(CapacityError("too long"), "program: too long");
-  expect_one_line(std::bad_alloc(),
-                  "program: out of memory; take fewer spheres or ask for counts instead of pairs");
+  expect_one_line(std::bad_alloc(), "program: out of memory; take fewer spheres");
   expect_one_line(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)),
                   "program: Resource temporarily unavailable");
   expect_one_line(std::logic_error("find before build"),

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
@@ -14,10 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Where a file that is yet to be made will lie. Of a relative name of which nothing exists weakly_canonical
-/// alone makes no absolute one, and a link to what is not there it takes for a file.
-fs::path place_of(const fs::path& name) {
-  std::error_code none;
-  return fs::weakly_canonical(fs::absolute(OutputFile::target(name), none), none);
+/// alone makes no absolute one, and a link to what is not there it takes for a file. Nothing where that
+/// cannot be told: whoever writes there will say why.
+std::optional<fs::path> place_of(const fs::path& name) {
+  std::error_code unknown;
+  const fs::path absolute = fs::absolute(OutputFile::target(name), unknown);
+  if (unknown) return std::nullopt;
+  fs::path place = fs::weakly_canonical(absolute, unknown);
+  return unknown ? std::nullopt : std::optional(std::move(place));
 }
 
 /// Two names of one file, which may be yet to be made.
@@ -25,7 +31,8 @@ bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code none;
   const fs::file_status status = fs::status(a, none);
   if (fs::exists(status)) return fs::is_regular_file(status) && fs::equivalent(a, b, none);
-  return place_of(a) == place_of(b);
+  const auto place = place_of(a);
+  return place && place == place_of(b);
 }
 
 }  // namespace

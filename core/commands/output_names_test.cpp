@@ -48,6 +48,18 @@ TEST(OutputNames, AreApartWhereNothingIsYet) {
   std::filesystem::current_path(before);
 }
 
+/// Of names whose places cannot be told none is another's; who writes there says what is wrong.
+TEST(OutputNames, AreApartWhereTheyCannotBeFollowed) {
+  const TestFile file("a.csv", "");
+  const std::filesystem::path folder = file.path().parent_path();
+  std::string far = folder;
+  while (far.size() < 5000) far += "/" + std::string(200, 'f');
+  for (const char* loop : {"loop", "other"}) std::filesystem::create_symlink(loop, folder / loop);
+  const std::string loop = folder / "loop/a.csv", other = folder / "other/b.csv";
+  EXPECT_NO_THROW(require_apart({file.path()}, {loop, far + "/a.csv", other, far + "/b.csv"}));
+  EXPECT_NO_THROW(require_apart({"rod:n=5", file.path()}, {loop, folder / "fresh.csv"}));
+}
+
 /// As what is named: a topology that the reader finds, of files that have one.
 TEST(OutputNames, AreApartFromWhatLiesBesideAnInput) {
   const TestFile file("a.conf", "");

@@ -14,6 +14,7 @@
 #include "catena/core/input/input.h"
 #include "catena/core/input/naming.h"
 #include "catena/core/input/scene_input.h"
+#include "catena/core/notice.h"
 #include "catena/core/one_line.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/plan/search_plan.h"
@@ -45,7 +46,7 @@ class PlanCommand final : public Command {
           input_ + ": what is searched in a box is known when it is searched; add --run, or say --box none");
     show_warnings(input);
     const Machine& machine = Machine::here();
-    if (machine.warning) fmt::print(stderr, "catena: {}\n", *machine.warning);
+    if (machine.warning) notice("catena", *machine.warning);
     const auto [first, last] = frame_.of(input);
     Request request;
     request.want = want_.want();

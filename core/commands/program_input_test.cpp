@@ -20,6 +20,8 @@ TEST_F(Program, ReadsStandardInputAsWhatItIsSaidToBe) {
   expect_says("detect - --format vtp < " + examples + "branch.vtp", 0, {"7 spheres"});
   expect_refused("detect - < " + examples + "branch.vtp", "standard input: ");
   expect_refused("detect - --format vtp < /dev/null", "standard input: is empty");
+  expect_refused("detect - --format vtp < /", "standard input: cannot be read: Is a directory");
+  expect_refused("detect - --format vtp <&-", "standard input: cannot be read: it is closed");
   // Of a pipe's several pieces, the last line too.
   const std::string last =
       write("last.xyzr", std::string((3 << 20) / 2, '\n') + "0 0 0 1\n9 0 0 1\n0 1 0 1\n");

@@ -48,6 +48,38 @@ TEST_F(Program, LosesNoFileToAnother) {
   EXPECT_FALSE(std::filesystem::exists(file("g_0.csv")));
 }
 
+/// What is said beside an answer is no part of it.
+TEST_F(Program, AnswersWhereStandardErrorTakesNothing) {
+  const std::string warns =
+      write("a.lammpstrj",
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n"
+            "0 1\nITEM: ATOMS id x y z\n1 0 0 0\n2 1 0 0\n") +
+      " --radius 1";
+  expect_says("detect " + warns, 0, {"all beads are one strand"});
+  std::filesystem::create_directory(file("catena"));
+  write("catena/calibration.txt", "damaged");
+  std::vector<std::string> nowhere{"2>&-"};
+  if (const auto full = properties::DeviceFile::full(file("full"))) nowhere.push_back("2> '" + *full + "'");
+  for (const std::string& error : nowhere) {
+    for (const std::string& command : Texts{"detect " + warns, "plan path1:n=100",
+                                            "export path1:n=100 --window 2 '" + file("o.obj") + "'"}) {
+      const ProgramOutcome r =
+          shell("XDG_CACHE_HOME='" + file("") + "' catena " + command + " > '" + file("out") + "' " + error);
+      EXPECT_EQ(r.code, 0) << command << error;
+      EXPECT_NE(r.output.find("spheres"), std::string::npos) << command << error;
+    }
+    EXPECT_EQ(shell("catena detect nowhere " + error).code, 2);
+  }
+}
+
+TEST_F(Program, SaysThatItsFolderIsGone) {
+  const ProgramOutcome r = shell("mkdir '" + file("gone") + "' && cd '" + file("gone") + "' && rmdir '" +
+                                 file("gone") + "' && catena fuzz --cases 1");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(r.output.ends_with(": the working folder is not to be found (No such file or directory)\n"))
+      << r.output;
+}
+
 TEST_F(Program, SaysWhatAnExportLoses) {
   const std::string neuron =
       write("neuron.swc", "1 1 0 0 0 1 -1\n2 3 3 0 0 1 1\n3 3 6 0 0 1 2\n4 3 3 3 0 1 2\n");
@@ -203,7 +235,7 @@ TEST_F(Program, SaysWhenItsOutputIsNotWritten) {
   }
   const ProgramOutcome closed = shell("catena detect coincident:n=60 --pairs '" + file("p.csv") + "' >&-");
   EXPECT_EQ(closed.code, 2);
-  EXPECT_EQ(closed.output, "catena: cannot write the output: Bad file descriptor\n");
+  EXPECT_EQ(closed.output, "catena: cannot write the output: standard output is closed\n");
   EXPECT_EQ(std::ranges::count(text_of(file("p.csv")), '\n'), 813) << "what is printed got into the table";
   // What is printed, more than is buffered, goes into no file that takes the number of a closed stream.
   const std::string frames = "detect path1:n=20 --frame all --counts '" + file("c.csv") + "'";

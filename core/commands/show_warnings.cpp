@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
-#include "catena/core/one_line.h"
+#include "catena/core/notice.h"
 
 namespace catena {
 
 void show_warnings(const Input& input) {
-  for (const auto& warning : input.warnings)
-    fmt::print(stderr, "catena: {}\n", one_line(fmt::format("{}: {}", input.name, warning)));
+  for (const auto& warning : input.warnings) notice("catena", fmt::format("{}: {}", input.name, warning));
 }
 
 }  // namespace catena

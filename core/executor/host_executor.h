@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <exception>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/host_group.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/executor/startable_threads.h"
 #include "catena/core/executor/usable_cores.h"
 #include "catena/core/parameters/parameters.h"
 #include "catena/core/policies/visitor.h"
@@ -105,25 +107,28 @@ class HostExecutor {
   }
 
   template <class Work>
-  static void split(std::uint32_t n, unsigned workers, const Work& work) {
+  void split(std::uint32_t n, unsigned workers, const Work& work) const {
     if (workers == 1) return work(0u, 0u, n);
     const auto bound = [&](unsigned w) { return static_cast<std::uint32_t>(std::uint64_t{n} * w / workers); };
     std::vector<std::exception_ptr> failures(workers);
+    const auto part = [&](unsigned w) noexcept {
+      try {
+        work(w, bound(w), bound(w + 1));
+      } catch (...) {
+        failures[w] = std::current_exception();
+      }
+    };
     {
       std::vector<std::jthread> threads;
-      for (unsigned w = 1; w < workers; ++w)
-        threads.emplace_back([&, w] {
-          try {
-            work(w, bound(w), bound(w + 1));
-          } catch (...) {
-            failures[w] = std::current_exception();
-          }
-        });
+      threads.reserve(workers - 1);
+      unsigned w = 1;
       try {
-        work(0, 0, bound(1));
-      } catch (...) {
-        failures[0] = std::current_exception();
+        for (; w < workers; ++w) threads.emplace_back(part, w);
+      } catch (const std::system_error&) {
+        if (split_always_ && w == 1) refuse_threads();
       }
+      for (; w < workers; ++w) part(w);  // of those that could not be started
+      part(0);
     }
     for (const auto& failure : failures)
       if (failure) std::rethrow_exception(failure);

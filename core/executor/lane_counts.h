@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "catena/core/compiled_for.h"
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 
@@ -51,7 +52,7 @@ class LaneCounts {
       if (!counted_[k]) continue;
       const std::size_t first = std::size_t{k} * page, last = std::min(first + page, size_);
       for (std::size_t i = first; i < last; ++i) counts[i] += bytes_[i];
-      std::fill(bytes_.begin() + first, bytes_.begin() + last, 0);
+      std::fill_n(bytes_.data() + first, last - first, std::uint8_t{0});
       counted_[k] = 0;
     }
   }

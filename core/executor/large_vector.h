@@ -12,6 +12,8 @@
 #include <sys/mman.h>
 #endif
 
+#include "catena/core/compiled_for.h"
+
 namespace catena {
 
 /// From so many bytes on an array is worth pages of that size.

@@ -182,8 +182,8 @@ class PairCollector {
     const auto pages = static_cast<std::uint32_t>((counts.size() + LaneCounts::page - 1) / LaneCounts::page);
     const auto add = [&](std::uint32_t begin, std::uint32_t end) {
       if (team_ != nullptr)
-        std::fill(counts.begin() + std::size_t{begin} * LaneCounts::page,
-                  counts.begin() + std::min(counts.size(), std::size_t{end} * LaneCounts::page), 0);
+        std::fill(counts.data() + std::size_t{begin} * LaneCounts::page,
+                  counts.data() + std::min(counts.size(), std::size_t{end} * LaneCounts::page), 0u);
       for (LaneCounts& lane : counts_) lane.move_pages_to(counts, begin, end);
     };
     if (team_ != nullptr)

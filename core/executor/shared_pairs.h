@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "catena/core/compiled_for.h"
 #include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 
@@ -28,7 +29,7 @@ class SharedPairs {
           return;
         }
         const std::size_t fit = std::min(end_ - at_, pairs.size());
-        std::copy_n(pairs.begin(), fit, all_.memory_.begin() + at_);
+        std::copy_n(pairs.begin(), fit, all_.memory_.data() + at_);
         at_ += fit;
         pairs = pairs.subspan(fit);
       }
@@ -90,7 +91,7 @@ class SharedPairs {
   static void fill(std::span<Pair>& hole, std::vector<Writer*>& keepers) {
     std::vector<Pair>& own = keepers.back()->own_;
     const std::size_t some = std::min(own.size(), hole.size());
-    std::copy(own.end() - some, own.end(), hole.begin());
+    std::copy(own.end() - static_cast<std::ptrdiff_t>(some), own.end(), hole.begin());
     own.resize(own.size() - some);
     hole = hole.subspan(some);
     if (own.empty()) keepers.pop_back();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "catena/core/executor/startable_threads.h"
 #include "catena/core/executor/usable_cores.h"
 
 namespace catena {
@@ -20,7 +21,10 @@ Team::Team(const Parameters& parameters)
     : size_(static_cast<unsigned>(parameters.unsigned_integer("threads", 0, 1024))) {
   // More bring nothing, and oneTBB would complain of them.
   const unsigned cores = usable_cores();
+  const bool asked = size_ > 1;
   size_ = size_ == 0 ? cores : std::min(size_, cores);
+  if (size_ > 1) size_ = 1 + startable_threads(size_ - 1);
+  if (size_ == 1 && asked && cores > 1) refuse_threads();
   if (size_ > 1) arena_ = std::make_unique<Arena>(size_);
 }
 Team::~Team() = default;

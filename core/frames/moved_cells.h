@@ -54,7 +54,7 @@ class CATENA_API MovedCells {
 
   /// Of a coordinate. Each step rounds monotonically, so that what lies between two coordinates has a cell
   /// between theirs: no constant is needed.
-  std::uint32_t along(int axis, float at) const {
+  std::uint32_t along(std::size_t axis, float at) const {
     const float cell = (at - around_.low[axis]) * scale_[axis];
     return static_cast<std::uint32_t>(cell < 0 ? 0 : cell > last_[axis] ? last_[axis] : cell);
   }

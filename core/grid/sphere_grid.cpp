@@ -84,8 +84,12 @@ void sort_by_octave(const ChainView& chain, std::span<const std::uint32_t> only,
                     const Team& team) {
   const std::uint32_t n = only.empty() ? chain.size : static_cast<std::uint32_t>(only.size());
   const float greatest = chain.extent.greatest_radius;
-  for (auto* field : {&grid.x, &grid.y, &grid.z, &grid.radius}) field->resize(n + SphereGrid::margin);
-  grid.index.resize(n + SphereGrid::margin);
+  const auto make_room = [n](auto& field) {
+    field.resize(n + SphereGrid::margin);
+    std::fill_n(field.data() + n, SphereGrid::margin, 0);  // is read, though nothing comes of it
+  };
+  for (auto* field : {&grid.x, &grid.y, &grid.z, &grid.radius}) make_room(*field);
+  make_room(grid.index);
   grid.members.clear();
   grid.octaves.clear();
   if (n == 0) return;

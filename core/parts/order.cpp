@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "catena/core/never_destroyed.h"
+
 namespace catena::parts {
 
 const std::vector<std::string>& order_names() {
-  static const std::vector<std::string> names{"measured", "chain", "space"};
+  static const auto& names = never_destroyed(std::vector<std::string>{"measured", "chain", "space"});
   return names;
 }
 

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "catena/core/executor/usable_cores.h"
+#include "catena/core/never_destroyed.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -110,7 +111,7 @@ Machine Machine::from(const std::filesystem::path& file) {
 }
 
 const Machine& Machine::here() {
-  static const Machine machine = from(calibration_file());
+  static const Machine& machine = never_destroyed(from(calibration_file()));
   return machine;
 }
 

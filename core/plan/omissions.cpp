@@ -4,11 +4,13 @@
 #include <array>
 #include <stdexcept>
 
+#include "catena/core/never_destroyed.h"
+
 namespace catena {
 namespace {
 
 const std::array<OmissionInfo, 14>& table() {
-  static const std::array<OmissionInfo, 14> all{{
+  static const auto& all = never_destroyed(std::array<OmissionInfo, 14>{{
       {Omission::hierarchy, "hierarchy", "hierarchy",
        "all pairs are compared instead, by the same exact test"},
       {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
@@ -39,7 +41,7 @@ const std::array<OmissionInfo, 14>& table() {
       {Omission::sort, "sort", "sort in space",
        "whatever order its spheres are in, a node encloses them as they are now: only how many nodes meet "
        "depends on it"},
-  }};
+  }});
   return all;
 }
 

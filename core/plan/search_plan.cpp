@@ -6,6 +6,7 @@
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
+#include "catena/core/executor/startable_threads.h"
 #include "catena/core/plan/coarse_look.h"
 #include "catena/core/plan/part_look.h"
 #include "catena/core/strategy/registry.h"
@@ -96,7 +97,7 @@ bool SearchPlan::team_pays(const Machine::VariantCost& v) const {
 
 /// A greater number takes the place of a lesser one that it beats by a tenth: what is guessed of threads is
 /// guessed roughly.
-unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
+unsigned SearchPlan::threads_that_pay(const Machine::VariantCost& v) const {
   if (v.cost.serial >= 1) return 1;
   if (!omissions_.may(Omission::threads)) return machine_.cores;
   if (!team_pays(v)) return 1;
@@ -105,6 +106,11 @@ unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
     if (const unsigned threads = std::min(k, machine_.cores); ms(v, threads) < 0.9 * ms(v, best))
       best = threads;
   return best;
+}
+
+unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
+  const unsigned pay = threads_that_pay(v);
+  return pay > 1 ? 1 + startable_threads(pay - 1) : pay;
 }
 
 const UnusualKind* SearchPlan::look_at(const Extent& extent, std::span<const Sphere> spheres) const {
@@ -181,7 +187,7 @@ double SearchPlan::worth_trying_ms() const {
 }
 
 bool SearchPlan::give_way(const std::string& why) {
-  static const std::string parts = "DeviceParts";
+  constexpr const char* parts = "DeviceParts";
   if (!on_device()) return false;
   gave_way_ += fmt::format("; {}: {}", variant(), why);
   const StrategyInfo* const info = StrategyRegistry::instance().find_strategy(parts);
@@ -232,6 +238,10 @@ Decision SearchPlan::further_threads() const {
   if (chosen_->cost.serial >= 1 || (kind_ != nullptr && !kind_->threads))
     return {step, true, variant() + " is taken with one"};
   if (machine_.cores == 1) return {step, true, "there is one core"};
+  if (threads() < threads_that_pay(*chosen_))
+    return {step, threads() == 1,
+            fmt::format("no more than {} can be had here of {} that would pay", counted(threads(), "thread"),
+                        threads_that_pay(*chosen_))};
   const unsigned other = threads() > 1 ? 1 : 2;
   std::string reason =
       fmt::format("{}, {}; {} cores", priced(*chosen_, threads()), priced(*chosen_, other), machine_.cores);

@@ -80,7 +80,8 @@ class CATENA_API SearchPlan {
   void choose();
   void give_to_host();  ///< the tree, or another for which the chain's kind asks
   bool team_pays(const Machine::VariantCost& v) const;
-  unsigned best_threads(const Machine::VariantCost& v) const;
+  unsigned threads_that_pay(const Machine::VariantCost& v) const;
+  unsigned best_threads(const Machine::VariantCost& v) const;  ///< and can be started
   Offer offer_of(const Machine::VariantCost& v) const;
   double ms(const Machine::VariantCost& v, unsigned threads = 1) const;
   std::string priced(const Machine::VariantCost& v, unsigned threads = 1) const;

@@ -6,6 +6,7 @@
 
 #include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/hierarchy/box.h"
+#include "catena/core/never_destroyed.h"
 #include "catena/core/plan/row_look.h"
 #include "catena/core/space_tree/scattered.h"
 
@@ -26,7 +27,7 @@ enum Kind {
 };
 
 const UnusualKind& info(Kind kind) {
-  static const std::array<UnusualKind, kinds> all{{
+  static const auto& all = never_destroyed(std::array<UnusualKind, kinds>{{
       {"Grid", "spheres of like radii that fill their box, in a chain whose parts lie among one another",
        true, 6},
       {"Hybrid", "spheres of like radii that fill their box, in no order", true, 6},
@@ -44,7 +45,7 @@ const UnusualKind& info(Kind kind) {
       {"SphereTree",
        "301 to 2,048 spheres of like radii that cells would suit, in frames: they are sorted in space for "
        "several at once"},
-  }};
+  }});
   return all[kind];
 }
 

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iostream>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "catena/core/counted.h"
 #include "catena/core/error.h"
 #include "catena/core/executor/give_back_pages.h"
 #include "catena/core/readers/compressed.h"
+#include "catena/core/readers/open_input.h"
 
 namespace catena {
 namespace fs = std::filesystem;
@@ -26,6 +27,8 @@ void require_regular_file(const fs::path& file) {
   if (is_standard_input(file)) return;
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
+  if (!fs::status_known(status))  // a folder that may not be looked into, a name that is too long
+    throw InputError(fmt::format("{}: cannot be read: {}", file.string(), error.message()));
   if (!fs::exists(status)) throw InputError(fmt::format("{}: there is no such file", file.string()));
   if (fs::is_directory(status))
     throw InputError(fmt::format("{}: is a directory; name a file in it", file.string()));
@@ -37,32 +40,13 @@ namespace {
 
 std::string packed_bytes(const fs::path& file) {
   require_regular_file(file);
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(fmt::format("{}: cannot be opened; check its permissions", file.string()));
-  std::error_code error;
-  const auto size = fs::file_size(file, error);
-  if (error) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), error.message()));
-  if (size == 0) throw InputError(fmt::format("{}: is empty", file.string()));
-  std::string bytes(size, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (in.gcount() != static_cast<std::streamsize>(size))
-    throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
-  return bytes;
-}
-
-// A pipe has no size, so it is read to its end before anything is made of it.
-std::string read_standard_input() {
-  constexpr std::size_t piece = std::size_t{1} << 20;
-  std::string bytes;
-  for (std::size_t got = piece; got == piece;) {
-    const std::size_t before = bytes.size();
-    bytes.resize(before + piece);
-    std::cin.read(bytes.data() + before, static_cast<std::streamsize>(piece));
-    got = static_cast<std::size_t>(std::cin.gcount());
-    bytes.resize(before + got);
-  }
-  if (std::cin.bad()) throw InputError("standard input: cannot be read to its end");
-  if (bytes.empty()) throw InputError("standard input: is empty");
+  OpenInput in(file);
+  const std::size_t size = in.told_size();
+  std::string bytes = in.read_all();
+  if (bytes.size() < size)  // somebody writes it anew, perhaps
+    throw InputError(
+        fmt::format("{}: ends after {} of {}", shown_name(file), bytes.size(), counted(size, "byte")));
+  if (bytes.empty()) throw InputError(fmt::format("{}: is empty", shown_name(file)));
   return bytes;
 }
 
@@ -78,7 +62,7 @@ std::string bytes_of_standard_input() {
   if (was_read)
     throw InputError(
         "standard input: can be read once where it has more than 64 MiB, and is needed again; give a file");
-  std::string bytes = read_standard_input();
+  std::string bytes = packed_bytes("-");
   was_read = true;
   if (bytes.size() <= most_kept) kept = bytes;
   return bytes;

@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "catena/core/compiled_for.h"
+
 namespace catena {
 
 /// Sorts numbers, fewer than 2^32, by their upper 32 bits, by digits of nine bits and the lowest first (LSD
@@ -21,7 +23,8 @@ inline std::span<std::uint64_t> sort_by_digits(std::span<std::uint64_t> keys, st
   for (const std::uint64_t key : keys) any |= key, all &= key;
   const auto differing = static_cast<std::uint32_t>((any & ~all) >> 32);
   if (differing == 0) return keys;
-  const int lowest = 32 + std::countr_zero(differing), width = std::bit_width(any & ~all) - lowest;
+  const int lowest = 32 + std::countr_zero(differing),
+            width = static_cast<int>(std::bit_width(any & ~all)) - lowest;
   const auto digit = [&](std::uint64_t key, int d) {
     return static_cast<std::size_t>(key >> (lowest + d * bits)) & (bins - 1);
   };

@@ -9,6 +9,7 @@
 
 #include "catena/core/default_floats.h"
 #include "catena/core/error.h"
+#include "catena/core/never_destroyed.h"
 #include "catena/core/parameters/nearest_name.h"
 #include "catena/core/strategy/in_default_floats.h"
 
@@ -82,7 +83,7 @@ std::set<std::string> arithmetics(const Entries& entries) {
 }  // namespace
 
 StrategyRegistry& StrategyRegistry::instance() {
-  static StrategyRegistry registry;
+  static StrategyRegistry& registry = never_destroyed(StrategyRegistry());
   return registry;
 }
 

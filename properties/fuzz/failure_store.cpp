@@ -33,7 +33,11 @@ std::string as_file_name(std::string text) {
 void require_folder(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code none;
-  fs::path there = fs::absolute(folder, none);
+  std::error_code unknown;
+  fs::path there = fs::absolute(folder, unknown);
+  if (unknown)  // the folder that we are in was removed
+    throw InputError(fmt::format("cannot make the folder {}: the working folder is not to be found ({})",
+                                 folder.string(), unknown.message()));
   while (!fs::exists(there, none) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, none))
     throw InputError(fmt::format("cannot make the folder {}: {} is none", folder.string(), there.string()));

@@ -12,7 +12,7 @@
 #include "catena/core/commands/progress.h"
 #include "catena/core/counted.h"
 #include "catena/core/error.h"
-#include "catena/core/one_line.h"
+#include "catena/core/notice.h"
 #include "catena/properties/fuzz/failure_store.h"
 #include "catena/properties/fuzz/fault.h"
 #include "catena/properties/fuzz/fuzz_report.h"
@@ -167,7 +167,7 @@ class FuzzCommand final : public Command {
     try {
       store();
     } catch (const InputError& why) {
-      fmt::print(stderr, "catena: {}\n", one_line(why.what()));
+      notice("catena", why.what());
     }
   }
 

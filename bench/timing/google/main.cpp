@@ -1,8 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "catena/core/environment.h"
 #include "catena/core/error.h"
 #include "catena/core/output_file.h"
+#include "catena/core/readers/file_bytes.h"
 #include "catena/core/scenes/scene.h"
 
 namespace {
@@ -79,11 +78,9 @@ std::string flag(const std::vector<std::string>& rest, const std::string& name) 
 void describe_variants(const std::string& file, const std::vector<bench::Case>& cases) {
   nlohmann::ordered_json own{{"schema", 1}, {"profile", "custom"}};
   for (const auto& c : cases) own["variants"][c.variant.name] = to_json(c.variant);
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
   // As text: where a spread is none Google Benchmark writes NaN, which Python reads and a strict parser does
   // not.
-  const std::string run = text.str();
+  const std::string run = read_bytes(file);
   const auto end = run.find_last_of('}');
   if (end == std::string::npos) throw InputError(file + ": Google Benchmark wrote no JSON object");
   write_file(file, fmt::format("{},\n  \"catena\": {}\n}}\n",

@@ -1,0 +1,2 @@
+// Of a header that is compiled alone.
+int main() {}
