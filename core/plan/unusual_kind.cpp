@@ -32,9 +32,8 @@ const UnusualKind& info(Kind kind) {
        true, 6},
       {"Hybrid", "spheres of like radii that fill their box, in no order", true, 6},
       {"ChainTree",
-       "at most 2,048 spheres whose squares leave binary32, in a box that is mostly empty, or where that "
-       "slows "
-       "down others"},
+       "at most 2,048 spheres whose squares leave binary32, in a box that is mostly empty or where this "
+       "slows other searches"},
       {"SphereTree",
        "at most 2,048 spheres, of which those of one part have more than 2^60 times the radius of another's"},
       {"ChainTree", "at most 2,048 spheres, of which rows of eight are near few others"},
