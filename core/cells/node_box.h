@@ -90,9 +90,9 @@ class PrincipalAxes {
     axis[1] = cross(axis[2], axis[0]);
     bool orthonormal = true;  // a comparison with a NaN is false
     for (int i = 0; i < 3; ++i) {
-      const float length = std::fabs(dot(axis[i], axis[i]) - 1),
-                  angle = std::fabs(dot(axis[i], axis[(i + 1) % 3]));
-      orthonormal = orthonormal & (length < BlockTree::axes_error) & (angle < BlockTree::axes_error);
+      const bool one_long = (std::fabs(dot(axis[i], axis[i]) - 1) < BlockTree::axes_error);
+      const bool square = (std::fabs(dot(axis[i], axis[(i + 1) % 3])) < BlockTree::axes_error);
+      orthonormal = orthonormal & one_long & square;
     }
     if (!orthonormal) axis[0] = {1, 0, 0}, axis[1] = {0, 1, 0}, axis[2] = {0, 0, 1};
   }
