@@ -40,7 +40,7 @@ void on_interrupt(int signal) {
   errno = error;
 }
 
-/// Until the end of the block an interrupt is noted, here and in the child.
+/// Until the end of the block an interrupt is noted, here and in the child; there until it ends.
 class NotesInterrupts {
  public:
   NotesInterrupts() {
@@ -52,15 +52,20 @@ class NotesInterrupts {
     for (std::size_t k = 0; k < 2; ++k) sigaction(signals[k], &action, &before_[k]);
   }
   ~NotesInterrupts() {
+    if (for_good_) return;
     child_to_tell = 0;
     for (std::size_t k = 0; k < 2; ++k) sigaction(signals[k], &before_[k], nullptr);
   }
+  /// In the child: an interrupt that comes twice must not end it once its work is done, before it has told
+  /// of it. Who means to kill it asks the parent.
+  void stay() { for_good_ = true; }
   NotesInterrupts(const NotesInterrupts&) = delete;
   NotesInterrupts& operator=(const NotesInterrupts&) = delete;
 
  private:
   static constexpr int signals[] = {SIGINT, SIGTERM};
   struct sigaction before_[2];
+  bool for_good_ = false;
 };
 
 pid_t forked() {
@@ -115,10 +120,11 @@ struct EndsByItself {
 bool interrupted() { return interrupts > 0; }
 
 Ending watched(Notebook& notebook, double timeout, const std::function<int()>& work, bool& mine) {
-  const NotesInterrupts notes;
+  NotesInterrupts notes;
   const pid_t child = forked();
   mine = child == 0;
   if (mine) {
+    notes.stay();
     const EndsByItself end{notebook};
     return {work(), ""};
   }

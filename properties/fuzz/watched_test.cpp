@@ -61,6 +61,27 @@ TEST(Watched, WhatWasBegunBeforeIsKept) {
   }
 }
 
+/// A key stroke may come twice, the second time when the work is over and its end is being told.
+TEST(Watched, AnInterruptThatComesTwiceIsNoCrash) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Notebook notebook;
+    bool mine = false;
+    const Ending ending = watched(
+        notebook, 10,
+        [&] {
+          std::raise(signal);
+          return interrupted() ? 5 : 6;
+        },
+        mine);
+    if (mine) {
+      std::raise(signal);
+      std::_Exit(ending.code);
+    }
+    EXPECT_EQ(ending.fault, "");
+    EXPECT_EQ(ending.code, 5);
+  }
+}
+
 TEST(Watched, AnEndInTheMiddleIsAFault) {
   Notebook notebook;
   const Ending ending = tried(notebook, 10, []() -> int { std::_Exit(0); });
