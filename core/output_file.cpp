@@ -58,9 +58,8 @@ int open_named(const fs::path& unfinished) {
   return open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
 
-/// Whether the second has all of the first; else errno says why not.
-bool copied(int from, int to) {
-  std::string part(std::size_t{1} << 20, '\0');
+/// Whether the second has all of the first, copied by way of `part`; else errno says why not.
+bool copied(int from, int to, std::string& part) {
   for (off_t at = 0;;) {
     const ssize_t got = pread(from, part.data(), part.size(), at);
     if (got == 0) return true;
@@ -171,10 +170,11 @@ void OutputFile::close() {
 }
 
 void OutputFile::copy_to_named() const {
+  std::string part(std::size_t{1} << 20, '\0');
   const int file = open_named(unfinished_);
   if (file < 0) fail(errno);
   keep_permissions(file, target_);
-  const bool all = copied(fileno(out_), file);
+  const bool all = copied(fileno(out_), file, part);
   const int reason = errno;
   if (::close(file) != 0) fail(errno);
   if (!all) fail(reason);

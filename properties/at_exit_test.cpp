@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catena/core/plan/find.h"
+#include "catena/core/strategy/registry.h"
 
 namespace catena {
 namespace {
@@ -23,8 +24,22 @@ bool finds_all() {
   return true;
 }
 
+/// auto keeps chains of its own between frames.
+bool follows_a_frame() {
+  const auto variant = StrategyRegistry::instance().make("auto(frames=always)");
+  Chain chain;
+  chain = Chain({{0, 0, 0, 1}, {4, 0, 0, 1}, {1, 0, 0, 1}});
+  Collisions found;
+  for (const bool first : {true, false}) {
+    first ? variant->build(chain) : variant->update(chain);
+    variant->find(chain, {}, found);
+    if (found.pair_count != 1) return false;
+  }
+  return true;
+}
+
 void find_again() {
-  if (!finds_all()) std::_Exit(1);
+  if (!finds_all() || !follows_a_frame()) std::_Exit(1);
 }
 
 TEST(AtExit, ASearchNeedsNothingThatIsDestroyed) {

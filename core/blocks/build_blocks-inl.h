@@ -33,8 +33,8 @@ HWY_INLINE const Sphere* consecutive_blocks(const ChainView& chain, const BlockT
   return copy;
 }
 
-/// Spheres that come from memory one after the other are waited for: the machine foresees no sixteen rows that
-/// are read side by side.
+/// Spheres that come from memory one after the other are waited for: the machine foresees no sixteen rows
+/// that are read side by side.
 HWY_INLINE void fetch_group(const ChainView& chain, const BlockTree& tree, std::uint32_t g) {
   constexpr std::size_t spheres = std::size_t{BlockTree::group} * BlockTree::block, line = 64;
   const std::uint32_t begin = tree.first[g * BlockTree::group] & ~BlockTree::unfilled;

@@ -11,12 +11,12 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
+#include "catena/core/blocks/block_tree.h"
 #include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/met_tiles-inl.h"
 #include "catena/core/blocks/open_pairs-inl.h"
 #include "catena/core/blocks/sphere_tiles-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
-#include "catena/core/blocks/tests-inl.h"
 #include "catena/core/blocks/window_filter.h"
 #include "catena/core/executor/pair_collector.h"
 #include "hwy/cache_control.h"

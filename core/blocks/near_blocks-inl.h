@@ -166,7 +166,7 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
 struct SphereCost {
   static constexpr double near_ns = 10, row_ns = 18, node_ns = 45;  ///< of a tree: two of each
   static constexpr double look_ns = 36;  ///< at the boxes of sixteen nodes, likewise
-  static constexpr double pair_ns = 1.5; ///< of a tree: a sphere of two that overlap, among eight
+  static constexpr double pair_ns = 1.5;  ///< of a tree: a sphere of two that overlap, among eight
   static constexpr double cells_ns = 23, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
   static constexpr double wide_ns = 16, wide_pair_ns = 3.5;  ///< by wide cells: a sphere; a candidate
   static constexpr double beyond_ns = 6;                     ///< an octave that cells leave the cache by

@@ -29,8 +29,7 @@ class OpenPairs {
 
   explicit OpenPairs(const ChainView& chain) : chain_(chain) {}
 
-  /// Sphere i, or each lane of i, and the lanes of j that are open; `at_once` vectors at most between two
-  /// calls of full.
+  /// Sphere i, or each lane of i, and the lanes of j that are open; once between two calls of full.
   template <class Bits, class I>
   HWY_INLINE void add(Bits bits, I i, hn::Vec<Bits> j, hn::Mask<Bits> open) {
     size_ += store_pairs(bits, i, j, open, pairs_.data() + size_);
@@ -38,7 +37,6 @@ class OpenPairs {
   void add(const MetTiles::Eight& eight) {
     size_ = static_cast<std::size_t>(store_pairs(eight, pairs_.data() + size_) - pairs_.data());
   }
-  static constexpr std::size_t at_once = 8;  ///< of most_lanes
   bool full() const { return size_ > limit; }
   std::size_t size() const { return size_; }
 
@@ -67,7 +65,7 @@ class OpenPairs {
   }
 
  private:
-  static constexpr std::size_t limit = 64, room = limit + at_once * most_lanes + most_lanes;
+  static constexpr std::size_t limit = 64, room = limit + 2 * most_lanes;
 
   bool overlap(const Pair& pair) const {
     return !chain_.neighbours(pair.i, pair.j) &&

@@ -26,7 +26,6 @@ class SphereTiles {
  public:
   using Tag = hn::CappedTag<float, 16>;
   using Bits = hn::RebindToUnsigned<Tag>;
-  using Mask = hn::Mask<Bits>;
   static constexpr std::uint32_t lanes = hn::MaxLanes(Tag()), columns = lanes < 4 ? 1 : 4,
                                  rows = lanes / columns, across = 8 / columns, count = 64 / lanes;
 

@@ -15,7 +15,8 @@ inline bool differences_in_range(const Extent& extent) {
 }
 
 /// What a search of spheres one by one takes, of what it would of a chain in range: more where differences
-/// overflow, or are subnormal and this machine is slow with these. Trees of blocks are as fast as ever.
+/// overflow, or are subnormal and this machine is slow with these. Trees of blocks are as fast as ever,
+/// unless a number would lose a bit where the chain is scaled for them.
 CATENA_API double single_spheres_share(const Extent& extent);
 
 }  // namespace catena

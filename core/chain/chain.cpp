@@ -9,6 +9,7 @@
 #include "catena/core/counted.h"
 #include "catena/core/default_floats.h"
 #include "catena/core/error.h"
+#include "catena/core/never_destroyed.h"
 #include "catena/core/sphere_vector.h"
 
 namespace catena {
@@ -67,7 +68,7 @@ void require_sphere(const Sphere& s, std::size_t i) {
 
 /// They are made to be assigned to, and share one topology.
 Chain::Chain() {
-  static const auto of_none = make_topology({}, {}, {});
+  static const auto& of_none = never_destroyed(make_topology({}, {}, {}));
   topology_ = of_none;
 }
 

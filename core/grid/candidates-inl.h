@@ -99,8 +99,8 @@ class Candidates {
   std::uint32_t end() const { return end_; }
 
   /// True only when no sphere of the box may overlap a candidate from `from` on, as work_off decides it: with
-  /// a centre outside the box no difference is smaller than that to the box, no radius is greater, and every
-  /// operation rounds the same way.
+  /// a centre outside the box no difference is smaller than that to the box, no radius is greater, and what
+  /// stage 1 is certain of is so in exact arithmetic.
   HWY_INLINE bool apart(std::uint32_t from, const MemberBox& box) const {
     const CandidateFields& of = q_.candidates;
     const auto beside = [](const float* at, float low, float high) HWY_ATTR {

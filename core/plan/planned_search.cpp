@@ -90,7 +90,10 @@ void PlannedSearch::learn(const Chain& chain, Request::Want want) {
   const bool comparable = turn_ == rivals_.turn() && want == plan_->want();
   if (std::exchange(told_, true) || alone_ || !comparable) return;
   rivals_.took(ms);
-  if (rivals_.expected()) rivals_.join(plan_->rivals(chain.view().extent), plan_->worth_trying_ms());
+  try {
+    if (rivals_.expected()) rivals_.join(plan_->rivals(chain.view().extent), plan_->worth_trying_ms());
+  } catch (const std::bad_alloc&) {  // the answer is right, and there
+  }
 }
 
 void PlannedSearch::find_other(const Chain& chain, const Request& request, Collisions& result) {

@@ -149,7 +149,7 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
       if (!spheres.empty() && extent.greatest_radius > widest * extent.least_radius &&
           growth(spheres) > widest)
         return &info(short_horn);
-      // The chain's order is the only one that scales its numbers.
+      // The chain's order scales its numbers once, others with each look at them.
       if (!squares_in_range(extent.greatest_radius) && (filled <= sparse || slow_alone))
         return &info(short_extreme);
       if (spheres.empty()) return nullptr;

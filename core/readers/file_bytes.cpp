@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
 #include <mutex>
 #include <optional>
@@ -57,15 +58,22 @@ std::string bytes_of_standard_input() {
   static std::mutex reading;
   static std::optional<std::string> kept;
   static bool was_read = false;
+  static std::exception_ptr failed;  // what is left of it then is no input
   const std::lock_guard lock(reading);
   if (kept) return *kept;
   if (was_read)
     throw InputError(
         "standard input: can be read once where it has more than 64 MiB, and is needed again; give a file");
-  std::string bytes = packed_bytes("-");
-  was_read = true;
-  if (bytes.size() <= most_kept) kept = bytes;
-  return bytes;
+  if (failed) std::rethrow_exception(failed);
+  try {
+    std::string bytes = packed_bytes("-");
+    was_read = true;
+    if (bytes.size() <= most_kept) kept = bytes;
+    return bytes;
+  } catch (...) {
+    failed = std::current_exception();
+    throw;
+  }
 }
 
 }  // namespace

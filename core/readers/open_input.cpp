@@ -17,8 +17,8 @@ namespace catena {
 
 OpenInput::OpenInput(const std::filesystem::path& file)
     : is_standard_input_(catena::is_standard_input(file)),
-      descriptor_(is_standard_input_ ? STDIN_FILENO : open(file.c_str(), O_RDONLY | O_CLOEXEC)),
-      shown_(shown_name(file)) {
+      shown_(shown_name(file)),
+      descriptor_(is_standard_input_ ? STDIN_FILENO : open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (descriptor_ < 0) fail(errno);
 }
 

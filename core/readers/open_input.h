@@ -29,8 +29,8 @@ class OpenInput {
   [[noreturn]] void fail(int reason) const;
 
   bool is_standard_input_;
-  int descriptor_;
   std::string shown_;
+  int descriptor_;  ///< opened last: then errno says why not
 };
 
 }  // namespace catena

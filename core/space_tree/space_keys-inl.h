@@ -112,9 +112,9 @@ HWY_INLINE Bits32 cube(hn::Vec<Lanes16::Tag> at, float low, const SpaceGrid& gri
   return Bits32(hn::BitCast(Bits32::Tag(), hn::ConvertTo(hn::RebindToSigned<Lanes16::Tag>(), which)));
 }
 
-/// How many times `step` as large some sizes are, with which they are smaller than the greatest. By
-/// exponents: patterns of positive numbers rise as these do, and what is subnormal is raised out of that
-/// before, unless it is of the last class anyway.
+/// By how many factors of `step` sizes are less than the greatest, the last class at most; by exponents, as
+/// patterns of positive numbers rise as these do. What is subnormal is raised out of that before, unless it
+/// is of the last class anyway.
 HWY_INLINE Bits32 class_of(hn::Vec<Lanes16::Tag> size, float greatest) {
   static_assert(SpaceGrid::step == 8);
   constexpr int bits_of_step = 3, digits = 23;
