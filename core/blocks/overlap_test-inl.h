@@ -27,7 +27,7 @@ class OverlapTest {
 
   /// `doubt` as BlockTree::doubt.
   HWY_INLINE OverlapTest(const Extent& extent, float doubt) : slack_(Robust::binary32_slack * doubt) {
-    own_units_ = differences_in_range(extent) &&
+    own_units_ = sums_in_range(extent) &&
                  !(squares_in_range(extent.least_radius) && squares_in_range(extent.greatest_radius));
   }
 
