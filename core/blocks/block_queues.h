@@ -50,6 +50,9 @@ class BlockQueues {
   static constexpr std::size_t hit_limit = 448;
   Pair* hits() { return hits_.data(); }
 
+  /// Pairs of blocks that were looked into without having waited.
+  void add_looked(std::size_t pairs) { pairs_done_ += pairs; }
+
   /// Pairs of spheres that binary32 left open.
   void add_open(std::size_t pairs) { open_done_ += pairs; }
 

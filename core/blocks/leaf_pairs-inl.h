@@ -11,6 +11,7 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_queues.h"
+#include "catena/core/blocks/block_run-inl.h"
 #include "catena/core/blocks/block_tree.h"
 #include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/met_tiles-inl.h"
@@ -45,20 +46,30 @@ class LeafPairs {
     if (queues_.pairs_full()) flush();
   }
 
+  /// Of the sixteen blocks from `begin` on those that are asked for, at once: true where these and one more
+  /// follow one another in memory and on their strand, and are asked for so often that it pays.
+  HWY_INLINE bool look_along(std::uint32_t begin, const BlockRun::Asked& asked) {
+    constexpr int least = 10;
+    if (std::popcount(asked.inside) + std::popcount(asked.onward) < least) return false;
+    const std::uint32_t end = begin + BlockRun::blocks;
+    if (end >= tree_.blocks) return false;
+    // No block before is unfilled then, as that one begins where all would end.
+    const std::uint32_t first = tree_.first[begin], last = tree_.first[end];
+    if ((last & BlockTree::unfilled) != 0 || last != first + BlockRun::blocks * block) return false;
+    const ExclusionView& rule = chain_.exclusion;
+    if (!rule.one_open_strand && rule.strand_of[first] != rule.strand_of[last]) return false;
+    look_along_run(begin, asked);
+    return true;
+  }
+
   void flush() {
     const auto pairs = queues_.pairs();
-    constexpr std::size_t ahead = 6;
     MetTiles met;
     for (std::size_t begin = 0; begin < pairs.size(); begin += MetTiles::most) {
-      for (std::size_t k = begin; k < std::min<std::size_t>(begin + MetTiles::most, pairs.size()); ++k) {
-        if (k + ahead < pairs.size()) {
-          for (const std::uint32_t b : {pairs[k + ahead].i, pairs[k + ahead].j}) {
-            const Sphere* const s = spheres_ + tree_.begin_of(b);
-            hwy::Prefetch(s), hwy::Prefetch(s + 4);
-          }
-        }
-        meet(pairs[k].i, pairs[k].j, met);
-      }
+      const auto some = pairs.subspan(begin, std::min<std::size_t>(MetTiles::most, pairs.size() - begin));
+      Comparison comparison[MetTiles::most];
+      for (std::size_t k = 0; k < some.size(); ++k) comparison[k] = prepare(some[k].i, some[k].j, met);
+      for (std::uint32_t k = 0; k < met.size(); ++k) met.say(k, comparison[k].verdict(slack_));
       tell(met);
       met.clear();
     }
@@ -86,19 +97,29 @@ class LeafPairs {
       });
   }
 
-  /// Spheres of block a against those of block b.
-  HWY_INLINE void meet(std::uint32_t a, std::uint32_t b, MetTiles& met) {
-    const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
-    const Sphere *sa = spheres_ + row, *sb = spheres_ + column;
-    std::uint64_t asked = later_than(last_within(row, column));
-    if (HWY_UNLIKELY(((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled) != 0)) {
-      sa = tree_.spheres(chain_, a), sb = tree_.spheres(chain_, b);
-      asked &= within_first(tree_.size_of(a), tree_.size_of(b));
+  /// Eight spheres against eight, of which those `asked` count.
+  struct Comparison {
+    const Sphere *rows, *columns;
+    std::uint64_t asked;
+    HWY_INLINE SphereTiles::Verdict verdict(float slack) const {
+      SphereTiles::Verdict all = SphereTiles(columns).compare(rows, slack);
+      all.keep(asked);
+      return all;
     }
+  };
+  /// Of blocks a and b: what there is to ask of them, and nothing that takes a vector, as registers for both
+  /// are few.
+  HWY_INLINE Comparison prepare(std::uint32_t a, std::uint32_t b, MetTiles& met) {
+    const std::uint32_t row = tree_.begin_of(a), column = tree_.begin_of(b);
+    Comparison result{spheres_ + row, spheres_ + column, later_than(last_within(row, column))};
+    if (HWY_UNLIKELY(((tree_.first[a] | tree_.first[b]) & BlockTree::unfilled) != 0)) {
+      result.rows = tree_.spheres(chain_, a), result.columns = tree_.spheres(chain_, b);
+      result.asked &= within_first(tree_.size_of(a), tree_.size_of(b));
+    }
+    for (const Sphere* const s : {result.rows, result.columns}) hwy::Prefetch(s), hwy::Prefetch(s + 4);
     if constexpr (Sink::listens) account(a, b);
-    auto verdict = SphereTiles(sb).compare(sa, slack_);
-    verdict.keep(asked);
-    met.add(row, column, verdict);
+    met.add(row, column);
+    return result;
   }
 
   /// Of spheres `row` + p and `column` + q of two blocks those are looked at for which q - p is greater than
@@ -109,6 +130,39 @@ class LeafPairs {
     const std::uint32_t left = beside_ - std::min(column - row, beside_);
     if (!rule.one_open_strand && left > 0 && rule.strand_of[row] != rule.strand_of[column]) return -most;
     return static_cast<std::int32_t>(std::min(left, 2 * block)) - most;
+  }
+
+  HWY_NOINLINE void look_along_run(std::uint32_t begin, const BlockRun::Asked& asked) {
+    if constexpr (Sink::listens) {
+      for_each_lane(asked.inside, [&](std::uint32_t k) { account(begin + k, begin + k); });
+      for_each_lane(asked.onward, [&](std::uint32_t k) { account(begin + k, begin + k + 1); });
+    }
+    const std::uint32_t first = tree_.first[begin];
+    const BlockRun run(spheres_ + first, asked, window_, slack_);
+    const hn::CappedTag<std::uint32_t, 16> bits;
+    constexpr std::uint32_t lanes = hn::MaxLanes(bits);
+    const auto for_each_vector = [&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks,
+                                     const auto& body) HWY_ATTR {
+      for (std::uint32_t k = 0; k < BlockRun::blocks; k += lanes) {
+        const auto of_block = hn::ShiftLeft<3>(count_up(bits, k));
+        body(hn::Add(of_block, hn::Set(bits, first + i)), hn::Add(of_block, hn::Set(bits, first + j)),
+             lanes_of(bits, blocks >> k));
+      }
+    };
+    run.for_overlap([&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks) HWY_ATTR {
+      for_each_vector(i, j, blocks, [&](const auto& a, const auto& b, const auto& keep) HWY_ATTR {
+        hit_count_ += store_pairs(bits, a, b, keep, hits_ + hit_count_);
+      });
+      if (HWY_UNLIKELY(hit_count_ > BlockQueues::hit_limit)) hand_over();
+    });
+    queues_.add_looked(static_cast<std::size_t>(std::popcount(asked.inside) + std::popcount(asked.onward)));
+    if (HWY_LIKELY(!run.any_open())) return;
+    run.for_open([&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks) HWY_ATTR {
+      for_each_vector(i, j, blocks, [&](const auto& a, const auto& b, const auto& keep) HWY_ATTR {
+        open_.add(bits, a, b, keep);
+        if (open_.full()) decide();
+      });
+    });
   }
 
   HWY_NOINLINE void decide() {

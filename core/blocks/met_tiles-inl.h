@@ -42,9 +42,10 @@ class MetTiles {
   static constexpr std::uint32_t most = 64, at_once = 8;
 
   /// Spheres from `row` and from `column` on, of two blocks.
-  HWY_INLINE void add(std::uint32_t row, std::uint32_t column, const SphereTiles::Verdict& verdict) {
-    overlap_[size_] = verdict.overlap, open_[size_] = verdict.open;
-    corners_[size_++] = {row, column};
+  HWY_INLINE void add(std::uint32_t row, std::uint32_t column) { corners_[size_++] = {row, column}; }
+  /// Of the k-th two that were added.
+  HWY_INLINE void say(std::uint32_t k, const SphereTiles::Verdict& verdict) {
+    overlap_[k] = verdict.overlap, open_[k] = verdict.open;
     any_open_ |= verdict.open;
   }
   std::uint32_t size() const { return size_; }

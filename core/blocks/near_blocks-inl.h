@@ -105,8 +105,10 @@ class NearBlocks {
   std::uint32_t count() const { return count_; }
   std::uint32_t nodes() const { return nodes_; }
   std::uint32_t rows() const { return rows_; }
-  /// Halves that one pays for blocks that are near it, itself and those beside it along the chain among them.
+  /// Halves that one pays for blocks that are near it, itself and those beside it along the chain among them;
+  /// and for these alone.
   std::uint32_t halves() const { return count_ - own_ + beside_; }
+  std::uint32_t halves_beside() const { return beside_; }
   std::uint32_t looks() const { return looks_; }
   /// The first of those nodes, enough of them.
   std::span<const std::uint32_t> some_nodes() const { return {node_.data(), kept_}; }
@@ -165,7 +167,8 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
 /// wrong figure costs time and changes no answer.
 struct SphereCost {
   static constexpr double near_ns = 10, row_ns = 18, node_ns = 45;  ///< of a tree: two of each
-  static constexpr double look_ns = 36;  ///< at the boxes of sixteen nodes, likewise
+  static constexpr double beside_ns = 4;                            ///< of a BlockRun: likewise
+  static constexpr double look_ns = 36;   ///< at the boxes of sixteen nodes, likewise
   static constexpr double pair_ns = 1.5;  ///< of a tree: a sphere of two that overlap, among eight
   static constexpr double cells_ns = 23, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
   static constexpr double wide_ns = 16, wide_pair_ns = 3.5;  ///< by wide cells: a sphere; a candidate
@@ -178,7 +181,8 @@ struct SphereCost {
   /// In the chain's order; each of two that are met pays one half.
   static double in_tree(const NearBlocks& near) {
     constexpr double block = BlockTree::block, node = block * BlockTree::group;
-    return ((near.halves() * near_ns + near.rows() * row_ns) / block +
+    const double near_alone = near.halves() - near.halves_beside();
+    return ((near_alone * near_ns + near.halves_beside() * beside_ns + near.rows() * row_ns) / block +
             (near.nodes() * node_ns + near.looks() * look_ns) / node) /
            2;
   }

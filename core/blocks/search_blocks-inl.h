@@ -85,8 +85,11 @@ class BlockSearch {
       const std::uint32_t windows = tree_.ordered[g];
       const std::uint32_t inside = (windows | windows << 1 | before) & all;
       before = windows >> (group - 1);
-      for_each_lane(all & ~inside, [&](std::uint32_t k) { add(begin + k, begin + k); });
-      for_each_lane(between & ~windows, [&](std::uint32_t k) { add(begin + k, begin + k + 1); });
+      const BlockRun::Asked asked = but_neighbours(begin, {all & ~inside, between & ~windows});
+      if (!leaves_.look_along(begin, asked)) {
+        for_each_lane(asked.inside, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k); });
+        for_each_lane(asked.onward, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k + 1); });
+      }
       if (Sink::listens || !adjacent_are_neighbours_) {
         for_each_lane(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
         for_each_lane(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
@@ -102,13 +105,23 @@ class BlockSearch {
     const std::uint32_t last = node * group + group - 1;
     if ((dense >> (group - 1) & dense_next & 1) != 0) return;
     if (tree_.ordered[node] >> (group - 1)) return ordered_between(last);
-    add(last, last + 1);
+    if (!left_to_neighbours(last, last + 1)) leaves_.add(last, last + 1);
     leaves_.make_room();
   }
 
-  /// Blocks a <= b, but those that have nothing but neighbours.
-  void add(std::uint32_t a, std::uint32_t b) {
-    if (Sink::listens || !neighbours_.all(a, b)) leaves_.add(a, b);
+  /// Blocks a <= b have nothing but neighbours, and nobody listens.
+  bool left_to_neighbours(std::uint32_t a, std::uint32_t b) const {
+    return !Sink::listens && neighbours_.all(a, b);
+  }
+  BlockRun::Asked but_neighbours(std::uint32_t begin, BlockRun::Asked asked) const {
+    if (Sink::listens || !neighbours_.some()) return asked;
+    for_each_lane(asked.inside, [&](std::uint32_t k) {
+      if (neighbours_.all(begin + k, begin + k)) asked.inside &= ~(1u << k);
+    });
+    for_each_lane(asked.onward, [&](std::uint32_t k) {
+      if (neighbours_.all(begin + k, begin + k + 1)) asked.onward &= ~(1u << k);
+    });
+    return asked;
   }
 
   /// Block b is ordered: of its spheres only those next to one another may collide, if they are not

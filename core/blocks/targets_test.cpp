@@ -48,6 +48,20 @@ Chain near_ties(properties::Dice& dice, std::uint32_t pairs, float all_times, in
   return Chain(std::move(first));
 }
 
+/// The same in another order: of every sixteen each touches another one of them.
+Chain ties_side_by_side(properties::Dice& dice, std::uint32_t pairs, float all_times) {
+  const Chain apart = near_ties(dice, pairs, all_times);
+  std::vector<Sphere> spheres;
+  for (std::uint32_t p = 0; p + 8 <= pairs; p += 8) {
+    const auto begin = spheres.size();
+    for (std::uint32_t k = p; k < p + 8; ++k)
+      for (const std::uint32_t i : {k, pairs + k}) spheres.push_back(apart[i]);
+    for (std::uint32_t left = 16; left > 1; --left)
+      std::swap(spheres[begin + left - 1], spheres[begin + dice.below(left)]);
+  }
+  return Chain(std::move(spheres));
+}
+
 /// A chain of every family, tangles about the limits of vectors, blocks and nodes, rows of nodes, and ties.
 std::vector<Solved> solved_chains() {
   std::vector<Solved> solved;
@@ -66,14 +80,14 @@ std::vector<Solved> solved_chains() {
   }
   // Neighbours that end within a block, at its end, and beyond it; and blocks that a strand does not fill.
   for (const std::uint32_t window : {1u, 3u, 7u, 8u, 9u, 15u, 16u, 17u, 40u})
-    for (const std::uint32_t strand : {400u, 21u}) {
+    for (const std::uint32_t strand : {401u, 400u, 200u, 21u}) {
       properties::Dice dice(++seed);
       std::vector<Sphere> spheres = properties::tangle(dice, 400);
       Strands strands;
       strands.first = {0};
       for (std::uint32_t at = 0; at < 400; at += strand) {
         strands.first.push_back(std::min(at + strand, 400u));
-        strands.closed.push_back(at / strand % 3 == 1);
+        strands.closed.push_back(strand == 401 || at / strand % 3 == 1);
       }
       add("window " + std::to_string(window) + " on strands of " + std::to_string(strand),
           Chain(std::move(spheres), std::move(strands), Exclusion::index(window)));
@@ -83,6 +97,7 @@ std::vector<Solved> solved_chains() {
   for (const float factor : {1.0f, 0x1p-140f, 0x1p-60f, 0x1p90f, 0.1f, 1e-12f, 1e25f}) {
     properties::Dice dice(++seed);
     add("ties times " + std::to_string(factor), near_ties(dice, 500, factor));
+    add("ties beside " + std::to_string(factor), ties_side_by_side(dice, 200, factor));
   }
   for (const auto& [least, octaves] : {std::pair{0x1p-148f, 240}, {0x1p-148f, 60}, {0x1p-80f, 180}}) {
     properties::Dice dice(++seed);
