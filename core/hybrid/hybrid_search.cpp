@@ -90,7 +90,9 @@ bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres
                octaves = octaves_beyond_cache(chain.size);
   if (!look_.everywhere(chain, share * least)) return false;
   single = single_spheres(chain, sort);
-  const double others = std::min(16 + 1.1 * octaves, single.ns * BlockTree::block / SpaceCost::near_ns);
+  constexpr double usual_ns = 70;  // of a single sphere; more is for pairs, which take as long in any order
+  const double many = (16 + 1.1 * octaves) * std::max(1.0, single.ns / usual_ns),
+               others = std::min(many, single.ns * BlockTree::block / SpaceCost::near_ns);
   return others <= least || look_.everywhere(chain, share * others);
 }
 
