@@ -13,17 +13,21 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
 /// All points within `radius` of centre +- half axis, a lane.
-struct Capsules {
+template <std::size_t n>
+struct CapsulesOf {
+  VectorsOf<n> centre, half;
+  Lanes<n> radius, inverse;  ///< inverse: about 1 / |half|^2; 0 for a point
+};
+
+struct Capsules : CapsulesOf<16> {
   static constexpr std::uint32_t fields = BlockTree::capsule_fields;
-  Vectors centre, half;
-  Lanes16 radius, inverse;  ///< inverse: about 1 / |half|^2; 0 for a point
 
   static HWY_INLINE Capsules load(const float* f) {
-    return {Vectors::load(f), Vectors::load(f + 48), Lanes16::load(f + 96), Lanes16::load(f + 112)};
+    return {{Vectors::load(f), Vectors::load(f + 48), Lanes16::load(f + 96), Lanes16::load(f + 112)}};
   }
   static HWY_INLINE Capsules all(const float* f, std::uint32_t lane) {
-    return {Vectors::all(f, lane), Vectors::all(f + 48, lane), Lanes16::all(f[96 + lane]),
-            Lanes16::all(f[112 + lane])};
+    return {{Vectors::all(f, lane), Vectors::all(f + 48, lane), Lanes16::all(f[96 + lane]),
+             Lanes16::all(f[112 + lane])}};
   }
   /// Lane k is of the fields that lie one after another at row(k).
   template <class Row>
@@ -32,12 +36,17 @@ struct Capsules {
     Lanes16 a[4], b[4];
     transpose_rows(row, a);
     transpose_rows([&](std::size_t k) { return row(k) + 4; }, b);
-    return {{a[0], a[1], a[2]}, {a[3], b[0], b[1]}, b[2], b[3]};
+    return {{{a[0], a[1], a[2]}, {a[3], b[0], b[1]}, b[2], b[3]}};
   }
   HWY_INLINE void store(float* f) const {
     centre.store(f), half.store(f + 48), radius.store(f + 96), inverse.store(f + 112);
   }
 };
+template <std::size_t n>
+HWY_INLINE CapsulesOf<2 * n> side_by_side(const CapsulesOf<n>& a, const CapsulesOf<n>& b) {
+  return {side_by_side(a.centre, b.centre), side_by_side(a.half, b.half), side_by_side(a.radius, b.radius),
+          side_by_side(a.inverse, b.inverse)};
+}
 
 HWY_INLINE Lanes16 inverse_square(const Lanes16& square) {
   const Lanes16 least_square = Lanes16::all(0x1p-60f);

@@ -160,36 +160,60 @@ using Lanes16 = Lanes<16>;
 using Lanes8 = Lanes<8>;
 
 /// A vector of space a lane.
-struct Vectors {
-  Lanes16 x, y, z;
+template <std::size_t n>
+struct VectorsOf {
+  Lanes<n> x, y, z;
 
-  static HWY_INLINE Vectors load(const float* fields) {
-    return {Lanes16::load(fields), Lanes16::load(fields + 16), Lanes16::load(fields + 32)};
+  static HWY_INLINE VectorsOf load(const float* fields) {
+    return {Lanes<n>::load(fields), Lanes<n>::load(fields + n), Lanes<n>::load(fields + 2 * n)};
   }
   /// Lane `lane` of fields laid out for load(), in all lanes.
-  static HWY_INLINE Vectors all(const float* fields, std::uint32_t lane) {
-    return {Lanes16::all(fields[lane]), Lanes16::all(fields[16 + lane]), Lanes16::all(fields[32 + lane])};
+  static HWY_INLINE VectorsOf all(const float* fields, std::uint32_t lane) {
+    return {Lanes<n>::all(fields[lane]), Lanes<n>::all(fields[n + lane]),
+            Lanes<n>::all(fields[2 * n + lane])};
   }
-  HWY_INLINE void store(float* fields) const { x.store(fields), y.store(fields + 16), z.store(fields + 32); }
-  friend HWY_INLINE Vectors operator+(const Vectors& a, const Vectors& b) {
+  HWY_INLINE void store(float* fields) const {
+    x.store(fields), y.store(fields + n), z.store(fields + 2 * n);
+  }
+  friend HWY_INLINE VectorsOf operator+(const VectorsOf& a, const VectorsOf& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
   }
-  friend HWY_INLINE Vectors operator-(const Vectors& a, const Vectors& b) {
+  friend HWY_INLINE VectorsOf operator-(const VectorsOf& a, const VectorsOf& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }
 };
-HWY_INLINE Lanes16 dot(const Vectors& a, const Vectors& b) {
+using Vectors = VectorsOf<16>;
+
+template <std::size_t n>
+HWY_INLINE Lanes<n> dot(const VectorsOf<n>& a, const VectorsOf<n>& b) {
   return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));
 }
 /// a + t b and a - t b.
-HWY_INLINE Vectors plus(const Vectors& a, const Lanes16& t, const Vectors& b) {
+template <std::size_t n>
+HWY_INLINE VectorsOf<n> plus(const VectorsOf<n>& a, const Lanes<n>& t, const VectorsOf<n>& b) {
   return {mul_add(t, b.x, a.x), mul_add(t, b.y, a.y), mul_add(t, b.z, a.z)};
 }
-HWY_INLINE Vectors minus(const Vectors& a, const Lanes16& t, const Vectors& b) {
+template <std::size_t n>
+HWY_INLINE VectorsOf<n> minus(const VectorsOf<n>& a, const Lanes<n>& t, const VectorsOf<n>& b) {
   return {neg_mul_add(t, b.x, a.x), neg_mul_add(t, b.y, a.y), neg_mul_add(t, b.z, a.z)};
 }
 /// |x| + |y| + |z|, at least the length.
-HWY_INLINE Lanes16 sum_of_sides(const Vectors& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
+template <std::size_t n>
+HWY_INLINE Lanes<n> sum_of_sides(const VectorsOf<n>& a) {
+  return abs(a.x) + abs(a.y) + abs(a.z);
+}
+
+/// Twice as many lanes. Two chains of operations side by side wait for one another's results less than one
+/// after the other: few of the second find room among what waits of the first.
+template <std::size_t n>
+HWY_INLINE Lanes<2 * n> side_by_side(const Lanes<n>& a, const Lanes<n>& b) {
+  constexpr std::size_t parts = Lanes<n>::parts;
+  return Lanes<2 * n>::from([&](std::size_t k) { return k < parts ? a.part[k] : b.part[k - parts]; });
+}
+template <std::size_t n>
+HWY_INLINE VectorsOf<2 * n> side_by_side(const VectorsOf<n>& a, const VectorsOf<n>& b) {
+  return {side_by_side(a.x, b.x), side_by_side(a.y, b.y), side_by_side(a.z, b.z)};
+}
 
 }  // namespace catena::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

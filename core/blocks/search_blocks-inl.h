@@ -194,18 +194,36 @@ class BlockSearch {
     if (queues_.rows_full()) flush_rows();
   }
   void flush_rows() {
-    for (const BlockQueues::Row& r : queues_.rows()) {
-      const std::uint32_t a = r.block;
-      const std::uint32_t near = may_collide(Capsules::all(tree_.capsules_of(a / group), a % group),
-                                             Capsules::load(tree_.capsules_of(r.group))) &
-                                 r.lanes;
-      for_each_lane(r.lanes & ~near, [&](std::uint32_t j) { sink_.blocks_apart(a, r.group * group + j); });
-      if constexpr (Sink::listens)
-        for_each_lane(near, [&](std::uint32_t j) { sink_.blocks_near(a, r.group * group + j); });
-      leaves_.add(a, r.group * group, near);
-      leaves_.make_room();
+    const std::span<const BlockQueues::Row> rows = queues_.rows();
+    if constexpr (Lanes16::parts > 1) {
+      for (const BlockQueues::Row& r : rows) told(r, may_collide(of_row(r), of_group(r)));
+    } else {
+      std::size_t k = 0;
+      for (; k + 1 < rows.size(); k += 2) {
+        const BlockQueues::Row &r = rows[k], &s = rows[k + 1];
+        const std::uint32_t near =
+            may_collide(side_by_side(of_row(r), of_row(s)), side_by_side(of_group(r), of_group(s)));
+        told(r, near & 0xFFFF), told(s, near >> group);
+      }
+      if (k < rows.size()) told(rows[k], may_collide(of_row(rows[k]), of_group(rows[k])));
     }
     queues_.clear_rows();
+  }
+  CapsulesOf<16> of_row(const BlockQueues::Row& r) const {
+    return Capsules::all(tree_.capsules_of(r.block / group), r.block % group);
+  }
+  CapsulesOf<16> of_group(const BlockQueues::Row& r) const {
+    return Capsules::load(tree_.capsules_of(r.group));
+  }
+  /// Of a row's lanes those whose capsules may collide.
+  void told(const BlockQueues::Row& r, std::uint32_t may) {
+    const std::uint32_t near = may & r.lanes;
+    for_each_lane(r.lanes & ~near,
+                  [&](std::uint32_t j) { sink_.blocks_apart(r.block, r.group * group + j); });
+    if constexpr (Sink::listens)
+      for_each_lane(near, [&](std::uint32_t j) { sink_.blocks_near(r.block, r.group * group + j); });
+    leaves_.add(r.block, r.group * group, near);
+    leaves_.make_room();
   }
 
   const ChainView& chain_;

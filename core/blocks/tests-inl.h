@@ -14,24 +14,26 @@ namespace catena::HWY_NAMESPACE {
 
 /// Bits of the lanes in which two capsules may collide. A direction is guessed, between the nearest points of
 /// the two axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra + rb) |w|.
-HWY_INLINE std::uint32_t may_collide(const Capsules& a, const Capsules& b) {
-  const Lanes16 one = Lanes16::all(1), minus_one = Lanes16::all(-1);
-  const Vectors t = b.centre - a.centre;
-  const Lanes16 ta = dot(t, a.half), tb = dot(t, b.half), ab = dot(a.half, b.half), ab_b = ab * b.inverse;
-  const Lanes16 sine = max(neg_mul_add(ab * a.inverse, ab_b, one), Lanes16::all(1e-4f));
-  Lanes16 p = neg_mul_add(tb, ab_b, ta) * a.inverse * guess_reciprocal(sine);
+template <std::size_t n>
+HWY_INLINE std::uint32_t may_collide(const CapsulesOf<n>& a, const CapsulesOf<n>& b) {
+  using L = Lanes<n>;
+  const L one = L::all(1), minus_one = L::all(-1);
+  const VectorsOf<n> t = b.centre - a.centre;
+  const L ta = dot(t, a.half), tb = dot(t, b.half), ab = dot(a.half, b.half), ab_b = ab * b.inverse;
+  const L sine = max(neg_mul_add(ab * a.inverse, ab_b, one), L::all(1e-4f));
+  L p = neg_mul_add(tb, ab_b, ta) * a.inverse * guess_reciprocal(sine);
   p = max(min(p, one), minus_one);
-  Lanes16 q = (p * ab - tb) * b.inverse;
+  L q = (p * ab - tb) * b.inverse;
   q = max(min(q, one), minus_one);
   p = mul_add(q, ab, ta) * a.inverse;
   p = max(min(p, one), minus_one);
-  const Vectors w = minus(plus(t, q, b.half), p, a.half);
-  const Lanes16 square = dot(w, w);
-  const Lanes16 gap = abs(dot(t, w)) - abs(dot(a.half, w)) - abs(dot(b.half, w));
-  const Lanes16 reach = mul_add(sum_of_sides(t), Lanes16::all(BlockTree::slack), a.radius + b.radius);
-  const Flags<16> separate =
-      (reach * reach * square < gap * gap) & (Lanes16::all(0) < gap) & (Lanes16::all(0x1p-60f) < square);
-  return ~separate.bits() & 0xFFFFu;
+  const VectorsOf<n> w = minus(plus(t, q, b.half), p, a.half);
+  const L square = dot(w, w);
+  const L gap = abs(dot(t, w)) - abs(dot(a.half, w)) - abs(dot(b.half, w));
+  const L reach = mul_add(sum_of_sides(t), L::all(BlockTree::slack), a.radius + b.radius);
+  const Flags<n> separate =
+      (reach * reach * square < gap * gap) & (L::all(0) < gap) & (L::all(0x1p-60f) < square);
+  return ~separate.bits() & (~0u >> (32 - n));
 }
 
 /// Eight spheres, against which others are tested: stage 1 of Robust, q = |cA - cB|^2 against
