@@ -18,20 +18,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
-/// Sixteen blocks, a lane each, whose spheres lie one after another in memory. Where most are compared with
-/// themselves and with the next, one comparison here is of two spheres of each: unlike in SphereTiles no
-/// number is spread over lanes, and spheres that are too near along the chain take no part.
+/// Sixteen blocks along the chain, a lane each. Where most are compared with themselves and with the next,
+/// one comparison here is of two spheres of each: unlike in SphereTiles no number is spread over lanes, and
+/// spheres that are too near along the chain take no part.
 class BlockRun {
  public:
   static constexpr std::uint32_t block = BlockTree::block, blocks = BlockTree::group;
 
-  /// A bit for each block that is compared with itself, and with the next.
+  /// A bit for each block that is compared with itself, and for each but the last that is with the next.
   struct Asked {
     std::uint32_t inside, onward;
+    std::uint32_t pairs() const {
+      return static_cast<std::uint32_t>(std::popcount(inside) + std::popcount(onward));
+    }
+    Asked operator&(const Asked& some) const { return {inside & some.inside, onward & some.onward}; }
+    Asked operator-(const Asked& some) const { return {inside & ~some.inside, onward & ~some.onward}; }
   };
 
-  /// Of blocks from `spheres` on, and one more. Left out are spheres of which the second comes `window` after
-  /// the first, or sooner.
+  /// Of blocks of eight spheres, one after another from `spheres` on. Left out are spheres of which the
+  /// second comes `window` after the first, or sooner.
   HWY_INLINE BlockRun(const Sphere* spheres, const Asked& asked, std::uint32_t window, float slack) {
     load(spheres);
     std::memset(apart_, 0xFF, sizeof apart_);
@@ -70,10 +75,10 @@ class BlockRun {
     for (std::uint32_t j = 0; j < block; ++j) {
       Lanes16 field[4];
       transpose(&spheres[j].x, 4 * block, field);
-      const Sphere& last = spheres[blocks * block + j];
+      constexpr float none = 0;  // after the last
       at_[j] = {field[0], field[1], field[2]}, radius_[j] = field[3];
-      at_[block + j] = {shifted(field[0], last.x), shifted(field[1], last.y), shifted(field[2], last.z)};
-      radius_[block + j] = shifted(field[3], last.radius);
+      at_[block + j] = {shifted(field[0], none), shifted(field[1], none), shifted(field[2], none)};
+      radius_[block + j] = shifted(field[3], none);
     }
   }
   static HWY_INLINE Lanes16 square(const Vectors& v) { return dot(v, v); }

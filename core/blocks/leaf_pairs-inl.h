@@ -13,6 +13,7 @@
 #include "catena/core/blocks/block_queues.h"
 #include "catena/core/blocks/block_run-inl.h"
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/blocks/consecutive_blocks-inl.h"
 #include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/met_tiles-inl.h"
 #include "catena/core/blocks/open_pairs-inl.h"
@@ -46,20 +47,15 @@ class LeafPairs {
     if (queues_.pairs_full()) flush();
   }
 
-  /// Of the sixteen blocks from `begin` on those that are asked for, at once: true where these and one more
-  /// follow one another in memory and on their strand, and are asked for so often that it pays.
-  HWY_INLINE bool look_along(std::uint32_t begin, const BlockRun::Asked& asked) {
-    constexpr int least = 10;
-    if (std::popcount(asked.inside) + std::popcount(asked.onward) < least) return false;
-    const std::uint32_t end = begin + BlockRun::blocks;
-    if (end >= tree_.blocks) return false;
-    // No block before is unfilled then, as that one begins where all would end.
-    const std::uint32_t first = tree_.first[begin], last = tree_.first[end];
-    if ((last & BlockTree::unfilled) != 0 || last != first + BlockRun::blocks * block) return false;
-    const ExclusionView& rule = chain_.exclusion;
-    if (!rule.one_open_strand && rule.strand_of[first] != rule.strand_of[last]) return false;
-    look_along_run(begin, asked);
-    return true;
+  /// Looks into those of the node's blocks from `begin` on that are asked for and follow one another without
+  /// a gap, if there are enough of them to do so at once; the rest is to be added.
+  HWY_INLINE BlockRun::Asked look_along(std::uint32_t begin, const BlockRun::Asked& asked) {
+    constexpr std::uint32_t enough = 10;
+    if (asked.pairs() < enough) return asked;
+    const BlockRun::Asked run = asked & without_gap(begin);
+    if (run.pairs() < enough) return asked;
+    look_at_run(begin, run);
+    return asked - run;
   }
 
   void flush() {
@@ -132,20 +128,46 @@ class LeafPairs {
     return static_cast<std::int32_t>(std::min(left, 2 * block)) - most;
   }
 
-  HWY_NOINLINE void look_along_run(std::uint32_t begin, const BlockRun::Asked& asked) {
+  /// Of a node's blocks those that are filled; and of these, which are followed by one that is, on the same
+  /// strand. There the difference of two spheres' places is that of their numbers.
+  BlockRun::Asked without_gap(std::uint32_t begin) const {
+    const std::uint32_t count = tree_.blocks_of(begin / BlockRun::blocks), all = lane_bits(count);
+    const std::uint32_t* const first = tree_.first.data() + begin;
+    const ExclusionView& rule = chain_.exclusion;
+    const auto joined = [&](std::uint32_t a, std::uint32_t b) {
+      return first[b] == first[a] + (b - a) * block &&
+             (rule.one_open_strand || rule.strand_of[first[a]] == rule.strand_of[first[b]]);
+    };
+    const auto filled = [&](std::uint32_t k) { return (first[k] & BlockTree::unfilled) == 0; };
+    // One that is unfilled on the way would bring the last nearer.
+    if (filled(0) && joined(0, count - 1)) return {all, all >> 1};
+    BlockRun::Asked result{0, 0};
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (!filled(k)) continue;
+      result.inside |= 1u << k;
+      if (k + 1 < count && joined(k, k + 1)) result.onward |= 1u << k;
+    }
+    return result;
+  }
+
+  HWY_NOINLINE void look_at_run(std::uint32_t begin, const BlockRun::Asked& asked) {
     if constexpr (Sink::listens) {
       for_each_lane(asked.inside, [&](std::uint32_t k) { account(begin + k, begin + k); });
       for_each_lane(asked.onward, [&](std::uint32_t k) { account(begin + k, begin + k + 1); });
     }
-    const std::uint32_t first = tree_.first[begin];
-    const BlockRun run(spheres_ + first, asked, window_, slack_);
+    Sphere copy[(BlockRun::blocks + 1) * block];
+    const BlockRun run(consecutive_blocks(chain_, tree_, begin / BlockRun::blocks, copy), asked, window_,
+                       slack_);
+    std::uint32_t first[BlockRun::blocks];
+    for (std::uint32_t k = 0; k < BlockRun::blocks; ++k)
+      first[k] = tree_.begin_of(std::min(begin + k, tree_.blocks - 1));
     const hn::CappedTag<std::uint32_t, 16> bits;
     constexpr std::uint32_t lanes = hn::MaxLanes(bits);
     const auto for_each_vector = [&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks,
                                      const auto& body) HWY_ATTR {
       for (std::uint32_t k = 0; k < BlockRun::blocks; k += lanes) {
-        const auto of_block = hn::ShiftLeft<3>(count_up(bits, k));
-        body(hn::Add(of_block, hn::Set(bits, first + i)), hn::Add(of_block, hn::Set(bits, first + j)),
+        const auto of_block = hn::LoadU(bits, first + k);
+        body(hn::Add(of_block, hn::Set(bits, i)), hn::Add(of_block, hn::Set(bits, j)),
              lanes_of(bits, blocks >> k));
       }
     };
@@ -155,7 +177,7 @@ class LeafPairs {
       });
       if (HWY_UNLIKELY(hit_count_ > BlockQueues::hit_limit)) hand_over();
     });
-    queues_.add_looked(static_cast<std::size_t>(std::popcount(asked.inside) + std::popcount(asked.onward)));
+    queues_.add_looked(asked.pairs());
     if (HWY_LIKELY(!run.any_open())) return;
     run.for_open([&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks) HWY_ATTR {
       for_each_vector(i, j, blocks, [&](const auto& a, const auto& b, const auto& keep) HWY_ATTR {

@@ -85,11 +85,10 @@ class BlockSearch {
       const std::uint32_t windows = tree_.ordered[g];
       const std::uint32_t inside = (windows | windows << 1 | before) & all;
       before = windows >> (group - 1);
-      const BlockRun::Asked asked = but_neighbours(begin, {all & ~inside, between & ~windows});
-      if (!leaves_.look_along(begin, asked)) {
-        for_each_lane(asked.inside, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k); });
-        for_each_lane(asked.onward, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k + 1); });
-      }
+      const BlockRun::Asked asked = but_neighbours(begin, {all & ~inside, between & ~windows}),
+                            rest = leaves_.look_along(begin, asked);
+      for_each_lane(rest.inside, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k); });
+      for_each_lane(rest.onward, [&](std::uint32_t k) { leaves_.add(begin + k, begin + k + 1); });
       if (Sink::listens || !adjacent_are_neighbours_) {
         for_each_lane(inside, [&](std::uint32_t k) { ordered_inside(begin + k); });
         for_each_lane(between & windows, [&](std::uint32_t k) { ordered_between(begin + k); });
