@@ -19,6 +19,7 @@
 #include "catena/core/blocks/open_pairs-inl.h"
 #include "catena/core/blocks/sphere_tiles-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
+#include "catena/core/blocks/tile_counts-inl.h"
 #include "catena/core/blocks/window_filter.h"
 #include "catena/core/executor/pair_collector.h"
 #include "hwy/cache_control.h"
@@ -76,21 +77,55 @@ class LeafPairs {
 
  private:
   static constexpr std::uint32_t block = BlockTree::block;
+  static constexpr std::size_t many = 4;  ///< spheres of two blocks that overlap, on average
 
   /// Keeps the pairs that overlap, and those that are decided later.
   HWY_INLINE void tell(const MetTiles& met) {
-    for (std::uint32_t k = 0; k < met.size(); k += MetTiles::at_once) {
-      Pair* to = hits_ + hit_count_;
-      met.for_overlap(k, [&](const MetTiles::Eight& eight) HWY_ATTR { to = store_pairs(eight, to); });
-      hit_count_ = static_cast<std::size_t>(to - hits_);
-      if (HWY_UNLIKELY(hit_count_ > BlockQueues::hit_limit)) hand_over();
-    }
+    if (HWY_UNLIKELY(many_overlap_))
+      tell_many(met);
+    else
+      tell_overlaps(met);
     if (HWY_LIKELY(!met.any_open())) return;
     for (std::uint32_t k = 0; k < met.size(); k += MetTiles::at_once)
       met.for_open(k, [&](const MetTiles::Eight& eight) HWY_ATTR {
         open_.add(eight);
         if (open_.full()) decide();
       });
+  }
+
+  HWY_INLINE void tell_overlaps(const MetTiles& met) {
+    std::size_t found = 0;
+    for (std::uint32_t k = 0; k < met.size(); k += MetTiles::at_once) {
+      Pair *const from = hits_ + hit_count_, *to = from;
+      met.for_overlap(k, [&](const MetTiles::Eight& eight) HWY_ATTR { to = store_pairs(eight, to); });
+      found += static_cast<std::size_t>(to - from);
+      hit_count_ = static_cast<std::size_t>(to - hits_);
+      if (HWY_UNLIKELY(hit_count_ > BlockQueues::hit_limit)) hand_over();
+    }
+    many_overlap_ = counts_ != nullptr && found >= many * met.size();
+  }
+  /// The same where many did before: their collisions are counted block by block, which is quicker then.
+  HWY_NOINLINE void tell_many(const MetTiles& met) {
+    hand_over();
+    count_blocks(met);
+    counted_ = true;
+    tell_overlaps(met);
+    hand_over();
+    counted_ = false;
+  }
+  void count_blocks(const MetTiles& met) const {
+    for (std::uint32_t k = 0; k < met.size(); ++k) {
+      if (met.overlap(k) == 0) continue;
+      const auto [row, column] = met.corner(k);
+      if (std::max(row, column) + block <= chain_.size) {
+        count_up_tile(met.overlap(k), counts_ + row, counts_ + column);
+        continue;
+      }
+      for (std::uint64_t left = met.overlap(k); left != 0; left &= left - 1) {
+        const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
+        ++counts_[row + SphereTiles::row_of(bit)], ++counts_[column + SphereTiles::column_of(bit)];
+      }
+    }
   }
 
   /// Eight spheres against eight, of which those `asked` count.
@@ -171,12 +206,24 @@ class LeafPairs {
              lanes_of(bits, blocks >> k));
       }
     };
+    RunCounts counts;
+    const bool count = many_along_;
+    if (count) hand_over(), counts.clear(), counted_ = true;
+    std::size_t found = 0;
     run.for_overlap([&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks) HWY_ATTR {
       for_each_vector(i, j, blocks, [&](const auto& a, const auto& b, const auto& keep) HWY_ATTR {
         hit_count_ += store_pairs(bits, a, b, keep, hits_ + hit_count_);
       });
+      if (count) counts.add(i, j, blocks);
+      found += static_cast<std::size_t>(std::popcount(blocks));
       if (HWY_UNLIKELY(hit_count_ > BlockQueues::hit_limit)) hand_over();
     });
+    if (count) {
+      counts.add_to(counts_, first, asked.inside | asked.onward | asked.onward << 1);
+      hand_over();
+      counted_ = false;
+    }
+    many_along_ = counts_ != nullptr && found >= many * asked.pairs();
     queues_.add_looked(asked.pairs());
     if (HWY_LIKELY(!run.any_open())) return;
     run.for_open([&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks) HWY_ATTR {
@@ -192,7 +239,10 @@ class LeafPairs {
     report(open_.decide());
   }
   void hand_over() {
-    report({hits_, hit_count_});
+    if (counted_)
+      lane_.counted({hits_, hit_count_});
+    else
+      report({hits_, hit_count_});
     hit_count_ = 0;
   }
   void report(std::span<Pair> hits) {
@@ -226,6 +276,11 @@ class LeafPairs {
   OpenPairs open_{chain_};
   Pair* const hits_ = queues_.hits();
   std::size_t hit_count_ = 0;
+  /// The lane's, where no pair that is found is a neighbour's.
+  std::uint32_t* const counts_ = window_is_all_ ? lane_.counts() : nullptr;
+  bool counted_ = false;       ///< the hits are
+  bool many_overlap_ = false;  ///< of the blocks before
+  bool many_along_ = false;    ///< of those before along the chain
 };
 
 }  // namespace catena::HWY_NAMESPACE

@@ -53,6 +53,10 @@ class MetTiles {
   bool any_open() const { return any_open_ != 0; }
   void clear() { size_ = 0, any_open_ = 0; }
 
+  /// Of the k-th two blocks: what overlaps, and from where on.
+  std::uint64_t overlap(std::uint32_t k) const { return overlap_[k]; }
+  const Pair& corner(std::uint32_t k) const { return corners_[k]; }
+
   /// Eight pairs of spheres of two blocks, of which some are meant.
   struct Eight {
     std::uint32_t row, column, first;  ///< bit of the verdict

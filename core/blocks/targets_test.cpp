@@ -78,6 +78,13 @@ std::vector<Solved> solved_chains() {
     properties::Dice dice(++seed);
     add("tangle of " + std::to_string(n), Chain(properties::tangle(dice, n)));
   }
+  // Most of what is near overlaps: whole blocks are counted, among them the last, which is not filled.
+  for (const std::uint32_t n : {403u, 1005u}) {
+    properties::Dice dice(++seed);
+    std::vector<Sphere> spheres = properties::tangle(dice, n);
+    for (Sphere& s : spheres) s.radius *= static_cast<float>(dice.between(1, 6));
+    add("heap of " + std::to_string(n), Chain(std::move(spheres), {}, Exclusion::index(dice.pick({1u, 3u}))));
+  }
   // Neighbours that end within a block, at its end, and beyond it; and blocks that a strand does not fill.
   for (const std::uint32_t window : {1u, 3u, 7u, 8u, 9u, 15u, 16u, 17u, 40u})
     for (const std::uint32_t strand : {401u, 400u, 200u, 21u}) {
