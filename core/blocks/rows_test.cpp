@@ -7,7 +7,9 @@
 #include "catena/core/chain/chain.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
+#include "catena/properties/generators/shapes.h"
 #include "catena/properties/sorted_pairs.h"
+#include "catena/reference/verify.h"
 
 namespace catena {
 namespace {
@@ -55,6 +57,23 @@ TEST(Rows, HaveThePairsOfSpheresNextToOneAnother) {
     properties::sort(found.pairs);
     ASSERT_EQ(found.pairs.size(), 299u) << name;
     for (std::uint32_t i = 0; i < 299; ++i) EXPECT_EQ(found.pairs[i], (Pair{i, i + 1})) << name;
+  }
+}
+
+/// Blocks of neighbours alone, which evidence tells of all the same; and of two windows the numbers that come
+/// after the greatest are 0 and 1.
+TEST(Rows, LeaveOutNeighboursHoweverWideTheWindow) {
+  properties::Dice dice(1);
+  const std::vector<Sphere> spheres = properties::tangle(dice, 600);
+  for (const std::uint32_t window : {6u, 7u, 14u, 15u, 16u, 0xFFFFFFFEu, 0xFFFFFFFFu}) {
+    const Chain chain(spheres, {}, Exclusion::index(window));
+    for (const char* name : {"Hybrid", "ChainTree"}) {
+      const auto variant = StrategyRegistry::instance().make(name);
+      std::uint64_t proved = 0;
+      const auto v = reference::verify_by_certificate(*variant, chain, 1u << 24, proved);
+      EXPECT_EQ(v.verdict, reference::Verdict::exact) << name << ", window " << window << ": " << v.reason;
+      EXPECT_EQ(proved > 0, window < 600) << name << ", window " << window;
+    }
   }
 }
 
