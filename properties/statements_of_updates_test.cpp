@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -151,6 +152,43 @@ TEST(Statements, NoticeAProofOfAnotherNumberOfPairs) {
     const auto fault = property->check(Subject::named("aCPU2+CPU2"), *variant, wrong);
     ASSERT_TRUE(fault);
     EXPECT_NE(fault->find("pairs proved"), std::string::npos) << *fault;
+  }
+}
+
+/// Its search with evidence loses a pair after an update.
+class LosesProof final : public Variant {
+ public:
+  void build(const Chain& chain) override { updated_ = false, tree_->build(chain); }
+  void update(const Chain& chain, const Moved& moved) override {
+    updated_ = true, tree_->update(chain, moved);
+  }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    tree_->find(chain, request, found);
+  }
+  void visit_bounds(BoundsVisitor& visitor) const override { tree_->visit_bounds(visitor); }
+  Accounting evidence() const override { return tree_->evidence(); }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& found,
+                          EvidenceSink& sink) override {
+    tree_->find_with_evidence(chain, request, found, sink);
+    if (updated_) drop_a_pair(found);
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  const std::unique_ptr<Variant> tree_ = StrategyRegistry::instance().make("aCPU2+CPU2");
+  bool updated_ = false;
+};
+
+TEST(Statements, NoticeAProofThatIsWrongAfterAnUpdate) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < 25; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 1.25f});
+  const Case test = Case::of(Chain(std::move(spheres)));
+  LosesProof variant;
+  for (const auto& property : PropertyRegistry::instance().make_all()) {
+    if (property->name() != "evidence") continue;
+    const auto fault = property->check(Subject::named("aCPU2+CPU2"), variant, test);
+    ASSERT_TRUE(fault);
+    EXPECT_TRUE(fault->starts_with("after an update: ")) << *fault;
   }
 }
 
