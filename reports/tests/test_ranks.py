@@ -129,6 +129,14 @@ class Ranks(unittest.TestCase):
         self.assertAlmostEqual(found.thickness, 1)
         self.assertIsNone(rank_model.law(points[:3] + 3 * far))
 
+    def test_one_rank_asks_nobody_and_waits_for_none(self):
+        model = rank_model.Model(rank_model.Law(2, 1), 1 / 8, 100, 5000, 2000, 30_000, 1)
+        self.assertAlmostEqual(model.ms(1000, 1), 0.1)
+        self.assertAlmostEqual(model.efficiency(1000, 1), 1)
+        # Of 2 ranks and 125 blocks: half of the spheres, and what each asks, beside what there are of them.
+        asked = 2 * ((62.5 ** (1 / 3) + 1) ** 3 - 62.5) * (1 - 2 ** (-1 / 3))
+        self.assertAlmostEqual(model.ms(1000, 2), 0.05 + 1e-6 * (5000 * asked + 4000 + 30_000))
+
     def test_too_few_points_have_no_model(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
             chain["points"] = chain["points"][:2]
