@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "catena/core/strategy/keeps_answer.h"
 #include "catena/properties/allocations.h"
 #include "catena/properties/testing/faulty.h"
 
@@ -138,6 +139,35 @@ TEST(Statements, NoticeFramesThatAreAnsweredWrongly) {
                    if (q.told.unsearched > 1) drop_a_pair(found);
                  }),
                  "pairs, exactly");
+}
+
+/// Loses a pair of an answer that it keeps.
+class LosesKept final : public Variant, public KeepsAnswer {
+ public:
+  void build(const Chain& chain) override { all_pairs_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    all_pairs_->find(chain, request, found);
+  }
+  const Collisions& find_kept(const Chain& chain, const Request& request) override {
+    find(chain, request, kept_);
+    drop_a_pair(kept_);
+    return kept_;
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  const std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
+  Collisions kept_;
+};
+
+TEST(Statements, NoticeAKeptAnswerThatIsWrong) {
+  LosesKept variant;
+  for (const auto& property : PropertyRegistry::instance().make_all()) {
+    if (property->name() != "frame after frame") continue;
+    const auto fault = property->check(Subject::named("CPU1"), variant, row());
+    ASSERT_TRUE(fault);
+    EXPECT_NE(fault->find("another answer where it is kept"), std::string::npos) << *fault;
+  }
 }
 
 TEST(Statements, NoticeAProofOfAnotherNumberOfPairs) {
