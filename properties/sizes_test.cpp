@@ -57,6 +57,23 @@ void expect_all_hold(const Case& test, const std::string& what) {
   }
 }
 
+/// A refusal is no finding where, and only where, twice as many spheres are too many.
+TEST(Sizes, AreAllowedToBeRefusedFromHalfOfTheLimitOn) {
+  for (const char* name : {"bGPU2@host(block=4)+CPU2", "bGPU2@host(block=24)+CPU2", "aCPU2+CPU2"}) {
+    const Subject subject = Subject::named(name);
+    const auto limit = declared_limit(subject);
+    for (std::uint32_t n = 0; n < 60; ++n) {
+      bool refused = false;
+      try {
+        subject.make()->build(Chain(tangle(2 * n, n)));
+      } catch (const CapacityError&) {
+        refused = true;
+      }
+      EXPECT_EQ(may_refuse(limit, n), refused) << name << ", " << n;
+    }
+  }
+}
+
 TEST(Sizes, PowersOfTwoAndTheirNeighbours) {
   std::uint64_t pairs = 0;
   for (std::uint32_t n : {0u, 1u, 2u, 3u})

@@ -52,6 +52,29 @@ TEST(Statements, NoticeWhatARefusedChainLeaves) {
   expect_noticed_in_some(shows, "bounds are shown, and nothing is built");
 }
 
+TEST(Statements, NoticeWhatIsWrongAmongCallsInAnyOrder) {
+  expect_noticed_in_some(
+      {.bounds = [](const Told& told, BoundsVisitor& visitor) { show_twos(*told.chain, visitor, 1e-9); }},
+      "bounds do not enclose");
+  expect_noticed_in_some({.spoil =
+                              [](const Question& q, Collisions& found) {
+                                if (!found.count.empty()) ++found.count[0];
+                              }},
+                         "other counts");
+  const auto leaves_pairs = [](const Question& q, Collisions& found) {
+    if (q.request.want != Want::pairs || q.request.pair_limit == Request().pair_limit) return false;
+    const auto honest = StrategyRegistry::instance().make("CPU1");
+    honest->build(q.chain);
+    Request unlimited = q.request;
+    unlimited.pair_limit = Request().pair_limit;
+    honest->find(q.chain, unlimited, found);
+    if (found.pair_count > q.request.pair_limit)
+      throw PairLimitExceeded(found.pair_count, q.request.pair_limit);
+    return true;
+  };
+  expect_noticed_in_some({.instead = leaves_pairs}, "pairs are left past the limit");
+}
+
 TEST(Statements, NoticeWhatAFailedSearchLeaves) {
   const auto failed = std::make_shared<bool>();
   const auto past_the_limit = [=](const Question& q, Collisions&) {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "catena/core/strategy/keeps_answer.h"
 #include "catena/properties/allocations.h"
 #include "catena/properties/testing/faulty.h"
 
@@ -139,6 +141,35 @@ TEST(Statements, NoticeFramesThatAreAnsweredWrongly) {
                  "pairs, exactly");
 }
 
+/// Loses a pair of an answer that it keeps.
+class LosesKept final : public Variant, public KeepsAnswer {
+ public:
+  void build(const Chain& chain) override { all_pairs_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    all_pairs_->find(chain, request, found);
+  }
+  const Collisions& find_kept(const Chain& chain, const Request& request) override {
+    find(chain, request, kept_);
+    drop_a_pair(kept_);
+    return kept_;
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  const std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
+  Collisions kept_;
+};
+
+TEST(Statements, NoticeAKeptAnswerThatIsWrong) {
+  LosesKept variant;
+  for (const auto& property : PropertyRegistry::instance().make_all()) {
+    if (property->name() != "frame after frame") continue;
+    const auto fault = property->check(Subject::named("CPU1"), variant, row());
+    ASSERT_TRUE(fault);
+    EXPECT_NE(fault->find("another answer where it is kept"), std::string::npos) << *fault;
+  }
+}
+
 TEST(Statements, NoticeAProofOfAnotherNumberOfPairs) {
   const Case right = row();
   reference::Answer more = right.exact;
@@ -151,6 +182,43 @@ TEST(Statements, NoticeAProofOfAnotherNumberOfPairs) {
     const auto fault = property->check(Subject::named("aCPU2+CPU2"), *variant, wrong);
     ASSERT_TRUE(fault);
     EXPECT_NE(fault->find("pairs proved"), std::string::npos) << *fault;
+  }
+}
+
+/// Its search with evidence loses a pair after an update.
+class LosesProof final : public Variant {
+ public:
+  void build(const Chain& chain) override { updated_ = false, tree_->build(chain); }
+  void update(const Chain& chain, const Moved& moved) override {
+    updated_ = true, tree_->update(chain, moved);
+  }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    tree_->find(chain, request, found);
+  }
+  void visit_bounds(BoundsVisitor& visitor) const override { tree_->visit_bounds(visitor); }
+  Accounting evidence() const override { return tree_->evidence(); }
+  void find_with_evidence(const Chain& chain, const Request& request, Collisions& found,
+                          EvidenceSink& sink) override {
+    tree_->find_with_evidence(chain, request, found, sink);
+    if (updated_) drop_a_pair(found);
+  }
+  Timings timings() const override { return {}; }
+
+ private:
+  const std::unique_ptr<Variant> tree_ = StrategyRegistry::instance().make("aCPU2+CPU2");
+  bool updated_ = false;
+};
+
+TEST(Statements, NoticeAProofThatIsWrongAfterAnUpdate) {
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < 25; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 1.25f});
+  const Case test = Case::of(Chain(std::move(spheres)));
+  LosesProof variant;
+  for (const auto& property : PropertyRegistry::instance().make_all()) {
+    if (property->name() != "evidence") continue;
+    const auto fault = property->check(Subject::named("aCPU2+CPU2"), variant, test);
+    ASSERT_TRUE(fault);
+    EXPECT_TRUE(fault->starts_with("after an update: ")) << *fault;
   }
 }
 

@@ -78,6 +78,13 @@ TEST(Statements, NoticeAPairThatIsLostInAChangedChain) {
                           if (elsewhere(q)) found.pairs.push_back({0, q.chain.size() - 1});
                         }},
                    "is invented", test);
+    // As many, but others.
+    expect_noticed(relation,
+                   {.spoil =
+                        [&](const Question& q, Collisions& found) {
+                          if (elsewhere(q) && !found.pairs.empty()) found.pairs[0] = {0, q.chain.size() - 1};
+                        }},
+                   " of the changed chain is ", test);
   }
   const Case test = row();
   expect_noticed("larger radii only add pairs",
@@ -95,6 +102,12 @@ TEST(Statements, NoticeAPairThatIsLostInAChangedChain) {
                           std::erase(found.pairs, test.exact.pairs.front());
                       }},
                  "are left", test);
+}
+
+/// Of spheres without a radius each meets its copy, and no window excludes that.
+TEST(Statements, SubdivideAnArcOfPoints) {
+  const std::vector<Sphere> points{{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 0}, {2, 0, 0, 0}};
+  EXPECT_EQ(asked("subdivision", {}, Case::of(Chain(points, {}, Exclusion::arc(1.5)))), std::nullopt);
 }
 
 TEST(Statements, NoticeWhatIsWrongOfAFloatingPointEnvironment) {

@@ -23,5 +23,25 @@ TEST(CertificateLines, ANeighbourThatIsTestedIsNoPair) {
   }
 }
 
+/// Of leaves and of inner nodes, whichever stands first.
+TEST(CertificateLines, BoundsThatMeetAreNotSeparate) {
+  const Chain chain({{0, 0, 0, 1}, {3, 0, 0, 1}, {6, 0, 0, 1}, {9, 0, 0, 1}});
+  for (const double radius : {2.5, 7.0}) {
+    const Sphere64 left{1.5, 0, 0, radius}, right{7.5, 0, 0, radius};
+    EvidenceTree tree(chain);
+    const auto leaf = [&](std::uint32_t i) { return Sphere64{3.0 * i, 0, 0, 1}; };
+    for (const std::uint32_t i : {0, 1}) tree.edge(4, left, i, leaf(i));
+    for (const std::uint32_t i : {2, 3}) tree.edge(5, right, i, leaf(i));
+    for (const std::uint32_t id : {4, 5}) tree.edge(6, Sphere64{4.5, 0, 0, 20}, id, id == 4 ? left : right);
+    tree.complete();
+    for (const auto& [a, b] : {std::pair(4, 5), {5, 4}, {0, 5}, {5, 0}, {2, 4}, {4, 2}}) {
+      CertificateChecker checker(chain, tree, Accounting::from_both_ends, {});
+      checker.discarded(a, b);
+      EXPECT_EQ(checker.report().unknown, 0u);
+      EXPECT_EQ(checker.report().not_separate, radius > 3) << a << ' ' << b << ' ' << radius;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace catena::reference

@@ -78,25 +78,28 @@ class Surroundings {
   std::optional<std::string> path_;
 };
 
-/// A file of the user's with the name of a module is none.
+/// A file of the user's with the name of a module is none, though to Python an empty PYTHONPATH beside
+/// another folder is the current one.
 TEST(PageWriter, RunsNothingOfTheCurrentFolder) {
   namespace fs = std::filesystem;
   const fs::path folder = testing::TempDir() + fmt::format("catena_users_folder_{}", getpid());
   fs::create_directories(folder);
   for (const char* module : {"runpy", "json", "argparse", "numpy", "catena_report"})
     std::ofstream(folder / fmt::format("{}.py", module)) << "open('taken', 'w')\nraise SystemExit(99)\n";
-  int code = -1;
-  testing::internal::CaptureStdout();
-  {
-    const Surroundings as_before;
-    unsetenv("PYTHONPATH");
-    fs::current_path(folder);
-    code = run_page_writer({"--help"});
+  for (const bool empty : {false, true}) {
+    int code = -1;
+    testing::internal::CaptureStdout();
+    {
+      const Surroundings as_before;
+      empty ? setenv("PYTHONPATH", "", 1) : unsetenv("PYTHONPATH");
+      fs::current_path(folder);
+      code = run_page_writer({"--help"});
+    }
+    const std::string said = testing::internal::GetCapturedStdout();
+    EXPECT_FALSE(fs::exists(folder / "taken")) << empty;
+    EXPECT_EQ(code, 0) << said;
+    EXPECT_NE(said.find("usage"), std::string::npos) << said;
   }
-  const std::string said = testing::internal::GetCapturedStdout();
-  EXPECT_FALSE(fs::exists(folder / "taken"));
-  EXPECT_EQ(code, 0) << said;
-  EXPECT_NE(said.find("usage"), std::string::npos) << said;
   fs::remove_all(folder);
 }
 

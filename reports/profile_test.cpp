@@ -64,7 +64,8 @@ TEST(Report, ProfilesMeasureWhatTheyAreFor) {
       if (v.exact) all_exact.push_back(v.name);
     EXPECT_EQ(exact, all_exact);
     EXPECT_LT(exact.size(), p->variants.size());
-    EXPECT_EQ(has(*p, "/whole"), p != &paper) << name << ": the tables have construction and traversal";
+    for (const char* stage : {"/whole", "/update"})
+      EXPECT_EQ(has(*p, stage), p != &paper) << name << ": the tables have construction and traversal";
     EXPECT_EQ(has(*p, "/double/"), p == &full) << name << ": of the error only";
     EXPECT_TRUE(p == &paper || has(*p, "path1/n:10000/CPU1/")) << name << ": the paper's claim";
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,11 +14,13 @@
 #include <memory>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/command_line.h"
 #include "catena/core/error.h"
+#include "catena/core/strategy/test_variant.h"
 #include "catena/reports/test_run_file.h"
 
 namespace catena::reports {
@@ -97,6 +100,42 @@ TEST_F(RunFile, HoldsAsManyRepetitionsAsAreAskedFor) {
   EXPECT_EQ(repetitions.size(), 2u);
   EXPECT_FALSE(run["catena"].contains("judged")) << "what is not about the scene asked for";
   for (const auto& [name, times] : repetitions) EXPECT_EQ(times, 14) << name;
+  std::filesystem::remove_all(folder);
+}
+
+/// A variant that throws, so that the run has a fault.
+class Throwing final : public Variant {
+ public:
+  void build(const Chain&) override { throw std::range_error("too far"); }
+  void update(const Chain&, const Moved&) override {}
+  void find(const Chain&, const Request&, Collisions&) override {}
+  Timings timings() const override { return {}; }
+};
+const test::RegisterHidden<Throwing> throwing{{.name = "Throwing", .summary = "as a test asks"}};
+
+/// In processes of their own, whose faults no other run has.
+TEST_F(RunFile, OfAFaultyVariantEndsWithOneThoughItIsWritten) {
+  const std::filesystem::path folder = testing::TempDir() + "catena_faulty_" + std::to_string(getpid());
+  const auto ends = [&](const std::string& variants) {
+    std::exit(
+        report("--scene path1:n=50 --repetitions 2 --no-page " + variants + " --output " + folder.string()));
+  };
+  EXPECT_EXIT(ends("--variant CPU1"), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(ends("--variant CPU1 --variant Throwing"), testing::ExitedWithCode(1), "too far");
+  EXPECT_EQ(files_in(folder), std::set<std::string>{"run.json"});
+  std::filesystem::remove_all(folder);
+}
+
+/// As a page that holds longer ones is slow to open.
+TEST_F(RunFile, HasAViewOfAChainThatIsNotTooLong) {
+  const std::filesystem::path folder = testing::TempDir() + "catena_shown_" + std::to_string(getpid());
+  for (const int n : {20'000, 20'001}) {
+    EXPECT_EQ(report("--scene winding:n=" + std::to_string(n) +
+                     " --variant aCPU2+CPU2 --repetitions 1 --no-page --output " + folder.string()),
+              0);
+    std::ifstream in(folder / "run.json");
+    EXPECT_EQ(Json::parse(in)["catena"].contains("viewer"), n == 20'000) << n;
+  }
   std::filesystem::remove_all(folder);
 }
 

@@ -195,6 +195,30 @@ TEST_F(RunFile, GoesOnWhereItWasInterrupted) {
   EXPECT_EQ(whole["catena"]["stopping"]["rounds"], 3);
 }
 
+/// The limit holds for the run, however often it is interrupted.
+TEST_F(RunFile, CountsTheTimeOfTheRowsBeforeAnInterrupt) {
+  const std::string file = testing::TempDir() + "catena_late_" + std::to_string(getpid());
+  Profile p;
+  p.inputs = {{"path1:n=50"}};
+  p.variants = {StrategyRegistry::instance().describe("CPU1")};
+  p.stopping = {.seconds = 0.3, .share = 0, .most_samples = 1};
+  p.whole_seconds = 0;
+  Journal begun = Journal::begin(file, Json::object());
+  measure_run(p, "", begun);
+  const Json rows = Journal::resume(file).rows();
+  begun.remove();
+  p.stopping.most_samples = 100'000;
+  for (const double seconds : {0.0, 1000.0}) {
+    {
+      Journal journal = Journal::begin(file, Json::object());
+      for (const Json& row : rows) journal.keep_row(row, seconds);
+    }
+    Journal resumed = Journal::resume(file);
+    EXPECT_EQ(measure_run(p, "", resumed)["benchmarks"].size() == rows.size(), seconds > 0);
+    resumed.remove();
+  }
+}
+
 TEST_F(RunFile, NothingToMeasureIsSaid) {
   Profile p = small_profile();
   p.filter = "no_such_scene";

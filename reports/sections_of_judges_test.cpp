@@ -3,10 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "catena/bench/closed_form/lattice_box.h"
+#include "catena/core/commands/command.h"
+#include "catena/core/commands/command_line.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/strategy/test_variant.h"
 #include "catena/reports/test_sections.h"
@@ -15,6 +21,20 @@
 /// run_file.md run_file_test.cpp looks after.
 namespace catena::reports {
 namespace {
+
+/// The input that the command names first.
+std::string said_by(const std::string& text) {
+  std::istringstream words(text);
+  std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
+  const auto commands = CommandRegistry::instance().commands();
+  const auto command = std::ranges::find(commands, arguments[1], &CommandInfo::name)->make();
+  arguments.erase(arguments.begin(), arguments.begin() + 2);
+  parse_options(arguments, [&](OptionParser& app) { command->configure(app); });
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(command->run(), 0) << text;
+  const std::string said = testing::internal::GetCapturedStdout();
+  return said.substr(0, said.find(": "));
+}
 
 /// Of each published table the longest walks alone; chains whose pairs a formula knows; laws and knots.
 TEST(Sections, OfWhatIsJudgedHaveEachPublishedNumberOnce) {
@@ -28,7 +48,10 @@ TEST(Sections, OfWhatIsJudgedHaveEachPublishedNumberOnce) {
     if (what.ends_with(" lattice")) {
       EXPECT_TRUE(walks.emplace(what, published).second) << what;
     }
-    if (row["source"] == "closed form") formulas[what] = published;
+    if (row["source"] == "closed form") {
+      formulas[what] = published;
+      EXPECT_TRUE(what.starts_with("pairs of " + said_by(row["command"]) + ", ")) << row["command"];
+    }
     if (published == "O(n^(4/3))") {
       ++laws;
       const std::string interval = std::string(row["found"]).substr(std::string(row["found"]).find('[') + 1);

@@ -51,6 +51,8 @@ TEST_F(ExamineProgram, TellsALineForEachInputAndArithmetic) {
   EXPECT_NE(Examined("path1:n=300", "literal").exact.pair_count,
             Examined("path1:n=300,frame=0", "literal").exact.pair_count)
       << "of the frame in the middle";
+  const ProgramOutcome one = run("examine path1:n=300,frame=5 --arithmetic double --json");
+  EXPECT_EQ(nlohmann::json::parse(one.output)["frame"], 5) << "of the scene: " << one.output;
   EXPECT_EQ(lines_of(run("examine coincident:n=60 --arithmetic double --json").output),
             Texts{Examined("coincident:n=60", "double").line});
 }

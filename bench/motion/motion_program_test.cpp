@@ -75,14 +75,19 @@ TEST_F(MotionProgram, MeasuresEachStiffnessOffsetStepAndVariant) {
             0.25);
 }
 
-/// An exact variant that misses contacts fails the command; a rounded one may.
-TEST_F(MotionProgram, FailsWhereAnExactVariantMissesAContact) {
+/// An exact variant that misses contacts, or invents them, fails the command; a rounded one may.
+TEST_F(MotionProgram, FailsWhereAnExactVariantMissesOrInventsAContact) {
   const std::string one = "--stiffness 1e4 --step 0.5 --offset 0 --duration 60 --variant ";
   EXPECT_EQ(rows(one + "CPU1").size(), 1u);
   const auto missed = rows(one + "mutant:grid-truncates-toward-zero", 1);
   ASSERT_EQ(missed.size(), 1u);
   EXPECT_GT(missed[0]["missed_by_variant"], 0);
   EXPECT_EQ(missed[0]["invented_by_variant"], 0);
+  const auto invented = rows(
+      "--stiffness 1e4 --step 0.5 --offset 0 --duration 10 --variant mutant:duplicate-over-two-lanes", 1);
+  ASSERT_EQ(invented.size(), 1u);
+  EXPECT_EQ(invented[0]["missed_by_variant"], 0);
+  EXPECT_GT(invented[0]["invented_by_variant"], 0);
 }
 
 TEST_F(MotionProgram, RefusesWhatIsNoMotionAndCountsWhatIsLeftOut) {

@@ -152,9 +152,14 @@ TEST_F(Program, ExportsASeriesWholeOrNotAtAll) {
     moving += "20\nt\n";
     for (int i = 0; i < 20; ++i) moving += std::string("C") + at + at + at + '\n';
   }
+  const std::string too_long = "ulimit -f 1; catena export --frame all --radius 1 " + write("m.xyz", moving) +
+                               " '" + file("m.csv") + "'";
+  write("m_0.csv", "of an earlier series");
+  EXPECT_EQ(shell(too_long).code, 2);
+  EXPECT_TRUE(std::filesystem::exists(file("m_0.csv"))) << "it was there";
+  std::filesystem::remove(file("m_0.csv"));
   std::filesystem::create_symlink(file("elsewhere.csv"), file("m_0.csv"));
-  const ProgramOutcome cut = shell("ulimit -f 1; catena export --frame all --radius 1 " +
-                                   write("m.xyz", moving) + " '" + file("m.csv") + "'");
+  const ProgramOutcome cut = shell(too_long);
   EXPECT_EQ(cut.code, 2);
   EXPECT_NE(cut.output.find("cannot write " + file("m_1.csv") + ": File too large"), std::string::npos)
       << cut.output;

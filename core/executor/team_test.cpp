@@ -90,5 +90,15 @@ TEST(Team, HasAMemberBelowItsSizeOutsideABody) {
   EXPECT_LT(team.member(), team.size());
 }
 
+/// Nor is the number that a thread has in another team's arena one of a smaller team.
+TEST(Team, HasAMemberBelowItsSizeInABodyOfALargerTeam) {
+  const Team outer(threads("4")), alone;
+  std::atomic<int> work = 0;
+  outer.for_each_range(400, 1, [&](std::uint32_t, std::uint32_t) {
+    EXPECT_EQ(alone.member(), 0u);
+    for (int k = 0; k < 10000; ++k) ++work;
+  });
+}
+
 }  // namespace
 }  // namespace catena

@@ -1,6 +1,9 @@
 #include "catena/core/input/box_choice.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "catena/core/error.h"
 #include "catena/core/input/test_refusal.h"
@@ -107,6 +110,24 @@ TEST(BoxChoice, ArcLengthsAreThoseOfWholeTubes) {
   EXPECT_EQ(tree[4].y, 7.5f);
   for (const Pair& near : {Pair{2, 4}, {1, 4}, {3, 4}, {2, 5}}) EXPECT_TRUE(tree.neighbours(near.i, near.j));
   for (const Pair& far : {Pair{0, 4}, {1, 5}, {3, 5}}) EXPECT_FALSE(tree.neighbours(far.i, far.j));
+}
+
+/// What is lost of a thinned tube between two spheres is measured across the faces of each frame's own box.
+TEST(BoxChoice, ATubeIsThinnedInTheBoxOfEachFrame) {
+  constexpr int n = 81;
+  constexpr double step = 0.25;
+  std::string frames;
+  for (const double side : {10.0, 15.0}) {
+    frames +=
+        fmt::format("{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" pbc=\"T T T\" Properties=pos:R:3:radius:R:1\n", n,
+                    side, side, side);
+    for (int i = 0; i < n; ++i) frames += fmt::format("{} 0 0 1\n", std::fmod(i * step, side));
+  }
+  const TestFile file("a.xyz", frames);
+  const Input input =
+      open_input(file.path().string(), {.arc_window = 1.5, .tolerance = 0.05, .takes_box = true});
+  ASSERT_TRUE(input.thinning);
+  EXPECT_NEAR(input.thinning->own, 1 - std::sqrt(1 - step * step / 4), 1e-6);
 }
 
 }  // namespace

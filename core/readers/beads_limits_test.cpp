@@ -96,6 +96,8 @@ TEST(LammpsDumpReader, RefusesATopologyThatIsNoneOrNotWhole) {
   EXPECT_EQ(said("t\n\n1 bonds\n" + bonds), "");
   expect_says(said("t\n\n4 bonds\n" + bonds), "b.data:7: the header says 4 bonds, the file has 1");
   expect_says(said("t\n\n4 bonds\n"), "b.data:3: the header says 4 bonds, the file has 0");
+  expect_says(said("t\n\n1 bonds\n" + bonds + "2 1 2 1\n"),
+              "b.data:8: the header says 1 bond, the file has 2");
   expect_says(said("t\n\n2 atoms\n\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 0 0 0\n"), none);
   expect_says(said("The bonds of a melt, in prose.\n"), none);
   expect_says(said(dump(cube, "id x y z", "1 0 0 0\n")), none);

@@ -171,5 +171,19 @@ TEST(BinaryChain, FindsNoPairOfAnotherPartAmongItsOwn) {
   EXPECT_THROW(opened(unsorted).pairs(0, 3), InputError);
 }
 
+/// However many there are: that some are looked at at a time leaves none out.
+TEST(BinaryChain, LooksAtEveryStrand) {
+  constexpr std::uint32_t at_once = 1u << 16, n = at_once + 3;
+  Strands strands{{0}, {}};
+  for (std::uint32_t i = 1; i <= n; ++i) strands.first.push_back(i);
+  const std::string bytes = bytes_of(Chain(std::vector<Sphere>(n), std::move(strands)));
+  EXPECT_NO_THROW(opened(bytes).require_strands(0, n));
+  for (const std::uint32_t strand : {0u, at_once - 1, at_once, n - 1}) {
+    std::string wrong = bytes;
+    wrong[sizeof(BinaryChain::Header) + n * sizeof(Sphere) + strand * sizeof(BinaryChain::Strand) + 8] = 7;
+    EXPECT_THROW(opened(wrong).require_strands(0, n), InputError) << strand;
+  }
+}
+
 }  // namespace
 }  // namespace catena

@@ -58,6 +58,20 @@ TEST(HairReader, ThicknessIsADiameter) {
   EXPECT_EQ(common.spheres[4].radius, 0.25f);
 }
 
+/// What an origin leaves over when it is rounded is a share of the sphere's own radius, which comes later.
+TEST(HairReader, KnowsWhichSphereLosesMostOfItsRadius) {
+  const TestFile file("a.hair",
+                      header({1, 3, 2 | 4, 2}) + floats(9) + little(8.0f) + little(0.5f) + little(2.0f));
+  const auto rounding = [&](double z) {
+    return ReaderRegistry::instance()
+        .read(file.path(), {.recentre = true, .origin = std::array<double, 3>{0, 0, z}})
+        .rounding;
+  };
+  EXPECT_EQ(rounding(-1e9).greatest_error(), 8);  // of 2, 5 and 8 beyond 1e9, where floats are 64 apart
+  EXPECT_EQ(rounding(-1e9).greatest_share(), 5 / 0.25);
+  EXPECT_EQ(rounding(0).greatest_share(), 0);
+}
+
 TEST(HairReader, TakesTheDefaultCount) {
   const auto curves = read_text("a.hair", header({2, 6, 2, 2}) + floats(18));
   EXPECT_EQ(curves.strand_first, (std::vector<std::uint32_t>{0, 3, 6}));

@@ -152,6 +152,8 @@ TEST(TrkReader, SaysWhatIsWrong) {
                    "a.trk", trk_of({{{1, 2, 3, 0}, {4, 5, 6, 0}}}, false, 1, 0, 1).substr(0, 1028));
   EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 5)).warnings,
             std::vector<std::string>{"the header says 5 tracks, the file has 1; all of them are read"});
+  EXPECT_EQ(read_text("a.trk", trk_of({{{1, 2, 3, 0}}, {{4, 5, 6, 0}}}, false, 0, 0, 1)).warnings,
+            std::vector<std::string>{"the header says 1 track, the file has 2; all of them are read"});
   EXPECT_COMPLAINT(" holds no points", "a.trk", trk_of({}, false, 0, 0, 0));
   EXPECT_COMPLAINT(" byte 5: the file does not start with TRACK", "a.trk", "TRUCK");
   EXPECT_COMPLAINT(" byte ", "a.trk", trk_of({{{1, 2, 3, 0}}}, false, 0, 0, 1).substr(0, 1010));

@@ -249,6 +249,12 @@ TEST(Scenes, AreListedWithTheParametersTheyHave) {
   EXPECT_FALSE(SceneRegistry::instance().contains("path3"));
 }
 
+/// Which frames there are open_scene knows.
+TEST(Scenes, AreOpenedWithAllTheirFrames) {
+  EXPECT_THROW(SceneRegistry::instance().open("path1:n=20,frame=1"), InputError);
+  EXPECT_GT(SceneRegistry::instance().open("path1:n=20")->frames(), 1u);
+}
+
 TEST(Scenes, MayOverrideACommonDefaultButNotAName) {
   SceneRegistry registry;
   registry.add({"small", "", {{"n", "3", "few"}}}, [](const Parameters& parameters) {

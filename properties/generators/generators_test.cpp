@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/properties/generators/census.h"
 #include "catena/properties/generators/family.h"
+#include "catena/properties/generators/shapes.h"
 #include "catena/properties/generators/simplifications.h"
 #include "catena/properties/testing/rapidcheck_chains.h"
 
@@ -29,6 +32,18 @@ TEST(Generators, EveryFamilyGivesChainsOfEverySizeAsked) {
         EXPECT_GE(chain.size(), 1u) << family.name;
         EXPECT_LE(chain.size(), size) << family.name;
       }
+}
+
+TEST(Generators, AnyFloatHasEitherSignAndEveryExponent) {
+  Dice dice(3);
+  std::set<std::pair<bool, int>> met;
+  for (int k = 0; k < 2000; ++k) {
+    const float value = any_float(dice, -3, 3);
+    met.emplace(value < 0, std::ilogb(value));
+  }
+  EXPECT_EQ(met.size(), 2u * 7);
+  EXPECT_EQ(met.begin()->second, -3);
+  EXPECT_EQ(met.rbegin()->second, 3);
 }
 
 TEST(Generators, TheSameDiceGiveTheSameChain) {
@@ -129,6 +144,22 @@ TEST(Shrinking, LeavesTheExtraPairThatMattersWithinItsTries) {
   asked = 0;
   shrink(chain, fails, 9);
   EXPECT_EQ(asked, 9u);
+}
+
+/// Of three that a failure does not need, and of the same number in several places, there is one step.
+TEST(Shrinking, TriesAllExtraPairsAndAllEqualNumbersAtOnce) {
+  const Chain chain({{8, 3, 5, 1}, {8, 8, 7, 1}, {9, 9, 9, 1}, {7, 7, 7, 1}}, {},
+                    {Exclusion::Rule::index_window, 1, 0, {{0, 2}, {0, 3}, {1, 3}}});
+  Simplifications candidates(chain);
+  bool no_pairs = false, both_eights = false;
+  while (const auto c = candidates.next()) {
+    if (c->size() != 4) continue;
+    const auto& s = c->spheres();
+    no_pairs |= c->exclusion().extra_pairs.empty() && std::ranges::equal(s, chain.spheres());
+    both_eights |= s[0] == Sphere{0, 3, 5, 1} && s[1] == Sphere{0, 0, 7, 1};
+  }
+  EXPECT_TRUE(no_pairs);
+  EXPECT_TRUE(both_eights);
 }
 
 /// Among them one that a sphere is taken out of, which leaves two strands.

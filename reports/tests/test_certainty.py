@@ -1,6 +1,7 @@
 """How sure a run is: false alarms against itself, and the slowdown that it would have seen."""
 import re
 import unittest
+import unittest.mock
 
 import made
 import numpy
@@ -26,6 +27,26 @@ class Certain(unittest.TestCase):
             new = generator.normal(found.smallest[0], 0.03, 12)
             seen += statistics.mann_whitney(new, old) < 0.05
         self.assertGreater(seen / 200, 0.85)
+
+    def test_the_smallest_slowdown_is_the_least_that_is_seen_in_nineteen_of_twenty(self):
+        times = numpy.random.default_rng(5).lognormal(0, 1, 8)
+        factor = certainty.smallest_slowdown(times, numpy.random.default_rng(2))
+        old, new = numpy.random.default_rng(2).choice(times, (2, certainty.DRAWS, 8))
+
+        def seen(by):
+            above = (by * new[:, None, :] >= old[:, :, None]).sum(axis=(1, 2))
+            return (above >= 64 - 13).mean()  # Mann and Whitney's table
+
+        self.assertGreaterEqual(seen(factor * 1.000001), 0.95)
+        self.assertLess(seen(factor * 0.999), 0.95)
+
+    def test_of_all_cases_the_median_and_nine_in_ten_are_told(self):
+        run = of(made.run(repetitions=12))
+        factors = iter(range(1, 1 + len(run.samples)))
+        with unittest.mock.patch.object(certainty, "smallest_slowdown", lambda *_: next(factors)):
+            half, most = certainty.certainty(run).smallest
+        self.assertAlmostEqual(half, 1 + 0.5 * (len(run.samples) - 1))
+        self.assertAlmostEqual(most, 1 + 0.9 * (len(run.samples) - 1))
 
     def test_of_few_uncertain_cases_nine_in_ten_tell_and_half_do_not(self):
         """One case in six is of ten times the noise."""

@@ -113,6 +113,7 @@ class Undecided(unittest.TestCase):
             ((0.62, 0.61, 0.60), claims.FAILS),
             ((0.40, 0.50, 0.60), claims.UNTESTED),  # 0.49, but its interval reaches past 0.55
             ((0.45, 0.60, 0.75), claims.UNTESTED),  # 0.59, likewise
+            ((0.53, 0.55, 0.57), claims.UNTESTED),  # 0.55, within 0.50 and 0.60
             ((0.50,), claims.UNTESTED),
         ):
             self.assertEqual(self.judge("half", self.halved(factors)).verdict, verdict, factors)

@@ -49,6 +49,11 @@ class Compare(unittest.TestCase):
         self.assertNotIn(gate.FASTER, found.values())
         self.assertEqual(compared(old, new)[0], 1)
 
+    def test_a_gate_that_sees_a_doubled_time_in_any_family_stands(self):
+        families = [gate.Family("V", str(seen), 4, 1, 1, 1, 1, seen, gate.SAME) for seen in (1.5, 3)]
+        with unittest.mock.patch.object(gate, "decide", return_value=(families, [])):
+            self.assertEqual(compared(made.run(), made.run(seed=2))[0], 0)
+
     def test_what_stayed_is_not_slower_when_most_became_faster(self):
         old = made.run(repetitions=12, seed=1)
         faster = {(variant, "find"): 0.9 for variant in made.COSTS} | {(variant, "build"): 0.9 for variant in made.COSTS}

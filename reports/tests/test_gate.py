@@ -10,6 +10,7 @@ import unittest
 import made
 import numpy
 import samples
+import scipy.stats
 from catena_report import gate, paired, runfile, work
 
 PAIRS = 200 if os.environ.get("CATENA_LONG") else 4
@@ -128,6 +129,56 @@ class Promises(unittest.TestCase):
         cases = [case for case in samples.unchanged(samples.generator(2)) if case.variant == "aCPU2+CPU2"]
         self.assertEqual(alarms(cases), [])
         self.assertTrue(alarms(samples.slower(cases, 1.6, lambda case: case.stage == "find")))
+
+
+class ByHand(unittest.TestCase):
+    """What decide() says of few families, where the machine's part is 0, against its description."""
+
+    def family(self, changes, variances):
+        whole = paired.Case(
+            "path1/n:1", "V", "find", "", paired.HOST, 12, 1.0, 1.0, 0.0, 1.0, False, 0.0, (0.0, 0.0)
+        )
+        cases = [
+            dataclasses.replace(whole, input=f"path1/n:{at}", change=change, variance=variance)
+            for at, (change, variance) in enumerate(zip(changes, variances))
+        ]
+        (family,), common = gate.decide(cases)
+        self.assertEqual(common, [])
+        return family
+
+    def test_a_family_is_tested_by_students_t(self):
+        generator = numpy.random.default_rng(8)
+        for size in (1, 2, 3, 4, 5):
+            changes = generator.normal(0.2, 0.05, size)
+            variances = numpy.array([1e-6, 4e-3, 2e-3, 3e-3, 1e-3])[:size]
+            family = self.family(changes, variances)
+            weights = numpy.minimum(1 / variances, 4 * numpy.median(1 / variances))
+            weights /= weights.sum()
+            centre = weights @ changes
+            scatter = ((changes - centre) ** 2 / variances).sum()
+            prior = 25 if size >= 4 else 6
+            freedom = prior + size - 1
+            error = math.sqrt(weights**2 @ variances * (scatter + prior) / freedom)
+            machine = gate.MACHINE[False]
+            reach = math.hypot(scipy.stats.t.ppf(0.975, freedom) * error, 2 * machine)
+            p = 2 * scipy.stats.t.sf(abs(centre) / math.hypot(error, machine), freedom)
+            for got, expected in (
+                (family.ratio, math.exp(centre)),
+                (family.low, math.exp(centre - reach)),
+                (family.high, math.exp(centre + reach)),
+                (family.p, min(1, p)),
+            ):
+                self.assertAlmostEqual(got / expected, 1, msg=size)
+
+    def test_same_is_what_lies_within_five_per_cent_and_only_that(self):
+        seen = set()
+        for repetitions in (3, 12):
+            for family in gate.decide(samples.unchanged(samples.generator(7), repetitions))[0]:
+                within = 1 / 1.05 < family.low and family.high < 1.05
+                if family.verdict in (gate.SAME, gate.UNDECIDED):
+                    self.assertEqual(family.verdict == gate.SAME, within, family)
+                seen.add(family.verdict)
+        self.assertLessEqual({gate.SAME, gate.UNDECIDED}, seen)
 
 
 class Paired(unittest.TestCase):

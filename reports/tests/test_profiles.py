@@ -1,10 +1,12 @@
 """The rank test over all chains: where it is made, and what it is of."""
 import types
 import unittest
+import unittest.mock
 
 import made
 import pages
-from catena_report import profiles
+from catena_report import profiles, statistics
+from catena_report.sections import slowdown
 
 
 class Ranks(unittest.TestCase):
@@ -44,6 +46,24 @@ class RankTest(unittest.TestCase):
         self.assertLess(self.p([1] * 20, slower), 1e-4)
         self.assertEqual(self.p(slower, slower), 1)
         self.assertGreater(self.p(turns, others), 0.5)
+
+
+class Slowdowns(unittest.TestCase):
+    """Of three variants over four chains."""
+
+    def setUp(self):
+        ends = {"a": (1.0, 0.9, 1.2), "b": (1.3, 1.1, 1.5), "c": (1.5, 1.25, 1.8)}
+        ratios = {"a/n:1": 1, "a/n:2": 1.05, "a/n:3": 1.5, "a/n:4": 2.5}
+        self.found = {
+            name: profiles.Slowdown(ratios, statistics.Interval(*end), 4) for name, end in ends.items()
+        }
+        info = lambda name: types.SimpleNamespace(recommended=True, peer=False, label=name)  # noqa: E731
+        self.run_ = types.SimpleNamespace(info=info)
+
+    def test_beside_the_best_are_those_whose_intervals_begin_below_the_end_of_its_own(self):
+        with unittest.mock.patch.object(profiles, "slowdowns", return_value=self.found):
+            name, _, near = slowdown.headline(self.run_)
+        self.assertEqual((name, near), ("a", ["b"]))
 
 
 if __name__ == "__main__":

@@ -102,13 +102,14 @@ class Ranks(unittest.TestCase):
             self.assertEqual(row[9].raw, sum(p["most_processor_ms"].values()) if p["ranks"] <= 256 else "")
 
     def test_counts_beyond_what_was_fitted_check_the_law(self):
-        for chain in self.value["catena"]["ranks"]["chains"]:
-            for p in chain["points"]:
-                if p["ranks"] > 256:
-                    p["most_blocks_asked"] *= 3
-        rows = pages.Shown(pages.of(self.value)).tables["ranks-model"].rows
-        for row in rows:
-            self.assertAlmostEqual(row[9].raw, 3, delta=0.15)
+        for factor in (3, 1 / 9):
+            for chain in self.value["catena"]["ranks"]["chains"]:
+                for p in chain["points"]:
+                    if p["ranks"] > 256:
+                        p["most_blocks_asked"] *= factor
+            rows = pages.Shown(pages.of(self.value)).tables["ranks-model"].rows
+            for row in rows:
+                self.assertAlmostEqual(row[9].raw, 3, delta=0.15)
 
     def test_a_law_is_checked_by_what_it_was_not_fitted_to(self):
         asked = {255: 3, 256: 4, 257: 5, 512: 0, 4096: 7}
@@ -128,6 +129,14 @@ class Ranks(unittest.TestCase):
         self.assertAlmostEqual(found.factor, 2)
         self.assertAlmostEqual(found.thickness, 1)
         self.assertIsNone(rank_model.law(points[:3] + 3 * far))
+
+    def test_one_rank_asks_nobody_and_waits_for_none(self):
+        model = rank_model.Model(rank_model.Law(2, 1), 1 / 8, 100, 5000, 2000, 30_000, 1)
+        self.assertAlmostEqual(model.ms(1000, 1), 0.1)
+        self.assertAlmostEqual(model.efficiency(1000, 1), 1)
+        # Of 2 ranks and 125 blocks: half of the spheres, and what each asks, beside what there are of them.
+        asked = 2 * ((62.5 ** (1 / 3) + 1) ** 3 - 62.5) * (1 - 2 ** (-1 / 3))
+        self.assertAlmostEqual(model.ms(1000, 2), 0.05 + 1e-6 * (5000 * asked + 4000 + 30_000))
 
     def test_too_few_points_have_no_model(self):
         for chain in self.value["catena"]["ranks"]["chains"]:

@@ -143,6 +143,8 @@ class Names(unittest.TestCase):
         self.assertEqual(
             runfile.replay(one, "path1/n:10", "CPU1"), "catena detect path1:n=10 --variant CPU1"
         )
+        row.update(frame=1, frames=2)  # the fewest of which one is told
+        self.assertTrue(runfile.replay(one, "far:exponent=3/n:30").endswith(" --frame 1"))
         row.update(frames=1, spec="of a file")
         self.assertEqual(runfile.replay(one, "far:exponent=3/n:30"), "catena detect 'of a file' --window 2")
 
