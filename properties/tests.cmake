@@ -17,6 +17,15 @@ target_compile_definitions(catena_tests PRIVATE CATENA_SOURCE_DIR="${PROJECT_SOU
                            CATENA_PROGRAM="$<TARGET_FILE:catena_cli>" CATENA_MPIRUN="$<$<TARGET_EXISTS:catena_part_mpi>:${MPIEXEC_EXECUTABLE}>")
 target_compile_options(catena_tests PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)  # a quarter sooner built, no slower
 target_precompile_headers(catena_tests PRIVATE ${CATENA_PRECOMPILED} <gtest/gtest.h>)
+# What tests call of a search compiled for one instruction set is inlined into them; on ARM see core/catena.cmake.
+if(CATENA_INLINES_NEON)
+  foreach(test IN LISTS tests)
+    file(STRINGS ${test} inlines REGEX "#include .*(-inl\\.h|hwy/highway\\.h)" LIMIT_COUNT 1)
+    if(inlines)
+      set_source_files_properties(${test} PROPERTIES COMPILE_OPTIONS "${CATENA_INLINES_NEON}" SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
+endif()
 catena_together(catena_tests)
 if(TARGET catena_cuda)  # what a user's own resident search looks like, and a caller of one
   target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu

@@ -167,7 +167,7 @@ class ReportCommand final : public Command {
 
   std::string kept(const std::vector<std::string>& runs) const {
     std::string command = fmt::format("catena report --output {} --from", shell_word(output_));
-    for (const std::string& run : runs) command += " " + shell_word(run);
+    for (const std::string& run : runs) command += fmt::format(" {}", shell_word(run));
     return "nothing measured is lost: " + command;
   }
 

@@ -66,7 +66,7 @@ int main() {
         static_cast<unsigned long long>(own.hash()), own.nodes(), own.pairs());
     same = same && library.hash() == own.hash() && library.nodes() == chain.size() - 1 && library.pairs() > 0;
   }
-#ifdef __FMA__
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   std::puts("this processor has fused multiply-add");
 #endif
   return same ? 0 : 1;
