@@ -116,7 +116,7 @@ std::vector<Solved> solved_chains() {
 
 /// Machines differ in the best that they have: what another one runs is run here too, as far as this one can.
 TEST(SimdTargets, GiveTheExactPairsEachOfThem) {
-  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  const std::vector<std::int64_t> targets = properties::targets_here();
   ASSERT_FALSE(targets.empty());
   const std::vector<Solved> solved = solved_chains();
   EXPECT_TRUE(std::ranges::any_of(solved, [](const Solved& s) { return s.right.pair_count > 1000; }));
@@ -149,7 +149,7 @@ TEST(SimdTargets, AnswerFrameAfterFrameEachOfThem) {
   auto all = properties::PropertyRegistry::instance().make_all();
   const auto frames = std::ranges::find(all, "frame after frame", [](const auto& p) { return p->name(); });
   ASSERT_NE(frames, all.end());
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+  for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
     const auto variant = subject.make();
     for (const Solved& s : solved) {
@@ -175,7 +175,7 @@ TEST(SimdTargets, LeaveAsMuchOpenWhateverTheScale) {
     EXPECT_NE(step, work.end());
     return step == work.end() ? 0 : step->times;
   };
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+  for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
     for (const char* name : {"ChainTree", "Grid(cells=wide)", "Grid(cells=narrow)", "SphereTree"}) {
       const std::uint64_t here = open(name, chain);
@@ -197,7 +197,7 @@ TEST(SimdTargets, CountVectorsOfTheirOwnWidth) {
   properties::Dice dice(1);
   const Chain chain(properties::tangle(dice, 2100));
   std::set<std::uint64_t> spheres_tested;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+  for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
     const auto variant = StrategyRegistry::instance().make("SphereTree");
     Collisions found;

@@ -89,7 +89,7 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
 }
 
 TEST(MeetBorder, MissesNothingOnAnyInstructionSet) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+  for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
     run_in_threads(2, [](Communicator& ranks) {
       std::mt19937 dice(7 + ranks.rank());
