@@ -77,6 +77,7 @@ class SpaceSearch {
       if (++found % row == 0) leaves_.make_room();
     };
     for_each_near(space_, entries, near, Apart{sink_});
+    leaves_.make_room();  // the next begins to count anew
   }
   void finish() { leaves_.flush(); }
 
