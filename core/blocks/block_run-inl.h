@@ -13,6 +13,7 @@
 
 #include "catena/core/arithmetic/robust.h"
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/blocks/filled-inl.h"
 #include "catena/core/blocks/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -109,21 +110,6 @@ class BlockRun {
         const std::uint32_t k = begin + static_cast<std::uint32_t>(std::countr_zero(left));
         visit(k / (2 * block), k % (2 * block), std::uint32_t{all[k]});
       }
-  }
-  /// A bit for each of 64 words that is not 0.
-  static HWY_INLINE std::uint64_t filled(const std::uint16_t* words) {
-    const hn::CappedTag<std::uint16_t, 32> tag;
-    constexpr std::uint32_t lanes = hn::MaxLanes(tag);
-    std::uint64_t all = 0;
-    for (std::uint32_t k = 0; k < 64; k += lanes) {
-      std::uint64_t some = 0;
-      std::uint8_t bytes[8];
-      const std::size_t written =
-          hn::StoreMaskBits(tag, hn::Ne(hn::LoadU(tag, words + k), hn::Zero(tag)), bytes);
-      std::memcpy(&some, bytes, written);
-      all |= some << k;
-    }
-    return all;
   }
 
   Vectors at_[2 * block];  ///< [place after the first of the block]

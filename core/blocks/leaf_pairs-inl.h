@@ -224,6 +224,7 @@ class LeafPairs {
       counted_ = false;
     }
     many_along_ = counts_ != nullptr && found >= many * asked.pairs();
+    if (counts_ == nullptr && found > 0) hand_over();  // any pair may do, which ends the search
     queues_.add_looked(asked.pairs());
     if (HWY_LIKELY(!run.any_open())) return;
     run.for_open([&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks) HWY_ATTR {

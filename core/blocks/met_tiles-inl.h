@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "catena/core/blocks/filled-inl.h"
 #include "catena/core/blocks/sphere_tiles-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/pair.h"
@@ -83,21 +84,6 @@ class MetTiles {
       const Pair& corner = corners_[begin + byte / 8];
       visit(Eight{corner.i, corner.j, 8 * (byte % 8), bytes[byte]});
     }
-  }
-  /// A bit for each byte that is not 0.
-  static HWY_INLINE std::uint64_t filled(const std::uint8_t (&bytes)[8 * at_once]) {
-    const hn::CappedTag<std::uint8_t, 8 * at_once> tag;
-    constexpr std::uint32_t lanes = hn::MaxLanes(tag);
-    std::uint64_t all = 0;
-    for (std::uint32_t k = 0; k < sizeof bytes; k += lanes) {
-      std::uint64_t some = 0;
-      std::uint8_t bits[8];
-      const std::size_t written =
-          hn::StoreMaskBits(tag, hn::Ne(hn::LoadU(tag, bytes + k), hn::Zero(tag)), bits);
-      std::memcpy(&some, bits, written);
-      all |= some << k;
-    }
-    return all;
   }
 
   std::uint64_t overlap_[most] = {}, open_[most] = {};
