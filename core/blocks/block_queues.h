@@ -33,7 +33,7 @@ class BlockQueues {
     row_count_ = 0;
   }
 
-  /// Blocks i and j. At most one row between two calls of pairs_full.
+  /// Blocks i and j. At most one row, or a node's along the chain, between two calls of pairs_full.
   void add_pair(const Pair& pair) { pairs_[pair_count_++] = pair; }
   /// Or so many that were stored here, where a vector may write past the last.
   Pair* next_pairs() { return pairs_.data() + pair_count_; }
@@ -46,7 +46,7 @@ class BlockQueues {
   }
 
   /// Room for colliding spheres, with what a vector writes past the last: past hit_limit they are to be
-  /// handed over before the next eight pairs of blocks.
+  /// handed over before the next eight pairs of blocks, or the next two spheres of each block of a run.
   static constexpr std::size_t hit_limit = 448;
   Pair* hits() { return hits_.data(); }
 

@@ -1,4 +1,5 @@
-// Eight spheres against eight: the last step of a search for the pairs of a BlockTree.
+// Eight spheres against eight, or many times so along the chain: the last step of a search for the pairs of a
+// BlockTree.
 #if defined(CATENA_CORE_BLOCKS_LEAF_PAIRS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CATENA_CORE_BLOCKS_LEAF_PAIRS_INL_H
 #undef CATENA_CORE_BLOCKS_LEAF_PAIRS_INL_H
@@ -35,7 +36,8 @@ class LeafPairs {
             const Sink& sink)
       : chain_(chain), tree_(tree), queues_(queues), lane_(lane), sink_(sink) {}
 
-  /// Blocks a <= b, to be looked into; room for a row's, then call make_room.
+  /// Blocks a <= b, to be looked into; room for those of a node along the chain, or of a row, then call
+  /// make_room.
   void add(std::uint32_t a, std::uint32_t b) { queues_.add_pair({a, b}); }
   /// Block a and each of sixteen from b on whose bit is set.
   HWY_INLINE void add(std::uint32_t a, std::uint32_t b, std::uint32_t lanes) {
@@ -185,6 +187,7 @@ class LeafPairs {
     return result;
   }
 
+  /// What is asked for without a gap.
   HWY_NOINLINE void look_at_run(std::uint32_t begin, const BlockRun::Asked& asked) {
     if constexpr (Sink::listens) {
       for_each_lane(asked.inside, [&](std::uint32_t k) { account(begin + k, begin + k); });
@@ -224,7 +227,7 @@ class LeafPairs {
       counted_ = false;
     }
     many_along_ = counts_ != nullptr && found >= many * asked.pairs();
-    if (counts_ == nullptr && found > 0) hand_over();  // any pair may do, which ends the search
+    if (lane_.any_will_do() && found > 0) hand_over();
     queues_.add_looked(asked.pairs());
     if (HWY_LIKELY(!run.any_open())) return;
     run.for_open([&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks) HWY_ATTR {

@@ -61,15 +61,17 @@ class PairCollector {
         shared_->add(pairs);
       if (!pairs.empty()) hand_over(pairs);
     }
-    /// Where a search may count itself, [sphere], instead of this; null where it may not, as others count too,
-    /// or nobody does, or not all spheres are searched for.
+    /// Where a search may count itself, [sphere], instead of this; null where it may not, as others count
+    /// too, or nobody does, or not all spheres are searched for.
     std::uint32_t* counts() const { return owner_.everything_ && alone_ ? counts_ : nullptr; }
     /// Pairs whose collisions the search counted itself.
     void counted(std::span<const Pair> pairs) {
       if (!pairs.empty()) hand_over(pairs);
     }
     /// True when the request is answered already and the search may stop.
-    bool satisfied() const { return owner_.any_only_ && owner_.found_.load(std::memory_order_relaxed) > 0; }
+    bool satisfied() const { return any_will_do() && owner_.found_.load(std::memory_order_relaxed) > 0; }
+    /// One pair is all that is asked for: whoever keeps pairs back hands over the first.
+    bool any_will_do() const { return owner_.any_only_; }
 
    private:
     friend class PairCollector;

@@ -170,7 +170,7 @@ class SphereSearch {
       const std::uint32_t b = q_.nodes[k];
       const std::uint32_t mine = meet(spheres, box_of(b)).bits(),
                           theirs = mine == 0 ? 0 : meet(boxes_of_spheres(tree_.fields_of(b)), box).bits();
-      const bool from_a = mine == 0 || std::popcount(mine) <= std::popcount(theirs);
+      const bool from_a = std::popcount(mine) <= std::popcount(theirs);
       const std::uint32_t node = from_a ? a : b, other = from_a ? b : a, lanes = from_a ? mine : theirs;
       if constexpr (Sink::listens)
         for_each_lane(there(node) & ~lanes,
