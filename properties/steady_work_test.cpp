@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "catena/core/scenes/random.h"
 #include "catena/core/strategy/evidence.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/forced_target.h"
 
 // No cliff: a chain that differs a little is not searched at a much greater cost. By counts, so that no clock
 // is asked; what each costs need only be about right, for a jump shows all the same.
@@ -48,16 +50,25 @@ HybridSearch::Settings defaults() {
   return {static_cast<std::uint32_t>(std::stoul(value("crowd"))), std::stod(value("dense"))};
 }
 
-/// The greatest factor between the costs of two neighbours of a sweep in steps of 1 %.
+/// The greatest factor between the costs of two neighbours of a sweep in steps of 1 %, on any instruction
+/// set, as what they take decides how spheres are searched; but for one without vectors, which no machine
+/// has.
 double greatest_jump(const std::function<Chain(double)>& chain, double from, double to, bool& crowded) {
-  double greatest = 1, before = 0;
+  std::map<std::int64_t, double> before;
+  double greatest = 1;
   crowded = false;
   for (double p = from; p <= to; p *= 1.01) {
-    const HybridSearch::Work work = work_of(chain(p), defaults());
-    const double now = cost(work);
-    if (before > 0) greatest = std::max({greatest, now / before, before / now});
-    before = now;
-    crowded = crowded || work.crowded > 0;
+    const Chain here = chain(p);
+    for (const std::int64_t target : properties::targets_here()) {
+      if (target == HWY_EMU128 || target == HWY_SCALAR) continue;
+      const properties::ForcedTarget forced(target);
+      const HybridSearch::Work work = work_of(here, defaults());
+      const double now = cost(work);
+      if (const auto last = before.find(target); last != before.end())
+        greatest = std::max({greatest, now / last->second, last->second / now});
+      before[target] = now;
+      crowded = crowded || work.crowded > 0;
+    }
   }
   return greatest;
 }
@@ -205,6 +216,31 @@ TEST(SteadyWork, OfFewNodesThatAllMeet) {
   first.push_back(strands * strand);
   const Chain chain(std::move(spheres), Strands{.first = std::move(first), .closed = {}});
   EXPECT_GE(work_of(chain, defaults()).crowded, chain.size());
+}
+
+/// A snake that swells and shrinks by decades, in whose own folds hundreds overlap: blocks find them eight by
+/// eight, in cells each would be tested.
+TEST(SteadyWork, OfFoldsWhereHundredsOverlap) {
+  Random random(7);
+  const auto between = [&] { return 2 * random.unit() - 1; };
+  std::vector<Sphere> spheres;
+  double at[3] = {0, 0, 0}, way[3] = {1, 0, 0}, size = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    size = 0.9995 * (size + 0.15 * between());
+    const double radius = std::exp(3 * size);
+    spheres.push_back({static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]),
+                       static_cast<float>(radius)});
+    double length = 0;
+    for (double& w : way) w += 0.25 * between(), length += w * w;
+    for (int d = 0; d < 3; ++d) at[d] += 1.6 * radius * (way[d] /= std::sqrt(length));
+  }
+  const Chain chain(std::move(spheres));
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    const HybridSearch::Work work = work_of(chain, defaults());
+    EXPECT_EQ(work.crowded, 0) << hwy::TargetName(target);
+    EXPECT_GT(work.near, 0) << hwy::TargetName(target);
+  }
 }
 
 /// The measure itself sees a cliff: a search that gives the chain's order up at a few meetings jumps.

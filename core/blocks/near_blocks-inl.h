@@ -126,21 +126,23 @@ struct SpheresAround {
   std::uint32_t candidates;  ///< that a search by cells compares with it
   double overlaps;           ///< how many overlap it
 };
-/// Of one in the middle of a block: half of those in a cube around it that is three of its diameters wide,
-/// and of a ball's share of those in one of two, in nodes that its own may meet; told no further than just
-/// past `enough` candidates. `among` as for NearBlocks.
+/// Of one in the middle of a block: half of those in a cube around it that is three diameters wide, the mean
+/// of its own and the other's, and of a ball's share of those in one of two, in nodes that its own may meet;
+/// told no further than just past `enough` candidates. `among` as for NearBlocks.
 inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tree, std::uint32_t b,
                                     const NearBlocks& near_b, std::uint32_t enough, const Crowding* among) {
   constexpr std::uint32_t group = BlockTree::group;
   const std::uint32_t place = tree.size_of(b) / 2;
   const Sphere& middle = tree.spheres(chain, b)[place];
-  const float reach = 3 * middle.radius;
+  constexpr float reach = 1.5f, nearly_to_corners = 2;
   Capsules cube = Capsules::all(tree.capsules_of(b / group), b % group);
-  cube.radius = cube.radius + Lanes16::all(reach * tree.unit());
+  cube.radius = cube.radius + Lanes16::all(nearly_to_corners * middle.radius * tree.unit());
   std::uint32_t count = 0, beside = 0;
   for (const std::uint32_t node : near_b.some_nodes()) {
-    const std::uint32_t near = may_collide(cube, Capsules::load(tree.capsules_of(node))),
-                        times = pays(among, node), those = near & lane_bits(tree.blocks_of(node));
+    Capsules theirs = Capsules::load(tree.capsules_of(node));
+    theirs.radius = Lanes16::all(nearly_to_corners) * theirs.radius;
+    const std::uint32_t times = pays(among, node),
+                        those = may_collide(cube, theirs) & lane_bits(tree.blocks_of(node));
     for_each_lane(those, [&](std::uint32_t k) {
       const Sphere* const s = tree.spheres(chain, node * group + k);
       hwy::Prefetch(s), hwy::Prefetch(s + 4);
@@ -154,8 +156,7 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
       count += times * static_cast<std::uint32_t>(std::popcount(within));
       // Itself and the two beside it along the chain do not overlap it.
       const std::uint32_t others = other == b ? there & ~(7u << place >> 1) : there;
-      beside += times * static_cast<std::uint32_t>(
-                            std::popcount(spheres.centres_within(middle, 2 * middle.radius) & others));
+      beside += times * static_cast<std::uint32_t>(std::popcount(spheres.centres_within(middle, 1) & others));
     });
     if (count > 2 * enough) break;
   }
@@ -163,20 +164,20 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
   return {count / 2, ball * beside / 2};
 }
 
-/// What it costs to search a sphere, about, on one core with AVX-512. Measured on chains of many kinds; a
-/// wrong figure costs time and changes no answer.
+/// What it costs to search a sphere, about, on one core with AVX-512. Narrower vectors make it dearer to look
+/// at sixteen at a time than to search by cells. Measured on chains of many kinds; a wrong figure costs time
+/// and changes no answer.
 struct SphereCost {
-  static constexpr double near_ns = 10, row_ns = 18, node_ns = 45;  ///< of a tree: two of each
-  static constexpr double beside_ns = 4;                            ///< of a BlockRun: likewise
-  static constexpr double look_ns = 36;   ///< at the boxes of sixteen nodes, likewise
-  static constexpr double pair_ns = 1.5;  ///< of a tree: a sphere of two that overlap, among eight
+  static constexpr double sixteen = Lanes16::parts == 1 ? 1 : 1.25;
+  /// Of a tree: two of each.
+  static constexpr double near_ns = 12, row_ns = 21 * sixteen, node_ns = 45 * sixteen;
+  static constexpr double beside_ns = 4 * sixteen;  ///< of a BlockRun: likewise
+  static constexpr double look_ns = 36 * sixteen;   ///< at the boxes of sixteen nodes, likewise
+  static constexpr double pair_ns = 1.5;            ///< of a tree: a sphere of two that overlap, among eight
   static constexpr double cells_ns = 23, test_ns = 6, cell_tests = 1;  ///< by cells: a sphere; sixteen others
   static constexpr double wide_ns = 16, wide_pair_ns = 3.5;  ///< by wide cells: a sphere; a candidate
   static constexpr double beyond_ns = 6;                     ///< an octave that cells leave the cache by
   static constexpr double tests = 1.2 / 16;  ///< a candidate, as cells end where vectors do not
-
-  /// Overlaps, of so many candidates, where these lie anywhere: those within a ball, of those in a cube.
-  static constexpr double usual_overlaps = 4.0 / 3 * std::numbers::pi / 27;
 
   /// In the chain's order; each of two that are met pays one half.
   static double in_tree(const NearBlocks& near) {
@@ -190,10 +191,8 @@ struct SphereCost {
   static double of_pairs(const NearBlocks& near, double overlaps) {
     return pair_ns * std::min(overlaps, near.halves() / 2.0);
   }
-  /// As much as pairs may cost the tree more than cells, which meet as many candidates as are usual then.
-  static double most_of_pairs(const NearBlocks& near) {
-    return (pair_ns - test_ns * tests / usual_overlaps) * near.halves() / 2;
-  }
+  /// No more than so much, however many overlap.
+  static double most_of_pairs(const NearBlocks& near) { return pair_ns * near.halves() / 2; }
   /// Looks that cost a node about as much as another that it meets.
   static constexpr std::uint32_t looks_a_node() {
     constexpr double usual_rows = 0.4 * BlockTree::group;

@@ -189,9 +189,10 @@ class CrowdSample {
     const std::uint32_t b = tree_.some_block_of(node);
     const NearBlocks near(chain_, tree_, b, plenty, among);
     if (near.enough()) return many;
-    // Not all of what is near is counted where that can make no difference.
+    // Not all of what is near is counted where that can make no difference: pairs that overlap cost the tree
+    // less than cells take for all that is near them.
     const double ns = unfilled_ * SphereCost::in_tree(near), most = ns + SphereCost::most_of_pairs(near);
-    if (most <= in_cells(0)) return {ns, in_cells(0), false};
+    if (ns <= in_cells(0)) return {ns, in_cells(0), false};
     const SpheresAround around = spheres_around(
         chain_, tree_, b, near,
         SphereCost::candidates((among != nullptr ? 1.5 * most : most) / share_, beyond_), among);

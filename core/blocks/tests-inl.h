@@ -65,9 +65,10 @@ class SphereLanes {
     return mul_add(s.q, Lanes8::all(Robust::binary32_slack), Lanes8::all(Robust::underflow_floor)) < s.t;
   }
 
-  /// Which of the centres lie in a cube around that of `s`, which reaches so far to either side.
-  HWY_INLINE std::uint32_t centres_within(const Sphere& s, float reach) const {
-    const Lanes8 far = Lanes8::all(reach);
+  /// Which of the centres lie in a cube around that of `s`, which reaches so many times to either side as far
+  /// as it and the other do.
+  HWY_INLINE std::uint32_t centres_within(const Sphere& s, float times) const {
+    const Lanes8 far = Lanes8::all(times) * (radius_ + Lanes8::all(s.radius));
     const Flags<8> within = (abs(x_ - Lanes8::all(s.x)) <= far) & (abs(y_ - Lanes8::all(s.y)) <= far) &
                             (abs(z_ - Lanes8::all(s.z)) <= far);
     return within.bits();

@@ -16,6 +16,8 @@ namespace {
 
 using Samples = std::array<std::uint32_t, most_samples>;
 
+bool wide_vectors() { return spheres_of_a_vector() == 16; }
+
 /// So many are looked at, of so many spheres: more where it costs less.
 std::uint32_t samples_of(std::uint32_t spheres) {
   constexpr std::uint32_t fewest = 4, apart = 256;
@@ -95,8 +97,17 @@ std::span<const std::uint32_t> all_along(const ChainView& chain, Samples& sample
 }  // namespace
 
 double SingleSphereCost::in_wide_cells(double near, std::uint32_t spheres) {
-  const bool wide_vectors = spheres_of_a_vector() == 16;
-  return shallow_share(spheres) * (wide_vectors ? 20 + 5.5 * near : 28 + 7 * near);
+  return shallow_share(spheres) * (wide_vectors() ? 20 + 5.5 * near : 28 + 7 * near);
+}
+
+double SingleSphereCost::in_narrow_cells(double near) {
+  return 40 + 15 / (1 + near / 4) + near * near * (wide_vectors() ? 1 / (near + 100) : 1.45 / (near + 32));
+}
+
+double SingleSphereCost::in_space(const NearSpheres& near, double octave_bits, std::uint32_t spheres) {
+  const double reach = std::sqrt(near.by_reach), beside = std::max(0.0, std::sqrt(near.in_cells) - reach - 2);
+  return (wide_vectors() ? 1 : 1.2) * (28 + 10.7 * reach + 1.2 * octave_bits * beside) +
+         5 * octaves_beyond_cache(spheres);
 }
 
 SingleSpheres single_spheres(const ChainView& chain, SpaceSort sort) {

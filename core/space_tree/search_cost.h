@@ -53,19 +53,14 @@ struct SingleSphereCost {
   CATENA_API static double in_wide_cells(double near, std::uint32_t spheres);
   /// A sphere alone in its cell pays for it and for the look at its neighbours. Where very many are near, a
   /// vector of them is not the last.
-  static double in_narrow_cells(double near) {
-    return 40 + 15 / (1 + near / 4) + near * near / (near + 100);
-  }
+  CATENA_API static double in_narrow_cells(double near);
   /// So much less where the order of an earlier frame serves: more than it takes to sort, as the price below
   /// is that of the dearest of a kind, and then the cheaper ones are all worth it.
   static constexpr double kept_order_ns = 24;
   /// Spheres are sorted by size: each bit that tells their octaves is as many more classes to look into,
   /// where much is in cells for the greatest that is not within reach of the others.
-  static double in_space(const NearSpheres& near, double octave_bits, std::uint32_t spheres) {
-    const double reach = std::sqrt(near.by_reach),
-                 beside = std::max(0.0, std::sqrt(near.in_cells) - reach - 2);
-    return 28 + 10.7 * reach + 1.2 * octave_bits * beside + 5 * octaves_beyond_cache(spheres);
-  }
+  /// Vectors narrower than AVX-512's cost it more than cells.
+  CATENA_API static double in_space(const NearSpheres& near, double octave_bits, std::uint32_t spheres);
   /// So many that are near and less than half as great find room in the cells of the greater ones: where one
   /// is there are about three times as many as around it.
   static bool one_width(double near) { return 3 * near <= 27.0 / 2 * SphereGrid::most_in_a_cell; }
