@@ -82,7 +82,9 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
                pairs = ball * near.by_reach / 2;
   const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
   const bool cells = one_width && in_cells < shallow_share(spheres) * in_space;
-  const double ns = one_width ? std::min(in_cells, in_space) : in_space;
+  // In an order of blocks, beside which this is held, vectors narrower than AVX-512's cost more.
+  const double beside_blocks = wide_vectors() ? 1 : 0.8;
+  const double ns = beside_blocks * (one_width ? std::min(in_cells, in_space) : in_space);
   return {cells, single_spheres_share(chain.extent) * ns, pairs, radii.greatest,
           SingleSphereCost::wide_cells(near.in_cells, spheres)};
 }
