@@ -168,7 +168,7 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
 /// at sixteen at a time than to search by cells. Measured on chains of many kinds; a wrong figure costs time
 /// and changes no answer.
 struct SphereCost {
-  static constexpr double sixteen = Lanes16::parts == 1 ? 1 : 1.25;
+  static constexpr double sixteen = Lanes16::parts == 1 ? 1 : 1.25;  ///< times as dear are sixteen at a time
   /// Of a tree: two of each.
   static constexpr double near_ns = 12, row_ns = 21 * sixteen, node_ns = 45 * sixteen;
   static constexpr double beside_ns = 4 * sixteen;  ///< of a BlockRun: likewise
