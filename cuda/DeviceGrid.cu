@@ -50,16 +50,15 @@ class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
 
   void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
-    SphereCells::State* const state = state_.reserve(1, stream);
-    CATENA_CUDA(cudaMemsetAsync(state, 0, sizeof *state, stream));
-    cells_.enqueue_build(chain, {chain.size}, binned_, state, stream);
+    cells_.enqueue_build(chain, AllSpheres{chain.size}, binned_, state_.reserve(1, stream), Begin::anew,
+                         stream);
   }
 
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       StreamHandle stream) override {
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      cells_.template enqueue_search<decltype(tests)>(chain, request, answer,
-                                                      static_cast<cudaStream_t>(stream));
+      cells_.enqueue_search<decltype(tests)>(chain, AllSpheres{chain.size}, request, answer,
+                                             static_cast<cudaStream_t>(stream));
     });
     in_range_ = in_range<Arithmetic>(chain);
   }
@@ -67,7 +66,7 @@ class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
 
   const std::uint64_t binned_;
   DeviceBuffer<SphereCells::State> state_;
-  DeviceSphereCells<AllSpheres> cells_;
+  DeviceSphereCells cells_;
   bool in_range_ = false;  ///< of the last search
 };
 

@@ -11,6 +11,7 @@
 #include "catena/core/strategy/register.h"
 #include "catena/core/strategy/resident_variant.h"
 #include "catena/cuda/block_meetings.cuh"
+#include "catena/cuda/clear_by_block.cuh"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_buckets.cuh"
 #include "catena/cuda/device_sphere_cells.cuh"
@@ -32,9 +33,18 @@ struct WarpSpheres {
   __device__ static std::uint32_t slot(std::uint32_t k) { return k + k / 8; }
 };
 
-/// Four threads a block of spheres.
+/// At first 0.
+struct State {
+  CapsuleBlocks::State blocks;
+  BlockNodes::State nodes;
+  SphereCells::State cells;
+};
+
+/// Four threads a block of spheres; the first kernel, which clears the state too.
 __global__ void __launch_bounds__(threads)
-    enclose_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks) {
+    enclose_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks,
+                   State* state) {
+  if (blockIdx.x == 0) clear_by_block(state);
   __shared__ WarpSpheres shared[warps];
   WarpSpheres& own = shared[threadIdx.x / 32];
   const std::uint32_t first = (blockIdx.x * warps + threadIdx.x / 32) * WarpSpheres::blocks;
@@ -80,9 +90,10 @@ __global__ void __launch_bounds__(BlockMeetings::threads)
     BlockMeetings(blocks, shared, first).meet();  // ends with a barrier, as there is a level
 }
 
-/// The warps of a thread block share the work of `together` blocks: most have none, and some have much.
+/// The warps of a thread block share the work of `together` blocks: most have none, and some have much. More
+/// warps at a time, with some registers spilt, are quicker than fewer.
 template <class Tests>
-__global__ void __launch_bounds__(threads)
+__global__ void __launch_bounds__(threads, 8)
     compare_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks,
                    const __grid_constant__ ResidentAnswer answer, SphereRange queries,
                    std::uint32_t together) {
@@ -92,10 +103,10 @@ __global__ void __launch_bounds__(threads)
   __shared__ std::uint32_t items;
   __shared__ PairStage<threads>::Shared shared;
   await_previous();
+  if (blocks.all_left()) return;
   const DeviceWarp warp;
   const BlockComparison comparison(warp, chain, blocks);
   const std::uint32_t first = blockIdx.x * together, b = first + threadIdx.x;
-  if (blocks.all_left()) return;
   if (threadIdx.x == 0) items = 0;
   PairStage<threads> stage(shared, answer, queries);
   __syncthreads();
@@ -107,15 +118,16 @@ __global__ void __launch_bounds__(threads)
   if (items == 0 || stage.satisfied()) return;
   for (std::uint32_t k = threadIdx.x / 32; k < items; k += warps)
     comparison.template compare<Tests>(first + item[k].block, static_cast<Work>(item[k].work), stage);
-  stage.flush();
+  stage.finish();
 }
 
 /// The spheres of crowded blocks, for the grid of spheres; block by block as these lie in space, so that what
 /// is written together lies together.
 struct CrowdedSpheres {
+  static constexpr std::uint32_t most_search_blocks = 1056;
   CapsuleBlocks blocks;
   std::uint32_t size;
-  __device__ bool all() const { return blocks.all_crowded || blocks.all_left(); }
+  __device__ bool all() const { return blocks.all_left(); }
   __device__ bool any() const { return all() || blocks.state->any != 0; }
   __device__ bool in_space() const { return blocks.in_cells && !blocks.all_left(); }
   __device__ std::uint32_t asked() const {
@@ -128,10 +140,8 @@ struct CrowdedSpheres {
   __device__ std::uint32_t sphere(std::uint32_t k) const {
     return block(k) * CapsuleBlocks::block + k % CapsuleBlocks::block;
   }
-  __device__ bool takes(std::uint32_t k) const {
-    return (sphere(k) < size) & (all() || blocks.meets_many(block(k)));
-  }
-  __device__ std::uint32_t expected() const { return blocks.all_crowded ? size : blocks.crowded_spheres(); }
+  __device__ bool takes(std::uint32_t k) const { return (sphere(k) < size) & blocks.crowded(block(k)); }
+  __device__ std::uint32_t expected() const { return blocks.crowded_spheres(); }
 };
 
 /// DeviceHybrid: capsules of 32 consecutive spheres in a tree of boxes in the order of the chain; in hashed
@@ -146,7 +156,8 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
         least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
-        surveyed_(static_cast<std::uint32_t>(parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))),
+        surveyed_(static_cast<std::uint32_t>(
+            parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))),
         meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))),
         binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
@@ -173,10 +184,10 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
     std::optional<CellsOnHost> cells;
     run_on_device([&](StreamHandle handle) {
       const auto stream = static_cast<cudaStream_t>(handle);
-      const CapsuleBlocks& on_host = blocks.emplace(blocks_, stream).blocks();
-      cells.emplace(cells_.cells(), on_host.all_crowded ? chain.size : on_host.crowded_spheres(), stream);
+      if (!blocks_.all_crowded) blocks.emplace(blocks_, stream);
+      cells.emplace(cells_.cells(), blocks ? blocks->blocks().crowded_spheres() : chain.size, stream);
     });
-    use(ToldSearch(chain, &blocks->blocks(), cells->placed()));
+    use(ToldSearch(chain, blocks ? &blocks->blocks() : nullptr, cells->placed()));
   }
 
   void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
@@ -184,10 +195,11 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
     lay_out(chain, stream);
     const std::uint32_t n = blocks_.blocks;
     if (n == 0) return;
-    if (!blocks_.all_crowded) {
-      launch_blocks(enclose_blocks, up(n, warps * WarpSpheres::blocks), threads, stream, chain, blocks_);
-      nodes_.enqueue(blocks_, meetings_, &state_.data()->nodes, stream);
-    }
+    State* const state = state_.data();
+    if (blocks_.all_crowded)
+      return cells_.enqueue_build(chain, AllSpheres{chain.size}, binned_, &state->cells, Begin::anew, stream);
+    launch_blocks(enclose_blocks, up(n, warps * WarpSpheres::blocks), threads, stream, chain, blocks_, state);
+    nodes_.enqueue(blocks_, meetings_, &state->nodes, stream);
     if (blocks_.in_cells) {
       launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256,
                                                  stream, blocks_.buckets, BlockChunks{blocks_});
@@ -195,21 +207,22 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
       launch_next<meet_blocks>(std::min(up(n, BlockMeetings::together), most_blocks), BlockMeetings::threads,
                                stream, blocks_);
     }
-    cells_.enqueue_build(chain, {blocks_, chain.size}, binned_, &state_.data()->cells, stream);
+    cells_.enqueue_build(chain, CrowdedSpheres{blocks_, chain.size}, binned_, &state->cells, Begin::cleared,
+                         stream);
   }
 
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
     with_tests_for<Arithmetic>(chain, [&](auto tests) {
-      if (!blocks_.all_crowded) {
-        std::uint32_t together = threads;  // as far as there are thread blocks for the whole device
-        while (together > 8 && blocks_.blocks / together < most_blocks) together /= 2;
-        launch_next<compare_blocks<decltype(tests)>>(up(blocks_.blocks, together), threads, stream, chain,
-                                                     blocks_, answer, request.queries.within(chain.size),
-                                                     together);
-      }
-      cells_.template enqueue_search<decltype(tests)>(chain, request, answer, stream);
+      using Tests = decltype(tests);
+      if (blocks_.all_crowded)
+        return cells_.enqueue_search<Tests>(chain, AllSpheres{chain.size}, request, answer, stream);
+      std::uint32_t together = threads;  // as far as there are thread blocks for the whole device
+      while (together > 8 && blocks_.blocks / together < most_blocks) together /= 2;
+      launch_next<compare_blocks<Tests>>(up(blocks_.blocks, together), threads, stream, chain, blocks_,
+                                         answer, request.queries.within(chain.size), together);
+      cells_.enqueue_search<Tests>(chain, CrowdedSpheres{blocks_, chain.size}, request, answer, stream);
     });
     in_range_ = in_range<Arithmetic>(chain);
   }
@@ -221,6 +234,8 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
 
   void lay_out(const ChainView& chain, cudaStream_t stream) {
     blocks_ = CapsuleBlocks::of(chain, crowd_, block_scale(chain.extent), least_, least_in_cells_, surveyed_);
+    State* const state = state_.reserve(1, stream);
+    if (blocks_.all_crowded) return;
     const std::size_t n = blocks_.blocks;
     blocks_.capsule = capsule_.reserve(n, stream);
     blocks_.ball = ball_.reserve(n, stream);
@@ -232,19 +247,11 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
       CATENA_CUDA(cudaMemsetAsync(partner_.reserve(room, stream), 0, room * sizeof(std::uint32_t), stream));
     blocks_.partner = partner_.data();
     blocks_.met = met_.reserve(n, stream);
-    State* const state = state_.reserve(1, stream);
-    CATENA_CUDA(cudaMemsetAsync(state, 0, sizeof *state, stream));
     blocks_.state = &state->blocks;
     blocks_.buckets = buckets_.reserve(blocks_.table, n, &state->blocks.places, stream);
   }
 
   static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel that loops over its share
-
-  struct State {
-    CapsuleBlocks::State blocks;
-    BlockNodes::State nodes;
-    SphereCells::State cells;
-  };
 
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
@@ -259,7 +266,7 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
   DeviceBuffer<std::uint8_t> shape_;
   DeviceBuffer<std::uint32_t> id_, partners_, partner_, met_;
   DeviceBuckets buckets_;
-  DeviceSphereCells<CrowdedSpheres> cells_;
+  DeviceSphereCells cells_;
   bool in_range_ = false;  ///< of the last search
 };
 
@@ -268,13 +275,13 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
      .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, "
                 "DeviceGrid where crowded",
      .place = Place::device(),
-     .parameters =
-         with_device({{"crowd", "8", "a block that meets more others is left to the grid"},
-                      {"least", "524288", "chains of fewer spheres are left to the grid"},
-                      {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
-                      {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
-                      {"survey", "64", "blocks asked first: where many are crowded the grid gets all; 0: none"},
-                      binned_parameter()}),
+     .parameters = with_device(
+         {{"crowd", "8", "a block that meets more others is left to the grid"},
+          {"least", "524288", "chains of fewer spheres are left to the grid"},
+          {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
+          {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
+          {"survey", "64", "blocks asked first whom they meet: the grid gets all where it takes less; 0: none"},
+          binned_parameter()}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7, .start_ms = 300},
      .unavailable = unavailable,
      .started = started}};

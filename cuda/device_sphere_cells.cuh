@@ -4,16 +4,18 @@
 #include "catena/core/cells/search_cells.h"
 #include "catena/core/strategy/request.h"
 #include "catena/cuda/cell_bins.cuh"
+#include "catena/cuda/clear_by_block.cuh"
 #include "catena/cuda/device_buckets.cuh"
 #include "catena/cuda/device_buffer.h"
 #include "catena/cuda/launch.cuh"
 #include "catena/cuda/members.cuh"
 #include "catena/cuda/near_queue.cuh"
+#include "catena/cuda/share.cuh"
 
 namespace catena::cuda {
 
-/// fetch_add(count + bucket, 1) of each thread that is `in`, by all of a warp together: one operation for those
-/// that follow one another with one bucket, so that a crowd waits for a few of them only.
+/// fetch_add(count + bucket, 1) of each thread that is `in`, by all of a warp together: one operation for
+/// those that follow one another with one bucket, so that a crowd waits for a few of them only.
 __device__ inline std::uint32_t enter_together(std::uint32_t* count, std::uint32_t bucket, bool in) {
   constexpr std::uint32_t none = ~0u;
   const std::uint32_t lane = DeviceWarp::lane(), own = in ? bucket : none,
@@ -27,13 +29,23 @@ __device__ inline std::uint32_t enter_together(std::uint32_t* count, std::uint32
   return __shfl_sync(DeviceWarp::all, begin, first) + lane - static_cast<std::uint32_t>(first);
 }
 
+/// Whether a kernel that enters spheres is the first to see their cells' state, and so sets it to 0.
+enum class Begin { cleared, anew };
+/// By all threads; false where there is nothing to enter.
+template <class Members>
+__device__ bool begin_to_enter(const SphereCells& cells, const Members& members, Begin begin) {
+  if (begin == Begin::cleared) return members.any() && cells.state->in_bins == 0;
+  if (blockIdx.x == 0) clear_by_block(cells.state);
+  return members.any();
+}
+
 /// enter_cells where radii are mixed, and many small ones may be in a cell of the largest.
 template <class Members>
 __global__ void __launch_bounds__(256)
     enter_mixed(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
-                const __grid_constant__ Members members) {
+                const __grid_constant__ Members members, Begin begin) {
   await_previous();
-  if (!members.any() || cells.state->in_bins != 0) return;
+  if (!begin_to_enter(cells, members, begin)) return;
   const CellTable& table = cells.table_for(members.expected());
   const std::uint32_t asked = members.asked(), lane = DeviceWarp::lane();
   const std::uint64_t thread = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
@@ -48,9 +60,9 @@ __global__ void __launch_bounds__(256)
 template <class Members>
 __global__ void __launch_bounds__(256)
     enter_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
-                const __grid_constant__ Members members) {
+                const __grid_constant__ Members members, Begin begin) {
   await_previous();
-  if (!members.any() || cells.state->in_bins != 0) return;
+  if (!begin_to_enter(cells, members, begin)) return;
   const CellTable& table = cells.table_for(members.expected());
   for_members_together(
       members,
@@ -133,35 +145,6 @@ __global__ void __launch_bounds__(256)
 constexpr unsigned search_threads = 128;
 using CellsQueue = NearQueue<search_threads>;
 
-/// Which of `count` things a thread takes, in rounds of its block. *Spread*, where there are few enough of them
-/// for one round, the threads of a warp take theirs from eight places far apart: the work of a crowd, which
-/// lies together, is shared out among many warps. Else they take 32 that follow one another, which ask for
-/// the same memory.
-class Share {
- public:
-  __device__ Share(std::uint32_t count, bool spread)
-      : count_(count), spread_(spread && count <= std::uint64_t{gridDim.x} * blockDim.x) {}
-  /// The same for all threads of the block.
-  __device__ bool any(std::uint32_t round) const {
-    return spread_ ? round == 0 : first_of_block(round) < count_;
-  }
-  /// count or more: nothing in this round.
-  __device__ std::uint64_t at(std::uint32_t round) const {
-    if (!spread_) return first_of_block(round) + threadIdx.x;
-    const std::uint32_t lane = threadIdx.x % DeviceWarp::lanes, block_warps = blockDim.x / DeviceWarp::lanes,
-                        warp = blockIdx.x * block_warps + threadIdx.x / DeviceWarp::lanes;
-    return (std::uint64_t{lane / together} * gridDim.x * block_warps + warp) * together + lane % together;
-  }
-
- private:
-  static constexpr std::uint32_t together = 4;
-  __device__ std::uint64_t first_of_block(std::uint32_t round) const {
-    return (std::uint64_t{round} * gridDim.x + blockIdx.x) * blockDim.x;
-  }
-  const std::uint32_t count_;
-  const bool spread_;
-};
-
 /// Of spheres in one level; in the order of places, in which the threads of a warp look into the same cells.
 template <class Tests, bool equal_radii, class Members>
 __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
@@ -219,15 +202,14 @@ __global__ void __launch_bounds__(search_threads, 1024 / search_threads)
 }
 
 /// SphereCells on a device: its memory, and its steps as kernels, none of which the host waits for.
-template <class Members>
 class DeviceSphereCells {
  public:
-  /// Chains of at least `binned` spheres go through bins. `state` is 0 when the work begins.
+  /// Chains of at least `binned` spheres go through bins. `state` need not be 0 where begin is Begin::anew.
+  template <class Members>
   void enqueue_build(const ChainView& chain, const Members& members, std::uint64_t binned,
-                     SphereCells::State* state, cudaStream_t stream) {
-    members_ = members;
+                     SphereCells::State* state, Begin begin, cudaStream_t stream) {
     cells_ = SphereCells::of(chain.extent);
-    const std::uint32_t n = size_ = chain.size;
+    const std::uint32_t n = chain.size;
     const CellTable& largest = cells_.table_for(n);
     cells_.buckets = buckets_.reserve(largest, n, &state->places[0], stream);
     if (!cells_.octaves.equal) cells_.index = index_.reserve(n, stream);
@@ -237,30 +219,40 @@ class DeviceSphereCells {
     cells_.sphere = sphere_.data();
     cells_.state = state;
     if (n == 0) return;
-    if (n >= binned && n <= most_binned) bins_.enqueue(chain, cells_, members_, stream);
+    if (n >= binned && n <= most_binned) {
+      if (begin == Begin::anew) CATENA_CUDA(cudaMemsetAsync(state, 0, sizeof *state, stream));
+      begin = Begin::cleared;
+      bins_.enqueue(chain, cells_, members, stream);
+    }
     const unsigned blocks = std::min((n + 255) / 256, most_blocks);
     if (cells_.octaves.one)
-      launch_next<enter_cells<Members>>(blocks, 256, stream, chain, cells_, members_);
+      launch_next<enter_cells<Members>>(blocks, 256, stream, chain, cells_, members, begin);
     else
-      launch_next<enter_mixed<Members>>(blocks, 256, stream, chain, cells_, members_);
-    allocate<false>(stream);
+      launch_next<enter_mixed<Members>>(blocks, 256, stream, chain, cells_, members, begin);
+    const unsigned chunks = std::min(Buckets::chunks(largest), most_blocks);
+    allocate<false>(chunks, members, stream);
     if (!cells_.octaves.one) {
       cells_.buckets.places = &state->places[1];
-      launch_next<enter_octaves<Members>>(blocks, 256, stream, chain, cells_, members_);
-      allocate<true>(stream);
+      launch_next<enter_octaves<Members>>(blocks, 256, stream, chain, cells_, members);
+      allocate<true>(chunks, members, stream);
     }
-    launch_next<place_in_cells<Members>>(blocks, 256, stream, chain, cells_, members_);
+    launch_next<place_in_cells<Members>>(blocks, 256, stream, chain, cells_, members);
   }
 
-  /// Comes after another kernel, or after anything that a stream waits for.
-  template <class Tests>
-  void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
-                      cudaStream_t stream) const {
+  /// Of the same members. Comes after another kernel, or after anything that a stream waits for.
+  template <class Tests, class Members>
+  void enqueue_search(const ChainView& chain, const Members& members, const Request& request,
+                      const ResidentAnswer& answer, cudaStream_t stream) const {
+    const auto search = [&](auto kernel) {
+      launch_next<kernel.value>(
+          std::min((chain.size + search_threads - 1) / search_threads, Members::most_search_blocks),
+          search_threads, stream, chain, cells_, members, answer, request.queries.within(chain.size));
+    };
     if (cells_.octaves.equal)
-      search<search_one_level<Tests, true, Members>>(chain, request, answer, stream);
+      search(Kernel<search_one_level<Tests, true, Members>>());
     else
-      search<search_one_level<Tests, false, Members>>(chain, request, answer, stream);
-    if (!cells_.octaves.one) search<search_octaves<Tests, Members>>(chain, request, answer, stream);
+      search(Kernel<search_one_level<Tests, false, Members>>());
+    if (!cells_.octaves.one) search(Kernel<search_octaves<Tests, Members>>());
   }
 
   /// Memory that the build took and the search does without; false when there is none.
@@ -270,26 +262,20 @@ class DeviceSphereCells {
   const SphereCells& cells() const { return cells_; }
 
  private:
-  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
-  static constexpr std::uint32_t most_search_blocks = 4224;
+  static constexpr std::uint32_t most_blocks = 1056;      ///< of a kernel: each loops over its share
   static constexpr std::uint32_t most_binned = 1u << 29;  ///< more need the memory for themselves
 
-  template <bool octaves>
-  void allocate(cudaStream_t stream) const {
-    const CellChunks<Members, octaves> chunks{cells_, members_};
-    launch_next<allocate_buckets<CellChunks<Members, octaves>>>(
-        std::min(Buckets::chunks(cells_.table_for(size_)), most_blocks), 256, stream, cells_.buckets, chunks);
-  }
   template <auto kernel>
-  void search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
-              cudaStream_t stream) const {
-    launch_next<kernel>(std::min((chain.size + search_threads - 1) / search_threads, most_search_blocks),
-                        search_threads, stream, chain, cells_, members_, answer,
-                        request.queries.within(chain.size));
+  struct Kernel {
+    static constexpr auto value = kernel;
+  };
+
+  template <bool octaves, class Members>
+  void allocate(unsigned blocks, const Members& members, cudaStream_t stream) const {
+    const CellChunks<Members, octaves> chunks{cells_, members};
+    launch_next<allocate_buckets<CellChunks<Members, octaves>>>(blocks, 256, stream, cells_.buckets, chunks);
   }
 
-  std::uint32_t size_ = 0;  ///< of the chain
-  Members members_{};
   SphereCells cells_{};
   DeviceBuckets buckets_;
   DeviceCellBins bins_;

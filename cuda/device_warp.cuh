@@ -69,6 +69,7 @@ struct DeviceWarp : DeviceTeam<32> {
     return own;
 #endif
   }
+  __device__ std::uint32_t any(const Lanes<std::uint32_t>& bits) const { return bits_of_all(bits.own); }
   template <class T>
   __device__ T from(const Lanes<T>& value, std::uint32_t lane) const {
     return __shfl_sync(all, value.own, static_cast<int>(lane));

@@ -55,7 +55,6 @@ class BlocksOnHost {
   BlocksOnHost(const CapsuleBlocks& device, cudaStream_t stream)
       : state_(fetched(device.state, 1, stream)), blocks_(device) {
     blocks_.state = state_.data();
-    if (device.all_crowded) return;
     const std::size_t n = device.blocks;
     capsule_ = fetched(device.capsule, n, stream), shape_ = fetched(device.shape, n, stream);
     partners_ = fetched(device.partners, n, stream), met_ = fetched(device.met, n, stream);

@@ -100,15 +100,14 @@ class DeviceBlockNodes {
       launch_next<fit_nodes>((nodes.count[level] + 31) / 32, 256, stream, nodes, blocks, level);
     launch_next<meet_at_top>(nodes.count[nodes.top] + blocks.surveyed, 512, stream, nodes, blocks);
     for (std::uint32_t level = nodes.top; level > 0; --level)
-      launch_next<meet_below>(std::min(nodes.count[level] * 2, most_blocks_below), 128, stream, nodes, blocks,
+      launch_next<meet_below>(std::min(nodes.count[level] * 2, most_blocks), 128, stream, nodes, blocks,
                               level);
     launch_next<enter_tangled>(std::min((blocks.blocks + 255) / 256, most_blocks), 256, stream, nodes,
                                blocks);
   }
 
  private:
-  static constexpr std::uint32_t most_blocks = 1056;        ///< of a kernel: each loops over its share
-  static constexpr std::uint32_t most_blocks_below = 2112;  ///< more, as some shares are much larger
+  static constexpr std::uint32_t most_blocks = 1056;  ///< of a kernel: each loops over its share
   DeviceBuffer<NodeBox> box_;
   DeviceBuffer<std::uint32_t> met_;
   DeviceBuffer<BlockNodes::Meeting> meeting_[2];

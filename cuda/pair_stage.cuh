@@ -7,86 +7,90 @@
 
 namespace catena::cuda {
 
-/// Where the threads of a block gather pairs, each met once, before they go to the answer: one atomic
-/// operation on the answer's number for all of them. What finds no room here goes there at once.
+/// Where the warps of a block gather pairs, each met once, before they go to the answer: by one atomic
+/// operation on the answer's number for what a warp has room for, and for what all have at the end. A single
+/// number takes some 3 ns for each operation, whoever asks.
 template <std::uint32_t threads>
 class PairStage {
  public:
-  static constexpr std::uint32_t room = 8 * threads;
+  static constexpr std::uint32_t warps = threads / DeviceWarp::lanes, room = 512;
   struct Shared {
-    Pair pairs[room];
-    std::uint32_t used;        ///< pairs that came, those without room too, and those only to be counted
-    unsigned long long first;  ///< place in the answer of the first
+    Pair pairs[warps][room];
+    std::uint32_t kept[warps];
+    unsigned long long first;  ///< place in the answer of the first of these
     bool satisfied;
   };
 
   /// By all threads of the block, which then synchronize.
   __device__ PairStage(Shared& shared, const ResidentAnswer& answer, SphereRange queries)
       : shared_(shared), answer_(answer), queries_(queries) {
-    if (threadIdx.x == 0) {
-      shared_.used = 0;
-      shared_.satisfied = found_already();
+    if (threadIdx.x == 0)
+      shared_.satisfied = answer_.count == nullptr && answer_.pairs == nullptr &&
+                          *static_cast<volatile unsigned long long*>(&answer_.state->found) > 0;
+  }
+
+  /// By all threads of a warp together: keeps pair(lane) of each lane whose bit is set.
+  template <class PairOf>
+  __device__ void collide(std::uint32_t lanes, const PairOf& pair) {
+    const Pair own = pair(DeviceWarp::lane());
+    const bool keeps = (lanes >> DeviceWarp::lane() & 1) != 0 && queries_.contains(own.i);
+    const std::uint32_t having = __ballot_sync(DeviceWarp::all, keeps);
+    if (answer_.pairs != nullptr) {
+      if (kept_ + __popc(having) > room) store_of_warp();
+      if (keeps) pairs()[kept_ + __popc(having & DeviceWarp::lanes_before())] = own;
     }
+    kept_ += __popc(having);
   }
-
-  /// By any thread: counts and keeps i < j.
-  __device__ void pair(std::uint32_t i, std::uint32_t j) {
-    count(i, 1);
-    count(j, 1);
-    if (queries_.contains(i)) keep(atomicAdd(&shared_.used, 1u), i, j);
-  }
-
   __device__ void count(std::uint32_t i, std::uint32_t more) const {
     if (answer_.count != nullptr && queries_.contains(i)) atomicAdd(answer_.count + i, more);
   }
   /// True when another block had answered Want::any when this one began; the same for all of its threads.
   __device__ bool satisfied() const { return shared_.satisfied; }
 
-  /// Brings what was gathered to the answer, and looks anew whether that is satisfied. By all threads of the
-  /// block together.
-  __device__ void flush() {
+  /// Brings what was gathered to the answer; last, by all threads of the block together.
+  __device__ void finish() {
+    const std::uint32_t warp = threadIdx.x / DeviceWarp::lanes;
+    if (DeviceWarp::lane() == 0) shared_.kept[warp] = kept_;
     __syncthreads();
-    const std::uint32_t came = shared_.used;
-    if (threadIdx.x == 0) shared_.satisfied = found_already();
-    // Nobody goes on to use the stage before all know what came.
-    if (!__syncthreads_or(came != 0)) return;
-    const bool to_keep = answer_.pairs != nullptr;
-    if (threadIdx.x == 0) {
-      // What found no room was told to the answer already.
-      const std::uint32_t told = to_keep ? min(came, room) : came;
-      shared_.first = atomicAdd(&answer_.state->found, static_cast<unsigned long long>(told));
-      shared_.used = 0;
+    std::uint32_t before = 0, all = 0;
+    for (std::uint32_t w = 0; w < warps; ++w) {
+      before += w < warp ? shared_.kept[w] : 0;
+      all += shared_.kept[w];
     }
+    if (all == 0) return;
+    if (threadIdx.x == 0)
+      shared_.first = atomicAdd(&answer_.state->found, static_cast<unsigned long long>(all));
+    if (answer_.pairs == nullptr) return;
     __syncthreads();
-    if (to_keep)
-      for (std::uint32_t k = threadIdx.x; k < min(came, room); k += blockDim.x)
-        store(shared_.first + k, shared_.pairs[k]);
-    __syncthreads();
+    store(shared_.first + before);
   }
 
  private:
-  __device__ bool found_already() const {
-    return answer_.count == nullptr && answer_.pairs == nullptr &&
-           *static_cast<volatile unsigned long long*>(&answer_.state->found) > 0;
-  }
+  __device__ Pair* pairs() const { return shared_.pairs[threadIdx.x / DeviceWarp::lanes]; }
 
-  __device__ void keep(std::uint32_t at, std::uint32_t i, std::uint32_t j) {
-    if (answer_.pairs == nullptr) return;
-    if (at < room)
-      shared_.pairs[at] = {i, j};
-    else
-      store(atomicAdd(&answer_.state->found, 1ull), {i, j});
+  __device__ void store_of_warp() {
+    __syncwarp();
+    unsigned long long first = 0;
+    if (DeviceWarp::lane() == 0)
+      first = atomicAdd(&answer_.state->found, static_cast<unsigned long long>(kept_));
+    store(__shfl_sync(DeviceWarp::all, first, 0));
+    kept_ = 0;
+    __syncwarp();
   }
-  __device__ void store(unsigned long long place, const Pair& pair) const {
-    if (place < answer_.capacity)
-      answer_.pairs[place] = pair;
-    else
-      answer_.state->overflow = 1;
+  /// What this warp kept, from that place of the answer on.
+  __device__ void store(unsigned long long first) const {
+    for (std::uint32_t k = DeviceWarp::lane(); k < kept_; k += DeviceWarp::lanes) {
+      if (first + k < answer_.capacity)
+        answer_.pairs[first + k] = pairs()[k];
+      else
+        answer_.state->overflow = 1;
+    }
   }
 
   Shared& shared_;
   const ResidentAnswer& answer_;
   const SphereRange queries_;
+  std::uint32_t kept_ = 0;  ///< the same for all threads of a warp
 };
 
 }  // namespace catena::cuda

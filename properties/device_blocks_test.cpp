@@ -44,6 +44,35 @@ TEST_F(DeviceBlocks, LoseNoMeetingWhereTheRoomForThemEnds) {
   }
 }
 
+/// Three blocks at a place, of which each sphere overlaps all others: far more pairs than a warp has room for
+/// between two looks at the answer.
+TEST_F(DeviceBlocks, FindMorePairsThanAWarpHasRoomFor) {
+  constexpr std::uint32_t places = 1000, together = 3 * block;
+  std::vector<Sphere> spheres;
+  std::vector<Pair> expected;
+  std::vector<std::uint32_t> count(places * together, together - 1);
+  for (std::uint32_t i = 0; i < places * together; ++i) {
+    spheres.push_back(
+        {128 * static_cast<float>(i / together), 0.0078125f * static_cast<float>(i % together), 0, 1});
+    for (std::uint32_t j = i + 1; j < (i / together + 1) * together; ++j)
+      if (j > i + 1 || j % block == 0)
+        expected.push_back({i, j});
+      else
+        --count[i], --count[j];
+  }
+  const Chain chain = each_block_a_strand(spheres);
+  for (const std::string name :
+       {"DeviceHybrid(least=0,survey=0)", "DeviceHybrid(least=0,survey=0,crowd=1)"}) {
+    const Collisions found = answer_of(name, chain);
+    EXPECT_TRUE(found.pairs == expected) << name << ": " << found.pair_count << " pairs";
+    EXPECT_TRUE(found.count == count) << name;
+    const Collisions counted = answer_of(name, chain, {.want = Request::Want::counts});
+    EXPECT_EQ(counted.pair_count, expected.size()) << name;
+    EXPECT_TRUE(counted.count == count) << name;
+    EXPECT_TRUE(answer_of(name, chain, {.want = Request::Want::any}).found) << name;
+  }
+}
+
 /// Ten million spheres in pairs of rods that cross, all tangled: more blocks than any kernel takes in one
 /// round.
 TEST_F(DeviceBlocks, FindAllThatTangledBlocksMeetInManyRounds) {

@@ -204,7 +204,7 @@ const RegisterVariant<DeviceHybridOnHost, Robust> registered{
                      "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
                     {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
                     {"survey", "64",
-                     "blocks asked first: where many are crowded the grid gets all; 0: none"}}}};
+                     "blocks asked first whom they meet: the grid gets all where it takes less; 0: none"}}}};
 
 }  // namespace
 }  // namespace catena

@@ -34,6 +34,9 @@ CATENA_HD inline std::uint32_t with_sign(std::uint32_t bits, float number) {
 #endif
 }
 
+/// 1 where a number is negative, else 0.
+CATENA_HD inline std::uint32_t sign(float number) { return with_sign(0, number); }
+
 /// The number of the lowest bit that is set; bits != 0.
 CATENA_HD inline std::uint32_t lowest_bit(std::uint32_t bits) {
 #ifdef __CUDA_ARCH__

@@ -3,6 +3,7 @@
 
 #include "catena/core/cells/bits.h"
 #include "catena/core/cells/capsule_blocks.h"
+#include "catena/core/pair.h"
 
 namespace catena {
 
@@ -47,9 +48,10 @@ class BlockComparison {
     if (ordered && !neighbours) add(Work::adjacent);
   }
 
-  /// For each item of block b; tells what collides to sink.pair(i, j), i < j. A sink on the host that listens
-  /// is also told which blocks it compared, sink.met(a, near_a, b, near_b), and which spheres,
-  /// sink.compared(i, j): see CapsuleEvidence.
+  /// For each item of block b; tells what collides to sink.collide(lanes, pair), by all lanes together: of
+  /// each lane whose bit is set pair(lane), i < j. How often a sphere was in these is told by sink.count(i,
+  /// times), by each lane of its own ones. A sink on the host that listens is also told which blocks it
+  /// compared, sink.met(a, near_a, b, near_b), and which spheres, sink.compared(i, j): see CapsuleEvidence.
   template <class Tests, class Sink>
   CATENA_HD void compare(std::uint32_t b, Work work, Sink& sink) const {
     if (work == Work::within) return compare_within<Tests>(b, sink);
@@ -114,23 +116,57 @@ class BlockComparison {
   template <class Tests, class Sink>
   CATENA_HD void compare_within(std::uint32_t b, Sink& sink) const {
     const auto all = spheres(b);
-    constexpr std::uint32_t half = CapsuleBlocks::block / 2;
+    constexpr std::uint32_t size = CapsuleBlocks::block, half = size / 2;
+    const auto pair = [b](std::uint32_t ahead, std::uint32_t lane) {
+      const std::uint32_t k = (lane + ahead) % size;
+      return Pair{b * size + (lane < k ? lane : k), b * size + (lane < k ? k : lane)};
+    };
+    const auto asked = [&](std::uint32_t ahead, std::uint32_t lane) {
+      return (ahead < half || lane < half) && pair(ahead, lane).j < chain_.size;
+    };
+    auto near = none();
     for (std::uint32_t ahead = 1; ahead <= half;
-         ++ahead) {  // around the block, so that all threads have a pair
+         ++ahead) {  // around the block, so that all lanes have a pair
       const auto others = warp_.shifted(all, ahead);
-      warp_.run([&](std::uint32_t lane) {
-        const std::uint32_t k = (lane + ahead) % CapsuleBlocks::block, first = lane < k ? lane : k,
-                            second = lane < k ? k : lane, i = b * CapsuleBlocks::block + first,
-                            j = b * CapsuleBlocks::block + second;
+      near = warp_.each([&](std::uint32_t lane) {
         if constexpr (listens<Sink>)
-          if ((ahead < half || lane < half) && in_chain(b, second)) sink.compared(i, j);
-        if ((ahead < half || lane < half) && in_chain(b, second) && Tests::overlap(all[lane], others[lane]) &&
-            !chain_.neighbours(i, j))
-          sink.pair(i, j);
+          if (asked(ahead, lane)) sink.compared(pair(ahead, lane).i, pair(ahead, lane).j);
+        return near[lane] | sign(Tests::excess(all[lane], others[lane])) << ahead;
       });
     }
+    auto times = none();
+    for (std::uint32_t steps = warp_.any(near); steps != 0; steps &= steps - 1) {
+      const std::uint32_t ahead = lowest_bit(steps);
+      const auto others = warp_.shifted(all, ahead);
+      const std::uint32_t hits = warp_.ballot([&](std::uint32_t lane) {
+        return (near[lane] >> ahead & 1) != 0 && asked(ahead, lane) &&
+               collide<Tests>(pair(ahead, lane), all[lane], others[lane]);
+      });
+      if (hits == 0) continue;
+      sink.collide(hits, [&](std::uint32_t lane) { return pair(ahead, lane); });
+      times = warp_.each([&](std::uint32_t lane) {
+        return times[lane] + (hits >> lane & 1) + (hits >> (lane + size - ahead) % size & 1);
+      });
+    }
+    count(b, times, sink);
   }
 
+  /// Neighbours are known first: where tubes are drawn tightest they touch to the last bit, and that is the
+  /// dearest to decide.
+  template <class Tests>
+  CATENA_HD bool collide(const Pair& pair, const Sphere& a, const Sphere& b) const {
+    return Tests::overlap_unless(chain_.neighbours(pair.i, pair.j), a, b);
+  }
+  CATENA_HD auto none() const {
+    return warp_.each([](std::uint32_t) { return 0u; });
+  }
+  /// Of each sphere of block b, in how many pairs it was.
+  template <class Sink>
+  CATENA_HD void count(std::uint32_t b, const Lanes<std::uint32_t>& times, Sink& sink) const {
+    warp_.run([&](std::uint32_t lane) {
+      if (times[lane] != 0) sink.count(b * CapsuleBlocks::block + lane, times[lane]);
+    });
+  }
   CATENA_HD bool in_chain(std::uint32_t b, std::uint32_t k) const {
     return b * CapsuleBlocks::block + k < chain_.size;
   }
@@ -153,30 +189,56 @@ class BlockComparison {
   CATENA_HD void compare_spheres(std::uint32_t a, const Lanes<Sphere>& first, std::uint32_t of_a,
                                  std::uint32_t b, const Lanes<Sphere>& second, std::uint32_t of_b,
                                  Sink& sink) const {
+    const auto pair = [a, b](std::uint32_t k, std::uint32_t lane) {
+      return Pair{a * CapsuleBlocks::block + lane, b * CapsuleBlocks::block + k};
+    };
+    auto near = none();
     for (; of_b != 0; of_b &= of_b - 1) {
-      const std::uint32_t k = lowest_bit(of_b), j = b * CapsuleBlocks::block + k;
+      const std::uint32_t k = lowest_bit(of_b);
       const Sphere other = warp_.from(second, k);
-      warp_.run([&](std::uint32_t lane) {
-        const std::uint32_t i = a * CapsuleBlocks::block + lane;
+      near = warp_.each([&](std::uint32_t lane) {
         if constexpr (listens<Sink>)
-          if ((of_a >> lane & 1) != 0 && i < j) sink.compared(i, j);
-        if ((of_a >> lane & 1) != 0 && i < j && Tests::overlap(first[lane], other) &&
-            !chain_.neighbours(i, j))
-          sink.pair(i, j);
+          if ((of_a >> lane & 1) != 0) sink.compared(pair(k, lane).i, pair(k, lane).j);
+        return near[lane] | sign(Tests::excess(first[lane], other)) << k;
       });
     }
+    near = warp_.each([&](std::uint32_t lane) { return (of_a >> lane & 1) != 0 ? near[lane] : 0u; });
+    auto times_a = none(), times_b = none();
+    for (std::uint32_t left = warp_.any(near); left != 0; left &= left - 1) {
+      const std::uint32_t k = lowest_bit(left);
+      const Sphere other = warp_.from(second, k);
+      const std::uint32_t hits = warp_.ballot([&](std::uint32_t lane) {
+        return (near[lane] >> k & 1) != 0 && collide<Tests>(pair(k, lane), first[lane], other);
+      });
+      if (hits == 0) continue;
+      sink.collide(hits, [&](std::uint32_t lane) { return pair(k, lane); });
+      times_a = warp_.each([&](std::uint32_t lane) { return times_a[lane] + (hits >> lane & 1); });
+      times_b = warp_.each([&](std::uint32_t lane) { return lane == k ? count_bits(hits) : times_b[lane]; });
+    }
+    count(a, times_a, sink);
+    count(b, times_b, sink);
   }
 
   /// Spheres next to one another, of an ordered block and the first of the next.
   template <class Tests, class Sink>
   CATENA_HD void compare_adjacent(std::uint32_t b, Sink& sink) const {
     const bool left_out = blocks_.crowded(b), last_too = !left_out || !blocks_.crowded(b + 1);
-    warp_.run([&](std::uint32_t lane) {
-      if (lane == CapsuleBlocks::block - 1 ? !last_too : left_out) return;
+    const auto pair = [b](std::uint32_t lane) {
       const std::uint32_t i = b * CapsuleBlocks::block + lane;
-      if constexpr (listens<Sink>) sink.compared(i, i + 1);
-      if (Tests::overlap(chain_.spheres[i], chain_.spheres[i + 1]) && !chain_.neighbours(i, i + 1))
-        sink.pair(i, i + 1);
+      return Pair{i, i + 1};
+    };
+    const std::uint32_t hits = warp_.ballot([&](std::uint32_t lane) {
+      if (lane == CapsuleBlocks::block - 1 ? !last_too : left_out) return false;
+      const auto [i, j] = pair(lane);
+      if constexpr (listens<Sink>) sink.compared(i, j);
+      return Tests::overlap(chain_.spheres[i], chain_.spheres[j]) && !chain_.neighbours(i, j);
+    });
+    if (hits == 0) return;
+    sink.collide(hits, pair);
+    warp_.run([&](std::uint32_t lane) {
+      if ((hits >> lane & 1) == 0) return;
+      sink.count(pair(lane).i, 1);
+      sink.count(pair(lane).j, 1);
     });
   }
 

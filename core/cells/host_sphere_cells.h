@@ -100,15 +100,20 @@ struct LaneSink {
   template <class Search>
   void near_one(const Search& search, std::uint32_t level, std::uint32_t at, bool is_near) {
     if (!is_near) return;
-    if (const Met met = search.met(asking, at, level); met.collide) pair_of(met.i, met.j);
+    if (const Met met = search.met(asking, at, level); met.collide)
+      collide(met.i < met.j ? Pair{met.i, met.j} : Pair{met.j, met.i});
   }
-  void pair(std::uint32_t i, std::uint32_t j) { lane.collide(i, j); }
+  template <class PairOf>
+  void collide(std::uint32_t lanes, const PairOf& pair) {
+    for (; lanes != 0; lanes &= lanes - 1) collide(pair(lowest_bit(lanes)));
+  }
+  void count(std::uint32_t, std::uint32_t) const {}  // collide() counts
   bool satisfied() const { return lane.satisfied(); }
   void converge() const {}
   bool any(bool own) const { return own; }
 
  private:
-  void pair_of(std::uint32_t a, std::uint32_t b) { a < b ? pair(a, b) : pair(b, a); }
+  void collide(const Pair& pair) { lane.collide(pair.i, pair.j); }
 };
 
 }  // namespace catena

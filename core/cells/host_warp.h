@@ -42,6 +42,12 @@ struct HostTeam {
     for (std::uint32_t lane = 0; lane < lanes; ++lane) bits |= static_cast<std::uint32_t>(flag(lane)) << lane;
     return bits;
   }
+  /// The bits that any lane has.
+  std::uint32_t any(const Lanes<std::uint32_t>& bits) const {
+    std::uint32_t all = 0;
+    for (const std::uint32_t of_lane : bits.of) all |= of_lane;
+    return all;
+  }
   template <class F>
   bool none(const F& flag) const {
     return ballot(flag) == 0;

@@ -95,8 +95,30 @@ TEST(BlockSurvey, LeavesAllWhereNobodyHasFewPartners) {
   EXPECT_TRUE(Survey(100, 100, 64, false).all_left());
   EXPECT_TRUE(Survey(100, 100, 64, true).all_left());
   EXPECT_FALSE(Survey(100, 100, 0, false).all_left());
-  EXPECT_FALSE(Survey(100, 5, 64, false).all_left());  // none is crowded
+  EXPECT_FALSE(Survey(100, 5, 64, false).all_left());  // each has four partners, and none is crowded
+  EXPECT_TRUE(Survey(102, 6, 64, false).all_left());
   EXPECT_FALSE(Survey(100, 100, 64, false, 1000).all_left());  // radii are unlike
+}
+
+/// By what a block that has few partners saves, and one that is crowded took in vain; of known blocks only,
+/// which are to be half of those asked.
+TEST(BlockSurvey, LeavesAllWhereTheOtherSearchTakesLess) {
+  struct Case {
+    std::uint32_t crowded, others, partners;
+    bool left;
+  };
+  for (const Case& c :
+       {Case{0, 0, 0, false}, Case{0, 64, 256, false}, Case{0, 64, 257, true}, Case{32, 32, 64, false},
+        Case{32, 32, 65, true}, Case{42, 22, 4, false}, Case{42, 22, 5, true}, Case{64, 0, 0, true},
+        Case{31, 0, 0, false}, Case{32, 0, 0, true}, Case{0, 31, 248, false}, Case{0, 32, 248, true}}) {
+    CapsuleBlocks::State state{};
+    state.survey_crowded = c.crowded, state.survey_others = c.others, state.survey_partners = c.partners;
+    CapsuleBlocks blocks{};
+    blocks.surveyed = 64, blocks.alike = true, blocks.state = &state;
+    EXPECT_EQ(blocks.all_left(), c.left) << c.crowded << ' ' << c.others << ' ' << c.partners;
+    blocks.alike = false;
+    EXPECT_FALSE(blocks.all_left()) << c.crowded << ' ' << c.others << ' ' << c.partners;
+  }
 }
 
 }  // namespace
