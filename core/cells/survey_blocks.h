@@ -8,11 +8,17 @@ namespace catena {
 /// Where the tree says little the block is tangled; who would look for it in cells does not know of it here.
 class BlockSurvey {
  public:
-  static constexpr std::uint32_t room = 256;  ///< nodes of a level; who meets more is tangled
+  static constexpr std::uint32_t room = 256;  ///< nodes of a level
   struct Memory {                             ///< of a group
     std::uint32_t met[BlockNodes::most_levels];  ///< by level
     std::uint32_t node[2][room];                 ///< levels of even and of odd numbers
   };
+
+  /// Who meets more nodes of a level is tangled. Where tangled blocks are left to the grid that is soon said; to
+  /// be looked for in cells they are better not.
+  CATENA_HD static std::uint32_t most_met(const CapsuleBlocks& blocks) {
+    return blocks.in_cells ? room : room / 4;
+  }
 
   CATENA_HD BlockSurvey(const BlockNodes& nodes, const CapsuleBlocks& blocks, Memory& memory)
       : nodes_(nodes), blocks_(blocks), meeting_(nodes, blocks), memory_(memory) {}
@@ -35,7 +41,7 @@ class BlockSurvey {
     for (std::uint32_t level = nodes_.top; level > 0 && !tangled; --level) {
       group.barrier();
       const std::uint32_t met = memory_.met[level];
-      tangled = met > room;
+      tangled = met > most_met(blocks_);
       group.parallel(tangled ? 0 : met * BlockNodes::children, [&look_at, level, this](std::uint32_t child) {
         const std::uint32_t node = memory_.node[level % 2][child / BlockNodes::children] * BlockNodes::children +
                                    child % BlockNodes::children;

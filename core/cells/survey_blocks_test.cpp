@@ -11,16 +11,19 @@
 namespace catena {
 namespace {
 
-/// Balls as blocks, so many at one place and the next ones far from them, in a tree of one level.
+/// Balls as blocks, so many at one place and the next ones far from them, in a tree of one level; every so
+/// manyth, around, comes next in the chain.
 class Survey {
  public:
-  Survey(std::uint32_t blocks, std::uint32_t together, std::uint32_t asked, bool in_cells, float ratio = 1) {
+  Survey(std::uint32_t blocks, std::uint32_t together, std::uint32_t asked, bool in_cells, float ratio = 1,
+         std::uint32_t step = 1) {
     ChainView chain{};
     chain.size = blocks * CapsuleBlocks::block;
     chain.extent.least_radius = 1, chain.extent.greatest_radius = ratio;
     blocks_ = CapsuleBlocks::of(chain, CapsuleBlocks::most_partners, 1, 0, in_cells ? 0 : ~0u, asked);
     for (std::uint32_t b = 0; b < blocks; ++b)
-      capsule_.push_back(BlockCapsule::around({10.0f * static_cast<float>(b / together), 0, 0, 1}));
+      capsule_.push_back(
+          BlockCapsule::around({10.0f * static_cast<float>(b * step % blocks / together), 0, 0, 1}));
     // Behind the last, where nobody is to look.
     capsule_.resize(blocks + BlockNodes::children, capsule_.back());
     shape_.resize(capsule_.size());
@@ -67,6 +70,19 @@ TEST(BlockSurvey, DoesNotKnowOfTangledBlocksThatAreLookedForInCells) {
   EXPECT_EQ(Survey(full, full, 64, true).counted(), (Counted{64, 0, 0}));
   EXPECT_EQ(Survey(full + 1, full + 1, 64, true).counted(), (Counted{0, 0, 0}));
   EXPECT_EQ(Survey(full + 1, full + 1, 64, false).counted(), (Counted{64, 0, 0}));
+}
+
+/// Where each node's box holds nearly all, though no two blocks meet.
+TEST(BlockSurvey, TakesForTangledWhoMeetsMoreNodesThanIsWorthWhile) {
+  constexpr std::uint32_t children = BlockNodes::children, most = BlockSurvey::room / 4 * children;
+  const auto counted = [](std::uint32_t blocks, bool in_cells) {
+    return Survey(blocks, 1, 64, in_cells, 1, blocks / children + 1).counted();
+  };
+  EXPECT_EQ(counted(most, false), (Counted{0, 64, 0}));
+  EXPECT_EQ(counted(most + 64, true), (Counted{0, 64, 0}));
+  const Counted more = counted(most + 64, false);
+  EXPECT_GT(more[0], 48u);
+  EXPECT_EQ(more[0] + more[1], 64u);
 }
 
 /// One of each part, and not of all at the same place, as what comes again in a chain may do so with the
