@@ -62,7 +62,7 @@ __global__ void __launch_bounds__(256)
 /// Memory of a Buckets on a device.
 class DeviceBuckets {
  public:
-  /// For that many things and a number of places that is 0 when they enter.
+  /// For that many things and a number of places that is 0 before they are allocated.
   Buckets reserve(const CellTable& table, std::size_t things, std::uint32_t* places, cudaStream_t stream) {
     const std::uint32_t chunks = Buckets::chunks(table);
     const std::size_t buckets = std::size_t{chunks} * Buckets::chunk;

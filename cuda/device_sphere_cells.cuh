@@ -29,7 +29,8 @@ __device__ inline std::uint32_t enter_together(std::uint32_t* count, std::uint32
   return __shfl_sync(DeviceWarp::all, begin, first) + lane - static_cast<std::uint32_t>(first);
 }
 
-/// Whether a kernel that enters spheres is the first to see their cells' state, and so sets it to 0.
+/// Whether a kernel that enters spheres is the first to see their cells' state, and so sets it to 0: while
+/// some of its blocks enter already, so that to enter, and to ask of members, may not look at the state then.
 enum class Begin { cleared, anew };
 /// By all threads; false where there is nothing to enter.
 template <class Members>

@@ -67,7 +67,7 @@ std::string left_to_grid(const std::string& variant, const Chain& chain) {
 /// Beside rods that lie in a crowd, rods in a row, each of which touches one or two before it and as many
 /// after it: then they are left to the search of the crowd, too, where each has four partners, or where the
 /// crowd is more than half of all, unless nobody asks beforehand.
-TEST(Cells, LeaveAllBlocksToTheSearchOfCrowdsWhereItHasLittleMoreToDo) {
+TEST(Cells, LeaveAllBlocksToTheSearchOfCrowdsWhereThatTakesLess) {
   constexpr std::uint32_t rods = 128;  // each is asked in the survey
   for (const std::uint32_t crowded : {rods / 2 + 1, rods / 2, 10u})
     for (const float apart : {1.9f, 0.95f}) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catena/core/cells/block_nodes.h"
+#include "catena/core/error.h"
 #include "catena/properties/testing/answer_of.h"
 #include "catena/properties/testing/no_device.h"
 #include "catena/properties/testing/rods.h"
@@ -70,6 +71,12 @@ TEST_F(DeviceBlocks, FindMorePairsThanAWarpHasRoomFor) {
     EXPECT_EQ(counted.pair_count, expected.size()) << name;
     EXPECT_TRUE(counted.count == count) << name;
     EXPECT_TRUE(answer_of(name, chain, {.want = Request::Want::any}).found) << name;
+    try {
+      answer_of(name, chain, {Request::Want::pairs, expected.size() - 1});
+      ADD_FAILURE() << name << " takes one pair more than it may";
+    } catch (const PairLimitExceeded& error) {
+      EXPECT_EQ(error.found(), expected.size()) << name;
+    }
   }
 }
 

@@ -17,7 +17,7 @@ struct Buckets {
   std::uint32_t* count;   ///< by bucket, in whole chunks; all 0 between sorts
   std::uint32_t* start;   ///< by bucket, see starts()
   std::uint32_t* rank;    ///< by thing: how many came into its bucket before
-  std::uint32_t* places;  ///< a single number: how many were sorted; at first 0
+  std::uint32_t* places;  ///< a single number: how many were sorted; 0 before step 2
 
   /// Rounded up to whole chunks: how many buckets `count` must have room for.
   CATENA_HD static std::uint32_t chunks(const CellTable& table) {

@@ -19,7 +19,7 @@ namespace catena {
 ///
 /// A block is *crowded* where this says little of what is near: a row of cells that it looks into holds more
 /// than `dense` capsules, or it meets more than `crowd` others, or more than `most_met` finer ones do so in
-/// the cells; or where the search of crowded ones has little more to do with all (all_left). Pairs of two
+/// the cells; or where to leave all to the search of crowded ones takes less (all_left). Pairs of two
 /// crowded blocks are left to another search; all others are found here, by work that is bounded for each
 /// block. A cell with more than `dense` capsules holds crowded blocks only, so that no others need to be
 /// looked for there. Crowded blocks that are not tangled have a place in the cells too, for the sake of their
@@ -93,8 +93,9 @@ struct CapsuleBlocks {
   CATENA_HD Sphere scaled(const Sphere& s) const {
     return {s.x * scale, s.y * scale, s.z * scale, s.radius * scale};
   }
-  CATENA_HD bool crowded(std::uint32_t b) const { return meets_many(b) || all_left(); }
-  CATENA_HD bool meets_many(std::uint32_t b) const { return partners[b] > crowd || met[b] > most_met; }
+  CATENA_HD bool crowded(std::uint32_t b) const {
+    return partners[b] > crowd || met[b] > most_met || all_left();
+  }
   /// The other search takes the same for every block. To compare a block here takes the longer the more
   /// partners it has, with four about as long as there; and what was asked about one that is crowded was in
   /// vain, and took half of what one without partners saves (measured on an H200). So the other search gets

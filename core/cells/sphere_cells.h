@@ -20,7 +20,7 @@ struct SphereCells {
   static constexpr std::uint32_t least_log2 = 12, tables = 15;
   static constexpr std::uint32_t at_once = 4;  ///< so many places are read together, also behind the last one
 
-  /// What is known once the steps before are done; at first 0.
+  /// What is known once the steps before are done; 0 before step 2.
   struct State {
     std::uint32_t places[2];   ///< spheres that were sorted: in one level, and by octaves
     std::uint32_t by_octaves;  ///< not 0: they were

@@ -3,8 +3,8 @@
 
 namespace catena {
 
-/// Asks a few of a chain's blocks whom they meet, so that of chains of which nearly all is crowded no more
-/// needs to be asked (CapsuleBlocks::all_left): each goes down the tree by itself, once its boxes are there.
+/// Asks a few of a chain's blocks whom they meet, so that no more needs to be asked where to leave all blocks
+/// to the other search takes less (CapsuleBlocks::all_left): each goes down the tree by itself, once its boxes are there.
 /// Where the tree says little the block is tangled; who would look for it in cells does not know of it here.
 class BlockSurvey {
  public:
