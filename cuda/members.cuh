@@ -3,11 +3,11 @@
 
 namespace catena::cuda {
 
-/// Which spheres of a chain a DeviceSphereCells sorts, asked on the device: of members.asked() numbers k that
-/// come in an order of its own, sphere members.sphere(k) where members.takes(k); about members.expected() of
-/// them, and not one unless members.any(). Where only the device knows that they are all spheres,
-/// members.all() says so. A search of them has at most members.most_search_blocks thread blocks: more even out
-/// what some have to do, but each 1000 take 1.3 us though none has anything.
+/// Which spheres of a chain a DeviceSphereCells sorts, asked on the device: of members.asked() numbers k
+/// that come in an order of its own, sphere members.sphere(k) where members.takes(k); about
+/// members.expected() of them, and not one unless members.any(). Where only the device knows that they are
+/// all spheres, members.all() says so. A search of them has at most members.most_search_blocks thread
+/// blocks: more even out what some have to do, but each 1000 take 1.3 us though none has anything.
 struct AllSpheres {
   static constexpr std::uint32_t most_search_blocks = 4224;
   std::uint32_t size;

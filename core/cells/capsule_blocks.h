@@ -35,12 +35,12 @@ struct CapsuleBlocks {
   static constexpr int least_width = -4;                ///< log2 of the width of level 0's cells
 
   struct State {
-    std::uint32_t places;           ///< blocks that were sorted
-    std::uint32_t present;          ///< bit k: there are tangled blocks of level k
-    std::uint32_t levels;           ///< the same, where they are searched for
-    std::uint32_t crowded;          ///< crowded blocks of every `sample`-th, about
-    std::uint32_t any;              ///< not 0: there is a crowded block
-    std::uint32_t listed;           ///< not 0: there is one that has a place
+    std::uint32_t places;   ///< blocks that were sorted
+    std::uint32_t present;  ///< bit k: there are tangled blocks of level k
+    std::uint32_t levels;   ///< the same, where they are searched for
+    std::uint32_t crowded;  ///< crowded blocks of every `sample`-th, about
+    std::uint32_t any;      ///< not 0: there is a crowded block
+    std::uint32_t listed;   ///< not 0: there is one that has a place
     std::uint32_t survey_crowded;   ///< blocks of the survey that meet more than `crowd` others
     std::uint32_t survey_others;    ///< those of whom it is known that they do not,
     std::uint32_t survey_partners;  ///< and whom they meet, in all
@@ -50,10 +50,10 @@ struct CapsuleBlocks {
   float scale;  ///< block_scale: all capsules are of the chain times this
   std::uint32_t blocks, crowd, sample;
   std::uint32_t surveyed;  ///< blocks that are asked before all others (BlockSurvey)
-  bool all_crowded;        ///< nothing is asked of blocks: the chain is too short for it to pay
-  bool in_cells;  ///< tangled blocks are put into cells; else, where there are few blocks, they count as
-                  ///< crowded
-  bool alike;     ///< radii are
+  bool all_crowded;  ///< nothing is asked of blocks: the chain is too short for it to pay
+  bool in_cells;     ///< tangled blocks are put into cells; else, where there are few blocks, they count as
+                     ///< crowded
+  bool alike;        ///< radii are
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;

@@ -3,9 +3,10 @@
 
 namespace catena {
 
-/// Asks a few of a chain's blocks whom they meet, so that no more needs to be asked where to leave all blocks
-/// to the other search takes less (CapsuleBlocks::all_left): each goes down the tree by itself, once its boxes are there.
-/// Where the tree says little the block is tangled; who would look for it in cells does not know of it here.
+/// Asks a few of a chain's blocks whom they meet, so that no more needs to be asked where to leave all
+/// blocks to the other search takes less (CapsuleBlocks::all_left): each goes down the tree by itself, once
+/// its boxes are there. Where the tree says little the block is tangled; who would look for it in cells does
+/// not know of it here.
 class BlockSurvey {
  public:
   static constexpr std::uint32_t room = 256;  ///< nodes of a level
@@ -14,9 +15,9 @@ class BlockSurvey {
     std::uint32_t node[2][room];                 ///< levels of even and of odd numbers
   };
 
-  /// Who meets more nodes of a level is tangled. Where tangled blocks are left to the grid that is soon said; to
-  /// be looked for in cells they are better not.
-  CATENA_HD static std::uint32_t most_met(const CapsuleBlocks& blocks) {
+  /// Who meets more nodes of a level is tangled. Where tangled blocks are left to the grid that is soon said;
+  /// to be looked for in cells they are better not.
+  CATENA_HD static std::uint32_t most_nodes(const CapsuleBlocks& blocks) {
     return blocks.in_cells ? room : room / 4;
   }
 
@@ -41,7 +42,7 @@ class BlockSurvey {
     for (std::uint32_t level = nodes_.top; level > 0 && !tangled; --level) {
       group.barrier();
       const std::uint32_t met = memory_.met[level];
-      tangled = met > most_met(blocks_);
+      tangled = met > most_nodes(blocks_);
       group.parallel(tangled ? 0 : met * BlockNodes::children, [&look_at, level, this](std::uint32_t child) {
         const std::uint32_t node = memory_.node[level % 2][child / BlockNodes::children] * BlockNodes::children +
                                    child % BlockNodes::children;

@@ -11,8 +11,8 @@
 namespace catena {
 namespace {
 
-/// Balls as blocks, so many at one place and the next ones far from them, in a tree of one level; every so
-/// manyth, around, comes next in the chain.
+/// Balls as blocks, so many at one place and the next ones far from them, in a tree of one level; the one
+/// `step` further on, around, comes next in the chain.
 class Survey {
  public:
   Survey(std::uint32_t blocks, std::uint32_t together, std::uint32_t asked, bool in_cells, float ratio = 1,
