@@ -8,12 +8,12 @@ namespace catena::cuda {
 
 /// The sink of a search in a kernel. Threads find very different numbers of spheres near theirs: each warp
 /// gathers these and decides as many at a time as it has threads. What collides stays where it was gathered;
-/// only then do warps wait for one another, to bring pairs to the answer by one atomic operation a block.
-/// Each thread asks for one sphere between flushes.
+/// only at every second flush do warps wait for one another, to bring pairs to the answer by one atomic
+/// operation a block. Each thread asks for one sphere between flushes.
 template <std::uint32_t threads>
 class NearQueue {
  public:
-  static constexpr std::uint32_t warps = threads / DeviceWarp::lanes, room = 10 * DeviceWarp::lanes;
+  static constexpr std::uint32_t warps = threads / DeviceWarp::lanes, room = 12 * DeviceWarp::lanes;
   struct Near {
     std::uint32_t at, who;  ///< who: thread, and level times their number. Later a pair.
   };
@@ -24,9 +24,8 @@ class NearQueue {
       std::uint32_t index[DeviceWarp::lanes];
       std::uint32_t met[DeviceWarp::lanes];  ///< by thread: how many of these collided
     } warp[warps];
-    /// Pairs of each warp; by turns, as the next flush may begin before all are read.
-    std::uint32_t kept[2][warps];
-    unsigned long long first;  ///< place in the answer of the first of these
+    std::uint32_t kept[warps];  ///< pairs of each warp
+    unsigned long long first;   ///< place in the answer of the first of these
     unsigned long long found;
   };
 
@@ -52,8 +51,8 @@ class NearQueue {
     for (const PlaceSet& set : near) mine += __popc(set.bits);
     const LaneSum sum = LaneSum::of(mine);
     if (sum.all == 0) return;
-    if (used_ + sum.all > room) return near_in_parts(search, sum, level, near);
-    Near* to = own_.near + used_ + sum.before;
+    if (kept_ + used_ + sum.all > room) return near_in_parts(search, sum, level, near);
+    Near* to = own_.near + kept_ + used_ + sum.before;
 #pragma unroll
     for (PlaceSet set : near)
       while (set.bits != 0) *to++ = gathered(set.take(), level);
@@ -64,8 +63,8 @@ class NearQueue {
   __device__ void near_one(const Search& search, std::uint32_t level, std::uint32_t at, bool is_near) {
     const std::uint32_t having = __ballot_sync(DeviceWarp::all, is_near);
     if (having == 0) return;
-    if (used_ + __popc(having) > room) decide_for_room(search);
-    if (is_near) own_.near[used_ + __popc(having & DeviceWarp::lanes_before())] = gathered(at, level);
+    if (kept_ + used_ + __popc(having) > room) decide_for_room(search);
+    if (is_near) own_.near[kept_ + used_ + __popc(having & DeviceWarp::lanes_before())] = gathered(at, level);
     used_ += __popc(having);
     converge();
   }
@@ -79,7 +78,8 @@ class NearQueue {
            any(*static_cast<volatile unsigned long long*>(&answer_.state->found) > 0);
   }
 
-  /// Decides what was gathered and brings what collides to the answer. By all threads of the block together.
+  /// Decides what was gathered, and sees to it that what collides gets to the answer. By all threads of the
+  /// block together.
   template <class Search>
   __device__ void flush(const Search& search) {
     decide(search);
@@ -88,14 +88,17 @@ class NearQueue {
       count(own_.index[DeviceWarp::lane()], met);
       met = 0;
     }
-    if (answer_.pairs != nullptr)
-      store_of_block();
-    else if (answer_.count == nullptr)
+    if (answer_.pairs == nullptr && answer_.count == nullptr)
       tell_found(&answer_.state->found);  // at once, so that others may leave
+    if (answer_.pairs != nullptr && ++flushes_ % 2 == 0) {
+      store_of_block();
+      __syncthreads();  // as the next ones of each warp may be told before all of these are read
+    }
     converge();
   }
   /// After the last flush; by all threads of the block together.
   __device__ void finish() {
+    if (answer_.pairs != nullptr) return store_of_block();
     tell_found(&shared_.found);
     __syncthreads();
     if (threadIdx.x == 0 && shared_.found != 0) atomicAdd(&answer_.state->found, shared_.found);
@@ -141,12 +144,13 @@ class NearQueue {
   /// Of what was gathered, the pairs that collide: kept in its place, or counted where none are wanted.
   template <class Search>
   __device__ void decide(const Search& search) {
+    const Near* const gathered = own_.near + kept_;
     for (std::uint32_t first = 0; first < used_; first += DeviceWarp::lanes) {
       const std::uint32_t k = first + DeviceWarp::lane();
       Pair pair{0, 0};
       bool keeps = false;
       if (k < used_) {
-        const Near near = own_.near[k];
+        const Near near = gathered[k];
         const std::uint32_t who = near.who % DeviceWarp::lanes;
         const Met met =
             search.met({own_.sphere[who], own_.index[who]}, near.at, near.who / DeviceWarp::lanes);
@@ -174,15 +178,13 @@ class NearQueue {
   }
 
   __device__ void store_of_block() {
-    std::uint32_t(&kept)[warps] = shared_.kept[turn_];
-    turn_ ^= 1;
     const std::uint32_t warp = threadIdx.x / DeviceWarp::lanes;
-    if (DeviceWarp::lane() == 0) kept[warp] = kept_;
+    if (DeviceWarp::lane() == 0) shared_.kept[warp] = kept_;
     __syncthreads();
     std::uint32_t before = 0, all = 0;
     for (std::uint32_t w = 0; w < warps; ++w) {
-      before += w < warp ? kept[w] : 0;
-      all += kept[w];
+      before += w < warp ? shared_.kept[w] : 0;
+      all += shared_.kept[w];
     }
     if (all == 0) return;
     if (threadIdx.x == 0)
@@ -194,12 +196,17 @@ class NearQueue {
   __device__ void store(unsigned long long first) {
     for (std::uint32_t k = DeviceWarp::lane(); k < kept_; k += DeviceWarp::lanes) {
       if (first + k < answer_.capacity)
-        answer_.pairs[first + k] = {own_.near[k].at, own_.near[k].who};
+        store(answer_.pairs + first + k, own_.near[k]);
       else
         answer_.state->overflow = 1;
     }
     kept_ = 0;
     converge();
+  }
+  /// Not to be read again soon: what is stays in the device's cache.
+  __device__ static void store(Pair* to, const Near& pair) {
+    __stcs(&to->i, pair.at);
+    __stcs(&to->j, pair.who);
   }
   __device__ void tell_found(unsigned long long* total) {
     // By halves: what the threads of a warp counted together may need more than 32 bits.
@@ -215,9 +222,9 @@ class NearQueue {
   const SphereRange queries_;
   const SphereRange counted_;  ///< whose collisions are counted
   // The same for all threads of a warp.
-  std::uint32_t used_ = 0;  ///< gathered and not yet decided
   std::uint32_t kept_ = 0;  ///< pairs, in the place of what was decided
-  std::uint32_t turn_ = 0;
+  std::uint32_t used_ = 0;  ///< gathered behind these, and not yet decided
+  std::uint32_t flushes_ = 0;
   std::uint32_t found_ = 0;  ///< by thread: pairs that were only counted
 };
 
