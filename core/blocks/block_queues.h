@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 
 namespace catena {
@@ -65,8 +65,8 @@ class BlockQueues {
   static constexpr std::size_t row_limit = 512, row_room = row_limit + 32, pair_limit = 1024,
                                pair_room = pair_limit + 64, hit_room = hit_limit + 8 * 64 + 8;
 
-  std::vector<Row> rows_;
-  std::vector<Pair> pairs_, hits_;
+  LargeVector<Row> rows_;
+  LargeVector<Pair> pairs_, hits_;
   std::size_t row_count_ = 0, pair_count_ = 0;
   std::uint64_t rows_done_ = 0, pairs_done_ = 0, open_done_ = 0;
 };

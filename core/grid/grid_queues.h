@@ -1,8 +1,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 
 namespace catena {
@@ -46,15 +46,17 @@ struct GridQueues {
     std::array<std::uint32_t, limit + 2 * most_lanes> a, b;
   };
 
+  GridQueues() {}  // not by default, which would set all of it to 0 in a vector of them
+
   std::uint64_t tests_done = 0;  ///< since this was made
   std::uint64_t open_done = 0;   ///< pairs that binary32 left open, likewise
-  CandidateFields candidates{};
-  Rows reached{}, rows{};
-  Pairs pairs{};
-  std::vector<Test> tests = std::vector<Test>(test_limit + test_room);
-  std::vector<Pair> hits = std::vector<Pair>(hit_limit + most_lanes);
-  std::vector<std::uint32_t> groups =
-      std::vector<std::uint32_t>(group_room + 1);  ///< buckets where one begins
+  CandidateFields candidates;
+  Rows reached, rows;
+  Pairs pairs{};  // a vector that is read may pass the last, too
+  LargeVector<Test> tests = LargeVector<Test>(test_limit + test_room);
+  LargeVector<Pair> hits = LargeVector<Pair>(hit_limit + most_lanes);
+  LargeVector<std::uint32_t> groups =
+      LargeVector<std::uint32_t>(group_room + 1);  ///< buckets where one begins
 };
 
 }  // namespace catena

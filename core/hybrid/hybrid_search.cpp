@@ -15,13 +15,19 @@
 #include "catena/core/space_tree/told_order.h"
 
 namespace catena {
+namespace {
+
+/// Queues for that many members of a team, made when they are needed first: most chains need none.
+template <class Queues>
+std::vector<Queues>& of_members(std::vector<Queues>& queues, unsigned members) {
+  if (queues.size() < members) queues.resize(members);
+  return queues;
+}
+
+}  // namespace
 
 HybridSearch::HybridSearch(const Settings& settings, unsigned threads)
-    : settings_(settings),
-      block_queues_(threads),
-      entry_queues_(threads),
-      grid_queues_(threads),
-      sphere_queues_(threads) {}
+    : settings_(settings), block_queues_(threads) {}
 
 void HybridSearch::build(const ChainView& chain, const Team& team, SpaceSort sort) {
   parts_.grid.each_radius = settings_.each_radius;
@@ -104,7 +110,8 @@ bool HybridSearch::unfilled(const ChainView& chain) {
 void HybridSearch::build_in_space(const ChainView& chain, SingleSpheres single, const Team& team,
                                   SpaceSort sort) {
   single.ns *= settings_.dense;
-  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, single, entry_queues_, team, sort);
+  build_space_tree(chain, parts_.tree, parts_.crowding, parts_.space, single,
+                   of_members(entry_queues_, team.size()), team, sort);
   if (parts_.space.entries == 0 && parts_.crowding.crowded_nodes() == parts_.crowding.nodes()) {
     parts_.dense_count = chain.size;  // their list need not be made
   } else {
@@ -117,12 +124,13 @@ void HybridSearch::search(const ChainView& chain, PairCollector& collector, cons
   before_ = met();
   search_uncrowded(chain, parts_.tree, parts_.crowding, block_queues_, collector, team);
   if (parts_.space.entries > 0)
-    search_space_tree(chain, parts_.tree, parts_.space, entry_queues_, block_queues_, collector, team);
+    search_space_tree(chain, parts_.tree, parts_.space, of_members(entry_queues_, team.size()), block_queues_,
+                      collector, team);
   if (parts_.dense_count == 0) return;
   if (parts_.in_cells)
-    search_grid(chain, parts_.grid, grid_queues_, collector, team);
+    search_grid(chain, parts_.grid, of_members(grid_queues_, team.size()), collector, team);
   else
-    search_sphere_tree(chain, parts_.spheres, sphere_queues_, collector, team);
+    search_sphere_tree(chain, parts_.spheres, of_members(sphere_queues_, team.size()), collector, team);
 }
 
 /// The nodes of each of the searches that there is.
@@ -151,17 +159,18 @@ void HybridSearch::search_with_evidence(const ChainView& chain, PairCollector::L
   std::optional<SpaceEvidence> space;
   if (nodes.space) {
     space.emplace(chain, *nodes.space, sink);
-    search_space_tree(chain, parts_.tree, parts_.space, entry_queues_[0], block_queues_[0], lane, *space);
+    search_space_tree(chain, parts_.tree, parts_.space, of_members(entry_queues_, 1)[0], block_queues_[0],
+                      lane, *space);
   }
   CrowdSink uncrowded(nodes.chain, space ? &*space : nullptr, sink);
   search_uncrowded(chain, parts_.tree, parts_.crowding, block_queues_[0], lane,
                    BlockEvidence(chain, parts_.tree, uncrowded));
   if (nodes.spheres)
-    search_sphere_tree(chain, parts_.spheres, sphere_queues_[0], lane,
+    search_sphere_tree(chain, parts_.spheres, of_members(sphere_queues_, 1)[0], lane,
                        SphereEvidence(chain, *nodes.spheres, sink));
   if (!nodes.cells) return;
   GridEvidence cells(chain, *nodes.cells, sink);
-  search_grid(chain, parts_.grid, grid_queues_[0], lane, cells);
+  search_grid(chain, parts_.grid, of_members(grid_queues_, 1)[0], lane, cells);
 }
 
 void HybridSearch::show_evidence(const ChainView& chain, BoundsVisitor& visitor) const {

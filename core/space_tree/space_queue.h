@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <vector>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 
 namespace catena {
@@ -10,7 +10,7 @@ namespace catena {
 struct SpaceQueue {
   static constexpr std::size_t limit = 1024, room = limit + 16 * 16 + 16;
   std::uint64_t done = 0;  ///< pairs worked off since this was made
-  std::vector<Pair> pairs = std::vector<Pair>(room);
+  LargeVector<Pair> pairs = LargeVector<Pair>(room);
 };
 
 }  // namespace catena

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <vector>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/pair.h"
 
 namespace catena {
@@ -22,12 +22,12 @@ struct SphereQueues {
   std::uint64_t nodes_done = 0;  ///< two nodes
   std::uint64_t tests_done = 0;  ///< a sphere against a vector of others, as in GridQueues
   std::uint64_t open_done = 0;   ///< pairs that binary32 left open
-  std::vector<std::uint32_t> groups = std::vector<std::uint32_t>(group_limit);
-  std::vector<float> boxes = std::vector<float>(group_limit * 6);  ///< of these, as SphereTree::boxes
-  std::vector<std::uint32_t> nodes = std::vector<std::uint32_t>(node_limit + group);
+  LargeVector<std::uint32_t> groups = LargeVector<std::uint32_t>(group_limit);
+  LargeVector<float> boxes = LargeVector<float>(group_limit * 6);  ///< of these, as SphereTree::boxes
+  LargeVector<std::uint32_t> nodes = LargeVector<std::uint32_t>(node_limit + group);
   /// A vector that is stored may pass the last.
-  std::vector<Test> tests = std::vector<Test>(test_limit + 2 * group);
-  std::vector<Pair> hits = std::vector<Pair>(hit_limit + group);
+  LargeVector<Test> tests = LargeVector<Test>(test_limit + 2 * group);
+  LargeVector<Pair> hits = LargeVector<Pair>(hit_limit + group);
 };
 
 }  // namespace catena
