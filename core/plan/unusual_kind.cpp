@@ -36,7 +36,8 @@ const UnusualKind& info(Kind kind) {
        "slows other searches"},
       {"SphereTree",
        "at most 2,048 spheres, of which those of one part have more than 2^60 times the radius of another's"},
-      {"ChainTree", "at most 2,048 spheres, of which rows of eight are near few others"},
+      {"ChainTree",
+       "at most 2,048 spheres, of which rows of eight are near few others for how full their box is"},
       {"Grid",
        "301 to 2,048 spheres of like radii that fill their box, of which rows of eight are near many others"},
       {"Grid", "301 to 2,048 spheres of like radii in a box that is mostly empty, in no order"},
@@ -113,17 +114,20 @@ constexpr double sparse = 0.25;
 
 /// Of a few spheres, by how their rows of eight lie: where many are near one, a tree of these tells little
 /// apart, and the less so the less straight they are and the fuller their box is, as boxes of rows that pass
-/// meet before they do. Rows of a tube of overlapping spheres are near those along it too: other variants
-/// look at each of these spheres, as many to either side as overlap. Measured over the registry's scenes and
-/// 50 other kinds of chain, of five sizes or densities each.
+/// meet before they do; until it is so full that other variants find as much near a sphere. Rows of a tube of
+/// overlapping spheres are near those along it too: other variants look at each of these spheres, as many to
+/// either side as overlap. Measured over the registry's scenes and 50 other kinds of chain, of five sizes or
+/// densities each.
 Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
   constexpr double few_rows = 8, dense = 3, least_beside = 1. / 128;
   constexpr std::uint32_t very_few = 300;
   const RowLook look = RowLook::at(spheres);
   const bool ordered = look.straight > anywhere;
   if (ordered) {
-    double rows =
-        std::clamp(few_rows / std::sqrt(filled), 8.0, 40.0) * std::min(1.0, look.straight / anywhere - 1);
+    // Others compare a sphere with all that its cells hold.
+    const double least_rows = like ? few_rows + 7 * filled : 2 * few_rows;
+    double rows = std::max(std::min(few_rows / std::sqrt(filled), 5 * few_rows), least_rows) *
+                  std::min(1.0, look.straight / anywhere - 1);
     if (look.near > rows) rows += 2 / std::max(beside_the_next(spheres), least_beside) - 2;
     if (look.near <= rows) return short_apart;
   }

@@ -20,7 +20,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
        {"yarn:n=1000", "path1:n=700", "mixed_radii:n=2000,decades=30", "mixed_radii:n=700,decades=60",
         "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "yarn:n=700,radius=1e-41", "serpentine:n=1000",
         "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500", "hair:n=1000,strands=1000",
-        "hair:n=2000,strands=4"}) {
+        "hair:n=2000,strands=4", "winding:n=1000", "lattice:n=1000"}) {
     const Chain chain = open_input(input).animation->frame(0);
     const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
     ASSERT_NE(kind, nullptr) << input;
@@ -45,7 +45,9 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[1], "ChainTree");
   EXPECT_EQ(taken[2], "SphereTree") << "a horn";
   EXPECT_EQ(taken[5], "ChainTree") << "out of range, in a box that is mostly empty";
-  EXPECT_EQ(taken[7], "SphereTree") << "crowded";
+  EXPECT_EQ(taken[7], "ChainTree") << "crowded, but any search finds as much near each sphere";
+  EXPECT_EQ(taken[13], "SphereTree") << "crowded";
+  EXPECT_EQ(taken[14], "ChainTree") << "in rows that fill the box";
   EXPECT_EQ(taken[10], "ChainTree") << "a smooth tube";
   EXPECT_EQ(taken[9], "Grid") << "crowded, and its parts lie among one another";
   EXPECT_EQ(taken[8], "SphereTree") << "of unlike radii, whose parts do not lie apart";
@@ -143,12 +145,20 @@ TEST(UnusualKind, OfAFinelySampledTubeIsTheChainsOrder) {
     for (const float radius : {0.5f, 1.0f, 2.0f, 4.0f})
       for (const float wave : {0.0f, 2.0f})
         EXPECT_EQ(kind_of(tube(n, 0.1f, radius, wave)), "ChainTree") << n << ' ' << radius << ' ' << wave;
-  // As near one another, of spheres that lie beside each other: pages of touching rows.
+  // As near one another, and any search finds as much: pages of overlapping rows.
   std::vector<Sphere> block;
   for (int i = 0; i < 1728; ++i)
     block.push_back(
         {static_cast<float>(i % 12), static_cast<float>(i / 12 % 12), static_cast<float>(i / 144), 1.5f});
-  EXPECT_EQ(kind_of(block), "SphereTree");
+  EXPECT_EQ(kind_of(block), "ChainTree");
+  // Not as much, where rows turn: their boxes meet, they do not.
+  std::vector<Sphere> wound;
+  for (int i = 0; i < 1000; ++i) {
+    const double turn = std::sqrt(335.0 * i), out = 0.0095 * turn;
+    wound.push_back(
+        {static_cast<float>(out * std::cos(turn)), static_cast<float>(out * std::sin(turn)), 0.0f, 1.0f});
+  }
+  EXPECT_EQ(kind_of(wound), "SphereTree");
 }
 
 /// The chain's order alone scales its numbers; in a box that is not empty they tell more by themselves.
