@@ -66,16 +66,20 @@ struct LargeAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
-/// Appends to an array of the standard kind. One that becomes large grows by more than the usual factor of 2,
-/// and to `likely` elements at least: addresses that nothing is written to cost no memory, while memory that
-/// is left behind was touched for nothing, which takes longer than what was written there.
+/// From so many bytes on the standard allocator maps memory of its own for an array (mallopt(3)), a page of
+/// which costs nothing until it is touched, and then as long as a search of some hundred spheres.
+inline constexpr std::size_t least_mapped = std::size_t{1} << 17;
+
+/// Appends to an array of the standard kind. One that is mapped grows by more than the usual factor of 2, and
+/// to `likely` elements at least: addresses that nothing is written to cost no memory, while memory that is
+/// left behind was touched for nothing, which takes longer than what was written there.
 template <class T>
 void append_large(std::vector<T>& all, std::span<const T> more, std::size_t likely = 0) {
   if (all.capacity() - all.size() < more.size()) {
     const std::size_t least = all.size() + more.size(), capacity = all.capacity();
-    const bool large = least * sizeof(T) >= large_page;
+    const bool mapped = least * sizeof(T) >= least_mapped;
     try {
-      all.reserve(std::max({least, 2 * capacity, large ? std::max(8 * capacity, likely) : 0}));
+      all.reserve(std::max({least, 2 * capacity, mapped ? std::max(8 * capacity, likely) : 0}));
     } catch (const std::bad_alloc&) {  // where addresses are counted, too (ulimit -v)
       all.reserve(std::max(least, capacity + capacity / 2));
     }
