@@ -3,6 +3,7 @@
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/resident.h"
 #include "catena/cuda/device_warp.cuh"
+#include "catena/cuda/store_pair.cuh"
 
 namespace catena::cuda {
 
@@ -196,17 +197,12 @@ class NearQueue {
   __device__ void store(unsigned long long first) {
     for (std::uint32_t k = DeviceWarp::lane(); k < kept_; k += DeviceWarp::lanes) {
       if (first + k < answer_.capacity)
-        store(answer_.pairs + first + k, own_.near[k]);
+        store_pair(answer_.pairs + first + k, own_.near[k].at, own_.near[k].who);
       else
         answer_.state->overflow = 1;
     }
     kept_ = 0;
     converge();
-  }
-  /// Not to be read again soon: what is stays in the device's cache.
-  __device__ static void store(Pair* to, const Near& pair) {
-    __stcs(&to->i, pair.at);
-    __stcs(&to->j, pair.who);
   }
   __device__ void tell_found(unsigned long long* total) {
     // By halves: what the threads of a warp counted together may need more than 32 bits.

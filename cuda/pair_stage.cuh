@@ -4,6 +4,7 @@
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/resident.h"
 #include "catena/cuda/device_warp.cuh"
+#include "catena/cuda/store_pair.cuh"
 
 namespace catena::cuda {
 
@@ -81,7 +82,7 @@ class PairStage {
   __device__ void store(unsigned long long first) const {
     for (std::uint32_t k = DeviceWarp::lane(); k < kept_; k += DeviceWarp::lanes) {
       if (first + k < answer_.capacity)
-        answer_.pairs[first + k] = pairs()[k];
+        store_pair(answer_.pairs + first + k, pairs()[k].i, pairs()[k].j);
       else
         answer_.state->overflow = 1;
     }
