@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "catena/core/executor/pair_collector.h"
 #include "catena/core/hybrid/hybrid_search.h"
 #include "catena/core/space_tree/told_order.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/forced_target.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/sorted_pairs.h"
 
@@ -102,21 +105,27 @@ TEST(HybridFrames, AreExactWhereOthersLieAsSomeDidBefore) {
 
 /// What a look told holds while little moves, and no longer.
 TEST(HybridFrames, AreLookedAtAgainWhereMuchMoved) {
+  constexpr float side = 8.8f;
   Dice dice(4);
   Spheres dust, loose_dust, row;
-  for (std::uint32_t i = 0; i < 3000; ++i) {
-    dust.push_back({5 * dice.symmetric(), 5 * dice.symmetric(), 5 * dice.symmetric(), 0.5f});
+  for (std::uint32_t i = 0; i < 8000; ++i) {
+    dust.push_back({side * dice.symmetric(), side * dice.symmetric(), side * dice.symmetric(), 0.5f});
     loose_dust.push_back({2 * dust[i].x, 2 * dust[i].y, 2 * dust[i].z, 0.5f});
     row.push_back({static_cast<float>(i), 0, 0, 0.5f});
   }
   const Chain crowded(dust), loose(loose_dust), apart(row);
-  HybridSearch search({64, 1}, 1);
-  for (const Chain* frame : {&crowded, &crowded, &apart, &apart, &loose, &loose, &apart, &crowded}) {
-    search.build(frame->view(), Team(), SpaceSort::where_needed);
-    EXPECT_EQ(search.nodes() > 0, frame == &apart);
-    EXPECT_EQ(search.parts().dense_count > 0 && search.parts().in_cells, frame == &crowded);
-    EXPECT_TRUE(pairs_of(search, *frame) == right_pairs(*frame));
-    expect_told(search, search.parts());
+  const std::map<const Chain*, std::vector<Pair>> right{
+      {&crowded, right_pairs(crowded)}, {&loose, right_pairs(loose)}, {&apart, right_pairs(apart)}};
+  for (const std::int64_t target : targets_here()) {
+    const ForcedTarget forced(target);
+    HybridSearch search({64, 1}, 1);
+    for (const Chain* frame : {&crowded, &crowded, &apart, &apart, &loose, &loose, &apart, &crowded}) {
+      search.build(frame->view(), Team(), SpaceSort::where_needed);
+      EXPECT_EQ(search.nodes() > 0, frame == &apart) << target;
+      EXPECT_EQ(search.parts().dense_count > 0 && search.parts().in_cells, frame == &crowded) << target;
+      EXPECT_TRUE(pairs_of(search, *frame) == right.at(frame)) << target;
+      expect_told(search, search.parts());
+    }
   }
 }
 

@@ -51,8 +51,8 @@ struct GridQueues {
   std::uint64_t tests_done = 0;  ///< since this was made
   std::uint64_t open_done = 0;   ///< pairs that binary32 left open, likewise
   CandidateFields candidates;
-  Rows reached, rows;
-  Pairs pairs{};  // a vector that is read may pass the last, too
+  Rows reached{}, rows{};
+  Pairs pairs{};  // as rows: a vector that is read may pass the last, too
   LargeVector<Test> tests = LargeVector<Test>(test_limit + test_room);
   LargeVector<Pair> hits = LargeVector<Pair>(hit_limit + most_lanes);
   LargeVector<std::uint32_t> groups =

@@ -12,6 +12,7 @@
 #include "catena/core/chain/chain.h"
 #include "catena/core/space_tree/mean_near.h"
 #include "catena/core/space_tree/scattered.h"
+#include "catena/properties/forced_target.h"
 #include "catena/properties/generators/dice.h"
 
 namespace catena {
@@ -78,12 +79,15 @@ TEST(SearchCost, CellsAreForRadiiThatFitOneWidth) {
     const Chain chain(anywhere(20000, room, radius));
     return single_spheres(chain.view()).in_cells;
   };
-  const float crowded = 6, loose = 14;
-  EXPECT_TRUE(in_cells(crowded, [](std::uint32_t) { return 0.5f; }));
-  EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.45f; }));
-  EXPECT_TRUE(in_cells(loose, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.05f; }));
-  EXPECT_FALSE(in_cells(crowded, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.05f; }));
-  EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 200 == 0 ? 0.05f : 0.5f; })) << "a few";
+  const float crowded = 7.2f, loose = 14;
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    EXPECT_TRUE(in_cells(crowded, [](std::uint32_t) { return 0.5f; })) << target;
+    EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.45f; })) << target;
+    EXPECT_TRUE(in_cells(loose, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.05f; })) << target;
+    EXPECT_FALSE(in_cells(crowded, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.05f; })) << target;
+    EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 200 == 0 ? 0.05f : 0.5f; })) << target;
+  }
 }
 
 /// So many spheres in as many cells each, whatever their number, of radii from 1/2 to so many times less.
@@ -95,16 +99,24 @@ bool in_cells_of(std::uint32_t n, double near, float ratio) {
 }
 
 TEST(SearchCost, FewSpheresAreInTheOrderOfSpaceWhereManyAreInCells) {
-  EXPECT_FALSE(in_cells_of(3000, 600, 1));
-  EXPECT_TRUE(in_cells_of(30000, 150, 1));
-  EXPECT_TRUE(in_cells_of(30000, 4, 1));  // of 3,000 it is about even where vectors hold eight spheres
-  for (const std::uint32_t n : {3000u, 30000u})
-    for (const double near : {1.0, 30.0}) EXPECT_TRUE(in_cells_of(n, near, 1)) << n << ' ' << near;
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    EXPECT_FALSE(in_cells_of(3000, 600, 1)) << target;
+    EXPECT_TRUE(in_cells_of(30000, 100, 1)) << target;
+    // Of 3,000 it is about even where vectors hold eight spheres.
+    EXPECT_TRUE(in_cells_of(30000, 4, 1)) << target;
+    for (const std::uint32_t n : {3000u, 30000u})
+      for (const double near : {1.0, 30.0})
+        EXPECT_TRUE(in_cells_of(n, near, 1)) << n << ' ' << near << ' ' << target;
+  }
 }
 
 TEST(SearchCost, RadiiOfManyOctavesAreInCellsWhereMuchIsBesideThem) {
-  EXPECT_TRUE(in_cells_of(30000, 26, 10));
-  EXPECT_FALSE(in_cells_of(30000, 80, 10)) << "too much for one width";
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    EXPECT_TRUE(in_cells_of(30000, 26, 10)) << target;
+    EXPECT_FALSE(in_cells_of(30000, 80, 10)) << "too much for one width, " << target;
+  }
 }
 
 TEST(SearchCost, OctavesCostWhereCellsHaveWhatIsNotWithinReach) {
