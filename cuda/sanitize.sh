@@ -20,3 +20,5 @@ compute-sanitizer "${options[@]}" "$catena" verify "${variants[@]}" \
 # And their evidence: what the device built is copied to the host.
 compute-sanitizer "${options[@]}" "$catena" verify --certify --variant DeviceGrid --variant "DeviceHybrid(least=0)" \
   --variant "DeviceHybrid(least=0,cells=0,crowd=2)" --variant DeviceLBVH path1:n=1537 yarn:n=2000 mixed_radii:n=900,decades=6
+# Blocks of a search that go round several times.
+compute-sanitizer "${options[@]}" "$catena" detect lattice:n=700000 --variant "DeviceHybrid(crowd=0)"

@@ -61,21 +61,37 @@ TEST_F(DeviceCells, OfTheMostBins) {
   expect_counts_of_lattice(side, side, 1, {"DeviceGrid"});
 }
 
-/// More spheres by octaves than a search has threads.
-TEST_F(DeviceCells, OfOctavesInManyRounds) {
-  std::vector<Sphere> spheres{{-8, 0, 0, 8}};
-  for (int i = 0; i < 700'000; ++i)
+/// 100 spheres in a row, and as many rows in a layer.
+std::vector<Sphere> lattice_of_hundreds(int n, float radius) {
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < n; ++i)
     spheres.push_back({static_cast<float>(i % 100), static_cast<float>(i / 100 % 100),
-                       static_cast<float>(i / 10'000), 0.55f});
-  spheres.push_back({107, 90, 60, 8});
-  const Chain chain(std::move(spheres));
+                       static_cast<float>(i / 10'000), radius});
+  return spheres;
+}
+
+void expect_answer_of_grid(const Chain& chain, std::uint64_t least_pairs) {
   const Collisions expected = answer_of("Grid", chain);
-  ASSERT_GT(expected.pair_count, 1'300'000u);
+  ASSERT_GT(expected.pair_count, least_pairs);
   for (const char* name : {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid(crowd=0)"}) {
     const Collisions found = answer_of(name, chain);
     EXPECT_TRUE(found.pairs == expected.pairs) << name << ": " << found.pair_count << " pairs";
     EXPECT_TRUE(found.count == expected.count) << name;
   }
+}
+
+/// More spheres by octaves than a search has threads.
+TEST_F(DeviceCells, OfOctavesInManyRounds) {
+  auto spheres = lattice_of_hundreds(700'000, 0.55f);
+  spheres.insert(spheres.begin(), {-8, 0, 0, 8});
+  spheres.push_back({107, 90, 60, 8});
+  expect_answer_of_grid(Chain(std::move(spheres)), 1'300'000);
+}
+
+/// And of one level, each near so many that a warp has room for those of one round, and not of the next: they
+/// touch along the edges of cubes, and across their faces.
+TEST_F(DeviceCells, OfMorePairsInTwoRoundsThanAWarpHasRoomFor) {
+  expect_answer_of_grid(Chain(lattice_of_hundreds(700'000, 0.72f)), 5'000'000);
 }
 
 /// In one place: threads that come first count more pairs than 16 bits tell.

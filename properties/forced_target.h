@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "catena/core/blocks/simd_targets.h"  // before Highway, so that all mean the same sets
 #include "hwy/highway.h"
 
 namespace catena::properties {
