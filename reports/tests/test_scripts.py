@@ -145,9 +145,9 @@ class Sanitize(Scripts):
         for tool in ("memcheck", "racecheck"):
             done, calls = self.run_script(self.script, tool, self.folder / "catena")
             self.assertEqual(done.returncode, 0, done.stderr)
-            listed, pairs, evidence = calls
+            listed, pairs, evidence, rounds = calls
             self.assertEqual(listed, "catena list")
-            for call in (pairs, evidence):
+            for call in (pairs, evidence, rounds):
                 self.assertTrue(call.startswith(f"compute-sanitizer --tool {tool} --error-exitcode 9 "), call)
                 self.assertEqual("--leak-check full" in call, tool == "memcheck")
             self.assertIn("--certify", evidence)
