@@ -14,6 +14,7 @@
 #include "catena/properties/forced_target.h"
 #include "catena/properties/suite.h"
 #include "catena/reference/reference.h"
+#include "hwy/highway.h"
 
 namespace catena::bench {
 namespace {
@@ -105,7 +106,11 @@ TEST(PivotWalk, IsJudgedByEveryVariantAfterAnyMoves) {
 
 /// Machines differ in the best that they have.
 TEST(PivotWalk, IsTheSameWithEveryInstructionSet) {
-  for (const std::int64_t target : properties::targets_here()) {
+  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+#if HWY_ARCH_X86  // on ARM NEON is all there is, and Highway counts it only beside AES
+  EXPECT_GT(targets.size(), 1u);
+#endif
+  for (const std::int64_t target : targets) {
     const properties::ForcedTarget forced(target);
     for (const std::uint32_t n : {2u, 9u, 100u, 257u}) expect_the_same_as_plain(n, 1, 500, n);
     expect_the_same_as_plain(40, 3, 500, 1);

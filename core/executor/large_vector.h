@@ -67,7 +67,7 @@ template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
 /// From so many bytes on the standard allocator maps memory of its own for an array (mallopt(3)), a page of
-/// which costs nothing until it is touched, and then as long as a search of some hundred spheres.
+/// which costs nothing until it is touched, and then longer than to write it.
 inline constexpr std::size_t least_mapped = std::size_t{1} << 17;
 
 /// Appends to an array of the standard kind. One that is mapped grows by more than the usual factor of 2, and

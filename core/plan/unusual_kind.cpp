@@ -119,13 +119,13 @@ constexpr double sparse = 0.25;
 /// either side as overlap. Measured over the registry's scenes and 50 other kinds of chain, of five sizes or
 /// densities each.
 Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
-  constexpr double few_rows = 8, dense = 3, least_beside = 1. / 128;
+  constexpr double few_rows = 8, rows_a_fill = 7, dense = 3, least_beside = 1. / 128;
   constexpr std::uint32_t very_few = 300;
   const RowLook look = RowLook::at(spheres);
   const bool ordered = look.straight > anywhere;
   if (ordered) {
-    // Others compare a sphere with all that its cells hold.
-    const double least_rows = like ? few_rows + 7 * filled : 2 * few_rows;
+    // Others compare a sphere with all that its cells hold; unlike ones do not tell how much that is.
+    const double least_rows = like ? few_rows + rows_a_fill * filled : 2 * few_rows;
     double rows = std::max(std::min(few_rows / std::sqrt(filled), 5 * few_rows), least_rows) *
                   std::min(1.0, look.straight / anywhere - 1);
     if (look.near > rows) rows += 2 / std::max(beside_the_next(spheres), least_beside) - 2;

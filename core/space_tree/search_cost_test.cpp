@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/grid/grid_kernels.h"
 #include "catena/core/space_tree/mean_near.h"
 #include "catena/core/space_tree/scattered.h"
 #include "catena/properties/forced_target.h"
@@ -72,6 +73,8 @@ TEST(SearchCost, ScatteredNumbersLieEvenly) {
   }
 }
 
+bool wide_vectors() { return spheres_of_a_vector() == 16; }
+
 /// Cells have one width: for radii of about the same size, whether or not some are exactly the greatest, or
 /// where the smaller ones are few in each.
 TEST(SearchCost, CellsAreForRadiiThatFitOneWidth) {
@@ -79,9 +82,9 @@ TEST(SearchCost, CellsAreForRadiiThatFitOneWidth) {
     const Chain chain(anywhere(20000, room, radius));
     return single_spheres(chain.view()).in_cells;
   };
-  const float crowded = 7.2f, loose = 14;
   for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
+    const float crowded = wide_vectors() ? 6 : 7.2f, loose = 14;  // others leave cells sooner
     EXPECT_TRUE(in_cells(crowded, [](std::uint32_t) { return 0.5f; })) << target;
     EXPECT_TRUE(in_cells(crowded, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.45f; })) << target;
     EXPECT_TRUE(in_cells(loose, [](std::uint32_t i) { return i % 2 == 0 ? 0.5f : 0.05f; })) << target;
@@ -102,7 +105,7 @@ TEST(SearchCost, FewSpheresAreInTheOrderOfSpaceWhereManyAreInCells) {
   for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
     EXPECT_FALSE(in_cells_of(3000, 600, 1)) << target;
-    EXPECT_TRUE(in_cells_of(30000, 100, 1)) << target;
+    EXPECT_TRUE(in_cells_of(30000, wide_vectors() ? 150 : 100, 1)) << target;
     // Of 3,000 it is about even where vectors hold eight spheres.
     EXPECT_TRUE(in_cells_of(30000, 4, 1)) << target;
     for (const std::uint32_t n : {3000u, 30000u})
