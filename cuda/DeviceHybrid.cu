@@ -36,7 +36,6 @@ struct WarpSpheres {
 /// At first 0.
 struct State {
   CapsuleBlocks::State blocks;
-  BlockNodes::State nodes;
   SphereCells::State cells;
 };
 
@@ -67,15 +66,22 @@ __global__ void __launch_bounds__(threads)
 struct BlockChunks {
   CapsuleBlocks blocks;
   __device__ std::uint32_t operator()() const {
-    return blocks.state->listed != 0 ? Buckets::chunks(blocks.table) : 0;
+    return blocks.any_in_cells() ? Buckets::chunks(blocks.table) : 0;
   }
   __device__ float* square_sum() const { return nullptr; }
   __device__ std::uint32_t* in_crowds() const { return nullptr; }
 };
 
+__global__ void __launch_bounds__(256) enter_blocks(const __grid_constant__ CapsuleBlocks blocks) {
+  await_previous();
+  if (!blocks.any_in_cells()) return;
+  const BlockMeeting meeting(blocks);
+  for_each_of_mine(blocks.blocks, [&](std::uint32_t b) { meeting.enter(b); });
+}
+
 __global__ void __launch_bounds__(256) place_blocks(const __grid_constant__ CapsuleBlocks blocks) {
   await_previous();
-  if (blocks.state->listed == 0) return;
+  if (!blocks.any_in_cells()) return;
   const BlockMeeting meeting(blocks);
   for_each_of_mine(blocks.blocks, [&](std::uint32_t b) { meeting.place(b); });
 }
@@ -158,7 +164,6 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
         least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
         surveyed_(static_cast<std::uint32_t>(
             parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))),
-        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))),
         binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
@@ -199,8 +204,9 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
     if (blocks_.all_crowded)
       return cells_.enqueue_build(chain, AllSpheres{chain.size}, binned_, &state->cells, Begin::anew, stream);
     launch_blocks(enclose_blocks, up(n, warps * WarpSpheres::blocks), threads, stream, chain, blocks_, state);
-    nodes_.enqueue(blocks_, meetings_, &state->nodes, stream);
+    nodes_.enqueue(blocks_, stream);
     if (blocks_.in_cells) {
+      launch_next<enter_blocks>(std::min(up(n, 256), most_blocks), 256, stream, blocks_);
       launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256,
                                                  stream, blocks_.buckets, BlockChunks{blocks_});
       launch_next<place_blocks>(std::min(up(n, 256), most_blocks), 256, stream, blocks_);
@@ -256,7 +262,6 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
   const std::uint32_t surveyed_;
-  const std::uint32_t meetings_;
   const std::uint64_t binned_;
   CapsuleBlocks blocks_{};
   DeviceBlockNodes nodes_;
@@ -279,7 +284,6 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
          {{"crowd", "8", "a block that meets more others is left to the grid"},
           {"least", "524288", "chains of fewer spheres are left to the grid"},
           {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
-          {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
           {"survey", "64", "blocks asked first whom they meet: the grid gets all where it takes less; 0: none"},
           binned_parameter()}),
      .cost = Cost{.fixed_us = 140, .sphere_ns = 4.7, .start_ms = 300},

@@ -30,7 +30,7 @@ class BlockMeetings {
 
   __device__ void meet() const {
     const std::uint32_t b = first_ + threadIdx.x % together;
-    const std::uint32_t own_level = b < blocks_.blocks && blocks_.tangled(b) ? blocks_.level(b) : ~0u;
+    const std::uint32_t own_level = b < blocks_.blocks && blocks_.looks(b) ? blocks_.level(b) : ~0u;
     if (threadIdx.x == 0) shared_.crowded = 0;
     for (std::uint32_t levels = blocks_.state->levels; levels != 0; levels &= levels - 1) {
       const std::uint32_t level = lowest_bit(levels);
@@ -109,7 +109,8 @@ class BlockMeetings {
     if (all_near == 0) return;
     std::uint32_t first = 0;
     if (DeviceWarp::lane() == 0) first = atomicAdd(&shared_.used, __popc(all_near));
-    const std::uint32_t k = __shfl_sync(DeviceWarp::all, first, 0) + __popc(all_near & DeviceWarp::lanes_before());
+    const std::uint32_t k =
+        __shfl_sync(DeviceWarp::all, first, 0) + __popc(all_near & DeviceWarp::lanes_before());
     if (near) put(k, b, meeting_.block_at(at));
   }
   __device__ void put(std::uint32_t k, std::uint32_t b, std::uint32_t other) const {

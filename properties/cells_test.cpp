@@ -7,6 +7,7 @@
 #include "catena/core/cells/block_nodes.h"
 #include "catena/core/cells/buckets.h"
 #include "catena/core/cells/capsule_blocks.h"
+#include "catena/core/cells/find_partners.h"
 #include "catena/core/cells/sphere_cells.h"
 #include "catena/properties/testing/rods.h"
 
@@ -25,13 +26,13 @@ TEST(Cells, LookAtNoMoreCapsulesThanAreDense) {
     }
 }
 
-/// Of 32 nodes none is crowded, of 34 all are: each meets one more than it may.
+/// Nodes each of which may meet all: as many as one may, itself too, and one more, and two; and as many as one may
+/// go on with, where tangled blocks are left to the grid, and one more.
 TEST(Cells, FindWhatNodesAtTheirLimitMeet) {
-  const BlockNodes nodes = BlockNodes::over(8 * 34, 0);
-  ASSERT_EQ(nodes.top, 1u);
-  for (const std::uint32_t others : {nodes.crowd(1) - 1, nodes.crowd(1), nodes.crowd(1) + 1, 2 * nodes.crowd(1)})
-    expect_exact(each_block_a_strand(scattered_rods(BlockNodes::children * (others + 1), 120)),
-                 "nodes that meet " + std::to_string(others) + " others");
+  constexpr std::uint32_t near = PartnerSearch::most_near, most = PartnerSearch::room / 2;
+  for (const std::uint32_t nodes : {near - 1, near, near + 1, near + 2, most, most + 1})
+    expect_exact(each_block_a_strand(scattered_rods(BlockNodes::children * nodes, nodes < most ? 120 : 240)),
+                 std::to_string(nodes) + " nodes that meet one another");
 }
 
 /// Pairs of blocks, in another order, so that what follows one another lies apart: their nodes meet all others.
@@ -128,16 +129,14 @@ TEST(Cells, FindWhatBlocksOfManyLevelsMeet) {
   }
 }
 
-/// Bits of a node's place among others, up to the most spheres there can be.
 TEST(Cells, HaveATreeOfAnySize) {
   for (const std::uint32_t blocks : {1u, 8u, 9u, 8192u, 8193u, 65537u, (1u << 26) - 1, 1u << 26}) {
-    const BlockNodes nodes = BlockNodes::over(blocks, 0);
+    const BlockNodes nodes = BlockNodes::over(blocks);
     ASSERT_LT(nodes.top, BlockNodes::most_levels);
+    EXPECT_GE(nodes.top, 2u);
     EXPECT_LE(nodes.count[nodes.top], BlockNodes::most_at_top);
-    for (std::uint32_t level = 1; level <= nodes.top; ++level) {
+    for (std::uint32_t level = 1; level <= nodes.top; ++level)
       EXPECT_EQ(nodes.count[level], (nodes.count[level - 1] + 7) / 8) << blocks;
-      EXPECT_LT(nodes.count[level - 1] - 1, BlockNodes::below_tangled) << blocks;
-    }
   }
 }
 

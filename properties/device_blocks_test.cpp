@@ -22,26 +22,23 @@ class DeviceBlocks : public testing::Test {
   }
 };
 
-/// Two strands side by side, each sphere of which touches the one beside it: of the meetings of nodes, which
-/// follow one another along both, none may be lost, wherever the room for them ends.
-TEST_F(DeviceBlocks, LoseNoMeetingWhereTheRoomForThemEnds) {
-  constexpr std::uint32_t each = 10'000 * block;
-  ASSERT_GE(BlockNodes::over(2 * each / block, 0).top, 2u);
-  std::vector<Sphere> spheres;
-  for (const float y : {0.0f, 1.875f})
-    for (std::uint32_t k = 0; k < each; ++k) spheres.push_back({1.5f * static_cast<float>(k), y, 0, 1});
-  const Chain chain(std::move(spheres), Strands{{0, each, 2 * each}, {}});
-  std::vector<Pair> expected;
-  for (std::uint32_t k = 0; k < each; ++k) expected.push_back({k, each + k});
-  std::vector<std::string> names{"DeviceHybrid", "DeviceHybrid(cells=0)"};
-  for (std::uint32_t room = 1; room < 8000; room += room < 1600 ? 311 : 401) {
-    names.push_back("DeviceHybrid(meetings=" + std::to_string(room) + ")");
-    names.push_back("DeviceHybrid(cells=0,meetings=" + std::to_string(room) + ")");
-  }
-  for (const std::string& name : names) {
-    const Collisions found = answer_of(name, chain);
-    EXPECT_TRUE(found.pairs == expected) << name << ": " << found.pair_count << " pairs";
-    EXPECT_TRUE(found.count == std::vector<std::uint32_t>(2 * each, 1)) << name;
+/// Two strands side by side, each sphere of which touches the one beside it: nodes meet one another along both,
+/// in trees of two levels and of four, by large thread blocks and by many small ones.
+TEST_F(DeviceBlocks, FindWhatTwoStrandsMeetInTreesOfManyLevels) {
+  for (const std::uint32_t blocks : {10'000u, 30'000u, 140'000u}) {
+    const std::uint32_t each = blocks * block;
+    EXPECT_EQ(BlockNodes::over(2 * blocks).top, blocks == 140'000u ? 4u : blocks == 30'000u ? 3u : 2u);
+    std::vector<Sphere> spheres;
+    for (const float y : {0.0f, 1.875f})
+      for (std::uint32_t k = 0; k < each; ++k) spheres.push_back({1.5f * static_cast<float>(k), y, 0, 1});
+    const Chain chain(std::move(spheres), Strands{{0, each, 2 * each}, {}});
+    std::vector<Pair> expected;
+    for (std::uint32_t k = 0; k < each; ++k) expected.push_back({k, each + k});
+    for (const char* name : {"DeviceHybrid", "DeviceHybrid(cells=0)", "DeviceHybrid(survey=0,cells=4294967295)"}) {
+      const Collisions found = answer_of(name, chain);
+      EXPECT_TRUE(found.pairs == expected) << name << ": " << found.pair_count << " pairs";
+      EXPECT_TRUE(found.count == std::vector<std::uint32_t>(2 * each, 1)) << name;
+    }
   }
 }
 

@@ -323,7 +323,7 @@ TEST_F(Device, AMillionSpheres) {
     ASSERT_EQ(exact.pair_count, 45u);
     for (const char* name :
          {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2", "DeviceGrid", "DeviceHybrid",
-          "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(meetings=10)", "DeviceHybrid(cells=0,meetings=1000)",
+          "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(survey=0)", "DeviceHybrid(cells=0,crowd=0)",
           "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;

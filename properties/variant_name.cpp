@@ -38,7 +38,7 @@ std::vector<Subject> in_small_blocks(const std::vector<Subject>& subjects) {
         {{"subtree", "6"}, {"block", "4"}, {"crowd", "0"}, {"frames", "always"}, {"parts", "3"}, {"group", "4"}});
     // On a device short chains are left to the grid.
     if (subject.info.on_device())
-      add(subject, {{"least", "0"}, {"cells", "0"}, {"meetings", "40"}, {"survey", "0"}});
+      add(subject, {{"least", "0"}, {"cells", "0"}, {"survey", "0"}});
   }
   return small;
 }

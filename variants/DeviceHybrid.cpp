@@ -6,6 +6,7 @@
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/cells/block_nodes.h"
+#include "catena/core/cells/find_partners.h"
 #include "catena/core/cells/host_comparison.h"
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/host_warp.h"
@@ -31,8 +32,7 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
         least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
         surveyed_(static_cast<std::uint32_t>(
-            parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))),
-        meetings_(static_cast<std::uint32_t>(parameters.unsigned_integer("meetings", 0, 1u << 31))) {}
+            parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))) {}
 
   Plan plan() const override {
     Plan plan = range_checks_plan<Arithmetic>(in_range_);
@@ -59,11 +59,8 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
     for (std::uint32_t b = 0; b < blocks_.blocks; ++b)
       meeting.enclose(
           HostQuad(), [&](std::uint32_t k) { return scaled(chain, b, k); }, b);
-    if (blocks_.blocks > 0) meet_in_tree(meeting);
-    buckets_.allocate();
-    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) meeting.place(b);
-    for (std::uint32_t b = 0; b < blocks_.blocks; ++b)
-      if (blocks_.tangled(b)) meet(meeting, b);
+    if (blocks_.blocks > 0) meet_in_tree();
+    if (blocks_.any_in_cells()) meet_in_cells(meeting);
     cells_.build(chain, blocks_.crowded_spheres(),
                  [&](std::uint32_t i) { return blocks_.crowded(i / CapsuleBlocks::block); });
   }
@@ -78,61 +75,25 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     ToldSearch(chain, &blocks_, cells_.placed()).search(lane, sink);
   }
-  void meet_in_tree(const BlockMeeting& of_blocks) {
+  void meet_in_tree() {
     const NodeMeeting meeting(nodes_, blocks_);
     for (std::uint32_t level = 1; level <= nodes_.top; ++level)
       for (std::uint32_t k = 0; k < nodes_.count[level]; ++k)
-        box_[nodes_.at(level, k)] = meeting.fit(HostOctet(), level, k);
-    BlockSurvey::Memory memory;
+        nodes_.put(level, k, meeting.fit(HostOctet(), level, k));
+    HostGroup group(32);
     for (std::uint32_t k = 0; k < blocks_.surveyed; ++k)
-      BlockSurvey(nodes_, blocks_, memory).ask(HostGroup(32), k);
-    if (blocks_.all_left()) return;
-    const std::uint32_t of_top = nodes_.count[nodes_.top];
-    for (std::uint32_t a = 0; a < of_top; ++a)
-      for (std::uint32_t b = a + 1; b < of_top; ++b)
-        if (meeting.may_meet_at_top(a, b)) note(meeting, nodes_.top, a, b, {0, 0});
-    for (std::uint32_t level = nodes_.top; level > 0; --level) {
-      for (std::uint32_t k = 0; k < nodes_.count[level]; ++k)
-        if (!meeting.settled(level, k)) meet_below(meeting, of_blocks, level, {k, k});
-      for (std::uint32_t k = 0; k < nodes_.meetings(level); ++k)
-        if (BlockNodes::Meeting of = nodes_.meeting[level % 2][k]; !meeting.leaves_out(level, of))
-          meet_below(meeting, of_blocks, level, of);
-      meeting_[level % 2].clear();
-    }
-    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) of_blocks.enter(b, nodes_.tangled(0, b));
-  }
-  void meet_below(const NodeMeeting& meeting, const BlockMeeting& of_blocks, std::uint32_t level,
-                  const BlockNodes::Meeting& of) {
-    constexpr std::uint32_t mark = BlockNodes::below_tangled, children = BlockNodes::children;
-    const std::uint32_t a = of.a & ~mark, b = of.b & ~mark;
-    const auto held = [&](std::uint32_t node, std::uint32_t other) {
-      std::uint32_t bits = nodes_.children_of(level, node);
-      for (std::uint32_t k = 0; k < children; ++k)
-        if ((bits >> k & 1) != 0 && node != other && !meeting.may_hold(level - 1, other, node * children + k))
-          bits &= ~(1u << k);
-      return bits;
-    };
-    const std::uint32_t of_a = held(a, b), of_b = held(b, a);
-    for (std::uint32_t i = 0; i < children; ++i)
-      for (std::uint32_t j = a == b ? i + 1 : 0; j < children; ++j) {
-        const std::uint32_t child_a = a * children + i, child_b = b * children + j;
-        if ((of_a >> i & of_b >> j & 1) == 0 || !meeting.may_meet(level - 1, child_a, child_b)) continue;
-        if (level > 1)
-          note(meeting, level - 1, child_a, child_b, of);
-        else
-          of_blocks.note_mutual(child_a, child_b);
-      }
-  }
-  void note(const NodeMeeting& meeting, std::uint32_t level, std::uint32_t a, std::uint32_t b,
-            const BlockNodes::Meeting& of) {
-    constexpr std::uint32_t mark = BlockNodes::below_tangled;
-    if (!meeting.note(level, a, b)) return;
-    if (node_state_.meetings[level] == nodes_.capacity) return meeting.give_up(level, a, b);
-    ++node_state_.meetings[level];
-    meeting_[level % 2].push_back({a | (of.a & mark), b | (of.b & mark)});
-    nodes_.meeting[level % 2] = meeting_[level % 2].data();
+      BlockSurvey(nodes_, blocks_, of_survey_).ask(group, k);
+    for (std::uint32_t k = 0; k < nodes_.count[2]; ++k)
+      PartnerSearch(nodes_, blocks_, of_search_).find(group, k);
   }
 
+  void meet_in_cells(const BlockMeeting& meeting) {
+    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) meeting.enter(b);
+    buckets_.allocate();
+    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) meeting.place(b);
+    for (std::uint32_t b = 0; b < blocks_.blocks; ++b)
+      if (blocks_.looks(b)) meet(meeting, b);
+  }
   void meet(const BlockMeeting& meeting, std::uint32_t b) const {
     for (std::uint32_t levels = state_.levels >> blocks_.level(b) << blocks_.level(b); levels != 0;
          levels &= levels - 1)
@@ -162,12 +123,9 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
     blocks_.state = &state_;
     blocks_.buckets = buckets_.reserve(blocks_.table, n);
     if (n == 0) return;
-    nodes_ = BlockNodes::over(blocks_.blocks, meetings_);
-    box_.resize(nodes_.nodes());
-    node_met_.assign(nodes_.nodes(), 0);
-    node_state_ = {};
-    for (auto& list : meeting_) list.clear();
-    nodes_.box = box_.data(), nodes_.met = node_met_.data(), nodes_.state = &node_state_;
+    nodes_ = BlockNodes::over(blocks_.blocks);
+    quarter_.resize(BlockNodes::quarters * std::size_t{nodes_.nodes()});
+    nodes_.quarter = quarter_.data();
   }
   /// Sphere k of block b and those after it, in the blocks' units.
   Sphere scaled(const ChainView& chain, std::uint32_t b, std::uint32_t k) const {
@@ -177,14 +135,12 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
   const std::uint32_t surveyed_;
-  const std::uint32_t meetings_;
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
   BlockNodes nodes_{};
-  BlockNodes::State node_state_{};
-  std::vector<NodeBox> box_;
-  std::vector<std::uint32_t> node_met_;
-  std::vector<BlockNodes::Meeting> meeting_[2];
+  BlockSurvey::Memory of_survey_{};
+  PartnerSearch::Memory of_search_{};
+  std::vector<BlockNodes::Quarter> quarter_;
   std::vector<BlockCapsule> capsule_;
   std::vector<CapsuleBall> ball_;
   std::vector<std::uint8_t> shape_;
@@ -202,7 +158,6 @@ const RegisterVariant<DeviceHybridOnHost, Robust> registered{
                     {"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 524288"},
                     {"cells", "0",
                      "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
-                    {"meetings", "0", "room for so many meetings of nodes; 0: by the number of spheres"},
                     {"survey", "64",
                      "blocks asked first whom they meet: the grid gets all where it takes less; 0: none"}}}};
 

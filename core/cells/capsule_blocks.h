@@ -7,6 +7,7 @@
 #include "catena/core/cells/bits.h"
 #include "catena/core/cells/block_capsule.h"
 #include "catena/core/cells/buckets.h"
+#include "catena/core/cells/counter.h"
 #include "catena/core/chain/chain_view.h"
 
 namespace catena {
@@ -22,28 +23,41 @@ namespace catena {
 /// the cells; or where to leave all to the search of crowded ones takes less (all_left). Pairs of two
 /// crowded blocks are left to another search; all others are found here, by work that is bounded for each
 /// block. A cell with more than `dense` capsules holds crowded blocks only, so that no others need to be
-/// looked for there. Crowded blocks that are not tangled have a place in the cells too, for the sake of their
-/// order in space, but no level, and nobody looks for them.
+/// looked for there. Blocks that are crowded by what the tree says have their places in the cells too, where
+/// tangled ones find them.
 struct CapsuleBlocks {
   static constexpr std::uint32_t block = 32;  ///< spheres
   static constexpr std::uint32_t dense = 96;
   static constexpr std::uint32_t most_partners = 8, most_met = 32;
   static constexpr std::uint32_t most_window = block - 1, most_levels = 3, most_surveyed = 1024;
-  static constexpr std::uint8_t is_ordered = 0x80, is_tangled = 0x40, has_place = 0x20, level_bits = 0x1F;
+  static constexpr std::uint8_t is_ordered = 0x80, is_tangled = 0x40, level_bits = 0x1F;
   static constexpr std::uint32_t no_level = level_bits;
-  static constexpr std::uint32_t mutual = 0x80000000u;  ///< of a partner: it has this one too
-  static constexpr int least_width = -4;                ///< log2 of the width of level 0's cells
+  static constexpr int least_width = -4;  ///< log2 of the width of level 0's cells
+
+  /// Of the blocks that are asked before all others (BlockSurvey): how many it is known of, how many of these
+  /// meet more than `crowd` others, how many do not, and whom the latter meet, in all. As one number, so that
+  /// who looks at it while it grows sees all that one of them said, or nothing.
+  struct Survey {
+    std::uint32_t asked, crowded, others, partners;
+    CATENA_HD static Survey of(unsigned long long number) {
+      const auto part = [number](int k) { return static_cast<std::uint32_t>(number >> 16 * k & 0xFFFF); };
+      return {part(0), part(1), part(2), part(3)};
+    }
+    CATENA_HD unsigned long long number() const {
+      return asked | static_cast<unsigned long long>(crowded) << 16 |
+             static_cast<unsigned long long>(others) << 32 | static_cast<unsigned long long>(partners) << 48;
+    }
+  };
+  static_assert(most_surveyed * most_partners <= 0xFFFF);
 
   struct State {
-    std::uint32_t places;   ///< blocks that were sorted
-    std::uint32_t present;  ///< bit k: there are tangled blocks of level k
-    std::uint32_t levels;   ///< the same, where they are searched for
-    std::uint32_t crowded;  ///< crowded blocks of every `sample`-th, about
-    std::uint32_t any;      ///< not 0: there is a crowded block
-    std::uint32_t listed;   ///< not 0: there is one that has a place
-    std::uint32_t survey_crowded;   ///< blocks of the survey that meet more than `crowd` others
-    std::uint32_t survey_others;    ///< those of whom it is known that they do not,
-    std::uint32_t survey_partners;  ///< and whom they meet, in all
+    std::uint32_t places;       ///< blocks that were sorted
+    std::uint32_t present;      ///< bit k: there are tangled blocks of level k
+    std::uint32_t levels;       ///< the same, where they are searched for
+    std::uint32_t crowded;      ///< crowded blocks of every `sample`-th, about
+    std::uint32_t any;          ///< not 0: there is a crowded block
+    std::uint32_t listed;       ///< not 0: there is a tangled one, for the cells
+    unsigned long long survey;  ///< a Survey
   };
 
   CellTable table;
@@ -57,7 +71,7 @@ struct CapsuleBlocks {
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
-  std::uint8_t* shape;      ///< by block: its level, and is_ordered (BlockShape), is_tangled, has_place
+  std::uint8_t* shape;      ///< by block: its level, and is_ordered (BlockShape), is_tangled
   Buckets buckets;          ///< of blocks
   CapsuleBall* ball;        ///< by place
   std::uint32_t* id;        ///< by place: 32 times the block, and its level or no_level
@@ -101,9 +115,19 @@ struct CapsuleBlocks {
   /// vain, and took half of what one without partners saves (measured on an H200). So the other search gets
   /// all blocks where that is less in all. Known once a few were asked, before all are. Not where radii are
   /// unlike, among which it is slow, or where most of those asked are not known.
-  CATENA_HD bool all_left() const {
-    const std::uint32_t crowded = state->survey_crowded, others = state->survey_others;
-    return alike && 2 * (crowded + others) >= surveyed && state->survey_partners + 2 * crowded > 4 * others;
+  CATENA_HD bool all_left() const { return all_left(Survey::of(state->survey)); }
+  /// While others are asked still: whether that is so, and whether it is known. It is before the last one has
+  /// spoken where it would be so even if all others had no partner; then half of them are known already, as
+  /// nobody has more than most_partners.
+  struct Left {
+    bool all, known;
+  };
+  CATENA_HD Left left_by_now() const {
+    Survey said = Survey::of(seen(&state->survey));
+    const bool last = said.asked == surveyed;
+    if (!last) said.others = surveyed - said.crowded;
+    const bool all = all_left(said);
+    return {all, all || last};
   }
   /// The k-th block of the survey: of so many parts of the chain one each, anywhere in it, as what comes
   /// again in the chain may do so with the parts.
@@ -122,7 +146,10 @@ struct CapsuleBlocks {
   /// them, it is not worth it, and all tangled blocks count as crowded. Known once all were entered.
   CATENA_HD bool searched() const { return count_bits(state->present) <= most_levels; }
   CATENA_HD bool tangled(std::uint32_t b) const { return (shape[b] & is_tangled) != 0; }
-  CATENA_HD bool placed(std::uint32_t b) const { return (shape[b] & has_place) != 0; }
+  /// Blocks are put into cells.
+  CATENA_HD bool any_in_cells() const { return state->listed != 0 && !all_left(); }
+  /// Of tangled blocks, those that look for others: who is crowded by what it met in the tree has no need to.
+  CATENA_HD bool looks(std::uint32_t b) const { return tangled(b) && partners[b] <= crowd; }
   /// About how many spheres are in crowded blocks, once all have met; no more than there are blocks for.
   CATENA_HD std::uint32_t crowded_spheres() const {
     const std::uint32_t about = all_left() ? blocks : state->crowded * sample;
@@ -168,6 +195,10 @@ struct CapsuleBlocks {
   }
 
  private:
+  CATENA_HD bool all_left(const Survey& said) const {
+    return alike && 2 * (said.crowded + said.others) >= surveyed &&
+           said.partners + 2 * said.crowded > 4 * said.others;
+  }
   /// A capsule along one axis: its centre's cell, and whether it touches anything in the cells beside that.
   struct Way {
     float cell;

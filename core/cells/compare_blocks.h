@@ -36,11 +36,11 @@ class BlockComparison {
     } else {
       if (!ordered) add(Work::within);
       for (std::uint32_t k = 0; k < blocks_.partners[b]; ++k) {
-        const std::uint32_t stored = blocks_.partner[b * CapsuleBlocks::most_partners + k],
-                            id = stored & ~CapsuleBlocks::mutual;
-        // In the tree, and in cells of one level, both met the other.
-        const bool both = stored != id || blocks_.level(id) == blocks_.level(b);
-        if (id > b || blocks_.crowded(id) || !both) add(static_cast<Work>(k));
+        const std::uint32_t other = blocks_.partner[b * CapsuleBlocks::most_partners + k];
+        // In the tree those that are not tangled met one another, in cells those of one level.
+        const bool both =
+            blocks_.tangled(b) ? blocks_.level(other) == blocks_.level(b) : !blocks_.tangled(other);
+        if (other > b || blocks_.crowded(other) || !both) add(static_cast<Work>(k));
       }
     }
     const bool neighbours =
@@ -58,8 +58,8 @@ class BlockComparison {
     if (work == Work::adjacent) return compare_adjacent<Tests>(b, sink);
     if (work == Work::coarser) return compare_with_coarser<Tests>(b, sink);
     const std::uint32_t k = static_cast<std::uint32_t>(work),
-                        id = blocks_.partner[b * CapsuleBlocks::most_partners + k] & ~CapsuleBlocks::mutual;
-    compare_two<Tests>(b < id ? b : id, b < id ? id : b, sink);
+                        other = blocks_.partner[b * CapsuleBlocks::most_partners + k];
+    compare_two<Tests>(b < other ? b : other, b < other ? other : b, sink);
   }
 
  private:

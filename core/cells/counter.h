@@ -17,9 +17,25 @@ CATENA_HD inline std::uint32_t fetch_add(std::uint32_t* number, std::uint32_t mo
 #endif
 }
 
+CATENA_HD inline void add(unsigned long long* number, unsigned long long more) {
+#ifdef __CUDA_ARCH__
+  atomicAdd(number, more);
+#else
+  *number += more;
+#endif
+}
+
 /// What such a number is now; it may be more by the time it is used.
-CATENA_HD inline std::uint32_t seen(const std::uint32_t* number) {
-  return *static_cast<const volatile std::uint32_t*>(number);
+template <class Number>
+CATENA_HD Number seen(const Number* number) {
+  return *static_cast<const volatile Number*>(number);
+}
+
+/// Between two looks at such a number.
+CATENA_HD inline void wait_a_moment() {
+#ifdef __CUDA_ARCH__
+  __nanosleep(100);
+#endif
 }
 
 /// Makes such a number at least this. Most callers find that it is, and a look costs less than an atomic

@@ -28,35 +28,35 @@ class BlockMeeting {
     });
   }
 
-  // Step 2 is that of the nodes.
-  /// And at its end, of two blocks that met there: each is the other's partner.
-  CATENA_HD void note_mutual(std::uint32_t a, std::uint32_t b) const {
-    add_partner(a, b | CapsuleBlocks::mutual);
-    add_partner(b, a | CapsuleBlocks::mutual);
-  }
-
-  /// Step 3, for each block.
-  CATENA_HD void enter(std::uint32_t b, bool tangled) const {
-    if (!blocks_.in_cells) {
-      if (tangled) crowd(b);
-      return;
-    }
-    if (!tangled && !blocks_.crowded(b)) return;
-    const std::uint32_t level = blocks_.level(b);
-    blocks_.shape[b] |= CapsuleBlocks::has_place | (tangled ? CapsuleBlocks::is_tangled : 0);
-    blocks_.buckets.enter(blocks_.bucket_of(blocks_.capsule[b], level), b);
+  // Step 2 is that of the nodes' boxes.
+  /// Step 3, for each block, which met so many others in the tree unless it is tangled (PartnerSearch). Who
+  /// is crowded counts as tangled from now on where there are cells, so that tangled ones find it there.
+  CATENA_HD void tell(std::uint32_t b, bool tangled, std::uint32_t partners) const {
+    const bool crowded = partners > blocks_.crowd && !tangled;
+    blocks_.partners[b] = tangled ? 0 : partners;
+    if (crowded) note_crowded(b);
+    if (tangled && !blocks_.in_cells) crowd(b);
+    if (!blocks_.in_cells || (!tangled && !crowded)) return;
+    blocks_.shape[b] |= CapsuleBlocks::is_tangled;
     set_bits(&blocks_.state->listed, 1);
-    if (tangled) set_bits(&blocks_.state->present, 1u << level);
   }
 
-  // Step 4 is that of the buckets.
-  /// Step 5, for each block.
+  /// Step 4, for each block where tangled ones are put into cells.
+  CATENA_HD void enter(std::uint32_t b) const {
+    if (!blocks_.tangled(b)) return;
+    const std::uint32_t level = blocks_.level(b);
+    blocks_.buckets.enter(blocks_.bucket_of(blocks_.capsule[b], level), b);
+    set_bits(&blocks_.state->present, 1u << level);
+  }
+
+  // Step 5 is that of the buckets.
+  /// Step 6, for each block.
   CATENA_HD void place(std::uint32_t b) const {
-    if (!blocks_.placed(b)) return;
+    if (!blocks_.tangled(b)) return;
     const BlockCapsule capsule = blocks_.capsule[b];
     const std::uint32_t level = blocks_.level(b),
                         at = blocks_.buckets.place(blocks_.bucket_of(capsule, level), b);
-    const bool searched = blocks_.tangled(b) && blocks_.searched();
+    const bool searched = blocks_.searched();
     blocks_.ball[at] = ball_of(capsule);
     blocks_.id[at] = b << 5 | (searched ? level : CapsuleBlocks::no_level);
     if (searched)
@@ -65,7 +65,7 @@ class BlockMeeting {
       crowd(b);
   }
 
-  /// Step 6, for each level, each tangled block of it or a finer one, and each row of cells: the places to
+  /// Step 7, for each level, each tangled block of it or a finer one, and each row of cells: the places to
   /// look at, side by side; mostly all.
   CATENA_HD Buckets::Run look(std::uint32_t b, std::uint32_t level, std::uint32_t row,
                               CapsuleBlocks::Row& rest) const {

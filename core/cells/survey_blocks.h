@@ -9,8 +9,8 @@ namespace catena {
 /// not know of it here.
 class BlockSurvey {
  public:
-  static constexpr std::uint32_t room = 256;  ///< nodes of a level
-  struct Memory {                             ///< of a group
+  static constexpr std::uint32_t room = 256;     ///< nodes of a level
+  struct Memory {                                ///< of a group
     std::uint32_t met[BlockNodes::most_levels];  ///< by level
     std::uint32_t node[2][room];                 ///< levels of even and of odd numbers
   };
@@ -30,8 +30,7 @@ class BlockSurvey {
     const std::uint32_t b = blocks_.surveyed_block(k);
     const BlockCapsule own = blocks_.capsule[b];
     const auto look_at = [&](std::uint32_t level, std::uint32_t node) {
-      if (level == 0 ? !meeting_.may_meet(0, b, node) : !nodes_.box[nodes_.at(level, node)].may_hold(own))
-        return;
+      if (level == 0 ? !meeting_.may_meet(0, b, node) : !nodes_.box(level, node).may_hold(own)) return;
       const std::uint32_t at = fetch_add(memory_.met + level, 1);
       if (level > 0 && at < room) memory_.node[level % 2][at] = node;
     };
@@ -44,22 +43,21 @@ class BlockSurvey {
       const std::uint32_t met = memory_.met[level];
       tangled = met > most_nodes(blocks_);
       group.parallel(tangled ? 0 : met * BlockNodes::children, [&look_at, level, this](std::uint32_t child) {
-        const std::uint32_t node = memory_.node[level % 2][child / BlockNodes::children] * BlockNodes::children +
-                                   child % BlockNodes::children;
+        const std::uint32_t node =
+            memory_.node[level % 2][child / BlockNodes::children] * BlockNodes::children +
+            child % BlockNodes::children;
         if (node < nodes_.count[level - 1]) look_at(level - 1, node);
       });
     }
     group.barrier();
     const std::uint32_t partners = memory_.met[0];
     group.parallel(1, [&](std::uint32_t) {
-      CapsuleBlocks::State& state = *blocks_.state;
-      if (tangled && blocks_.in_cells) return;
-      if (tangled || partners > blocks_.crowd) {
-        fetch_add(&state.survey_crowded, 1);
-      } else {
-        fetch_add(&state.survey_others, 1);
-        fetch_add(&state.survey_partners, partners);
+      CapsuleBlocks::Survey said{1, 0, 0, 0};
+      if (!tangled || !blocks_.in_cells) {  // else nobody knows
+        const bool crowded = tangled || partners > blocks_.crowd;
+        said.crowded = crowded ? 1 : 0, said.others = crowded ? 0 : 1, said.partners = crowded ? 0 : partners;
       }
+      add(&blocks_.state->survey, said.number());
     });
     group.barrier();
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 #include <vector>
 
@@ -11,8 +12,8 @@
 namespace catena {
 namespace {
 
-/// Balls as blocks, so many at one place and the next ones far from them, in a tree of one level; the one
-/// `step` further on, around, comes next in the chain.
+/// Balls as blocks, so many at one place and the next ones far from them; the one `step` further on, around,
+/// comes next in the chain.
 class Survey {
  public:
   Survey(std::uint32_t blocks, std::uint32_t together, std::uint32_t asked, bool in_cells, float ratio = 1,
@@ -28,17 +29,20 @@ class Survey {
     capsule_.resize(blocks + BlockNodes::children, capsule_.back());
     shape_.resize(capsule_.size());
     blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data(), blocks_.state = &state_;
-    nodes_ = BlockNodes::over(blocks, 0);
-    box_.resize(nodes_.nodes());
-    nodes_.box = box_.data();
-    for (std::uint32_t node = 0; node < nodes_.count[1]; ++node)
-      box_[node] = NodeMeeting(nodes_, blocks_).fit(HostOctet(), 1, node);
+    nodes_ = BlockNodes::over(blocks);
+    quarter_.resize(BlockNodes::quarters * std::size_t{nodes_.nodes()});
+    nodes_.quarter = quarter_.data();
+    for (std::uint32_t level = 1; level <= nodes_.top; ++level)
+      for (std::uint32_t node = 0; node < nodes_.count[level]; ++node)
+        nodes_.put(level, node, NodeMeeting(nodes_, blocks_).fit(HostOctet(), level, node));
     BlockSurvey::Memory memory;
     for (std::uint32_t k = 0; k < blocks_.surveyed; ++k)
       BlockSurvey(nodes_, blocks_, memory).ask(HostGroup(32), k);
   }
   std::vector<std::uint32_t> counted() const {
-    return {state_.survey_crowded, state_.survey_others, state_.survey_partners};
+    const auto said = CapsuleBlocks::Survey::of(state_.survey);
+    EXPECT_EQ(said.asked, blocks_.surveyed);
+    return {said.crowded, said.others, said.partners};
   }
   bool all_left() const { return blocks_.all_left(); }
 
@@ -48,7 +52,7 @@ class Survey {
   BlockNodes nodes_{};
   std::vector<BlockCapsule> capsule_;
   std::vector<std::uint8_t> shape_;
-  std::vector<NodeBox> box_;
+  std::vector<BlockNodes::Quarter> quarter_;
 };
 using Counted = std::vector<std::uint32_t>;
 
@@ -128,13 +132,50 @@ TEST(BlockSurvey, LeavesAllWhereTheOtherSearchTakesLess) {
         Case{32, 32, 65, true}, Case{42, 22, 4, false}, Case{42, 22, 5, true}, Case{64, 0, 0, true},
         Case{31, 0, 0, false}, Case{32, 0, 0, true}, Case{0, 31, 248, false}, Case{0, 32, 248, true}}) {
     CapsuleBlocks::State state{};
-    state.survey_crowded = c.crowded, state.survey_others = c.others, state.survey_partners = c.partners;
+    state.survey = CapsuleBlocks::Survey{64, c.crowded, c.others, c.partners}.number();
     CapsuleBlocks blocks{};
     blocks.surveyed = 64, blocks.alike = true, blocks.state = &state;
     EXPECT_EQ(blocks.all_left(), c.left) << c.crowded << ' ' << c.others << ' ' << c.partners;
+    EXPECT_EQ(blocks.left_by_now().all, c.left) << c.crowded << ' ' << c.others << ' ' << c.partners;
+    EXPECT_TRUE(blocks.left_by_now().known);
     blocks.alike = false;
     EXPECT_FALSE(blocks.all_left()) << c.crowded << ' ' << c.others << ' ' << c.partners;
+    EXPECT_FALSE(blocks.left_by_now().all) << c.crowded << ' ' << c.others << ' ' << c.partners;
   }
+}
+
+/// Whoever goes by what is known finds nobody: it must be so at the end, whatever the others will say. (Half
+/// of them may say what all together do not.)
+TEST(BlockSurvey, SaysNothingBeforeItIsCertain) {
+  std::mt19937 random(7);
+  int early = 0, left = 0, kept = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
+    const std::uint32_t crowded = below(101), unknown = below(3) == 0 ? below(60) : 0, most = 1 + below(9);
+    CapsuleBlocks::State state{};
+    CapsuleBlocks blocks{};
+    blocks.surveyed = 1 + below(64), blocks.alike = true, blocks.state = &state;
+    bool certain = false;  // before the last has spoken
+    for (std::uint32_t k = 0; k < blocks.surveyed; ++k) {
+      CapsuleBlocks::Survey said{1, 0, 0, 0};
+      if (below(100) < crowded)
+        said.crowded = 1;
+      else if (below(100) >= unknown)
+        said.others = 1, said.partners = below(most);
+      add(&state.survey, said.number());
+      const CapsuleBlocks::Left now = blocks.left_by_now();
+      EXPECT_EQ(now.known, now.all || k + 1 == blocks.surveyed);
+      certain |= now.all && k + 1 < blocks.surveyed;
+    }
+    EXPECT_EQ(blocks.left_by_now().all, blocks.all_left());
+    if (certain) {
+      EXPECT_TRUE(blocks.all_left());
+    }
+    early += certain, left += blocks.all_left(), kept += !blocks.all_left();
+  }
+  EXPECT_GT(early, 100);
+  EXPECT_GT(left, 100);
+  EXPECT_GT(kept, 100);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ inline void expect_exact(const Chain& chain, const std::string& what, bool with_
       for (const char* p :
            {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
             "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,cells=4194304)",
-            "(least=0,meetings=1)", "(least=0,cells=0,meetings=40)", "(least=0,survey=0)",
+            "(least=0,survey=0)",
             "(least=0,cells=0,survey=0)", "(least=0,cells=0,crowd=2,survey=0)"})
         names.push_back(info.name + p);
     for (const std::string& name : names) {

@@ -1,0 +1,165 @@
+#include "catena/core/cells/find_partners.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "catena/core/cells/host_buckets.h"
+#include "catena/core/cells/host_warp.h"
+#include "catena/core/executor/host_group.h"
+
+namespace catena {
+namespace {
+
+/// Blocks of which only the capsules are there, in any order, in a tree; every one that is not tangled meets
+/// whom it does.
+class Partners {
+ public:
+  Partners(std::vector<BlockCapsule> capsules, std::uint32_t crowd, bool in_cells)
+      : capsule_(std::move(capsules)) {
+    const auto n = static_cast<std::uint32_t>(capsule_.size());
+    ChainView chain{};
+    chain.size = n * CapsuleBlocks::block;
+    chain.extent.least_radius = chain.extent.greatest_radius = 1;
+    blocks_ = CapsuleBlocks::of(chain, crowd, 1, 0, in_cells ? 0 : ~0u, 0);
+    shape_.resize(n), partners_.resize(n), met_.resize(n), partner_.resize(CapsuleBlocks::most_partners * n);
+    blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data(), blocks_.partners = partners_.data();
+    blocks_.met = met_.data(), blocks_.partner = partner_.data(), blocks_.state = &state_;
+    nodes_ = BlockNodes::over(n);
+    quarter_.resize(BlockNodes::quarters * std::size_t{nodes_.nodes()});
+    nodes_.quarter = quarter_.data();
+    for (std::uint32_t level = 1; level <= nodes_.top; ++level)
+      for (std::uint32_t node = 0; node < nodes_.count[level]; ++node)
+        nodes_.put(level, node, NodeMeeting(nodes_, blocks_).fit(HostOctet(), level, node));
+    PartnerSearch::Memory memory;
+    for (const std::uint32_t threads : {32u, 1u, 128u}) {  // and each time the same
+      std::fill(shape_.begin(), shape_.end(), std::uint8_t{0});
+      state_ = {};
+      HostGroup group(threads);
+      for (std::uint32_t k = 0; k < nodes_.count[2]; ++k)
+        PartnerSearch(nodes_, blocks_, memory).find(group, k);
+      check();
+    }
+  }
+
+  std::uint32_t crowded = 0, tangled = 0, pairs = 0;  ///< crowded by what it met
+
+ private:
+  void check() {
+    crowded = tangled = pairs = 0;
+    const NodeMeeting meeting(nodes_, blocks_);
+    for (std::uint32_t b = 0; b < blocks_.blocks; ++b) {
+      std::vector<std::uint32_t> others;
+      for (std::uint32_t other = 0; other < blocks_.blocks; ++other)
+        if (meeting.may_meet(0, b, other)) others.push_back(other);
+      const bool in_cells = blocks_.tangled(b);
+      if (in_cells ? partners_[b] == 0 : partners_[b] > blocks_.crowd && others.size() <= blocks_.crowd) {
+        ++tangled;
+        continue;
+      }
+      pairs += static_cast<std::uint32_t>(others.size());
+      if (others.size() > blocks_.crowd) {
+        ++crowded;
+        EXPECT_GT(partners_[b], blocks_.crowd) << b;
+        EXPECT_EQ(in_cells, blocks_.in_cells) << b;
+        EXPECT_NE(state_.any, 0u);
+        continue;
+      }
+      ASSERT_EQ(partners_[b], others.size()) << b;
+      std::vector<std::uint32_t> found(partner_.begin() + b * CapsuleBlocks::most_partners,
+                                       partner_.begin() + b * CapsuleBlocks::most_partners + partners_[b]);
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, others) << b;
+    }
+  }
+
+  std::vector<BlockCapsule> capsule_;
+  std::vector<std::uint8_t> shape_;
+  std::vector<std::uint32_t> partners_, met_, partner_;
+  std::vector<BlockNodes::Quarter> quarter_;
+  CapsuleBlocks::State state_{};
+  CapsuleBlocks blocks_{};
+  BlockNodes nodes_{};
+};
+
+BlockCapsule capsule(float x, float y, float z, float half_x, float radius) {
+  BlockCapsule c = BlockCapsule::around({x, y, z, radius});
+  c.half = {half_x, 0, 0}, c.reach = c.radius + half_x;
+  return c;
+}
+
+/// In the order of the chain, beside one another and one turn further on.
+std::vector<BlockCapsule> wound(std::uint32_t blocks, std::uint32_t turn, float apart) {
+  std::vector<BlockCapsule> result;
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    result.push_back(
+        capsule(10.0f * static_cast<float>(b % turn), apart * static_cast<float>(b / turn), 0, 5, 1));
+  return result;
+}
+
+TEST(PartnerSearch, FindsAllThatBlocksMeetAlongAChain) {
+  for (const bool in_cells : {false, true})
+    for (const std::uint32_t blocks : {1u, 2u, 7u, 8u, 9u, 63u, 64u, 65u, 500u, 4097u}) {
+      const Partners lone(wound(blocks, 40, 2.5f), 8, in_cells),
+          touching(wound(blocks, 40, 1.9f), 8, in_cells);
+      EXPECT_EQ(lone.tangled + lone.crowded + touching.tangled + touching.crowded, 0u) << blocks;
+      EXPECT_GE(touching.pairs, lone.pairs);
+      EXPECT_EQ(touching.pairs > lone.pairs, blocks > 40);
+    }
+}
+
+TEST(PartnerSearch, KnowsWhoMeetsMoreThanItMay) {
+  for (const bool in_cells : {false, true})
+    for (const std::uint32_t crowd : {0u, 2u, 8u}) {
+      std::vector<BlockCapsule> capsules;
+      for (std::uint32_t k = 0; k < 300; ++k)  // groups of 1 to 12 at a place
+        for (std::uint32_t j = 0; j <= k % 12; ++j)
+          capsules.push_back(capsule(20.0f * static_cast<float>(k), 0, 0, 2, 1));
+      const Partners found(capsules, crowd, in_cells);
+      EXPECT_EQ(found.tangled, 0u);
+      EXPECT_GT(found.crowded, 100u);
+      EXPECT_LT(found.crowded, capsules.size());
+    }
+}
+
+/// Blocks of a lattice in any order: every node may meet all others, whether these are as many as one may go
+/// on with or more. None that is not told to be tangled lacks a partner.
+TEST(PartnerSearch, LosesNobodyWhereNodesMeetAsManyAsTheyMayOrMore) {
+  std::mt19937 random(3);
+  for (const bool in_cells : {false, true})
+    for (const std::uint32_t nodes : {31u, 32u, 33u, 34u, 64u, 127u, 128u, 129u, 255u, 256u, 257u, 700u}) {
+      std::vector<BlockCapsule> capsules;
+      for (std::uint32_t b = 0; b < nodes * BlockNodes::children; ++b)
+        capsules.push_back(capsule(8 * static_cast<float>(b % 16), 1.9f * static_cast<float>(b / 16 % 8),
+                                   4 * static_cast<float>(b / 128), 3, 1));
+      std::shuffle(capsules.begin(), capsules.end(), random);
+      const Partners found(capsules, 8, in_cells);
+      EXPECT_EQ(found.tangled, nodes > PartnerSearch::most_near ? capsules.size() : 0) << nodes;
+      EXPECT_EQ(found.crowded, 0u) << nodes;
+    }
+}
+
+/// More pairs of nodes than are looked into together, and more pairs of blocks than that.
+TEST(PartnerSearch, LooksIntoManyPairsOfNodesInRounds) {
+  constexpr std::uint32_t together = PartnerSearch::Memory::together;
+  for (const std::uint32_t nodes :
+       {together / 8 - 1, together / 8, together / 8 + 1, 2 * together / 8, 33u}) {
+    std::vector<BlockCapsule>
+        capsules;  // of each node one at each of eight places, all nodes at the same ones
+    for (std::uint32_t b = 0; b < nodes * BlockNodes::children; ++b)
+      capsules.push_back(capsule(8 * static_cast<float>(b % 8), 0, 2.5f * static_cast<float>(b / 8), 3, 1));
+    for (const float apart : {2.5f, 1.9f}) {
+      for (std::uint32_t b = 0; b < capsules.size(); ++b)
+        capsules[b].centre.z = apart * static_cast<float>(b / 8);
+      const Partners found(capsules, 8, false);
+      EXPECT_EQ(found.tangled + found.crowded, 0u) << nodes;
+      EXPECT_EQ(found.pairs > 0, true);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace catena
