@@ -130,7 +130,7 @@ __global__ void __launch_bounds__(threads, 8)
 /// The spheres of crowded blocks, for the grid of spheres; block by block as these lie in space, so that what
 /// is written together lies together.
 struct CrowdedSpheres {
-  static constexpr std::uint32_t most_search_blocks = 1056;
+  static constexpr std::uint32_t threads = 512, most_blocks = 528, most_search_blocks = 1056;
   CapsuleBlocks blocks;
   std::uint32_t size;
   __device__ bool all() const { return blocks.all_left(); }
@@ -207,8 +207,8 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
     nodes_.enqueue(blocks_, stream);
     if (blocks_.in_cells) {
       launch_next<enter_blocks>(std::min(up(n, 256), most_blocks), 256, stream, blocks_);
-      launch_next<allocate_buckets<BlockChunks>>(std::min(Buckets::chunks(blocks_.table), most_blocks), 256,
-                                                 stream, blocks_.buckets, BlockChunks{blocks_});
+      launch_next<allocate_buckets<BlockChunks>>(allocate_blocks(Buckets::chunks(blocks_.table)),
+                                                 allocate_threads, stream, blocks_.buckets, BlockChunks{blocks_});
       launch_next<place_blocks>(std::min(up(n, 256), most_blocks), 256, stream, blocks_);
       launch_next<meet_blocks>(std::min(up(n, BlockMeetings::together), most_blocks), BlockMeetings::threads,
                                stream, blocks_);
@@ -282,7 +282,7 @@ const RegisterVariant<DeviceHybrid, Robust> registered{
      .place = Place::device(),
      .parameters = with_device(
          {{"crowd", "8", "a block that meets more others is left to the grid"},
-          {"least", "524288", "chains of fewer spheres are left to the grid"},
+          {"least", "300000", "chains of fewer spheres are left to the grid"},
           {"cells", "4194304", "tangled blocks of chains of fewer spheres are left to the grid"},
           {"survey", "64", "blocks asked first whom they meet: the grid gets all where it takes less; 0: none"},
           binned_parameter()}),

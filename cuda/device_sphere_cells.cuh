@@ -42,7 +42,7 @@ __device__ bool begin_to_enter(const SphereCells& cells, const Members& members,
 
 /// enter_cells where radii are mixed, and many small ones may be in a cell of the largest.
 template <class Members>
-__global__ void __launch_bounds__(256)
+__global__ void __launch_bounds__(Members::threads)
     enter_mixed(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                 const __grid_constant__ Members members, Begin begin) {
   await_previous();
@@ -59,7 +59,7 @@ __global__ void __launch_bounds__(256)
 }
 
 template <class Members>
-__global__ void __launch_bounds__(256)
+__global__ void __launch_bounds__(Members::threads)
     enter_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                 const __grid_constant__ Members members, Begin begin) {
   await_previous();
@@ -75,7 +75,7 @@ __global__ void __launch_bounds__(256)
 
 /// Anew, by octaves, where there are too many in the cells of one level.
 template <class Members>
-__global__ void __launch_bounds__(256)
+__global__ void __launch_bounds__(Members::threads)
     enter_octaves(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                   const __grid_constant__ Members members) {
   constexpr std::uint32_t words = Octaves::count / 32;
@@ -123,7 +123,7 @@ struct CellChunks {
 };
 
 template <class Members>
-__global__ void __launch_bounds__(256)
+__global__ void __launch_bounds__(Members::threads)
     place_in_cells(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                    const __grid_constant__ Members members) {
   await_previous();
@@ -225,19 +225,19 @@ class DeviceSphereCells {
       begin = Begin::cleared;
       bins_.enqueue(chain, cells_, members, stream);
     }
-    const unsigned blocks = std::min((n + 255) / 256, most_blocks);
+    const unsigned blocks = std::min((n + Members::threads - 1) / Members::threads, Members::most_blocks);
     if (cells_.octaves.one)
-      launch_next<enter_cells<Members>>(blocks, 256, stream, chain, cells_, members, begin);
+      launch_next<enter_cells<Members>>(blocks, Members::threads, stream, chain, cells_, members, begin);
     else
-      launch_next<enter_mixed<Members>>(blocks, 256, stream, chain, cells_, members, begin);
-    const unsigned chunks = std::min(Buckets::chunks(largest), most_blocks);
+      launch_next<enter_mixed<Members>>(blocks, Members::threads, stream, chain, cells_, members, begin);
+    const unsigned chunks = allocate_blocks(Buckets::chunks(largest));
     allocate<false>(chunks, members, stream);
     if (!cells_.octaves.one) {
       cells_.buckets.places = &state->places[1];
-      launch_next<enter_octaves<Members>>(blocks, 256, stream, chain, cells_, members);
+      launch_next<enter_octaves<Members>>(blocks, Members::threads, stream, chain, cells_, members);
       allocate<true>(chunks, members, stream);
     }
-    launch_next<place_in_cells<Members>>(blocks, 256, stream, chain, cells_, members);
+    launch_next<place_in_cells<Members>>(blocks, Members::threads, stream, chain, cells_, members);
   }
 
   /// Of the same members. Comes after another kernel, or after anything that a stream waits for.
@@ -263,7 +263,6 @@ class DeviceSphereCells {
   const SphereCells& cells() const { return cells_; }
 
  private:
-  static constexpr std::uint32_t most_blocks = 1056;      ///< of a kernel: each loops over its share
   static constexpr std::uint32_t most_binned = 1u << 29;  ///< more need the memory for themselves
 
   template <auto kernel>
@@ -274,7 +273,8 @@ class DeviceSphereCells {
   template <bool octaves, class Members>
   void allocate(unsigned blocks, const Members& members, cudaStream_t stream) const {
     const CellChunks<Members, octaves> chunks{cells_, members};
-    launch_next<allocate_buckets<CellChunks<Members, octaves>>>(blocks, 256, stream, cells_.buckets, chunks);
+    launch_next<allocate_buckets<CellChunks<Members, octaves>>>(blocks, allocate_threads, stream,
+                                                                cells_.buckets, chunks);
   }
 
   SphereCells cells_{};

@@ -9,7 +9,7 @@ namespace catena::cuda {
 /// all spheres, members.all() says so. A search of them has at most members.most_search_blocks thread
 /// blocks: more even out what some have to do, but each 1000 take 1.3 us though none has anything.
 struct AllSpheres {
-  static constexpr std::uint32_t most_search_blocks = 4224;
+  static constexpr std::uint32_t threads = 256, most_blocks = 1056, most_search_blocks = 4224;
   std::uint32_t size;
   __device__ bool any() const { return true; }
   __device__ std::uint32_t asked() const { return size; }

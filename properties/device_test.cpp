@@ -106,7 +106,7 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
         Twins{"DeviceHybrid(least=0)", "DeviceHybrid@host(cells=4194304)", false},
         Twins{"DeviceHybrid(least=0,cells=0,crowd=1)", "DeviceHybrid@host(crowd=1)", false},
         Twins{"DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid@host(survey=0)", false},
-        Twins{"DeviceHybrid", "DeviceHybrid@host(least=524288)", false}})
+        Twins{"DeviceHybrid", "DeviceHybrid@host(least=300000)", false}})
     for (const char* input :
          {"path1:n=4000", "yarn:n=5000", "mixed_radii:n=3000", "hair:n=3000", "stretched:n=5000", "walk:n=20000",
           "coil:n=1200,offset=1e6", "points:n=3000", "cluster:n=2000", "rod:n=900,scale=1e30", "rod:n=1", "rod:n=33"}) {

@@ -155,7 +155,7 @@ const RegisterVariant<DeviceHybridOnHost, Robust> registered{
      .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, "
                 "DeviceGrid where crowded",
      .parameters = {{"crowd", "8", "a block that meets more others is left to the grid"},
-                    {"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 524288"},
+                    {"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 300000"},
                     {"cells", "0",
                      "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
                     {"survey", "64",
