@@ -46,6 +46,8 @@ __global__ void __launch_bounds__(Members::threads)
     enter_mixed(const __grid_constant__ ChainView chain, const __grid_constant__ SphereCells cells,
                 const __grid_constant__ Members members, Begin begin) {
   await_previous();
+  if (members.any())  // for enter_octaves
+    for_each_of_mine(cells.map.words(), [&](std::uint32_t k) { cells.map.word[k] = 0; });
   if (!begin_to_enter(cells, members, begin)) return;
   const CellTable& table = cells.table_for(members.expected());
   const std::uint32_t asked = members.asked(), lane = DeviceWarp::lane();
@@ -95,7 +97,7 @@ __global__ void __launch_bounds__(Members::threads)
   for_each_member(members, [&](std::uint32_t i) {
     const Sphere s = chain.spheres[i];
     const std::uint32_t octave = cells.octaves.of(s.radius);
-    cells.enter(table, s, i, octave);
+    cells.enter_octave(table, s, i, octave);
     set_bits(levels + octave / 32, 1u << octave % 32);
     box[octave].join(LevelBox::Ends(Box::around(s)));
   });
@@ -218,6 +220,8 @@ class DeviceSphereCells {
     if (room > sphere_.capacity())  // so that what is read behind the last place was written
       CATENA_CUDA(cudaMemsetAsync(sphere_.reserve(room, stream), 0, room * sizeof(Sphere), stream));
     cells_.sphere = sphere_.data();
+    cells_.map = LevelMap::of(n);
+    if (!cells_.octaves.one) cells_.map.word = map_.reserve(cells_.map.words(), stream);
     cells_.state = state;
     if (n == 0) return;
     if (n >= binned && n <= most_binned) {
@@ -280,7 +284,7 @@ class DeviceSphereCells {
   SphereCells cells_{};
   DeviceBuckets buckets_;
   DeviceCellBins bins_;
-  DeviceBuffer<std::uint32_t> index_;
+  DeviceBuffer<std::uint32_t> index_, map_;
   DeviceBuffer<Sphere> sphere_;
 };
 

@@ -34,7 +34,8 @@ class CellsOnHost {
     if (!device.octaves.equal) index_ = fetched(device.index, places, stream);
     sphere_ = fetched(device.sphere, places, stream);
     sphere_.resize(places + std::size_t{SphereCells::at_once});  // which are read, behind the last place
-    cells.buckets = {nullptr, start_.data(), nullptr, nullptr};
+    if (!cells.one_level()) map_ = fetched(device.map.word, device.map.words(), stream);
+    cells.buckets = {nullptr, start_.data(), nullptr, nullptr}, cells.map.word = map_.data();
     cells.index = index_.data(), cells.sphere = sphere_.data();
   }
   CellsOnHost(const CellsOnHost&) = delete;
@@ -44,7 +45,7 @@ class CellsOnHost {
 
  private:
   std::vector<SphereCells::State> state_;
-  std::vector<std::uint32_t> start_, index_;
+  std::vector<std::uint32_t> start_, index_, map_;
   std::vector<Sphere> sphere_;
   PlacedCells placed_;
 };

@@ -53,7 +53,7 @@ class HostSphereCells {
     sphere_.resize(chain.size + std::size_t{SphereCells::at_once});
     cells.index = index_.data(), cells.sphere = sphere_.data(), cells.state = &state_;
     for (std::uint32_t i = 0; i < chain.size; ++i)
-      if (takes(i)) cells.enter(table, chain.spheres[i], i, 0);
+      if (takes(i)) cells.enter(table, chain.spheres[i], i);
     state_.together = buckets_.allocate();
     state_.places[0] = buckets_.places();
     if (!cells.octaves.one && cells.many_together()) sort_by_octaves(chain, takes);
@@ -68,11 +68,14 @@ class HostSphereCells {
   void sort_by_octaves(const ChainView& chain, const Takes& takes) {
     auto& [cells, table] = placed_;
     cells.buckets = buckets_.reserve(table, chain.size);
+    cells.map = LevelMap::of(chain.size);
+    map_.assign(cells.map.words(), 0);
+    cells.map.word = map_.data();
     state_.by_octaves = 1;
     for (std::uint32_t i = 0; i < chain.size; ++i) {
       if (!takes(i)) continue;
       const std::uint32_t octave = cells.octaves.of(chain.spheres[i].radius);
-      cells.enter(table, chain.spheres[i], i, octave);
+      cells.enter_octave(table, chain.spheres[i], i, octave);
       state_.levels[octave / 32] |= 1u << octave % 32;
       state_.box[octave].join(LevelBox::Ends(Box::around(chain.spheres[i])));
     }
@@ -83,7 +86,7 @@ class HostSphereCells {
   PlacedCells placed_;
   SphereCells::State state_{};
   HostBuckets buckets_;
-  std::vector<std::uint32_t> index_;
+  std::vector<std::uint32_t> index_, map_;
   std::vector<Sphere> sphere_;
 };
 

@@ -39,7 +39,8 @@ class CellSearch {
     for (std::uint32_t word = 0; word < Octaves::count / 32; ++word) {
       const std::uint32_t levels = cells_.state->levels[word];
       if (levels == 0) continue;
-      const std::uint32_t met = live ? met_of(word, levels, own, octave) : 0;
+      if constexpr (listens) tell_levels(word, levels, own, octave);
+      const std::uint32_t met = live ? levels_near(cells_, word, levels, own.sphere, octave) : 0;
       for (std::uint32_t k = 0; k < 32 && levels >> k != 0; ++k) {
         const bool meets = (met >> k & 1) != 0;
         if (sink_.any(meets)) look<0>({own, place, octave, word * 32 + k, meets});
@@ -84,21 +85,30 @@ class CellSearch {
     std::uint32_t from, cells;
   };
 
-  /// Of these levels those as coarse as the octave, or coarser, whose box the sphere meets; in a loop of
-  /// their own, so that their boxes take no registers from what follows.
-  CATENA_HD std::uint32_t met_of(std::uint32_t word, std::uint32_t levels, const PlacedSphere& own,
-                                 std::uint32_t octave) const {
-    const LevelBox::Facing box(Box::around(own.sphere));
-    std::uint32_t met = 0;
+  /// Of these levels those as coarse as the octave, or coarser, whose box the sphere meets, and which have
+  /// others near it; out of line, so that this takes no registers from what follows.
+  CATENA_COLD static std::uint32_t levels_near(const SphereCells& cells, std::uint32_t word,
+                                               std::uint32_t levels, Sphere own, std::uint32_t octave) {
+    const LevelBox::Facing box(Box::around(own));
+    std::uint32_t near = 0;
     for (std::uint32_t left = levels; left != 0; left &= left - 1) {
       const std::uint32_t k = lowest_bit(left), level = word * 32 + k;
       if (level > octave) break;
-      const bool meets = cells_.state->box[level].meets(box);
-      if constexpr (listens)
-        if (!meets) sink_.looks(own.index, level, 0);
-      met |= static_cast<std::uint32_t>(meets) << k;
+      const bool looks = cells.state->box[level].meets(box) &&
+                         (level == octave || cells.map.any_near(cells.cell(own, level), level));
+      near |= static_cast<std::uint32_t>(looks) << k;
     }
-    return met;
+    return near;
+  }
+  /// Into those whose box it does not meet it would have looked in vain; of those with nobody near there is
+  /// nobody to tell of.
+  void tell_levels(std::uint32_t word, std::uint32_t levels, const PlacedSphere& own,
+                   std::uint32_t octave) const {
+    const LevelBox::Facing box(Box::around(own.sphere));
+    for (; levels != 0; levels &= levels - 1)
+      if (const std::uint32_t level = word * 32 + lowest_bit(levels);
+          level <= octave && !cells_.state->box[level].meets(box))
+        sink_.looks(own.index, level, 0);
   }
 
   template <std::uint32_t first_row>

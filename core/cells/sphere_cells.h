@@ -4,6 +4,7 @@
 
 #include "catena/core/cells/buckets.h"
 #include "catena/core/cells/level_box.h"
+#include "catena/core/cells/level_map.h"
 #include "catena/core/cells/octave.h"
 #include "catena/core/chain/chain_view.h"
 
@@ -38,6 +39,7 @@ struct SphereCells {
   Buckets buckets;
   std::uint32_t* index;  ///< by place: which sphere; not kept for equal radii
   Sphere* sphere;  ///< by place, and at_once - 1 more; of equal radii with its index in place of the radius
+  LevelMap map;    ///< by octaves; none where all radii are in one
   State* state;
 
   /// The arithmetic of the cells, for a chain of that extent; memory is the caller's to give.
@@ -83,8 +85,8 @@ struct SphereCells {
     return state->together > most_together * static_cast<float>(state->places[0]);
   }
 
-  /// Few spheres are in crowds, and few are outside: who looks into a crowd has work long after all others are
-  /// done, unless it is shared out. Where there are more others, it is done while they are.
+  /// Few spheres are in crowds, and few are outside: who looks into a crowd has work long after all others
+  /// are done, unless it is shared out. Where there are more others, it is done while they are.
   CATENA_HD bool uneven() const {
     constexpr std::uint32_t few = 1u << 17;
     return state->in_crowds > 0 && state->in_crowds <= state->places[0] / 8 && state->places[0] <= few;
@@ -93,10 +95,16 @@ struct SphereCells {
   CATENA_HD std::uint32_t bucket_of(const CellTable& in, const Sphere& s, std::uint32_t level) const {
     return in.bucket(cell(s, level), level);
   }
-  /// Step 1, for each sphere: into level 0, or its octave, which then belongs to state->levels, and
-  /// the sphere in that octave's box.
-  CATENA_HD void enter(const CellTable& in, const Sphere& s, std::uint32_t i, std::uint32_t level) const {
-    buckets.enter(bucket_of(in, s, level), i);
+  /// Step 1, for each sphere.
+  CATENA_HD void enter(const CellTable& in, const Sphere& s, std::uint32_t i) const {
+    buckets.enter(bucket_of(in, s, 0), i);
+  }
+  /// The same by octaves: its octave then belongs to state->levels, and the sphere in that octave's box.
+  CATENA_HD void enter_octave(const CellTable& in, const Sphere& s, std::uint32_t i,
+                              std::uint32_t octave) const {
+    const PointCell at = cell(s, octave);
+    buckets.enter(in.bucket(at, octave), i);
+    map.mark(at, octave);
   }
   // Step 2 is that of the buckets.
   /// Step 3, for each sphere.
