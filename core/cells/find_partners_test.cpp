@@ -18,13 +18,15 @@ namespace {
 /// whom it does.
 class Partners {
  public:
-  Partners(std::vector<BlockCapsule> capsules, std::uint32_t crowd, bool in_cells)
+  /// `said`: by the blocks of a survey, of how many.
+  Partners(std::vector<BlockCapsule> capsules, std::uint32_t crowd, bool in_cells,
+           CapsuleBlocks::Survey said = {0, 0, 0, 0}, std::uint32_t surveyed = 0)
       : capsule_(std::move(capsules)) {
     const auto n = static_cast<std::uint32_t>(capsule_.size());
     ChainView chain{};
     chain.size = n * CapsuleBlocks::block;
     chain.extent.least_radius = chain.extent.greatest_radius = 1;
-    blocks_ = CapsuleBlocks::of(chain, crowd, 1, 0, in_cells ? 0 : ~0u, 0);
+    blocks_ = CapsuleBlocks::of(chain, crowd, 1, 0, in_cells ? 0 : ~0u, surveyed);
     shape_.resize(n), partners_.resize(n), met_.resize(n), partner_.resize(CapsuleBlocks::most_partners * n);
     blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data(), blocks_.partners = partners_.data();
     blocks_.met = met_.data(), blocks_.partner = partner_.data(), blocks_.state = &state_;
@@ -37,17 +39,24 @@ class Partners {
     PartnerSearch::Memory memory;
     for (const std::uint32_t threads : {32u, 1u, 128u}) {  // and each time the same
       std::fill(shape_.begin(), shape_.end(), std::uint8_t{0});
-      state_ = {};
+      std::fill(partners_.begin(), partners_.end(), untold);
+      state_ = {}, state_.survey = said.number();
       HostGroup group(threads);
       for (std::uint32_t k = 0; k < nodes_.count[2]; ++k)
         PartnerSearch(nodes_, blocks_, memory).find(group, k);
-      check();
+      told = static_cast<std::uint32_t>(partners_.size() -
+                                        std::count(partners_.begin(), partners_.end(), untold));
+      if (told > 0) check();
+      EXPECT_EQ(state_.any != 0, crowded > 0 || (tangled > 0 && !in_cells));
+      EXPECT_EQ(state_.listed != 0, in_cells && crowded + tangled > 0);
     }
   }
 
-  std::uint32_t crowded = 0, tangled = 0, pairs = 0;  ///< crowded by what it met
+  std::uint32_t told = 0, crowded = 0, tangled = 0, pairs = 0;  ///< crowded by what it met
 
  private:
+  static constexpr std::uint32_t untold = 12345;
+
   void check() {
     crowded = tangled = pairs = 0;
     const NodeMeeting meeting(nodes_, blocks_);
@@ -139,6 +148,21 @@ TEST(PartnerSearch, LosesNobodyWhereNodesMeetAsManyAsTheyMayOrMore) {
       const Partners found(capsules, 8, in_cells);
       EXPECT_EQ(found.tangled, nodes > PartnerSearch::most_near ? capsules.size() : 0) << nodes;
       EXPECT_EQ(found.crowded, 0u) << nodes;
+    }
+}
+
+/// Where the survey says so for certain nobody is looked for; else all are found, whether it has ended or
+/// not.
+TEST(PartnerSearch, FindsNobodyWhereAllIsLeftToTheOtherSearch) {
+  using Said = CapsuleBlocks::Survey;
+  for (const bool in_cells : {false, true})
+    for (const float apart : {2.5f, 1.9f, 0.4f}) {  // the last one's nodes ask for the survey
+      const auto blocks = wound(800, 40, apart);
+      EXPECT_EQ(Partners(blocks, 8, in_cells, Said{64, 64, 0, 0}, 64).told, 0u);
+      EXPECT_EQ(Partners(blocks, 8, in_cells, Said{50, 50, 0, 0}, 64).told, 0u);
+      for (const Said& said :
+           {Said{64, 10, 54, 0}, Said{0, 0, 0, 0}, Said{30, 30, 0, 0}, Said{63, 0, 63, 252}})
+        EXPECT_EQ(Partners(blocks, 8, in_cells, said, 64).told, blocks.size());
     }
 }
 
