@@ -5,8 +5,8 @@
 
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
-#include "catena/core/cells/block_nodes.h"
 #include "catena/core/cells/find_partners.h"
+#include "catena/core/cells/host_block_nodes.h"
 #include "catena/core/cells/host_comparison.h"
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/host_warp.h"
@@ -76,15 +76,12 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
     ToldSearch(chain, &blocks_, cells_.placed()).search(lane, sink);
   }
   void meet_in_tree() {
-    const NodeMeeting meeting(nodes_, blocks_);
-    for (std::uint32_t level = 1; level <= nodes_.top; ++level)
-      for (std::uint32_t k = 0; k < nodes_.count[level]; ++k)
-        nodes_.put(level, k, meeting.fit(HostOctet(), level, k));
+    const BlockNodes& nodes = nodes_.fit(blocks_);
     HostGroup group(32);
     for (std::uint32_t k = 0; k < blocks_.surveyed; ++k)
-      BlockSurvey(nodes_, blocks_, of_survey_).ask(group, k);
-    for (std::uint32_t k = 0; k < nodes_.count[2]; ++k)
-      PartnerSearch(nodes_, blocks_, of_search_).find(group, k);
+      BlockSurvey(nodes, blocks_, of_survey_).ask(group, k);
+    for (std::uint32_t k = 0; k < nodes.count[2]; ++k)
+      PartnerSearch(nodes, blocks_, of_search_).find(group, k);
   }
 
   void meet_in_cells(const BlockMeeting& meeting) {
@@ -122,10 +119,6 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
     blocks_.partners = partners_.data(), blocks_.met = met_.data(), blocks_.partner = partner_.data();
     blocks_.state = &state_;
     blocks_.buckets = buckets_.reserve(blocks_.table, n);
-    if (n == 0) return;
-    nodes_ = BlockNodes::over(blocks_.blocks);
-    quarter_.resize(BlockNodes::quarters * std::size_t{nodes_.nodes()});
-    nodes_.quarter = quarter_.data();
   }
   /// Sphere k of block b and those after it, in the blocks' units.
   Sphere scaled(const ChainView& chain, std::uint32_t b, std::uint32_t k) const {
@@ -137,10 +130,9 @@ class DeviceHybridOnHost final : public HostSearch, public EvidenceNodes {
   const std::uint32_t surveyed_;
   CapsuleBlocks blocks_{};
   CapsuleBlocks::State state_{};
-  BlockNodes nodes_{};
+  HostBlockNodes nodes_;
   BlockSurvey::Memory of_survey_{};
   PartnerSearch::Memory of_search_{};
-  std::vector<BlockNodes::Quarter> quarter_;
   std::vector<BlockCapsule> capsule_;
   std::vector<CapsuleBall> ball_;
   std::vector<std::uint8_t> shape_;

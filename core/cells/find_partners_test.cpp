@@ -7,8 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "catena/core/cells/host_buckets.h"
-#include "catena/core/cells/host_warp.h"
+#include "catena/core/cells/host_block_nodes.h"
 #include "catena/core/executor/host_group.h"
 
 namespace catena {
@@ -30,23 +29,17 @@ class Partners {
     shape_.resize(n), partners_.resize(n), met_.resize(n), partner_.resize(CapsuleBlocks::most_partners * n);
     blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data(), blocks_.partners = partners_.data();
     blocks_.met = met_.data(), blocks_.partner = partner_.data(), blocks_.state = &state_;
-    nodes_ = BlockNodes::over(n);
-    quarter_.resize(BlockNodes::quarters * std::size_t{nodes_.nodes()});
-    nodes_.quarter = quarter_.data();
-    for (std::uint32_t level = 1; level <= nodes_.top; ++level)
-      for (std::uint32_t node = 0; node < nodes_.count[level]; ++node)
-        nodes_.put(level, node, NodeMeeting(nodes_, blocks_).fit(HostOctet(), level, node));
+    const BlockNodes& nodes = nodes_.fit(blocks_);
     PartnerSearch::Memory memory;
     for (const std::uint32_t threads : {32u, 1u, 128u}) {  // and each time the same
       std::fill(shape_.begin(), shape_.end(), std::uint8_t{0});
       std::fill(partners_.begin(), partners_.end(), untold);
       state_ = {}, state_.survey = said.number();
       HostGroup group(threads);
-      for (std::uint32_t k = 0; k < nodes_.count[2]; ++k)
-        PartnerSearch(nodes_, blocks_, memory).find(group, k);
+      for (std::uint32_t k = 0; k < nodes.count[2]; ++k) PartnerSearch(nodes, blocks_, memory).find(group, k);
       told = static_cast<std::uint32_t>(partners_.size() -
                                         std::count(partners_.begin(), partners_.end(), untold));
-      if (told > 0) check();
+      if (told > 0) check(NodeMeeting(nodes, blocks_));
       EXPECT_EQ(state_.any != 0, crowded > 0 || (tangled > 0 && !in_cells));
       EXPECT_EQ(state_.listed != 0, in_cells && crowded + tangled > 0);
     }
@@ -57,9 +50,8 @@ class Partners {
  private:
   static constexpr std::uint32_t untold = 12345;
 
-  void check() {
+  void check(const NodeMeeting& meeting) {
     crowded = tangled = pairs = 0;
-    const NodeMeeting meeting(nodes_, blocks_);
     for (std::uint32_t b = 0; b < blocks_.blocks; ++b) {
       std::vector<std::uint32_t> others;
       for (std::uint32_t other = 0; other < blocks_.blocks; ++other)
@@ -88,10 +80,9 @@ class Partners {
   std::vector<BlockCapsule> capsule_;
   std::vector<std::uint8_t> shape_;
   std::vector<std::uint32_t> partners_, met_, partner_;
-  std::vector<BlockNodes::Quarter> quarter_;
   CapsuleBlocks::State state_{};
   CapsuleBlocks blocks_{};
-  BlockNodes nodes_{};
+  HostBlockNodes nodes_;
 };
 
 BlockCapsule capsule(float x, float y, float z, float half_x, float radius) {

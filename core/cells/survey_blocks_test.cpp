@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "catena/core/cells/host_warp.h"
+#include "catena/core/cells/host_block_nodes.h"
 #include "catena/core/executor/host_group.h"
 
 namespace catena {
@@ -29,15 +29,10 @@ class Survey {
     capsule_.resize(blocks + BlockNodes::children, capsule_.back());
     shape_.resize(capsule_.size());
     blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data(), blocks_.state = &state_;
-    nodes_ = BlockNodes::over(blocks);
-    quarter_.resize(BlockNodes::quarters * std::size_t{nodes_.nodes()});
-    nodes_.quarter = quarter_.data();
-    for (std::uint32_t level = 1; level <= nodes_.top; ++level)
-      for (std::uint32_t node = 0; node < nodes_.count[level]; ++node)
-        nodes_.put(level, node, NodeMeeting(nodes_, blocks_).fit(HostOctet(), level, node));
+    const BlockNodes& nodes = nodes_.fit(blocks_);
     BlockSurvey::Memory memory;
     for (std::uint32_t k = 0; k < blocks_.surveyed; ++k)
-      BlockSurvey(nodes_, blocks_, memory).ask(HostGroup(32), k);
+      BlockSurvey(nodes, blocks_, memory).ask(HostGroup(32), k);
   }
   std::vector<std::uint32_t> counted() const {
     const auto said = CapsuleBlocks::Survey::of(state_.survey);
@@ -49,10 +44,9 @@ class Survey {
  private:
   CapsuleBlocks::State state_{};
   CapsuleBlocks blocks_{};
-  BlockNodes nodes_{};
+  HostBlockNodes nodes_;
   std::vector<BlockCapsule> capsule_;
   std::vector<std::uint8_t> shape_;
-  std::vector<BlockNodes::Quarter> quarter_;
 };
 using Counted = std::vector<std::uint32_t>;
 
