@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "catena/core/cells/octave.h"
+
 namespace catena {
 namespace {
 
@@ -16,7 +18,6 @@ class Map {
   explicit Map(std::uint32_t spheres) : map_(LevelMap::of(spheres)), word_(map_.words()) {
     map_.word = word_.data();
   }
-  const LevelMap& operator*() const { return map_; }
   const LevelMap* operator->() const { return &map_; }
 
  private:
@@ -43,7 +44,7 @@ TEST(LevelMap, KnowsOfEachCellNextToAMarkedOne) {
       const Map map(1);
       const auto along = [&] { return from + static_cast<double>(random() % 36); };
       const Place marked{along(), along(), along()};
-      const std::uint32_t level = random() % 288;
+      const std::uint32_t level = random() % Octaves::count;
       map->mark(cell(marked), level);
       for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
@@ -68,7 +69,8 @@ TEST(LevelMap, SaysOfMostOthersThatNobodyIsNear) {
   int elsewhere = 0, at_other_levels = 0;
   for (const Place& at : marked) {
     elsewhere += map->any_near(cell(place()), 7);
-    for (const std::uint32_t level : {0u, 6u, 8u, 287u}) at_other_levels += map->any_near(cell(at), level);
+    for (const std::uint32_t level : {0u, 6u, 8u, Octaves::count - 1})
+      at_other_levels += map->any_near(cell(at), level);
   }
   EXPECT_LT(elsewhere, spheres / 10);
   EXPECT_LT(at_other_levels, 4 * spheres / 10);
