@@ -15,7 +15,9 @@ namespace catena {
 /// level. A block holds eight consecutive spheres of one strand; the last of a strand, what is left.
 ///
 /// Numbers are those of the chain times `scale`, a power of two, which brings the greatest to 2^19 .. 2^20:
-/// no product overflows, and what underflows is less than the `tiny` that every bound and test has on top.
+/// no product overflows. What sums of lengths times numbers up to 1 lose by underflow is some 2^-146, less
+/// than the `tiny` that every bound and test has on top; where squares and products of lengths would
+/// underflow, other bounds are taken, or nothing is told apart.
 struct BlockTree {
   static constexpr std::uint32_t block = 8;   ///< spheres of a block
   static constexpr std::uint32_t group = 16;  ///< blocks of a node, children of an inner node
@@ -24,7 +26,7 @@ struct BlockTree {
   /// Slack of capsules and tests, relative to the lengths they have to do with, and absolute.
   /// properties/proofs/ has what is needed of it.
   static constexpr float slack = 0x1p-19f;  // 32 u
-  static constexpr float tiny = 0x1p-28f;
+  static constexpr float tiny = 0x1p-120f;
   /// Axes of an oriented box are orthonormal to within axes_error, computed; then it reaches axes_slack times
   /// the sum of its half sides farther than orthonormal axes would.
   static constexpr float axes_error = 0x1p-20f;  // 16 u
@@ -101,6 +103,7 @@ struct BlockTree {
     return capsules.data() + std::size_t{g} * group * capsule_fields;
   }
   float* capsules_of(std::uint32_t g) { return capsules.data() + std::size_t{g} * group * capsule_fields; }
+  float capsule_radius(std::uint32_t b) const { return capsules_of(b / group)[6 * group + b % group]; }
   std::uint32_t blocks_of(std::uint32_t g) const {
     const std::uint32_t left = blocks - g * group;
     return left < group ? left : group;

@@ -73,21 +73,22 @@ HWY_INLINE OrientedBoxes guess(const ChildrenOfNodes<Sixteen>& children) {
   constexpr std::uint32_t group = BlockTree::group;
   const Vectors origin = children.centre(0);
   Vectors sum = origin - origin;
-  const Symmetric none{sum.x, sum.x, sum.x, sum.x, sum.x, sum.x};
-  Symmetric square = none, spread = plus_spread(none, children.child(0));
+  const Symmetric least = Symmetric::all(least_product);
+  Symmetric square = least, spread = plus_spread(least, children.child(0));
   for (std::uint32_t b = 1; b < group; ++b) {
     const Vectors p = children.centre(b) - origin;
     sum = sum + p;
     square = square.plus_square_of(p);
     spread = plus_spread(spread, children.child(b));
   }
-  square = square.plus(spread.scaled(Lanes16::all(1.0f / 3)));
+  constexpr float share = 1.0f / 3;
+  square = square.plus(spread.scaled(Lanes16::all(share)));
   const Vectors mean = scaled(sum, Lanes16::all(1.0f / group));
   OrientedBoxes result;
-  principal_axes({neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),
-                  neg_mul_add(sum.x, mean.z, square.xz), neg_mul_add(sum.y, mean.y, square.yy),
-                  neg_mul_add(sum.y, mean.z, square.yz), neg_mul_add(sum.z, mean.z, square.zz)},
-                 result.axis);
+  const Symmetric covariance{neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),
+                             neg_mul_add(sum.x, mean.z, square.xz), neg_mul_add(sum.y, mean.y, square.yy),
+                             neg_mul_add(sum.y, mean.z, square.yz), neg_mul_add(sum.z, mean.z, square.zz)};
+  principal_axes(covariance.plus(Symmetric::all(-(1 + share) * least_product)), result.axis);
   result.centre = origin + mean;
   return result;
 }

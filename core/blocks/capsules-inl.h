@@ -48,23 +48,30 @@ HWY_INLINE CapsulesOf<2 * n> side_by_side(const CapsulesOf<n>& a, const Capsules
           side_by_side(a.inverse, b.inverse)};
 }
 
+/// What squares of lengths within a block have on top, so that none underflows; and the least reach of a
+/// block beside which that is nothing.
+constexpr float least_square = 0x1p-80f, least_reach = 0x1p-36f;
+/// The same of products of which but differences are looked at: by some 2^-133 these are wrong for it, less
+/// than BlockTree::tiny.
+constexpr float least_product = 0x1p-110f;
+
 HWY_INLINE Lanes16 inverse_square(const Lanes16& square) {
-  const Lanes16 least_square = Lanes16::all(0x1p-60f);
-  return select(least_square < square, Lanes16::all(1) / max(square, least_square), Lanes16::all(0));
+  const Lanes16 of_a_point = Lanes16::all(4 * least_square);
+  return select(of_a_point < square, Lanes16::all(1) / max(square, of_a_point), Lanes16::all(0));
 }
 
-/// How far a point p lies from the segment +- half, from above but for rounding: the point of the segment is
-/// a guess, and any point of it will do.
+/// The square of how far a point p lies from the segment +- half, from above but for rounding: the point of
+/// the segment is a guess, and any point of it will do.
 HWY_INLINE Lanes16 distance_to_segment(const Vectors& p, const Vectors& half, const Lanes16& inverse) {
-  const Lanes16 one = Lanes16::all(1);
-  const Lanes16 t = max(min(dot(p, half) * inverse, one), Lanes16::all(-1));
+  const Lanes16 one = Lanes16::all(1), least = Lanes16::all(least_square);
+  const Lanes16 t = max(min(dot(p, half, least) * inverse, one), Lanes16::all(-1));
   const Vectors rest = minus(p, t, half);
-  return dot(rest, rest);
+  return dot(rest, rest, least);
 }
 
 /// The radius with what its own rounding and that of every test of it need on top.
-HWY_INLINE Lanes16 with_slack(const Lanes16& radius, const Lanes16& half_square) {
-  const Lanes16 reach = sqrt(half_square) + radius;
+HWY_INLINE Lanes16 with_slack(const Lanes16& radius, const Lanes16& half_length) {
+  const Lanes16 reach = half_length + radius;
   return mul_add(reach, Lanes16::all(BlockTree::slack), radius) + Lanes16::all(BlockTree::tiny);
 }
 
@@ -86,7 +93,15 @@ HWY_INLINE void load(const Sphere* spheres, const Lanes16& scale, BlockSpheres& 
   }
 }
 
-/// Capsules around the spheres, about the chord from first to last, moved half way to the middle of the arc.
+/// At least how far the centres lie from these points, without a square.
+HWY_INLINE Lanes16 sides_around(const BlockSpheres& s, const Vectors& points) {
+  Lanes16 farthest = Lanes16::all(0);
+  for (const Vectors& at : s.at) farthest = max(farthest, sum_of_sides(at - points));
+  return farthest;
+}
+
+/// Capsules around the spheres, about the chord from first to last, moved half way to the middle of the arc;
+/// balls, where squares say nothing.
 /// `reach` becomes a bound of |centre of sphere - centre| + radius.
 HWY_INLINE Capsules capsules_around(const BlockSpheres& s, Lanes16& reach) {
   constexpr std::uint32_t last = BlockTree::block - 1;
@@ -96,15 +111,25 @@ HWY_INLINE Capsules capsules_around(const BlockSpheres& s, Lanes16& reach) {
   result.half = {chord.x * half, chord.y * half, chord.z * half};
   const Vectors middle = (s.at[last / 2] - s.at[0]) + (s.at[last / 2 + 1] - s.at[0]);
   result.centre = plus(plus(s.at[0], half, result.half), quarter, middle);
-  const Lanes16 half_square = dot(result.half, result.half);
+  const Lanes16 half_square = dot(result.half, result.half, Lanes16::all(least_square));
   result.inverse = inverse_square(half_square);
   Lanes16 farthest = Lanes16::all(0), thickest = s.radius[0];
   for (std::uint32_t j = 0; j <= last; ++j) {
     farthest = max(farthest, distance_to_segment(s.at[j] - result.centre, result.half, result.inverse));
     thickest = max(thickest, s.radius[j]);
   }
-  result.radius = with_slack(sqrt(farthest) + thickest, half_square);
-  reach = sqrt(half_square) + result.radius;
+  farthest = sqrt(farthest);
+  Lanes16 length = sqrt(half_square);
+  const Flags<16> small = length + (farthest + thickest) < Lanes16::all(least_reach);
+  if (HWY_UNLIKELY(!small.none())) {
+    const Lanes16 zero = Lanes16::all(0);
+    farthest = select(small, sides_around(s, result.centre), farthest);
+    length = select(small, zero, length);
+    result.half = select(small, {zero, zero, zero}, result.half);
+    result.inverse = select(small, zero, result.inverse);
+  }
+  result.radius = with_slack(farthest + thickest, length);
+  reach = length + result.radius;
   return result;
 }
 

@@ -18,6 +18,7 @@
 #include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/met_tiles-inl.h"
 #include "catena/core/blocks/open_pairs-inl.h"
+#include "catena/core/blocks/own_units-inl.h"
 #include "catena/core/blocks/sphere_tiles-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/tile_counts-inl.h"
@@ -62,16 +63,10 @@ class LeafPairs {
   }
 
   void flush() {
-    const auto pairs = queues_.pairs();
-    MetTiles met;
-    for (std::size_t begin = 0; begin < pairs.size(); begin += MetTiles::most) {
-      const auto some = pairs.subspan(begin, std::min<std::size_t>(MetTiles::most, pairs.size() - begin));
-      Comparison comparison[MetTiles::most];
-      for (std::size_t k = 0; k < some.size(); ++k) comparison[k] = prepare(some[k].i, some[k].j, met);
-      for (std::uint32_t k = 0; k < met.size(); ++k) met.say(k, comparison[k].verdict(slack_));
-      tell(met);
-      met.clear();
-    }
+    if (HWY_UNLIKELY(own_units_.some()))
+      compare_queued<true>();
+    else
+      compare_queued<false>();
     queues_.clear_pairs();
     decide();
     hand_over();
@@ -80,6 +75,25 @@ class LeafPairs {
  private:
   static constexpr std::uint32_t block = BlockTree::block;
   static constexpr std::size_t many = 4;  ///< spheres of two blocks that overlap, on average
+
+  template <bool in_own_units>
+  HWY_INLINE void compare_queued() {
+    const auto pairs = queues_.pairs();
+    MetTiles met;
+    Sphere copies[in_own_units ? MetTiles::most : 1][2 * block];
+    for (std::size_t begin = 0; begin < pairs.size(); begin += MetTiles::most) {
+      const auto some = pairs.subspan(begin, std::min<std::size_t>(MetTiles::most, pairs.size() - begin));
+      Comparison comparison[MetTiles::most];
+      for (std::size_t k = 0; k < some.size(); ++k) {
+        comparison[k] = prepare(some[k].i, some[k].j, met);
+        if constexpr (in_own_units)
+          own_units_.change(some[k], comparison[k].rows, comparison[k].columns, copies[k]);
+      }
+      for (std::uint32_t k = 0; k < met.size(); ++k) met.say(k, comparison[k].verdict(slack_));
+      tell(met);
+      met.clear();
+    }
+  }
 
   /// Keeps the pairs that overlap, and those that are decided later.
   HWY_INLINE void tell(const MetTiles& met) {
@@ -194,8 +208,9 @@ class LeafPairs {
       for_each_lane(asked.onward, [&](std::uint32_t k) { account(begin + k, begin + k + 1); });
     }
     Sphere copy[(BlockRun::blocks + 1) * block];
-    const BlockRun run(consecutive_blocks(chain_, tree_, begin / BlockRun::blocks, copy), asked, window_,
-                       slack_);
+    const Sphere* spheres = consecutive_blocks(chain_, tree_, begin / BlockRun::blocks, copy);
+    if (HWY_UNLIKELY(own_units_.some())) spheres = own_units_.changed(begin, spheres, copy);
+    const BlockRun run(spheres, asked, window_, slack_);
     std::uint32_t first[BlockRun::blocks];
     for (std::uint32_t k = 0; k < BlockRun::blocks; ++k)
       first[k] = tree_.begin_of(std::min(begin + k, tree_.blocks - 1));
@@ -277,6 +292,7 @@ class LeafPairs {
   /// Blocks whose first spheres are farther apart have none within it.
   const std::uint32_t beside_ = std::min(window_, ~std::uint32_t{0} - block) + block;
   const float slack_ = Robust::binary32_slack * tree_.doubt;
+  const OwnUnits own_units_{chain_, tree_};
   OpenPairs open_{chain_};
   Pair* const hits_ = queues_.hits();
   std::size_t hit_count_ = 0;

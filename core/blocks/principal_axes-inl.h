@@ -16,6 +16,10 @@ namespace catena::HWY_NAMESPACE {
 struct Symmetric {
   Lanes16 xx, xy, xz, yy, yz, zz;
 
+  static HWY_INLINE Symmetric all(float value) {
+    const Lanes16 v = Lanes16::all(value);
+    return {v, v, v, v, v, v};
+  }
   HWY_INLINE Lanes16 trace() const { return xx + yy + zz; }
   HWY_INLINE Symmetric scaled(const Lanes16& s) const {
     return {xx * s, xy * s, xz * s, yy * s, yz * s, zz * s};
@@ -29,7 +33,7 @@ struct Symmetric {
   }
   /// With trace 1, unless it is 0.
   HWY_INLINE Symmetric normalized() const {
-    return scaled(Lanes16::all(1) / max(trace(), Lanes16::all(1e-30f)));
+    return scaled(Lanes16::all(1) / max(trace(), Lanes16::all(1e-36f)));
   }
   HWY_INLINE Symmetric squared() const {
     const Vectors x{xx, xy, xz}, y{xy, yy, yz}, z{xz, yz, zz};
@@ -52,9 +56,6 @@ struct Symmetric {
 };
 
 HWY_INLINE Vectors scaled(const Vectors& v, const Lanes16& s) { return {v.x * s, v.y * s, v.z * s}; }
-HWY_INLINE Vectors select(const Flags<16>& flags, const Vectors& yes, const Vectors& no) {
-  return {select(flags, yes.x, no.x), select(flags, yes.y, no.y), select(flags, yes.z, no.z)};
-}
 HWY_INLINE Vectors unit(const Vectors& v) { return scaled(v, Lanes16::all(1) / sqrt(dot(v, v))); }
 HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

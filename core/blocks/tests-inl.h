@@ -28,11 +28,13 @@ HWY_INLINE std::uint32_t may_collide(const CapsulesOf<n>& a, const CapsulesOf<n>
   p = mul_add(q, ab, ta) * a.inverse;
   p = max(min(p, one), minus_one);
   const VectorsOf<n> w = minus(plus(t, q, b.half), p, a.half);
-  const L square = dot(w, w);
-  const L gap = abs(dot(t, w)) - abs(dot(a.half, w)) - abs(dot(b.half, w));
+  // Where no product underflows: squares that are compared are above `least`, and so the gap above 2^-49. By
+  // three times 2^-98 it is wrong then, less than 2^-47 of itself.
+  const L least = L::all(0x1p-98f), no_gap = L::all(0x1p-50f);
+  const L square = dot(w, w, least);
+  const L gap = max(abs(dot(t, w, least)) - abs(dot(a.half, w, least)) - abs(dot(b.half, w, least)), no_gap);
   const L reach = mul_add(sum_of_sides(t), L::all(BlockTree::slack), a.radius + b.radius);
-  const Flags<n> separate =
-      (reach * reach * square < gap * gap) & (L::all(0) < gap) & (L::all(0x1p-60f) < square);
+  const Flags<n> separate = mul_add(mul_add(reach, reach, least), square, least) < gap * gap;
   return ~separate.bits() & (~0u >> (32 - n));
 }
 

@@ -40,6 +40,9 @@ struct alignas(16) BlockCapsule {
   Vector32 half;
   float reach;  ///< |half| + radius
 
+  /// What the squares of a capsule and of its tests lose by underflow is less.
+  static constexpr float tiny = 0x1p-28f;
+
   CATENA_HD static float inverse_square(float square) {
     constexpr float least_square = 0x1p-60f;
     return least_square < square ? 1 / square : 0;
@@ -47,7 +50,7 @@ struct alignas(16) BlockCapsule {
   /// The radius with what its own rounding and that of every test of it need on top.
   CATENA_HD static float with_slack(float radius, float half_square) {
     const float reach = std::sqrt(half_square) + radius;
-    return mul_add(reach, BlockTree::slack, radius) + BlockTree::tiny;
+    return mul_add(reach, BlockTree::slack, radius) + tiny;
   }
   CATENA_HD static BlockCapsule around(const Sphere& s) {
     const float radius = with_slack(s.radius, 0);

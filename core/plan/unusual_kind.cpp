@@ -35,7 +35,9 @@ const UnusualKind& info(Kind kind) {
        "at most 2,048 spheres whose squares leave binary32, in a box that is mostly empty or where this "
        "slows other searches"},
       {"SphereTree",
-       "at most 2,048 spheres, of which those of one part have more than 2^60 times the radius of another's"},
+       "at most 2,048 spheres, of which those of one part have more than 2^140 times the radius of "
+       "another's, "
+       "or more than 2^60 and 2.8 times as much each row of eight"},
       {"ChainTree",
        "at most 2,048 spheres, of which rows of eight are near few others for how full their box is"},
       {"Grid",
@@ -87,6 +89,12 @@ double growth(std::span<const Sphere> spheres) {
   std::ranges::sort(greatest);
   const double least = greatest[1];
   return least > 0 ? greatest[parts - 2] / least : 1;
+}
+
+/// So much that rows of eight tell little apart, or that no scale does for all.
+bool grows_fast(double growth, std::uint32_t n) {
+  constexpr double least = 0x1p60, most = 0x1p140, a_row = 2.8, row = 8;
+  return growth > most || (growth > least && std::pow(growth, row / n) > a_row);
 }
 
 double distance(const Sphere& a, const Sphere& b) {
@@ -149,10 +157,8 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     const bool like = extent.greatest_radius <= 2 * extent.least_radius,
                slow_alone = single_spheres_share(extent) > 1;
     if (n <= few) {
-      // A tree in the chain's order alone has no scale for all of these.
-      if (!spheres.empty() && extent.greatest_radius > widest * extent.least_radius &&
-          growth(spheres) > widest)
-        return &info(short_horn);
+      const bool unlike = extent.greatest_radius > widest * extent.least_radius;
+      if (unlike && !spheres.empty() && grows_fast(growth(spheres), n)) return &info(short_horn);
       // The chain's order scales its numbers once, others with each look at them.
       if (!squares_in_range(extent.greatest_radius) && (filled <= sparse || slow_alone))
         return &info(short_extreme);

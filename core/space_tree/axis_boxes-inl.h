@@ -30,7 +30,7 @@ HWY_INLINE AxisBoxes boxes_around(const BlockSpheres& spheres, const Vectors& or
   const auto take_in = [&](std::uint32_t k, const Lanes16& at, Lanes16& low, Lanes16& high) HWY_ATTR {
     const Lanes16 reach =
         mul_add(abs(at) + spheres.radius[k], Lanes16::all(BlockTree::slack), spheres.radius[k]) +
-        Lanes16::all(BlockTree::tiny);
+        Lanes16::all(SpaceTree::tiny);
     low = k == 0 ? at - reach : min(low, at - reach);
     high = k == 0 ? at + reach : max(high, at + reach);
   };

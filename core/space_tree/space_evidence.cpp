@@ -43,7 +43,7 @@ Box64 SpaceNodes::bound(std::size_t level, std::uint32_t k) const {
   const auto end = [&](std::uint32_t d, double slack) {
     return (space_.origin[d % 3] + (f[d * group] + slack)) * unit;
   };
-  constexpr double slack = BlockTree::tiny / 2;
+  constexpr double slack = SpaceTree::tiny / 2;
   return {{end(0, slack), end(1, slack), end(2, slack)}, {end(3, -slack), end(4, -slack), end(5, -slack)}};
 }
 

@@ -16,6 +16,8 @@ struct SpaceTree {
   static constexpr std::uint32_t group = BlockTree::group;
   /// Fields of sixteen boxes: low x y z, high x y z.
   static constexpr std::uint32_t box_fields = 6;
+  /// What boxes have on top of their slack: more than binary64 loses from the origin on.
+  static constexpr float tiny = 0x1p-28f;
 
   float origin[3] = {};
   std::uint32_t entries = 0;
