@@ -81,14 +81,13 @@ HWY_INLINE OrientedBoxes guess(const ChildrenOfNodes<Sixteen>& children) {
     square = square.plus_square_of(p);
     spread = plus_spread(spread, children.child(b));
   }
-  constexpr float share = 1.0f / 3;
-  square = square.plus(spread.scaled(Lanes16::all(share)));
+  square = square.plus(spread.scaled(Lanes16::all(1.0f / 3)));
   const Vectors mean = scaled(sum, Lanes16::all(1.0f / group));
   OrientedBoxes result;
   const Symmetric covariance{neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),
                              neg_mul_add(sum.x, mean.z, square.xz), neg_mul_add(sum.y, mean.y, square.yy),
                              neg_mul_add(sum.y, mean.z, square.yz), neg_mul_add(sum.z, mean.z, square.zz)};
-  principal_axes(covariance.plus(Symmetric::all(-(1 + share) * least_product)), result.axis);
+  principal_axes(covariance.without_less_than(1024 * least_product), result.axis);
   result.centre = origin + mean;
   return result;
 }

@@ -12,6 +12,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 
+/// 0 for what is nearer to it: along axes with next to nothing in them products are subnormal.
+HWY_INLINE Vectors without_less_than(float least, const Vectors& v) {
+  const Lanes16 zero = Lanes16::all(0), limit = Lanes16::all(least);
+  return {select(abs(v.x) < limit, zero, v.x), select(abs(v.y) < limit, zero, v.y),
+          select(abs(v.z) < limit, zero, v.z)};
+}
+
 /// Symmetric 3 x 3 matrices, a lane.
 struct Symmetric {
   Lanes16 xx, xy, xz, yy, yz, zz;
@@ -19,6 +26,11 @@ struct Symmetric {
   static HWY_INLINE Symmetric all(float value) {
     const Lanes16 v = Lanes16::all(value);
     return {v, v, v, v, v, v};
+  }
+  HWY_INLINE Symmetric without_less_than(float least) const {
+    const Vectors x = HWY_NAMESPACE::without_less_than(least, Vectors{xx, xy, xz}),
+                  z = HWY_NAMESPACE::without_less_than(least, Vectors{yy, yz, zz});
+    return {x.x, x.y, x.z, z.x, z.y, z.z};
   }
   HWY_INLINE Lanes16 trace() const { return xx + yy + zz; }
   HWY_INLINE Symmetric scaled(const Lanes16& s) const {
@@ -87,6 +99,7 @@ HWY_INLINE void principal_axes(const Symmetric& covariance, Vectors (&axis)[3]) 
   turned = unit(turned);
   axis[0] = select(line, kept, turned), axis[2] = select(line, turned, kept);
   axis[1] = cross(axis[2], axis[0]);
+  for (Vectors& a : axis) a = without_less_than(0x1p-60f, a);
   // A comparison with a NaN is false, so that it is not orthonormal.
   const Lanes16 error = Lanes16::all(BlockTree::axes_error);
   Flags<16> orthonormal = abs(dot(axis[0], axis[1])) < error;
