@@ -9,7 +9,8 @@
 #include <algorithm>
 
 #include "catena/core/blocks/build_blocks-inl.h"
-#include "catena/core/blocks/oriented_boxes-inl.h"
+#include "catena/core/blocks/node_axes-inl.h"
+#include "catena/core/blocks/one_node-inl.h"
 #include "catena/core/blocks/rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -56,40 +57,19 @@ struct ChildrenOfNodes {
   }
 };
 
-/// What fills boxes evenly has this covariance about their centres; three times as much is added.
-HWY_INLINE Symmetric plus_spread(Symmetric to, const OrientedBoxes& boxes) {
-  for (int k = 0; k < 3; ++k) to = to.plus_square_of(scaled(boxes.axis[k], boxes.half[k]));
-  return to;
-}
-HWY_INLINE Symmetric plus_spread(const Symmetric& to, const Capsules& capsules) {
-  return to.plus_square_of(capsules.half);
-}
-
-/// Axes for sixteen nodes and a guess of their centres, from where their children lie and how these are
-/// spread: else the axes of a path that goes back and forth would be those of where its parts happen to have
-/// their middles.
+/// Axes and a guess of the centres of sixteen nodes.
 template <class Sixteen>
 HWY_INLINE OrientedBoxes guess(const ChildrenOfNodes<Sixteen>& children) {
-  constexpr std::uint32_t group = BlockTree::group;
   const Vectors origin = children.centre(0);
   Vectors sum = origin - origin;
-  const Symmetric least = Symmetric::all(least_product);
-  Symmetric square = least, spread = plus_spread(least, children.child(0));
-  for (std::uint32_t b = 1; b < group; ++b) {
+  Symmetric square = Symmetric::least(), spread = plus_spread(Symmetric::least(), children.child(0));
+  for (std::uint32_t b = 1; b < BlockTree::group; ++b) {
     const Vectors p = children.centre(b) - origin;
     sum = sum + p;
     square = square.plus_square_of(p);
     spread = plus_spread(spread, children.child(b));
   }
-  square = square.plus(spread.scaled(Lanes16::all(1.0f / 3)));
-  const Vectors mean = scaled(sum, Lanes16::all(1.0f / group));
-  OrientedBoxes result;
-  const Symmetric covariance{neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),
-                             neg_mul_add(sum.x, mean.z, square.xz), neg_mul_add(sum.y, mean.y, square.yy),
-                             neg_mul_add(sum.y, mean.z, square.yz), neg_mul_add(sum.z, mean.z, square.zz)};
-  principal_axes(covariance.without_less_than(1024 * least_product), result.axis);
-  result.centre = origin + mean;
-  return result;
+  return box_guess(origin, sum, square, spread);
 }
 
 /// Moves the centres to the middle of the children.
@@ -145,6 +125,7 @@ HWY_INLINE RowBits fit(const ChildrenOfNodes<Sixteen>& children, std::uint32_t n
 template <class Sixteen>
 HWY_INLINE RowBits build_nodes(const float* children, std::uint32_t nodes, std::uint32_t children_of_last,
                                float* to) {
+  if (nodes == 1) return {build_one_node<Sixteen>(children, children_of_last, to), 0};
   const ChildrenOfNodes<Sixteen> below(children, nodes, children_of_last);
   OrientedBoxes boxes = guess(below);
   centre_on(below, boxes);

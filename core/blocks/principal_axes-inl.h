@@ -7,7 +7,7 @@
 #endif
 
 #include "catena/core/blocks/block_tree.h"
-#include "catena/core/blocks/lanes-inl.h"
+#include "catena/core/blocks/capsules-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -23,8 +23,9 @@ HWY_INLINE Vectors without_less_than(float least, const Vectors& v) {
 struct Symmetric {
   Lanes16 xx, xy, xz, yy, yz, zz;
 
-  static HWY_INLINE Symmetric all(float value) {
-    const Lanes16 v = Lanes16::all(value);
+  /// Next to nothing: sums of products that start with it are normal.
+  static HWY_INLINE Symmetric least() {
+    const Lanes16 v = Lanes16::all(least_product);
     return {v, v, v, v, v, v};
   }
   HWY_INLINE Symmetric without_less_than(float least) const {
