@@ -45,6 +45,36 @@ TEST(Rows, EndWhereAThickSphereReachesBeyondTheNext) {
   }
 }
 
+/// Every block ends before the next but one begins, and yet the fourth lies in the first: they go forth and
+/// back.
+TEST(Rows, AreNotOfTwoWaysSideBySide) {
+  const auto tree = StrategyRegistry::instance().make("ChainTree"),
+             judge = StrategyRegistry::instance().make("CPU1");
+  for (const float way : {-1.0f, 1.0f})
+    for (const std::uint32_t more : {0u, 4000u}) {  // a node alone, or one of many
+      std::vector<Sphere> spheres;
+      const auto block = [&](float from, float step, float radius) {
+        for (int k = 0; k < 8; ++k)
+          spheres.push_back({way * (from + step * static_cast<float>(k)), 0, 0, radius});
+      };
+      block(-60, 8, 3);
+      for (int k = 1; k < 16; ++k)
+        k % 2 == 1 ? block(-110 + 30 * static_cast<float>(k - 1), 1, 0.25f)
+                   : block(20 * static_cast<float>(k), 1, 0.25f);
+      for (std::uint32_t k = 0; k < more; ++k)
+        spheres.push_back({way * (1000 + static_cast<float>(k)), 0, 0, 0.25f});
+      const Chain chain(std::move(spheres));
+      Collisions found, right;
+      for (const auto& [variant, result] : {std::pair(tree.get(), &found), {judge.get(), &right}}) {
+        variant->build(chain);
+        variant->find(chain, {}, *result);
+        properties::sort(result->pairs);
+      }
+      ASSERT_GT(right.pairs.size(), 4u);
+      EXPECT_EQ(found.pairs, right.pairs) << way << ' ' << more;
+    }
+}
+
 /// Under an arc window the spheres of ordered blocks may collide with the next: within a block, and from one
 /// to the other.
 TEST(Rows, HaveThePairsOfSpheresNextToOneAnother) {
