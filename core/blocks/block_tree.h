@@ -103,6 +103,7 @@ struct BlockTree {
     return capsules.data() + std::size_t{g} * group * capsule_fields;
   }
   float* capsules_of(std::uint32_t g) { return capsules.data() + std::size_t{g} * group * capsule_fields; }
+  /// Of block b < blocks.
   float capsule_radius(std::uint32_t b) const { return capsules_of(b / group)[6 * group + b % group]; }
   std::uint32_t blocks_of(std::uint32_t g) const {
     const std::uint32_t left = blocks - g * group;

@@ -55,8 +55,11 @@ class OwnUnits {
   static constexpr std::uint32_t block = BlockTree::block;
   static constexpr float small = 0x1p-40f;
 
-  /// Of a block's capsule, and so at least that of each of its spheres.
-  float radius(std::uint32_t b) const { return tree_.capsule_radius(b) / tree_.unit(); }
+  /// Of a block's capsule, and so at least that of each of its spheres. Parts that the order of space cuts
+  /// blocks into have none here, and are taken as they are.
+  float radius(std::uint32_t b) const {
+    return b < tree_.blocks ? tree_.capsule_radius(b) / tree_.unit() : small;
+  }
   /// A power of two that brings it near to 1, if it is small; else 1.
   float inverse_of(float radius) const {
     return radius < small ? std::ldexp(1.0f, std::clamp(-std::ilogb(radius), 0, most_)) : 1;
