@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "catena/core/blocks/block_kernels.h"
+#include "catena/core/error.h"
 #include "catena/core/executor/team.h"
 #include "catena/core/scenes/scene.h"
 

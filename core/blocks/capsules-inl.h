@@ -51,9 +51,6 @@ HWY_INLINE CapsulesOf<2 * n> side_by_side(const CapsulesOf<n>& a, const Capsules
 /// What squares of lengths within a block have on top, so that none underflows; and the least reach of a
 /// block beside which that is nothing.
 constexpr float least_square = 0x1p-80f, least_reach = 0x1p-36f;
-/// The same of products of which but differences are looked at: by some 2^-133 these are wrong for it, less
-/// than BlockTree::tiny.
-constexpr float least_product = 0x1p-110f;
 
 HWY_INLINE Lanes16 inverse_square(const Lanes16& square) {
   const Lanes16 of_a_point = Lanes16::all(4 * least_square);

@@ -188,6 +188,10 @@ template <std::size_t n>
 HWY_INLINE Lanes<n> dot(const VectorsOf<n>& a, const VectorsOf<n>& b) {
   return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));
 }
+/// What products have on top of which but differences are looked at: by some 2^-133 these are wrong for it,
+/// less than BlockTree::tiny.
+constexpr float least_product = 0x1p-110f;
+
 /// With `least` on top: then no product underflows, which would cost digits, and a hundred times the time.
 template <std::size_t n>
 HWY_INLINE Lanes<n> dot(const VectorsOf<n>& a, const VectorsOf<n>& b, const Lanes<n>& least) {

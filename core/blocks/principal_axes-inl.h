@@ -7,7 +7,7 @@
 #endif
 
 #include "catena/core/blocks/block_tree.h"
-#include "catena/core/blocks/capsules-inl.h"
+#include "catena/core/blocks/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {

@@ -16,6 +16,14 @@
 namespace catena {
 namespace {
 
+std::vector<Pair> pairs_of(Variant& variant, const Chain& chain) {
+  Collisions found;
+  variant.build(chain);
+  variant.find(chain, {}, found);
+  properties::sort(found.pairs);
+  return found.pairs;
+}
+
 /// Spheres and blocks of a tree that follow one another along a line, up or down it, are not looked for
 /// beyond the next: unless a thicker one reaches there, or a jump leads back, wherever that is among them.
 TEST(Rows, EndWhereAThickSphereReachesBeyondTheNext) {
@@ -35,13 +43,7 @@ TEST(Rows, EndWhereAThickSphereReachesBeyondTheNext) {
       s = {x, 0, 0, dice.one_in(thick) ? (little ? 2.5f : 24.0f) * dice.unit() : 0.25f};
     }
     const Chain chain(std::move(spheres));
-    Collisions found, right;
-    for (const auto& [variant, result] : {std::pair(tree.get(), &found), {judge.get(), &right}}) {
-      variant->build(chain);
-      variant->find(chain, {}, *result);
-      properties::sort(result->pairs);
-    }
-    ASSERT_EQ(found.pairs, right.pairs) << "seed " << seed;
+    ASSERT_EQ(pairs_of(*tree, chain), pairs_of(*judge, chain)) << "seed " << seed;
   }
 }
 
@@ -64,14 +66,9 @@ TEST(Rows, AreNotOfTwoWaysSideBySide) {
       for (std::uint32_t k = 0; k < more; ++k)
         spheres.push_back({way * (1000 + static_cast<float>(k)), 0, 0, 0.25f});
       const Chain chain(std::move(spheres));
-      Collisions found, right;
-      for (const auto& [variant, result] : {std::pair(tree.get(), &found), {judge.get(), &right}}) {
-        variant->build(chain);
-        variant->find(chain, {}, *result);
-        properties::sort(result->pairs);
-      }
-      ASSERT_GT(right.pairs.size(), 4u);
-      EXPECT_EQ(found.pairs, right.pairs) << way << ' ' << more;
+      const std::vector<Pair> right = pairs_of(*judge, chain);
+      ASSERT_GT(right.size(), 4u);
+      EXPECT_EQ(pairs_of(*tree, chain), right) << way << ' ' << more;
     }
 }
 

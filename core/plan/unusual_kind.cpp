@@ -36,8 +36,7 @@ const UnusualKind& info(Kind kind) {
        "slows other searches"},
       {"SphereTree",
        "at most 2,048 spheres, of which those of one part have more than 2^140 times the radius of "
-       "another's, "
-       "or more than 2^60 and 2.8 times as much each row of eight"},
+       "another's, or more than 2^60 and 2.8 times as much each row of eight"},
       {"ChainTree",
        "at most 2,048 spheres, of which rows of eight are near few others for how full their box is"},
       {"Grid",
@@ -91,10 +90,12 @@ double growth(std::span<const Sphere> spheres) {
   return least > 0 ? greatest[parts - 2] / least : 1;
 }
 
+/// Growth that may be too much for the chain's order.
+constexpr double much_growth = 0x1p60;
 /// So much that rows of eight tell little apart, or that no scale does for all.
 bool grows_fast(double growth, std::uint32_t n) {
-  constexpr double least = 0x1p60, most = 0x1p140, a_row = 2.8, row = 8;
-  return growth > most || (growth > least && std::pow(growth, row / n) > a_row);
+  constexpr double most = 0x1p140, a_row = 2.8, row = 8;
+  return growth > most || (growth > much_growth && std::pow(growth, row / n) > a_row);
 }
 
 double distance(const Sphere& a, const Sphere& b) {
@@ -150,14 +151,14 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
                                    bool frames_follow) {
   // Measured over the registry's scenes and walks in boxes of any fill: these take 0.2 to 0.9 of the usual
   // variant's time.
-  constexpr double widest = 0x1p60, full = 0.2, very_dense = 10, most_meet = 0.7;
+  constexpr double full = 0.2, very_dense = 10, most_meet = 0.7;
   constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
   if (extent.greatest_radius > 0) {
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius,
                slow_alone = single_spheres_share(extent) > 1;
     if (n <= few) {
-      const bool unlike = extent.greatest_radius > widest * extent.least_radius;
+      const bool unlike = extent.greatest_radius > much_growth * extent.least_radius;
       if (unlike && !spheres.empty() && grows_fast(growth(spheres), n)) return &info(short_horn);
       // The chain's order scales its numbers once, others with each look at them.
       if (!squares_in_range(extent.greatest_radius) && (filled <= sparse || slow_alone))
