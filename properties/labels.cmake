@@ -7,7 +7,10 @@ if(NOT catena_tests_TESTS)
 endif()
 
 # Needs a device; skipped without one.
-set(gpu Device DeviceBlocks DeviceCells DeviceGolden DeviceMemory DeviceRepeats DeviceTrial)
+set(gpu Device DeviceBlocks DeviceCells DeviceGolden DeviceRepeats DeviceTrial)
+if(CATENA_TESTS_OF_CUDA)  # said by tests.cmake: these are in no build without CUDA
+  list(APPEND gpu DeviceMemory)
+endif()
 # Of the host, and of a device where there is one: `ctest -L gpu` has them too.
 set(gpu-too Cells)
 # Not in the fast suite; `ctest --preset long`.

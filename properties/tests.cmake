@@ -27,11 +27,13 @@ if(CATENA_INLINES_NEON)
   endforeach()
 endif()
 catena_together(catena_tests)
+set(tests_of_cuda OFF)
 if(TARGET catena_cuda)  # what a user's own resident search looks like, and a caller of one
   target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_resident_test.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_memory_test.cu)
   catena_compile_cuda(catena_tests)
+  set(tests_of_cuda ON)
 endif()
 add_dependencies(catena_tests catena_cli)  # tests run the program too
 set_target_properties(catena_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
@@ -46,7 +48,9 @@ set(no_figures XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/no-cache)
 gtest_discover_tests(catena_tests TEST_FILTER -RunFile.* PROPERTIES TIMEOUT ${timeout} ENVIRONMENT ${no_figures} DISCOVERY_TIMEOUT 120)
 add_test(NAME RunFile COMMAND catena_tests --gtest_filter=RunFile.*)
 set_tests_properties(RunFile PROPERTIES TIMEOUT ${timeout} ENVIRONMENT ${no_figures} COST 40)
-set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/properties/labels.cmake)
+set(said_to_labels ${PROJECT_BINARY_DIR}/said_to_labels.cmake)
+file(CONFIGURE OUTPUT ${said_to_labels} CONTENT "set(CATENA_TESTS_OF_CUDA ${tests_of_cuda})\n")
+set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${said_to_labels} ${PROJECT_SOURCE_DIR}/properties/labels.cmake)
 
 # ThreadSanitizer needs the tests about threads only, and so a quarter of the build.
 if(CATENA_SANITIZE MATCHES thread)
@@ -84,6 +88,8 @@ add_dependencies(catena_tests catena_headers)
 add_test(NAME library.border COMMAND ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:catena> -DNM=${CMAKE_NM} -DREADELF=${CMAKE_READELF}
          -DLOG=${PROJECT_BINARY_DIR}/.ninja_log -DSANITIZE=${CATENA_SANITIZE} -P ${PROJECT_SOURCE_DIR}/properties/library_test.cmake)
 
+add_test(NAME labels COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DCTEST=${CMAKE_CTEST_COMMAND}
+         -DWORK=${PROJECT_BINARY_DIR}/labels_test -P ${PROJECT_SOURCE_DIR}/properties/labels_test.cmake)
 add_test(NAME choice COMMAND ${CMAKE_COMMAND} -DWORK=${PROJECT_BINARY_DIR}/choice_test -P ${PROJECT_SOURCE_DIR}/properties/choice_test.cmake)
 add_test(NAME commit COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DWORK=${PROJECT_BINARY_DIR}/commit_test
          -P ${PROJECT_SOURCE_DIR}/properties/commit_test.cmake)
