@@ -29,7 +29,9 @@ void leave_little_room() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   const rlim_t room = rlim_t{3} << 20;
-  const rlimit limit{pages * 4096 + room, RLIM_INFINITY};
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(3);
+  limit.rlim_cur = pages * 4096 + room;  // what more may be had is left, as few may raise it
   if (setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(3);
 }
 
