@@ -17,10 +17,9 @@ class ReportProgram : public Program {
  protected:
   /// The run that was written, or nothing where this program measures nothing.
   nlohmann::json measured(const std::string& arguments) const {
+    if (!measures_in_this_build()) return {};
     const ProgramOutcome r = run("report " + arguments + " --output '" + file("r") + "'");
-    if (r.output.find("libbenchmark-dev") != std::string::npos ||
-        r.output.find("Release build") != std::string::npos)
-      return {};
+    if (r.output.find("libbenchmark-dev") != std::string::npos) return {};
     EXPECT_EQ(r.code, 0) << r.output;
     EXPECT_TRUE(std::filesystem::exists(file("r") + "/run.json")) << r.output;
     EXPECT_FALSE(std::filesystem::exists(file("r") + "/run.journal"));

@@ -15,6 +15,7 @@
 #include "catena/core/commands/command_line.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/strategy/test_variant.h"
+#include "catena/properties/testing/sanitized.h"
 #include "catena/reports/test_sections.h"
 
 /// What stands in each section of a run file, against what it is said to be. That the keys are those of
@@ -109,6 +110,7 @@ TEST(Sections, OfKeyframesCountThePairsOfEachFrame) {
 
 /// In bytes: what a tree over n spheres takes at least, and not what stood before.
 TEST(Sections, OfMemoryHaveWhatAVariantHolds) {
+  if (properties::sanitized) GTEST_SKIP() << "a sanitizer has an allocator of its own, which is not asked";
   Profile p = profile_of({"CPU1", "aCPU2+CPU2"});
   p.inputs = {{"path1:n=100000"}};
   p.most_all_pairs = 1000;

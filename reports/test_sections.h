@@ -57,7 +57,7 @@ template <class T>
 std::vector<T> array_of(const Json& text) {
   const std::string bytes = decoded(text);
   std::vector<T> values(bytes.size() / sizeof(T));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
   return values;
 }
 

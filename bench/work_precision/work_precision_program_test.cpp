@@ -8,7 +8,6 @@
 #include "catena/bench/work_precision/json.h"
 #include "catena/bench/work_precision/work_precision.h"
 #include "catena/core/commands/test_program.h"
-#include "catena/core/environment.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena::bench {
@@ -91,7 +90,7 @@ TEST(WorkPrecision, IsInRadiiAndSaysWhatWasRefused) {
 class WorkPrecisionProgram : public Program {
  protected:
   void SetUp() override {
-    if (environment().at("build type") != "Release") GTEST_SKIP() << "measures in a Release build only";
+    if (!measures_in_this_build()) GTEST_SKIP() << "measures in a Release build only";
   }
   nlohmann::json points(const std::string& options) const {
     const ProgramOutcome told =
