@@ -48,5 +48,35 @@ TEST(BuildTree, MakesNoNumberThatIsNextToNothing) {
   EXPECT_GT(zeros, 1000u) << "nothing lies along an axis";
 }
 
+/// Spheres along an axis, farther and farther apart: their mean is not the middle. Whether a node is alone on
+/// its level or not, its box ends near where they do, to either side.
+TEST(BuildTree, PutsTheMiddleOfABoxIntoTheMiddle) {
+  constexpr std::uint32_t group = BlockTree::group, centre = 0, axis = 3 * group, half = 12 * group;
+  for (const std::uint32_t n : {100u, 1500u, 40'000u})
+    for (int along = 0; along < 3; ++along) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t k = 0; k < n; ++k) {
+        float at[3] = {};
+        at[along] = std::exp(3.0f * static_cast<float>(k) / static_cast<float>(n));
+        spheres.push_back({at[0], at[1], at[2], 1e-4f});
+      }
+      const Chain chain(spheres);
+      BlockTree tree;
+      build_block_tree(chain.view(), tree, Team());
+      const BlockTree::Level& top = tree.level.back();
+      ASSERT_EQ(top.count, 1u);
+      const auto field = [&](std::uint32_t f) { return top.at(0)[f] / tree.scale; };
+      double middle = 0, reach = 0;
+      for (std::uint32_t d = 0; d < 3; ++d) {
+        const double along_it = top.at(0)[axis + (3 * d + along) * group];
+        if (std::abs(along_it) > 0.9) reach = field(half + d * group);
+      }
+      middle = field(centre + along * group);
+      const double first = std::exp(0.0), last = std::exp(3.0);
+      EXPECT_NEAR(middle, (first + last) / 2, 0.01 * (last - first)) << n << ", " << along;
+      EXPECT_NEAR(reach, (last - first) / 2, 0.01 * (last - first)) << n << ", " << along;
+    }
+}
+
 }  // namespace
 }  // namespace catena

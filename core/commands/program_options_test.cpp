@@ -69,6 +69,29 @@ TEST_F(Program, RefusesColumnsWithoutTheirTable) {
   EXPECT_FALSE(std::filesystem::exists(file("t.csv")));
 }
 
+// A format says whether it holds what was found: then it does, and else nobody is told that it was written.
+TEST_F(Program, ExportsContactsToWhatHoldsThem) {
+  const std::string three = write("three.csv", "x,y,z,r\n0,0,0,1\n9,0,0,1\n1,0,0,1\n");
+  std::size_t hold = 0, others = 0;
+  for (const WriterInfo& writer : WriterRegistry::instance().writers())
+    for (const std::string& extension : writer.extensions) {
+      const std::string without = file("a" + extension), with = file("b" + extension);
+      const std::string to_both = "export " + three + " '" + with + "' --contacts";
+      if (!writer.contacts) {
+        expect_refused(to_both, writer.name + " holds no contacts");
+        EXPECT_FALSE(std::filesystem::exists(with));
+        ++others;
+        continue;
+      }
+      expect_says("export " + three + " '" + without + "'", 0, {});
+      expect_says(to_both, 0, {});
+      EXPECT_NE(text_of(with), text_of(without)) << extension;
+      ++hold;
+    }
+  EXPECT_GT(hold, 0u);
+  EXPECT_GT(others, 0u);
+}
+
 TEST_F(Program, ExportsWhatIsAskedFor) {
   expect_refused("export path1:n=10 '" + file("a.csv") + "' --contacts", "CSV table holds no contacts");
   EXPECT_FALSE(std::filesystem::exists(file("a.csv")));

@@ -18,16 +18,22 @@ RC_GTEST_PROP(Unwrapped, PutsTogetherWhatABoxHasCutApart, ()) {
   Strands strands{{0}, {}};
   std::vector<Pair> joints;
   for (auto left = *rc::gen::inRange(1, 4); left > 0; --left) {
-    // Each strand grows from a sphere of one before it.
-    Sphere at{0, 0, 0, 1};
+    const auto step = [] { return static_cast<float>(*rc::gen::inRange(-3, 4)); };
+    const auto on = [&](const Sphere& s) { return Sphere{s.x + step(), s.y + step(), s.z + step(), 1}; };
+    std::vector<Sphere> strand;
+    for (auto more = *rc::gen::inRange(1, 12); more > 0; --more)
+      strand.push_back(strand.empty() ? Sphere{0, 0, 0, 1} : on(strand.back()));
+    // One of its spheres is joined to one of a strand before it.
+    Sphere begins = strand[0];
     if (!whole.empty()) {
-      const auto from = *rc::gen::inRange<std::size_t>(0, whole.size());
-      at = whole[from];
-      joints.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(whole.size())});
+      const auto from = *rc::gen::inRange<std::size_t>(0, whole.size()),
+                 to = *rc::gen::inRange<std::size_t>(0, strand.size());
+      const Sphere joined = on(whole[from]);
+      begins = {joined.x - strand[to].x, joined.y - strand[to].y, joined.z - strand[to].z, 1};
+      joints.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(whole.size() + to)});
     }
-    for (auto more = *rc::gen::inRange(1, 12); more > 0; --more) {
-      const auto step = [] { return static_cast<float>(*rc::gen::inRange(-3, 4)); };
-      at = {at.x + step(), at.y + step(), at.z + step(), 1};
+    for (const Sphere& s : strand) {
+      const Sphere at{begins.x + s.x, begins.y + s.y, begins.z + s.z, 1};
       whole.push_back(at);
       const auto boxes = [] { return static_cast<double>(*rc::gen::inRange(-2, 3)); };
       const auto by = box.along({boxes(), boxes(), boxes()});

@@ -109,5 +109,27 @@ TEST(MeetBorder, MissesNothingOnAnyInstructionSet) {
   }
 }
 
+/// What came without the arc lengths that the rule goes by, or with some that nobody asked for, is no blocks.
+TEST(MeetBorder, TakesNoBlocksOfAnotherRule) {
+  run_in_threads(1, [](Communicator&) {
+    std::mt19937 dice(3);
+    const HeldPart part(pieces_anywhere(dice, 5, 0));
+    std::vector<Block> blocks;
+    for_each_block(part.pieces(), [&](const Block& block) { blocks.push_back(block); });
+    ASSERT_FALSE(blocks.empty());
+    ByteWriter out;
+    put_blocks(out, part, blocks);
+    const Bytes bytes = out.take();
+    Rule others = part.rule();
+    const bool by_arcs = others.kind == Exclusion::Rule::arc_window;
+    others.kind = by_arcs ? Exclusion::Rule::index_window : Exclusion::Rule::arc_window;
+    FarBlocks far, as_meant;
+    ByteReader in(bytes), again(bytes);
+    EXPECT_THROW(far.take(in, others, 0), std::logic_error);
+    as_meant.take(again, part.rule(), 0);
+    EXPECT_EQ(as_meant.blocks(), blocks.size());
+  });
+}
+
 }  // namespace
 }  // namespace catena::ranks

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ const std::map<std::string_view, std::string> documented{
     {"tri", "atom-ID molecule-ID atom-type triangleflag density x y z"},
     {"wavepacket", "atom-ID atom-type charge espin eradius etag cs_re cs_im x y z"}};
 
+/// Whose rows go on: with a number a species, what sub-styles need, or what some versions write besides.
+const std::set<std::string_view> open_ended{"dielectric", "hybrid", "tdpd"};
+
 TEST(LammpsAtomStyles, HaveTheColumnsThatLammpsDocuments) {
   ASSERT_EQ(lammps_atom_styles().size(), documented.size());
   for (const LammpsAtomStyle& style : lammps_atom_styles()) {
@@ -58,6 +62,10 @@ TEST(LammpsAtomStyles, HaveTheColumnsThatLammpsDocuments) {
     EXPECT_EQ(style.x + 2, place("z")) << style.name;
     EXPECT_EQ(style.molecule, place("molecule-ID")) << style.name;
     EXPECT_EQ(style.diameter, place("diameter")) << style.name;
+    for (const std::size_t images : {0, 3}) EXPECT_TRUE(style.fits(columns.size() + images)) << style.name;
+    EXPECT_FALSE(style.fits(columns.size() - 1)) << style.name;
+    for (const std::size_t more : {1, 2, 4})
+      EXPECT_EQ(style.fits(columns.size() + more), open_ended.contains(style.name)) << style.name;
   }
 }
 
