@@ -51,7 +51,7 @@ class Ci(Scripts):
             (self.folder / name).write_text((ROOT / name).read_text())
         for name in ("apt-get", "cmake", "sudo"):
             self.stand_in(f"bin/{name}", 'exec "$@"' if name == "sudo" else "")
-        for name in ("release/catena", "tsan/catena_library_threads_tests", "asan/catena"):
+        for name in ("release/catena", "tsan/catena_library_threads_tests", "asan/catena", "asan/catena_search_tests"):
             self.stand_in(f"build/{name}")
         self.stand_in("bin/mpirun", "exit ${CATENA_RANK_FAULT:+2}")
 
@@ -59,18 +59,19 @@ class Ci(Scripts):
         done, calls = self.run_script(self.folder / ".ci/run")
         self.assertEqual(done.returncode, 0, done.stderr)
         calls = [call for call in calls if not call.startswith(("apt-get", "sudo"))]
-        calls, both = calls[:-2], calls[-2:]  # these at the same time
+        calls, both, halves = calls[:-4], calls[-4:-2], calls[-2:]  # these two and two at the same time
         self.assertEqual(calls, [
             "cmake --preset release", "cmake --build --preset release --target catena_cli", "catena report",
             "cmake --workflow --preset release",
             "cmake --preset tsan -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON",
             "cmake --build --preset tsan --target catena_library_threads_tests", "catena_library_threads_tests ",
             "cmake --preset asan -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -DCATENA_BENCH=OFF -DCATENA_MUTANTS=OFF -DCATENA_TESTS=OFF",
-            "cmake --build --preset asan --target catena_cli",
+            "cmake --build --preset asan --target catena_cli catena_search_tests",
             "mpirun --quiet --oversubscribe -n 3 build/asan/catena verify yarn:n=3000 hair:n=3000",
             "mpirun --quiet --oversubscribe -n 3 build/asan/catena detect yarn:n=3000",
         ])  # fmt: skip
         self.assertCountEqual(both, ["catena verify", "catena fuzz --seconds 60 --failures build/asan/failures"])
+        self.assertEqual(halves, ["catena_search_tests --gtest_brief=1"] * 2)
 
     def test_whatever_fails_ends_it(self):
         for name in ("bin/cmake", "bin/apt-get", "build/release/catena", "build/tsan/catena_library_threads_tests"):
@@ -82,6 +83,14 @@ class Ci(Scripts):
         for does in ("exit 1", "exit 0"):  # no answer; no end by an error of its own
             self.stand_in("bin/mpirun", does)
             self.assertEqual(self.run_script(self.folder / ".ci/run")[0].returncode, 1, does)
+
+    def test_either_half_of_the_tests_of_searches_ends_it(self):
+        for half in range(2):
+            does = f'echo "$GTEST_SHARD_INDEX of $GTEST_TOTAL_SHARDS"; exit $((GTEST_SHARD_INDEX == {half}))'
+            self.stand_in("build/asan/catena_search_tests", does)
+            done, _ = self.run_script(self.folder / ".ci/run")
+            self.assertEqual(done.returncode, 1, half)
+            self.assertIn(f"{half} of 2", done.stdout)
 
     def test_what_verify_found_is_shown(self):
         self.stand_in("build/asan/catena", "[ $1 = fuzz ] || { echo WRONG here; exit 1; }")
