@@ -5,7 +5,7 @@
 #include <string>
 
 #include "catena/bench/regret/regret.h"
-#include "catena/core/environment.h"
+#include "catena/core/commands/test_program.h"
 #include "catena/core/error.h"
 #include "catena/reports/run_file.h"
 
@@ -45,7 +45,7 @@ inline Profile small_profile() {
 }
 
 inline bool measures() {
-  if (environment().at("build type") != "Release") return false;
+  if (!measures_in_this_build()) return false;
   try {
     bench::measure_in_rounds({}, {});
     return true;

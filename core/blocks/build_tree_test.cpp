@@ -66,12 +66,12 @@ TEST(BuildTree, PutsTheMiddleOfABoxIntoTheMiddle) {
       const BlockTree::Level& top = tree.level.back();
       ASSERT_EQ(top.count, 1u);
       const auto field = [&](std::uint32_t f) { return top.at(0)[f] / tree.scale; };
-      double middle = 0, reach = 0;
+      const double middle = field(centre + along * group);
+      double reach = 0;
       for (std::uint32_t d = 0; d < 3; ++d) {
         const double along_it = top.at(0)[axis + (3 * d + along) * group];
         if (std::abs(along_it) > 0.9) reach = field(half + d * group);
       }
-      middle = field(centre + along * group);
       const double first = std::exp(0.0), last = std::exp(3.0);
       EXPECT_NEAR(middle, (first + last) / 2, 0.01 * (last - first)) << n << ", " << along;
       EXPECT_NEAR(reach, (last - first) / 2, 0.01 * (last - first)) << n << ", " << along;

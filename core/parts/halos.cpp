@@ -71,23 +71,22 @@ std::vector<std::vector<std::uint32_t>> Halos::find() const {
   const std::size_t parts = first_.size() - 1;
   std::vector<std::vector<std::vector<std::uint32_t>>> met(team_.size(),
                                                            std::vector<std::vector<std::uint32_t>>(parts));
-  team_.for_each_range(static_cast<std::uint32_t>(around_.size()), 16,
-                       [&](std::uint32_t begin, std::uint32_t end) {
-                         auto& mine = met[team_.member()];
-                         const auto take = [&](std::uint32_t part, std::uint32_t box) {
-                           if (auto& list = mine[part]; list.empty() || list.back() != box)
-                             list.push_back(box);
-                         };
-                         for (std::uint32_t a = begin; a < end; ++a) {
-                           const std::uint32_t part = part_of(a * together);
-                           const bool alone = end_of(a) <= first_[part + 1];
-                           if (!alone) compare(a, a, take);
-                           tree_.for_each_meeting(around_[a], [&](std::uint32_t b) {
-                             const bool same = alone && end_of(b) <= first_[part + 1];
-                             if (b > a && !same) compare(a, b, take);
-                           });
-                         }
-                       });
+  team_.for_each_range(
+      static_cast<std::uint32_t>(around_.size()), 16, [&](std::uint32_t begin, std::uint32_t end) {
+        auto& mine = met[team_.member()];
+        const auto take = [&](std::uint32_t part, std::uint32_t box) {
+          if (auto& list = mine[part]; list.empty() || list.back() != box) list.push_back(box);
+        };
+        for (std::uint32_t a = begin; a < end; ++a) {
+          const std::uint32_t part = part_of(a * together);
+          const bool alone = end_of(a) <= first_[part + 1];
+          if (!alone) compare(a, a, take);
+          tree_.for_each_meeting(around_[a], [&](std::uint32_t b) {
+            const bool same = alone && end_of(b) <= first_[part + 1];
+            if (b > a && !same) compare(a, b, take);
+          });
+        }
+      });
   std::vector<std::vector<std::uint32_t>> halos(parts);
   team_.for_each_range(static_cast<std::uint32_t>(parts), 1, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t p = begin; p < end; ++p) {
