@@ -56,6 +56,14 @@ class DeviceResident : public testing::TestWithParam<const char*> {
                            cudaMemcpyDeviceToHost));
     return found;
   }
+  static constexpr unsigned char guard = 0xA7;
+  /// How many bytes of these on the device are not `guard`.
+  template <class T>
+  static std::size_t changed(const T* there, std::size_t count) {
+    std::vector<unsigned char> bytes(count * sizeof(T));
+    CATENA_CUDA(cudaMemcpy(bytes.data(), there, bytes.size(), cudaMemcpyDeviceToHost));
+    return bytes.size() - static_cast<std::size_t>(std::ranges::count(bytes, guard));
+  }
 
   std::unique_ptr<cuda::Stream> stream_;
   std::unique_ptr<Device> device_;
@@ -84,6 +92,27 @@ TEST_P(DeviceResident, OverflowIsAFlagWithTheTrueNumberAndASecondCallMendsIt) {
   variant_->resident()->enqueue_find(chain, {}, enough, static_cast<cudaStream_t>(*stream_));
   EXPECT_EQ(state(enough).overflow, 0u);
   EXPECT_TRUE(reference::compare(yarn(), exact, fetched(yarn(), enough)).right());
+}
+
+// Counts and pairs begin where the caller wants them, and nothing beside them is written.
+TEST_P(DeviceResident, AnswersIntoBuffersThatBeginAnywhere) {
+  const Chain odd = open_input("yarn:n=2999").animation->frame(0);
+  const auto exact = reference::find(odd);
+  ASSERT_GT(exact.pair_count, 100u);
+  const ChainView chain = device_->to_device(odd.view());
+  const std::size_t n = odd.size(), pairs = exact.pair_count, beside = 4;
+  const ResidentAnswer whole = room_for(chain.size + 2 * beside, pairs + 2 * beside);
+  for (std::size_t before = 0; before <= beside; ++before) {
+    CATENA_CUDA(cudaMemsetAsync(whole.count, guard, (n + 2 * beside) * sizeof(std::uint32_t), *stream_));
+    CATENA_CUDA(cudaMemsetAsync(whole.pairs, guard, (pairs + 2 * beside) * sizeof(Pair), *stream_));
+    const ResidentAnswer answer{whole.count + before, whole.pairs + before, pairs, whole.state};
+    enqueue(chain, answer);
+    EXPECT_TRUE(reference::compare(odd, exact, fetched(odd, answer)).right()) << before;
+    EXPECT_EQ(changed(whole.count, before), 0u) << before;
+    EXPECT_EQ(changed(answer.count + n, 2 * beside - before), 0u) << before;
+    EXPECT_EQ(changed(whole.pairs, before), 0u) << before;
+    EXPECT_EQ(changed(answer.pairs + pairs, 2 * beside - before), 0u) << before;
+  }
 }
 
 TEST_P(DeviceResident, IsCertifiedWhereItHasEvidence) {

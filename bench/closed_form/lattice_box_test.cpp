@@ -1,5 +1,6 @@
 #include "catena/bench/closed_form/lattice_box.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -151,29 +152,34 @@ TEST(LatticeBox, NamesWhatIsWrong) {
   EXPECT_EQ(fault(box, right, true), "");
   Collisions wrong = right;
   wrong.pairs.back() = wrong.pairs.front();
-  EXPECT_NE(fault(box, wrong, true), "") << "one twice for another";
+  EXPECT_EQ(fault(box, wrong, true), "a pair is there twice");
   wrong = right;
-  std::swap(wrong.pairs.back().i, wrong.pairs.back().j);
-  EXPECT_NE(fault(box, wrong, true), "");
+  const Pair last = right.pairs.back();
+  wrong.pairs.back() = {last.j, last.i};
+  EXPECT_EQ(fault(box, wrong, true), fmt::format("{} and {} do not collide", last.j, last.i));
   wrong = right;
   wrong.pairs.back() = {0, 63};
-  EXPECT_NE(fault(box, wrong, true), "") << "far apart";
+  EXPECT_EQ(fault(box, wrong, true), "0 and 63 do not collide") << "far apart";
   wrong = right;
   wrong.pairs.pop_back();
-  EXPECT_NE(fault(box, wrong, true), "");
+  EXPECT_EQ(fault(box, wrong, true), fmt::format("{} pairs are kept of {}", box.pairs() - 1, box.pairs()));
   wrong = right;
   ++wrong.count[3];
-  EXPECT_NE(fault(box, wrong, false), "");
+  const std::uint64_t ends = 2 * box.pairs();
+  EXPECT_EQ(fault(box, wrong, false), fmt::format("counts sum up to {} instead of {}", ends + 1, ends));
   wrong = right;
   --wrong.pair_count;
-  EXPECT_NE(fault(box, wrong, false), "");
+  EXPECT_EQ(fault(box, wrong, false), fmt::format("{} pairs instead of {}", box.pairs() - 1, box.pairs()));
   const LatticeBox wide{.side = 5, .reach = 2};
   const Chain longer = chain_of(wide);
   variant->build(longer);
   variant->find(longer, {}, wrong);
   EXPECT_EQ(fault(wide, wrong, false), "");
   ++*std::ranges::max_element(wrong.count), --wrong.count.front();
-  EXPECT_NE(fault(wide, wrong, false).find("a sphere has"), std::string::npos) << "as many ends, elsewhere";
+  const std::uint64_t most = wide.most_collisions();
+  EXPECT_EQ(fault(wide, wrong, false),
+            fmt::format("a sphere has {} collisions; the most is {}", most + 1, most))
+      << "as many ends, elsewhere";
 }
 
 TEST(LatticeBox, HasNeighboursOnBothSides) {

@@ -168,5 +168,13 @@ TEST(RankSearch, ComparesWithTheReference) {
   });
 }
 
+TEST(RankComparison, IsRightWhereNothingDiffersAndNoneMakesUpForAnother) {
+  for (unsigned differs = 0; differs < 32; ++differs) {
+    const auto has = [&](unsigned bit) { return std::uint64_t{differs >> bit & 1}; };
+    const RankComparison wrong{has(0), has(1), has(2), has(3), has(4) != 0};
+    EXPECT_EQ(wrong.right(), differs == 0) << differs;
+  }
+}
+
 }  // namespace
 }  // namespace catena::ranks

@@ -101,6 +101,8 @@ TEST(LammpsDataReader, SaysWhatIsWrong) {
                    start + "Atoms\n\n1 1 1 1 1 0 0 0\n2 1 1 1 1 0.5 0 0\n");  // of bpm/sphere
   EXPECT_COMPLAINT("7: the header says 2 atoms, the file has 1", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0 0 0\n");
+  EXPECT_COMPLAINT("5: the header says 0 atoms, the file has 1", "a.data",
+                   "t\n\nAtoms # bond\n\n1 1 1 0 0 0\n");
   EXPECT_COMPLAINT(" atom 1 comes twice in frame 0", "a.data",
                    start + "Atoms # bond\n\n1 1 1 0 0 0\n1 1 1 0 0 0\n");
   EXPECT_COMPLAINT("13: a bond names atom 3", "a.data",
