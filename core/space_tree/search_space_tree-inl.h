@@ -24,13 +24,14 @@ HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entr
                               const Apart& apart) {
   constexpr std::uint32_t at_once = SpaceTree::group;
   const float* const capsules = space.capsules.data();
-  const auto of = [=](const Pair* pairs) HWY_ATTR {
-    const auto of_i = [=](std::size_t k) { return capsules + std::size_t{pairs[k].i} * Capsules::fields; };
-    const auto of_j = [=](std::size_t k) { return capsules + std::size_t{pairs[k].j} * Capsules::fields; };
-    struct Both {
-      CapsulesOf<16> i, j;
-    };
-    return Both{Capsules::of_rows(of_i), Capsules::of_rows(of_j)};
+  // Given on as they are made: both kept in one struct were copied, which took as long as the test.
+  const auto of_i = [=](const Pair* pairs) HWY_ATTR {
+    return Capsules::of_rows(
+        [=](std::size_t k) { return capsules + std::size_t{pairs[k].i} * Capsules::fields; });
+  };
+  const auto of_j = [=](const Pair* pairs) HWY_ATTR {
+    return Capsules::of_rows(
+        [=](std::size_t k) { return capsules + std::size_t{pairs[k].j} * Capsules::fields; });
   };
   const auto told = [&](const Pair* pairs, std::uint32_t may, std::uint32_t count) HWY_ATTR {
     for_each_lane(may & lane_bits(count), [&](std::uint32_t k) { near(pairs[k].i, pairs[k].j); });
@@ -38,15 +39,15 @@ HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entr
       for_each_lane(~may & lane_bits(count), [&](std::uint32_t k) { apart(pairs[k].i, pairs[k].j); });
   };
   const auto test = [&](const Pair* pairs, std::uint32_t count) HWY_ATTR {
-    const auto both = of(pairs);
-    told(pairs, may_collide(both.i, both.j), count);
+    told(pairs, may_collide(of_i(pairs), of_j(pairs)), count);
   };
   if constexpr (Lanes16::parts == 1) {
     for (; entries.size() >= 2 * at_once; entries = entries.subspan(2 * at_once)) {
-      const auto a = of(entries.data()), b = of(entries.data() + at_once);
-      const std::uint32_t may = may_collide(side_by_side(a.i, b.i), side_by_side(a.j, b.j));
-      told(entries.data(), may & 0xFFFF, at_once);
-      told(entries.data() + at_once, may >> at_once, at_once);
+      const Pair *const a = entries.data(), *const b = a + at_once;
+      const std::uint32_t may =
+          may_collide(side_by_side<16>(of_i(a), of_i(b)), side_by_side<16>(of_j(a), of_j(b)));
+      told(a, may & 0xFFFF, at_once);
+      told(b, may >> at_once, at_once);
     }
   }
   for (; entries.size() >= at_once; entries = entries.subspan(at_once)) test(entries.data(), at_once);
