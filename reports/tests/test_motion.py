@@ -102,6 +102,9 @@ class Verdicts(unittest.TestCase):
             name = f"stiffness 100, step {line['step']:g}: {line['variant']}"
             expected = statistics.share(fails, 32)
             self.assertEqual(drawn[name], (fails / 32, expected.low, expected.high))
+        for series in figure.panels[0].series:
+            of_series = [figure.panels[0].y.categories[row].rpartition(": ")[2] for row in series.y]
+            self.assertEqual({f"{run.info(variant).arithmetic} arithmetic" for variant in of_series}, {series.name})
 
 
 class EveryMotion(unittest.TestCase):

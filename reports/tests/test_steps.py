@@ -38,6 +38,14 @@ class Made(unittest.TestCase):
             taken = {step["step"]: step["times"] for step in given["steps"]}
             self.assertEqual([cell.raw for cell in row[5:]], [taken[s] / n if s in taken else "" for s in table.columns[5:]])
 
+    def test_rows_are_by_scene_size_and_variant(self):
+        self.value["catena"]["steps"].reverse()
+        _, table = self.table()
+        inputs = [row[0].text.split(":") for row in table.rows]
+        keys = [(scene, int(n), row[1].text) for (scene, n), row in zip(inputs, table.rows)]
+        self.assertGreater(len({n for _, n, _ in keys}), 1)
+        self.assertEqual(keys, sorted(keys))
+
     def test_the_title_says_how_many_memory_bounds(self):
         for gb_s, says in (
             (10.0, "Memory bounds none of 16 searches: in the time of each the chain could be copied"),
