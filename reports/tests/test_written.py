@@ -4,6 +4,7 @@ import csv
 import io
 import os
 import pathlib
+import signal
 import stat
 import subprocess
 import sys
@@ -15,6 +16,8 @@ import made
 import pages
 from catena_report import __main__ as command
 from catena_report import page, table, whole_file
+
+ENVIRONMENT = {**os.environ, "PYTHONPATH": str(pathlib.Path(page.__file__).parents[1])}
 
 
 class Written(unittest.TestCase):
@@ -78,7 +81,7 @@ class Written(unittest.TestCase):
         os.close(read)
         done = subprocess.run(
             [sys.executable, "-m", "catena_report", "--compare", made.H200, made.H200],
-            env={**os.environ, "PYTHONPATH": str(pathlib.Path(page.__file__).parents[1])},
+            env=ENVIRONMENT,
             stdout=write, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
         os.close(write)
@@ -107,11 +110,33 @@ class Written(unittest.TestCase):
             self.assertEqual(told(size), "")
             self.assertIn("larger than", told(size - 1))
 
+    def test_who_is_interrupted_ends_so_and_leaves_nothing(self):
+        for sent, ends, said in (
+            (signal.SIGTERM, 128 + signal.SIGTERM, ""),
+            (signal.SIGINT, -signal.SIGINT, "catena report: interrupted; no page was written\n"),
+        ):
+            with tempfile.TemporaryDirectory() as folder:
+                run = os.path.join(folder, "run.json")
+                os.mkfifo(run)
+                writer = subprocess.Popen(
+                    [sys.executable, "-m", "catena_report", "--output", folder + "/page", run],
+                    env=ENVIRONMENT,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.PIPE,
+                    text=True,
+                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # ignored by what runs behind a shell
+                )
+                with open(run, "w"):  # once it reads, which it does until this is closed
+                    writer.send_signal(sent)
+                    out, err = writer.communicate(timeout=60)
+                self.assertEqual((writer.returncode, out, err), (ends, "", said))
+                self.assertEqual(os.listdir(folder), ["run.json"])
+
     def test_a_full_disk_under_the_output_is_said(self):
         with open("/dev/full", "w") as full:
             done = subprocess.run(
                 [sys.executable, "-m", "catena_report", "--compare", made.H200, made.H200],
-                env={**os.environ, "PYTHONPATH": str(pathlib.Path(page.__file__).parents[1])},
+                env=ENVIRONMENT,
                 stdout=full,
                 stderr=subprocess.PIPE,
                 text=True,
