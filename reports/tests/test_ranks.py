@@ -34,6 +34,8 @@ class Ranks(unittest.TestCase):
             for x, y in zip(series.x, series.y):
                 (point,) = (p for p in chains(self.value)[at[x], 512_000] if p["ranks"] == ranks)
                 self.assertEqual(y, point["blocks_asked"] / point["blocks_touching"])
+            # Named once, beside those of most ranks.
+            self.assertEqual(series.labels, [at[x] for x in series.x] if ranks == 64 else None)
 
     def test_the_exchange_is_judged_by_its_worst(self):
         title = self.shown.figures["ranks-exchange"].title
@@ -48,7 +50,10 @@ class Ranks(unittest.TestCase):
 
     @recomputes("figure:ranks-times")
     def test_every_time_is_shown_and_the_model_is_near(self):
-        panels = {panel.title: panel for panel in self.shown.figures["ranks-times"].panels}
+        figure = self.shown.figures["ranks-times"]
+        most = max(n for _, n in chains(self.value))
+        self.assertTrue(figure.title.startswith(f"By the model {most:,} spheres are searched soonest"), figure.title)
+        panels = {panel.title: panel for panel in figure.panels}
         for (scene, n), points in chains(self.value).items():
             series = panels[scene].series
             (drawn,) = (s for s in series if s.name == f"{scene}, {n:,}")
