@@ -140,6 +140,19 @@ class Costs(unittest.TestCase):
             pages.shown(value).figures["savings"].title.endswith(f", slower in 1: up to 8 times (hierarchy, {row['input']})")
         )
 
+    def test_the_greatest_saving_is_drawn_first(self):
+        value = made.run()
+        rows = value["catena"]["savings"]
+        for turn in (list, reversed):
+            value["catena"]["savings"] = [
+                {**row, "what": f"saved {saved}", "with_ms": [saved * ms for ms in row["without_ms"]]}
+                for saved, row in turn([*enumerate(rows, start=1)])
+            ]
+            (panel,) = pages.shown(value).figures["savings"].panels
+            self.close(panel.series[0].x, range(len(rows), 0, -1))
+            said = [f"saved {saved}" for saved in range(len(rows), 0, -1)]
+            self.assertEqual([name.rpartition(": ")[2] for name in panel.y.categories], said)
+
     def test_a_saving_that_changes_the_answer_is_said(self):
         value = made.run()
         value["catena"]["savings"][0].update(identical=False, with_ms=[1e-3] * 8)  # drawn last
