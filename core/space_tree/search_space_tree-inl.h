@@ -24,7 +24,7 @@ HWY_INLINE void for_each_near(const SpaceTree& space, std::span<const Pair> entr
                               const Apart& apart) {
   constexpr std::uint32_t at_once = SpaceTree::group;
   const float* const capsules = space.capsules.data();
-  // Given on as they are made: both kept in one struct were copied, which took as long as the test.
+  // Given on as they are made: both of a pair in one struct gcc copies before they are tested, with AVX2.
   const auto of_i = [=](const Pair* pairs) HWY_ATTR {
     return Capsules::of_rows(
         [=](std::size_t k) { return capsules + std::size_t{pairs[k].i} * Capsules::fields; });
