@@ -22,13 +22,16 @@ struct Key {
 
 /// Of a rank's spheres.
 struct Where {
-  CentreCorners corners;
+  CentreCorners corners;  ///< of some blocks
   std::uint64_t blocks;
 };
 
+/// By one of every so many blocks, as a look at all takes as long as to give each its code.
 Where where_all_are(Communicator& ranks, const Part& part) {
+  constexpr std::uint64_t most = 1 << 12;
   Where own{{}, blocks_of(part.pieces)};
-  for_each_block(part.pieces, [&](const Block& block) { own.corners.take(middle_of(part.spheres, block)); });
+  for_some_blocks(part.pieces, std::max<std::uint64_t>(1, own.blocks / most),
+                  [&](const Block& block) { own.corners.take(middle_of(part.spheres, block)); });
   Where all{{}, 0};
   for (const Where& where : all_gather_value(ranks, own)) {
     all.corners.join(where.corners);
@@ -40,11 +43,13 @@ Where where_all_are(Communicator& ranks, const Part& part) {
 /// The part of a rank, and how its blocks come in space.
 class BlocksInSpace {
  public:
-  BlocksInSpace(const Part& part, const MortonGrid& grid) : part_(part), grid_(grid) {}
+  /// Blocks beyond these corners count as if on the nearest of their sides.
+  BlocksInSpace(const Part& part, const CentreCorners& corners)
+      : part_(part), corners_(corners), grid_(corners) {}
 
   Key key(const Block& block) const {
     const Piece& piece = part_.pieces[block.piece];
-    return {grid_.code(middle_of(part_.spheres, block)), piece.first + (block.begin - piece.begin)};
+    return {grid_.code(corners_.nearest(middle_of(part_.spheres, block))), piece.first + (block.begin - piece.begin)};
   }
 
   /// Of every so many blocks the key, sorted: about one in sixteen, but no fewer and no more than these.
@@ -59,7 +64,8 @@ class BlocksInSpace {
 
  private:
   const Part& part_;
-  const MortonGrid& grid_;
+  const CentreCorners corners_;
+  const MortonGrid grid_;
 };
 
 /// Of all keys after `low` up to `high` one that begins the largest cube: parts that end there have few
@@ -234,11 +240,10 @@ double touching_share(Communicator& ranks, const Part& part) {
 
 Part part_in_space(Communicator& ranks, Part part, std::uint32_t blocks_at_once) {
   const Where all = where_all_are(ranks, part);
-  const MortonGrid grid(all.corners);
   const std::uint64_t own_blocks = blocks_of(part.pieces);
   std::vector<Share> shares;
   {
-    const BlocksInSpace blocks(part, grid);
+    const BlocksInSpace blocks(part, all.corners);
     const std::vector<Key> chosen = splitters(ranks, blocks.some_keys(own_blocks), own_blocks, all.blocks);
     shares = shares_of(part, blocks, chosen, ranks.size());
   }
