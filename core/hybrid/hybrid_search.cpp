@@ -94,12 +94,13 @@ bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres
   constexpr double least = 6;  // in wide cells with nothing near
   const double share = settings_.dense * shallow_share(chain.size),
                octaves = octaves_beyond_cache(chain.size);
-  if (!look_.everywhere(chain, share * least)) return false;
+  if (!look_.everywhere(chain, share * least, 2)) return false;
   single = single_spheres(chain, sort);
   constexpr double usual_ns = 70;  // of a single sphere; more is for pairs, which take as long in any order
   const double many = (16 + 1.1 * octaves) * std::max(1.0, single.ns / usual_ns),
                others = std::min(many, single.ns * BlockTree::block / SpaceCost::near_ns);
-  return others <= least || look_.everywhere(chain, share * others);
+  // After the first look a tree is most likely made in vain: it takes more to be held for needed.
+  return others <= least || look_.everywhere(chain, share * others, 3);
 }
 
 /// Strands are so short that their blocks would be half empty, or more.

@@ -49,7 +49,8 @@ class BlocksInSpace {
 
   Key key(const Block& block) const {
     const Piece& piece = part_.pieces[block.piece];
-    return {grid_.code(corners_.nearest(middle_of(part_.spheres, block))), piece.first + (block.begin - piece.begin)};
+    return {grid_.code(corners_.nearest(middle_of(part_.spheres, block))),
+            piece.first + (block.begin - piece.begin)};
   }
 
   /// Of every so many blocks the key, sorted: about one in sixteen, but no fewer and no more than these.

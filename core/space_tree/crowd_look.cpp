@@ -62,8 +62,8 @@ class SampleBlocks {
 /// Which blocks of a sample meet, by the parts of the chain that they are of.
 class Meetings {
  public:
-  Meetings(const ChainView& chain, double others)
-      : neighbours_(chain), share_(others / (chain.size / block)) {}
+  Meetings(const ChainView& chain, double others, double deviations)
+      : neighbours_(chain), share_(others / (chain.size / block)), deviations_(deviations) {}
 
   /// The blocks of group g in `whole`, with those of earlier groups, and with one another.
   void add(const SampleBlocks& sample, std::uint32_t g, std::uint32_t whole,
@@ -106,13 +106,12 @@ class Meetings {
   }
 
  private:
-  static bool fewer(std::uint32_t met, double expected) {
-    constexpr double for_sure = 2;  // deviations
-    return met + for_sure * std::sqrt(expected) < expected;
+  bool fewer(std::uint32_t met, double expected) const {
+    return met + deviations_ * std::sqrt(expected) < expected;
   }
 
   const NeighbourStretches neighbours_;
-  const double share_;
+  const double share_, deviations_;
   std::array<std::uint32_t, parts> met_{}, of_{};
   std::uint32_t all_ = 0;
 };
@@ -120,7 +119,7 @@ class Meetings {
 }  // namespace
 
 /// Where it is `jumping` only if most blocks jump.
-bool crowded_everywhere_here(const ChainView& chain, double others, bool jumping,
+bool crowded_everywhere_here(const ChainView& chain, double others, double deviations, bool jumping,
                              std::vector<float>& capsules) {
   constexpr std::uint32_t most_groups = 1u << 12;
   const std::uint32_t blocks = chain.size / block;
@@ -130,7 +129,7 @@ bool crowded_everywhere_here(const ChainView& chain, double others, bool jumping
   capsules.resize(std::size_t{groups} * group * Capsules::fields);
   std::array<std::uint16_t, most_groups> whole;
   const SampleBlocks sample(chain, capsules.data());
-  Meetings meetings(chain, others);
+  Meetings meetings(chain, others, deviations);
   // Where the chain jumps here and there, what it jumps over tells nothing; where it does all along, all
   // does.
   const std::uint32_t broken = sample.make(0);
@@ -154,7 +153,7 @@ namespace catena {
 
 HWY_EXPORT(crowded_everywhere_here);
 
-bool CrowdLook::everywhere(const ChainView& chain, double others) {
+bool CrowdLook::everywhere(const ChainView& chain, double others, double deviations) {
   constexpr double empty = 1e-3;
   // Of a box that is empty but for so much a chain cannot fill every part, unless it jumps all along.
   const double width = 2.0 * chain.extent.greatest_radius, side = chain.extent.sides / 3 + width;
@@ -165,7 +164,7 @@ bool CrowdLook::everywhere(const ChainView& chain, double others) {
   constexpr float unlike = 0x1p60f;
   if (chain.extent.least_radius > 0 && chain.extent.greatest_radius / unlike > chain.extent.least_radius)
     return false;
-  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, jumping, capsules_);
+  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, deviations, jumping, capsules_);
 }
 
 }  // namespace catena
