@@ -75,6 +75,22 @@ TEST(PartInSpace, SharesOutAllSpheresEvenly) {
   }
 }
 
+/// Where all are is told by some blocks. One far beyond these goes where the nearest corner does.
+TEST(PartInSpace, TakesABlockThatLiesBeyondAllThatWereLookedAt) {
+  const Chain yarn = chain_of("yarn:n=150000");
+  for (const unsigned ranks : {2u, 4u})
+    for (const float far : {-1e30f, 1e30f}) {
+      std::vector<Sphere> spheres(yarn.spheres().begin(), yarn.spheres().end());
+      for (std::uint32_t k = 0; k < Block::most; ++k) spheres[k] = {far, far, far, 1};
+      const std::vector<Part> parts = parts_in_space(Chain(std::move(spheres)), ranks);
+      const std::size_t goal = far < 0 ? 0 : ranks - 1;
+      for (std::size_t r = 0; r < ranks; ++r) {
+        EXPECT_NEAR(static_cast<double>(parts[r].spheres.size()), 150'000 / ranks, 7500 / ranks) << r;
+        EXPECT_EQ(std::ranges::count(parts[r].spheres, far, &Sphere::x), r == goal ? Block::most : 0) << r;
+      }
+    }
+}
+
 /// However few blocks are sent at a time, runs that a round ends in are sent to their end.
 TEST(PartInSpace, IsTheSameInAnyNumberOfRounds) {
   const Chain yarn = chain_of("yarn:n=3000");
