@@ -33,21 +33,26 @@ class CATENA_API Team {
   void for_each_range(std::uint32_t n, std::uint32_t grain, const Body& body) const {
     if (n == 0) return;
     if (size_ == 1) return body(0u, n);
-    // What a range did is seen by the caller: oneTBB sees to that, and these two say it where ThreadSanitizer,
-    // which does not look into oneTBB, can see it.
+    // What a range did is seen by the caller, what it throws or not: oneTBB sees to that, and these say it where
+    // ThreadSanitizer, which does not look into oneTBB, can see it.
     struct Shared {
       const Body& body;
       std::atomic<bool> begun{false};
       std::atomic<std::uint32_t> ended{0};
+      ~Shared() { static_cast<void>(ended.load(std::memory_order_acquire)); }
     } shared{body};
+    struct Range {
+      Shared& of;
+      explicit Range(Shared& shared) : of(shared) {
+        static_cast<void>(of.begun.load(std::memory_order_acquire));
+      }
+      ~Range() { of.ended.fetch_add(1, std::memory_order_release); }
+    };
     shared.begun.store(true, std::memory_order_release);
     share_out(n, grain, &shared, [](void* of, std::uint32_t begin, std::uint32_t end) {
-      auto& ours = *static_cast<Shared*>(of);
-      static_cast<void>(ours.begun.load(std::memory_order_acquire));
-      ours.body(begin, end);
-      ours.ended.fetch_add(1, std::memory_order_release);
+      const Range range(*static_cast<Shared*>(of));
+      range.of.body(begin, end);
     });
-    static_cast<void>(shared.ended.load(std::memory_order_acquire));
   }
 
  private:
