@@ -12,6 +12,7 @@
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/blocks/neighbour_blocks.h"
 #include "catena/core/blocks/tests-inl.h"
+#include "catena/core/flushed_floats.h"
 #include "catena/core/space_tree/crowd_look.h"
 #include "catena/core/space_tree/cut_blocks-inl.h"
 #include "catena/core/space_tree/scattered.h"
@@ -160,10 +161,7 @@ bool CrowdLook::everywhere(const ChainView& chain, double others, double deviati
   const bool jumping = chain.size * width * width * width < empty * side * side * side;
   constexpr std::uint32_t few = 2048;
   if (chain.size <= few) return false;
-  // Radii that unlike have subnormal squares, at 150 cycles each.
-  constexpr float unlike = 0x1p60f;
-  if (chain.extent.least_radius > 0 && chain.extent.greatest_radius / unlike > chain.extent.least_radius)
-    return false;
+  const FlushedFloats floats;  // squares of unlike radii are subnormal
   return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, deviations, jumping, capsules_);
 }
 

@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "catena/core/chain/chain.h"
+#include "catena/core/default_floats.h"
+#include "catena/core/input/input.h"
 #include "catena/properties/generators/dice.h"
 
 namespace catena {
@@ -112,6 +115,16 @@ TEST(CrowdLook, CountsNoNeighbours) {
   for (const Exclusion& rule : {Exclusion::arc(1.6), Exclusion::index(800)})
     EXPECT_FALSE(look.everywhere(Chain(fine, {}, rule).view(), others, deviations));
   EXPECT_TRUE(look.everywhere(Chain(fine).view(), others, deviations));
+}
+
+/// The squares of what is least are none in binary32.
+TEST(CrowdLook, TellsACrowdOfMostUnlikeRadii) {
+  for (const std::string shells : {"30", "60", "100", "140"}) {
+    const auto cluster = open_input("cluster:n=20000,shells=" + shells).animation->frame(0);
+    CrowdLook look;
+    EXPECT_TRUE(look.everywhere(cluster.view(), others, deviations)) << shells;
+    EXPECT_TRUE(DefaultFloats::stands());
+  }
 }
 
 TEST(CrowdLook, IsNotTakenAtFewSpheres) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
+namespace catena {
+
+/// While it lives, numbers that are subnormal are zero to this thread, where a processor takes 150 cycles for
+/// each otherwise. For guesses alone: what is proved supposes DefaultFloats.
+class FlushedFloats {
+ public:
+#ifdef __SSE__
+  FlushedFloats() : callers_(_mm_getcsr()) {
+    constexpr unsigned flushes_results = 0x8000, reads_as_zero = 0x0040;
+    _mm_setcsr(callers_ | flushes_results | reads_as_zero);
+  }
+  ~FlushedFloats() { _mm_setcsr(callers_); }
+#else
+  FlushedFloats() = default;
+#endif
+  FlushedFloats(const FlushedFloats&) = delete;
+  FlushedFloats& operator=(const FlushedFloats&) = delete;
+
+ private:
+#ifdef __SSE__
+  const unsigned callers_;
+#endif
+};
+
+}  // namespace catena
