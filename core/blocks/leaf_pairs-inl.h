@@ -284,11 +284,9 @@ class LeafPairs {
   PairCollector::Lane& lane_;
   const Sink& sink_;
   /// The index window alone makes neighbours, of one strand; else it is not asked before the rest is known.
-  const bool window_is_all_ = chain_.exclusion.one_open_strand && chain_.exclusion.extra_row == nullptr &&
-                              chain_.exclusion.rule == Exclusion::Rule::index_window;
+  const bool window_is_all_ = chain_.exclusion.window_alone;
   /// Within it spheres of a strand are neighbours, whatever else makes some.
-  const std::uint32_t window_ =
-      chain_.exclusion.rule == Exclusion::Rule::index_window ? chain_.exclusion.window : 0;
+  const std::uint32_t window_ = chain_.reach.certain;
   /// Blocks whose first spheres are farther apart have none within it.
   const std::uint32_t beside_ = std::min(window_, ~std::uint32_t{0} - block) + block;
   const float slack_ = Robust::binary32_slack * tree_.doubt;

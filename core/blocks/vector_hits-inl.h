@@ -53,10 +53,8 @@ class VectorHits {
         found_(found),
         open_(chain),
         open_done_(open_done) {
-    const ExclusionView& rule = chain.exclusion;
-    const bool window = rule.rule == Exclusion::Rule::index_window && rule.one_open_strand;
-    window_ = window ? std::min(rule.window, chain.size) : 0;
-    window_is_all_ = window && rule.extra_row == nullptr;
+    if (chain.strand_count == 1) window_ = std::min(chain.reach.certain, chain.size);
+    window_is_all_ = chain.exclusion.window_alone;
   }
 
   /// Sphere i, which may be among the others and is then not met, against all of them; of equal radii theirs
@@ -125,8 +123,8 @@ class VectorHits {
   Found& found_;
   OpenPairs open_;
   std::uint64_t& open_done_;
-  std::uint32_t window_;
-  bool window_is_all_;  // it decides alone who is a neighbour
+  std::uint32_t window_ = 0;  // within it all are neighbours
+  bool window_is_all_;        // it decides alone who is one
   std::size_t hits_ = 0;
 };
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <span>
 
 #include "catena/core/chain/chain_view.h"
@@ -8,18 +7,20 @@
 
 namespace catena {
 
-/// Who of many pairs that overlap are neighbours. Under an index window, where no strand is closed and there
-/// are no extra pairs, none are that are further apart in number, whatever strands they are of: that is told
-/// without a look at them, and of others it is enough that they are of one strand.
+/// Who of many pairs that overlap are neighbours. Most are told by their numbers, without a look at them; and
+/// under an index window, without extra pairs, those that may be are if they are of one strand.
 class WindowFilter {
  public:
-  /// O(strands).
-  explicit WindowFilter(const ChainView& chain) : chain_(chain), furthest_(furthest(chain)) {}
+  explicit WindowFilter(const ChainView& chain)
+      : chain_(chain),
+        reach_(chain.exclusion.id == nullptr ? chain.reach : NeighbourReach{}),
+        by_strand_(chain.exclusion.rule == Exclusion::Rule::index_window &&
+                   chain.exclusion.extra_row == nullptr && chain.exclusion.id == nullptr) {}
 
   /// i < j.
   bool neighbours(const Pair& pair) const {
-    if (pair.j - pair.i > furthest_) return false;
-    if (furthest_ == any) return chain_.neighbours(pair.i, pair.j);
+    if (reach_.none(pair.i, pair.j)) return false;
+    if (!by_strand_ || pair.j - pair.i > reach_.furthest) return chain_.neighbours(pair.i, pair.j);
     const ExclusionView& rule = chain_.exclusion;
     return rule.one_open_strand || rule.strand_of[pair.i] == rule.strand_of[pair.j];
   }
@@ -39,30 +40,18 @@ class WindowFilter {
   }
 
  private:
-  static constexpr std::uint32_t any = ~0u;
-
   void prefetch(const Pair& pair) const {
     const ExclusionView& rule = chain_.exclusion;
-    if (pair.j - pair.i > furthest_) return;
+    if (reach_.none(pair.i, pair.j)) return;
     for (const std::uint32_t k : {pair.i, pair.j}) {
       if (!rule.one_open_strand) hwy::Prefetch(rule.strand_of + k);
       if (rule.rule == Exclusion::Rule::arc_window) hwy::Prefetch(rule.arc + k);
     }
   }
 
-  static bool is_set(std::uint8_t flag) { return flag != 0; }
-  static std::uint32_t furthest(const ChainView& chain) {
-    const ExclusionView& rule = chain.exclusion;
-    const std::uint8_t* const flags = rule.strand_closed;
-    const bool closed = !rule.one_open_strand &&
-                        std::find_if(flags, flags + chain.strand_count, is_set) != flags + chain.strand_count;
-    const bool window_is_all =
-        rule.rule == Exclusion::Rule::index_window && rule.extra_row == nullptr && !closed;
-    return window_is_all ? std::min(rule.window, any - 1) : any;
-  }
-
   const ChainView& chain_;
-  const std::uint32_t furthest_;
+  const NeighbourReach reach_;
+  const bool by_strand_;
 };
 
 }  // namespace catena

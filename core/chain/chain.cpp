@@ -77,6 +77,7 @@ Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion)
   const DefaultFloats floats;
   check_spheres();
   topology_ = make_topology(spheres_, std::move(strands), std::move(exclusion));
+  tell_reach();
 }
 
 Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion, ArcLengths arcs)
@@ -84,6 +85,7 @@ Chain::Chain(std::vector<Sphere> spheres, Strands strands, Exclusion exclusion, 
   const DefaultFloats floats;
   check_spheres();
   topology_ = make_topology(spheres_, std::move(strands), std::move(exclusion), &arcs);
+  tell_reach();
 }
 
 Chain::Chain(std::vector<Sphere> spheres, std::shared_ptr<const Topology> topology)
@@ -96,7 +98,13 @@ Chain Chain::moved(std::vector<Sphere> spheres) const {
   if (spheres.size() != spheres_.size())
     throw InputError(fmt::format("a moved chain must keep its {}, got {}", counted(spheres_.size(), "sphere"),
                                  spheres.size()));
-  return Chain(std::move(spheres), topology_);
+  Chain chain(std::move(spheres), topology_);
+  if (chain.extent_.least_radius == extent_.least_radius &&
+      chain.extent_.greatest_radius == extent_.greatest_radius)
+    chain.reach_ = reach_;
+  else
+    chain.tell_reach();
+  return chain;
 }
 
 ChainView Chain::view() const noexcept {
@@ -112,7 +120,12 @@ ChainView Chain::view() const noexcept {
            t.strand_of.data(), t.strands.first.data(), t.strands.closed.data(), t.arc.data(),
            t.loop_length.data(), t.extra_row.empty() ? nullptr : t.extra_row.data(), t.extra.data()},
           extent_,
-          t.number};
+          t.number,
+          reach_};
+}
+
+void Chain::tell_reach() {
+  reach_ = neighbour_reach(*topology_, extent_.least_radius, extent_.greatest_radius);
 }
 
 void Chain::check_spheres() {

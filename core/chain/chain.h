@@ -55,9 +55,11 @@ class CATENA_API Chain {
  private:
   Chain(std::vector<Sphere> spheres, std::shared_ptr<const Topology> topology);
   void check_spheres();
+  void tell_reach();
 
   std::vector<Sphere> spheres_;
   Extent extent_{};
+  NeighbourReach reach_{};
   std::shared_ptr<const Topology> topology_;
 };
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "catena/core/chain/exclusion.h"
+#include "catena/core/chain/neighbour_reach.h"
 #include "catena/core/export.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
@@ -25,6 +26,7 @@ struct CATENA_API ChainView {
   ExclusionView exclusion;
   Extent extent;
   std::uint64_t topology;  ///< Topology::number: equal numbers, equal exclusion; 0: unknown
+  NeighbourReach reach{};  ///< of the host's searches
 
   CATENA_HD bool neighbours(std::uint32_t i, std::uint32_t j) const {
     // Not from memory, far away for a kernel, where the rule asks for none.
