@@ -49,14 +49,17 @@ inline bool mostly_dense(const ChainView& chain, const BlockTree& tree, const Cr
 class SpaceSample {
  public:
   /// `pairs` of spheres overlap, about, for each node.
-  SpaceSample(const SpaceTree& space, double enough_ns, double pairs)
-      : space_(space), enough_ns_(enough_ns), pairs_(pairs) {}
+  SpaceSample(const ChainView& chain, const BlockTree& tree, const SpaceTree& space, double enough_ns,
+              double pairs)
+      : space_(space), neighbours_(chain, tree), enough_ns_(enough_ns), pairs_(pairs) {}
   bool skip(std::uint32_t a, std::uint32_t b) { return cost_.nodes += shares(a, b), enough(); }
   void take(std::span<const Pair> entries) {
     for (const Pair& pair : entries) cost_.entries += shares(pair.i / group, pair.j / group);
     for_each_near(
         space_, entries,
-        [&](std::uint32_t a, std::uint32_t b) { cost_.near += shares(a / group, b / group); },
+        [&](std::uint32_t a, std::uint32_t b) {
+          if (!are_neighbours(space_, neighbours_, a, b)) cost_.near += shares(a / group, b / group);
+        },
         NoSpaceEvidence{});
   }
   bool enough() const { return cost_.ns(2 * pairs_) / 2 > enough_ns_; }
@@ -67,21 +70,22 @@ class SpaceSample {
   static std::uint64_t shares(std::uint32_t a, std::uint32_t b) { return a == b ? 2 : 1; }
 
   const SpaceTree& space_;
+  const NeighbourBlocks neighbours_;
   const double enough_ns_, pairs_;
   SpaceCost cost_;
 };
 
 /// Looks at one node of sixteen, and judges all by it; where most are dense after all, all are. `block_ns`
 /// and `pairs` as for mostly_dense.
-inline void judge_density(SpaceTree& space, Crowding& crowding, std::span<SpaceQueue> queues, double block_ns,
-                          double pairs, const Team& team) {
+inline void judge_density(const ChainView& chain, const BlockTree& tree, SpaceTree& space, Crowding& crowding,
+                          std::span<SpaceQueue> queues, double block_ns, double pairs, const Team& team) {
   constexpr std::uint32_t group = SpaceTree::group, judged_at_once = 16, judged_by_a_task = 8,
                           nodes_of_a_task = 64;
   for (std::uint32_t node = 0; node < crowding.nodes(); ++node) crowding.dense(node) = 0;
   std::atomic<std::uint32_t> dense = 0;
   const auto judge = [&](std::uint32_t first) {
     const std::uint32_t end = std::min(space.nodes(), first + judged_at_once);
-    SpaceSample sample(space, block_ns * group, pairs * group);
+    SpaceSample sample(chain, tree, space, block_ns * group, pairs * group);
     const NoSpaceEvidence nothing;
     SpaceWalk walk(space, queues[team.member()], sample, nothing);
     walk.node((first + end) / 2, true);

@@ -108,7 +108,9 @@ double SingleSphereCost::in_narrow_cells(double near) {
 
 double SingleSphereCost::in_space(const NearSpheres& near, double octave_bits, std::uint32_t spheres) {
   const double reach = std::sqrt(near.by_reach), beside = std::max(0.0, std::sqrt(near.in_cells) - reach - 2);
-  return (wide_vectors() ? 1 : 1.2) * (28 + 10.7 * reach + 1.2 * octave_bits * beside) +
+  // Of thousands, as where a tube is sampled far more finely than it is thick, each is looked at.
+  const double looks = std::max(10.7 * reach, 0.18 * near.by_reach);
+  return (wide_vectors() ? 1 : 1.2) * (28 + looks + 1.2 * octave_bits * beside) +
          5 * octaves_beyond_cache(spheres);
 }
 

@@ -23,7 +23,7 @@ void build_space_tree_here(const ChainView& chain, BlockTree& tree, Crowding& cr
   SpaceBuild build(chain, tree, crowding, space, team);
   if (!build.collect()) return;
   build.build(sort);
-  judge_density(space, crowding, queues, block_ns, pairs, team);
+  judge_density(chain, tree, space, crowding, queues, block_ns, pairs, team);
 }
 
 void search_space_tree_here(const ChainView& chain, const BlockTree& tree, const SpaceTree& space,
