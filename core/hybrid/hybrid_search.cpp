@@ -96,8 +96,10 @@ bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres
                octaves = octaves_beyond_cache(chain.size);
   if (!look_.everywhere(chain, share * least, 2)) return false;
   single = single_spheres(chain, sort);
-  constexpr double usual_ns = 70;  // of a single sphere; more is for pairs, which take as long in any order
-  const double many = (16 + 1.1 * octaves) * std::max(1.0, single.ns / usual_ns),
+  // Of a single sphere, from memory; more is for pairs, which take as long in any order where they are few,
+  // and among blocks less where they are many.
+  const double usual_ns = 70 + 6 * octaves, pair = 0.8;
+  const double many = (16 + 1.1 * octaves) * std::max(1.0, single.ns / usual_ns) + pair * single.pairs,
                others = std::min(many, single.ns * BlockTree::block / SpaceCost::near_ns);
   // After the first look a tree is most likely made in vain: it takes more to be held for needed.
   return others <= least || look_.everywhere(chain, share * others, 3);
