@@ -64,6 +64,7 @@ struct CapsuleBlocks {
   float scale;  ///< block_scale: all capsules are of the chain times this
   std::uint32_t blocks, crowd, sample;
   std::uint32_t surveyed;  ///< blocks that are asked before all others (BlockSurvey)
+  std::uint32_t many_partners;  ///< in sixteenths: a block with so many takes as long here as in the other search
   bool all_crowded;  ///< nothing is asked of blocks: the chain is too short for it to pay
   bool in_cells;     ///< tangled blocks are put into cells; else, where there are few blocks, they count as
                      ///< crowded
@@ -91,6 +92,7 @@ struct CapsuleBlocks {
     result.crowd = crowd;
     result.sample = 1 + result.blocks / 8192;
     result.surveyed = std::min(surveyed, result.blocks);
+    result.many_partners = many_partners_of(result.blocks);
     // Among spheres of very different sizes a grid of spheres is slower by far than what the order of the
     // chain says. Points are of one size, whatever the others are.
     constexpr float most_ratio = 64;
@@ -111,22 +113,21 @@ struct CapsuleBlocks {
     return partners[b] > crowd || met[b] > most_met || all_left();
   }
   /// The other search takes the same for every block. To compare a block here takes the longer the more
-  /// partners it has, with four about as long as there; and what was asked about one that is crowded was in
-  /// vain, and took half of what one without partners saves (measured on an H200). So the other search gets
-  /// all blocks where that is less in all. Known once a few were asked, before all are. Not where radii are
-  /// unlike, among which it is slow, or where most of those asked are not known.
+  /// partners it has, with many_partners about as long as there; and what was asked about one that is crowded
+  /// was in vain, and took half of what one without partners saves (measured on an H200). So the other search
+  /// gets all blocks where that is less in all. Known once a few were asked, before all are. Not where radii
+  /// are unlike, among which it is slow, or where most of those asked are not known.
   CATENA_HD bool all_left() const { return all_left(Survey::of(state->survey)); }
   /// While others are asked still: whether that is so, and whether it is known. It is before the last one has
-  /// spoken where it would be so even if all others had no partner; then half of them are known already, as
-  /// nobody has more than most_partners.
+  /// spoken where half have, and it would be so even if all others had no partner.
   struct Left {
     bool all, known;
   };
   CATENA_HD Left left_by_now() const {
     Survey said = Survey::of(seen(&state->survey));
-    const bool last = said.asked == surveyed;
+    const bool last = said.asked == surveyed, half = half_known(said);
     if (!last) said.others = surveyed - said.crowded;
-    const bool all = all_left(said);
+    const bool all = half && all_left(said);
     return {all, all || last};
   }
   /// The k-th block of the survey: of so many parts of the chain one each, anywhere in it, as what comes
@@ -195,9 +196,19 @@ struct CapsuleBlocks {
   }
 
  private:
+  /// Fewer blocks take longer each, as one waits for another: of up to a million spheres one with 2.4 partners
+  /// takes as long as in the other search, from three million on one with four (walks and tight knots on an
+  /// H200).
+  static std::uint32_t many_partners_of(std::uint32_t blocks) {
+    constexpr std::uint32_t few = 38, many = 64, a_million = 1'000'000 / block;
+    const std::uint32_t more = std::min(blocks - std::min(blocks, a_million), 2 * a_million);
+    return few + (many - few) * more / (2 * a_million);
+  }
+  CATENA_HD bool half_known(const Survey& said) const {
+    return 2 * (said.crowded + said.others) >= surveyed;
+  }
   CATENA_HD bool all_left(const Survey& said) const {
-    return alike && 2 * (said.crowded + said.others) >= surveyed &&
-           said.partners + 2 * said.crowded > 4 * said.others;
+    return alike && half_known(said) && 16 * (said.partners + 2 * said.crowded) > many_partners * said.others;
   }
   /// A capsule along one axis: its centre's cell, and whether it touches anything in the cells beside that.
   struct Way {

@@ -109,8 +109,8 @@ TEST(BlockSurvey, LeavesAllWhereNobodyHasFewPartners) {
   EXPECT_TRUE(Survey(100, 100, 64, false).all_left());
   EXPECT_TRUE(Survey(100, 100, 64, true).all_left());
   EXPECT_FALSE(Survey(100, 100, 0, false).all_left());
-  EXPECT_FALSE(Survey(100, 5, 64, false).all_left());  // each has four partners, and none is crowded
-  EXPECT_TRUE(Survey(102, 6, 64, false).all_left());
+  EXPECT_FALSE(Survey(102, 3, 64, false).all_left());  // each has two partners, and none is crowded
+  EXPECT_TRUE(Survey(100, 4, 64, false).all_left());
   EXPECT_FALSE(Survey(100, 100, 64, false, 1000).all_left());  // radii are unlike
 }
 
@@ -128,7 +128,7 @@ TEST(BlockSurvey, LeavesAllWhereTheOtherSearchTakesLess) {
     CapsuleBlocks::State state{};
     state.survey = CapsuleBlocks::Survey{64, c.crowded, c.others, c.partners}.number();
     CapsuleBlocks blocks{};
-    blocks.surveyed = 64, blocks.alike = true, blocks.state = &state;
+    blocks.surveyed = 64, blocks.many_partners = 64, blocks.alike = true, blocks.state = &state;
     EXPECT_EQ(blocks.all_left(), c.left) << c.crowded << ' ' << c.others << ' ' << c.partners;
     EXPECT_EQ(blocks.left_by_now().all, c.left) << c.crowded << ' ' << c.others << ' ' << c.partners;
     EXPECT_TRUE(blocks.left_by_now().known);
@@ -136,6 +136,23 @@ TEST(BlockSurvey, LeavesAllWhereTheOtherSearchTakesLess) {
     EXPECT_FALSE(blocks.all_left()) << c.crowded << ' ' << c.others << ' ' << c.partners;
     EXPECT_FALSE(blocks.left_by_now().all) << c.crowded << ' ' << c.others << ' ' << c.partners;
   }
+}
+
+/// Of few blocks those with fewer partners are worth leaving.
+TEST(BlockSurvey, AsksForMorePartnersWhereThereAreMoreBlocks) {
+  const auto many = [](std::uint32_t spheres) {
+    ChainView chain{};
+    chain.size = spheres;
+    return CapsuleBlocks::of(chain, 8, 1, 0, 0, 64).many_partners;
+  };
+  EXPECT_EQ(many(100), 38u);
+  EXPECT_EQ(many(1'000'000), 38u);
+  EXPECT_EQ(many(2'000'000), 51u);
+  EXPECT_EQ(many(3'000'000), 64u);
+  EXPECT_EQ(many(1'000'000'000), 64u);
+  // Three partners each.
+  EXPECT_TRUE(Survey(20'000, 4, 64, false).all_left());
+  EXPECT_FALSE(Survey(80'000, 4, 64, false).all_left());
 }
 
 /// Whoever goes by what is known finds nobody: it must be so at the end, whatever the others will say. (Half
@@ -149,6 +166,7 @@ TEST(BlockSurvey, SaysNothingBeforeItIsCertain) {
     CapsuleBlocks::State state{};
     CapsuleBlocks blocks{};
     blocks.surveyed = 1 + below(64), blocks.alike = true, blocks.state = &state;
+    blocks.many_partners = 16 + below(49);
     bool certain = false;  // before the last has spoken
     for (std::uint32_t k = 0; k < blocks.surveyed; ++k) {
       CapsuleBlocks::Survey said{1, 0, 0, 0};
