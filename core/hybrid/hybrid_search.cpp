@@ -85,8 +85,10 @@ bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres
     if (chain.size > 0) single = single_spheres(chain, sort);
     return true;
   }
-  // Between short strands a chain jumps so often that its nodes tell nothing of what is near.
-  constexpr std::uint32_t short_strand = 32;
+  // Between short strands a chain jumps so often that its nodes tell nothing of what is near. Of few nodes
+  // all are soon looked at.
+  constexpr std::uint32_t few = 4096;
+  const std::uint32_t short_strand = chain.size > few ? 32 : 14;
   if (chain.size <= std::uint64_t{short_strand} * chain.strand_count && tangled(chain)) {
     single = single_spheres(chain, sort);
     if (single.in_cells && single.wide) return true;
