@@ -98,6 +98,26 @@ TEST(NeighbourReach, IsNearlyAsFarAsTheRuleReaches) {
     }
 }
 
+/// Small steps, and here and there one that is nearly as long as the window, or longer.
+TEST(NeighbourReach, IsTrueWhereStepsAreUnlike) {
+  int certain = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    properties::Dice dice(seed);
+    const double longest = 4.5 + 6 * dice.unit() * static_cast<double>(seed % 3);
+    std::vector<Sphere> spheres;
+    double at = 0;
+    for (int k = 0; k < 90; ++k) {
+      spheres.push_back({static_cast<float>(at), 0, 0, 5});
+      at += dice.one_in(30) ? longest * dice.unit() : 0.25;
+    }
+    const Chain chain(std::move(spheres), seed % 2 == 0 ? Strands{} : Strands::one_closed(90),
+                      Exclusion::arc(1));
+    certain += chain.view().reach.certain > 0;
+    expect_true(chain, std::to_string(seed));
+  }
+  EXPECT_GT(certain, 100);
+}
+
 TEST(NeighbourReach, OfAnIndexWindowIsTheWindow) {
   const auto reach = [](Strands strands, Exclusion exclusion) {
     return Chain(tube(30, 1, false), std::move(strands), std::move(exclusion)).view().reach;
