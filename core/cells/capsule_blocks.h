@@ -63,12 +63,12 @@ struct CapsuleBlocks {
   CellTable table;
   float scale;  ///< block_scale: all capsules are of the chain times this
   std::uint32_t blocks, crowd, sample;
-  std::uint32_t surveyed;  ///< blocks that are asked before all others (BlockSurvey)
-  std::uint32_t many_partners;  ///< in sixteenths: a block with so many takes as long here as in the other search
-  bool all_crowded;  ///< nothing is asked of blocks: the chain is too short for it to pay
-  bool in_cells;     ///< tangled blocks are put into cells; else, where there are few blocks, they count as
-                     ///< crowded
-  bool alike;        ///< radii are
+  std::uint32_t surveyed;       ///< blocks that are asked before all others (BlockSurvey)
+  std::uint32_t many_partners;  ///< in sixteenths; see all_left()
+  bool all_crowded;             ///< nothing is asked of blocks: the chain is too short for it to pay
+  bool in_cells;  ///< tangled blocks are put into cells; else, where there are few blocks, they count as
+                  ///< crowded
+  bool alike;     ///< radii are
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
@@ -196,17 +196,15 @@ struct CapsuleBlocks {
   }
 
  private:
-  /// Fewer blocks take longer each, as one waits for another: of up to a million spheres one with 2.4 partners
-  /// takes as long as in the other search, from three million on one with four (walks and tight knots on an
-  /// H200).
+  /// Fewer blocks take longer each, as one waits for another: of up to a million spheres one with 2.4
+  /// partners takes as long as in the other search, from three million on one with four (walks and tight
+  /// knots on an H200).
   static std::uint32_t many_partners_of(std::uint32_t blocks) {
     constexpr std::uint32_t few = 38, many = 64, a_million = 1'000'000 / block;
     const std::uint32_t more = std::min(blocks - std::min(blocks, a_million), 2 * a_million);
     return few + (many - few) * more / (2 * a_million);
   }
-  CATENA_HD bool half_known(const Survey& said) const {
-    return 2 * (said.crowded + said.others) >= surveyed;
-  }
+  CATENA_HD bool half_known(const Survey& said) const { return 2 * (said.crowded + said.others) >= surveyed; }
   CATENA_HD bool all_left(const Survey& said) const {
     return alike && half_known(said) && 16 * (said.partners + 2 * said.crowded) > many_partners * said.others;
   }

@@ -33,8 +33,8 @@ class CATENA_API Team {
   void for_each_range(std::uint32_t n, std::uint32_t grain, const Body& body) const {
     if (n == 0) return;
     if (size_ == 1) return body(0u, n);
-    // What a range did is seen by the caller, what it throws or not: oneTBB sees to that, and these say it where
-    // ThreadSanitizer, which does not look into oneTBB, can see it.
+    // What a range did is seen by the caller, what it throws or not: oneTBB sees to that, and these say it
+    // where ThreadSanitizer, which does not look into oneTBB, can see it.
     struct Shared {
       const Body& body;
       std::atomic<bool> begun{false};

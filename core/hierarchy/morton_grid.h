@@ -26,7 +26,8 @@ struct CentreCorners {
   void take(const Sphere& s) { join({s, s}); }
   /// The point between the corners that is nearest to a centre, which is itself mostly.
   Sphere nearest(const Sphere& s) const {
-    return {std::clamp(s.x, low.x, high.x), std::clamp(s.y, low.y, high.y), std::clamp(s.z, low.z, high.z), 0};
+    return {std::clamp(s.x, low.x, high.x), std::clamp(s.y, low.y, high.y), std::clamp(s.z, low.z, high.z),
+            0};
   }
   void join(const CentreCorners& c) {
     low = {std::min(low.x, c.low.x), std::min(low.y, c.low.y), std::min(low.z, c.low.z), 0};

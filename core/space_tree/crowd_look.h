@@ -11,7 +11,8 @@ class CATENA_API CrowdLook {
  public:
   /// In each part of the chain blocks meet more than so many others, on average: then no order of blocks will
   /// do, and single spheres may be searched at once. Told by as many blocks as need be to see some of them
-  /// meet, the square root of all, about; and where it is not clear, false, as where they meet fewer by so many standard deviations.
+  /// meet, the square root of all, about; and where it is not clear, false, as where they meet fewer by so
+  /// many standard deviations.
   bool everywhere(const ChainView& chain, double others, double deviations);
 
  private:
