@@ -32,7 +32,7 @@ class ArcStrand {
   std::uint32_t certain(double window) const {
     std::uint32_t least = NeighbourReach::any,
                   within = 0;  // up to there all are near enough to a stretch's first
-    for (std::uint32_t begin = 0; within + 1 < size_; begin += stride) {
+    for (std::uint32_t begin = 0; begin < size_ && within + 1 < size_; begin += stride) {
       within = std::max(within, begin);
       if (!(arc_[within] - arc_[begin] < window)) return 0;
       while (within + 1 < size_ && arc_[std::min(within + stride, size_ - 1)] - arc_[begin] < window)
