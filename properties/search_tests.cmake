@@ -1,9 +1,9 @@
 # What CI can afford of the tests under AddressSanitizer, a program of its own that needs neither mutants nor what measures:
-# libcatena's searches, their trees, cells and queues, and Grid and Hybrid with borders set by hand.
+# libcatena's searches, their trees, cells and queues, who is a neighbour, and Grid and Hybrid with borders set by hand.
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 set(search_tests ${PROJECT_SOURCE_DIR}/properties/allocations_test.cpp)
-foreach(folder arithmetic blocks cells grid hierarchy space_tree sphere_tree)
+foreach(folder arithmetic blocks cells chain grid hierarchy space_tree sphere_tree)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/${folder}/*_test.cpp)
   list(APPEND search_tests ${tests})
 endforeach()

@@ -29,9 +29,12 @@ void expect_true(const Chain& chain, const std::string& of) {
   const NeighbourReach reach = chain.view().reach;
   for (std::uint32_t j = 0; j < chain.size(); ++j)
     for (std::uint32_t i = 0; i < j; ++i) {
-      if (reach.none(i, j)) ASSERT_FALSE(chain.neighbours(i, j)) << of << ' ' << i << ' ' << j;
-      if (j - i <= reach.certain && on_one_strand(chain, i, j))
+      if (reach.none(i, j)) {
+        ASSERT_FALSE(chain.neighbours(i, j)) << of << ' ' << i << ' ' << j;
+      }
+      if (j - i <= reach.certain && on_one_strand(chain, i, j)) {
         ASSERT_TRUE(chain.neighbours(i, j)) << of << ' ' << i << ' ' << j;
+      }
     }
 }
 
