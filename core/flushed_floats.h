@@ -1,7 +1,7 @@
 #pragma once
 
 #ifdef __SSE__
-#include <xmmintrin.h>
+#include <pmmintrin.h>
 #endif
 
 namespace catena {
@@ -12,8 +12,7 @@ class FlushedFloats {
  public:
 #ifdef __SSE__
   FlushedFloats() : callers_(_mm_getcsr()) {
-    constexpr unsigned flushes_results = 0x8000, reads_as_zero = 0x0040;
-    _mm_setcsr(callers_ | flushes_results | reads_as_zero);
+    _mm_setcsr(callers_ | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
   }
   ~FlushedFloats() { _mm_setcsr(callers_); }
 #else

@@ -58,7 +58,8 @@ class SpaceSample {
     for_each_near(
         space_, entries,
         [&](std::uint32_t a, std::uint32_t b) {
-          if (!are_neighbours(space_, neighbours_, a, b)) cost_.near += shares(a / group, b / group);
+          const auto [first, second] = blocks_of(space_, a, b);
+          if (!neighbours_.all(first, second)) cost_.near += shares(a / group, b / group);
         },
         NoSpaceEvidence{});
   }

@@ -63,13 +63,6 @@ inline Pair blocks_of(const SpaceTree& space, std::uint32_t a, std::uint32_t b) 
   return space.whole[a] < space.whole[b] ? Pair{space.block[a], space.block[b]}
                                          : Pair{space.block[b], space.block[a]};
 }
-/// Whether they hold neighbours alone.
-inline bool are_neighbours(const SpaceTree& space, const NeighbourBlocks& neighbours, std::uint32_t a,
-                           std::uint32_t b) {
-  if (!neighbours.some()) return false;
-  const auto [first, second] = blocks_of(space, a, b);
-  return neighbours.all(first, second);
-}
 
 /// Reports the spheres that overlap of every two entries, but of two that are dense, and of blocks that
 /// follow one another along the chain, which are another search's. Sink as for SpaceWalk.
@@ -104,9 +97,8 @@ class SpaceSearch {
       if constexpr (Sink::listens) sink_.left_to_blocks(a, b);
       return;
     }
-    if (!Sink::listens && are_neighbours(space_, neighbours_, a, b)) return;
     const auto [first, second] = blocks_of(space_, a, b);
-    leaves_.add(first, second);
+    if (Sink::listens || !neighbours_.all(first, second)) leaves_.add(first, second);
   }
 
   struct Apart {
