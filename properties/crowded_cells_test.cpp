@@ -6,6 +6,7 @@
 
 #include "catena/core/cells/buckets.h"
 #include "catena/core/cells/survey_blocks.h"
+#include "catena/core/input/input.h"
 #include "catena/properties/testing/rods.h"
 
 // Blocks and spheres in crowds, at the limits of these, and one past them.
@@ -98,6 +99,16 @@ TEST(Cells, LeaveFewToTheSearchOfCrowdsWhereTheTreeSaysLittle) {
   const std::string said = left_to_grid("DeviceHybrid@host", chain);
   EXPECT_LT(std::stoul(said), rods / 100) << said;
   expect_exact(chain, "rods scattered in a cube");
+}
+
+/// A horn that grows by so much that squares of the thin end's lengths are none beside the thick one's: each
+/// block meets the next one alone, at either end.
+TEST(Cells, LeaveNoneOfAHornToTheSearchOfCrowds) {
+  for (const char* decades : {"6", "20", "30"}) {
+    const Chain chain = open_input(std::string("mixed_radii:n=20000,decades=") + decades).animation->frame(0);
+    EXPECT_TRUE(left_to_grid("DeviceHybrid@host", chain).starts_with("0 of ")) << decades;
+    expect_exact(chain, std::string("a horn of so many decades: ") + decades);
+  }
 }
 
 }  // namespace

@@ -92,7 +92,9 @@ class NodeMeeting {
   CATENA_HD bool may_meet(std::uint32_t level, std::uint32_t a, std::uint32_t b) const {
     if (level > 0) return may_meet(nodes_.box(level, a), nodes_.box(level, b));
     const BlockCapsule first = blocks_.capsule[a], second = blocks_.capsule[b];
-    return !blocks_.settled(a, b) && !far_apart(ball_of(first), ball_of(second)) && !separate(first, second);
+    const bool own_units = blocks_.own_units;
+    return !blocks_.settled(a, b) && !far_apart(ball_of(first), ball_of(second), own_units) &&
+           !separate(first, second, own_units);
   }
   CATENA_HD static bool may_meet(const NodeBox& a, const NodeBox& b) {
     return a.may_hold(b) && b.may_hold(a);

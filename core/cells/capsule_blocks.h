@@ -66,9 +66,11 @@ struct CapsuleBlocks {
   std::uint32_t surveyed;       ///< blocks that are asked before all others (BlockSurvey)
   std::uint32_t many_partners;  ///< in sixteenths; see all_left()
   bool all_crowded;             ///< nothing is asked of blocks: the chain is too short for it to pay
-  bool in_cells;  ///< tangled blocks are put into cells; else, where there are few blocks, they count as
-                  ///< crowded
-  bool alike;     ///< radii are
+  bool in_cells;   ///< tangled blocks are put into cells; else, where there are few blocks, they count as
+                   ///< crowded
+  bool alike;      ///< radii are
+  bool own_units;  ///< some are so small beside the whole that squares of their lengths would be lost: each
+                   ///< block, and each test of two, has a unit of its own
   std::uint32_t
       window;  ///< of the spheres further on in a block or the next, those which `ordered` leaves open
   BlockCapsule* capsule;
@@ -98,6 +100,8 @@ struct CapsuleBlocks {
     constexpr float most_ratio = 64;
     const Extent& extent = chain.extent;
     result.alike = extent.least_radius == 0 || extent.greatest_radius <= most_ratio * extent.least_radius;
+    constexpr float small = 0x1p-12f;  // beside 2^19, and so that BlockCapsule::tiny_of is nothing beside it
+    result.own_units = extent.least_radius * scale < small;
     result.all_crowded = chain.size < least && result.alike;
     result.in_cells = chain.size >= least_in_cells && !result.all_crowded;
     // Elsewhere two spheres next to one another may belong to different strands, or be no neighbours.

@@ -85,7 +85,7 @@ class Partners {
 };
 
 BlockCapsule capsule(float x, float y, float z, float half_x, float radius) {
-  BlockCapsule c = BlockCapsule::around({x, y, z, radius});
+  BlockCapsule c = BlockCapsule::around({x, y, z, radius}, false);
   c.half = {half_x, 0, 0}, c.reach = c.radius + half_x;
   return c;
 }

@@ -13,31 +13,56 @@ struct BlockShape {
 };
 
 /// Fits a block by a team of threads, each of which takes the same number of consecutive spheres. at(k) is
-/// sphere k < 64 of the block and the one after it.
+/// sphere k < 64 of the block and the one after it. In a unit of its own no square of what matters in the
+/// block is lost by underflow.
 template <class Team, class At>
 class BlockFit {
  public:
-  CATENA_HD BlockFit(const Team& team, const At& at, std::uint32_t window)
-      : team_(team), at_(at), window_(window) {}
+  CATENA_HD BlockFit(const Team& team, const At& at, std::uint32_t window, bool own_units)
+      : team_(team), at_(at), window_(window), own_units_(own_units) {}
 
   CATENA_HD BlockShape shape() const {
     BlockShape result{about_the_chord(), false};
-    const Vector32 direction = centre_of(at_(63)) - centre_of(at_(0));
-    const auto part =
-        team_.each([&](std::uint32_t lane) { return part_of(lane, result.capsule, direction); });
+    BlockCapsule& capsule = result.capsule;
+    const Frame frame{capsule.centre, own_units_ ? own_unit(capsule.centre) : 1};
+    const Vector32 direction = frame.unit * (centre_of(at_(63)) - centre_of(at_(0))),
+                   half = frame.unit * capsule.half;
+    const auto part = team_.each([&](std::uint32_t lane) { return part_of(lane, frame, half, direction); });
     const float thickest = team_.greatest([&](std::uint32_t lane) { return part[lane].thickest; });
     result.ordered = in_order(part, direction, thickest);
-    const float half_square = dot(result.capsule.half, result.capsule.half);
+    const float half_square = dot(half, half);
     const float farthest = team_.greatest([&](std::uint32_t lane) { return part[lane].farthest; });
-    result.capsule.radius = BlockCapsule::with_slack(std::sqrt(farthest) + thickest, half_square);
-    result.capsule.reach = std::sqrt(half_square) + result.capsule.radius;
+    float half_length = std::sqrt(half_square);
+    capsule.radius = BlockCapsule::with_slack(std::sqrt(farthest) + thickest, half_square);
+    if (own_units_) capsule.radius /= frame.unit, half_length /= frame.unit;
+    capsule.radius += BlockCapsule::tiny_of(own_units_);
+    capsule.reach = half_length + capsule.radius;
     return result;
   }
 
  private:
   static constexpr std::uint32_t block = 32, share = block / Team::lanes;
 
-  /// What one thread finds.
+  /// The capsule's centre, and the unit of all lengths but its own.
+  struct Frame {
+    Vector32 centre;
+    float unit;  ///< a power of two
+    CATENA_HD Vector32 from_centre(const Sphere& s) const { return unit * (centre_of(s) - centre); }
+  };
+  /// The one in which the block's greatest length is 1 to 2.
+  CATENA_HD float own_unit(const Vector32& centre) const {
+    const auto reach = team_.each([&](std::uint32_t lane) {
+      float greatest = 0;
+      for (std::uint32_t k = 0; k < share; ++k) {
+        const Sphere s = at_(lane * share + k);
+        greatest = std::fmax(greatest, sum_of_sides(centre_of(s) - centre) + s.radius);
+      }
+      return greatest;
+    });
+    return unit_of(team_.greatest([&](std::uint32_t lane) { return reach[lane]; }));
+  }
+
+  /// What one thread finds, in the frame.
   struct Part {
     float farthest;       ///< square of how far a sphere of the block lies from the axis, but for rounding
     float thickest;       ///< radius in the block
@@ -57,41 +82,42 @@ class BlockFit {
     return result;
   }
 
-  CATENA_HD Part part_of(std::uint32_t lane, const BlockCapsule& capsule, const Vector32& direction) const {
-    const float over = BlockCapsule::inverse_square(dot(capsule.half, capsule.half));
+  CATENA_HD Part part_of(std::uint32_t lane, const Frame& frame, const Vector32& half,
+                         const Vector32& direction) const {
+    const float over = BlockCapsule::inverse_square(dot(half, half));
     Part part{0, 0, 0, 0, 0, false};
     float along[share + 2],
         next_along[share + 2];  // the direction, of own spheres and those of the next block
     for (std::uint32_t k = 0; k < share; ++k) {
       const Sphere own = at_(lane * share + k), next = at_(block + lane * share + k);
-      const Vector32 p = centre_of(own) - capsule.centre, q = centre_of(next) - capsule.centre;
+      const Vector32 p = frame.from_centre(own), q = frame.from_centre(next);
       // The point of the axis is a guess, and any point of it will do.
-      const Vector32 rest = plus(p, -clamped(dot(p, capsule.half) * over), capsule.half);
+      const Vector32 rest = plus(p, -clamped(dot(p, half) * over), half);
       part.farthest = std::fmax(part.farthest, dot(rest, rest));
-      part.thickest = std::fmax(part.thickest, own.radius);
-      part.next_thickest = std::fmax(part.next_thickest, next.radius);
+      part.thickest = std::fmax(part.thickest, own.radius * frame.unit);
+      part.next_thickest = std::fmax(part.next_thickest, next.radius * frame.unit);
       part.beyond = std::fmax(part.beyond, std::fmax(sum_of_sides(p), sum_of_sides(q)));
       along[k] = dot(p, direction);
       next_along[k] = dot(q, direction);
     }
     if (window_ == 1)
-      climb(lane, capsule.centre, direction, along, next_along, part);
+      climb(lane, frame, direction, along, next_along, part);
     else
-      climb_in_window(lane, capsule.centre, direction, part);
+      climb_in_window(lane, frame, direction, part);
     return part;
   }
 
-  CATENA_HD float along(std::uint32_t k, const Vector32& centre, const Vector32& direction) const {
-    return dot(centre_of(at_(k)) - centre, direction);
+  CATENA_HD float along(std::uint32_t k, const Frame& frame, const Vector32& direction) const {
+    return dot(frame.from_centre(at_(k)), direction);
   }
 
   /// `rise` and `falls`.
-  CATENA_HD void climb(std::uint32_t lane, const Vector32& centre, const Vector32& direction, float* own,
+  CATENA_HD void climb(std::uint32_t lane, const Frame& frame, const Vector32& direction, float* own,
                        float* next, Part& part) const {
     const bool last = lane == Team::lanes - 1;  // behind the next block there is nothing
     for (std::uint32_t k = share; k < share + 2; ++k) {
-      own[k] = along(lane * share + k, centre, direction);
-      if (!last) next[k] = along(block + lane * share + k, centre, direction);
+      own[k] = along(lane * share + k, frame, direction);
+      if (!last) next[k] = along(block + lane * share + k, frame, direction);
     }
     part.rise = own[2] - own[0];
     for (std::uint32_t k = 0; k < share; ++k) {
@@ -100,9 +126,9 @@ class BlockFit {
       if (k + 2 < share || !last) part.rise = std::fmin(part.rise, next[k + 2] - next[k]);
     }
   }
-  CATENA_HD void climb_in_window(std::uint32_t lane, const Vector32& centre, const Vector32& direction,
+  CATENA_HD void climb_in_window(std::uint32_t lane, const Frame& frame, const Vector32& direction,
                                  Part& part) const {
-    const auto at = [&](std::uint32_t k) { return along(k, centre, direction); };
+    const auto at = [&](std::uint32_t k) { return along(k, frame, direction); };
     const std::uint32_t own = lane * share, next = block + own;
     part.rise = at(own + window_ + 1) - at(own);
     for (std::uint32_t k = own; k < own + share; ++k) {
@@ -132,6 +158,7 @@ class BlockFit {
   const Team& team_;
   const At& at_;
   std::uint32_t window_;
+  bool own_units_;
 };
 
 }  // namespace catena

@@ -18,7 +18,7 @@ class BlockMeeting {
   /// are in step with others come though there is no block b.
   template <class Team, class At>
   CATENA_HD void enclose(const Team& team, const At& at, std::uint32_t b) const {
-    const BlockShape shape = BlockFit(team, at, blocks_.window).shape();
+    const BlockShape shape = BlockFit(team, at, blocks_.window, blocks_.own_units).shape();
     const std::uint32_t level = CapsuleBlocks::level_of(shape.capsule.reach);
     team.once([&] {
       if (b >= blocks_.blocks) return;
@@ -87,13 +87,13 @@ class BlockMeeting {
   /// Block b, in this ball, may meet the block at a place; then note() is to be called of the two.
   CATENA_HD bool may_meet(std::uint32_t b, const CapsuleBall& ball, std::uint32_t level,
                           std::uint32_t at) const {
-    if (far_apart(ball, blocks_.ball[at])) return false;
+    if (far_apart(ball, blocks_.ball[at], blocks_.own_units)) return false;
     const std::uint32_t id = blocks_.id[at];
     return (id & 31) == level && !blocks_.settled(b, id >> 5);
   }
   CATENA_HD std::uint32_t block_at(std::uint32_t place) const { return blocks_.id[place] >> 5; }
   CATENA_HD void note(std::uint32_t b, std::uint32_t other) const {
-    if (separate(blocks_.capsule[b], blocks_.capsule[other])) return;
+    if (separate(blocks_.capsule[b], blocks_.capsule[other], blocks_.own_units)) return;
     add_partner(b, other);
     if (blocks_.level(other) != blocks_.level(b) &&
         fetch_add(blocks_.met + other, 1) == CapsuleBlocks::most_met)

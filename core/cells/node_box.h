@@ -43,7 +43,7 @@ struct alignas(16) NodeBox {
   CATENA_HD AxisIntervals intervals(const NodeBox& b) const {
     const Vector32 t = b.centre - centre;
     const float slack =
-        mul_add(b.sides(), BlockTree::axes_slack, mul_add(sum_of_sides(t), centre_slack, BlockCapsule::tiny));
+        mul_add(b.sides(), BlockTree::axes_slack, mul_add(sum_of_sides(t), centre_slack, BlockTree::tiny));
     AxisIntervals result;
     for (int k = 0; k < 3; ++k) {
       const float middle = dot(t, axis[k]);

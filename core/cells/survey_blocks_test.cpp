@@ -24,7 +24,7 @@ class Survey {
     blocks_ = CapsuleBlocks::of(chain, CapsuleBlocks::most_partners, 1, 0, in_cells ? 0 : ~0u, asked);
     for (std::uint32_t b = 0; b < blocks; ++b)
       capsule_.push_back(
-          BlockCapsule::around({10.0f * static_cast<float>(b * step % blocks / together), 0, 0, 1}));
+          BlockCapsule::around({10.0f * static_cast<float>(b * step % blocks / together), 0, 0, 1}, false));
     // Behind the last, where nobody is to look.
     capsule_.resize(blocks + BlockNodes::children, capsule_.back());
     shape_.resize(capsule_.size());
