@@ -92,8 +92,8 @@ const RegisterVariant<ChainTree, Robust> registered{
      .parameters = {rows_parameter(), exact_parameter()},
      .has_tree = true,
      .rival = [](std::uint32_t n, const Extent&) {
-       return n <= 2048 ? 8 : 0;
-     }}};  // beyond, Hybrid is no slower
+       return n <= 4096 ? 14 : 0;
+     }}};  // beyond, a trial may cost too much where order is poor
 
 }  // namespace
 }  // namespace catena

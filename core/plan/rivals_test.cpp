@@ -232,9 +232,9 @@ TEST(Rivals, OfAPlanSuitTheChain) {
     return all;
   };
   using Names = std::vector<std::string>;
-  EXPECT_EQ(names(3000, 1), (Names{"SphereTree", "Grid"}));
-  EXPECT_EQ(names(3000, 2.1f), (Names{"SphereTree"}));
-  EXPECT_EQ(names(2048, 1), (Names{"SphereTree", "Grid", "ChainTree"}));
+  EXPECT_EQ(names(4097, 1), (Names{"SphereTree", "Grid"}));
+  EXPECT_EQ(names(4097, 2.1f), (Names{"SphereTree"}));
+  EXPECT_EQ(names(4096, 1), (Names{"SphereTree", "Grid", "ChainTree"}));
   EXPECT_EQ(names(4, 1), Names{});
 }
 
