@@ -140,6 +140,40 @@ TEST(Hybrid, TakesOneOrderWhereTwoWouldSaveNothing) {
   }
 }
 
+/// Rods of a node and a half that cross one another anywhere: each node meets up to three quarters of all,
+/// and looks into hardly any. No other order is worth making.
+TEST(Hybrid, KeepsTheChainsOrderOfRodsThatCross) {
+  constexpr std::uint32_t rod = 200, n = 60 * rod;
+  Dice dice(3);
+  std::vector<Sphere> spheres;
+  Strands strands;
+  for (std::uint32_t i = 0; i < n; i += rod) {
+    double at[3], way[3];
+    for (double& x : at) x = 46 * dice.symmetric();
+    do
+      for (double& x : way) x = dice.symmetric();
+    while (std::hypot(way[0], way[1], way[2]) > 1);
+    const double step = 1.5 / std::hypot(way[0], way[1], way[2]);
+    strands.first.push_back(i);
+    for (int k = 0; k < int{rod}; ++k) {
+      const double t = (k - rod / 2.0) * step;
+      spheres.push_back({static_cast<float>(at[0] + t * way[0]), static_cast<float>(at[1] + t * way[1]),
+                         static_cast<float>(at[2] + t * way[2]), 1});
+    }
+  }
+  strands.first.push_back(n);
+  const Chain chain(std::move(spheres), std::move(strands));
+  const auto hybrid = StrategyRegistry::instance().make("Hybrid");
+  Collisions found;
+  hybrid->build(chain);
+  hybrid->find(chain, {}, found);
+  EXPECT_GT(found.pair_count, 100u);
+  for (const Decision& step : hybrid->plan()) {
+    EXPECT_TRUE(step.left_out || (step.step != "order of space" && step.step != "single spheres"))
+        << step.reason;
+  }
+}
+
 /// Strands that are short and lie anywhere are searched one by one in wide cells before any tree is built;
 /// laid out side by side, in the chain's order.
 TEST(Hybrid, BuildsNoTreeOfShortStrandsThatLieAnywhere) {

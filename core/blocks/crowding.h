@@ -33,6 +33,9 @@ class Crowding {
     some_ = 0;
   }
 
+  /// Another limit, before any have met.
+  void set_limit(std::uint32_t limit) { limit_ = limit; }
+
   std::uint32_t nodes() const { return static_cast<std::uint32_t>(partners_.size()); }
   bool crowded(std::uint32_t node) const { return read(partners_[node]) > limit_; }
   /// At least one node is crowded; of most chains none is, and nothing else need be looked up.

@@ -59,12 +59,22 @@ class CrowdSample {
   bool sparse() {
     constexpr std::uint32_t most_apart = 16;  // groups
     const std::uint32_t apart = std::clamp(groups() / 2, 1u, most_apart);
+    double tree_ns = 0, cells_ns = 0;
     for (std::uint32_t g = apart / 2; g < groups(); g += apart) {
       const GroupLook look = look_at(g, nullptr);
       if (seen_ < first_.size()) first_[seen_++] = {g, look};
       if (look.all.crowded()) return false;
+      tree_ns += look.all.tree_ns, cells_ns += look.all.cells_ns;
     }
+    cheap_ = 5 * tree_ns < 4 * cells_ns;
     return true;
+  }
+  /// Then a node may meet more others than the limit, and yet cost less than in another order, as it looks
+  /// into few of them: long thin nodes that lie across one another. Where there are few nodes not much is at
+  /// stake.
+  bool cheap() const {
+    constexpr std::uint32_t few = 256;
+    return cheap_ && nodes() <= few;
   }
   /// After the walk: it met so few that this stands.
   bool stayed_sparse() const { return crowding_.pair_count() <= std::size_t{4} * nodes(); }
@@ -218,7 +228,7 @@ class CrowdSample {
   const std::uint32_t limit_;
   Crowding& crowding_;
   const Team& team_;
-  bool walked_ = false;
+  bool walked_ = false, cheap_ = false;
   struct FirstLook {
     std::uint32_t group;
     GroupLook look;

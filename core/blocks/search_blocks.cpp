@@ -34,6 +34,7 @@ void find_crowds_here(const ChainView& chain, const BlockTree& tree, std::uint32
   CrowdSample sample(chain, tree, limit, crowding, team);
   const bool sparse = sample.sparse();
   if (!sparse) sample.all(false);
+  if (sample.cheap()) crowding.set_limit(2 * limit);
   const CrowdWalk walk{crowding, team.size() == 1 ? nullptr : &team};
   if (team.size() == 1)
     NodeWalk(tree, walk, NoBlockEvidence{}).run();
