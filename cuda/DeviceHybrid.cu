@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 
 #include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
@@ -98,12 +99,13 @@ __global__ void __launch_bounds__(BlockMeetings::threads)
 
 /// The warps of a thread block share the work of `together` blocks: most have none, and some have much. More
 /// warps at a time, with some registers spilt, are quicker than fewer.
-template <class Tests>
+template <class Tests, bool own_units>
 __global__ void __launch_bounds__(threads, 8)
     compare_blocks(const __grid_constant__ ChainView chain, const __grid_constant__ CapsuleBlocks blocks,
                    const __grid_constant__ ResidentAnswer answer, SphereRange queries,
                    std::uint32_t together) {
-  using Work = BlockComparison<DeviceWarp>::Work;
+  using Comparison = BlockComparison<DeviceWarp, own_units>;
+  using Work = Comparison::Work;
   constexpr std::uint32_t kinds = static_cast<std::uint32_t>(Work::kinds);
   __shared__ struct { std::uint8_t block, work; } item[threads * kinds];
   __shared__ std::uint32_t items;
@@ -111,7 +113,7 @@ __global__ void __launch_bounds__(threads, 8)
   await_previous();
   if (blocks.all_left()) return;
   const DeviceWarp warp;
-  const BlockComparison comparison(warp, chain, blocks);
+  const Comparison comparison(warp, chain, blocks);
   const std::uint32_t first = blockIdx.x * together, b = first + threadIdx.x;
   if (threadIdx.x == 0) items = 0;
   PairStage<threads> stage(shared, answer, queries);
@@ -226,8 +228,12 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
         return cells_.enqueue_search<Tests>(chain, AllSpheres{chain.size}, request, answer, stream);
       std::uint32_t together = threads;  // as far as there are thread blocks for the whole device
       while (together > 8 && blocks_.blocks / together < most_blocks) together /= 2;
-      launch_next<compare_blocks<Tests>>(up(blocks_.blocks, together), threads, stream, chain, blocks_,
-                                         answer, request.queries.within(chain.size), together);
+      const auto compare = [&](auto own_units) {
+        launch_next<compare_blocks<Tests, own_units.value>>(up(blocks_.blocks, together), threads, stream, chain,
+                                                            blocks_, answer, request.queries.within(chain.size),
+                                                            together);
+      };
+      blocks_.own_units ? compare(std::true_type()) : compare(std::false_type());
       cells_.enqueue_search<Tests>(chain, CrowdedSpheres{blocks_, chain.size}, request, answer, stream);
     });
     in_range_ = in_range<Arithmetic>(chain);

@@ -8,8 +8,8 @@
 namespace catena {
 
 /// Compares the spheres of blocks that met, once all have: what there is to do for a block, and the doing, by
-/// a warp.
-template <class Warp>
+/// a warp. `own_units` as the blocks have it, so that who has none pays nothing for it.
+template <class Warp, bool own_units>
 class BlockComparison {
  public:
   template <class T>
@@ -95,7 +95,7 @@ class BlockComparison {
       std::uint32_t near = warp_.ballot([&](std::uint32_t lane) {
         return k < run[lane].end - run[lane].first && (id[lane] & 31) == level &&
                !blocks_.crowded(id[lane] >> 5) && !blocks_.settled(b, id[lane] >> 5) &&
-               !separate(own, blocks_.capsule[id[lane] >> 5], blocks_.own_units);
+               !separate(own, blocks_.capsule[id[lane] >> 5], own_units);
       });
       for (; near != 0; near &= near - 1) {
         const std::uint32_t other = warp_.from(id, lowest_bit(near)) >> 5;
@@ -181,8 +181,8 @@ class BlockComparison {
   CATENA_HD std::uint32_t near(std::uint32_t b, const Lanes<Sphere>& of_b,
                                const BlockCapsule& capsule) const {
     return warp_.ballot([&](std::uint32_t lane) {
-      const BlockCapsule ball = BlockCapsule::around(blocks_.scaled(of_b[lane]), blocks_.own_units);
-      return in_chain(b, lane) && !separate(ball, capsule, blocks_.own_units);
+      const BlockCapsule ball = BlockCapsule::around(blocks_.scaled(of_b[lane]), own_units);
+      return in_chain(b, lane) && !separate(ball, capsule, own_units);
     });
   }
 

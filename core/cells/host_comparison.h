@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include "catena/core/cells/compare_blocks.h"
 #include "catena/core/cells/host_warp.h"
 
@@ -7,10 +9,13 @@ namespace catena {
 /// Compares the spheres of blocks that met, block after block.
 template <class Tests, class Sink>
 void compare_blocks(const ChainView& chain, const CapsuleBlocks& blocks, Sink& sink) {
-  const HostWarp warp;
-  const BlockComparison<HostWarp> comparison(warp, chain, blocks);
-  for (std::uint32_t b = 0; !blocks.all_crowded && b < blocks.blocks && !sink.satisfied(); ++b)
-    comparison.plan(b, [&](auto work) { comparison.template compare<Tests>(b, work, sink); });
+  const auto compare = [&](auto own_units) {
+    const HostWarp warp;
+    const BlockComparison<HostWarp, own_units.value> comparison(warp, chain, blocks);
+    for (std::uint32_t b = 0; !blocks.all_crowded && b < blocks.blocks && !sink.satisfied(); ++b)
+      comparison.plan(b, [&](auto work) { comparison.template compare<Tests>(b, work, sink); });
+  };
+  blocks.own_units ? compare(std::true_type()) : compare(std::false_type());
 }
 
 }  // namespace catena
