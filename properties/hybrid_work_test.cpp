@@ -149,7 +149,7 @@ TEST(Hybrid, KeepsTheChainsOrderOfRodsThatCross) {
   Strands strands;
   for (std::uint32_t i = 0; i < n; i += rod) {
     double at[3], way[3];
-    for (double& x : at) x = 46 * dice.symmetric();
+    for (double& x : at) x = 70 * dice.symmetric();
     do
       for (double& x : way) x = dice.symmetric();
     while (std::hypot(way[0], way[1], way[2]) > 1);
