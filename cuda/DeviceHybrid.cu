@@ -229,9 +229,9 @@ class DeviceHybrid final : public ResidentVariant, public EvidenceNodes {
       std::uint32_t together = threads;  // as far as there are thread blocks for the whole device
       while (together > 8 && blocks_.blocks / together < most_blocks) together /= 2;
       const auto compare = [&](auto own_units) {
-        launch_next<compare_blocks<Tests, own_units.value>>(up(blocks_.blocks, together), threads, stream, chain,
-                                                            blocks_, answer, request.queries.within(chain.size),
-                                                            together);
+        launch_next<compare_blocks<Tests, own_units.value>>(
+            up(blocks_.blocks, together), threads, stream, chain, blocks_, answer,
+            request.queries.within(chain.size), together);
       };
       blocks_.own_units ? compare(std::true_type()) : compare(std::false_type());
       cells_.enqueue_search<Tests>(chain, CrowdedSpheres{blocks_, chain.size}, request, answer, stream);

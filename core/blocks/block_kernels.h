@@ -15,7 +15,8 @@ namespace catena {
 CATENA_API void build_block_tree(const ChainView& chain, BlockTree& tree, const Team& team);
 
 /// Fills `crowding` with the pairs of nodes that met, but for those of two nodes that had met more than
-/// `limit` others before. O(limit * nodes) but for tests in upper levels.
+/// `limit` others before, or twice as many where there are few nodes and a look at some says that to go on in
+/// the chain's order costs least. O(limit * nodes) but for tests in upper levels.
 CATENA_API void find_crowds(const ChainView& chain, const BlockTree& tree, std::uint32_t limit,
                             Crowding& crowding, const Team& team);
 

@@ -69,9 +69,9 @@ class CrowdSample {
     cheap_ = 5 * tree_ns < 4 * cells_ns;
     return true;
   }
-  /// Then a node may meet more others than the limit, and yet cost less than in another order, as it looks
-  /// into few of them: long thin nodes that lie across one another. Where there are few nodes not much is at
-  /// stake.
+  /// After sparse(): the chain's order costs a fifth less than cells where that looked, so that a node may
+  /// meet more others than the limit and yet cost less than in another order: long thin ones that lie across
+  /// one another look into few of those they meet. Where there are few nodes not much is at stake.
   bool cheap() const {
     constexpr std::uint32_t few = 256;
     return cheap_ && nodes() <= few;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "catena/core/host_device.h"
 
@@ -44,6 +45,14 @@ CATENA_HD inline std::uint32_t lowest_bit(std::uint32_t bits) {
 #else
   return static_cast<std::uint32_t>(__builtin_ctz(bits));
 #endif
+}
+
+/// 2^exponent, from 2^-126 to 2^127.
+CATENA_HD inline float power_of_two(std::int32_t exponent) {
+  const std::uint32_t bits = static_cast<std::uint32_t>(127 + exponent) << 23;
+  float result;
+  std::memcpy(&result, &bits, sizeof result);
+  return result;
 }
 
 }  // namespace catena

@@ -5,6 +5,7 @@
 
 #include "catena/core/arithmetic/mul_add.h"
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/cells/bits.h"
 #include "catena/core/host_device.h"
 #include "catena/core/sphere.h"
 
@@ -66,11 +67,7 @@ struct alignas(16) BlockCapsule {
 CATENA_HD inline float unit_of(float length) {
   std::uint32_t bits;
   std::memcpy(&bits, &length, sizeof bits);
-  const std::uint32_t exponent = bits >> 23 & 0xFF;
-  bits = (254 - exponent) << 23;
-  float result;
-  std::memcpy(&result, &bits, sizeof result);
-  return result;
+  return power_of_two(127 - static_cast<std::int32_t>(bits >> 23 & 0xFF));
 }
 
 /// The ball about a capsule's centre that holds it.
@@ -95,7 +92,7 @@ CATENA_HD inline bool far_apart(const CapsuleBall& a, const CapsuleBall& b, bool
 
 /// True only when nothing in one capsule touches anything in the other. A direction is guessed, between the
 /// nearest points of the two axes; only that it separates them is what counts: |t.w| - |a.w| - |b.w| > (ra +
-/// rb) |w|.
+/// rb) |w|. In a unit of their own as far_apart.
 CATENA_HD inline bool separate(const BlockCapsule& first, const BlockCapsule& second, bool own_units) {
   Vector32 t = second.centre - first.centre, a = first.half, b = second.half;
   float radii = first.radius + second.radius;

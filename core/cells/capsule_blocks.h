@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include "catena/core/cells/bits.h"
 #include "catena/core/cells/block_capsule.h"
@@ -166,10 +165,7 @@ struct CapsuleBlocks {
     return static_cast<std::uint32_t>((width < least_width ? least_width : width) - least_width);
   }
   CATENA_HD static float cells_per_unit(std::uint32_t level) {
-    const std::uint32_t bits = static_cast<std::uint32_t>(127 - least_width - static_cast<int>(level)) << 23;
-    float result;
-    std::memcpy(&result, &bits, sizeof result);
-    return result;
+    return power_of_two(-least_width - static_cast<int>(level));
   }
   /// Where its centre's cell lies. No product is rounded, and no cell is far.
   CATENA_HD std::uint32_t bucket_of(const BlockCapsule& c, std::uint32_t level) const {

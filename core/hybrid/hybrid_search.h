@@ -29,7 +29,7 @@ namespace catena {
 class CATENA_API HybridSearch {
  public:
   struct Settings {
-    std::uint32_t crowd;       ///< a node that meets more others is crowded
+    std::uint32_t crowd;       ///< a node that meets more others is crowded; see find_crowds
     double dense;              ///< a block is dense that costs more than so many times its spheres in cells
     bool rows = true;          ///< nodes whose blocks follow one another are not searched within
     float doubt = 1;           ///< see BlockTree

@@ -8,8 +8,10 @@
 #   is at least each centre's distance plus each radius: each s is wrong by 6.1u + 2u (capsule_binary32.g), 2 R length is
 #   rounded once, the sum for step once, and the difference once; the slack of 32u outweighs it: steps > 0.
 # width: the stored reach times 2 (1 + 2^-16) is above twice the bare reach: width > 0.
-# Units of their own: all lengths of a block, or of a test of two, times a power of two, which changes no factor here; the
-#   greatest is 1 to 2 then, and what its slack outweighs by far, 2^-20, so does what squares lose by underflow, 2^-146.
+# Units of their own: all lengths of a block, or of a test of two, times a power of two, which changes no factor here. The
+#   greatest of the block, or the way from one of the two to the other, is 1 to 2 then, unless it is too short for that and
+#   less than what radii have on top; and the slack for it, at least 2^-20, outweighs by far what squares lose by
+#   underflow, 2^-146. A test in which a length overflows says nothing.
 # Covers: slack = 32u, the bare radius's 16u, 1 + 2^-16 of the width of a level's cells.
 
 # Of a stored reach, over |h| + r: a square root of a computed square, and a sum.
