@@ -42,13 +42,13 @@ class BlockRun {
     load(spheres);
     std::memset(apart_, 0xFF, sizeof apart_);
     std::memset(certain_, 0, sizeof certain_);
-    const Lanes16 all_slack = Lanes16::all(slack), floor = Lanes16::all(Robust::underflow_floor);
+    Lanes16 all_slack = Lanes16::all(slack), floor = Lanes16::all(Robust::underflow_floor);
     const std::uint32_t end = asked.onward != 0 ? 2 * block : block, nearest = std::min(window, end) + 1;
     for (std::uint32_t i = 0; i < block; ++i) {
-      const Vectors at = at_[i];
-      const Lanes16 radius = radius_[i];
+      Vectors at = at_[i];
+      Lanes16 radius = radius_[i];
       for (std::uint32_t j = i + nearest; j < end; ++j) {
-        const Lanes16 sum = radius_[j] + radius, q = square(at_[j] - at), of = sum * sum;
+        Lanes16 sum = radius_[j] + radius, q = square(at_[j] - at), of = sum * sum;
         apart_[i][j] = bits(mul_add(of, all_slack, floor) < q);
         certain_[i][j] = bits(mul_add(q, all_slack, floor) < of);
       }

@@ -32,7 +32,7 @@ HWY_INLINE void build_group(const ChainView& chain, BlockTree& tree, std::uint32
   BlockSpheres own;
   load(spheres, Lanes16::all(tree.unit()), own);
   Lanes16 reach;
-  const Capsules capsules = capsules_around(own, reach);
+  Capsules capsules = capsules_around(own, reach);
   capsules.store(tree.capsules_of(g));
   std::uint32_t ordered = ordered_windows(own, capsules.centre, reach, spheres + group * block, tree.unit());
   if (!in_one_run || chain.strand_count > 1) {

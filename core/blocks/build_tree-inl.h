@@ -60,11 +60,11 @@ struct ChildrenOfNodes {
 /// Axes and a guess of the centres of sixteen nodes.
 template <class Sixteen>
 HWY_INLINE OrientedBoxes guess(const ChildrenOfNodes<Sixteen>& children) {
-  const Vectors origin = children.centre(0);
+  Vectors origin = children.centre(0);
   Vectors sum = origin - origin;
   Symmetric square = Symmetric::least(), spread = plus_spread(Symmetric::least(), children.child(0));
   for (std::uint32_t b = 1; b < BlockTree::group; ++b) {
-    const Vectors p = children.centre(b) - origin;
+    Vectors p = children.centre(b) - origin;
     sum = sum + p;
     square = square.plus_square_of(p);
     spread = plus_spread(spread, children.child(b));
@@ -78,7 +78,7 @@ HWY_INLINE void centre_on(const ChildrenOfNodes<Sixteen>& children, OrientedBoxe
   constexpr std::uint32_t group = BlockTree::group;
   Intervals all = intervals(children.child(0), boxes.centre, boxes.axis);
   for (std::uint32_t b = 1; b < group; ++b) {
-    const Intervals child = intervals(children.child(b), boxes.centre, boxes.axis);
+    Intervals child = intervals(children.child(b), boxes.centre, boxes.axis);
     for (int k = 0; k < 3; ++k)
       all.low[k] = min(all.low[k], child.low[k]), all.high[k] = max(all.high[k], child.high[k]);
   }
@@ -100,10 +100,10 @@ HWY_INLINE RowBits fit(const ChildrenOfNodes<Sixteen>& children, std::uint32_t n
   alignas(64) float size[group];
   for (std::uint32_t k = 0; k < group; ++k)
     size[k] = static_cast<float>(k + 1 < nodes ? group : children_of_last);
-  const Lanes16 zero = Lanes16::all(0), sizes = Lanes16::load(size);
+  Lanes16 zero = Lanes16::all(0), sizes = Lanes16::load(size);
   for (int k = 0; k < 3; ++k) boxes.half[k] = zero;
   const auto take = [&](std::uint32_t b) HWY_ATTR {
-    const Intervals child = intervals(children.child(b), boxes.centre, boxes.axis);
+    Intervals child = intervals(children.child(b), boxes.centre, boxes.axis);
     for (int k = 0; k < 3; ++k) boxes.half[k] = max(boxes.half[k], max(child.high[k], zero - child.low[k]));
     return Interval{child.low[0], child.high[0]};
   };
@@ -112,7 +112,7 @@ HWY_INLINE RowBits fit(const ChildrenOfNodes<Sixteen>& children, std::uint32_t n
   const std::uint32_t alone = rows.bits() & lane_bits(nodes);
   if (alone == 0 || nodes < 2) return {static_cast<std::uint16_t>(alone), 0};
   for (std::uint32_t b = 0; b < group; ++b) {
-    const Interval child = reach_of(children.next_child(b), boxes.centre).along(boxes.axis[0]);
+    Interval child = reach_of(children.next_child(b), boxes.centre).along(boxes.axis[0]);
     if (b < 2)
       rows.add(child, zero < zero);
     else

@@ -48,27 +48,38 @@ HWY_INLINE CapsulesOf<2 * n> side_by_side(const CapsulesOf<n>& a, const Capsules
           side_by_side(a.inverse, b.inverse)};
 }
 
+/// Vector k of those that the lanes take.
+template <std::size_t width, std::size_t n>
+HWY_INLINE CapsulesOf<width> part_of(const CapsulesOf<n>& a, std::size_t k) {
+  const auto of = [k](const Lanes<n>& lanes)
+                      HWY_ATTR { return Lanes<width>::from([&](std::size_t) { return lanes.part[k]; }); };
+  const auto vectors = [&](const VectorsOf<n>& v) HWY_ATTR {
+    return VectorsOf<width>{of(v.x), of(v.y), of(v.z)};
+  };
+  return {vectors(a.centre), vectors(a.half), of(a.radius), of(a.inverse)};
+}
+
 /// What squares of lengths within a block have on top, so that none underflows; and the least reach of a
 /// block beside which that is nothing.
 constexpr float least_square = 0x1p-80f, least_reach = 0x1p-36f;
 
 HWY_INLINE Lanes16 inverse_square(const Lanes16& square) {
-  const Lanes16 of_a_point = Lanes16::all(4 * least_square);
+  Lanes16 of_a_point = Lanes16::all(4 * least_square);
   return select(of_a_point < square, Lanes16::all(1) / max(square, of_a_point), Lanes16::all(0));
 }
 
 /// The square of how far a point p lies from the segment +- half, from above but for rounding: the point of
 /// the segment is a guess, and any point of it will do.
 HWY_INLINE Lanes16 distance_to_segment(const Vectors& p, const Vectors& half, const Lanes16& inverse) {
-  const Lanes16 one = Lanes16::all(1), least = Lanes16::all(least_square);
-  const Lanes16 t = max(min(dot(p, half, least) * inverse, one), Lanes16::all(-1));
-  const Vectors rest = minus(p, t, half);
+  Lanes16 one = Lanes16::all(1), least = Lanes16::all(least_square);
+  Lanes16 t = max(min(dot(p, half, least) * inverse, one), Lanes16::all(-1));
+  Vectors rest = minus(p, t, half);
   return dot(rest, rest, least);
 }
 
 /// The radius with what its own rounding and that of every test of it need on top.
 HWY_INLINE Lanes16 with_slack(const Lanes16& radius, const Lanes16& half_length) {
-  const Lanes16 reach = half_length + radius;
+  Lanes16 reach = half_length + radius;
   return mul_add(reach, Lanes16::all(BlockTree::slack), radius) + Lanes16::all(BlockTree::tiny);
 }
 
@@ -102,13 +113,13 @@ HWY_INLINE Lanes16 sides_around(const BlockSpheres& s, const Vectors& points) {
 /// `reach` becomes a bound of |centre of sphere - centre| + radius.
 HWY_INLINE Capsules capsules_around(const BlockSpheres& s, Lanes16& reach) {
   constexpr std::uint32_t last = BlockTree::block - 1;
-  const Lanes16 half = Lanes16::all(0.5f), quarter = Lanes16::all(0.25f);
-  const Vectors chord = s.at[last] - s.at[0];
+  Lanes16 half = Lanes16::all(0.5f), quarter = Lanes16::all(0.25f);
+  Vectors chord = s.at[last] - s.at[0];
   Capsules result;
   result.half = {chord.x * half, chord.y * half, chord.z * half};
-  const Vectors middle = (s.at[last / 2] - s.at[0]) + (s.at[last / 2 + 1] - s.at[0]);
+  Vectors middle = (s.at[last / 2] - s.at[0]) + (s.at[last / 2 + 1] - s.at[0]);
   result.centre = plus(plus(s.at[0], half, result.half), quarter, middle);
-  const Lanes16 half_square = dot(result.half, result.half, Lanes16::all(least_square));
+  Lanes16 half_square = dot(result.half, result.half, Lanes16::all(least_square));
   result.inverse = inverse_square(half_square);
   Lanes16 farthest = Lanes16::all(0), thickest = s.radius[0];
   for (std::uint32_t j = 0; j <= last; ++j) {
@@ -117,9 +128,9 @@ HWY_INLINE Capsules capsules_around(const BlockSpheres& s, Lanes16& reach) {
   }
   farthest = sqrt(farthest);
   Lanes16 length = sqrt(half_square);
-  const Flags<16> small = length + (farthest + thickest) < Lanes16::all(least_reach);
+  Flags<16> small = length + (farthest + thickest) < Lanes16::all(least_reach);
   if (HWY_UNLIKELY(!small.none())) {
-    const Lanes16 zero = Lanes16::all(0);
+    Lanes16 zero = Lanes16::all(0);
     farthest = select(small, sides_around(s, result.centre), farthest);
     length = select(small, zero, length);
     result.half = select(small, {zero, zero, zero}, result.half);

@@ -18,7 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// `count` lanes of float, 16 or 8, each operation done on all of them.
+/// `count` lanes of float, 16 or 8, each operation done on all of them. What is made of these is const
+/// nowhere within a function: GCC 12 leaves a const aggregate in memory ("store to a read-only decl" in its
+/// -fdump-tree-sra), and copies one of several vectors by pieces of other sizes, which waits for the stores
+/// before.
 template <std::size_t count>
 struct Lanes {
   using Tag = hn::CappedTag<float, count>;
@@ -27,6 +30,9 @@ struct Lanes {
 
   template <class Make>
   static HWY_INLINE Lanes from(const Make& make) {
+    if constexpr (parts == 1) return {{make(0)}};
+    if constexpr (parts == 2) return {{make(0), make(1)}};
+    if constexpr (parts == 4) return {{make(0), make(1), make(2), make(3)}};
     Lanes result;
 #if HWY_TARGET == HWY_SCALAR
 #pragma GCC unroll 1  // sixteen parts, which would take minutes to compile in a row
@@ -66,6 +72,9 @@ struct Flags {
 
   template <class Make>
   static HWY_INLINE Flags from(const Make& make) {
+    if constexpr (parts == 1) return {{make(0)}};
+    if constexpr (parts == 2) return {{make(0), make(1)}};
+    if constexpr (parts == 4) return {{make(0), make(1), make(2), make(3)}};
     Flags result;
 #if HWY_TARGET == HWY_SCALAR
 #pragma GCC unroll 1  // sixteen parts, which would take minutes to compile in a row

@@ -40,7 +40,7 @@ inline bool for_each_met_below(const BlockTree& tree, const OrientedBoxes& box, 
 /// The nodes of level 0 that one of them may meet, itself among them.
 template <class Met, class Look>
 inline void for_each_met(const BlockTree& tree, std::uint32_t node, const Met& met, const Look& look) {
-  const auto box = OrientedBoxes::all(tree.level[0].at(node), node % BlockTree::group);
+  auto box = OrientedBoxes::all(tree.level[0].at(node), node % BlockTree::group);
   for_each_met_below(tree, box, tree.level.size() - 1, 0, met, look);
 }
 template <class Met>
@@ -68,19 +68,19 @@ class NearBlocks {
       return other < b ? other + 1 < b && neighbours.all(other, b)
                        : b + 1 < other && neighbours.all(b, other);
     };
-    const Capsules capsule = Capsules::all(tree.capsules_of(b / group), b % group);
-    const auto box = OrientedBoxes::all(tree.level[0].at(b / group), b / group % group);
-    const Intervals own = intervals(capsule, box.centre, box.axis);
+    Capsules capsule = Capsules::all(tree.capsules_of(b / group), b % group);
+    auto box = OrientedBoxes::all(tree.level[0].at(b / group), b / group % group);
+    Intervals own = intervals(capsule, box.centre, box.axis);
     const auto met = [&](std::uint32_t node) {
       const std::uint32_t times = pays(among, node);
-      const Capsules theirs = Capsules::load(tree.capsules_of(node));
+      Capsules theirs = Capsules::load(tree.capsules_of(node));
       std::uint32_t near =
           meet(own, intervals(theirs, box.centre, box.axis)) & lane_bits(tree.blocks_of(node));
       nodes_ += times;
       if (kept_ < most_kept) node_[kept_++] = node;
       if (near == 0) return true;
       rows_ += times;
-      near &= may_collide(capsule, theirs);
+      near = may_collide(capsule, theirs, near);
       if (neighbours.some())
         for_each_lane(near, [&](std::uint32_t k) {
           if (passed_over(node * group + k)) near &= ~(1u << k);
@@ -142,7 +142,7 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
     Capsules theirs = Capsules::load(tree.capsules_of(node));
     theirs.radius = Lanes16::all(nearly_to_corners) * theirs.radius;
     const std::uint32_t times = pays(among, node),
-                        those = may_collide(cube, theirs) & lane_bits(tree.blocks_of(node));
+                        those = may_collide(cube, theirs, lane_bits(tree.blocks_of(node)));
     for_each_lane(those, [&](std::uint32_t k) {
       const Sphere* const s = tree.spheres(chain, node * group + k);
       hwy::Prefetch(s), hwy::Prefetch(s + 4);

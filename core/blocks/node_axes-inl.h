@@ -27,11 +27,11 @@ HWY_INLINE Symmetric plus_spread(const Symmetric& to, const Capsules& capsules) 
 HWY_INLINE OrientedBoxes box_guess(const Vectors& origin, const Vectors& sum, Symmetric square,
                                    const Symmetric& spread) {
   square = square.plus(spread.scaled(Lanes16::all(1.0f / 3)));
-  const Vectors mean = scaled(sum, Lanes16::all(1.0f / BlockTree::group));
+  Vectors mean = scaled(sum, Lanes16::all(1.0f / BlockTree::group));
   OrientedBoxes result;
-  const Symmetric covariance{neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),
-                             neg_mul_add(sum.x, mean.z, square.xz), neg_mul_add(sum.y, mean.y, square.yy),
-                             neg_mul_add(sum.y, mean.z, square.yz), neg_mul_add(sum.z, mean.z, square.zz)};
+  Symmetric covariance{neg_mul_add(sum.x, mean.x, square.xx), neg_mul_add(sum.x, mean.y, square.xy),
+                       neg_mul_add(sum.x, mean.z, square.xz), neg_mul_add(sum.y, mean.y, square.yy),
+                       neg_mul_add(sum.y, mean.z, square.yz), neg_mul_add(sum.z, mean.z, square.zz)};
   principal_axes(covariance.without_less_than(1024 * least_product), result.axis);
   result.centre = origin + mean;
   return result;

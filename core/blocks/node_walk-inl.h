@@ -18,13 +18,15 @@ namespace catena::HWY_NAMESPACE {
 /// How far the children of `node` of level m reach along the axes of node `frame` of level l.
 HWY_INLINE Intervals in_frame_of(const BlockTree& tree, std::size_t l, std::uint32_t frame, std::size_t m,
                                  std::uint32_t node) {
-  const auto box = OrientedBoxes::all(tree.level[l].at(frame), frame % BlockTree::group);
+  auto box = OrientedBoxes::all(tree.level[l].at(frame), frame % BlockTree::group);
   return m == 0 ? intervals(Capsules::load(tree.capsules_of(node)), box.centre, box.axis)
                 : intervals(OrientedBoxes::load(tree.level[m - 1].at(node * BlockTree::group)), box.centre,
                             box.axis);
 }
-HWY_INLINE Intervals own_intervals(const BlockTree& tree, std::size_t l, std::uint32_t node) {
-  return intervals(OrientedBoxes::all(tree.level[l].at(node), node % BlockTree::group).half);
+/// Bits of those that reach into the box of `node` of level l, where that is the frame.
+HWY_INLINE std::uint32_t meet(const Intervals& in_its_frame, const BlockTree& tree, std::size_t l,
+                              std::uint32_t node) {
+  return meet(in_its_frame, OrientedBoxes::all(tree.level[l].at(node), node % BlockTree::group).half);
 }
 
 /// Every child in turn; see NodeWalk.
@@ -74,7 +76,7 @@ class NodeWalk {
       });
       return;
     }
-    const Intervals reach = in_frame_of(tree_, l, k, l, k);
+    Intervals reach = in_frame_of(tree_, l, k, l, k);
     const StoredIntervals single(reach);
     for_each_child(l, lane_bits(count), [&](std::uint32_t i) {
       within(l - 1, begin + i);
@@ -95,11 +97,11 @@ class NodeWalk {
     if (l == 0) return met_.met(a, b);
     const std::uint32_t all_a = lane_bits(tree_.children_of(l, a)),
                         all_b = lane_bits(tree_.children_of(l, b));
-    const Intervals b_by_a = in_frame_of(tree_, l, a, l, b);
-    const std::uint32_t theirs = meet(b_by_a, own_intervals(tree_, l, a)) & all_b;
+    Intervals b_by_a = in_frame_of(tree_, l, a, l, b);
+    const std::uint32_t theirs = meet(b_by_a, tree_, l, a) & all_b;
     for_each_lane(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(l, b * group + j, a); });
     if (theirs == 0) return;
-    const std::uint32_t mine = meet(in_frame_of(tree_, l, b, l, a), own_intervals(tree_, l, b)) & all_a;
+    const std::uint32_t mine = meet(in_frame_of(tree_, l, b, l, a), tree_, l, b) & all_a;
     if (Sink::listens)
       for_each_lane(all_a & ~mine, [&](std::uint32_t i) { against(l - 1, a * group + i, b, 0, theirs); });
     if (mine == 0) return;

@@ -29,7 +29,7 @@ HWY_INLINE Vectors sum_of_lanes(const Vectors& v) {
   return {sum_of_lanes(v.x), sum_of_lanes(v.y), sum_of_lanes(v.z)};
 }
 HWY_INLINE Symmetric sum_of_lanes(const Symmetric& m) {
-  const Vectors x = sum_of_lanes(Vectors{m.xx, m.xy, m.xz}), z = sum_of_lanes(Vectors{m.yy, m.yz, m.zz});
+  Vectors x = sum_of_lanes(Vectors{m.xx, m.xy, m.xz}), z = sum_of_lanes(Vectors{m.yy, m.yz, m.zz});
   return {x.x, x.y, x.z, z.x, z.y, z.z};
 }
 
@@ -40,7 +40,7 @@ HWY_INLINE Sixteen children_of_one(const float* children, std::uint32_t count) {
   if (count == group) return Sixteen::load(children);
   alignas(64) float filled[std::size_t{group} * Sixteen::fields], lane[group];
   for (std::uint32_t k = 0; k < group; ++k) lane[k] = static_cast<float>(k);
-  const Flags<16> there = Lanes16::load(lane) < Lanes16::all(static_cast<float>(count));
+  Flags<16> there = Lanes16::load(lane) < Lanes16::all(static_cast<float>(count));
   for (std::uint32_t f = 0; f < group * Sixteen::fields; f += group)
     select(there, Lanes16::load(children + f), Lanes16::all(children[f + count - 1])).store(filled + f);
   return Sixteen::load(filled);
@@ -49,7 +49,7 @@ HWY_INLINE Sixteen children_of_one(const float* children, std::uint32_t count) {
 /// Whether intervals that follow one another are in a row, as Rows tells it of one lane.
 HWY_INLINE bool in_a_row(const Interval& child, std::uint32_t count) {
   const auto one_on = [](const Lanes16& a) HWY_ATTR { return shifted(a, 0); };
-  const Lanes16 low = one_on(child.low), high = one_on(child.high);
+  Lanes16 low = one_on(child.low), high = one_on(child.high);
   const std::uint32_t next = lane_bits(count - 1), next_but_one = count > 2 ? lane_bits(count - 2) : 0;
   const auto holds = [](const Flags<16>& flags, std::uint32_t lanes)
                          HWY_ATTR { return (flags.bits() & lanes) == lanes; };
@@ -61,14 +61,14 @@ HWY_INLINE bool in_a_row(const Interval& child, std::uint32_t count) {
 /// Its box, in all lanes, and whether its children are in a row along the longest axis.
 template <class Sixteen>
 HWY_INLINE bool build_one_node(const float* fields, std::uint32_t count, float* to) {
-  const Sixteen children = children_of_one<Sixteen>(fields, count);
-  const Vectors origin = Vectors::all(fields, 0), p = children.centre - origin;
+  Sixteen children = children_of_one<Sixteen>(fields, count);
+  Vectors origin = Vectors::all(fields, 0), p = children.centre - origin;
   OrientedBoxes box = box_guess(origin, sum_of_lanes(p), sum_of_lanes(Symmetric::least().plus_square_of(p)),
                                 sum_of_lanes(plus_spread(Symmetric::least(), children)));
-  const Lanes16 zero = Lanes16::all(0), half = Lanes16::all(0.5f);
+  Lanes16 zero = Lanes16::all(0), half = Lanes16::all(0.5f);
   Intervals reach = intervals(children, box.centre, box.axis);
   for (int k = 0; k < 3; ++k) {
-    const Lanes16 high = greatest_of_lanes(reach.high[k]), low = greatest_of_lanes(zero - reach.low[k]);
+    Lanes16 high = greatest_of_lanes(reach.high[k]), low = greatest_of_lanes(zero - reach.low[k]);
     box.centre = plus(box.centre, half * (high - low), box.axis[k]);
   }
   reach = intervals(children, box.centre, box.axis);

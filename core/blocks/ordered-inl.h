@@ -26,23 +26,23 @@ HWY_INLINE Vectors next_at(const BlockSpheres& s, std::uint32_t j, const Sphere*
 HWY_INLINE std::uint32_t ordered_windows(const BlockSpheres& s, const Vectors& centre, const Lanes16& reach,
                                          const Sphere* after, float scale) {
   constexpr std::uint32_t block = BlockTree::block;
-  const Vectors direction = next_at(s, block - 1, after, scale) - s.at[0];
-  const Lanes16 zero = Lanes16::all(0), least = Lanes16::all(least_product);
-  const Lanes16 length = sqrt(dot(direction, direction, least)) * Lanes16::all(1 + 0x1p-16f);
+  Vectors direction = next_at(s, block - 1, after, scale) - s.at[0];
+  Lanes16 zero = Lanes16::all(0), least = Lanes16::all(least_product);
+  Lanes16 length = sqrt(dot(direction, direction, least)) * Lanes16::all(1 + 0x1p-16f);
   Lanes16 low[2] = {zero, zero}, high[2] = {zero, zero};  // of the sphere before the last, and of the last
   Lanes16 far = reach, least_gap = zero, least_rise = zero;
   for (std::uint32_t j = 0; j < 2 * block; ++j) {
     const bool mine = j < block;
-    const Vectors at = (mine ? s.at[j] : next_at(s, j - block, after, scale)) - centre;
-    const Lanes16 r = mine ? s.radius[j] : shifted(s.radius[j - block], after[j - block].radius * scale);
+    Vectors at = (mine ? s.at[j] : next_at(s, j - block, after, scale)) - centre;
+    Lanes16 r = mine ? s.radius[j] : shifted(s.radius[j - block], after[j - block].radius * scale);
     if (!mine) far = max(far, sum_of_sides(at) + r);
-    const Lanes16 middle = dot(at, direction, least);
-    const Lanes16 low_j = neg_mul_add(r, length, middle), high_j = mul_add(r, length, middle);
+    Lanes16 middle = dot(at, direction, least);
+    Lanes16 low_j = neg_mul_add(r, length, middle), high_j = mul_add(r, length, middle);
     if (j > 0) least_rise = min(least_rise, low_j - low[1]);
     if (j > 1) least_gap = j == 2 ? low_j - high[0] : min(least_gap, low_j - high[0]);
     low[0] = low[1], high[0] = high[1], low[1] = low_j, high[1] = high_j;
   }
-  const Lanes16 slack = length * far * Lanes16::all(BlockTree::slack) + Lanes16::all(BlockTree::tiny);
+  Lanes16 slack = length * far * Lanes16::all(BlockTree::slack) + Lanes16::all(BlockTree::tiny);
   return ((slack < least_gap) & (zero <= least_rise)).bits();
 }
 

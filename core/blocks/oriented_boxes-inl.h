@@ -55,17 +55,18 @@ struct Interval {
 class CapsuleReach {
  public:
   HWY_INLINE CapsuleReach(const Capsules& c, const Vectors& centre)
-      : half_(c.half),
+      : c_(c),
         t_(c.centre - centre),
         radius_(mul_add(sum_of_sides(t_), Lanes16::all(centre_slack),
                         c.radius * Lanes16::all(1 + BlockTree::axes_slack))) {}
   HWY_INLINE Interval along(const Vectors& axis) const {
-    const Lanes16 middle = dot(t_, axis), reach = abs(dot(half_, axis)) + radius_;
+    Lanes16 middle = dot(t_, axis), reach = abs(dot(c_.half, axis)) + radius_;
     return {middle - reach, middle + reach};
   }
 
  private:
-  const Vectors half_, t_;
+  const Capsules& c_;
+  const Vectors t_;
   const Lanes16 radius_;
 };
 
@@ -79,7 +80,7 @@ class BoxReach {
             mul_add(b.half[0] + b.half[1] + b.half[2], Lanes16::all(BlockTree::axes_slack),
                     mul_add(sum_of_sides(t_), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny)))) {}
   HWY_INLINE Interval along(const Vectors& axis) const {
-    const Lanes16 middle = dot(t_, axis);
+    Lanes16 middle = dot(t_, axis);
     Lanes16 reach = slack_;
     for (int j = 0; j < 3; ++j) reach = mul_add(abs(dot(b_.axis[j], axis)), b_.half[j], reach);
     return {middle - reach, middle + reach};
@@ -96,26 +97,23 @@ HWY_INLINE BoxReach reach_of(const OrientedBoxes& b, const Vectors& centre) { re
 
 template <class Sixteen>
 HWY_INLINE Intervals intervals(const Sixteen& of, const Vectors& centre, const Vectors (&axis)[3]) {
-  const auto reach = reach_of(of, centre);
-  Intervals result;
-  for (int k = 0; k < 3; ++k) {
-    const Interval one = reach.along(axis[k]);
-    result.low[k] = one.low, result.high[k] = one.high;
-  }
-  return result;
+  auto reach = reach_of(of, centre);
+  Interval x = reach.along(axis[0]), y = reach.along(axis[1]), z = reach.along(axis[2]);
+  return {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
 }
 
 /// Bits of the lanes in which intervals meet along all three axes; exact.
 HWY_INLINE std::uint32_t meet(const Intervals& a, const Intervals& b) {
-  const Flags<16> x = (a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]);
-  const Flags<16> y = (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]);
-  const Flags<16> z = (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
+  Flags<16> x = (a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]);
+  Flags<16> y = (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]);
+  Flags<16> z = (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
   return (x & y & z).bits();
 }
 
 /// Intervals of sixteen, kept to take single ones out.
 struct StoredIntervals {
   alignas(64) float low[3][16], high[3][16];
+  StoredIntervals() = default;
   explicit HWY_INLINE StoredIntervals(const Intervals& of) {
     for (int k = 0; k < 3; ++k) of.low[k].store(low[k]), of.high[k].store(high[k]);
   }
@@ -127,27 +125,29 @@ struct StoredIntervals {
   }
 };
 
-/// The box's own.
-HWY_INLINE Intervals intervals(const Lanes16 (&half)[3]) {
-  const Lanes16 zero = Lanes16::all(0);
-  return {{zero - half[0], zero - half[1], zero - half[2]}, {half[0], half[1], half[2]}};
+/// Bits of the lanes whose intervals, along a box's own axes, meet it; exact.
+HWY_INLINE std::uint32_t meet(const Intervals& a, const Lanes16 (&half)[3]) {
+  Lanes16 zero = Lanes16::all(0);
+  Flags<16> x = (a.low[0] <= half[0]) & (zero - half[0] <= a.high[0]);
+  Flags<16> y = (a.low[1] <= half[1]) & (zero - half[1] <= a.high[1]);
+  Flags<16> z = (a.low[2] <= half[2]) & (zero - half[2] <= a.high[2]);
+  return (x & y & z).bits();
 }
 
 /// Bits of the lanes in which boxes may have a point in common. A box reaches sum |v_j . u| half_j along u,
 /// and for axes that are orthonormal but for axes_error, axes_slack times sum half_j more.
 HWY_INLINE std::uint32_t may_meet(const OrientedBoxes& a, const OrientedBoxes& b) {
-  const Vectors t = b.centre - a.centre;
-  const Lanes16 slack = Lanes16::all(BlockTree::axes_slack);
-  const Lanes16 rounding =
-      mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny));
-  const Lanes16 sides_a = mul_add(a.half[0] + a.half[1] + a.half[2], slack, rounding);
-  const Lanes16 sides_b = mul_add(b.half[0] + b.half[1] + b.half[2], slack, rounding);
+  Vectors t = b.centre - a.centre;
+  Lanes16 slack = Lanes16::all(BlockTree::axes_slack);
+  Lanes16 rounding = mul_add(sum_of_sides(t), Lanes16::all(centre_slack), Lanes16::all(BlockTree::tiny));
+  Lanes16 sides_a = mul_add(a.half[0] + a.half[1] + a.half[2], slack, rounding);
+  Lanes16 sides_b = mul_add(b.half[0] + b.half[1] + b.half[2], slack, rounding);
   Lanes16 reach_b[3] = {b.half[0] + sides_a, b.half[1] + sides_a, b.half[2] + sides_a};
   Flags<16> meeting = t.x <= t.x;
   for (int k = 0; k < 3; ++k) {
     Lanes16 reach = a.half[k] + sides_b;
     for (int j = 0; j < 3; ++j) {
-      const Lanes16 cosine = abs(dot(a.axis[k], b.axis[j]));
+      Lanes16 cosine = abs(dot(a.axis[k], b.axis[j]));
       reach = mul_add(cosine, b.half[j], reach);
       reach_b[j] = mul_add(cosine, a.half[k], reach_b[j]);
     }

@@ -14,7 +14,7 @@ namespace catena::HWY_NAMESPACE {
 
 /// 0 for what is nearer to it: along axes with next to nothing in them products are subnormal.
 HWY_INLINE Vectors without_less_than(float least, const Vectors& v) {
-  const Lanes16 zero = Lanes16::all(0), limit = Lanes16::all(least);
+  Lanes16 zero = Lanes16::all(0), limit = Lanes16::all(least);
   return {select(abs(v.x) < limit, zero, v.x), select(abs(v.y) < limit, zero, v.y),
           select(abs(v.z) < limit, zero, v.z)};
 }
@@ -25,12 +25,12 @@ struct Symmetric {
 
   /// Next to nothing: sums of products that start with it are normal.
   static HWY_INLINE Symmetric least() {
-    const Lanes16 v = Lanes16::all(least_product);
+    Lanes16 v = Lanes16::all(least_product);
     return {v, v, v, v, v, v};
   }
   HWY_INLINE Symmetric without_less_than(float least) const {
-    const Vectors x = HWY_NAMESPACE::without_less_than(least, Vectors{xx, xy, xz}),
-                  z = HWY_NAMESPACE::without_less_than(least, Vectors{yy, yz, zz});
+    Vectors x = HWY_NAMESPACE::without_less_than(least, Vectors{xx, xy, xz}),
+            z = HWY_NAMESPACE::without_less_than(least, Vectors{yy, yz, zz});
     return {x.x, x.y, x.z, z.x, z.y, z.z};
   }
   HWY_INLINE Lanes16 trace() const { return xx + yy + zz; }
@@ -49,7 +49,7 @@ struct Symmetric {
     return scaled(Lanes16::all(1) / max(trace(), Lanes16::all(1e-36f)));
   }
   HWY_INLINE Symmetric squared() const {
-    const Vectors x{xx, xy, xz}, y{xy, yy, yz}, z{xz, yz, zz};
+    Vectors x{xx, xy, xz}, y{xy, yy, yz}, z{xz, yz, zz};
     return {dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)};
   }
   /// The adjugate: the same eigenvectors, the greatest for the least.
@@ -60,9 +60,9 @@ struct Symmetric {
   /// The column of the greatest diagonal element: after some squarings the eigenvector of the greatest
   /// eigenvalue.
   HWY_INLINE Vectors main_column() const {
-    const Flags<16> y = xx < yy;
-    const Lanes16 greater = max(xx, yy);
-    const Flags<16> z = greater < zz;
+    Flags<16> y = xx < yy;
+    Lanes16 greater = max(xx, yy);
+    Flags<16> z = greater < zz;
     return {select(z, xz, select(y, xy, xx)), select(z, yz, select(y, yy, xy)),
             select(z, zz, select(y, yz, xz))};
   }
@@ -77,22 +77,22 @@ HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
 /// Orthonormal to within BlockTree::axes_error, checked: where the guess is not, the axes of space are taken.
 /// A guess by eight powers of the covariance, longest first, and of its adjugate, flattest last.
 HWY_INLINE void principal_axes(const Symmetric& covariance, Vectors (&axis)[3]) {
-  const Lanes16 one = Lanes16::all(1), zero = Lanes16::all(0);
+  Lanes16 one = Lanes16::all(1), zero = Lanes16::all(0);
   Symmetric longest = covariance.normalized(), flattest = longest.adjugate();
-  const Flags<16> line = flattest.trace() < Lanes16::all(1e-5f);  // then only the longest is sharp
+  Flags<16> line = flattest.trace() < Lanes16::all(1e-5f);  // then only the longest is sharp
   flattest = flattest.normalized();
   for (int k = 0; k < 3; ++k)
     longest = longest.squared().normalized(), flattest = flattest.squared().normalized();
-  const Vectors t = unit(longest.main_column()), n = unit(flattest.main_column());
-  const Vectors kept = select(line, t, n);
+  Vectors t = unit(longest.main_column()), n = unit(flattest.main_column());
+  Vectors kept = select(line, t, n);
   Vectors turned = select(line, n, t);
   const auto turn = [&] { turned = minus(turned, dot(kept, turned), kept); };
   turn();
   // Where the two were one, any direction across will do: the axis of space that is least along it.
-  const Lanes16 x = abs(kept.x), y = abs(kept.y), z = abs(kept.z);
-  const Flags<16> least_x = (x <= y) & (x <= z), least_y = y <= z;
-  const Vectors across = select(least_x, Vectors{one, zero, zero},
-                                select(least_y, Vectors{zero, one, zero}, Vectors{zero, zero, one}));
+  Lanes16 x = abs(kept.x), y = abs(kept.y), z = abs(kept.z);
+  Flags<16> least_x = (x <= y) & (x <= z), least_y = y <= z;
+  Vectors across = select(least_x, Vectors{one, zero, zero},
+                          select(least_y, Vectors{zero, one, zero}, Vectors{zero, zero, one}));
   turned = select(Lanes16::all(1e-3f) < dot(turned, turned), turned, across);
   turn();
   turned = unit(turned);
@@ -102,13 +102,13 @@ HWY_INLINE void principal_axes(const Symmetric& covariance, Vectors (&axis)[3]) 
   axis[1] = cross(axis[2], axis[0]);
   for (Vectors& a : axis) a = without_less_than(0x1p-60f, a);
   // A comparison with a NaN is false, so that it is not orthonormal.
-  const Lanes16 error = Lanes16::all(BlockTree::axes_error);
+  Lanes16 error = Lanes16::all(BlockTree::axes_error);
   Flags<16> orthonormal = abs(dot(axis[0], axis[1])) < error;
   for (int i = 0; i < 3; ++i) {
     orthonormal = orthonormal & (abs(dot(axis[i], axis[i]) - one) < error);
     orthonormal = orthonormal & (abs(dot(axis[i], axis[(i + 1) % 3])) < error);
   }
-  const Vectors space[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  Vectors space[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
   for (int i = 0; i < 3; ++i) axis[i] = select(orthonormal, axis[i], space[i]);
 }
 

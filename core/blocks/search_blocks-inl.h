@@ -145,7 +145,7 @@ class BlockSearch {
     constexpr std::uint32_t skip = 2;  // a block itself and the next
     const std::uint32_t begin = k * group, count = tree_.blocks_of(k);
     if (!Sink::listens && (tree_.in_a_row(0, k) || neighbours_.all(begin, begin + count - 1))) return;
-    const Intervals reach = in_frame_of(tree_, 0, k, 0, k);
+    Intervals reach = in_frame_of(tree_, 0, k, 0, k);
     const StoredIntervals single(reach);
     for (std::uint32_t i = 0; i + skip < count; ++i)
       row(begin + i, k, meet(single.all(i), reach), lane_bits(count) & ~((1u << (i + skip)) - 1), true);
@@ -157,32 +157,43 @@ class BlockSearch {
     const std::uint32_t all_a = lane_bits(tree_.blocks_of(a)), all_b = lane_bits(tree_.blocks_of(b));
     const bool beside = !Sink::listens && neighbours_.all(a * group + group - 1, b * group);
     if (beside && neighbours_.all(a * group, b * group + tree_.blocks_of(b) - 1)) return;
-    const Intervals b_by_a = in_frame_of(tree_, 0, a, 0, b);
-    const std::uint32_t theirs = meet(b_by_a, own_intervals(tree_, 0, a)) & all_b;
+    Intervals b_by_a = in_frame_of(tree_, 0, a, 0, b);
+    const std::uint32_t theirs = meet(b_by_a, tree_, 0, a) & all_b;
     for_each_lane(all_b & ~theirs, [&](std::uint32_t j) { sink_.child_apart(0, b * group + j, a); });
     if (theirs == 0) return;
-    const std::uint32_t mine = meet(in_frame_of(tree_, 0, b, 0, a), own_intervals(tree_, 0, b)) & all_a;
+    std::uint32_t mine = meet(in_frame_of(tree_, 0, b, 0, a), tree_, 0, b) & all_a;
     if (Sink::listens)
       for_each_lane(all_a & ~mine, [&](std::uint32_t i) { row(a * group + i, b, 0, theirs, false); });
     if (mine == 0) return;
     // An ordered window from the last block of one node to the first of the next.
     const bool ahead = b == a + 1 && tree_.ordered[a] >> (group - 1) != 0;
     if (ahead && mine == 1u << (group - 1) && theirs == 1) return ordered_between(a * group + group - 1);
-    const StoredIntervals a_by_a(in_frame_of(tree_, 0, a, 0, a));
-    for_each_lane(mine, [&](std::uint32_t i) {
+    const StoredIntervals& a_by_a = own_intervals_of(a);
+    for (; mine != 0; mine &= mine - 1) {
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(mine));
       std::uint32_t candidates = theirs;
       if (ahead && i == group - 1 && (theirs & 1)) {
         candidates &= ~1u;
         ordered_between(a * group + i);
       }
       row(a * group + i, b, meet(a_by_a.all(i), b_by_a), candidates, beside);
-    });
+    }
     make_room();
+  }
+
+  /// Those of the blocks of node a along its own axes, kept for the next node that meets it.
+  const StoredIntervals& own_intervals_of(std::uint32_t a) {
+    if (a != kept_of_) {
+      kept_ = StoredIntervals(in_frame_of(tree_, 0, a, 0, a));
+      kept_of_ = a;
+    }
+    return kept_;
   }
 
   /// Block a against those of group g in `candidates`, of which those in `met` may collide with it by their
   /// boxes. Where they are `beside` it along the chain, some may have nothing but its neighbours.
-  void row(std::uint32_t a, std::uint32_t g, std::uint32_t met, std::uint32_t candidates, bool beside) {
+  HWY_INLINE void row(std::uint32_t a, std::uint32_t g, std::uint32_t met, std::uint32_t candidates,
+                      bool beside) {
     met &= candidates;
     for_each_lane(candidates & ~met, [&](std::uint32_t j) { sink_.blocks_apart(a, g * group + j); });
     if (!Sink::listens && beside && neighbours_.some()) met &= ~neighbours_.lanes(a, g);
@@ -195,7 +206,7 @@ class BlockSearch {
   void flush_rows() {
     const std::span<const BlockQueues::Row> rows = queues_.rows();
     if constexpr (Lanes16::parts > 1) {
-      for (const BlockQueues::Row& r : rows) told(r, may_collide(of_row(r), of_group(r)));
+      for (const BlockQueues::Row& r : rows) told(r, may_collide(of_row(r), of_group(r), r.lanes));
     } else {
       std::size_t k = 0;
       for (; k + 1 < rows.size(); k += 2) {
@@ -232,6 +243,8 @@ class BlockSearch {
   const Sink sink_;
   LeafPairs<Sink> leaves_{chain_, tree_, queues_, lane_, sink_};
   const NeighbourBlocks neighbours_{chain_, tree_};
+  std::uint32_t kept_of_ = ~0u;
+  StoredIntervals kept_;
   /// An ordered window is of one strand, where an index window of 1 or more takes in the next sphere.
   const bool adjacent_are_neighbours_ = chain_.exclusion.rule == Exclusion::Rule::index_window;
 };

@@ -37,12 +37,12 @@ HWY_INLINE void transpose_rows(const Row& row, Lanes16 (&to)[4]) {
 #else
     // Quad q of `a` is row 4 q of this part, of `b` row 4 q + 1, and so on; then four by four transposed.
     const hn::Repartition<double, Tag> two;
-    const auto a = quads(Tag(), row, first, 4), b = quads(Tag(), row, first + 1, 4);
-    const auto c = quads(Tag(), row, first + 2, 4), d = quads(Tag(), row, first + 3, 4);
-    const auto lower_ab = hn::BitCast(two, hn::InterleaveLower(Tag(), a, b));
-    const auto lower_cd = hn::BitCast(two, hn::InterleaveLower(Tag(), c, d));
-    const auto upper_ab = hn::BitCast(two, hn::InterleaveUpper(Tag(), a, b));
-    const auto upper_cd = hn::BitCast(two, hn::InterleaveUpper(Tag(), c, d));
+    auto a = quads(Tag(), row, first, 4), b = quads(Tag(), row, first + 1, 4);
+    auto c = quads(Tag(), row, first + 2, 4), d = quads(Tag(), row, first + 3, 4);
+    auto lower_ab = hn::BitCast(two, hn::InterleaveLower(Tag(), a, b));
+    auto lower_cd = hn::BitCast(two, hn::InterleaveLower(Tag(), c, d));
+    auto upper_ab = hn::BitCast(two, hn::InterleaveUpper(Tag(), a, b));
+    auto upper_cd = hn::BitCast(two, hn::InterleaveUpper(Tag(), c, d));
     to[0].part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, lower_ab, lower_cd));
     to[1].part[k] = hn::BitCast(Tag(), hn::InterleaveUpper(two, lower_ab, lower_cd));
     to[2].part[k] = hn::BitCast(Tag(), hn::InterleaveLower(two, upper_ab, upper_cd));
@@ -66,9 +66,9 @@ HWY_INLINE Lanes16 shifted(const Lanes16& a, float after) {
   constexpr std::size_t width = Lanes16::width;
   alignas(64) std::int32_t next[width];
   for (std::size_t k = 0; k < width; ++k) next[k] = static_cast<std::int32_t>((k + 1) % width);
-  const auto order = hn::SetTableIndices(Tag(), next);
-  const auto all_but_last = hn::FirstN(Tag(), width - 1);
-  const Lanes16 turned = Lanes16::from([&](std::size_t k) { return hn::TableLookupLanes(a.part[k], order); });
+  auto order = hn::SetTableIndices(Tag(), next);
+  auto all_but_last = hn::FirstN(Tag(), width - 1);
+  Lanes16 turned = Lanes16::from([&](std::size_t k) { return hn::TableLookupLanes(a.part[k], order); });
   return Lanes16::from([&](std::size_t k) {
     return hn::IfThenElse(all_but_last, turned.part[k],
                           k + 1 < Lanes16::parts ? turned.part[k + 1] : hn::Set(Tag(), after));

@@ -33,7 +33,7 @@ struct Eight {
 };
 
 HWY_INLINE Lanes8 square(const Eight& a, const Eight& b) {
-  const Lanes8 dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
+  Lanes8 dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
   return mul_add(dz, dz, mul_add(dy, dy, dx * dx));
 }
 
@@ -79,7 +79,7 @@ HWY_INLINE void set_apart(const Sphere& a, const Sphere& b, Apart& to) {
   const hn::CappedTag<float, 4> four;
   alignas(16) static constexpr float signs[] = {-0.0f, -0.0f, -0.0f, 0.0f};
   for (std::size_t k = 0; k < 4; k += hn::Lanes(four)) {
-    const auto minus_b = hn::Xor(hn::LoadU(four, &b.x + k), hn::Load(four, signs + k));
+    auto minus_b = hn::Xor(hn::LoadU(four, &b.x + k), hn::Load(four, signs + k));
     hn::Store(hn::Add(hn::LoadU(four, &a.x + k), minus_b), four, &to.x + k);
   }
 }
@@ -137,9 +137,9 @@ HWY_INLINE Flags<8> unlike(const Flags<8>& a, const Flags<8>& b) {
 /// Those of eight pairs that collide. `exact` decides what these are not certain of, which is rare.
 template <class Exact>
 HWY_INLINE Flags<8> colliding(const EightApart& apart, const Flags<8>& heeded, const Exact& exact) {
-  const Squares squares{apart.square, apart.reach * apart.reach};
-  const auto certain = SphereLanes::overlap_for_certain(squares) & heeded;
-  const auto undecided = without(SphereLanes::may_overlap(squares) & heeded, certain);
+  Squares squares{apart.square, apart.reach * apart.reach};
+  auto certain = SphereLanes::overlap_for_certain(squares) & heeded;
+  auto undecided = without(SphereLanes::may_overlap(squares) & heeded, certain);
   if (HWY_LIKELY(undecided.none())) return certain;
   std::uint32_t decided = 0;
   for_each_lane(undecided.bits(), [&](std::uint32_t k) { decided |= std::uint32_t{exact(k)} << k; });
@@ -174,7 +174,7 @@ bool all_near_here(std::span<const Sphere> now, std::span<const Sphere> before, 
   return all_of(
       now, before,
       [skin](const Eight& a, const Eight& b) {
-        const Lanes8 s = Lanes8::all(skin), q = square(a, b);
+        Lanes8 s = Lanes8::all(skin), q = square(a, b);
         return fits(q, (b.radius + s) - a.radius) & fits(q, a.radius - (b.radius - s));
       },
       [skin](const Sphere& a, const Sphere& b) {
@@ -187,18 +187,18 @@ void part_pairs_here(std::span<const Sphere> spheres, std::span<const Pair> pair
   const Bits bits;
   Growing<std::uint32_t> changes(changed), states(open.state);
   Growing<Pair> opens(open.pairs);
-  const Lanes8 skins = Lanes8::all(2 * skin), slack = Lanes8::all(reach_slack);
+  Lanes8 skins = Lanes8::all(2 * skin), slack = Lanes8::all(reach_slack);
   for_each_eight(spheres, pairs, [&](std::size_t k, const EightApart& apart, std::size_t lanes) {
-    const auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
-    const Lanes8 close = (apart.reach - skins) - apart.reach * slack, sum = apart.reach + skins,
-                 far = sum + sum * slack;
-    const auto settled =
+    auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
+    Lanes8 close = (apart.reach - skins) - apart.reach * slack, sum = apart.reach + skins,
+           far = sum + sum * slack;
+    auto settled =
         (Lanes8::all(0) <= close) & SphereLanes::overlap_for_certain(Squares{apart.square, close * close});
-    const auto left = without(SphereLanes::may_overlap(Squares{apart.square, far * far}) & heeded, settled);
-    const auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
+    auto left = without(SphereLanes::may_overlap(Squares{apart.square, far * far}) & heeded, settled);
+    auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
       return Robust::overlap(spheres[pairs[k + lane].i], spheres[pairs[k + lane].j]);
     });
-    const auto change = unlike(now, flags_of(collide[k / at_once]));
+    auto change = unlike(now, flags_of(collide[k / at_once]));
     collide[k / at_once] = static_cast<std::uint8_t>(now.bits());
     const auto number = [&](std::size_t part) {
       return count_up(bits, static_cast<std::uint32_t>(k + part * width));
@@ -214,7 +214,7 @@ void part_pairs_here(std::span<const Sphere> spheres, std::span<const Pair> pair
           hn::Vec<Bits> i, j;
           hn::LoadInterleaved2(bits, &pairs.data()[k + part * width].i, i, j);
           hn::StoreInterleaved2(kept.compress(i), kept.compress(j), bits, &to_pairs[before].i);
-          const auto collides = hn::IfThenElseZero(hn::RebindMask(bits, now.part[part]), hn::Set(bits, 1u));
+          auto collides = hn::IfThenElseZero(hn::RebindMask(bits, now.part[part]), hn::Set(bits, 1u));
           hn::StoreU(kept.compress(hn::Or(hn::Add(number(part), number(part)), collides)), bits,
                      to_states + before);
         });
@@ -232,15 +232,15 @@ void compare_open_here(std::span<const Sphere> spheres, OpenPairs& open,
   Growing<std::uint32_t> changes(changed);
   const std::span<const Pair> pairs(open.pairs.data(), open.size);
   for_each_eight(spheres, pairs, [&](std::size_t k, const EightApart& apart, std::size_t lanes) {
-    const auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
-    const auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
+    auto heeded = flags_of(lane_bits(static_cast<std::uint32_t>(lanes)));
+    auto now = colliding(apart, heeded, [&](std::uint32_t lane) {
       return Robust::overlap(spheres[pairs[k + lane].i], spheres[pairs[k + lane].j]);
     });
     std::uint32_t* const state = &open.state[k];
     const auto before = Flags<8>::from([&](std::size_t part) {
       return hn::RebindMask(Reals(), hn::TestBit(hn::LoadU(bits, state + part * width), one));
     });
-    const auto change = unlike(now, before) & heeded;
+    auto change = unlike(now, before) & heeded;
     std::uint32_t* const to = changes.end();
     changes.grow(for_kept(change, [&](std::size_t part, const Kept<Bits>& kept, std::size_t others) {
       const auto of = hn::LoadU(bits, state + part * width);

@@ -28,14 +28,13 @@ struct AxisBoxes {
 HWY_INLINE AxisBoxes boxes_around(const BlockSpheres& spheres, const Vectors& origin) {
   AxisBoxes boxes;
   const auto take_in = [&](std::uint32_t k, const Lanes16& at, Lanes16& low, Lanes16& high) HWY_ATTR {
-    const Lanes16 reach =
-        mul_add(abs(at) + spheres.radius[k], Lanes16::all(BlockTree::slack), spheres.radius[k]) +
-        Lanes16::all(SpaceTree::tiny);
+    Lanes16 reach = mul_add(abs(at) + spheres.radius[k], Lanes16::all(BlockTree::slack), spheres.radius[k]) +
+                    Lanes16::all(SpaceTree::tiny);
     low = k == 0 ? at - reach : min(low, at - reach);
     high = k == 0 ? at + reach : max(high, at + reach);
   };
   for (std::uint32_t k = 0; k < BlockTree::block; ++k) {
-    const Vectors at = spheres.at[k] - origin;
+    Vectors at = spheres.at[k] - origin;
     take_in(k, at.x, boxes.low.x, boxes.high.x);
     take_in(k, at.y, boxes.low.y, boxes.high.y);
     take_in(k, at.z, boxes.low.z, boxes.high.z);

@@ -70,7 +70,7 @@ class Meetings {
   void add(const SampleBlocks& sample, std::uint32_t g, std::uint32_t whole,
            std::span<const std::uint16_t> before) {
     for_each_lane(whole, [&](std::uint32_t i) HWY_ATTR {
-      const Capsules one = Capsules::all(sample.of(g), i);
+      Capsules one = Capsules::all(sample.of(g), i);
       const auto meet = [&](std::uint32_t h, std::uint32_t lanes) HWY_ATTR {
         std::uint32_t met = may_collide(one, Capsules::load(sample.of(h))) & lanes;
         if (neighbours_.some())

@@ -22,13 +22,13 @@ struct BlockSteps {
   explicit HWY_INLINE BlockSteps(const BlockSpheres& s) {
     Lanes16 sum = Lanes16::all(0), longest = Lanes16::all(0), thickest = s.radius[0];
     for (std::uint32_t j = 0; j < steps; ++j) {
-      const Vectors step = s.at[j + 1] - s.at[j];
+      Vectors step = s.at[j + 1] - s.at[j];
       length[j] = sqrt(dot(step, step));
       sum = sum + length[j];
       longest = max(longest, length[j]);
       thickest = max(thickest, s.radius[j + 1]);
     }
-    const Lanes16 others = (sum - longest) * Lanes16::all(1.0f / (steps - 1)), four = Lanes16::all(4);
+    Lanes16 others = (sum - longest) * Lanes16::all(1.0f / (steps - 1)), four = Lanes16::all(4);
     jump = max(four * thickest, min(four * others, Lanes16::all(16) * thickest));
   }
 

@@ -44,7 +44,7 @@ struct CellsAround {
 };
 
 Flags<lanes> within_reach(const Sphere& s, const Lanes16 (&at)[4]) {
-  const Lanes16 far = at[3] + Lanes16::all(s.radius);
+  Lanes16 far = at[3] + Lanes16::all(s.radius);
   return (abs(at[0] - Lanes16::all(s.x)) <= far) & (abs(at[1] - Lanes16::all(s.y)) <= far) &
          (abs(at[2] - Lanes16::all(s.z)) <= far);
 }
@@ -88,9 +88,9 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
       const std::uint32_t within = within_reach(s, at).bits() & there;
       in_cells += std::popcount(cells[k].have(at).bits() & there);
       // Told by the smaller one, or half by each, so that a great one among many does not make the mean.
-      const Lanes16 radius = Lanes16::all(s.radius);
-      by_reach += std::popcount((radius < at[3]).bits() & within) +
-                  std::popcount((radius <= at[3]).bits() & within);
+      Lanes16 radius = Lanes16::all(s.radius);
+      by_reach +=
+          std::popcount((radius < at[3]).bits() & within) + std::popcount((radius <= at[3]).bits() & within);
     }
   }
   const double times =

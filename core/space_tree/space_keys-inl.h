@@ -55,7 +55,7 @@ struct Middles {
     if (!rows.boxes) return;
     Lanes16 b[4];
     transpose_rows([&](std::size_t k) { return row(k) + 2; }, b);
-    const Vectors low = at, high{b[1], b[2], b[3]}, sides = high - low;
+    Vectors low = at, high{b[1], b[2], b[3]}, sides = high - low;
     at = low + high;
     size = max(max(sides.x, sides.y), sides.z);
   }
@@ -87,8 +87,7 @@ HWY_INLINE float greatest_lane(const Lanes16& v) {
 
 inline SpaceExtent extent_of_middles(const SpaceRows& rows, std::span<const std::uint64_t> entries) {
   SpaceExtent extent;
-  const Lanes16 infinity = Lanes16::all(CentreCorners::infinity),
-                none = Lanes16::all(-CentreCorners::infinity);
+  Lanes16 infinity = Lanes16::all(CentreCorners::infinity), none = Lanes16::all(-CentreCorners::infinity);
   Vectors low{infinity, infinity, infinity}, high{none, none, none};
   Lanes16 greatest = Lanes16::all(0);
   for_sixteen(entries, [&](const std::uint64_t* some, std::uint32_t) HWY_ATTR {
@@ -106,9 +105,9 @@ inline SpaceExtent extent_of_middles(const SpaceRows& rows, std::span<const std:
 /// Coordinates of cubes.
 HWY_INLINE Bits32 cube(hn::Vec<Lanes16::Tag> at, float low, const SpaceGrid& grid) {
   const Lanes16::Tag tag;
-  const auto from_low = hn::Sub(hn::Mul(at, hn::Set(tag, grid.scale)), hn::Set(tag, low));
-  const auto last = hn::Set(tag, static_cast<float>((1 << SpaceGrid::bits) - 1));
-  const auto which = hn::Min(hn::Mul(from_low, hn::Set(tag, grid.cubes)), last);
+  auto from_low = hn::Sub(hn::Mul(at, hn::Set(tag, grid.scale)), hn::Set(tag, low));
+  auto last = hn::Set(tag, static_cast<float>((1 << SpaceGrid::bits) - 1));
+  auto which = hn::Min(hn::Mul(from_low, hn::Set(tag, grid.cubes)), last);
   return Bits32(hn::BitCast(Bits32::Tag(), hn::ConvertTo(hn::RebindToSigned<Lanes16::Tag>(), which)));
 }
 
@@ -122,11 +121,11 @@ HWY_INLINE Bits32 class_of(hn::Vec<Lanes16::Tag> size, float greatest) {
   const Lanes16::Tag tag;
   const hn::RebindToSigned<Lanes16::Tag> whole;
   const float times = greatest < no_subnormal ? raise : 1;
-  const auto apart = hn::Sub(hn::Set(whole, std::bit_cast<std::int32_t>(greatest * times) - 1),
-                             hn::BitCast(whole, hn::Mul(size, hn::Set(tag, times))));
-  const auto octaves = hn::Max(hn::ShiftRight<digits>(apart), hn::Zero(whole));
+  auto apart = hn::Sub(hn::Set(whole, std::bit_cast<std::int32_t>(greatest * times) - 1),
+                       hn::BitCast(whole, hn::Mul(size, hn::Set(tag, times))));
+  auto octaves = hn::Max(hn::ShiftRight<digits>(apart), hn::Zero(whole));
   // A third of what is below 2^9.
-  const auto steps = hn::ShiftRight<9>(hn::Mul(octaves, hn::Set(whole, (1 << 9) / bits_of_step + 1)));
+  auto steps = hn::ShiftRight<9>(hn::Mul(octaves, hn::Set(whole, (1 << 9) / bits_of_step + 1)));
   return Bits32(hn::BitCast(Bits32::Tag(), hn::Min(steps, hn::Set(whole, SpaceGrid::classes - 1))));
 }
 
@@ -146,9 +145,9 @@ inline void make_keys_of_middles(const SpaceRows& rows, const SpaceGrid& grid,
     }
     const hn::CappedTag<std::uint64_t, Middles::group> entry;
     const hn::Rebind<std::uint32_t, decltype(entry)> of_entry;
-    const auto lower = hn::Set(entry, 0xFFFFFFFFu);
+    auto lower = hn::Set(entry, 0xFFFFFFFFu);
     for (std::uint32_t k = 0; k < Middles::group; k += static_cast<std::uint32_t>(hn::Lanes(entry))) {
-      const auto upper = hn::ShiftLeft<32>(hn::PromoteTo(entry, hn::LoadU(of_entry, key + k)));
+      auto upper = hn::ShiftLeft<32>(hn::PromoteTo(entry, hn::LoadU(of_entry, key + k)));
       hn::StoreU(hn::Or(upper, hn::And(hn::LoadU(entry, some + k), lower)), entry, with_key + k);
     }
     std::copy_n(with_key, count, to);

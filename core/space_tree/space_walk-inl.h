@@ -30,7 +30,7 @@ class SpaceWalk {
   void node(std::uint32_t a, bool all) {
     if (!take_.skip(a, a)) within(a);
     if (space_.boxes.size() == 1) return;
-    const AxisBoxes box = AxisBoxes::all(space_.boxes_of(1, a / group), a % group);
+    AxisBoxes box = AxisBoxes::all(space_.boxes_of(1, a / group), a % group);
     down(space_.boxes.size() - 1, 0, a, box, all);
   }
   void finish() { hand_over(); }
@@ -41,7 +41,7 @@ class SpaceWalk {
 
   void within(std::uint32_t a) {
     const float* const boxes = space_.boxes_of(0, a);
-    const AxisBoxes those = AxisBoxes::load(boxes);
+    AxisBoxes those = AxisBoxes::load(boxes);
     for (std::uint32_t i = 0; i + 1 < group; ++i)
       add(a * group + i, a * group, meet(AxisBoxes::all(boxes, i), those),
           lane_bits(group) & ~((2u << i) - 1));
@@ -68,8 +68,8 @@ class SpaceWalk {
 
   void between(std::uint32_t a, std::uint32_t b, const AxisBoxes& box_a) {
     const float* const boxes = space_.boxes_of(0, a);
-    const AxisBoxes those = AxisBoxes::load(space_.boxes_of(0, b));
-    const AxisBoxes box_b = AxisBoxes::all(space_.boxes_of(1, b / group), b % group);
+    AxisBoxes those = AxisBoxes::load(space_.boxes_of(0, b));
+    AxisBoxes box_b = AxisBoxes::all(space_.boxes_of(1, b / group), b % group);
     const std::uint32_t theirs = meet(box_a, those).bits();
     if constexpr (Sink::listens)
       for_each_lane(there(0, b) & ~theirs, [&](std::uint32_t j) { sink_.box_apart(a, b * group + j); });
