@@ -176,6 +176,37 @@ TEST(Hybrid, KeepsTheChainsOrderOfRodsThatCross) {
   }
 }
 
+/// Where the first look, at two of 32 groups of nodes, sees straight ones alone, the walk meets the tangle
+/// that the others are: it is told from the rest before each of its nodes has met more than the limit.
+TEST(Hybrid, LeavesATangleOutOnceTheWalkHasMetIt) {
+  constexpr std::uint32_t group = 16 * 128, groups = 32, n = groups * group;
+  const auto straight = [](std::uint32_t g) { return (7 <= g && g <= 9) || g >= 24; };
+  Dice dice(7);
+  double at[3] = {0, 0, 0}, way[3] = {1, 0, 0};
+  const auto length = [](const double(&v)[3]) { return std::hypot(v[0], v[1], v[2]); };
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double times = length(way);
+    for (int d = 0; d < 3; ++d) at[d] += way[d] / times;
+    if (straight(i / group)) {
+      spheres.push_back({static_cast<float>(i), 100, 0, 0.5f});
+      continue;
+    }
+    spheres.push_back(
+        {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]), 0.5f});
+    const bool outside = length(at) > 12;
+    for (int d = 0; d < 3; ++d) way[d] += 0.5 * dice.symmetric() - (outside ? 0.05 * at[d] : 0);
+  }
+  const Chain chain(std::move(spheres));
+  HybridSearch search({64, 1}, 1);
+  const Team team;
+  search.build(chain.view(), team);
+  const Crowding& crowding = search.parts().crowding;
+  EXPECT_EQ(crowding.nodes(), groups * 16);
+  EXPECT_GT(crowding.crowded_nodes(), 20u * 16);
+  EXPECT_LT(crowding.pair_count(), std::size_t{6} * crowding.nodes());
+}
+
 /// Strands that are short and lie anywhere are searched one by one in wide cells before any tree is built;
 /// laid out side by side, in the chain's order.
 TEST(Hybrid, BuildsNoTreeOfShortStrandsThatLieAnywhere) {

@@ -32,7 +32,8 @@ class CrowdSample {
   /// Looks at every sixteenth node. Two orders must save a good part of what one would take, as blocks of one
   /// meet those of the other in the worse of the two. Where some are crowded, looks again at the rest, which
   /// may be better off with these than in an order that they alone are left in. A few that are left then are
-  /// not worth it. After the walk, which has left out what was crowded, all that was stays so.
+  /// not worth it. What a walk found crowded, which it has left out, stays so; `walked`: it has come to its
+  /// end.
   void all(bool walked) {
     walked_ = walked;
     const bool left_out = crowding_.some();
@@ -72,11 +73,12 @@ class CrowdSample {
   /// After sparse(): the chain's order costs a fifth less than cells where that looked, so that a node may
   /// meet more others than the limit and yet cost less than in another order: long thin ones that lie across
   /// one another look into few of those they meet. Where there are few nodes not much is at stake.
-  bool cheap() const {
+  bool cheap() const { return cheap_ && few_nodes(); }
+  bool few_nodes() const {
     constexpr std::uint32_t few = 256;
-    return cheap_ && nodes() <= few;
+    return nodes() <= few;
   }
-  /// After the walk: it met so few that this stands.
+  /// The walk has met so few that this stands.
   bool stayed_sparse() const { return crowding_.pair_count() <= std::size_t{4} * nodes(); }
 
  private:

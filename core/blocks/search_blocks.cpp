@@ -6,6 +6,7 @@
 // After foreach_target.h:
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "catena/core/blocks/block_kernels.h"
 #include "catena/core/blocks/sample_crowds-inl.h"
@@ -17,9 +18,11 @@ namespace catena::HWY_NAMESPACE {
 /// What a walk asks for.
 struct CrowdWalk {
   Crowding& crowding;
-  const Team* team;  ///< null: one thread
-  void met(std::uint32_t a, std::uint32_t b) const {
+  const Team* team;     ///< null: one thread
+  CrowdSample* sample;  ///< looks again once the walk has met many; null: not
+  void met(std::uint32_t a, std::uint32_t b) {
     crowding.met(a, b, team != nullptr ? team->member() : 0);
+    if (sample != nullptr && !sample->stayed_sparse()) std::exchange(sample, nullptr)->all(false);
   }
   bool left_out(std::size_t l, std::uint32_t a, std::uint32_t b) const { return crowding.left_out(l, a, b); }
   bool left_out_group(std::size_t l, std::uint32_t a, std::uint32_t parent) const {
@@ -35,12 +38,15 @@ void find_crowds_here(const ChainView& chain, const BlockTree& tree, std::uint32
   const bool sparse = sample.sparse();
   if (!sparse) sample.all(false);
   if (sample.cheap()) crowding.set_limit(2 * limit);
-  const CrowdWalk walk{crowding, team.size() == 1 ? nullptr : &team};
-  if (team.size() == 1)
+  // Amid the walk, what turns out to be crowded is left out of the rest of it. Of few nodes the rest is
+  // little, and after it less is to be asked; several threads walk at once.
+  const bool alone = team.size() == 1, amid = sparse && alone && !sample.few_nodes();
+  CrowdWalk walk{crowding, alone ? nullptr : &team, amid ? &sample : nullptr};
+  if (alone)
     NodeWalk(tree, walk, NoBlockEvidence{}).run();
   else
     NodeWalk(tree, walk, NoBlockEvidence{}, ByTeam{team}).run();
-  if (sparse && !sample.stayed_sparse()) sample.all(true);
+  if (sparse && !amid && !sample.stayed_sparse()) sample.all(true);
 }
 
 void search_nodes_here(const ChainView& chain, const BlockTree& tree, const Crowding& crowding,
