@@ -186,12 +186,12 @@ TEST(Hybrid, LeavesATangleOutOnceTheWalkHasMetIt) {
   const auto length = [](const double(&v)[3]) { return std::hypot(v[0], v[1], v[2]); };
   std::vector<Sphere> spheres;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const double times = length(way);
-    for (int d = 0; d < 3; ++d) at[d] += way[d] / times;
     if (straight(i / group)) {
       spheres.push_back({static_cast<float>(i), 100, 0, 0.5f});
       continue;
     }
+    const double times = length(way);
+    for (int d = 0; d < 3; ++d) at[d] += way[d] / times;
     spheres.push_back(
         {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]), 0.5f});
     const bool outside = length(at) > 12;
