@@ -18,6 +18,20 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Lanes or flags of which vector k is make(k).
+template <class Of, class Make>
+HWY_INLINE Of by_parts(const Make& make) {
+  if constexpr (Of::parts == 1) return {{make(0)}};
+  if constexpr (Of::parts == 2) return {{make(0), make(1)}};
+  if constexpr (Of::parts == 4) return {{make(0), make(1), make(2), make(3)}};
+  Of result;
+#if HWY_TARGET == HWY_SCALAR
+#pragma GCC unroll 1  // sixteen parts, which would take minutes to compile in a row
+#endif
+  for (std::size_t k = 0; k < Of::parts; ++k) result.part[k] = make(k);
+  return result;
+}
+
 /// `count` lanes of float, 16 or 8, each operation done on all of them. What is made of these is const
 /// nowhere within a function: GCC 12 leaves a const aggregate in memory ("store to a read-only decl" in its
 /// -fdump-tree-sra), and copies one of several vectors by pieces of other sizes, which waits for the stores
@@ -30,15 +44,7 @@ struct Lanes {
 
   template <class Make>
   static HWY_INLINE Lanes from(const Make& make) {
-    if constexpr (parts == 1) return {{make(0)}};
-    if constexpr (parts == 2) return {{make(0), make(1)}};
-    if constexpr (parts == 4) return {{make(0), make(1), make(2), make(3)}};
-    Lanes result;
-#if HWY_TARGET == HWY_SCALAR
-#pragma GCC unroll 1  // sixteen parts, which would take minutes to compile in a row
-#endif
-    for (std::size_t k = 0; k < parts; ++k) result.part[k] = make(k);
-    return result;
+    return by_parts<Lanes>(make);
   }
   static HWY_INLINE Lanes all(float value) {
     return from([&](std::size_t) { return hn::Set(Tag(), value); });
@@ -72,15 +78,7 @@ struct Flags {
 
   template <class Make>
   static HWY_INLINE Flags from(const Make& make) {
-    if constexpr (parts == 1) return {{make(0)}};
-    if constexpr (parts == 2) return {{make(0), make(1)}};
-    if constexpr (parts == 4) return {{make(0), make(1), make(2), make(3)}};
-    Flags result;
-#if HWY_TARGET == HWY_SCALAR
-#pragma GCC unroll 1  // sixteen parts, which would take minutes to compile in a row
-#endif
-    for (std::size_t k = 0; k < parts; ++k) result.part[k] = make(k);
-    return result;
+    return by_parts<Flags>(make);
   }
   /// Bit k is the flag of lane k.
   HWY_INLINE std::uint32_t bits() const {

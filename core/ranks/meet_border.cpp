@@ -56,9 +56,9 @@ HWY_INLINE std::uint32_t boxes_meeting(const Sphere* spheres, const Box& box) {
   for (std::size_t k = 0; k < Lanes8::parts; ++k)
     hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(spheres + k * Lanes8::width),
                          centre[0].part[k], centre[1].part[k], centre[2].part[k], radius.part[k]);
-  const Lanes8 step = Lanes8::all(0x1p-23f);
+  Lanes8 step = Lanes8::all(0x1p-23f);
   const auto axis = [&](int d) HWY_ATTR {
-    const Lanes8 low = centre[d] - radius, high = centre[d] + radius;
+    Lanes8 low = centre[d] - radius, high = centre[d] + radius;
     return not_less(Lanes8::all(box.high[d]), low - abs(low) * step) &
            not_less(high + abs(high) * step, Lanes8::all(box.low[d]));
   };

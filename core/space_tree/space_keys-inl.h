@@ -91,7 +91,7 @@ inline SpaceExtent extent_of_middles(const SpaceRows& rows, std::span<const std:
   Vectors low{infinity, infinity, infinity}, high{none, none, none};
   Lanes16 greatest = Lanes16::all(0);
   for_sixteen(entries, [&](const std::uint64_t* some, std::uint32_t) HWY_ATTR {
-    const Middles m(rows, some);
+    Middles m(rows, some);
     low = {min(low.x, m.at.x), min(low.y, m.at.y), min(low.z, m.at.z)};
     high = {max(high.x, m.at.x), max(high.y, m.at.y), max(high.z, m.at.z)};
     greatest = max(greatest, m.size);
@@ -133,7 +133,7 @@ inline void make_keys_of_middles(const SpaceRows& rows, const SpaceGrid& grid,
                                  std::span<std::uint64_t> entries) {
   std::uint64_t* to = entries.data();
   for_sixteen(entries, [&](const std::uint64_t* some, std::uint32_t count) HWY_ATTR {
-    const Middles m(rows, some);
+    Middles m(rows, some);
     std::uint32_t key[Middles::group];
     std::uint64_t with_key[Middles::group];
     for (std::size_t k = 0; k < Lanes16::parts; ++k) {

@@ -94,9 +94,9 @@ class SphereBuild {
     transpose_rows([&](std::size_t k) { return &from[k]->x; }, field);
     float* const to = tree_.fields_of(node);
     for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f) field[f].store(to + f * group);
-    const Lanes16 radius = field[3], outward = Lanes16::all(0x1p-23f);
+    Lanes16 radius = field[3], outward = Lanes16::all(0x1p-23f);
     for (std::uint32_t d = 0; d < 3; ++d) {
-      const Lanes16 low = field[d] - radius, high = field[d] + radius;
+      Lanes16 low = field[d] - radius, high = field[d] + radius;
       box[d * group] = least(neg_mul_add(abs(low), outward, low));
       box[(3 + d) * group] = -least(neg_mul_add(abs(high), outward, Lanes16::all(0) - high));
     }

@@ -27,8 +27,8 @@ namespace catena::HWY_NAMESPACE {
 /// Boxes around the spheres of a node. Rounding is monotone: an end that is apart from that of a box belongs
 /// to a sphere that is.
 HWY_INLINE AxisBoxes boxes_of_spheres(const float* fields) {
-  const Vectors at = Vectors::load(fields);
-  const Lanes16 radius = Lanes16::load(fields + 3 * SphereTree::group);
+  Vectors at = Vectors::load(fields);
+  Lanes16 radius = Lanes16::load(fields + 3 * SphereTree::group);
   return {{at.x - radius, at.y - radius, at.z - radius}, {at.x + radius, at.y + radius, at.z + radius}};
 }
 
@@ -52,7 +52,7 @@ class SphereSearch {
     for (std::uint32_t a = begin; a < end && !found_.satisfied();) {
       const bool together = gather(a / group);
       for (const std::uint32_t last = std::min(end, (a / group + 1) * group); a < last; ++a) {
-        const AxisBoxes box = box_of(a);
+        AxisBoxes box = box_of(a);
         within(a);
         together ? against_gathered(a, box) : down(top, 0, a, box);
         meet_nodes(a, box);
@@ -83,7 +83,7 @@ class SphereSearch {
   bool gather(std::uint32_t g) {
     groups_ = 0;
     if (tree_.boxes.size() == 1) return false;
-    const AxisBoxes box = AxisBoxes::all(tree_.boxes_of(1, g / group), g % group);
+    AxisBoxes box = AxisBoxes::all(tree_.boxes_of(1, g / group), g % group);
     const std::size_t top = tree_.boxes.size() - 1;
     const auto take = [&](std::uint32_t other) {
       const float* const of = tree_.boxes_of(1, other / group) + other % group;
@@ -165,7 +165,7 @@ class SphereSearch {
   /// Node a with those that are queued. Those of the one that the other's box meets are tested against all of
   /// the other: from the side that has fewer.
   void meet_nodes(std::uint32_t a, const AxisBoxes& box) {
-    const AxisBoxes spheres = boxes_of_spheres(tree_.fields_of(a));
+    AxisBoxes spheres = boxes_of_spheres(tree_.fields_of(a));
     for (std::size_t k = 0; k < nodes_; ++k) {
       const std::uint32_t b = q_.nodes[k];
       const std::uint32_t mine = meet(spheres, box_of(b)).bits(),
