@@ -6,33 +6,33 @@
 #include <regex>
 #include <string>
 
-namespace catena {
+namespace catena::properties {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// A local of lanes, or of what is made of them, and not a reference; members end with an underscore.
-const std::regex local(
+const std::regex local_of_lanes(
     R"(^\s+(const )?(L|Lanes\d+|Vectors|VectorsOf<\w+>|Flags<\w+>|Capsules|CapsulesOf<\w+>)"
     R"(|OrientedBoxes|Intervals?|Symmetric|AxisBoxes|Middles|Eight|EightApart) \w*[^\W_])"
     R"((\[.*\])?( =|[,;({]).*$)");
 
-bool is_const(const std::string& line) {
+bool is_const_local(const std::string& line) {
   std::smatch parts;
-  return std::regex_match(line, parts, local) && parts[1].matched;
+  return std::regex_match(line, parts, local_of_lanes) && parts[1].matched;
 }
 
 TEST(Lanes, ConstLocalsAreTold) {
-  EXPECT_TRUE(is_const("  const Lanes16 zero = Lanes16::all(0), one = Lanes16::all(1);"));
-  EXPECT_TRUE(is_const("    const VectorsOf<n> t = b.centre - a.centre;"));
-  EXPECT_TRUE(is_const("  const Lanes8 far(radius);"));
-  EXPECT_FALSE(is_const("  Lanes16 zero = Lanes16::all(0);"));
-  EXPECT_FALSE(is_const("  const Lanes16& zero = other;"));
-  EXPECT_FALSE(is_const("  const Vectors t_;"));
-  EXPECT_FALSE(is_const("  const LanesOf zero = all();"));
+  EXPECT_TRUE(is_const_local("  const Lanes16 zero = Lanes16::all(0), one = Lanes16::all(1);"));
+  EXPECT_TRUE(is_const_local("    const VectorsOf<n> t = b.centre - a.centre;"));
+  EXPECT_TRUE(is_const_local("  const Lanes8 far(radius);"));
+  EXPECT_FALSE(is_const_local("  Lanes16 zero = Lanes16::all(0);"));
+  EXPECT_FALSE(is_const_local("  const Lanes16& zero = other;"));
+  EXPECT_FALSE(is_const_local("  const Vectors t_;"));
+  EXPECT_FALSE(is_const_local("  const LanesOf zero = all();"));
 }
 
-/// With AVX2 and SSE4 a search took up to 1.4 times as long where they were.
+/// With AVX2 searches in the chain's order took up to 1.13 times as long where they were.
 TEST(Lanes, AreConstNowhereWithinAFunction) {
   int locals = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(CATENA_SOURCE_DIR) / "core")) {
@@ -42,14 +42,13 @@ TEST(Lanes, AreConstNowhereWithinAFunction) {
     int number = 0;
     for (std::string line; std::getline(file, line);) {
       ++number;
-      if (!std::regex_match(line, local)) continue;
+      if (!std::regex_match(line, local_of_lanes)) continue;
       ++locals;
-      if (name == "lanes_test.cpp") continue;
-      EXPECT_FALSE(is_const(line)) << entry.path().string() << ':' << number << ": " << line;
+      EXPECT_FALSE(is_const_local(line)) << entry.path().string() << ':' << number << ": " << line;
     }
   }
   EXPECT_GT(locals, 100);
 }
 
 }  // namespace
-}  // namespace catena
+}  // namespace catena::properties
