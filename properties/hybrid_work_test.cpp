@@ -205,6 +205,12 @@ TEST(Hybrid, LeavesATangleOutOnceTheWalkHasMetIt) {
   EXPECT_EQ(crowding.nodes(), groups * 16);
   EXPECT_GT(crowding.crowded_nodes(), 20u * 16);
   EXPECT_LT(crowding.pair_count(), std::size_t{6} * crowding.nodes());
+  const auto hybrid = StrategyRegistry::instance().make("Hybrid");
+  Collisions found;
+  hybrid->build(chain);
+  hybrid->find(chain, {}, found);
+  EXPECT_GT(found.pair_count, 10'000u);
+  EXPECT_TRUE(reference::compare(chain, reference::find(chain), found).right());
 }
 
 /// Strands that are short and lie anywhere are searched one by one in wide cells before any tree is built;

@@ -169,6 +169,7 @@ class BlockSearch {
     const bool ahead = b == a + 1 && tree_.ordered[a] >> (group - 1) != 0;
     if (ahead && mine == 1u << (group - 1) && theirs == 1) return ordered_between(a * group + group - 1);
     const StoredIntervals& a_by_a = own_intervals_of(a);
+    // Not for_each_lane: GCC calls its body then, as it is long, and with AVX2 that takes a sixth longer.
     for (; mine != 0; mine &= mine - 1) {
       const auto i = static_cast<std::uint32_t>(std::countr_zero(mine));
       std::uint32_t candidates = theirs;
