@@ -31,14 +31,14 @@ struct ExactLanes {
 
   /// By the error of Knuth's sum.
   friend HWY_INLINE ExactLanes operator+(const ExactLanes& a, const ExactLanes& b) {
-    auto sum = hn::Add(a.value, b.value), of_b = hn::Sub(sum, a.value);
-    auto error = hn::Add(hn::Sub(a.value, hn::Sub(sum, of_b)), hn::Sub(b.value, of_b));
+    const auto sum = hn::Add(a.value, b.value), of_b = hn::Sub(sum, a.value);
+    const auto error = hn::Add(hn::Sub(a.value, hn::Sub(sum, of_b)), hn::Sub(b.value, of_b));
     return {sum, hn::And(hn::And(a.exact, b.exact), hn::Eq(error, hn::Zero(D())))};
   }
   /// Exact where the number has at most 26 bits, which Veltkamp's splitting leaves as it is.
   HWY_INLINE ExactLanes square() const {
-    auto wide = hn::Mul(value, hn::Set(D(), 0x1p27 + 1));
-    auto high = hn::Sub(wide, hn::Sub(wide, value));
+    const auto wide = hn::Mul(value, hn::Set(D(), 0x1p27 + 1));
+    const auto high = hn::Sub(wide, hn::Sub(wide, value));
     return {hn::Mul(value, value), hn::And(exact, hn::Eq(high, value))};
   }
 };
@@ -51,7 +51,7 @@ constexpr std::size_t pair_lanes = hn::MaxLanes(PairTag());
 HWY_INLINE Told told_in_binary64(const Sphere* some, const Sphere* others) {
   using D = PairTag;
   using Half = hn::Rebind<float, D>;
-  auto slack = hn::Set(D(), Robust::binary64_slack);
+  const auto slack = hn::Set(D(), Robust::binary64_slack);
   struct Wide {
     hn::Vec<D> x, y, z, radius;
     explicit HWY_INLINE Wide(const Sphere* spheres) {
@@ -69,9 +69,11 @@ HWY_INLINE Told told_in_binary64(const Sphere* some, const Sphere* others) {
   const ExactLanes<D> q =
       sum(b.x, hn::Neg(a.x)).square() + sum(b.y, hn::Neg(a.y)).square() + sum(b.z, hn::Neg(a.z)).square();
   const ExactLanes<D> t = sum(b.radius, a.radius).square();
-  auto exact = hn::And(q.exact, t.exact);
-  auto overlap = hn::Or(hn::Lt(hn::Mul(q.value, slack), t.value), hn::And(exact, hn::Le(q.value, t.value)));
-  auto separate = hn::Or(hn::Lt(hn::Mul(t.value, slack), q.value), hn::And(exact, hn::Lt(t.value, q.value)));
+  const auto exact = hn::And(q.exact, t.exact);
+  const auto overlap =
+      hn::Or(hn::Lt(hn::Mul(q.value, slack), t.value), hn::And(exact, hn::Le(q.value, t.value)));
+  const auto separate =
+      hn::Or(hn::Lt(hn::Mul(t.value, slack), q.value), hn::And(exact, hn::Lt(t.value, q.value)));
   const auto bits = [](hn::Mask<D> mask) HWY_ATTR {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(D(), mask, bytes);

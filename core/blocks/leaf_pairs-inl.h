@@ -219,7 +219,7 @@ class LeafPairs {
     const auto for_each_vector = [&](std::uint32_t i, std::uint32_t j, std::uint32_t blocks,
                                      const auto& body) HWY_ATTR {
       for (std::uint32_t k = 0; k < BlockRun::blocks; k += lanes) {
-        auto of_block = hn::LoadU(bits, first + k);
+        const auto of_block = hn::LoadU(bits, first + k);
         body(hn::Add(of_block, hn::Set(bits, i)), hn::Add(of_block, hn::Set(bits, j)),
              lanes_of(bits, blocks >> k));
       }

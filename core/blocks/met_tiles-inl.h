@@ -99,10 +99,11 @@ HWY_INLINE Pair* store_pairs(const MetTiles::Eight& eight, Pair* to) {
   // A pair is two lanes side by side, which stay or go together: Highway 1.0 copies a table to the stack for
   // each vector of 64 bits.
   const hn::CappedTag<std::uint32_t, 16> halves;
-  auto corner = hn::BitCast(halves, hn::Set(hn::Repartition<std::uint64_t, decltype(halves)>(),
-                                            std::uint64_t{eight.column} << 32 | eight.row));
-  auto keep = hn::LoadMaskBits(halves, reinterpret_cast<const std::uint8_t*>(&tile_pairs.twice[eight.bits]));
-  auto pairs = hn::Add(corner, hn::LoadU(halves, tile_pairs.both + 2 * eight.first));
+  const auto corner = hn::BitCast(halves, hn::Set(hn::Repartition<std::uint64_t, decltype(halves)>(),
+                                                  std::uint64_t{eight.column} << 32 | eight.row));
+  const auto keep =
+      hn::LoadMaskBits(halves, reinterpret_cast<const std::uint8_t*>(&tile_pairs.twice[eight.bits]));
+  const auto pairs = hn::Add(corner, hn::LoadU(halves, tile_pairs.both + 2 * eight.first));
   hn::StoreU(hn::Compress(pairs, keep), halves, &to->i);
   return to + std::popcount(eight.bits);
 #else

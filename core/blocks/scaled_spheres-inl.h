@@ -18,10 +18,10 @@ namespace catena::HWY_NAMESPACE {
 /// No number of eight spheres loses a bit times a power of two.
 HWY_INLINE bool scale_exactly(const Sphere* spheres, float scale) {
   using Tag = hn::CappedTag<float, 16>;
-  auto by = hn::Set(Tag(), scale), back = hn::Set(Tag(), 1 / scale);
+  const auto by = hn::Set(Tag(), scale), back = hn::Set(Tag(), 1 / scale);
   auto same = hn::FirstN(Tag(), hn::MaxLanes(Tag()));
   for (std::size_t k = 0; k < 8 * sizeof(Sphere) / sizeof(float); k += hn::MaxLanes(Tag())) {
-    auto v = hn::LoadU(Tag(), &spheres->x + k);
+    const auto v = hn::LoadU(Tag(), &spheres->x + k);
     same = hn::And(same, hn::Eq(hn::Mul(hn::Mul(v, by), back), v));
   }
   return hn::AllTrue(Tag(), same);
@@ -35,13 +35,13 @@ HWY_INLINE void scale_spheres(const Sphere* spheres, float by, Sphere* to) {
   const hn::RebindToSigned<Tag> whole;
   const float* const from = reinterpret_cast<const float*>(spheres);
   for (std::size_t k = 0; k < 8 * sizeof(Sphere) / sizeof(float); k += hn::MaxLanes(Tag())) {
-    auto v = hn::LoadU(Tag(), from + k), all_by = hn::Set(Tag(), by);
-    auto digits = hn::BitCast(whole, hn::Abs(v));
-    auto tiny = hn::Lt(digits, hn::Set(whole, 0x00800000));
+    const auto v = hn::LoadU(Tag(), from + k), all_by = hn::Set(Tag(), by);
+    const auto digits = hn::BitCast(whole, hn::Abs(v));
+    const auto tiny = hn::Lt(digits, hn::Set(whole, 0x00800000));
     auto scaled = v;
     if (by > 1 && HWY_UNLIKELY(!hn::AllFalse(whole, hn::And(tiny, hn::Ne(digits, hn::Zero(whole)))))) {
-      auto subnormal = hn::RebindMask(Tag(), tiny);  // and 0
-      auto made = hn::Mul(hn::ConvertTo(Tag(), digits), hn::Set(Tag(), by * 0x1p-149f));
+      const auto subnormal = hn::RebindMask(Tag(), tiny);  // and 0
+      const auto made = hn::Mul(hn::ConvertTo(Tag(), digits), hn::Set(Tag(), by * 0x1p-149f));
       scaled =
           hn::IfThenElse(subnormal, hn::CopySign(made, v), hn::Mul(hn::IfThenZeroElse(subnormal, v), all_by));
     } else {

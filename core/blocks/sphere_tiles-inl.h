@@ -44,15 +44,15 @@ class SphereTiles {
   /// is a NaN of two infinities.
   HWY_INLINE Verdict compare(const Sphere* spheres, float slack) const {
     const Tag tag;
-    auto all_slack = hn::Set(tag, slack), floor = hn::Set(tag, Robust::underflow_floor);
+    const auto all_slack = hn::Set(tag, slack), floor = hn::Set(tag, Robust::underflow_floor);
     std::uint64_t all_apart = 0, all_certain = 0;
     for (std::uint32_t t = 0; t < count; t += across) {
       const Fields row = rows_of(spheres + t / across * rows);
       for (std::uint32_t c = 0; c < across; ++c) {
         const Fields& column = columns_[c];
-        auto dx = hn::Sub(column.x, row.x), dy = hn::Sub(column.y, row.y), dz = hn::Sub(column.z, row.z),
-             reach = hn::Add(column.radius, row.radius),
-             q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), of = hn::Mul(reach, reach);
+        const auto dx = hn::Sub(column.x, row.x), dy = hn::Sub(column.y, row.y),
+                   dz = hn::Sub(column.z, row.z), reach = hn::Add(column.radius, row.radius),
+                   q = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), of = hn::Mul(reach, reach);
         all_apart |= bits_of(hn::Lt(hn::MulAdd(of, all_slack, floor), q)) << lanes * (t + c);
         all_certain |= bits_of(hn::Lt(hn::MulAdd(q, all_slack, floor), of)) << lanes * (t + c);
       }

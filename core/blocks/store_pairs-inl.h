@@ -28,7 +28,7 @@ HWY_INLINE void store_side_by_side(Bits bits, hn::Vec<Bits> a, hn::Vec<Bits> b,
         {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7},
         {8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 13, 14, 14, 15, 15}};
     const auto half = [&](std::uint32_t k) HWY_ATTR {
-      auto lane = hn::IndicesFromVec(bits, hn::Load(bits, twice[k]));
+      const auto lane = hn::IndicesFromVec(bits, hn::Load(bits, twice[k]));
       hn::StoreU(hn::OddEven(hn::TableLookupLanes(b, lane), hn::TableLookupLanes(a, lane)), bits,
                  to + 16 * k);
     };

@@ -49,7 +49,7 @@ HWY_INLINE void count_up_tile(std::uint64_t bits, std::uint32_t* of_rows, std::u
     std::uint8_t some[8];
     const std::uint64_t from_k = all >> k;
     std::memcpy(some, &from_k, sizeof some);
-    auto ones = hn::IfThenElseZero(hn::LoadMaskBits(bytes, some), hn::Set(bytes, 1));
+    const auto ones = hn::IfThenElseZero(hn::LoadMaskBits(bytes, some), hn::Set(bytes, 1));
     hn::StoreU(hn::SumsOf8(ones), eights, rows + k / block);
     sum = hn::Add(sum, hn::BitCast(eights, ones));
   }
@@ -68,7 +68,7 @@ class RunCounts {
   HWY_INLINE void add(std::uint32_t i, std::uint32_t j, std::uint32_t lanes) {
     const hn::CappedTag<std::uint32_t, BlockRun::blocks> tag;
     for (std::uint32_t k = 0; k < BlockRun::blocks; k += hn::MaxLanes(tag)) {
-      auto one = hn::IfThenElseZero(lanes_of(tag, lanes >> k), hn::Set(tag, 1));
+      const auto one = hn::IfThenElseZero(lanes_of(tag, lanes >> k), hn::Set(tag, 1));
       for (std::uint32_t* const of : {of_[i] + k, of_[j] + k})
         hn::Store(hn::Add(hn::Load(tag, of), one), tag, of);
     }

@@ -93,7 +93,7 @@ class VectorHits {
                         const OverlapTest::Verdict& verdict) {
     // |j - i| > window is one comparison of what wraps, and never true of i itself.
     keep = hn::And(keep, hn::Gt(hn::Sub(j, first), hn::Set(Bits(), 2 * window_)));
-    auto undecided = hn::AndNot(hn::RebindMask(Bits(), verdict.certain), keep);
+    const auto undecided = hn::AndNot(hn::RebindMask(Bits(), verdict.certain), keep);
     if (HWY_UNLIKELY(!hn::AllFalse(Bits(), undecided))) {
       open_.add(Bits(), i, j, undecided);
       keep = hn::AndNot(undecided, keep);
