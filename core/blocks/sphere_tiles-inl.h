@@ -119,6 +119,17 @@ class SphereTiles {
   Fields columns_[across];
 };
 
+/// Of the bits of Verdict: those of a row side by side, a byte each.
+inline std::uint64_t row_by_row(std::uint64_t bits) {
+  const auto swap = [&](std::uint64_t lower, unsigned by) {
+    const std::uint64_t change = (bits ^ bits >> by) & lower;
+    bits ^= change | change << by;
+  };
+  if constexpr (SphereTiles::rows == 4) swap(0x0000FF000000FF00, 8);
+  if constexpr (SphereTiles::rows >= 2 && SphereTiles::columns == 4) swap(0x00F000F000F000F0, 4);
+  return bits;
+}
+
 /// Sets of bits of Verdict.
 struct TileCuts {
   std::uint64_t later[17], rows[9], columns[9];

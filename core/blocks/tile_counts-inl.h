@@ -18,17 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of a verdict's bits: those of a row side by side, a byte each.
-inline std::uint64_t row_by_row(std::uint64_t bits) {
-  const auto swap = [&](std::uint64_t lower, unsigned by) {
-    const std::uint64_t change = (bits ^ bits >> by) & lower;
-    bits ^= change | change << by;
-  };
-  if constexpr (SphereTiles::rows == 4) swap(0x0000FF000000FF00, 8);
-  if constexpr (SphereTiles::rows >= 2 && SphereTiles::columns == 4) swap(0x00F000F000F000F0, 4);
-  return bits;
-}
-
 /// Adds to each of eight counts for the rows of a verdict, then for its columns, which may be the same, the
 /// bits that are set of it.
 HWY_INLINE void count_up_tile(std::uint64_t bits, std::uint32_t* of_rows, std::uint32_t* of_columns) {

@@ -4,14 +4,10 @@
 #include <map>
 
 #include "catena/core/ranks/block_comparison.h"
+#include "catena/core/ranks/meet_border.h"
 
 namespace catena::ranks {
 namespace {
-
-struct BlockBox {
-  std::uint32_t block;
-  Box box;
-};
 
 /// What a round brings of one that has so much left, of what all have: at least one.
 std::uint32_t share_of(std::uint32_t at_once, std::uint64_t left, std::uint64_t of_all) {
@@ -72,7 +68,8 @@ struct Question {
 
 class Asker {
  public:
-  Asker(Communicator& ranks, const Border& border, BlockComparison& comparison) : comparison_(comparison) {
+  Asker(Communicator& ranks, const Border& border, BlockComparison& comparison)
+      : border_(border), comparison_(comparison) {
     for (unsigned other = 0; other < ranks.size(); ++other)
       if (other != ranks.rank() && border.near(other))
         questions_.push_back({other, border.compared(other), border.expected(other)});
@@ -111,8 +108,7 @@ class Asker {
       question.left = in[k].get<std::uint32_t>();
       const auto boxes = in[k].get_list<BlockBox>();
       work_.boxes_seen += boxes.size();
-      for (const auto& [block, box] : boxes)
-        if (comparison_.may_touch(box, question.compared)) question.wanted.push_back(block);
+      may_touch_border(border_, boxes, question.compared, question.wanted);
     }
   }
 
@@ -123,6 +119,7 @@ class Asker {
   AcrossWork& work() { return work_; }
 
  private:
+  const Border& border_;
   BlockComparison& comparison_;
   std::vector<Question> questions_;
   AcrossWork work_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/ranks/bytes.h"
 
 namespace catena::ranks {
@@ -106,7 +107,8 @@ std::vector<std::uint64_t> return_counts(Communicator& ranks, std::span<const Sp
   for (unsigned rank = 0; rank < ranks.size(); ++rank)
     if (rank != own && !shares[rank].empty()) out.push_back({rank, shares[rank].packed()});
   std::vector<Message> in = ranks.exchange(std::move(out));
-  std::vector<std::uint64_t> count(starts[own + 1] - starts[own]);
+  std::vector<std::uint64_t> count;
+  resize_large(count, starts[own + 1] - starts[own]);
   add(shares[own], starts[own], count);
   for (Message& message : in) {
     add(message.bytes, starts[own], count);

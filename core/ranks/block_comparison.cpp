@@ -29,7 +29,7 @@ std::uint64_t BlockComparison::compare() {
   std::uint32_t block = 0;
   for (std::uint64_t met = 0; block < far_.blocks() && met < most;) {
     near_.clear();
-    met += meet_border(part_, border_, far_, std::min(at_once, most - met), block, near_);
+    met += meet_border(border_, far_, std::min(at_once, most - met), block, near_);
     for (const Meeting& meeting : near_) decide(meeting);
   }
   if (block < far_.blocks()) search_from(block);
@@ -39,13 +39,37 @@ std::uint64_t BlockComparison::compare() {
 }
 
 void BlockComparison::decide(const Meeting& meeting) {
-  const std::span<const Sphere> own = own_spheres(meeting.own_block), far = far_.spheres(meeting.far_block);
+  const auto for_each = [](std::uint64_t bits, const auto& visit) {
+    for (; bits != 0; bits &= bits - 1) {
+      const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+      visit(bit / Block::most, bit % Block::most);
+    }
+  };
   const std::uint32_t begin = far_.begin(meeting.far_block);
-  for (std::uint64_t bits = meeting.may_touch; bits != 0; bits &= bits - 1) {
-    const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
-    const std::uint32_t k = bit / Block::most, f = bit % Block::most;
-    if (Robust::overlap(own[k], far[f])) overlap(Slot{meeting.own_block} * Block::most + k, begin + f);
-  }
+  const Slot first = Slot{meeting.own_block} * Block::most;
+  std::uint64_t touch = meeting.touch;
+  for_each(meeting.may_touch, [&](std::uint32_t k, std::uint32_t f) {
+    if (Robust::overlap(border_.eight(meeting.own_block)[k], far_.spheres()[begin + f]))
+      touch |= std::uint64_t{1} << (Block::most * k + f);
+  });
+  if (touch == 0) return;
+  touches_[meeting.far_block] = 1;
+  const SphereId id = border_.id(meeting.own_block), far_id = far_.id(begin);
+  for_each(touch, [&](std::uint32_t k, std::uint32_t f) {
+    if (part_.may_be_neighbours(id + k, far_id + f) && are_neighbours(first + k, begin + f)) return;
+    ++own_count_[first + k], ++far_count_[begin + f];
+    kept_.add(id + k, far_id + f);
+  });
+}
+
+bool BlockComparison::are_neighbours(Slot own, std::uint32_t far) const {
+  const auto b = static_cast<std::uint32_t>(own / Block::most),
+             k = static_cast<std::uint32_t>(own % Block::most);
+  const Block& block = border_.blocks()[b];
+  const std::span<const double> arcs = part_.arcs(block);
+  return part_.neighbours(
+      {border_.id(b) + k, part_.piece(block).strand, arcs.empty() ? 0 : arcs[k], border_.eight(b)[k].radius},
+      far_.place(far));
 }
 
 /// All blocks that came from this one on. The border's are searched among some at a time, so that this takes
@@ -79,7 +103,7 @@ void BlockComparison::search(std::span<const std::uint32_t> own_blocks, std::uin
   for (const std::uint32_t b : own_blocks)
     for (std::uint32_t k = 0; k < border_.blocks()[b].size; ++k) {
       slots.push_back(Slot{b} * Block::most + k);
-      spheres.push_back(own_spheres(b)[k]);
+      spheres.push_back(border_.spheres(b)[k]);
     }
   const auto own = static_cast<std::uint32_t>(slots.size());
   spheres.insert(spheres.end(), far_.spheres().begin() + first_far, far_.spheres().end());
@@ -99,11 +123,8 @@ void BlockComparison::overlap(Slot own, std::uint32_t far) {
   const std::uint32_t far_block = far_.block_of(far);
   if (!is_compared(b, far_.mark(far_block))) return;  // the other rank's
   touches_[far_block] = 1;
-  const Block& block = border_.blocks()[b];
-  const auto k = static_cast<std::uint32_t>(own % Block::most);
-  const SphereId id = part_.id(block) + k, far_id = far_.id(far);
-  if (part_.may_be_neighbours(id, far_id) && part_.neighbours(part_.place(block.begin + k), far_.place(far)))
-    return;
+  const SphereId id = border_.id(b) + own % Block::most, far_id = far_.id(far);
+  if (part_.may_be_neighbours(id, far_id) && are_neighbours(own, far)) return;
   ++own_count_[own], ++far_count_[far];
   kept_.add(id, far_id);
 }
@@ -112,7 +133,7 @@ void BlockComparison::count_found() {
   for (Slot own = 0; own < own_count_.size(); ++own)
     if (own_count_[own] > 0) {
       counted_.push_back(
-          {part_.id(border_.blocks()[own / Block::most]) + own % Block::most, own_count_[own]});
+          {border_.id(static_cast<std::uint32_t>(own / Block::most)) + own % Block::most, own_count_[own]});
       own_count_[own] = 0;
     }
   for (std::uint32_t far = 0; far < far_count_.size(); ++far)

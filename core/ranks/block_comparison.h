@@ -18,11 +18,6 @@ class BlockComparison {
   BlockComparison(const HeldPart& part, const Border& border, std::uint32_t meetings,
                   std::vector<Counted>& counted, KeptPairs& kept);
 
-  /// Whether a block with this box may touch a sphere of the border's blocks that are to be compared: see
-  /// Border::compared.
-  bool may_touch(const Box& box, std::uint32_t compared) const {
-    return may_touch_border(part_, border_, box, compared);
-  }
   /// What came of those blocks, by the same `compared`.
   void take(ByteReader& in, std::uint32_t compared) { far_.take(in, part_.rule(), compared); }
   /// Adds to `counted` and to `kept`; returns how many blocks that came have a sphere that touches one of the
@@ -38,10 +33,8 @@ class BlockComparison {
   std::vector<std::uint32_t> own_blocks_for(std::uint32_t far_block) const;
   void search(std::span<const std::uint32_t> own_blocks, std::uint32_t first_far);
   void overlap(Slot own, std::uint32_t far);
+  bool are_neighbours(Slot own, std::uint32_t far) const;
   void count_found();
-  std::span<const Sphere> own_spheres(std::uint32_t block) const {
-    return part_.spheres(border_.blocks()[block]);
-  }
 
   const HeldPart& part_;
   const Border& border_;
@@ -52,7 +45,7 @@ class BlockComparison {
   FarBlocks far_;
   std::vector<std::uint32_t> own_count_, far_count_;  // [slot] and [sphere of far_]: of this round
   std::vector<std::uint8_t> touches_;                 // [block of far_]
-  std::vector<Meeting> near_;
+  LargeVector<Meeting> near_;
   std::unique_ptr<Variant> search_;
 };
 

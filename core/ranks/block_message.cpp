@@ -11,16 +11,24 @@ void put_blocks(ByteWriter& out, const HeldPart& part, std::span<const Block> bl
   std::vector<FarBlocks::Sent> sent;
   sent.reserve(blocks.size());
   std::uint64_t spheres = 0;
+  std::uint32_t at = 0;  // of the last block's strand, which mostly is the next one's
   for (const Block& block : blocks) {
     const Strand& strand = part.piece(block).strand;
-    const auto [at, is_new] = index.try_emplace(strand.number, static_cast<std::uint32_t>(strands.size()));
-    if (is_new) strands.push_back(strand);
-    sent.push_back({part.id(block), at->second, block.size});
+    if (strands.empty() || strands[at].number != strand.number) {
+      const auto [known, is_new] =
+          index.try_emplace(strand.number, static_cast<std::uint32_t>(strands.size()));
+      if (is_new) strands.push_back(strand);
+      at = known->second;
+    }
+    sent.push_back({part.id(block), at, block.size});
     spheres += block.size;
   }
+  const bool with_arcs = part.rule().kind == Exclusion::Rule::arc_window;
+  out.reserve(strands.size() * sizeof(Strand) + sent.size() * sizeof(FarBlocks::Sent) +
+              spheres * (sizeof(Sphere) + (with_arcs ? sizeof(double) : 0)) + 4 * sizeof spheres);
   out.put_list(strands).put_list(sent).put(spheres);
   for (const Block& block : blocks) out.put_all(part.spheres(block));
-  out.put(part.rule().kind == Exclusion::Rule::arc_window ? spheres : 0);
+  out.put(with_arcs ? spheres : 0);
   for (const Block& block : blocks) out.put_all(part.arcs(block));
 }
 

@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 
+#include "catena/core/executor/team.h"
 #include "catena/core/hierarchy/box_around.h"
 #include "catena/core/hierarchy/morton_grid.h"
+#include "catena/core/space_tree/key_sort.h"
 
 namespace catena::ranks {
 namespace {
@@ -13,6 +15,7 @@ namespace {
 struct Blocks {
   std::vector<Block> block;
   std::vector<Box> box;
+  std::vector<Sphere> middle;
 };
 
 /// Those of the part that may touch another rank, by tops around all that each holds.
@@ -24,7 +27,7 @@ Blocks blocks_near_others(Communicator& ranks, const HeldPart& part) {
   for (const Box& box : stretches) near.push_back(foreign.meet(box));
   Blocks found;
   const auto most = static_cast<std::size_t>(std::ranges::count(near, 1)) * Stretches::most;
-  found.block.reserve(most), found.box.reserve(most);
+  found.block.reserve(most), found.box.reserve(most), found.middle.reserve(most);
   Stretches ends(part.pieces());
   std::size_t at = 0;
   for_each_block(part.pieces(), [&](const Block& block) {
@@ -32,7 +35,9 @@ Blocks blocks_near_others(Communicator& ranks, const HeldPart& part) {
     at += ends.end_with(block);
     if (!is_near) return;
     const Box box = box_around(part.spheres(block));
-    if (foreign.meet(box)) found.block.push_back(block), found.box.push_back(box);
+    if (!foreign.meet(box)) return;
+    found.block.push_back(block), found.box.push_back(box);
+    found.middle.push_back(middle_of(part.chain().spheres(), block));
   });
   return found;
 }
@@ -56,18 +61,17 @@ NearRanks ranks_near(const Blocks& blocks, const ForeignTops& tops) {
 }
 
 /// Places among these blocks, in the order of Morton codes.
-std::vector<std::uint64_t> order_in_space(std::span<const Sphere> spheres, const Blocks& blocks,
-                                          std::span<const std::uint32_t> these) {
+std::vector<std::uint64_t> order_in_space(const Blocks& blocks, std::span<const std::uint32_t> these) {
   CentreCorners corners;
-  for (const std::uint32_t k : these) corners.take(middle_of(spheres, blocks.block[k]));
+  for (const std::uint32_t k : these) corners.take(blocks.middle[k]);
   const MortonGrid grid(corners);
   std::vector<std::uint64_t> keys;  // the upper half of a code, and the place
   keys.reserve(these.size());
   for (std::uint64_t at = 0; at < these.size(); ++at) {
-    const std::uint64_t code = grid.code(middle_of(spheres, blocks.block[these[at]]));
+    const std::uint64_t code = grid.code(blocks.middle[these[at]]);
     keys.push_back(code >> (3 * MortonGrid::bits - 32) << 32 | at);
   }
-  std::ranges::sort(keys);
+  KeySort()(keys, Team());
   return keys;
 }
 
@@ -94,15 +98,31 @@ Border::Border(Communicator& ranks, const HeldPart& part) : partners_(ranks.size
   const ForeignTops foreign(Tops::of_all(ranks, blocks.box), ranks.rank());
   const NearRanks near = ranks_near(blocks, foreign);
   const auto size = static_cast<std::uint32_t>(near.block.size());
-  blocks_.reserve(size);
+  blocks_.reserve(size), ids_.reserve(size);
+  spheres_.reserve(std::size_t{size} * Block::most);
   boxes_.clear(size);
-  for (const std::uint64_t key : order_in_space(part.chain().spheres(), blocks, near.block)) {
-    const auto at = static_cast<std::uint32_t>(key);
-    const auto b = static_cast<std::uint32_t>(blocks_.size());
-    blocks_.push_back(blocks.block[near.block[at]]);
-    boxes_.set(b, blocks.box[near.block[at]]);
-    for (std::size_t k = near.first[at]; k < near.first[at + 1]; ++k)
-      partners_[near.rank[k]].told.push_back(b);
+  const std::vector<std::uint64_t> keys = order_in_space(blocks, near.block);
+  const auto place = [&](std::size_t b) { return static_cast<std::uint32_t>(keys[b]); };
+  const auto prefetch = [&](std::size_t b) {  // as blocks that are near in space lie anywhere in the part
+    if (b >= size) return;
+    const Block& block = blocks.block[near.block[place(b)]];
+    const std::span<const Sphere> spheres = part.spheres(block);
+    for (const std::size_t k : {std::size_t{0}, spheres.size() / 2, spheres.size() - 1})
+      __builtin_prefetch(&spheres[k]);
+    __builtin_prefetch(&part.piece(block));
+  };
+  for (std::uint32_t b = 0; b < size; ++b) {
+    constexpr std::size_t ahead = 8;
+    prefetch(b + ahead);
+    const std::uint32_t at = place(b), k = near.block[at];
+    const Block& block = blocks_.emplace_back(blocks.block[k]);
+    const std::span<const Sphere> spheres = part.spheres(block);
+    spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
+    spheres_.resize(blocks_.size() * Block::most, spheres.back());
+    ids_.push_back(part.id(block));
+    boxes_.set(b, blocks.box[k]);
+    for (std::size_t n = near.first[at]; n < near.first[at + 1]; ++n)
+      partners_[near.rank[n]].told.push_back(b);
   }
   boxes_.refresh(0, size);
   for (unsigned rank = 0; rank < ranks.size(); ++rank) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/hierarchy/wide_box_tree.h"
 #include "catena/core/ranks/held_part.h"
 #include "catena/core/ranks/tops.h"
@@ -16,13 +17,19 @@ constexpr bool is_compared(std::uint32_t block, std::uint32_t compared) {
 }
 
 /// The blocks of a part that may touch other ranks, as their boxes meet a top of one: a small part of a part
-/// that is compact in space. In the order of Morton codes, with a tree over their boxes.
+/// that is compact in space. In the order of Morton codes, with a tree over their boxes, and with their
+/// spheres side by side, which lie anywhere in the part.
 class Border {
  public:
   /// All ranks call it. O(blocks), and O(b log b) for b blocks of the border.
   Border(Communicator& ranks, const HeldPart& part);
 
   std::span<const Block> blocks() const { return blocks_; }
+  std::span<const Sphere> spheres(std::uint32_t block) const { return {eight(block), blocks_[block].size}; }
+  /// Eight: of a block that has less the last one again.
+  const Sphere* eight(std::uint32_t block) const { return &spheres_[std::size_t{block} * Block::most]; }
+  /// The number of a block's first sphere in the whole chain.
+  SphereId id(std::uint32_t block) const { return ids_[block]; }
   const WideBoxTree& boxes() const { return boxes_; }
   /// Whether any block may touch this rank.
   bool near(unsigned rank) const { return partners_[rank].near > 0; }
@@ -45,6 +52,8 @@ class Border {
   };
 
   std::vector<Block> blocks_;
+  std::vector<SphereId> ids_;    // [block]
+  LargeVector<Sphere> spheres_;  // [block * Block::most + k]
   WideBoxTree boxes_;
   std::vector<Partner> partners_;  // [rank]
 };

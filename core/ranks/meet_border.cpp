@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <bit>
 
+#include "catena/core/blocks/compress-inl.h"
+#include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/meeting-inl.h"
-#include "catena/core/blocks/tests-inl.h"
+#include "catena/core/blocks/sphere_tiles-inl.h"
 #include "catena/core/hierarchy/box_around.h"
 #include "catena/core/ranks/meet_border.h"
-#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -19,35 +20,52 @@ namespace {
 
 using ranks::Block;
 using ranks::Border;
-using ranks::HeldPart;
 
-/// test(b) for blocks of the border whose boxes meet this one, ascending, until it says true.
-template <class Test>
-HWY_INLINE bool any_meeting(const WideBoxTree& tree, const Box& box, const Test& test) {
-  const std::span<const std::vector<WideBoxTree::Group>> levels = tree.levels();
-  if (levels.empty()) return false;
-  constexpr std::size_t most_levels = 9;  // more than 2^32 boxes have
-  struct Level {
-    std::uint32_t group, left;
-  } at[most_levels];
-  std::size_t l = levels.size() - 1;
-  at[l] = {0, meeting(levels[l][0], box)};
-  for (;;) {
-    if (at[l].left == 0) {
-      if (++l == levels.size()) return false;
-      continue;
+/// The boxes of a border that meet one.
+class MetBoxes {
+ public:
+  /// The numbers, ascending, of those that this rank compares: see Border::compared. Level by level, as a
+  /// walk from box to box is what no processor foresees.
+  HWY_INLINE std::span<const std::uint32_t> of(const WideBoxTree& tree, const Box& box,
+                                               std::uint32_t compared) {
+    const std::span<const std::vector<WideBoxTree::Group>> levels = tree.levels();
+    if (levels.empty()) return {};
+    groups_.resize(1);
+    groups_[0] = 0;
+    std::uint64_t boxes_of_a_child = std::uint64_t{1} << 4 * (levels.size() - 1);  // the fan's power
+    for (std::size_t l = levels.size(); l-- > 0; boxes_of_a_child /= WideBoxTree::fan) {
+      const std::uint32_t lanes = lanes_compared(compared, boxes_of_a_child);
+      children_.resize(groups_.size() * WideBoxTree::fan);
+      std::uint32_t* to = children_.data();
+      for (const std::uint32_t group : groups_)
+        to = store_set(meeting(levels[l][group], box) & lanes, group * WideBoxTree::fan, to);
+      children_.resize(static_cast<std::size_t>(to - children_.data()));
+      std::swap(groups_, children_);
     }
-    const std::uint32_t child =
-        at[l].group * WideBoxTree::fan + static_cast<std::uint32_t>(std::countr_zero(at[l].left));
-    at[l].left &= at[l].left - 1;
-    if (l > 0) {
-      --l;
-      at[l] = {child, meeting(levels[l][child], box)};
-    } else if (test(child)) {
-      return true;
-    }
+    return groups_;
   }
-}
+
+ private:
+  /// Which children of any group have a box of the border that is compared; those that `compared` parts as a
+  /// whole, or that are parted themselves, all.
+  static HWY_INLINE std::uint32_t lanes_compared(std::uint32_t compared, std::uint64_t boxes_of_a_child) {
+    constexpr std::uint32_t second_half[] = {0xAAAA, 0xCCCC, 0xF0F0, 0xFF00};
+    const std::uint64_t child = compared / boxes_of_a_child;
+    return child == 0 || child >= WideBoxTree::fan ? 0xFFFF : second_half[std::countr_zero(child)];
+  }
+  /// first + k for each bit k that is set. May write as many as a group has.
+  static HWY_INLINE std::uint32_t* store_set(std::uint32_t set, std::uint32_t first, std::uint32_t* to) {
+    const hn::CappedTag<std::uint32_t, WideBoxTree::fan> tag;
+    for (std::uint32_t k = 0; k < WideBoxTree::fan; k += hn::MaxLanes(tag)) {
+      const Kept<decltype(tag)> kept(lanes_of(tag, set >> k));
+      hn::StoreU(kept.compress(count_up(tag, first + k)), tag, to);
+      to += kept.size();
+    }
+    return to;
+  }
+
+  LargeVector<std::uint32_t> groups_, children_;
+};
 
 /// Which of eight spheres have a box around them, Box::around of each, that meets this one.
 HWY_INLINE std::uint32_t boxes_meeting(const Sphere* spheres, const Box& box) {
@@ -65,81 +83,49 @@ HWY_INLINE std::uint32_t boxes_meeting(const Sphere* spheres, const Box& box) {
   return (axis(0) & axis(1) & axis(2)).bits();
 }
 
-/// One block that came, its spheres side by side.
-class FarBlock {
- public:
-  explicit HWY_INLINE FarBlock(std::span<const Sphere> spheres)
-      : lanes_(eight(spheres).spheres),
-        filled_(lane_bits(static_cast<std::uint32_t>(spheres.size())) * 0x0101010101010101u) {}
-
-  /// See Meeting. Of a full block all eight are tested: to leave out those whose boxes are apart is a branch
-  /// that no processor foresees, which takes longer.
-  HWY_INLINE std::uint64_t may_touch(std::span<const Sphere> own) const {
-    std::uint64_t bits = 0;
-    const auto test = [&](std::size_t k) HWY_ATTR {
-      bits |= std::uint64_t{SphereLanes::may_overlap(lanes_.squares(own[k])).bits()} << (8 * k);
-    };
-    if (own.size() == Block::most) {
-#pragma GCC unroll 8
-      for (std::size_t k = 0; k < Block::most; ++k) test(k);
-    } else {
-      for (std::size_t k = 0; k < own.size(); ++k) test(k);
-    }
-    return bits & filled_;
-  }
-
- private:
-  struct Eight {
-    Sphere spheres[Block::most];
-  };
-  static HWY_INLINE Eight eight(std::span<const Sphere> spheres) {
-    Eight all;
-    std::fill(std::copy(spheres.begin(), spheres.end(), all.spheres), all.spheres + Block::most,
-              spheres.back());
-    return all;
-  }
-
-  const SphereLanes lanes_;
-  const std::uint64_t filled_;  ///< the lanes that hold a sphere, eight times
-};
+/// Of `columns` spheres of each of `rows` rows, eight by eight.
+HWY_INLINE std::uint64_t first_of(std::size_t rows, std::size_t columns) {
+  const std::uint64_t row = (1u << columns) - 1;
+  return row * 0x0101010101010101u & ~std::uint64_t{0} >> 8 * (Block::most - rows);
+}
 
 }  // namespace
 
-std::uint64_t meet_border_here(const HeldPart& part, const Border& border, const ranks::FarBlocks& far,
-                               std::uint64_t most, std::uint32_t& far_block,
-                               std::vector<ranks::Meeting>& meetings) {
-  const std::span<const Block> blocks = border.blocks();
-  std::vector<std::uint32_t> own;
+std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far, std::uint64_t most,
+                               std::uint32_t& far_block, LargeVector<ranks::Meeting>& meetings) {
+  MetBoxes boxes;
   std::uint64_t met = 0;
   for (; far_block < far.blocks() && met < most; ++far_block) {
     const std::span<const Sphere> spheres = far.spheres(far_block);
-    const std::uint32_t compared = far.mark(far_block);
-    const Box box = box_around(spheres);
-    own.clear();
-    any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
-      ++met;
-      if (!ranks::is_compared(b, compared)) return false;            // the other rank's
-      const std::span<const Sphere> soon = part.spheres(blocks[b]);  // they lie anywhere in the part
-      hwy::Prefetch(&soon.front()), hwy::Prefetch(&soon.back());
-      own.push_back(b);
-      return false;
-    });
-    const FarBlock block(spheres);
-    for (const std::uint32_t b : own)
-      if (const std::uint64_t bits = block.may_touch(part.spheres(blocks[b])); bits != 0)
-        meetings.push_back({far_block, b, bits});
+    const std::span<const std::uint32_t> own =
+        boxes.of(border.boxes(), box_around(spheres), far.mark(far_block));
+    met += own.size();
+    Sphere eight[Block::most]{};
+    std::ranges::copy(spheres, eight);
+    const SphereTiles tiles(eight);
+    const std::size_t before = meetings.size();
+    meetings.resize(before + own.size());
+    ranks::Meeting* to = meetings.data() + before;
+    for (const std::uint32_t b : own) {
+      const SphereTiles::Verdict verdict = tiles.compare(border.eight(b), Robust::binary32_slack);
+      const std::uint64_t filled = first_of(border.blocks()[b].size, spheres.size());
+      *to = {far_block, b, row_by_row(verdict.overlap) & filled, row_by_row(verdict.open) & filled};
+      to += (to->touch | to->may_touch) != 0;
+    }
+    meetings.resize(static_cast<std::size_t>(to - meetings.data()));
   }
   return met;
 }
 
-bool may_touch_border_here(const HeldPart& part, const Border& border, const Box& box,
-                           std::uint32_t compared) {
-  return any_meeting(border.boxes(), box, [&](std::uint32_t b) HWY_ATTR {
-    if (!ranks::is_compared(b, compared)) return false;
-    const std::span<const Sphere> spheres = part.spheres(border.blocks()[b]);
-    return spheres.size() == Block::most ? boxes_meeting(spheres.data(), box) != 0
-                                         : MeetsBox(box).any_of(spheres);
-  });
+void may_touch_border_here(const Border& border, std::span<const ranks::BlockBox> boxes,
+                           std::uint32_t compared, std::vector<std::uint32_t>& blocks) {
+  MetBoxes met;
+  for (const auto& [block, box] : boxes)
+    for (const std::uint32_t b : met.of(border.boxes(), box, compared))
+      if (boxes_meeting(border.eight(b), box) != 0) {
+        blocks.push_back(block);
+        break;
+      }
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -153,13 +139,14 @@ HWY_EXPORT(may_touch_border_here);
 
 namespace ranks {
 
-std::uint64_t meet_border(const HeldPart& part, const Border& border, const FarBlocks& far,
-                          std::uint64_t most, std::uint32_t& far_block, std::vector<Meeting>& meetings) {
-  return HWY_DYNAMIC_DISPATCH(meet_border_here)(part, border, far, most, far_block, meetings);
+std::uint64_t meet_border(const Border& border, const FarBlocks& far, std::uint64_t most,
+                          std::uint32_t& far_block, LargeVector<Meeting>& meetings) {
+  return HWY_DYNAMIC_DISPATCH(meet_border_here)(border, far, most, far_block, meetings);
 }
 
-bool may_touch_border(const HeldPart& part, const Border& border, const Box& box, std::uint32_t compared) {
-  return HWY_DYNAMIC_DISPATCH(may_touch_border_here)(part, border, box, compared);
+void may_touch_border(const Border& border, std::span<const BlockBox> boxes, std::uint32_t compared,
+                      std::vector<std::uint32_t>& blocks) {
+  HWY_DYNAMIC_DISPATCH(may_touch_border_here)(border, boxes, compared, blocks);
 }
 
 }  // namespace ranks

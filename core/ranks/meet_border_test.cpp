@@ -37,21 +37,27 @@ Part pieces_anywhere(std::mt19937& dice, std::uint32_t pieces, SphereId first) {
 /// Every pair of a block that came and of one of the border: none that overlaps is missed, and what is left
 /// out is of those that the other rank compares.
 void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks& far, std::uint64_t most) {
-  std::vector<Meeting> meetings;
+  LargeVector<Meeting> meetings;
   std::uint64_t met = 0;
   for (std::uint32_t next = 0; next < far.blocks();) {
     const std::uint32_t before = next;
-    met += meet_border(part, border, far, most, next, meetings);
+    met += meet_border(border, far, most, next, meetings);
     ASSERT_GT(next, before);
   }
   std::set<std::tuple<std::uint32_t, std::uint32_t, int>> may;
   for (const Meeting& m : meetings) {
     EXPECT_EQ(m.own_block & far.mark(m.far_block), far.mark(m.far_block));
+    EXPECT_EQ(m.touch & m.may_touch, 0u);
+    EXPECT_NE(m.touch | m.may_touch, 0u);
     for (int bit = 0; bit < 64; ++bit)
-      if (m.may_touch >> bit & 1) {
-        EXPECT_LT(bit / 8u, border.blocks()[m.own_block].size);
-        EXPECT_LT(bit % 8u, far.spheres(m.far_block).size());
+      if ((m.touch | m.may_touch) >> bit & 1) {
+        ASSERT_LT(bit / 8u, border.blocks()[m.own_block].size);
+        ASSERT_LT(bit % 8u, far.spheres(m.far_block).size());
         EXPECT_TRUE(may.insert({m.far_block, m.own_block, bit}).second);
+        if (m.touch >> bit & 1) {
+          EXPECT_TRUE(
+              Robust::overlap(border.spheres(m.own_block)[bit / 8u], far.spheres(m.far_block)[bit % 8u]));
+        }
       }
   }
   std::size_t overlaps = 0, all = 0;
@@ -60,7 +66,7 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
     for (std::uint32_t b = 0; b < border.blocks().size(); ++b) {
       const auto own = part.spheres(border.blocks()[b]), theirs = far.spheres(f);
       const Box box = box_around(theirs);
-      boxes += border.boxes().box(b).meets(box);
+      boxes += is_compared(b, far.mark(f)) && border.boxes().box(b).meets(box);
       all += own.size() * theirs.size();
       bool touches = false;
       for (std::size_t k = 0; k < own.size(); ++k)
@@ -72,7 +78,10 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
             EXPECT_TRUE(may.contains({f, b, static_cast<int>(8 * k + j)})) << f << ' ' << b;
           }
       const std::uint32_t compared = std::bit_floor(b);
-      EXPECT_EQ(may_touch_border(part, border, box, compared), [&] {
+      const BlockBox boxes[] = {{7, box}};
+      std::vector<std::uint32_t> touching;
+      may_touch_border(border, boxes, compared, touching);
+      EXPECT_EQ(!touching.empty(), [&] {
         for (std::uint32_t c = 0; c < border.blocks().size(); ++c)
           if ((c & compared) == compared)
             for (const Sphere& s : part.spheres(border.blocks()[c]))
@@ -80,7 +89,7 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
         return false;
       }());
       if (touches) {
-        EXPECT_TRUE(may_touch_border(part, border, box, compared));
+        EXPECT_EQ(touching, std::vector{7u});
       }
     }
   EXPECT_GT(overlaps, 0u);

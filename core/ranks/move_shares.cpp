@@ -61,7 +61,7 @@ void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::spa
   resize_large(all, ends.back());
   LargeVector<Value> packed;
   std::vector<Gone> gone(ranks.size());
-  std::uint64_t begin = 0;
+  std::uint64_t begin = 0, given = 0;
   for (std::uint64_t round = 1; round <= rounds; ++round) {
     const std::uint64_t end = values.size() * round / rounds;
     packed.resize(std::max<std::size_t>(packed.size(), end - begin));
@@ -74,7 +74,11 @@ void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::spa
     }
     Value* const stay = all.data() + next[own];
     next[own] += static_cast<std::uint64_t>(copy_until(end, shares[own], gone[own], values, stay) - stay);
-    give_back_pages(values.data() + begin, (end - begin) * sizeof(Value));
+    constexpr std::size_t page = large_page / sizeof(Value);
+    if (const std::uint64_t moved = (end - given) / page * page; moved > 0) {
+      give_back_pages(values.data() + given, moved * sizeof(Value));
+      given += moved;
+    }
     begin = end;
     ranks.exchange_in_place(out, [&](unsigned rank, std::size_t bytes) {
       const std::uint64_t at = next[rank];

@@ -11,6 +11,7 @@
 #include "catena/core/counted.h"
 #include "catena/core/default_floats.h"
 #include "catena/core/error.h"
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/readers/file_bytes.h"
 #include "catena/core/readers/reader.h"
 
@@ -52,7 +53,8 @@ Exclusion BinaryChain::rule() const {
 
 template <class Record>
 std::vector<Record> BinaryChain::records(std::uint64_t array, std::uint64_t begin, std::uint64_t end) const {
-  std::vector<Record> all(end - begin);
+  std::vector<Record> all;
+  resize_large(all, end - begin);
   if (!all.empty()) read_(array + begin * sizeof(Record), std::as_writable_bytes(std::span(all)));
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include "catena/core/commands/command.h"
 #include "catena/core/commands/json_line.h"
+#include "catena/core/executor/large_vector.h"
 #include "catena/core/executor/usable_cores.h"
 #include "catena/core/periodic/periodic.h"
 #include "catena/core/ranks/bytes.h"
@@ -17,6 +18,19 @@
 
 namespace catena::ranks {
 namespace {
+
+/// On large pages, as what is read of a file.
+template <class Value>
+std::vector<Value> copy_of(const std::vector<Value>& values) {
+  std::vector<Value> copy;
+  resize_large(copy, values.size());
+  std::ranges::copy(values, copy.begin());
+  return copy;
+}
+
+Part copy_of(const Part& part) {
+  return {part.rule, copy_of(part.spheres), part.pieces, copy_of(part.arcs), part.extra};
+}
 
 /// `mpirun -n K catena bench INPUT`: how long the ranks take, phase by phase, and what they tell one another.
 class BenchCommand final : public Command {
@@ -46,7 +60,7 @@ class BenchCommand final : public Command {
       };
       for (unsigned k = 0; k < repetitions_; ++k) {
         const bool last = k + 1 == repetitions_;  // then no copy is left to be held beside
-        search_once(last ? std::move(part) : Part(part), search_in, box, last);
+        search_once(last ? std::move(part) : copy_of(part), search_in, box, last);
       }
     });
     return 0;
