@@ -8,7 +8,7 @@
 
 #include "catena/core/blocks/consecutive_blocks-inl.h"
 #include "catena/core/blocks/ordered-inl.h"
-#include "hwy/cache_control.h"
+#include "catena/core/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -19,7 +19,7 @@ HWY_INLINE void fetch_group(const ChainView& chain, const BlockTree& tree, std::
   constexpr std::size_t spheres = std::size_t{BlockTree::group} * BlockTree::block, line = 64;
   const std::uint32_t begin = tree.first[g * BlockTree::group] & ~BlockTree::unfilled;
   const char* const from = reinterpret_cast<const char*>(tree.spheres(chain) + begin);
-  for (std::size_t k = 0; k < spheres * sizeof(Sphere); k += line) hwy::Prefetch(from + k);
+  for (std::size_t k = 0; k < spheres * sizeof(Sphere); k += line) prefetch(from + k);
 }
 
 /// Fills the capsules and order of group g, whose blocks are laid out.

@@ -24,7 +24,7 @@
 #include "catena/core/blocks/tile_counts-inl.h"
 #include "catena/core/blocks/window_filter.h"
 #include "catena/core/executor/pair_collector.h"
-#include "hwy/cache_control.h"
+#include "catena/core/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -163,7 +163,7 @@ class LeafPairs {
       result.rows = tree_.spheres(chain_, a), result.columns = tree_.spheres(chain_, b);
       result.asked &= within_first(tree_.size_of(a), tree_.size_of(b));
     }
-    for (const Sphere* const s : {result.rows, result.columns}) hwy::Prefetch(s), hwy::Prefetch(s + 4);
+    for (const Sphere* const s : {result.rows, result.columns}) prefetch(s), prefetch(s + 4);
     if constexpr (Sink::listens) account(a, b);
     met.add(row, column);
     return result;

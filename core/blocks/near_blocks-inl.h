@@ -17,7 +17,6 @@
 #include "catena/core/blocks/oriented_boxes-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 #include "catena/core/chain/chain_view.h"
-#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -143,10 +142,6 @@ inline SpheresAround spheres_around(const ChainView& chain, const BlockTree& tre
     theirs.radius = Lanes16::all(nearly_to_corners) * theirs.radius;
     const std::uint32_t times = pays(among, node),
                         those = may_collide(cube, theirs, lane_bits(tree.blocks_of(node)));
-    for_each_lane(those, [&](std::uint32_t k) {
-      const Sphere* const s = tree.spheres(chain, node * group + k);
-      hwy::Prefetch(s), hwy::Prefetch(s + 4);
-    });
     for_each_lane(those, [&](std::uint32_t k) {
       const std::uint32_t other = node * group + k;
       const SphereLanes spheres(tree.spheres(chain, other));

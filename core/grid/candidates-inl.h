@@ -16,7 +16,7 @@
 #include "catena/core/grid/grid_queues.h"
 #include "catena/core/grid/member_buckets-inl.h"
 #include "catena/core/grid/sphere_grid.h"
-#include "hwy/cache_control.h"
+#include "catena/core/prefetch.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,12 +59,12 @@ class Candidates {
 
   /// The first spheres of these runs will be asked for, or one alone.
   template <class Runs>
-  HWY_INLINE void prefetch_runs(const Runs& runs) const {
-    for (const Run& run : runs) prefetch(run.first);
+  HWY_INLINE void fetch_runs(const Runs& runs) const {
+    for (const Run& run : runs) fetch(run.first);
   }
-  HWY_INLINE void prefetch(std::uint32_t place) const {
-    hwy::Prefetch(from_.x + place), hwy::Prefetch(from_.y + place), hwy::Prefetch(from_.z + place);
-    hwy::Prefetch(from_.radius + place), hwy::Prefetch(from_.index + place);
+  HWY_INLINE void fetch(std::uint32_t place) const {
+    prefetch(from_.x + place), prefetch(from_.y + place), prefetch(from_.z + place);
+    prefetch(from_.radius + place), prefetch(from_.index + place);
   }
 
   /// The spheres of these runs become candidates, for which there is room. Returns the first; end() is behind

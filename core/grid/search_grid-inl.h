@@ -15,6 +15,7 @@
 #include "catena/core/grid/candidates-inl.h"
 #include "catena/core/grid/lane_pairs-inl.h"
 #include "catena/core/grid/member_buckets-inl.h"
+#include "catena/core/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -179,7 +180,7 @@ class GridSearch {
     for (std::uint32_t k = 0; k < size; ++k) {
       if (k > 0 && bucket[k] == bucket[k - 1]) continue;
       for (const std::uint32_t row : coarse.rows)
-        hwy::Prefetch(start + before(bucket[k], row, coarse.map.buckets));
+        prefetch(start + before(bucket[k], row, coarse.map.buckets));
     }
     // Some at a time: while their first candidates are met, those of the others are on their way from memory.
     std::array<Together, 8> some;
@@ -194,8 +195,8 @@ class GridSearch {
         add_near(around, coarse, bucket[k], these.runs);
         tell_looks(these.first, these.end, coarse, around.bits());
         if (these.runs.candidates() == 0) continue;
-        candidates_.prefetch_runs(these.runs);
-        for (std::uint32_t m = these.first; m < these.end; ++m) candidates_.prefetch(grid_.place[m]);
+        candidates_.fetch_runs(these.runs);
+        for (std::uint32_t m = these.first; m < these.end; ++m) candidates_.fetch(grid_.place[m]);
         ++count;
       }
       for (std::size_t s = 0; s < count; ++s) meet_members(some[s]);

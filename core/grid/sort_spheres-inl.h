@@ -15,7 +15,7 @@
 #include "catena/core/grid/centre_box-inl.h"
 #include "catena/core/grid/member_buckets-inl.h"
 #include "catena/core/grid/parted_sort-inl.h"
-#include "hwy/cache_control.h"
+#include "catena/core/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -136,7 +136,7 @@ class SphereSort {
     for (; place + group <= end; place += group) {
       if (place + ahead + group <= end)
         for (std::uint32_t k = 0; k < group; ++k)
-          hwy::Prefetch(chain_.spheres + grid_.index[place + ahead + k]);
+          prefetch(chain_.spheres + grid_.index[place + ahead + k]);
       Lanes16 field[4];
       transpose_rows([&](std::size_t k) { return &chain_.spheres[grid_.index[place + k]].x; }, field);
       field[0].store(grid_.x.data() + place), field[1].store(grid_.y.data() + place);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "catena/core/arithmetic/robust.h"
+#include "catena/core/prefetch.h"
 
 namespace catena {
 namespace {
@@ -63,7 +64,7 @@ void CoarseLook::lay_out(const ChainView& chain) {
   double sum = 0;
   constexpr std::size_t ahead = 16;  // each is in a part of memory of its own
   for (std::size_t k = 0; k < stretches_.size(); ++k) {
-    if (k + ahead < stretches_.size()) __builtin_prefetch(&middle(k + ahead));
+    if (k + ahead < stretches_.size()) prefetch(&middle(k + ahead));
     const Sphere &own = middle(k), &before = middle(k - (k > 0)),
                  &next = middle(k + (k + 1 < stretches_.size()));
     const float reach = std::sqrt(std::max(square(own, before), square(own, next))) / 2 + own.radius;

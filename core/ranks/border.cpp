@@ -7,6 +7,7 @@
 #include "catena/core/executor/team.h"
 #include "catena/core/hierarchy/box_around.h"
 #include "catena/core/hierarchy/morton_grid.h"
+#include "catena/core/prefetch.h"
 #include "catena/core/space_tree/key_sort.h"
 
 namespace catena::ranks {
@@ -103,17 +104,17 @@ Border::Border(Communicator& ranks, const HeldPart& part) : partners_(ranks.size
   boxes_.clear(size);
   const std::vector<std::uint64_t> keys = order_in_space(blocks, near.block);
   const auto place = [&](std::size_t b) { return static_cast<std::uint32_t>(keys[b]); };
-  const auto prefetch = [&](std::size_t b) {  // as blocks that are near in space lie anywhere in the part
+  const auto fetch = [&](std::size_t b) {  // as blocks that are near in space lie anywhere in the part
     if (b >= size) return;
     const Block& block = blocks.block[near.block[place(b)]];
     const std::span<const Sphere> spheres = part.spheres(block);
     for (const std::size_t k : {std::size_t{0}, spheres.size() / 2, spheres.size() - 1})
-      __builtin_prefetch(&spheres[k]);
-    __builtin_prefetch(&part.piece(block));
+      prefetch(&spheres[k]);
+    prefetch(&part.piece(block));
   };
   for (std::uint32_t b = 0; b < size; ++b) {
     constexpr std::size_t ahead = 8;
-    prefetch(b + ahead);
+    fetch(b + ahead);
     const std::uint32_t at = place(b), k = near.block[at];
     const Block& block = blocks_.emplace_back(blocks.block[k]);
     const std::span<const Sphere> spheres = part.spheres(block);

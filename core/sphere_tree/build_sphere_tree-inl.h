@@ -13,9 +13,9 @@
 #include "catena/core/blocks/transpose-inl.h"
 #include "catena/core/chain/chain_view.h"
 #include "catena/core/executor/team.h"
+#include "catena/core/prefetch.h"
 #include "catena/core/space_tree/axis_boxes-inl.h"
 #include "catena/core/sphere_tree/sphere_tree.h"
-#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -85,7 +85,7 @@ class SphereBuild {
     const std::uint32_t first = node * group, last = tree_.spheres - 1;
     const Sphere* from[group];
     for (std::uint32_t k = 0; k < group; ++k) {
-      if (first + k + ahead <= last) hwy::Prefetch(chain_.spheres + tree_.order[first + k + ahead]);
+      if (first + k + ahead <= last) prefetch(chain_.spheres + tree_.order[first + k + ahead]);
       const std::uint32_t i = tree_.order[std::min(first + k, last)];
       from[k] = chain_.spheres + i;
       tree_.index[first + k] = i;

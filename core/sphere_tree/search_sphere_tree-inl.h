@@ -14,12 +14,12 @@
 #include "catena/core/blocks/count_up-inl.h"
 #include "catena/core/blocks/store_pairs-inl.h"
 #include "catena/core/blocks/vector_hits-inl.h"
+#include "catena/core/prefetch.h"
 #include "catena/core/space_tree/axis_boxes-inl.h"
 #include "catena/core/sphere_tree/sphere_evidence.h"
 #include "catena/core/sphere_tree/sphere_queues.h"
 #include "catena/core/sphere_tree/sphere_tree.h"
 #include "catena/core/sphere_tree/turned_spheres-inl.h"
-#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -143,7 +143,7 @@ class SphereSearch {
       for_each_lane(later & ~met, [&](std::uint32_t k) { sink_.nodes_apart(0, a, 0, first + k); });
     for_each_lane(met, [&](std::uint32_t k) {
       const float* const fields = tree_.fields_of(first + k);
-      for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f) hwy::Prefetch(fields + f * group);
+      for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f) prefetch(fields + f * group);
       q_.nodes[nodes_++] = first + k;
     });
     if (nodes_ > SphereQueues::node_limit) meet_nodes(a, box);
