@@ -49,6 +49,9 @@ TEST(XyzReader, TakesTheLatticeAsAPeriodicBoxUnlessPbcSaysOtherwise) {
     EXPECT_EQ(titled("pbc=\"T F T\" " + lattice).boxes, (Boxes{{{9, 0, 7}, 1, -2, 3.5}}));
     EXPECT_EQ(titled(lattice + " pbc=[True, true, 0]").boxes, (Boxes{{{9, 8, 0}, 1, -2, 3.5}}));
     EXPECT_EQ(titled(lattice + " pbc=\"0 1 t\"").boxes, (Boxes{{{0, 8, 7}, 1, -2, 3.5}}));
+    EXPECT_EQ(titled(lattice + " pbc=\"T F F\"").boxes, (Boxes{{{9, 0, 0}, 1, -2, 3.5}}));
+    EXPECT_EQ(titled(lattice + " pbc=\"F T F\"").boxes, (Boxes{{{0, 8, 0}, 1, -2, 3.5}}));
+    EXPECT_EQ(titled(lattice + " pbc=\"F F T\"").boxes, (Boxes{{{0, 0, 7}, 1, -2, 3.5}}));
     EXPECT_TRUE(titled(lattice + " pbc=\"F F F\"").boxes.empty());
     EXPECT_TRUE(titled(lattice).warnings.empty());
   }

@@ -113,7 +113,7 @@ TEST(MmcifReader, TakesAQuoteWithinAQuotedWord) {
 TEST(MmcifReader, SkipsTextsOfSeveralLines) {
   const std::string atoms = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}}, false, false);
   EXPECT_EQ(
-      read_text("a.cif", "data_a\n_struct.title\n;a title\nloop_\n_atom_site.fake\n;\n" + atoms.substr(7))
+      read_text("a.cif", "data_a\n_struct.title\n;a title\nof lines\nloop_\n_atom_site.fake\n;\n" + atoms.substr(7))
           .spheres.size(),
       1u);
 }
