@@ -1,7 +1,6 @@
 #include "catena/core/chain/neighbour_reach.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "catena/core/chain/topology.h"
 
@@ -45,13 +44,14 @@ class ArcStrand {
   }
   /// Those that lie less than `window` apart around the end are at least so many steps apart.
   std::uint32_t around(double window) const {
-    const auto near = [&](std::uint32_t i, std::uint32_t j) {
-      return loop_length_ - (arc_[j] - arc_[i]) < window;
-    };
+    const auto near = [&](double i, double j) { return loop_length_ - (j - i) < window; };
     // One must be near the last sphere, the other near the first, as nothing is nearer.
-    const auto all = std::views::iota(0u, size_);
-    const auto end = *std::ranges::partition_point(all, [&](auto i) { return near(i, size_ - 1); });
-    const auto begin = *std::ranges::partition_point(all, [&](auto j) { return !near(0, j); });
+    const double first = arc_[0], last = arc_[size_ - 1];
+    const auto count_until = [&](const auto& test) {
+      return static_cast<std::uint32_t>(std::partition_point(arc_, arc_ + size_, test) - arc_);
+    };
+    const std::uint32_t end = count_until([&](double i) { return near(i, last); }),
+                        begin = count_until([&](double j) { return !near(first, j); });
     if (end == 0 || begin == size_) return NeighbourReach::any;
     return begin >= end ? begin - (end - 1) : 0;
   }
