@@ -99,17 +99,18 @@ Border::Border(Communicator& ranks, const HeldPart& part) : partners_(ranks.size
   const ForeignTops foreign(Tops::of_all(ranks, blocks.box), ranks.rank());
   const NearRanks near = ranks_near(blocks, foreign);
   const auto size = static_cast<std::uint32_t>(near.block.size());
-  blocks_.reserve(size), ids_.reserve(size);
-  spheres_.reserve(std::size_t{size} * Block::most);
+  std::size_t spheres = 0;
+  for (const std::uint32_t k : near.block) spheres += blocks.block[k].size;
+  blocks_.reserve(size), ids_.reserve(size), begin_.reserve(size);
+  spheres_.reserve(spheres + Block::most);
   boxes_.clear(size);
   const std::vector<std::uint64_t> keys = order_in_space(blocks, near.block);
   const auto place = [&](std::size_t b) { return static_cast<std::uint32_t>(keys[b]); };
   const auto fetch = [&](std::size_t b) {  // as blocks that are near in space lie anywhere in the part
     if (b >= size) return;
     const Block& block = blocks.block[near.block[place(b)]];
-    const std::span<const Sphere> spheres = part.spheres(block);
-    for (const std::size_t k : {std::size_t{0}, spheres.size() / 2, spheres.size() - 1})
-      prefetch(&spheres[k]);
+    const std::span<const Sphere> soon = part.spheres(block);
+    for (const std::size_t k : {std::size_t{0}, soon.size() / 2, soon.size() - 1}) prefetch(&soon[k]);
     prefetch(&part.piece(block));
   };
   for (std::uint32_t b = 0; b < size; ++b) {
@@ -117,14 +118,15 @@ Border::Border(Communicator& ranks, const HeldPart& part) : partners_(ranks.size
     fetch(b + ahead);
     const std::uint32_t at = place(b), k = near.block[at];
     const Block& block = blocks_.emplace_back(blocks.block[k]);
-    const std::span<const Sphere> spheres = part.spheres(block);
-    spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
-    spheres_.resize(blocks_.size() * Block::most, spheres.back());
+    const std::span<const Sphere> own = part.spheres(block);
+    begin_.push_back(static_cast<std::uint32_t>(spheres_.size()));
+    spheres_.insert(spheres_.end(), own.begin(), own.end());
     ids_.push_back(part.id(block));
     boxes_.set(b, blocks.box[k]);
     for (std::size_t n = near.first[at]; n < near.first[at + 1]; ++n)
       partners_[near.rank[n]].told.push_back(b);
   }
+  spheres_.insert(spheres_.end(), Block::most - 1, Sphere{});
   boxes_.refresh(0, size);
   for (unsigned rank = 0; rank < ranks.size(); ++rank) {
     Partner& partner = partners_[rank];

@@ -21,13 +21,14 @@ constexpr bool is_compared(std::uint32_t block, std::uint32_t compared) {
 /// spheres side by side, which lie anywhere in the part.
 class Border {
  public:
-  /// All ranks call it. O(blocks), and O(b log b) for b blocks of the border.
+  /// All ranks call it. O(blocks), and O(b (log b + t)) for b blocks of the border, which meet t tops each: a
+  /// few where blocks are compact, else up to all.
   Border(Communicator& ranks, const HeldPart& part);
 
   std::span<const Block> blocks() const { return blocks_; }
   std::span<const Sphere> spheres(std::uint32_t block) const { return {eight(block), blocks_[block].size}; }
-  /// Eight: of a block that has less the last one again.
-  const Sphere* eight(std::uint32_t block) const { return &spheres_[std::size_t{block} * Block::most]; }
+  /// Where they are: eight, of which the first are the block's.
+  const Sphere* eight(std::uint32_t block) const { return &spheres_[begin_[block]]; }
   /// The number of a block's first sphere in the whole chain.
   SphereId id(std::uint32_t block) const { return ids_[block]; }
   const WideBoxTree& boxes() const { return boxes_; }
@@ -52,8 +53,9 @@ class Border {
   };
 
   std::vector<Block> blocks_;
-  std::vector<SphereId> ids_;    // [block]
-  LargeVector<Sphere> spheres_;  // [block * Block::most + k]
+  std::vector<SphereId> ids_;         // [block]
+  std::vector<std::uint32_t> begin_;  // [block]: of its spheres
+  LargeVector<Sphere> spheres_;       // and seven more
   WideBoxTree boxes_;
   std::vector<Partner> partners_;  // [rank]
 };

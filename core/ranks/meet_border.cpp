@@ -21,36 +21,70 @@ namespace {
 using ranks::Block;
 using ranks::Border;
 
-/// The boxes of a border that meet one.
-class MetBoxes {
+/// The boxes of those blocks of a border that this rank compares: see Border::compared.
+class ComparedBoxes {
  public:
-  /// The numbers, ascending, of those that this rank compares: see Border::compared. Level by level, as a
-  /// walk from box to box is what no processor foresees.
-  HWY_INLINE std::span<const std::uint32_t> of(const WideBoxTree& tree, const Box& box,
-                                               std::uint32_t compared) {
-    const std::span<const std::vector<WideBoxTree::Group>> levels = tree.levels();
-    if (levels.empty()) return {};
-    groups_.resize(1);
-    groups_[0] = 0;
-    std::uint64_t boxes_of_a_child = std::uint64_t{1} << 4 * (levels.size() - 1);  // the fan's power
-    for (std::size_t l = levels.size(); l-- > 0; boxes_of_a_child /= WideBoxTree::fan) {
-      const std::uint32_t lanes = lanes_compared(compared, boxes_of_a_child);
-      children_.resize(groups_.size() * WideBoxTree::fan);
-      std::uint32_t* to = children_.data();
-      for (const std::uint32_t group : groups_)
-        to = store_set(meeting(levels[l][group], box) & lanes, group * WideBoxTree::fan, to);
-      children_.resize(static_cast<std::size_t>(to - children_.data()));
-      std::swap(groups_, children_);
+  HWY_INLINE ComparedBoxes(const WideBoxTree& tree, std::uint32_t compared) : levels_(tree.levels()) {
+    for (std::size_t l = 0; l < levels_.size(); ++l) lanes_[l] = lanes_of_level(l, compared);
+  }
+
+  /// The numbers of those that meet one, ascending. Level by level, as a walk from box to box is what no
+  /// processor foresees. The lists are any.
+  HWY_INLINE std::span<const std::uint32_t> meeting(const Box& box, LargeVector<std::uint32_t>& groups,
+                                                    LargeVector<std::uint32_t>& children) const {
+    groups.assign(levels_.empty() ? 0 : 1, 0);
+    for (std::size_t l = levels_.size(); l-- > 0;) {
+      children.resize(groups.size() * WideBoxTree::fan);
+      std::uint32_t* to = children.data();
+      for (const std::uint32_t group : groups)
+        to = store_set(met(l, group, box), group * WideBoxTree::fan, to);
+      children.resize(static_cast<std::size_t>(to - children.data()));
+      std::swap(groups, children);
     }
-    return groups_;
+    return groups;
+  }
+
+  /// Whether test(b) holds for one that meets this box; those after it are not asked for, as there may be
+  /// many.
+  template <class Test>
+  HWY_INLINE bool any_meeting(const Box& box, const Test& test) const {
+    if (levels_.empty()) return false;
+    struct Level {
+      std::uint32_t group, left;
+    } at[most_levels];
+    std::size_t l = levels_.size() - 1;
+    at[l] = {0, met(l, 0, box)};
+    for (;;) {
+      if (at[l].left == 0) {
+        if (++l == levels_.size()) return false;
+        continue;
+      }
+      const std::uint32_t child =
+          at[l].group * WideBoxTree::fan + static_cast<std::uint32_t>(std::countr_zero(at[l].left));
+      at[l].left &= at[l].left - 1;
+      if (l > 0) {
+        --l;
+        at[l] = {child, met(l, child, box)};
+      } else if (test(child)) {
+        return true;
+      }
+    }
   }
 
  private:
-  /// Which children of any group have a box of the border that is compared; those that `compared` parts as a
-  /// whole, or that are parted themselves, all.
-  static HWY_INLINE std::uint32_t lanes_compared(std::uint32_t compared, std::uint64_t boxes_of_a_child) {
+  static constexpr std::size_t most_levels = 9;  ///< more than 2^32 boxes have
+  static constexpr std::size_t bits_a_level = 4;
+  static_assert(WideBoxTree::fan == 1 << bits_a_level);
+
+  /// Children of a group of this level that meet the box.
+  HWY_INLINE std::uint32_t met(std::size_t l, std::uint32_t group, const Box& box) const {
+    return catena::HWY_NAMESPACE::meeting(levels_[l][group], box) & lanes_[l];
+  }
+  /// Which children of any group have a box that is compared; those that `compared` parts as a whole, or that
+  /// are parted themselves, all.
+  static HWY_INLINE std::uint32_t lanes_of_level(std::size_t l, std::uint32_t compared) {
     constexpr std::uint32_t second_half[] = {0xAAAA, 0xCCCC, 0xF0F0, 0xFF00};
-    const std::uint64_t child = compared / boxes_of_a_child;
+    const std::uint64_t child = std::uint64_t{compared} >> bits_a_level * l;
     return child == 0 || child >= WideBoxTree::fan ? 0xFFFF : second_half[std::countr_zero(child)];
   }
   /// first + k for each bit k that is set. May write as many as a group has.
@@ -64,7 +98,8 @@ class MetBoxes {
     return to;
   }
 
-  LargeVector<std::uint32_t> groups_, children_;
+  const std::span<const std::vector<WideBoxTree::Group>> levels_;
+  std::uint32_t lanes_[most_levels];
 };
 
 /// Which of eight spheres have a box around them, Box::around of each, that meets this one.
@@ -93,39 +128,42 @@ HWY_INLINE std::uint64_t first_of(std::size_t rows, std::size_t columns) {
 
 std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far, std::uint64_t most,
                                std::uint32_t& far_block, LargeVector<ranks::Meeting>& meetings) {
-  MetBoxes boxes;
+  constexpr std::size_t some = 1 << 10;  // as one block may meet the whole border
+  LargeVector<std::uint32_t> groups, children;
   std::uint64_t met = 0;
   for (; far_block < far.blocks() && met < most; ++far_block) {
     const std::span<const Sphere> spheres = far.spheres(far_block);
-    const std::span<const std::uint32_t> own =
-        boxes.of(border.boxes(), box_around(spheres), far.mark(far_block));
-    met += own.size();
     Sphere eight[Block::most]{};
     std::ranges::copy(spheres, eight);
     const SphereTiles tiles(eight);
-    const std::size_t before = meetings.size();
-    meetings.resize(before + own.size());
-    ranks::Meeting* to = meetings.data() + before;
-    for (const std::uint32_t b : own) {
-      const SphereTiles::Verdict verdict = tiles.compare(border.eight(b), Robust::binary32_slack);
-      const std::uint64_t filled = first_of(border.blocks()[b].size, spheres.size());
-      *to = {far_block, b, row_by_row(verdict.overlap) & filled, row_by_row(verdict.open) & filled};
-      to += (to->touch | to->may_touch) != 0;
+    const ComparedBoxes boxes(border.boxes(), far.mark(far_block));
+    std::span<const std::uint32_t> own = boxes.meeting(box_around(spheres), groups, children);
+    met += own.size();
+    for (; !own.empty(); own = own.subspan(std::min(some, own.size()))) {
+      const std::span<const std::uint32_t> these = own.first(std::min(some, own.size()));
+      const std::size_t before = meetings.size();
+      meetings.resize(before + these.size());
+      ranks::Meeting* to = meetings.data() + before;
+      for (const std::uint32_t b : these) {
+        const SphereTiles::Verdict verdict = tiles.compare(border.eight(b), Robust::binary32_slack);
+        const std::uint64_t filled = first_of(border.blocks()[b].size, spheres.size());
+        *to = {far_block, b, row_by_row(verdict.overlap) & filled, row_by_row(verdict.open) & filled};
+        to += (to->touch | to->may_touch) != 0;
+      }
+      meetings.resize(static_cast<std::size_t>(to - meetings.data()));
     }
-    meetings.resize(static_cast<std::size_t>(to - meetings.data()));
   }
   return met;
 }
 
 void may_touch_border_here(const Border& border, std::span<const ranks::BlockBox> boxes,
                            std::uint32_t compared, std::vector<std::uint32_t>& blocks) {
-  MetBoxes met;
+  const ComparedBoxes own(border.boxes(), compared);
   for (const auto& [block, box] : boxes)
-    for (const std::uint32_t b : met.of(border.boxes(), box, compared))
-      if (boxes_meeting(border.eight(b), box) != 0) {
-        blocks.push_back(block);
-        break;
-      }
+    if (own.any_meeting(box, [&](std::uint32_t b) HWY_ATTR {
+          return (boxes_meeting(border.eight(b), box) & lane_bits(border.blocks()[b].size)) != 0;
+        }))
+      blocks.push_back(block);
 }
 
 }  // namespace catena::HWY_NAMESPACE
