@@ -103,7 +103,7 @@ TEST(Images, EncloseWhatTheyAreImagesOfWhereAnEdgeAndATiltCancel) {
         (box.length[0] + box.xy + x) - number(0, 0x1p-36);  // the corner's image is at the origin
     const float radius =
         k % 2 ? 0 : 0.4f;  // of which the rounding of the centre is no share that it has digits for
-    const std::vector<Sphere> spheres{{x, -2, 0, radius}, {x + 1.5f, -1, 0, radius}};
+    const std::vector<Sphere> spheres{{x, -2, 0, radius}, {x + 1.5f, -1, 0, radius}, {x + 1, 0, 0, radius}};
     for (const Sphere& s : images_of(spheres, box)) near_the_origin += std::abs(s.x) < 0x1p-30f && s.y == 0;
     expect_enclosed(spheres, box);
   }

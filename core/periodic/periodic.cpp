@@ -90,7 +90,8 @@ std::optional<bool> Periodic::known_as_stored(const Chain& chain) {
 
 void Periodic::build_images(const Chain& chain) {
   if (home_.empty()) put_into_box(chain);
-  add_ghosts(chain);
+  ghosts_.clear();
+  if (!apart_) add_ghosts(chain);
   images_ = chain_of_images(chain);
   Request wanted;
   wanted.queries = {0, chain.size()};
@@ -162,7 +163,6 @@ std::array<double, 3> Periodic::margins(const Chain& chain) const {
 }
 
 void Periodic::add_ghosts(const Chain& chain) {
-  ghosts_.clear();
   spheres_.resize(chain.size());
   const auto margin = margins(chain);
   for (std::uint32_t i = 0; i < chain.size(); ++i) {

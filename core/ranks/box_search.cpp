@@ -1,7 +1,6 @@
 #include "catena/core/ranks/box_search.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -13,49 +12,65 @@
 namespace catena::ranks {
 namespace {
 
-constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+/// What rank 0 asks of all next.
+struct Task {
+  enum class Kind : std::uint64_t { none, whether_any, pairs } kind = Kind::none;
+  std::uint64_t pair_limit = 0;
+  IdRange pairs_of{};
+};
 
-/// All pairs of a chain that only rank 0 has, there; all ranks call it.
-std::vector<IdPair> pairs_by_all(Communicator& ranks, const Chain* chain, RankOptions options,
-                                 RankWork& work) {
+Task told_by_first(Communicator& ranks, const Task& task) { return all_gather_value(ranks, task).front(); }
+
+/// What all ranks find in a chain that only rank 0 has; all call it.
+RankAnswer search_by_all(Communicator& ranks, const Chain* chain, const Task& task, RankOptions options,
+                         RankWork& work) {
   NamedPart part = scatter(ranks, [&](unsigned rank) {
     return NamedPart{even_part_of(*chain, ranks.size(), rank), {}};
   });
-  options.request = {.want = Request::Want::pairs, .pair_limit = no_limit};
-  const RankAnswer own = search(ranks, std::move(part.part), options, work);
-  std::vector<IdPair> all;
-  for (const Message& message : ranks.exchange({{0, ByteWriter().put_list(own.pairs).take()}}))
-    for (const IdPair& pair : ByteReader(message.bytes).get_list<IdPair>()) all.push_back(pair);
-  return all;
+  const bool pairs = task.kind == Task::Kind::pairs;
+  options.request = {.want = pairs ? Request::Want::pairs : Request::Want::any,
+                     .pair_limit = task.pair_limit};
+  options.pairs_of = task.pairs_of;
+  RankAnswer answer = search(ranks, std::move(part.part), options, work);
+  std::vector<Message> own;
+  if (!answer.pairs.empty()) own.push_back({0, ByteWriter().put_list(answer.pairs).take()});
+  answer.pairs.clear();
+  for (Message& message : ranks.exchange(std::move(own))) {
+    const auto theirs = ByteReader(message.bytes).get_list<IdPair>();
+    answer.pairs.insert(answer.pairs.end(), theirs.begin(), theirs.end());
+    Bytes().swap(message.bytes);
+  }
+  return answer;
 }
 
-/// Whether another search by all is to come: rank 0 knows.
-bool told_by_first(Communicator& ranks, bool more) {
-  return all_gather_value(ranks, std::uint64_t{more}).front() != 0;
-}
-
-/// The search by all ranks as a variant of rank 0; the others call serve meanwhile.
+/// The search by all ranks as a variant of rank 0; the others call serve meanwhile. Counts of spheres, which
+/// Periodic does not ask for, are not filled.
 class ByAllRanks final : public Variant {
  public:
   ByAllRanks(Communicator& ranks, const RankOptions& options, RankWork& work)
       : ranks_(ranks), options_(options), work_(work) {}
 
   void build(const Chain&) override {}
-  /// All pairs at once, whatever the limit.
   void find(const Chain& chain, const Request& request, Collisions& result) override {
-    told_by_first(ranks_, true);
+    const bool any = request.want == Request::Want::any;
+    Task task{any ? Task::Kind::whether_any : Task::Kind::pairs, request.pair_limit, {}};
     const SphereRange queries = request.queries.within(chain.size());
+    if (queries.size() < chain.size()) task.pairs_of = {queries.begin, queries.end};
+    told_by_first(ranks_, task);
+    const RankAnswer answer = search_by_all(ranks_, &chain, task, options_, work_);
     result.pairs.clear();
-    for (const auto& [i, j] : pairs_by_all(ranks_, &chain, options_, work_))
-      if (queries.contains(static_cast<std::uint32_t>(i)))
-        result.pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
-    result.pair_count = result.pairs.size();
-    result.found = result.pair_count > 0;
+    result.found = answer.found;
+    result.pair_count = answer.pair_count;
+    if (!any && answer.pair_count > request.pair_limit)
+      throw PairLimitExceeded(answer.pair_count, request.pair_limit);
+    for (const auto& [i, j] : answer.pairs)
+      result.pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
   }
   Timings timings() const override { return {}; }
 
   static void serve(Communicator& ranks, const RankOptions& options, RankWork& work) {
-    while (told_by_first(ranks, false)) pairs_by_all(ranks, nullptr, options, work);
+    for (Task task; (task = told_by_first(ranks, {})).kind != Task::Kind::none;)
+      search_by_all(ranks, nullptr, task, options, work);
   }
 
  private:
@@ -67,6 +82,7 @@ class ByAllRanks final : public Variant {
 Collisions led(Communicator& ranks, const Chain& chain, const PeriodicBox& box, const RankOptions& options,
                RankWork& work) {
   Periodic periodic(std::make_unique<ByAllRanks>(ranks, options, work), box);
+  periodic.prepare(options.request);
   Collisions found;
   periodic.build(chain);
   try {
@@ -75,7 +91,7 @@ Collisions led(Communicator& ranks, const Chain& chain, const PeriodicBox& box, 
     found.pairs.clear();
     found.pair_count = error.found();
   }
-  told_by_first(ranks, false);
+  told_by_first(ranks, {});
   return found;
 }
 

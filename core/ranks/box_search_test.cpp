@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/thread_ranks.h"
 #include "catena/reference/find_in_box.h"
 #include "catena/reference/ranks/verify_answer.h"
@@ -53,6 +54,29 @@ TEST(BoxSearch, AnswersAsTheReference) {
             EXPECT_TRUE(limited.pairs.empty());
           });
         }
+}
+
+/// For yes or no ranks stop at a pair, and a chain that is short beside its box gets no images, of which each
+/// two would be found, too.
+TEST(BoxSearch, SearchesForNoMoreThanIsAsked) {
+  constexpr std::uint32_t n = 600, pairs = (n - 1) * (n - 2) / 2;  // each touches all, but for its neighbours
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({1e-3f * static_cast<float>(i), 0, 0, 1});
+  const Chain clump(std::move(spheres));
+  for (const Request::Want want : {Request::Want::any, Request::Want::counts})
+    run_in_threads(3, [&](Communicator& c) {
+      const std::optional<Chain> whole = c.rank() == 0 ? std::optional(clump) : std::nullopt;
+      RankWork work;
+      const RankOptions options{.variant = "Hybrid", .request = {.want = want}};
+      EXPECT_TRUE(search_in_box(c, whole, {{100, 100, 100}}, options, work).found);
+      std::uint64_t found = 0;
+      for (const std::uint64_t of_rank : all_gather_value(c, work.pairs_within + work.pairs_across))
+        found += of_rank;
+      if (want == Request::Want::any)
+        EXPECT_LT(found, pairs / 2);
+      else
+        EXPECT_EQ(found, pairs);
+    });
 }
 
 TEST(BoxSearch, EndsOnAllRanksWhereTheBoxIsTooNarrow) {

@@ -13,7 +13,7 @@ namespace {
 /// half of them, but no more than the last.
 constexpr std::uint64_t few_pairs = 1u << 22, pairs_a_sphere = 8, most_pairs = 1u << 27;
 
-/// Where the chain takes some neighbours for colliding.
+/// Where the chain takes some neighbours for colliding, or some pairs are not asked for.
 std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& variant, KeptPairs& kept) {
   std::vector<std::uint32_t> count(part.chain().size(), 0);
   for_each_pair(variant, part.chain(), {0, part.chain().size()}, [&](const Pair& pair) {
@@ -30,8 +30,7 @@ void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint3
                 KeptPairs& kept) {
   part.for_each_passed([&](std::uint32_t i, std::uint32_t j) {
     if (!Robust::overlap(part.chain()[i], part.chain()[j])) return;
-    if (want == Request::Want::any) return kept.add_uncounted(1);
-    ++count[i], ++count[j];
+    if (want != Request::Want::any) ++count[i], ++count[j];
     kept.add(part.id(i), part.id(j));
   });
 }
@@ -64,7 +63,11 @@ void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
 
 std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant, Request::Want want,
                                          std::uint64_t limit, KeptPairs& kept) {
-  if (part.misses_neighbours()) return search_and_sift(part, variant, kept);
+  if (part.misses_neighbours() || !kept.of_all()) {
+    std::vector<std::uint32_t> count = search_and_sift(part, variant, kept);
+    add_passed(part, want, count, kept);
+    return count;
+  }
   Collisions found;
   Request request{.want = want, .pair_limit = limit};
   try {

@@ -18,6 +18,14 @@ struct IdPair {
   friend auto operator<=>(const IdPair&, const IdPair&) = default;
 };
 
+/// Consecutive spheres of the whole chain: begin <= id < end. By default all of them.
+struct IdRange {
+  SphereId begin = 0, end = ~SphereId{0};
+  bool contains(SphereId id) const { return begin <= id && id < end; }
+  bool all() const { return *this == IdRange{}; }
+  friend bool operator==(const IdRange&, const IdRange&) = default;
+};
+
 /// A strand of the whole chain. Its first sphere tells it from all others, as empty ones have no spheres.
 struct Strand {
   SphereId first = 0;

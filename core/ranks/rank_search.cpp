@@ -30,7 +30,8 @@ class RankSearch {
       : ranks_(ranks),
         options_(options),
         work_(work),
-        kept_(options.request.want == Request::Want::pairs ? options.request.pair_limit : 0) {}
+        kept_(options.request.want == Request::Want::pairs ? options.request.pair_limit : 0,
+              options.pairs_of) {}
 
   RankAnswer run(Part part) {
     enter(Phase::take_part);
@@ -65,7 +66,7 @@ class RankSearch {
     const Request& request = options_.request;
     const auto variant = StrategyRegistry::instance().make(options_.variant);
     blaming(options_.variant, [&] {
-      variant->prepare({.want = asked_within(*part_, request.want)});
+      variant->prepare({.want = asked_within(*part_, request.want, kept_)});
       variant->build(part_->chain());
     });
     enter(Phase::within);

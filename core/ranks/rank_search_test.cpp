@@ -101,6 +101,34 @@ TEST(RankSearch, KnowsNeighboursAcrossPiecesAndAroundTheEnd) {
   }
 }
 
+/// A coil has neighbours that the parts' chains miss, or pass over; the others have not.
+TEST(RankSearch, TellsPairsOfSomeSpheresAlone) {
+  const Chain yarn = chain_of("yarn:n=900"), open = coil(false, Exclusion::index(12)),
+              closed = coil(true, Exclusion::index(1));
+  for (const Chain* chain : {&yarn, &open, &closed}) {
+    const reference::Answer exact = reference::find(*chain);
+    const SphereId n = chain->size();
+    for (const IdRange& range :
+         {IdRange{0, n / 2}, IdRange{n / 3, n / 3 + 1}, IdRange{n / 2, n}, IdRange{n, n}})
+      for (const unsigned ranks : {1u, 3u, 5u})
+        for (const Order order : {Order::chain, Order::space}) {
+          std::vector<IdPair> pairs;
+          for (const auto& [i, j] : exact.pairs)
+            if (range.contains(i)) pairs.push_back({i, j});
+          RankOptions options{.order = order, .pairs_of = range};
+          const Whole whole = searched(ranks, options, evenly(*chain));
+          EXPECT_EQ(whole.pairs, pairs);
+          EXPECT_EQ(whole.pair_count, pairs.size());
+          EXPECT_EQ(whole.count, std::vector<std::uint64_t>(exact.count.begin(), exact.count.end()));
+          options.request.want = Request::Want::any;
+          run_in_threads(ranks, [&](Communicator& c) {
+            RankWork work;
+            EXPECT_EQ(search(c, evenly(*chain)(c), options, work).found, !pairs.empty());
+          });
+        }
+  }
+}
+
 TEST(RankSearch, KeepsToTheLimitOfAllRanks) {
   const Chain chain = chain_of("coincident:n=60");
   for (const std::uint64_t limit : {0u, 100u, 811u, 812u}) {
