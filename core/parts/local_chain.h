@@ -11,10 +11,10 @@
 
 namespace catena::parts {
 
-/// The spheres of a part and of its halo as a chain of their own, in which exactly those are neighbours that
-/// are so in the whole: first what is of parts before it, then its own spheres, then the rest. A search for
-/// the pairs i < j whose i is of the part so finds each pair of the whole chain in one part, and every
-/// collision of its own spheres.
+/// The spheres of a part and of its halo as a chain of their own, in which exactly those that overlap are
+/// neighbours that are so in the whole: first what is of parts before it, then its own spheres, then the
+/// rest. A search for the pairs i < j whose i is of the part so finds each pair of the whole chain in one
+/// part, and every collision of its own spheres.
 class CATENA_API LocalChain {
  public:
   /// Consecutive spheres of one strand of the whole chain.
@@ -48,7 +48,7 @@ class CATENA_API LocalChain {
   bool by_number() const { return by_number_; }
   /// Each is a strand.
   std::span<const Piece> pieces() const { return pieces_; }
-  /// Neighbours that no strand shows, i < j, each once, sorted.
+  /// Neighbours that overlap and that no strand shows, i < j, each once, sorted.
   std::span<const Pair> extra() const { return extra_; }
   /// A single piece, open and without extra pairs: no table is needed to say who are neighbours.
   bool is_one_open_strand() const { return pieces_.size() == 1 && !pieces_[0].closed && extra_.empty(); }
