@@ -30,7 +30,8 @@ void give_radii(CurveFile& curves, const InputOptions& options, const std::strin
   const double radius = options.radius ? double{*options.radius} : half_median_step(curves);
   if (options.radius && !(std::isfinite(radius) && radius >= 0))
     throw InputError(fmt::format("{}: the radius must be finite and not negative, got {}", name, radius));
-  if (options.radius_half_spacing && !(radius > 0 && radius <= std::numeric_limits<float>::max()))
+  if (options.radius_half_spacing &&
+      !(static_cast<float>(radius) > 0 && radius <= std::numeric_limits<float>::max()))
     throw InputError(fmt::format("{}: half the median step is {}, no usable radius; give one with --radius R",
                                  name, radius));
   const auto give = [&](std::vector<Sphere>& spheres) {
@@ -124,7 +125,21 @@ Exclusion chosen_exclusion(const InputOptions& options, const Exclusion& own) {
   return chosen;
 }
 
+/// Each point was finite; what is left of it may be no number of binary32.
+void require_finite(const std::vector<Sphere>& spheres, const std::string& name) {
+  for (std::size_t k = 0; k < spheres.size(); ++k)
+    if (const Sphere& s = spheres[k]; !std::isfinite(s.x) || !std::isfinite(s.y) || !std::isfinite(s.z))
+      throw InputError(
+          fmt::format("{}: sphere {} lies further than binary32 reaches from the origin that is taken off; "
+                      "take another off with --origin X,Y,Z, or none",
+                      name, k));
+}
+
 void complete(CurveFile& curves, const InputOptions& options, const std::string& name) {
+  if (curves.rounding.origin()) {
+    require_finite(curves.spheres, name);
+    for (const auto& frame : curves.later_frames) require_finite(frame, name);
+  }
   if (options.closed) close_strands(curves, name);
   const bool own_radii = curves.has_radii;
   give_radii(curves, options, name);

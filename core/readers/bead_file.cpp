@@ -24,32 +24,46 @@ std::vector<std::uint32_t> order_of(const std::vector<std::int64_t>& ids) {
 }  // namespace
 
 void BeadFile::add(std::int64_t id, double x, double y, double z, float radius, std::int64_t molecule) {
-  if (frames_ == 0) {
-    ids_.push_back(id);
-    if (molecule != 0) molecules_.resize(ids_.size());
-    if (!molecules_.empty()) molecules_.resize(ids_.size()), molecules_.back() = molecule;
-  } else {
-    if (curves_.later_frames.size() < frames_) curves_.begin_later_frame();
-    later_ids_.push_back(id);
-  }
+  if (frames_ > 0 && curves_.later_frames.size() < frames_) curves_.begin_later_frame();
+  auto& ids = frames_ == 0 ? ids_ : later_ids_;
+  auto& molecules = frames_ == 0 ? molecules_ : later_molecules_;
+  ids.push_back(id);
+  if (molecule != 0) molecules.resize(ids.size());
+  if (!molecules.empty()) molecules.resize(ids.size()), molecules.back() = molecule;
   curves_.add_point(x, y, z, radius);
 }
 
 void BeadFile::end_frame() {
   auto& ids = frames_ == 0 ? ids_ : later_ids_;
+  auto& molecules = frames_ == 0 ? molecules_ : later_molecules_;
   if (frames_ > 0 && curves_.later_frames.size() < frames_) curves_.begin_later_frame();
   if (!std::ranges::is_sorted(ids)) {
     const auto order = order_of(ids);
     put_in_order(frames_ == 0 ? curves_.spheres : curves_.later_frames.back(), order);
     put_in_order(ids, order);
-    if (frames_ == 0 && !molecules_.empty()) put_in_order(molecules_, order);
+    if (!molecules.empty()) put_in_order(molecules, order);
   }
   if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
     throw InputError(fmt::format("{}: atom {} comes twice in frame {}", file_, *twice, frames_));
   if (frames_ > 0 && ids != ids_)
     throw InputError(fmt::format("{}: frame {} has not the same atoms as frame 0", file_, frames_));
-  later_ids_.clear();
+  if (frames_ > 0 && other_molecules_.empty()) compare_molecules();
+  later_ids_.clear(), later_molecules_.clear();
   ++frames_;
+}
+
+void BeadFile::compare_molecules() {
+  const auto of = [](const std::vector<std::int64_t>& molecules, std::size_t k) {
+    return molecules.empty() ? 0 : molecules[k];
+  };
+  for (std::size_t k = 0; k < ids_.size(); ++k)
+    if (const auto here = of(later_molecules_, k), first = of(molecules_, k); here != first) {
+      other_molecules_ = fmt::format(
+          "{}: atom {} is of molecule {} in frame {}, of {} in frame 0, so molecules tell no strands; "
+          "name a file with bonds by --topology, or keep frames of the same molecules",
+          file_, ids_[k], here, frames_, first);
+      return;
+    }
 }
 
 std::optional<std::uint32_t> BeadFile::place_of(std::int64_t id) const {
@@ -73,6 +87,7 @@ void BeadFile::reserve(std::size_t beads, std::size_t bonds) {
 }
 
 std::vector<Pair> BeadFile::edges_without_bonds() {
+  if (!other_molecules_.empty()) throw InputError(other_molecules_);
   std::vector<Pair> edges;
   if (molecules_.empty()) {
     curves_.warnings.emplace_back(

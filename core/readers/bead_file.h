@@ -21,7 +21,7 @@ class BeadFile {
   /// A bead of the frame under way; molecule 0: of none.
   void add(std::int64_t id, double x, double y, double z, float radius, std::int64_t molecule);
   /// The beads since the last call are a frame. Throws InputError for an id that comes twice, or another set
-  /// of ids than that of the first frame.
+  /// of ids than that of the first frame. Other molecules than there are an error where no bond is told.
   void end_frame();
   /// A bond; of the beads of the first frame, once that has ended. The reason when it can be none, as it
   /// names a bead that is not there; empty when it is good.
@@ -30,19 +30,22 @@ class BeadFile {
 
   CurveFile& about() { return curves_; }  ///< for radii, boxes and warnings
 
-  CurveFile curves();  ///< once
+  /// Once. Throws InputError.
+  CurveFile curves();
 
  private:
   /// None where there is no such bead.
   std::optional<std::uint32_t> place_of(std::int64_t id) const;
   std::vector<Pair> edges_without_bonds();
+  void compare_molecules();
 
   std::string file_;
   CurveFile curves_;
   std::size_t frames_ = 0;
   std::vector<std::int64_t> ids_, molecules_;  ///< of the first frame; no molecules where all are 0
-  std::vector<std::int64_t> later_ids_;        ///< of the frame under way
-  std::vector<Pair> bonds_;                    ///< places of the first frame
+  std::vector<std::int64_t> later_ids_, later_molecules_;  ///< of the frame under way
+  std::string other_molecules_;  ///< why molecules tell no strands: those of a later frame are others
+  std::vector<Pair> bonds_;      ///< places of the first frame
 };
 
 }  // namespace catena

@@ -49,6 +49,54 @@ TEST(LammpsDumpReader, RefusesRowsThatAreNotWhatTheirNamesSay) {
               "a bound of the box is 'low high', and a tilt where it is tilted");
 }
 
+/// What a column says twice, or a radius and a diameter, may be read in two ways; what is not read may be.
+TEST(LammpsDumpReader, RefusesColumnsThatSayOneThingTwice) {
+  for (const char* name : {"id", "mol", "x", "radius"})
+    expect_says(
+        complaint("a.dump", dump(cube, std::string("id mol x y z radius ") + name, "1 1 0 0 0 1 1\n")),
+        std::string("the column ") + name + " comes twice");
+  for (const char* columns : {"id x y z radius diameter", "id radius diameter x y z"})
+    expect_says(complaint("a.dump", dump(cube, columns, "1 1 1 1 2 1\n")), "is not half of the diameter");
+  EXPECT_EQ(read_text("a.dump", dump(cube, "id x y z q q", "1 0 0 0 1 2\n")).spheres.size(), 1u);
+}
+
+/// Strands are those of the first frame: where they are molecules, these are the same in all frames.
+TEST(LammpsDumpReader, RefusesMoleculesThatChange) {
+  const auto frame = [](const std::string& columns, const std::string& rows) {
+    return "ITEM: TIMESTEP\n7\n" + dump(cube, columns, rows);
+  };
+  const std::string named = "id mol x y z", first = frame(named, "1 1 0 0 0\n2 1 1 0 0\n3 2 2 0 0\n");
+  EXPECT_EQ(
+      read_text("a.dump", first + frame(named, "3 2 2 0 0\n1 1 0 0 0\n2 1 1 0 0\n")).later_frames.size(), 1u);
+  const std::string others = first + first + frame(named, "3 2 2 0 0\n1 1 0 0 0\n2 2 1 0 0\n");
+  expect_says(complaint("a.dump", others), "atom 2 is of molecule 2 in frame 2, of 1 in frame 0");
+  expect_says(complaint("a.dump", first + frame("id x y z", "1 0 0 0\n2 1 0 0\n3 2 0 0\n")),
+              "atom 1 is of molecule 0 in frame 1, of 1 in frame 0");
+  expect_says(complaint("a.dump", frame("id x y z", "1 0 0 0\n") + frame(named, "1 5 0 0 0\n")),
+              "atom 1 is of molecule 5 in frame 1, of 0 in frame 0");
+  const TestFile bonds("b.data", "t\n\n3 atoms\n1 bonds\n\nBonds\n\n1 1 1 3\n"), dumped("a.dump", others);
+  EXPECT_EQ(ReaderRegistry::instance().read(dumped.path(), {.topology = bonds.path().string()}).strand_first,
+            (std::vector<std::uint32_t>{0, 2, 3}));
+}
+
+TEST(LammpsDataReader, RefusesAHeaderThatSaysOneThingTwice) {
+  const std::string atoms = "\nAtoms # atomic\n\n1 1 0 0 0\n",
+                    box = "0 8 xlo xhi\n0 8 ylo yhi\n0 8 zlo zhi\n";
+  EXPECT_EQ(read_text("a.data", "t\n\n1 atoms\n" + box + atoms).boxes.size(), 1u);
+  for (const std::string line : {"1 atoms", "0 bonds", "0 9 xlo xhi", "0 9 zlo zhi", "0 0 0 xy xz yz"})
+    expect_says(complaint("a.data", "t\n\n1 atoms\n0 bonds\n0 0 0 xy xz yz\n" + box + line + "\n" + atoms),
+                "the header says " + line.substr(line.find_first_not_of("0123456789 ")) + " twice");
+}
+
+TEST(LammpsDataReader, SaysThatABoxOfAnyEdgesIsLeftOut) {
+  const CurveFile curves = read_text("a.data",
+                                     "t\n\n1 atoms\n8 0 0 avec\n0 8 0 bvec\n0 0 8 cvec\n0 0 0 abc origin\n\n"
+                                     "Atoms # atomic\n\n1 1 0 0 0\n");
+  EXPECT_TRUE(curves.boxes.empty());
+  ASSERT_FALSE(curves.warnings.empty());
+  expect_says(curves.warnings[0], "its box of general edges (avec bvec cvec) is left out");
+}
+
 /// A frame is whole or refused: wherever its header ends, and whether the file or another frame follows.
 TEST(LammpsDumpReader, RefusesFramesOfWhichTheAtomsAreMissing) {
   const std::string units = "ITEM: UNITS\nlj\nITEM: TIME\n0.5\n", step = "ITEM: TIMESTEP\n7\n",
@@ -135,6 +183,7 @@ TEST(OxdnaReader, RefusesFramesThatAreNotWhole) {
   expect_says(oxdna_complaint(top, "t = 0\n" + box + rows + "t = 1\nb = 0 0 0\n" + rows),
               "a.conf:6: this frame and the first differ in having a periodic box");
   expect_says(oxdna_complaint(top, "t = 0\nb = 9 9 9 9\n" + rows), "the box is 'b = X Y Z'");
+  expect_says(oxdna_complaint(top, "t = 0\n" + box + box + rows), "a.conf:3: a second box of this frame");
   expect_says(oxdna_complaint(top, "t = 0\n" + box + rows + "2 0 0\n"),
               "frame 0 has more nucleotides than the topology's 2");
   expect_says(oxdna_complaint("2 1\n1 A 0 0\n1 C -1 -1\n", "t = 0\n" + box + rows),

@@ -209,7 +209,7 @@ TEST(LammpsDumpReader, TakesFractionsOnlyInFramesThatSaySo) {
   EXPECT_EQ(curves.later_frames, (std::vector<std::vector<Sphere>>{{of_plain}, {of_scaled}}));
   for (const char* names : {"radius diameter", "diameter radius"}) {
     const bool first = names[0] == 'r';
-    EXPECT_EQ(read_text("a.dump", frame(std::string("x y z ") + names, first ? "0 0 0 3 8" : "0 0 0 8 3")).spheres[0].radius,
+    EXPECT_EQ(read_text("a.dump", frame(std::string("x y z ") + names, first ? "0 0 0 3 6.0001" : "0 0 0 6 3")).spheres[0].radius,
               3.0f)
         << names;
   }

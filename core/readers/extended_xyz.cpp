@@ -136,8 +136,14 @@ void read_properties(std::string_view value, ExtendedXyz& found) {
 
 ExtendedXyz parse_extended_xyz(std::string_view title) {
   ExtendedXyz found;
+  std::vector<std::string> seen;
   while (!title.empty()) {
     const auto [key, value] = take_item(title);
+    if (value && (key == "properties" || key == "lattice" || key == "pbc")) {
+      if (std::ranges::find(seen, key) != seen.end())
+        throw InputError(fmt::format("{} stands twice; keep one of them", in_quotes(key)));
+      seen.push_back(key);
+    }
     if (value && key == "properties") read_properties(*value, found);
     if (value && key == "lattice") read_lattice(*value, found);
     if (value && key == "pbc") read_periodic(*value, found);

@@ -69,6 +69,11 @@ TEST(XyzReader, TakesTheLatticeAsAPeriodicBoxUnlessPbcSaysOtherwise) {
   EXPECT_COMPLAINT("2: Lattice: 'a' is not a number", "a.xyz", "1\nLattice=\"a 0 0 0 9 0 0 0 9\"" + end);
   EXPECT_COMPLAINT("2: Lattice '\"9 0 0 0 9 0 0 0 9 9\"' has 10 numbers, not 9", "a.xyz",
                    "1\nLattice=\"9 0 0 0 9 0 0 0 9 9\"" + end);
+  for (const std::string twice : {"Lattice=\"9 0 0 0 9 0 0 0 9\"", "pbc=\"T T T\"", "Properties=pos:R:3"})
+    EXPECT_NE(complaint("a.xyz", "1\n" + twice + " a=b a=c " + twice + "\n0 0 0\n")
+                  .find("' stands twice; keep one of them"),
+              std::string::npos)
+        << twice;
   for (const std::string pbc : {"\"T T\"", "\"T T T F\"", "\"T T maybe\"", "\"T T 2\""})
     EXPECT_COMPLAINT("2: pbc '" + pbc + "' is not T or F three times", "a.xyz", "1\npbc=" + pbc + end);
 }

@@ -48,16 +48,22 @@ void LammpsData::read_header_line() {
   const auto is = [&](std::size_t numbers, std::string_view word) {
     return fields.size() == numbers + 1 && fields[numbers] == word;
   };
-  if (is(1, "atoms")) atoms_ = lines_.count(fields[0], "number of atoms");
-  if (is(1, "bonds")) bonds_ = lines_.count(fields[0], "number of bonds");
+  const auto say = [&](const std::string& what) {
+    if (!said_.insert(what).second) lines_.fail(fmt::format("the header says {} twice", what));
+  };
+  if (is(1, "atoms")) say("atoms"), atoms_ = lines_.count(fields[0], "number of atoms");
+  if (is(1, "bonds")) say("bonds"), bonds_ = lines_.count(fields[0], "number of bonds");
+  if (fields.size() == 4 && fields[3].size() == 4 && fields[3].ends_with("vec")) has_general_box_ = true;
   constexpr std::string_view axes = "xyz";
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (fields.size() == 4 && fields[2] == fmt::format("{}lo", axes[axis]) &&
         fields[3] == fmt::format("{}hi", axes[axis])) {
+      say(fmt::format("{} {}", fields[2], fields[3]));
       box_.length[axis] = lines_.wide_real(fields[1], "upper end") - lines_.wide_real(fields[0], "lower end");
       has_box_ = true;
     }
   if (fields.size() == 6 && fields[3] == "xy") {
+    say("xy xz yz");
     box_.xy = lines_.wide_real(fields[0], "xy");
     box_.xz = lines_.wide_real(fields[1], "xz");
     box_.yz = lines_.wide_real(fields[2], "yz");
@@ -129,6 +135,11 @@ class LammpsAtoms {
       beads_.about().boxes.push_back(data_.box());
       beads_.about().box_is_periodic = false;
     }
+    if (data_.has_general_box())
+      beads_.about().warnings.emplace_back(
+          "its box of general edges (avec bvec cvec) is left out, and nothing is periodic; write it as xlo "
+          "xhi, "
+          "ylo yhi, zlo zhi and xy xz yz");
     data_.lines().forget();
     return beads_.curves();
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ class LammpsData {
   std::uint32_t bonds() const { return bonds_; }  ///< that the header announces
   std::uint32_t atoms() const { return atoms_; }
   bool has_box() const { return has_box_; }
+  bool has_general_box() const { return has_general_box_; }  ///< of any edges, which is not read
   const PeriodicBox& box() const { return box_; }
 
  private:
@@ -45,7 +47,8 @@ class LammpsData {
   std::string section_, style_;
   std::vector<std::string_view> none_;
   std::uint32_t atoms_ = 0, bonds_ = 0;
-  bool has_box_ = false, at_section_ = false;
+  bool has_box_ = false, has_general_box_ = false, at_section_ = false;
+  std::set<std::string> said_;  ///< in the header
   PeriodicBox box_;
 };
 

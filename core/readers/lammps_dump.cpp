@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "catena/core/counted.h"
@@ -121,7 +122,9 @@ class LammpsDump {
     columns_ = names.size();
     const auto column = [&](const char* name) {
       const auto found = std::ranges::find(names, name);
-      return found == names.end() ? none : static_cast<std::size_t>(found - names.begin());
+      if (found == names.end()) return none;
+      if (std::ranges::count(names, name) > 1) lines_.fail(fmt::format("the column {} comes twice", name));
+      return static_cast<std::size_t>(found - names.begin());
     };
     id_ = column("id"), molecule_ = column("mol"), radius_ = column("radius"), diameter_ = column("diameter");
     scaled_ = false;
@@ -156,7 +159,14 @@ class LammpsDump {
     }
     float radius = 0;
     if (radius_ != none) radius = lines_.radius(fields[radius_]);
-    if (radius_ == none && diameter_ != none) radius = lines_.half(fields[diameter_]);
+    if (diameter_ != none) {
+      const float half = lines_.half(fields[diameter_]);
+      constexpr float rounding = 1e-4f;  // of what has five digits
+      if (radius_ != none && std::abs(half - radius) > rounding * std::max(half, radius))
+        lines_.fail(fmt::format("the radius {} is not half of the diameter {}; keep one of the two columns",
+                                fields[radius_], fields[diameter_]));
+      if (radius_ == none) radius = half;
+    }
     beads_.add(lines_.integer(fields[id_], "id"), x, y, z, radius,
                molecule_ == none ? 0 : lines_.integer(fields[molecule_], "mol"));
   }

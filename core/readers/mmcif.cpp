@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "catena/core/counted.h"
 #include "catena/core/readers/file_bytes.h"
@@ -32,10 +33,15 @@ class CifTables {
   TextLines& lines() { return lines_; }
   const TextLines& lines() const { return lines_; }
 
+  void return_to(const TextLines::Mark& mark) {
+    lines_.return_to(mark);
+    at_loop_ = false;
+  }
+
   /// Goes to the next table of this category, in lower case; false when there is none.
   bool find(std::string_view category) {
     names_.clear();
-    while (lines_.next()) {
+    while (std::exchange(at_loop_, false) || lines_.next()) {
       const std::string_view line = trimmed(lines_.line());
       if (lines_.line().starts_with(';')) skip_text();
       if (!is_loop(line)) continue;
@@ -53,6 +59,7 @@ class CifTables {
   std::optional<std::size_t> column(std::string_view name) const {
     const auto found = std::ranges::find(names_, lower_case(name));
     if (found == names_.end()) return {};
+    if (std::ranges::count(names_, *found) > 1) lines_.fail(fmt::format("the column {} comes twice", name));
     return static_cast<std::size_t>(found - names_.begin());
   }
 
@@ -66,8 +73,10 @@ class CifTables {
       fresh_ = false;
       const std::string_view line = trimmed(lines_.line());
       if (line.empty()) continue;
-      if (row_.empty() && (line[0] == '#' || line[0] == '_' || is_loop(line) || line.starts_with("data_")))
+      if (row_.empty() && (line[0] == '#' || line[0] == '_' || is_loop(line) || line.starts_with("data_"))) {
+        at_loop_ = is_loop(line);
         return row_;
+      }
       if (line[0] == ';') lines_.fail("a text of several lines where a word is due");
       add_words(line);
     }
@@ -113,6 +122,7 @@ class CifTables {
   std::vector<std::string_view> row_;
   std::deque<std::string> kept_;  ///< the first words of the row, which views name
   bool fresh_ = false;            ///< the current line is the first of the table's rows
+  bool at_loop_ = false;          ///< it is that of the table behind this one
 };
 
 class Mmcif {
@@ -123,7 +133,7 @@ class Mmcif {
   CurveFile curves() {
     const auto start = tables_.lines().mark();
     if (tables_.find("_entity_poly_seq")) read_sequence();
-    tables_.lines().return_to(start);
+    tables_.return_to(start);
     tables_.lines().read_once();
     if (!tables_.find("_atom_site")) tables_.lines().fail("the file has no table _atom_site");
     read_atoms();

@@ -70,8 +70,8 @@ RC_GTEST_PROP(MmcifReader, GivesWhatPdbGives, (bool quoted, bool split)) {
 
 // As after TER: what is of the same chain by its author's name, but of another label, comes after its end.
 TEST(MmcifReader, LeavesLigandsOfAnotherLabelOut) {
-  std::string text = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}, {"HETATM", "CA", "MSE", 'A', 2, 1, 3, 0, 0}},
-                            false, false);
+  std::string text = cif_of(
+      {{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}, {"HETATM", "CA", "MSE", 'A', 2, 1, 3, 0, 0}}, false, false);
   EXPECT_EQ(read_text("a.cif", text).spheres.size(), 2u);
   text.replace(text.find("MSE A A"), 7, "MSE B A");
   EXPECT_EQ(read_text("a.cif", text).spheres.size(), 1u);
@@ -96,8 +96,10 @@ TEST(MmcifReader, GoesOnBehindALigandWithinAChain) {
 
 // Numbers used twice, without alternatives, are two residues, as in a .pdb file.
 TEST(MmcifReader, TakesNumbersUsedTwiceForTwoResidues) {
-  const std::vector<Atom> atoms{{"ATOM", "CA", "SER", 'A', 1, 1, 0, 0, 0}, {"ATOM", "CA", "THR", 'A', 1, 1, 3, 0, 0}};
-  const CurveFile cif = read_text("a.cif", cif_of(atoms, false, false)), pdb = read_text("a.pdb", pdb_of(atoms));
+  const std::vector<Atom> atoms{{"ATOM", "CA", "SER", 'A', 1, 1, 0, 0, 0},
+                                {"ATOM", "CA", "THR", 'A', 1, 1, 3, 0, 0}};
+  const CurveFile cif = read_text("a.cif", cif_of(atoms, false, false)),
+                  pdb = read_text("a.pdb", pdb_of(atoms));
   EXPECT_EQ(cif.spheres.size(), 2u);
   EXPECT_EQ(cif.spheres, pdb.spheres);
 }
@@ -110,12 +112,27 @@ TEST(MmcifReader, TakesAQuoteWithinAQuotedWord) {
   EXPECT_EQ(ReaderRegistry::instance().read(file.path(), {.atom = "O5'P"}).spheres.size(), 1u);
 }
 
+TEST(MmcifReader, SaysThatASecondTableIsNotRead) {
+  const std::string atoms = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}}, false, false),
+                    table = atoms.substr(atoms.find("loop_"));
+  for (const std::string between : {"", "data_b\n", "loop_\n_other.id\n1\n"}) {
+    const std::string first = atoms.substr(0, atoms.size() - 2);  // without its #
+    const CurveFile curves = read_text("a.cif", first + between + table);
+    EXPECT_EQ(curves.spheres.size(), 1u);
+    ASSERT_EQ(curves.warnings.size(), 1u) << between;
+    EXPECT_NE(curves.warnings[0].find("a second table _atom_site is not read"), std::string::npos);
+  }
+  std::string twice = atoms;
+  twice.replace(twice.find("Cartn_y"), 7, "Cartn_x");
+  EXPECT_NE(complaint("a.cif", twice).find("the column Cartn_x comes twice"), std::string::npos);
+}
+
 TEST(MmcifReader, SkipsTextsOfSeveralLines) {
   const std::string atoms = cif_of({{"ATOM", "CA", "ALA", 'A', 1, 1, 0, 0, 0}}, false, false);
-  EXPECT_EQ(
-      read_text("a.cif", "data_a\n_struct.title\n;a title\nof lines\nloop_\n_atom_site.fake\n;\n" + atoms.substr(7))
-          .spheres.size(),
-      1u);
+  EXPECT_EQ(read_text("a.cif", "data_a\n_struct.title\n;a title\nof lines\nloop_\n_atom_site.fake\n;\n" +
+                                   atoms.substr(7))
+                .spheres.size(),
+            1u);
 }
 
 TEST(MmcifReader, TakesNamesAndKeywordsOfAnyCase) {

@@ -156,6 +156,7 @@ class Oxdna {
       if (fields.empty()) continue;
       if (fields.size() > 1 && fields[1] == "=") {
         if (fields[0] == "t" && (has_box || nucleotides > 0)) break;
+        if (fields[0] == "b" && has_box) lines_.fail("a second box of this frame");
         if (fields[0] == "b") read_box(fields), has_box = true;
       } else {
         read_nucleotide(fields, ++nucleotides, frame);

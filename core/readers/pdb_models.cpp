@@ -43,6 +43,8 @@ void PdbModels::take_first(PdbTrace first) {
   curves_.end_strand();
   curves_.labels = std::move(first.labels);
   say(first.breaks, "step longer than a bond is a break", "steps longer than a bond are breaks");
+  say(first.parted, "part of a chain stands behind another chain, and is a strand of its own",
+      "parts of chains stand behind other chains, and are strands of their own");
   const std::string atom = atom_.empty() ? "C-alpha or P" : in_quotes(atom_);
   say(first.without_atom, "residue without " + atom + " is left out",
       "residues without " + atom + " are left out");

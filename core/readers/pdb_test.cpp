@@ -116,6 +116,23 @@ TEST(PdbReader, EndsStrandsAtTerChainChangeAndGapAndSaysWhichGap) {
   EXPECT_EQ(gap.warnings[0], "1 step longer than a bond is a break: A/GLY2/CA to A/ALA7/CA, 5.0 Angstrom");
 }
 
+/// A ligand of a chain behind another one is none of its parts.
+TEST(PdbReader, SaysWhereAChainGoesOnBehindAnother) {
+  const auto at = [](float x, char chain, int number, const char* record = "ATOM") {
+    return line({x, record, " CA ", ' ', "GLY", chain, number});
+  };
+  const CurveFile parted = read_text("a.pdb", at(0, 'A', 1) + at(9, 'B', 1) + at(3, 'A', 2) + at(12, 'B', 2));
+  EXPECT_EQ(parted.strand_first, (Offsets{0, 1, 2, 3, 4}));
+  ASSERT_EQ(parted.warnings.size(), 1u);
+  EXPECT_EQ(parted.warnings[0],
+            "2 parts of chains stand behind other chains, and are strands of their own: A/GLY2/CA, ...");
+  const CurveFile whole = read_text("a.pdb", at(0, 'A', 1) + "TER\n" + at(9, 'B', 1) + "TER\n" + at(3, 'A', 9, "HETATM"));
+  EXPECT_EQ(whole.spheres.size(), 2u);
+  EXPECT_TRUE(whole.warnings.empty());
+  const std::string two = at(0, 'A', 1) + at(9, 'B', 1);
+  EXPECT_TRUE(read_text("a.pdb", "MODEL 1\n" + two + "ENDMDL\nMODEL 2\n" + two + "ENDMDL\n").warnings.empty());
+}
+
 TEST(PdbReader, LeavesLigandsAfterTerOut) {
   const auto curves = read_text("a.pdb", lines({{0}}) + "TER\n" + lines({{3, "HETATM", " CA ", ' ', "MSE"}}));
   EXPECT_EQ(curves.spheres.size(), 1u);

@@ -75,7 +75,7 @@ void PdbTracer::go_on() {
 PdbTrace PdbTracer::finish() {
   end_residue();
   continues_ = false;
-  ended_.clear();
+  ended_.clear(), traced_.clear();
   return std::exchange(trace_, {});
 }
 
@@ -113,8 +113,9 @@ void PdbTracer::end_residue() {
 }
 
 void PdbTracer::add_point(const PdbAtom& atom) {
+  bool behind_ter = false;
   if (const auto ended = ended_.find(chain_of(atom)); ended != ended_.end())
-    ended_.erase(ended);  // a TER in a chain that goes on
+    ended_.erase(ended), behind_ter = true;  // a TER in a chain that goes on, or another of its letter
   bool starts = !continues_ || chain_of(atom) != chain_of(last_atom_);
   if (!starts) {
     const double step = std::hypot(atom.x - last_atom_.x, atom.y - last_atom_.y, atom.z - last_atom_.z);
@@ -123,6 +124,8 @@ void PdbTracer::add_point(const PdbAtom& atom) {
       trace_.breaks.add(fmt::format("{} to {}, {:.1f} Angstrom", label_of(last_atom_), label_of(atom), step));
   }
   if (starts) trace_.labels.strand_names.emplace_back(chain_of(atom));
+  const bool comes_again = starts && !traced_.emplace(chain_of(atom)).second;
+  if (comes_again && !behind_ter && chain_of(atom) != chain_of(last_atom_)) trace_.parted.add(label_of(atom));
   label_.clear();
   append_label(label_, atom);
   trace_.labels.add(std::string_view(label_));

@@ -28,6 +28,7 @@ struct PdbTrace {
     }
   };
   Note breaks;        ///< steps longer than a bond can be
+  Note parted;        ///< strands of chains that went on behind another chain
   Note without_atom;  ///< residues of a polymer that lack the atom
   Note hetero;        ///< HETATM residues that have the atom, but are not of the chain
 };
@@ -61,8 +62,9 @@ class PdbTracer {
   std::vector<PdbAtom> residue_;  ///< under way
   bool continues_ = false;        ///< the next point may be of the strand of the last
   PdbAtom last_atom_{};
-  std::string label_;                         ///< under way
-  std::set<std::string, std::less<>> ended_;  ///< chains that a TER has ended
+  std::string label_;                          ///< under way
+  std::set<std::string, std::less<>> ended_;   ///< chains that a TER has ended
+  std::set<std::string, std::less<>> traced_;  ///< chains that have points
 };
 
 }  // namespace catena

@@ -87,6 +87,9 @@ void VtkMesh::give_radii(const Array& array, const std::string& file) {
     throw InputError(fmt::format("{}: {} has {} values for {} {}", file, in_quotes(array.name),
                                  array.values.size(), due, array.of == Of::points ? "points" : "cells"));
   curves_.has_radii = true;
+  if (std::ranges::count(arrays_, array.name, &Array::name) > 1)
+    curves_.warnings.push_back(
+        fmt::format("{} is of points, and of cells; the points' own are taken", in_quotes(array.name)));
   if (array.of == Of::points) {
     for (std::size_t p = 0; p < curves_.spheres.size(); ++p)
       curves_.spheres[p].radius = radius_of(array, p, file);

@@ -93,8 +93,12 @@ TEST(VtkLegacyReader, HalvesDiametersAndTakesTheLargestOfItsLines) {
   // Of points and lines both, the points' own.
   const std::string points = "POINT_DATA 4\nFIELD f 1\nr 1 4 float\n5 6 7 8\n",
                     lines = "CELL_DATA 2\nFIELD f 1\nr 1 2 float\n1 3\n";
-  for (const std::string& both : {start + points + lines, start + lines + points})
-    EXPECT_EQ(read_text("a.vtk", both).spheres[1].radius, 6.0f);
+  for (const std::string& both : {start + points + lines, start + lines + points}) {
+    const CurveFile curves = read_text("a.vtk", both);
+    EXPECT_EQ(curves.spheres[1].radius, 6.0f);
+    ASSERT_EQ(curves.warnings.size(), 1u);
+    EXPECT_EQ(curves.warnings[0], "'r' is of points, and of cells; the points' own are taken");
+  }
 }
 
 // VTK has a cell type for one vertex and one for several, and a line may have one point only.

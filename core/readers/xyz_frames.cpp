@@ -102,7 +102,7 @@ class XyzFrames {
       if (first)
         curves_.warnings.push_back(fmt::format(
             "line {}: the Lattice is left out, and nothing is periodic, as its first edge is not along x, "
-            "or its second not in x and y",
+            "its second not in x and y, or one of the three leads backwards or nowhere",
             lines_.line_number()));
       return;
     }
