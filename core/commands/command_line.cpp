@@ -101,8 +101,10 @@ std::string refusal_of_no_number(const std::string& text) {
   return is ? "" : text + " is not a number";
 }
 
-/// CLI11 gives an option whatever comes next; a file that is called as an option was hardly meant.
-std::string refusal_of_an_option(const std::string& text) {
+/// CLI11 gives an option whatever comes next; a file that is called as an option was hardly meant, and
+/// nothing, as of a variable that is not set, is not the same as no option.
+std::string refusal_of_no_word(const std::string& text) {
+  if (text.empty()) return "'' is no value; give one, or leave the option out";
   return text.starts_with("--") ? fmt::format("{} is an option and no value; ./{} is a file", text, text)
                                 : "";
 }
@@ -158,7 +160,7 @@ Option OptionParser::add_option(const std::string& name, T& value, const std::st
                         std::is_same_v<T, std::vector<double>>;
   if constexpr (real) option->check(refusing(refusal_of_no_number));
   constexpr bool words = std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>;
-  if (words && name.starts_with("-")) option->check(refusing(refusal_of_an_option));
+  if (words && name.starts_with("-")) option->check(refusing(refusal_of_no_word));
   return Option(option);
 }
 template Option OptionParser::add_option(const std::string&, std::string&, const std::string&);

@@ -87,6 +87,8 @@ TEST(CommandLine, TakesNoOptionForAValueAndOneValueOfAnOption) {
   EXPECT_EQ(parsed({"--", "--count"}).input, "--count");
   EXPECT_EQ(refusal({"--pairs", "a", "--pairs", "b"}), "--pairs is given 2 times, and takes one value");
   EXPECT_EQ(refusal({"--pairs"}), "--pairs lacks a value");
+  EXPECT_EQ(refusal({"--pairs", ""}), "--pairs: '' is no value; give one, or leave the option out");
+  EXPECT_EQ(refusal({"--pairs="}), "--pairs lacks a value");
   EXPECT_EQ(refusal({"x", "-"}), "- is one argument too many");
   EXPECT_EQ(parsed({"--variant", "a", "--variant", "b"}).names, (std::vector<std::string>{"a", "b"}));
 }

@@ -57,7 +57,8 @@ class DetectCommand final : public Command {
     const Input input = open_input(input_, options_);
     show_warnings(input);
     Periodic* const periodic = put_into_boxes(variant, input.boxes);
-    const auto [first, last] = frame_.of(input);
+    const auto frames = frame_.of(input);
+    const std::uint32_t first = frames.first, last = frames.second;
     request_.frames_follow = last - first > 1;
     first_frame_ = written_frame(input_);
     AnswerFiles files(files_, input.labels);

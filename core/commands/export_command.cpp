@@ -93,7 +93,8 @@ class ExportCommand final : public Command {
     const Input input = open_input(input_, options_);
     show_warnings(input);
     if (contacts_) periodic_ = put_into_boxes(search_, input.boxes);
-    const auto [first, last] = frame_.of(input);
+    const auto frames = frame_.of(input);
+    const std::uint32_t first = frames.first, last = frames.second;
     first_frame_ = written_frame(input_);
     const bool one_file = writer.info.frames || last - first == 1;
     std::vector<std::string> names{out_};
@@ -161,6 +162,8 @@ class ExportCommand final : public Command {
     if (!info.rule && (rule.rule != Exclusion::Rule::index_window || rule.window != 1))
       say("exclusion rule; give it with --window or --arc-window when it is read");
     if (!info.rule && !rule.extra_pairs.empty()) say("neighbours across joints; .chain does");
+    if (info.rule && !info.joints && !input.joints.empty())
+      say("joints, across which another --window or --arc-window finds neighbours; .chain does");
     if (!info.labels && has_names(input.labels)) say("labels, nor names of strands; export to .csv");
     if (!info.box && !input.boxes.empty()) say("box; give it with --box when it is read, or export to .xyz");
   }

@@ -33,7 +33,11 @@ void set_radius(const std::string& text, InputOptions& options) {
   }
   float radius = 0;
   const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, radius);
+  const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+  const auto parsed = std::from_chars(begin, end, radius);
+  if (parsed.ec == std::errc::result_out_of_range && parsed.ptr == end && *begin != '-')
+    throw InputError(
+        fmt::format("--radius {}: binary32 has no such number; it ends at 1.4e-45 and 3.4e38", text));
   if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(radius) || radius < 0)
     throw InputError(fmt::format("--radius {}: must be a finite number from 0, or half-spacing", text));
   options.radius = radius;

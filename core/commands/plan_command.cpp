@@ -47,7 +47,8 @@ class PlanCommand final : public Command {
     show_warnings(input);
     const Machine& machine = Machine::here();
     if (machine.warning) notice("catena", *machine.warning);
-    const auto [first, last] = frame_.of(input);
+    const auto frames = frame_.of(input);
+    const std::uint32_t first = frames.first, last = frames.second;
     Request request;
     request.want = want_.want();
     request.frames_follow = last - first > 1;

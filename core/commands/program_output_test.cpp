@@ -89,11 +89,12 @@ TEST_F(Program, SaysWhatAnExportLoses) {
   };
   const std::string rule = "exclusion rule; give it with --window or --arc-window",
                     joints = "neighbours across joints; .chain does",
+                    others = "joints, across which another --window or --arc-window finds neighbours; .chain does",
                     radii = "radii; give them with --radius";
   for (const auto& [options, out, lines] :
        {Lost{"", "a.chain", {}}, Lost{" --window 3", "a.chain", {}}, Lost{"", "a.csv", {joints}},
         Lost{" --window 2", "a.csv", {rule, joints}}, Lost{" --arc-window pi/2", "a.csv", {rule, joints}},
-        Lost{"", "a.obj", {radii, joints}}, Lost{" --window 3", "a.catena", {}}}) {
+        Lost{"", "a.obj", {radii, joints}}, Lost{" --window 3", "a.catena", {others}}}) {
     const ProgramOutcome r = run("export " + neuron + " '" + file(out) + "'" + options);
     EXPECT_EQ(r.code, 0) << r.output;
     for (const std::string& line : lines)

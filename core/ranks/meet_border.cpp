@@ -159,11 +159,11 @@ std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far
 void may_touch_border_here(const Border& border, std::span<const ranks::BlockBox> boxes,
                            std::uint32_t compared, std::vector<std::uint32_t>& blocks) {
   const ComparedBoxes own(border.boxes(), compared);
-  for (const auto& [block, box] : boxes)
-    if (own.any_meeting(box, [&](std::uint32_t b) HWY_ATTR {
-          return (boxes_meeting(border.eight(b), box) & lane_bits(border.blocks()[b].size)) != 0;
+  for (const ranks::BlockBox& told : boxes)
+    if (own.any_meeting(told.box, [&](std::uint32_t b) HWY_ATTR {
+          return (boxes_meeting(border.eight(b), told.box) & lane_bits(border.blocks()[b].size)) != 0;
         }))
-      blocks.push_back(block);
+      blocks.push_back(told.block);
 }
 
 }  // namespace catena::HWY_NAMESPACE

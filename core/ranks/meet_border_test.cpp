@@ -78,9 +78,9 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
             EXPECT_TRUE(may.contains({f, b, static_cast<int>(8 * k + j)})) << f << ' ' << b;
           }
       const std::uint32_t compared = std::bit_floor(b);
-      const BlockBox boxes[] = {{7, box}};
+      const BlockBox told[] = {{7, box}};
       std::vector<std::uint32_t> touching;
-      may_touch_border(border, boxes, compared, touching);
+      may_touch_border(border, told, compared, touching);
       EXPECT_EQ(!touching.empty(), [&] {
         for (std::uint32_t c = 0; c < border.blocks().size(); ++c)
           if ((c & compared) == compared)

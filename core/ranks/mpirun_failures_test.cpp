@@ -51,6 +51,25 @@ TEST_F(Mpirun, EndsWithOneLineWhenTheInputIsWrong) {
   }
 }
 
+/// An interrupted run leaves the file that was there, and none of its own.
+TEST_F(Mpirun, LeavesNoHalfFileWhenItIsInterrupted) {
+  std::filesystem::create_directories(file("tables"));
+  write("tables/pairs.csv", "old\n");
+  const std::string folder = file("tables");
+  const char* const as_root = geteuid() == 0 ? "--allow-run-as-root" : "";
+  for (const char* const signal : {"TERM", "HUP"}) {
+    const ProgramOutcome outcome = shell(fmt::format(
+        "cd '{0}'; '{1}' --quiet --oversubscribe {2} -n 2 '" CATENA_PROGRAM
+        "' detect coincident:n=8000,together=8000 --pairs pairs.csv > '{3}' 2>&1 & run=$!; "
+        "for k in $(seq 600); do ls pairs.csv.*.unfinished > '{3}' 2>&1 && break; sleep .02; done; "
+        "kill -{4} $run; wait $run; for k in $(seq 100); do ls pairs.csv.* > '{3}' 2>&1 || break; sleep .02; "
+        "done; ls > '{3}'",
+        folder, CATENA_MPIRUN, as_root, file("out"), signal));
+    EXPECT_EQ(outcome.output, "pairs.csv\n") << signal;
+    EXPECT_EQ(text_of(file("tables/pairs.csv")), "old\n") << signal;
+  }
+}
+
 /// Whatever goes wrong on one rank, wherever: all end within seconds, with its words, and leave no file.
 TEST_F(Mpirun, EndsAllRanksWhenOneFails) {
   std::filesystem::create_directories(file("tables"));

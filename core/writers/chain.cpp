@@ -11,7 +11,8 @@ const RegisterWriter registered{{.name = "catena chain",
                                  .frames = false,
                                  .contacts = false,
                                  .box = false,
-                                 .summary = "catena's own text, everything exactly"},
+                                 .summary = "catena's own text, everything exactly",
+                                 .joints = true},
                                 [](const std::filesystem::path& file, const ExportedFrames& frames) {
                                   write_chain(file, frames.at(frames.first).chain, frames.joints);
                                 }};

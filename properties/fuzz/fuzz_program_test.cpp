@@ -84,6 +84,22 @@ TEST_F(FuzzProgram, LosesNoFindingToAFolder) {
   expect_refused("fuzz --replay x.chain --cases 5", "excludes");
 }
 
+/// What is replayed is one chain of spheres, and nothing that was read as one.
+TEST_F(FuzzProgram, ReplaysNoFileThatHoldsMoreOrLess) {
+  const std::string points = write("points.xyz", "0 0 0\n.5 0 0\n.3 0 0\n"),
+                    box = "Lattice=\"9 0 0 0 9 0 0 0 9\" Properties=pos:R:3:radius:R:1\n",
+                    frame = "Properties=pos:R:3:radius:R:1\n0 0 0 1\n",
+                    frames = write("frames.xyz", "1\n" + frame + "1\n" + frame),
+                    repeats = write("repeats.xyz", "1\n" + box + "0 0 0 1\n"),
+                    good = write("good.xyz", "1\n" + frame);
+  for (const std::string command : {"fuzz --variant Grid --replay ", "counterexamples --replay "}) {
+    expect_refused(command + points, "points.xyz: the file has no radii, and a replay is of spheres");
+    expect_refused(command + frames, "frames.xyz: the file has several frames, and a replay is of one");
+    expect_refused(command + repeats, "repeats.xyz: space repeats in a box, and a replay is of a chain alone");
+  }
+  expect_says("fuzz --variant Grid --replay " + good, 0, {"1 sphere, 0 pairs: every property holds"});
+}
+
 TEST_F(FuzzProgram, AnInterruptPrintsWhatWasDone) {
   for (const std::string signal : {"INT", "TERM"}) {
     const ProgramOutcome r =

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -38,24 +41,57 @@ std::string unfinished_name(const std::string& name, const std::string& target) 
   return unfinished;
 }
 
-/// Of this process, which has one thread that writes.
-std::set<std::string>& all_unfinished() {
-  static std::set<std::string> names;
-  return names;
-}
+/// Names of this process, which has one thread that writes, for a signal that may come at any time: as mpirun
+/// sends them when it is interrupted.
+class Unfinished {
+ public:
+  static Unfinished& here() {
+    static Unfinished names;
+    return names;
+  }
+  void add(const std::string& name) {
+    const std::string& kept = *names_.insert(name).first;
+    for (auto& place : places_)
+      if (place == nullptr) return place = kept.c_str(), void();
+  }
+  void forget(const std::string& name) {
+    const auto kept = names_.find(name);
+    if (kept == names_.end()) return;
+    for (auto& place : places_)
+      if (place == kept->c_str()) place = nullptr;
+    names_.erase(kept);
+  }
+  void remove() const noexcept {
+    for (const auto& place : places_)
+      if (const char* const name = place) unlink(name);
+  }
+
+ private:
+  Unfinished() {
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM})
+      if (std::signal(signal, end) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+  static void end(int signal) {
+    here().remove();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+
+  static constexpr std::size_t most = 8;  ///< more are not written at once
+  std::set<std::string> names_;
+  std::array<std::atomic<const char*>, most> places_{};
+};
 
 }  // namespace
 
-void SharedOutput::remove_unfinished() noexcept {
-  for (const std::string& name : all_unfinished()) unlink(name.c_str());
-}
+void SharedOutput::remove_unfinished() noexcept { Unfinished::here().remove(); }
 
 SharedOutput::SharedOutput(Communicator& ranks, std::string name)
     : ranks_(ranks), name_(std::move(name)), target_(OutputFile::target(name_).string()) {
   if (ranks_.rank() == 0) unfinished_ = unfinished_name(name_, target_);
   try {
     unfinished_ = said_by_first(ranks_, unfinished_);
-    all_unfinished().insert(unfinished_);
+    Unfinished::here().add(unfinished_);
     file_ = MpiFile(unfinished_, MpiFile::Use::write, name_);
   } catch (...) {
     if (ranks_.rank() == 0) unlink(unfinished_.c_str());
@@ -84,7 +120,7 @@ void SharedOutput::close() {
   ranks_.vote();  // all have written
   if (ranks_.rank() == 0 && std::rename(unfinished_.c_str(), target_.c_str()) != 0)
     throw InputError(fmt::format("cannot write {}: {}", name_, std::strerror(errno)));
-  all_unfinished().erase(unfinished_);
+  Unfinished::here().forget(unfinished_);
   unfinished_.clear();
 }
 
