@@ -54,7 +54,7 @@ int guarded_main(std::string_view program, const std::function<int()>& body) {
       return refuse_output(program, errno);
     return code;
   } catch (const PairLimitExceeded& error) {
-    return refuse(program, fmt::format("{} (--counts-only; detect also has --pair-limit)", error.what()));
+    return refuse(program, fmt::format("{} (catena detect has --counts-only and --pair-limit)", error.what()));
   } catch (const Error& error) {
     return refuse(program, error.what());
   } catch (const std::bad_alloc&) {

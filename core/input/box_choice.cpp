@@ -12,8 +12,8 @@ namespace {
 
 [[noreturn]] void refuse_box(const std::string& name, const std::string& whose) {
   throw InputError(
-      fmt::format("{}: {} repeats space, which this command does not know; --box none leaves it out, of a "
-                  "file also when it is exported",
+      fmt::format("{}: {} repeats space, which this command does not know; --box none leaves it out, if it "
+                  "is an option here, else of what is written by catena export FILE NEW.chain --box none",
                   name, whose));
 }
 
@@ -31,7 +31,8 @@ void choose_boxes(CurveFile& curves, const InputOptions& options, const std::str
   // "ff ff ff" of a dump, "b = 0 0 0": the file says that nothing repeats.
   if (std::ranges::none_of(curves.boxes, &PeriodicBox::repeats)) curves.boxes.clear();
   if (options.box_from == BoxFrom::file && curves.boxes.empty())
-    throw InputError(fmt::format("{}: has no box that repeats space; give one with --box X,Y,Z", name));
+    throw InputError(fmt::format(
+        "{}: has no box that repeats space, or none that is read; give one with --box X,Y,Z", name));
   if (options.box_from == BoxFrom::none || curves.boxes.empty()) return curves.boxes.clear();
   const bool repeats = options.box_from == BoxFrom::file || curves.box_is_periodic;
   const std::string size = size_of(curves.boxes[0]);

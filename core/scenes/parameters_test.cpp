@@ -24,7 +24,8 @@ INSTANTIATE_TEST_SUITE_P(Every, SceneParameters, testing::ValuesIn(SceneRegistry
 std::string refusal(const std::string& spec) {
   try {
     const Input input = open_input(spec);
-    const Chain chain = input.animation->frame(input.animation->frames() > 1);  // a frame that moved, if any does
+    const Chain chain =
+        input.animation->frame(input.animation->frames() > 1);  // a frame that moved, if any does
     for (const Sphere& s : chain.spheres())
       EXPECT_TRUE(std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.radius) &&
                   s.radius >= 0)
@@ -110,8 +111,7 @@ TEST_P(SceneParameters, MatterEachOfThem) {
     const Chain same = frame(more + parameter.default_value);
     EXPECT_TRUE(std::ranges::equal(same.spheres(), plain.spheres())) << "the default of " << parameter.name;
     bool differs = false;
-    for (const std::string& value : others_than(parameter.default_value))
-      try {
+    for (const std::string& value : others_than(parameter.default_value)) try {
         const Chain other = frame(more + value);
         differs = !std::ranges::equal(other.spheres(), plain.spheres()) ||
                   other.strand_count() != plain.strand_count();
@@ -180,6 +180,11 @@ TEST(SceneParameters, RefuseARadiusThatOverflowsByItself) {
   for (const char* n : {"0", "1"}) {
     const std::string rod = std::string("rod:n=") + n;
     EXPECT_NE(refusal(rod + ",radius=1e39").find("the radius overflows binary32"), std::string::npos);
+    EXPECT_NE(refusal(rod + ",radius=1e-46")
+                  .find("the radius 1e-46 underflows binary32 (at least 1.4013e-45); raise radius"),
+              std::string::npos);
+    EXPECT_NE(refusal(rod + ",scale=1e-46").find("underflows binary32 (at least 1.4013e-45); raise scale"),
+              std::string::npos);
     EXPECT_NE(refusal(rod + ",radius=1e39").find("lower radius"), std::string::npos);
     EXPECT_NE(refusal(rod + ",scale=1e39").find("lower scale"), std::string::npos);
     EXPECT_EQ(refusal(rod + ",radius=1e39,scale=1e-3"), "");

@@ -44,7 +44,16 @@ SceneSetup::SceneSetup(std::string scene, const Parameters& parameters)
   if (!(radius_ * scale_ <= float_max))
     throw InputError(fmt::format("scene {}: the radius overflows binary32 (at most {:g}); lower {}", scene_,
                                  float_max, radius_ <= float_max ? "scale" : "radius"));
-  stored_radius_ = static_cast<float>(radius_ * scale_);
+  stored_radius_ = stored(radius_ * scale_);
+}
+
+float SceneSetup::stored(double radius) const {
+  const auto stored = static_cast<float>(radius);
+  if (stored == 0 && radius > 0)
+    throw InputError(fmt::format("scene {}: the radius {:g} underflows binary32 (at least {:g}); raise {}",
+                                 scene_, radius, std::numeric_limits<float>::denorm_min(),
+                                 scale_ < 1 ? "scale" : "radius"));
+  return stored;
 }
 
 Sphere SceneSetup::place(const Vec3& centre) const {
@@ -61,7 +70,7 @@ Sphere SceneSetup::place(const Vec3& centre, double size) const {
   Sphere sphere = place(centre);
   const double radius = scale_ * (radius_ * size);
   if (!(radius <= float_max)) refuse(size);
-  sphere.radius = static_cast<float>(radius);
+  sphere.radius = stored(radius);
   return sphere;
 }
 

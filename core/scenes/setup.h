@@ -35,6 +35,7 @@ class SceneSetup {
 
  private:
   [[noreturn]] void refuse(double coordinate) const;
+  float stored(double radius) const;
 
   std::string scene_;
   std::uint32_t n_;
