@@ -170,12 +170,13 @@ TEST_P(SnakeScene, KeepsItsPairsWhereverItLies) {
 
 TEST_P(SnakeScene, WorksWithAnySpacingAndInAnyPlace) {
   for (const char* parameters :
-       {"n=1000,spacing=0.05", "n=1000,spacing=1", "n=1000,spacing=100", "n=1000,scale=1e-60",
+       {"n=1000,spacing=0.05", "n=1000,spacing=1", "n=1000,spacing=100", "n=1000,scale=1e-44",
         "n=1000,offset=1e30", "n=1,spacing=100", "n=2,spacing=0.05", "n=50", "n=200", "n=500", "n=999"}) {
     const auto snake = with(parameters);
     EXPECT_NO_THROW(snake->frame(snake->frames() - 1)) << parameters;
   }
   EXPECT_THROW(with("n=2000000000"), InputError);
+  EXPECT_THROW(with("n=1000,scale=1e-60"), InputError);
 }
 
 TEST(SnakeLong, TenMillionSpheresStayFinite) {
