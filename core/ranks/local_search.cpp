@@ -17,10 +17,9 @@ constexpr std::uint64_t few_pairs = 1u << 22, pairs_a_sphere = 8, most_pairs = 1
 std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& variant, KeptPairs& kept) {
   std::vector<std::uint32_t> count(part.chain().size(), 0);
   for_each_pair(variant, part.chain(), {0, part.chain().size()}, [&](const Pair& pair) {
-    const Place a = part.place(pair.i), b = part.place(pair.j);
-    if (part.neighbours(a, b)) return;
+    if (part.misses_neighbours() && part.neighbours(part.place(pair.i), part.place(pair.j))) return;
     ++count[pair.i], ++count[pair.j];
-    kept.add(a.id, b.id);
+    kept.add(part.id(pair.i), part.id(pair.j));
   });
   return count;
 }
