@@ -143,14 +143,17 @@ TEST_F(Answers, SayWhatRoundingHasCost) {
   EXPECT_EQ(run("detect " + near).output.find("binary32"), std::string::npos);
   expect_refused("detect " + far + " --origin 1e8,0", "an origin is X,Y,Z");
   expect_refused("detect path1:n=10 --recentre", "are for files");
+  expect_says("detect '" + write("no.csv", "x,y,z\n100000000.3,0,0\n").substr(1) + " --radius 0.5", 0,
+              {"binary32 rounds coordinates by up to 0.3, 0.6 of a radius"});
+}
+
+TEST_F(Answers, AreOfNumbersThatBinary32Has) {
   expect_refused("detect " + write("wide.csv", "x,y,z\n3e38,0,0\n-3e38,0,0\n") + " --recentre --radius 1",
                  "sphere 1 lies further than binary32 reaches from the origin that is taken off");
   const std::string points = write("points.csv", "x,y,z\n0,0,0\n1.4e-45,0,0\n2.8e-45,0,0\n");
   expect_refused("detect " + points + " --radius half-spacing", "half the median step is 7");
   expect_refused("detect " + points + " --radius 1e-50", "--radius 1e-50: binary32 has no such number");
   expect_says("detect " + points + " --radius +0.5", 0, {"1 pair"});
-  expect_says("detect '" + write("no.csv", "x,y,z\n100000000.3,0,0\n").substr(1) + " --radius 0.5", 0,
-              {"binary32 rounds coordinates by up to 0.3, 0.6 of a radius"});
 }
 
 TEST_F(Answers, NameEveryFileOnceAndInOneLine) {

@@ -45,6 +45,7 @@ TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
 
 TEST(PlanReport, HasAColumnForWhatAnyStepSays) {
   const Plan plan{{"one", true, "a reason", 1.23456, 7.0, "all of it"}, {"another", false, "why not", 0.5}};
+  EXPECT_EQ(plan_table({}, "> "), "> every step is done: there is none to choose\n");
   EXPECT_EQ(plan_table(plan, "> "),
             "> step               estimate  actual  removed    because\n"
             "> one      left out  1.23 ms   7 ms    all of it  a reason\n"

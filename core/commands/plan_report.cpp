@@ -20,6 +20,7 @@ Row row_of(const Decision& d) {
 }  // namespace
 
 std::string plan_table(const Plan& plan, const std::string& indent) {
+  if (plan.empty()) return indent + "every step is done: there is none to choose\n";
   const Row head{"step", "", "estimate", "actual", "removed", "because"};
   std::vector<Row> rows{head};
   for (const Decision& d : plan) rows.push_back(row_of(d));
