@@ -41,7 +41,9 @@ class Grid : public FaultyTree {
     for (std::int64_t x = first(s.x); x <= last(s.x); ++x)
       for (std::int64_t y = first(s.y); y <= last(s.y); ++y)
         for (std::int64_t z = first(s.z); z <= last(s.z); ++z)
-          for (const auto& [cell, j] : std::ranges::equal_range(cells_, Cell{x, y, z}, {}, &Entry::first)) leaf(chain, i, j);
+          for (auto entry = std::ranges::lower_bound(cells_, Cell{x, y, z}, {}, &Entry::first);
+               entry != cells_.end() && entry->first == Cell{x, y, z}; ++entry)
+            leaf(chain, i, entry->second);
   }
   std::int64_t down(double at) const { return static_cast<std::int64_t>(std::floor(at / size_)); }
   double size() const { return size_; }

@@ -73,7 +73,7 @@ const RegisterMutant<BlockAskedTwice> twice{"block-of-a-rank-asked-for-twice",
 class MovedAskew final : public FaultyRanks {
   void spoil_arrived(Phase phase, std::span<std::byte> bytes) const override {
     if (phase == Phase::repartition && bytes.size() > sizeof(Sphere))
-      std::ranges::rotate(bytes, bytes.begin() + sizeof(Sphere));
+      std::rotate(bytes.begin(), bytes.begin() + sizeof(Sphere), bytes.end());
   }
 };
 const RegisterMutant<MovedAskew> askew{"moved-spheres-one-place-off",

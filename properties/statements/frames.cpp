@@ -52,7 +52,7 @@ class Film {
   /// which is put onto another.
   void shift(std::int64_t s, bool spoilt, bool told = false) {
     const auto by = static_cast<std::uint32_t>(s < 0 ? n_ - static_cast<std::uint32_t>(-s) % n_ : s % n_);
-    std::ranges::rotate(spheres_, spheres_.begin() + by);
+    std::rotate(spheres_.begin(), spheres_.begin() + by, spheres_.end());
     if (spoilt) spheres_[n_ / 2] = spheres_[n_ / 8];
     add(spoilt ? "shift but for a sphere" : "shift", false, {});
     if (told) frames_.back().shift = s, frames_.back().name = "told shift";

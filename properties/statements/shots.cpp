@@ -24,7 +24,7 @@ std::vector<Shot> shots_of(const Chain& chain, const std::function<Case(Chain)>&
   add(shaken_frame(chain), 0);
   add(thinned_frame(chain), 0);
   if (spheres.size() > 2) {
-    std::ranges::rotate(spheres, spheres.begin() + 2);
+    std::rotate(spheres.begin(), spheres.begin() + 2, spheres.end());
     add(chain.moved(spheres), 0, 2);
   }
   spheres.resize((spheres.size() + 1) / 2);

@@ -36,9 +36,9 @@ RankComparison compare(const Expected& exact, const RankAnswer& answer) {
   wrong.wrong_total = answer.pair_count != exact.pair_count || answer.found != (exact.pair_count > 0);
   std::vector<IdPair> found = answer.pairs, other;
   std::ranges::sort(found);
-  const auto again = std::ranges::unique(found);
-  wrong.repeated = again.size();
-  found.erase(again.begin(), again.end());
+  const auto again = std::unique(found.begin(), found.end());
+  wrong.repeated = static_cast<std::uint64_t>(found.end() - again);
+  found.erase(again, found.end());
   std::ranges::set_difference(exact.pairs, found, std::back_inserter(other));
   wrong.missing = other.size();
   other.clear();
