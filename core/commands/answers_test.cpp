@@ -152,7 +152,7 @@ TEST_F(Answers, AreOfNumbersThatBinary32Has) {
                  "sphere 1 lies further than binary32 reaches from the origin that is taken off");
   const std::string points = write("points.csv", "x,y,z\n0,0,0\n1.4e-45,0,0\n2.8e-45,0,0\n");
   expect_refused("detect " + points + " --radius half-spacing", "half the median step is 7");
-  expect_refused("detect " + points + " --radius 1e-50", "--radius 1e-50: binary32 has no such number");
+  expect_refused("detect " + points + " --radius 1e-50", "--radius 1e-50: is no 0, but binary32 has no radius so small");
   expect_says("detect " + points + " --radius +0.5", 0, {"1 pair"});
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -31,15 +30,12 @@ void set_radius(const std::string& text, InputOptions& options) {
     options.radius_half_spacing = true;
     return;
   }
-  float radius = 0;
-  const char* end = text.data() + text.size();
-  const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
-  const auto parsed = std::from_chars(begin, end, radius);
-  if (parsed.ec == std::errc::result_out_of_range && parsed.ptr == end && *begin != '-')
-    throw InputError(
-        fmt::format("--radius {}: binary32 has no such number; it ends at 1.4e-45 and 3.4e38", text));
-  if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(radius) || radius < 0)
+  const auto [radius, problem] = parse_float(text);
+  if (!problem.empty() || radius < 0)
     throw InputError(fmt::format("--radius {}: must be a finite number from 0, or half-spacing", text));
+  if (radius == 0 && !is_zero(text))
+    throw InputError(
+        fmt::format("--radius {}: is no 0, but binary32 has no radius so small; scale the points", text));
   options.radius = radius;
 }
 

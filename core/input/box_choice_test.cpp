@@ -80,9 +80,8 @@ TEST(BoxChoice, RefusesABoxThatWouldNotBeHeeded) {
         refusal(spec, asks(from)),
         spec +
             ": the box of the file, 8 x 8 x 8, repeats space, which this command does not know; --box none "
-            "leaves it out, if it is an option here, else of what is written by catena export FILE NEW.chain "
-            "--box "
-            "none");
+            "leaves it out, if it is an option here, else of what is written by catena export FILE "
+            "NEW.chain --box none");
   for (const std::string& spec : {melt, data})
     EXPECT_TRUE(
         refusal(spec, asks(BoxFrom::options)).starts_with(spec + ": the box of --box, 5 x 6 x 7, repeats"));

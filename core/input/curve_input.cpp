@@ -91,6 +91,16 @@ void warn_of_rounding(CurveFile& curves, bool own_radii) {
                   rounding.origin() ? "" : "; --recentre takes an origin off before"));
 }
 
+/// Each point was finite; what is left of it may be no number of binary32.
+void require_finite(const std::vector<Sphere>& spheres, const std::string& name) {
+  for (std::size_t k = 0; k < spheres.size(); ++k)
+    if (const Sphere& s = spheres[k]; !std::isfinite(s.x) || !std::isfinite(s.y) || !std::isfinite(s.z))
+      throw InputError(
+          fmt::format("{}: sphere {} lies further than binary32 reaches from the origin that is taken off; "
+                      "take another off with --origin X,Y,Z, or none",
+                      name, k));
+}
+
 }  // namespace
 
 double half_median_step(const CurveFile& curves) {
@@ -123,16 +133,6 @@ Exclusion chosen_exclusion(const InputOptions& options, const Exclusion& own) {
   if (options.arc_window) chosen = Exclusion::arc(*options.arc_window);
   chosen.extra_pairs = own.extra_pairs;
   return chosen;
-}
-
-/// Each point was finite; what is left of it may be no number of binary32.
-void require_finite(const std::vector<Sphere>& spheres, const std::string& name) {
-  for (std::size_t k = 0; k < spheres.size(); ++k)
-    if (const Sphere& s = spheres[k]; !std::isfinite(s.x) || !std::isfinite(s.y) || !std::isfinite(s.z))
-      throw InputError(
-          fmt::format("{}: sphere {} lies further than binary32 reaches from the origin that is taken off; "
-                      "take another off with --origin X,Y,Z, or none",
-                      name, k));
 }
 
 void complete(CurveFile& curves, const InputOptions& options, const std::string& name) {

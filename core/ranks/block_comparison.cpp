@@ -55,13 +55,17 @@ void BlockComparison::decide(const Meeting& meeting) {
   if (touch == 0) return;
   touches_[meeting.far_block] = 1;
   const SphereId id = border_.id(meeting.own_block), far_id = far_.id(begin);
-  for_each(touch, [&](std::uint32_t k, std::uint32_t f) {
-    if (part_.may_be_neighbours(id + k, far_id + f) && are_neighbours(first + k, begin + f)) return;
-    ++own_count_[first + k], ++far_count_[begin + f];
-    kept_.add(id + k, far_id + f);
-  });
+  for_each(touch, [&](std::uint32_t k, std::uint32_t f) { count(first + k, id + k, begin + f, far_id + f); });
 }
 
+/// Two that overlap, by their numbers in the whole chain, too; unless they are neighbours.
+void BlockComparison::count(Slot own, SphereId id, std::uint32_t far, SphereId far_id) {
+  if (part_.may_be_neighbours(id, far_id) && are_neighbours(own, far)) return;
+  ++own_count_[own], ++far_count_[far];
+  kept_.add(id, far_id);
+}
+
+/// What HeldPart::place tells of a sphere anywhere in the part, the border has at hand.
 bool BlockComparison::are_neighbours(Slot own, std::uint32_t far) const {
   const auto b = static_cast<std::uint32_t>(own / Block::most),
              k = static_cast<std::uint32_t>(own % Block::most);
@@ -123,10 +127,7 @@ void BlockComparison::overlap(Slot own, std::uint32_t far) {
   const std::uint32_t far_block = far_.block_of(far);
   if (!is_compared(b, far_.mark(far_block))) return;  // the other rank's
   touches_[far_block] = 1;
-  const SphereId id = border_.id(b) + own % Block::most, far_id = far_.id(far);
-  if (part_.may_be_neighbours(id, far_id) && are_neighbours(own, far)) return;
-  ++own_count_[own], ++far_count_[far];
-  kept_.add(id, far_id);
+  count(own, border_.id(b) + own % Block::most, far, far_.id(far));
 }
 
 void BlockComparison::count_found() {

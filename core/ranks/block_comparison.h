@@ -33,6 +33,7 @@ class BlockComparison {
   std::vector<std::uint32_t> own_blocks_for(std::uint32_t far_block) const;
   void search(std::span<const std::uint32_t> own_blocks, std::uint32_t first_far);
   void overlap(Slot own, std::uint32_t far);
+  void count(Slot own, SphereId id, std::uint32_t far, SphereId far_id);
   bool are_neighbours(Slot own, std::uint32_t far) const;
   void count_found();
 

@@ -24,6 +24,26 @@ std::vector<std::uint32_t> search_and_sift(const HeldPart& part, Variant& varian
   return count;
 }
 
+std::vector<std::uint32_t> search_as_asked(const HeldPart& part, Variant& variant, Request::Want want,
+                                           std::uint64_t limit, KeptPairs& kept) {
+  Collisions found;
+  Request request{.want = want, .pair_limit = limit};
+  try {
+    variant.find(part.chain(), request, found);
+  } catch (const PairLimitExceeded&) {  // counted all the same
+    request.want = Request::Want::counts;
+    variant.find(part.chain(), request, found);
+  }
+  if (want == Request::Want::any) {
+    kept.add_uncounted(found.found ? 1 : 0);
+  } else {
+    if (!found.pairs.empty()) kept.reserve(found.pairs.size());
+    for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
+    kept.add_uncounted(found.pair_count - found.pairs.size());
+  }
+  return std::move(found.count);
+}
+
 /// What the chain takes for neighbours and the rule does not.
 void add_passed(const HeldPart& part, Request::Want want, std::vector<std::uint32_t>& count,
                 KeptPairs& kept) {
@@ -62,27 +82,9 @@ void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
 
 std::vector<std::uint32_t> search_within(const HeldPart& part, Variant& variant, Request::Want want,
                                          std::uint64_t limit, KeptPairs& kept) {
-  if (part.misses_neighbours() || !kept.of_all()) {
-    std::vector<std::uint32_t> count = search_and_sift(part, variant, kept);
-    add_passed(part, want, count, kept);
-    return count;
-  }
-  Collisions found;
-  Request request{.want = want, .pair_limit = limit};
-  try {
-    variant.find(part.chain(), request, found);
-  } catch (const PairLimitExceeded&) {  // counted all the same
-    request.want = Request::Want::counts;
-    variant.find(part.chain(), request, found);
-  }
-  if (want == Request::Want::any) {
-    kept.add_uncounted(found.found ? 1 : 0);
-  } else {
-    if (!found.pairs.empty()) kept.reserve(found.pairs.size());
-    for (const Pair& pair : found.pairs) kept.add(part.id(pair.i), part.id(pair.j));
-    kept.add_uncounted(found.pair_count - found.pairs.size());
-  }
-  std::vector<std::uint32_t> count = std::move(found.count);
+  std::vector<std::uint32_t> count = is_sifted(part, kept)
+                                         ? search_and_sift(part, variant, kept)
+                                         : search_as_asked(part, variant, want, limit, kept);
   add_passed(part, want, count, kept);
   return count;
 }

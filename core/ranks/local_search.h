@@ -9,8 +9,8 @@ namespace catena::ranks {
 /// Pairs in several lists, which none has to copy that grows.
 using PairLists = std::vector<std::vector<IdPair>>;
 
-/// Pairs that a rank found, of which it keeps no more than a limit; all are counted, whose lower sphere is
-/// one of some.
+/// Pairs that a rank found, and whose lower sphere is one of some: all are counted, and no more kept than a
+/// limit.
 class KeptPairs {
  public:
   /// `limit` 0 keeps none.
@@ -51,9 +51,14 @@ class KeptPairs {
 void for_each_pair(Variant& variant, const Chain& chain, SphereRange range,
                    const std::function<void(const Pair&)>& visit, std::uint64_t at_once = 0);
 
+/// Whether search_within looks at each pair that the variant finds.
+inline bool is_sifted(const HeldPart& part, const KeptPairs& kept) {
+  return part.misses_neighbours() || !kept.of_all();
+}
+
 /// What search_within asks of the variant for this.
 inline Request::Want asked_within(const HeldPart& part, Request::Want want, const KeptPairs& kept) {
-  return part.misses_neighbours() || !kept.of_all() ? Request::Want::pairs : want;
+  return is_sifted(part, kept) ? Request::Want::pairs : want;
 }
 
 /// What collides within a part, by a variant that was built for its chain: adds to `kept`, and returns the

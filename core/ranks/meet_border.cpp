@@ -118,12 +118,6 @@ HWY_INLINE std::uint32_t boxes_meeting(const Sphere* spheres, const Box& box) {
   return (axis(0) & axis(1) & axis(2)).bits();
 }
 
-/// Of `columns` spheres of each of `rows` rows, eight by eight.
-HWY_INLINE std::uint64_t first_of(std::size_t rows, std::size_t columns) {
-  const std::uint64_t row = (1u << columns) - 1;
-  return row * 0x0101010101010101u & ~std::uint64_t{0} >> 8 * (Block::most - rows);
-}
-
 }  // namespace
 
 std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far, std::uint64_t most,
@@ -145,9 +139,9 @@ std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far
       meetings.resize(before + these.size());
       ranks::Meeting* to = meetings.data() + before;
       for (const std::uint32_t b : these) {
-        const SphereTiles::Verdict verdict = tiles.compare(border.eight(b), Robust::binary32_slack);
-        const std::uint64_t filled = first_of(border.blocks()[b].size, spheres.size());
-        *to = {far_block, b, row_by_row(verdict.overlap) & filled, row_by_row(verdict.open) & filled};
+        SphereTiles::Verdict verdict = tiles.compare(border.eight(b), Robust::binary32_slack);
+        verdict.keep(within_first(border.blocks()[b].size, static_cast<std::uint32_t>(spheres.size())));
+        *to = {far_block, b, row_by_row(verdict.overlap), row_by_row(verdict.open)};
         to += (to->touch | to->may_touch) != 0;
       }
       meetings.resize(static_cast<std::size_t>(to - meetings.data()));

@@ -26,7 +26,9 @@ struct RankOptions {
   Order order = Order::measured;
   Request request{};                           ///< what is wanted, and the limit of pairs over all ranks
   std::uint32_t blocks_at_once = 0, meetings = AcrossOptions().meetings;  ///< see AcrossOptions
-  IdRange pairs_of{};        ///< of pairs only those whose lower sphere is one of these: found, and counted as such
+  /// Of pairs only those whose lower sphere is one of these are kept, and make `found` and `pair_count`; the
+  /// collisions of each sphere are all.
+  IdRange pairs_of{};
   bool across_only = false;  ///< only pairs of two ranks are searched for: to count what those take
   std::function<void(Phase)> entering = [](Phase) {};  ///< called as this rank comes to each phase
 };

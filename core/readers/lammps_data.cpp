@@ -137,9 +137,8 @@ class LammpsAtoms {
     }
     if (data_.has_general_box())
       beads_.about().warnings.emplace_back(
-          "its box of general edges (avec bvec cvec) is left out, and nothing is periodic; write it as xlo "
-          "xhi, "
-          "ylo yhi, zlo zhi and xy xz yz");
+          "its box of general edges (avec bvec cvec) is left out, and nothing is periodic; write it as "
+          "xlo xhi, ylo yhi, zlo zhi and xy xz yz");
     data_.lines().forget();
     return beads_.curves();
   }

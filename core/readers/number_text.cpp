@@ -74,6 +74,11 @@ bool is_integer(std::string_view text) {
   return !text.empty() && text.find_first_not_of(digits) == std::string_view::npos;
 }
 
+bool is_zero(std::string_view text) {
+  const std::string_view mantissa = text.substr(0, text.find_first_of("eEdD"));
+  return is_number(text) && mantissa.find_first_of("123456789") == std::string_view::npos;
+}
+
 Parsed<float> parse_float(std::string_view text) { return parse_real<float>(text, "a 32-bit float"); }
 Parsed<double> parse_double(std::string_view text) { return parse_real<double>(text, "a 64-bit float"); }
 

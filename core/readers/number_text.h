@@ -23,6 +23,10 @@ struct Parsed {
   std::string problem;  ///< empty when value is good
 };
 
+/// True for a number of which no digit but those of an exponent is other than 0: what else reads as 0 is less
+/// than the least that the type has.
+bool is_zero(std::string_view text);
+
 /// The nearest value of the type, rounded once, so that the shortest text of a float reads as that float.
 /// Less than the least positive value rounds to it or to zero; beyond the greatest is a problem, and so are
 /// infinity and NaN.

@@ -52,6 +52,12 @@ TEST(NumberText, TellsTooLargeFromTooSmall) {
   EXPECT_EQ(parse_float("3.4028235e38").value, std::numeric_limits<float>::max());
 }
 
+TEST(NumberText, KnowsZeroFromWhatReadsAsZero) {
+  for (const char* text : {"0", "-0", "+0.00", ".0", "0.e9", "0D5"}) EXPECT_TRUE(is_zero(text)) << text;
+  for (const char* text : {"1e-50", "0.01", "-1e-400", "2D-99", "", "x", "e5"})
+    EXPECT_FALSE(is_zero(text)) << text;
+}
+
 TEST(NumberText, KnowsIntegers) {
   EXPECT_EQ(parse_integer("+12").value, 12);
   EXPECT_EQ(parse_integer("12.0").problem, "is not a whole number");

@@ -107,8 +107,7 @@ float TextLines::half(std::string_view diameter) const { return size(diameter, "
 float TextLines::size(std::string_view text, std::string_view what, float parts) const {
   const float value = real(text, what);
   if (value < 0) fail(fmt::format("{} {} is negative", what, in_quotes(text)));
-  const std::string_view mantissa = text.substr(0, text.find_first_of("eEdD"));
-  if (value / parts == 0 && mantissa.find_first_of("123456789") != mantissa.npos)
+  if (value / parts == 0 && !is_zero(text))
     fail(fmt::format("{} {} is no 0, but binary32 has no radius so small; scale the points and radii", what,
                      in_quotes(text)));
   return value / parts;

@@ -24,8 +24,7 @@ INSTANTIATE_TEST_SUITE_P(Every, SceneParameters, testing::ValuesIn(SceneRegistry
 std::string refusal(const std::string& spec) {
   try {
     const Input input = open_input(spec);
-    const Chain chain =
-        input.animation->frame(input.animation->frames() > 1);  // a frame that moved, if any does
+    const Chain chain = input.animation->frame(input.animation->frames() > 1);  // a frame that moved, if any does
     for (const Sphere& s : chain.spheres())
       EXPECT_TRUE(std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.radius) &&
                   s.radius >= 0)
@@ -111,7 +110,8 @@ TEST_P(SceneParameters, MatterEachOfThem) {
     const Chain same = frame(more + parameter.default_value);
     EXPECT_TRUE(std::ranges::equal(same.spheres(), plain.spheres())) << "the default of " << parameter.name;
     bool differs = false;
-    for (const std::string& value : others_than(parameter.default_value)) try {
+    for (const std::string& value : others_than(parameter.default_value))
+      try {
         const Chain other = frame(more + value);
         differs = !std::ranges::equal(other.spheres(), plain.spheres()) ||
                   other.strand_count() != plain.strand_count();

@@ -36,8 +36,8 @@ struct WriterInfo {
       box;  ///< what the format can hold: the exclusion rule, several frames, what was found, a periodic box
   bool labels = false;  ///< likewise, and the names of strands
   std::string summary;
-  bool joints =
-      false;  ///< what it can hold, too: by them another rule than the file's finds neighbours across
+  /// What it can hold, too: by joints another rule than the file's finds neighbours across them.
+  bool joints = false;
 };
 
 /// All writers of the program, self-registered before main.

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "catena/core/error.h"
+#include "catena/core/input/box_choice.h"
 #include "catena/core/input/curve_input.h"
 #include "catena/core/output_file.h"
 #include "catena/core/readers/chain_format.h"
@@ -102,12 +103,7 @@ Chain load_chain(const std::filesystem::path& file) {
         fmt::format("{}: the file has several frames, and a replay is of one; write it with catena export "
                     "FILE NEW.chain --frame F",
                     file.string()));
-  // A replay is of a chain.
-  if (!curves.boxes.empty() && curves.box_is_periodic)
-    throw InputError(
-        fmt::format("{}: space repeats in a box, and a replay is of a chain alone; write it with catena "
-                    "export FILE NEW.chain --box none",
-                    file.string()));
+  choose_boxes(curves, {}, file.string());  // a box that repeats space is refused: a replay is of a chain
   return make_chain(std::move(curves), {});
 }
 

@@ -95,9 +95,13 @@ TEST_F(FuzzProgram, ReplaysNoFileThatHoldsMoreOrLess) {
   for (const std::string command : {"fuzz --variant Grid --replay ", "counterexamples --replay "}) {
     expect_refused(command + points, "points.xyz: the file has no radii, and a replay is of spheres");
     expect_refused(command + frames, "frames.xyz: the file has several frames, and a replay is of one");
-    expect_refused(command + repeats, "repeats.xyz: space repeats in a box, and a replay is of a chain alone");
+    expect_refused(command + repeats, "repeats.xyz: the box of the file, 9 x 9 x 9, repeats space");
   }
-  expect_says("fuzz --variant Grid --replay " + good, 0, {"1 sphere, 0 pairs: every property holds"});
+  // Nor is a box heeded that does not repeat it.
+  const std::string open = write("open.dump", "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
+                                              "ITEM: ATOMS id x y z radius\n1 0 0 0 1\n");
+  for (const std::string& file : {good, open})
+    expect_says("fuzz --variant Grid --replay " + file, 0, {"1 sphere, 0 pairs: every property holds"});
 }
 
 TEST_F(FuzzProgram, AnInterruptPrintsWhatWasDone) {

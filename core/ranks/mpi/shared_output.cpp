@@ -62,8 +62,7 @@ class Unfinished {
     names_.erase(kept);
   }
   void remove() const noexcept {
-    for (const auto& place : places_)
-      if (const char* const name = place) unlink(name);
+    for (const std::string& name : names_) unlink(name.c_str());
   }
 
  private:
@@ -72,12 +71,13 @@ class Unfinished {
       if (std::signal(signal, end) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
   static void end(int signal) {
-    here().remove();
+    for (const auto& place : here().places_)
+      if (const char* const name = place) unlink(name);
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
 
-  static constexpr std::size_t most = 8;  ///< more are not written at once
+  static constexpr std::size_t most = 8;  ///< that a signal removes; a command writes two
   std::set<std::string> names_;
   std::array<std::atomic<const char*>, most> places_{};
 };
