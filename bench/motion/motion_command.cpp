@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "catena/bench/motion/knot_determinant.h"
 #include "catena/bench/motion/motion.h"
 #include "catena/bench/motion/report.h"
 #include "catena/bench/stability/cell.h"
@@ -62,7 +61,7 @@ class MotionCommand final : public Command {
         .type_name("V")
         .allow_extra_args(false)
         .capture_default_str();
-    app.add_option("--n", n_, "Spheres of the rope").capture_default_str().range(2u, 100'000u);
+    app.add_option("--n", n_, "Spheres of the rope").capture_default_str().range(motion::least_knot, 100'000u);
     app.add_option("--frames", frames_, "Frames, compared with the fine motion")
         .capture_default_str()
         .range(2u, 100'000u);
@@ -86,10 +85,6 @@ class MotionCommand final : public Command {
 
   int run() override {
     require_release_build();
-    std::uint32_t least = 2;
-    while (!is_knot(least)) ++least;
-    if (n_ < least)
-      throw InputError(fmt::format("--n {} is too short for the knot; it takes {} spheres", n_, least));
     for (const auto& name : variants_) StrategyRegistry::instance().make(name);  // says now what is not there
     if (reference_step_ == 0) reference_step_ = *std::ranges::min_element(steps_) / 8;
     const Stopwatch watch;
@@ -134,8 +129,6 @@ class MotionCommand final : public Command {
 
  private:
   static constexpr auto exact_variant = "aCPU2+CPU2";
-
-  static bool is_knot(std::uint32_t n) { return knot_determinant(motion::overhand_knot(n, 1)) != 1; }
 
   MotionCase motion(double stiffness, double step, double offset, const std::string& variant) const {
     return {stiffness, step, offset, variant, n_, frames_, duration_};

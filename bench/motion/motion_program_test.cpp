@@ -90,7 +90,7 @@ TEST_F(MotionProgram, FailsWhereAnExactVariantMissesOrInventsAContact) {
 }
 
 TEST_F(MotionProgram, RefusesWhatIsNoMotionAndCountsWhatIsLeftOut) {
-  expect_refused(little + "--n 5", "--n 5 is too short for the knot; it takes");
+  expect_refused(little + "--n 41", "--n: 41 is not a whole number from 42");
   for (const std::string option : {"--duration", "--reference-step", "--step", "--stiffness", "--offset"})
     expect_refused(little + option + " nan", option + ": nan is not a number");
   expect_says(little +

@@ -12,7 +12,7 @@
 namespace catena::bench {
 namespace {
 
-constexpr int runs = 32;
+constexpr std::uint64_t runs = 32;
 
 double square(const LatticePoint& p) {
   return static_cast<double>(p.x) * p.x + static_cast<double>(p.y) * p.y + static_cast<double>(p.z) * p.z;
@@ -26,21 +26,21 @@ EndToEnd measure(Walk& walk, std::uint64_t attempts, Random& random, std::option
                  const Move& random_move) {
   EndToEnd seen{.points = walk.size(),
                 .warm_up = warm_up.value_or(std::max(attempts / 5, std::uint64_t{20} * walk.size())),
-                .attempts = attempts / runs * runs};
+                .attempts = attempts};
   for (std::uint64_t k = 0; k < seen.warm_up; ++k) walk.attempt(random_move(walk.size(), random));
+  const auto count = static_cast<double>(attempts);
   double means = 0, squares = 0;
   std::uint64_t accepted = 0;
   const double start = processor_us();
-  for (int run = 0; run < runs; ++run) {
+  for (std::uint64_t run = 0; run < runs; ++run) {
     double sum = 0;
-    for (std::uint64_t k = 0; k < seen.attempts / runs; ++k) {
+    const std::uint64_t of_run = attempts / runs + (run < attempts % runs ? 1 : 0);
+    for (std::uint64_t k = 0; k < of_run; ++k) {
       accepted += walk.attempt(random_move(walk.size(), random));
       sum += square(walk.end_to_end());
     }
-    const double mean = sum / static_cast<double>(seen.attempts / runs);
-    means += mean / runs, squares += mean * mean / runs;
+    means += sum / count, squares += sum * sum / static_cast<double>(of_run) / count;
   }
-  const auto count = static_cast<double>(seen.attempts);
   seen.us_per_attempt = (processor_us() - start) / count;
   seen.acceptance = static_cast<double>(accepted) / count;
   seen.bytes_per_point = static_cast<double>(walk.bytes()) / walk.size();

@@ -34,5 +34,20 @@ TEST(EndToEndError, IsThatOfTheMeanOfItsRuns) {
   EXPECT_NEAR(seen.error, std::sqrt(squares / (runs - 1) / runs), 1e-9 * mean);
 }
 
+TEST(EndToEnd, MeasuresEveryAttemptThatRunsDoNotShareEvenly) {
+  constexpr std::uint64_t attempts = 100;
+  PivotWalk measured(64), walk(64);
+  Random random(5), again(5);
+  const EndToEnd seen = measure_end_to_end(measured, attempts, random, 0);
+  double mean = 0, accepted = 0;
+  for (std::uint64_t k = 0; k < attempts; ++k) {
+    accepted += walk.attempt(random_pivot(64, again)) ? 1. / attempts : 0;
+    mean += square(walk.end_to_end()) / attempts;
+  }
+  EXPECT_EQ(seen.attempts, attempts);
+  EXPECT_NEAR(seen.acceptance, accepted, 1e-12);
+  EXPECT_NEAR(seen.mean_square, mean, 1e-9 * mean);
+}
+
 }  // namespace
 }  // namespace catena::bench

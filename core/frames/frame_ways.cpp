@@ -59,7 +59,7 @@ void FrameSearch::begin(bool follow) {
   policy_.forget();
   looks_.begin(), lists_.begin();
   frames_ = follow || always_;
-  behind_ = updated_ = crowded_ = false;
+  behind_ = updated_ = crowded_ = in_vain_ = made_ = false;
   update_ms_ = beside_ms_ = plain_ms_ = 0;
   doubt_ = 0;
   shift_ = 0;

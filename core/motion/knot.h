@@ -12,6 +12,9 @@ namespace catena::motion {
 /// short for the knot is the arc in its middle. O(n).
 std::vector<Vec3> overhand_knot(std::uint32_t n, double spacing);
 
+/// Spheres at spacing 1 that reach from one end of the knot to the other: with fewer there is none.
+inline constexpr std::uint32_t least_knot = 42;
+
 /// Ropes whose roots are this far apart across x do not meet while their knots are pulled.
 inline constexpr double knot_room = 32;
 

@@ -11,18 +11,16 @@ namespace {
 
 std::vector<Piece> pieces_of(const BinaryChain& file, SphereId begin, SphereId end) {
   std::vector<Piece> pieces;
-  if (begin == end) return pieces;
   SphereId at = begin;
-  for (std::uint64_t number = file.strand_of(begin); at < end; ++number) {
-    const auto [strand, stop] = file.strand(number);
-    if (stop <= at) continue;  // without spheres
+  file.for_each_strand(begin, end, [&](std::uint64_t number, const BinaryChain::Extent& extent) {
+    const auto& [strand, stop] = extent;
     const SphereId last = std::min(end, stop);
     pieces.push_back({at,
                       static_cast<std::uint32_t>(at - begin),
                       static_cast<std::uint32_t>(last - at),
                       {strand.first, stop - strand.first, strand.loop_length, strand.closed, number}});
     at = last;
-  }
+  });
   return pieces;
 }
 

@@ -20,6 +20,10 @@ namespace catena {
 static_assert(std::endian::native == std::endian::little, "arrays are read as they are in the file");
 static_assert(sizeof(BinaryChain::Header) == 64);
 
+namespace {
+constexpr std::uint64_t most_strands = 1u << 16;  // that are read at once
+}
+
 BinaryChain::BinaryChain(std::string name, std::uint64_t bytes, ReadAt read)
     : name_(std::move(name)), read_(std::move(read)) {
   if (bytes < sizeof header_) fail("the file is truncated: it has no header");
@@ -79,30 +83,41 @@ std::vector<double> BinaryChain::arcs(std::uint64_t begin, std::uint64_t end) co
   return all;
 }
 
-BinaryChain::Extent BinaryChain::strand(std::uint64_t number) const {
-  const bool last = number + 1 == header_.strands;
-  const auto found = records<Strand>(strands_at_, number, number + (last ? 1 : 2));
-  return checked(number, found[0], last ? header_.spheres : found[1].first);
+std::vector<BinaryChain::Extent> BinaryChain::strands(std::uint64_t begin, std::uint64_t end) const {
+  const auto found = records<Strand>(strands_at_, begin, std::min(end + 1, header_.strands));
+  std::vector<Extent> extents;
+  extents.reserve(end - begin);
+  for (std::uint64_t number = begin; number < end; ++number) {
+    const Strand& strand = found[number - begin];
+    const std::uint64_t stop =
+        number + 1 < header_.strands ? found[number + 1 - begin].first : header_.spheres;
+    if (strand.first > stop || (number == 0 && strand.first != 0) || stop > header_.spheres)
+      fail(fmt::format("strand {} runs from sphere {} to {}", number, strand.first, stop));
+    if (strand.closed > 1 || !std::isfinite(strand.loop_length))
+      fail(fmt::format("strand {} is closed by {}, with a loop of length {}", number, strand.closed,
+                       strand.loop_length));
+    extents.push_back({strand, stop});
+  }
+  return extents;
 }
 
-BinaryChain::Extent BinaryChain::checked(std::uint64_t number, const Strand& strand,
-                                         std::uint64_t end) const {
-  if (strand.first > end || (number == 0 && strand.first != 0) || end > header_.spheres)
-    fail(fmt::format("strand {} runs from sphere {} to {}", number, strand.first, end));
-  if (strand.closed > 1 || !std::isfinite(strand.loop_length))
-    fail(fmt::format("strand {} is closed by {}, with a loop of length {}", number, strand.closed,
-                     strand.loop_length));
-  return {strand, end};
+BinaryChain::Extent BinaryChain::strand(std::uint64_t number) const { return strands(number, number + 1)[0]; }
+
+void BinaryChain::for_each_strand(
+    std::uint64_t begin, std::uint64_t end,
+    const std::function<void(std::uint64_t number, const Extent&)>& visit) const {
+  std::uint64_t number = strand_of(begin);
+  // One strand of millions of spheres is as usual as millions of strands.
+  for (std::uint64_t many = 8; begin < end; many = std::min(2 * many, most_strands))
+    for (const Extent& strand : strands(number, std::min(number + many, header_.strands))) {
+      if (strand.end > begin && begin < end) visit(number, strand), begin = strand.end;
+      ++number;
+    }
 }
 
 void BinaryChain::require_strands(std::uint64_t begin, std::uint64_t end) const {
-  constexpr std::uint64_t at_once = 1u << 16;
-  for (; begin < end; begin = std::min(end, begin + at_once)) {
-    const std::uint64_t stop = std::min(end, begin + at_once);
-    const auto some = records<Strand>(strands_at_, begin, std::min(stop + 1, header_.strands));
-    for (std::uint64_t k = begin; k < stop; ++k)
-      checked(k, some[k - begin], k + 1 < header_.strands ? some[k + 1 - begin].first : header_.spheres);
-  }
+  for (; begin < end; begin = std::min(end, begin + most_strands))
+    strands(begin, std::min(end, begin + most_strands));
 }
 
 void BinaryChain::require_measured(std::uint64_t begin, std::span<const Sphere> spheres,
@@ -111,9 +126,9 @@ void BinaryChain::require_measured(std::uint64_t begin, std::span<const Sphere> 
   const DefaultFloats floats;
   const std::uint64_t end = begin + spheres.size();
   std::uint64_t at = begin;
-  for (std::uint64_t number = strand_of(begin); at < end; ++number) {
-    const auto [strand, stop] = this->strand(number);
-    if (stop <= at) continue;  // without spheres
+  for_each_strand(begin, end, [&](std::uint64_t number, const Extent& extent) {
+    const Strand& strand = extent.strand;
+    const std::uint64_t stop = extent.end;
     // What goes before this part is some other's to check.
     Sphere last = at > strand.first ? this->spheres(at - 1, at)[0] : spheres[at - begin];
     double length = at > strand.first ? this->arcs(at - 1, at)[0] : 0;
@@ -124,14 +139,14 @@ void BinaryChain::require_measured(std::uint64_t begin, std::span<const Sphere> 
         fail(fmt::format("sphere {} is at the arc length {}, but centres say {}; write the file anew", at,
                          arcs[at - begin], length));
     }
-    if (strand.closed == 0 || at < stop) continue;
+    if (strand.closed == 0 || at < stop) return;
     const std::uint64_t first = strand.first;
     length +=
         centre_distance(last, first < begin ? this->spheres(first, first + 1)[0] : spheres[first - begin]);
     if (strand.loop_length != length)
       fail(fmt::format("strand {} has a loop of length {}, but centres say {}; write the file anew", number,
                        strand.loop_length, length));
-  }
+  });
 }
 
 std::uint64_t BinaryChain::strand_of(std::uint64_t sphere) const {

@@ -61,6 +61,10 @@ class BinaryChain {
     std::uint64_t end;
   };
   Extent strand(std::uint64_t number) const;
+  /// Calls visit(number, extent) for the strands that have spheres of [begin, end), in their order. Strands are read
+  /// many at once: there may be millions of a few spheres each.
+  void for_each_strand(std::uint64_t begin, std::uint64_t end,
+                       const std::function<void(std::uint64_t number, const Extent&)>& visit) const;
   /// Throws InputError, naming the strand, for one of these that no chain has. Memory for a few.
   void require_strands(std::uint64_t begin, std::uint64_t end) const;
   /// Throws InputError, naming the sphere or strand, unless these arc lengths, of these spheres of the file
@@ -76,7 +80,7 @@ class BinaryChain {
  private:
   template <class Record>
   std::vector<Record> records(std::uint64_t array, std::uint64_t begin, std::uint64_t end) const;
-  Extent checked(std::uint64_t number, const Strand& strand, std::uint64_t end) const;
+  std::vector<Extent> strands(std::uint64_t begin, std::uint64_t end) const;
   [[noreturn]] void fail(const std::string& reason) const;
 
   std::string name_;

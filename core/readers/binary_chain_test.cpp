@@ -70,10 +70,39 @@ TEST(BinaryChain, GivesAnyPartOfItsArrays) {
     for (const auto& [i, j] : file.pairs(begin, end))
       found.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
     EXPECT_EQ(found, mine);
+    std::vector<std::uint64_t> of_range, visited;
+    for (std::uint32_t s = 0; s < chain.strand_count(); ++s)
+      if (begin < end && first[s] < first[s + 1] && first[s] < end && first[s + 1] > begin)
+        of_range.push_back(s);
+    file.for_each_strand(begin, end, [&](std::uint64_t number, const BinaryChain::Extent& extent) {
+      EXPECT_EQ(extent.strand.first, first[number]);
+      EXPECT_EQ(extent.end, first[number + 1]);
+      visited.push_back(number);
+    });
+    EXPECT_EQ(visited, of_range);
     extra += mine.size(), strands += chain.strand_count() > 2;
   });
   EXPECT_GT(extra, 2u);
   EXPECT_GT(strands, 2u);
+}
+
+TEST(BinaryChain, ReadsMillionsOfStrandsInFewReads) {
+  constexpr std::uint32_t strands = 300'000;
+  Strands pairs;
+  pairs.first.clear();
+  for (std::uint32_t s = 0; s <= strands; ++s) pairs.first.push_back(2 * s);
+  pairs.closed.assign(strands, 0);
+  const std::string bytes = bytes_of(Chain(std::vector<Sphere>(2 * strands), pairs, {}));
+  int reads = 0;
+  const BinaryChain file("pairs.catena", bytes.size(), [&](std::uint64_t at, std::span<std::byte> part) {
+    std::memcpy(part.data(), bytes.data() + at, part.size());
+    ++reads;
+  });
+  std::uint64_t next = 7;
+  file.for_each_strand(15, 2 * strands - 9,
+                       [&](std::uint64_t number, const auto&) { EXPECT_EQ(number, next++); });
+  EXPECT_EQ(next, strands - 4);
+  EXPECT_LT(reads, 60);
 }
 
 /// A reader measures the spheres that are written; those of a moved frame are not the ones that its rule was
