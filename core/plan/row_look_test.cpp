@@ -18,7 +18,7 @@ TEST(RowLook, CountsAllRowsWhereAllAreNear) {
   for (const std::uint32_t n : numbers) {
     std::vector<Sphere> spheres(n, {1, 2, 3, 0.5f});
     const std::uint32_t rows = n / 8;
-    const RowLook look = RowLook::at(spheres);
+    const RowLook look = RowLook::at(spheres, 0);
     EXPECT_GE(look.near, rows - 3) << n;
     EXPECT_LE(look.near, rows - 2) << n;
     EXPECT_EQ(look.straight, 1) << "nothing was gone";
@@ -29,7 +29,7 @@ TEST(RowLook, OfAStraightChainIsNone) {
   for (const std::uint32_t n : numbers) {
     std::vector<Sphere> spheres;
     for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.9f});
-    const RowLook look = RowLook::at(spheres);
+    const RowLook look = RowLook::at(spheres, 0);
     EXPECT_EQ(look.near, 0) << n;
     EXPECT_EQ(look.straight, 1) << n;
   }
@@ -39,18 +39,18 @@ TEST(RowLook, OfAStraightChainIsNone) {
 TEST(RowLook, OfFewerThanFourRowsIsTheDefault) {
   const std::vector<Sphere> spheres(31, {0, 0, 0, 1});
   for (std::size_t n = 0; n <= spheres.size(); ++n)
-    EXPECT_EQ(RowLook::at(std::span(spheres).first(n)).near, 0);
+    EXPECT_EQ(RowLook::at(std::span(spheres).first(n), 0).near, 0);
 }
 
 /// Rows of which each is near those up to so many away, and no others: what is near along the chain is not
-/// missed, however long the chain is. Four or eight looks tell it to within some of them.
+/// missed, however long the chain is. Twelve looks tell it to within some of them.
 TEST(RowLook, FindsWhatIsNearAlongTheChain) {
   for (const std::uint32_t n : {1000u, 2048u, 100'003u})
     for (const float away : {3.f, 10.f, 40.f}) {
       std::vector<Sphere> spheres;
       for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({static_cast<float>(i / 8), 0, 0, away / 2});
-      const RowLook look = RowLook::at(spheres);
-      EXPECT_GE(look.near, 0.6 * 2 * (away - 1)) << n << ' ' << away;
+      const RowLook look = RowLook::at(spheres, 2 * (away - 1));
+      EXPECT_GE(look.near, 0.5 * 2 * (away - 1)) << n << ' ' << away;
       EXPECT_LE(look.near, 1.6 * 2 * (away - 1)) << n << ' ' << away;
     }
 }
@@ -69,8 +69,8 @@ TEST(RowLook, TakesEachOfTheSpheresThatItLooksAt) {
           thick.push_back(s), reaching.push_back(s);
           if (i % 8 == near) thick.back().radius = 1e4f, reaching.back().*axis = 0;
         }
-        EXPECT_GE(RowLook::at(reaching).near, rows - 3) << near << ' ' << side;
-        EXPECT_GE(RowLook::at(thick).near, rows - 3) << near;
+        EXPECT_GE(RowLook::at(reaching, 0).near, rows - 3) << near << ' ' << side;
+        EXPECT_GE(RowLook::at(thick, 0).near, rows - 3) << near;
       }
 }
 
@@ -82,8 +82,33 @@ TEST(RowLook, SeesEveryAxis) {
       std::vector<Sphere> spheres(400, {0, 0, 0, 0.1f});
       for (std::size_t i = 0; i < spheres.size(); ++i)
         spheres[i].*on = -static_cast<float>(i), spheres[i].*across = static_cast<float>(i % 2);
-      EXPECT_DOUBLE_EQ(RowLook::at(spheres).straight, 8.0 / 14);
+      EXPECT_DOUBLE_EQ(RowLook::at(spheres, 0).straight, 8.0 / 14);
     }
+}
+
+/// Rows along a diagonal, side by side, in boxes that meet: only lines tell whether they do.
+TEST(RowLook, TellsRowsThatPassOneAnotherApart) {
+  constexpr std::uint32_t strands = 16, size = 64;
+  const auto bundle = [](float apart, float bend) {
+    std::vector<Sphere> spheres;
+    for (std::uint32_t s = 0; s < strands; ++s)
+      for (std::uint32_t i = 0; i < size; ++i) {
+        const auto along = static_cast<float>(i), aside = apart * static_cast<float>(s);
+        spheres.push_back({along + aside, along - aside, along + (i % 8 == 4 ? bend : 0), 0.5f});
+      }
+    return spheres;
+  };
+  EXPECT_EQ(RowLook::at(bundle(1, 0), 4).near, 0);
+  EXPECT_GT(RowLook::at(bundle(0.6f, 0), 4).near, 1);
+  EXPECT_GT(RowLook::at(bundle(1, 6), 4).near, 1) << "thick ones";
+  // Across one another, at a distance of one.
+  std::vector<Sphere> crossing;
+  for (std::uint32_t k = 0; k < 400; ++k) {
+    const auto along = static_cast<float>(k % 8) - 3.5f, level = static_cast<float>(k / 8);
+    const bool turned = k / 8 % 2 != 0;
+    crossing.push_back({turned ? -along : along, along, 0.02f * level, 0.5f});
+  }
+  EXPECT_GT(RowLook::at(crossing, 4).near, 40);
 }
 
 /// On average over chains of many lengths it is what is near, to some hundredths: neither the nearest of a
@@ -95,7 +120,7 @@ TEST(RowLook, IsRightOnAverage) {
     std::vector<Sphere> spheres;
     for (std::uint32_t i = 0; i < 8 * rows; ++i)
       spheres.push_back({static_cast<float>(i / 8), 0, 0, away / 2});
-    near += RowLook::at(spheres).near;
+    near += RowLook::at(spheres, 0).near;
     for (std::uint32_t k = 0; k < rows; ++k)  // those beside it left out
       all += (std::min(away, static_cast<float>(k)) + std::min(away, static_cast<float>(rows - 1 - k)) -
               (k > 0) - (k + 1 < rows)) /
@@ -118,8 +143,8 @@ TEST(RowLook, TellsAnOrderFromNone) {
         walk.push_back({s.x + step(dice), s.y + step(dice), s.z + step(dice), 0.1f});
         gas.push_back({step(dice), step(dice), step(dice), 0.1f});
       }
-      walks += 0.25 > RowLook::at(walk).straight;
-      gases += 0.25 < RowLook::at(gas).straight;
+      walks += 0.25 > RowLook::at(walk, 0).straight;
+      gases += 0.25 < RowLook::at(gas, 0).straight;
     }
     EXPECT_LT(walks, chains / 5) << n;
     EXPECT_LT(gases, chains / 10) << n;
@@ -136,8 +161,8 @@ TEST(RowLook, IsStraightAsMostRowsAre) {
     arms.push_back({far + along, far, far - along, 0.1f});
     clusters.push_back({far + step(dice), far + step(dice), step(dice), 0.1f});
   }
-  EXPECT_NEAR(RowLook::at(arms).straight, 1, 0.1);
-  EXPECT_LT(RowLook::at(clusters).straight, 0.25);
+  EXPECT_NEAR(RowLook::at(arms, 0).straight, 1, 0.1);
+  EXPECT_LT(RowLook::at(clusters, 0).straight, 0.25);
 }
 
 }  // namespace

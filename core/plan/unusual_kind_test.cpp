@@ -206,6 +206,25 @@ TEST(UnusualKind, OfAFewSpheresInOrderIsTheChainsOrder) {
   }
 }
 
+/// Strands side by side, in boxes that meet: the chain's order tells them apart.
+TEST(UnusualKind, OfABundleOfStrandsIsTheChainsOrder) {
+  for (const std::uint32_t length : {26u, 42u, 63u, 84u, 107u}) {
+    std::vector<Sphere> twisted;  // 19 of them, as wires in a cable
+    for (int q = -2; q <= 2; ++q)
+      for (int r = -2; r <= 2; ++r)
+        for (std::uint32_t k = 0; k < length && std::abs(q + r) <= 2; ++k) {
+          const double along = 1.2 * k, turn = along / 40, x = 2.1 * (q + r / 2.),
+                       y = 2.1 * r * std::sqrt(.75);
+          twisted.push_back({static_cast<float>(x * std::cos(turn) - y * std::sin(turn)),
+                             static_cast<float>(x * std::sin(turn) + y * std::cos(turn)),
+                             static_cast<float>(along), 1});
+        }
+    EXPECT_EQ(kind_of(twisted), "ChainTree") << length;
+  }
+  const Chain hair = open_input("hair:n=800").animation->frame(0);  // strands of one row each
+  EXPECT_EQ(UnusualKind::of(hair.size(), hair.view().extent, hair.spheres())->variant, "ChainTree");
+}
+
 /// At most 2,048 spheres, and single ones by cells from 301 on where they are alike.
 TEST(UnusualKind, OfSpheresThatLieAnywhereIsToldByTheirNumberAndRadii) {
   EXPECT_EQ(kind_of(anywhere(300, 30, 30, 30, 0.3f)), "SphereTree");
