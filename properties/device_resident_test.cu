@@ -94,6 +94,33 @@ TEST_P(DeviceResident, OverflowIsAFlagWithTheTrueNumberAndASecondCallMendsIt) {
   EXPECT_TRUE(reference::compare(yarn(), exact, fetched(yarn(), enough)).right());
 }
 
+TEST_P(DeviceResident, AnswersWhatIsAskedAlone) {
+  const auto exact = reference::find(yarn());
+  const Chain apart = open_input("rod:n=3000").animation->frame(0);
+  ASSERT_EQ(reference::find(apart).pair_count, 0u);
+  const auto asked = [&](const Chain& chain, Request::Want want) {
+    const ChainView there = device_->to_device(chain.view());
+    ResidentAnswer answer = room_for(there.size, 0);
+    answer.pairs = nullptr;
+    if (want == Request::Want::any) answer.count = nullptr;
+    const Request request{.want = want};
+    variant_->resident()->enqueue_build(there, request, static_cast<cudaStream_t>(*stream_));
+    variant_->resident()->enqueue_find(there, request, answer, static_cast<cudaStream_t>(*stream_));
+    const ResidentState seen = state(answer);
+    EXPECT_EQ(seen.overflow, 0u);
+    if (want == Request::Want::counts) {
+      std::vector<std::uint32_t> count(chain.size());
+      CATENA_CUDA(cudaMemcpy(count.data(), answer.count, count.size() * sizeof count[0], cudaMemcpyDeviceToHost));
+      EXPECT_EQ(count, reference::find(chain).count);
+    }
+    return seen.found;
+  };
+  EXPECT_EQ(asked(yarn(), Request::Want::counts), exact.pair_count);
+  EXPECT_GT(asked(yarn(), Request::Want::any), 0u);
+  EXPECT_EQ(asked(apart, Request::Want::counts), 0u);
+  EXPECT_EQ(asked(apart, Request::Want::any), 0u);
+}
+
 // Counts and pairs begin where the caller wants them, and nothing beside them is written.
 TEST_P(DeviceResident, AnswersIntoBuffersThatBeginAnywhere) {
   const Chain odd = open_input("yarn:n=2999").animation->frame(0);
@@ -171,7 +198,11 @@ TEST_P(DeviceResident, AHostBuildAfterwardsIsOfTheHostsChain) {
 
 INSTANTIATE_TEST_SUITE_P(Device, DeviceResident,
                          testing::Values("GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aGPU2+GPU2/double",
-                                         "DeviceGrid", "DeviceHybrid", "DeviceLBVH", "ResidentBlocks"),
+                                         "DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid",
+                                         // Its own kernels, which it leaves out of short chains, and all bins.
+                                         "DeviceHybrid(least=0,survey=0)", "DeviceHybrid(least=0,survey=64)",
+                                         "DeviceHybrid(least=0,cells=0,survey=0,binned=0)", "DeviceLBVH",
+                                         "ResidentBlocks"),
                          [](const auto& info) { return letters_of(info.param); });
 
 }  // namespace

@@ -7,7 +7,7 @@ if(NOT catena_tests_TESTS)
 endif()
 
 # Needs a device; skipped without one.
-set(gpu Device DeviceBlocks DeviceCells DeviceGolden DeviceRepeats DeviceTrial)
+set(gpu Device DeviceBlocks DeviceCells DeviceGolden DeviceTrial)
 if(CATENA_TESTS_OF_CUDA)  # said by tests.cmake: these are in no build without CUDA
   list(APPEND gpu DeviceMemory)
 endif()

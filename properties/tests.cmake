@@ -31,6 +31,7 @@ set(tests_of_cuda OFF)
 if(TARGET catena_cuda)  # what a user's own resident search looks like, and a caller of one
   target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_resident_test.cu
+                                      ${PROJECT_SOURCE_DIR}/properties/device_repeats_test.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_memory_test.cu)
   catena_compile_cuda(catena_tests)
   set(tests_of_cuda ON)
