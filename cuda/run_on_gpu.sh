@@ -14,6 +14,7 @@ if [ ! -x "$build/catena_tests" ]; then
 fi
 
 nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv | tee "$results/gpu_tests.txt"
+sed -n 's/^#define CATENA_COMMIT "\(.*\)"$/commit \1/p' "$build"/generated/commit.h | tee -a "$results/gpu_tests.txt"
 ctest --test-dir "$build" -L gpu -j 8 --output-on-failure 2>&1 | sed '/^Test project /d' | tee -a "$results/gpu_tests.txt"
 
 # The paper's, resident and from host to host; then what a user would take, of laid out chains and of tangled ones.

@@ -106,6 +106,8 @@ class OnGpu(Scripts):
         super().setUp()
         for name in ("cmake", "nvidia-smi"):
             self.stand_in(f"bin/{name}", f"echo {name}")
+        (self.folder / "b" / "generated").mkdir(parents=True)
+        (self.folder / "b" / "generated" / "commit.h").write_text('#define CATENA_COMMIT "0123456789ab"\n')
         self.stand_in("bin/ctest", "echo 'Test project /somewhere'; echo passed")
         self.stand_in("b/catena_bench", 'for a in "$@"; do case $a in --benchmark_out=*) echo {} > "${a#*=}";; esac; done; echo table')
 
@@ -115,7 +117,7 @@ class OnGpu(Scripts):
         self.assertEqual([call.split()[0] for call in calls], ["cmake", "cmake", "nvidia-smi", "ctest", "catena_bench"])
         self.assertIn("-DCATENA_CUDA=ON", calls[0])
         self.assertIn("-L gpu", calls[3])
-        self.assertEqual((self.folder / "r" / "gpu_tests.txt").read_text(), "nvidia-smi\npassed\n")
+        self.assertEqual((self.folder / "r" / "gpu_tests.txt").read_text(), "nvidia-smi\ncommit 0123456789ab\npassed\n")
         self.assertEqual((self.folder / "r" / "gpu_tables.json").read_text(), "{}\n")
         self.stand_in("b/catena_tests")
         _, calls = self.run_script(self.script, self.folder / "b")
@@ -129,7 +131,7 @@ class OnGpu(Scripts):
         self.assertEqual(calls[-1].split()[0], "ctest")
         self.assertIn("failed", (self.folder / "r" / "gpu_tests.txt").read_text())
 
-    def test_what_is_measured_is_the_papers_tables_and_no_more(self):
+    def test_what_is_measured_is_the_papers_tables_and_what_a_user_would_take(self):
         _, calls = self.run_script(self.script, self.folder / "b", self.folder / "r")
         wanted = re.compile(re.search(r"--benchmark_filter=(\S+)", calls[-1])[1])
         for name, measured in (
@@ -137,7 +139,9 @@ class OnGpu(Scripts):
             ("path1/n:1000/DeviceHybrid/resident/", True), ("path1/n:1000/bGPU2+GPU2/build/", True),
             ("path1/n:10000/bGPU2+GPU2/build/", False), ("path1/n:1000/aCPU2+CPU2/find/", True),
             ("path1/n:10000000/aCPU2+CPU2/find/", False), ("path1/n:150000/GPU1/literal/find/", True),
-            ("path1/n:1000/GPU1/literal/find/", False), ("yarn/n:1000/GPU1/find/", False),
+            ("path1/n:1000/GPU1/literal/find/", False), ("yarn/n:1000/GPU1/find/", False), ("yarn/n:150000/auto/whole/", True),
+            ("path2/n:10000000/DeviceHybrid/whole/", True), ("yarn/n:3000000/DeviceGrid/resident/", True),
+            ("path1/n:150000/EmbreeRebuild/whole/", True), ("path1/n:1000000/Embree/whole/", False),
         ):  # fmt: skip
             self.assertEqual(bool(wanted.search(name)), measured, name)
 
