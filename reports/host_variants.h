@@ -1,15 +1,18 @@
 #pragma once
+#include <vector>
+
 #include "catena/bench/timing/workload.h"
 #include "catena/reports/faults.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
 
-/// For each input of the profile that has a first chain to search, and each exact variant of the host:
+/// For each of the inputs that has a first chain to search, and each exact variant of the host:
 /// body(workload, chain, info), in an attempt of its own.
 template <class Body>
-void for_each_host_variant(const Profile& profile, const Body& body) {
-  for (const auto& spec : profile.inputs) {
+void for_each_host_variant(const Profile& profile, const std::vector<bench::WorkloadSpec>& inputs,
+                           const Body& body) {
+  for (const auto& spec : inputs) {
     if (spec.all_frames) continue;
     const auto work = bench::workload(spec);
     const Chain& chain = work->chains.front();
@@ -18,6 +21,12 @@ void for_each_host_variant(const Profile& profile, const Body& body) {
       attempt(info.name, [&] { body(*work, chain, info); });
     }
   }
+}
+
+/// The same of the inputs that all is measured of.
+template <class Body>
+void for_each_host_variant(const Profile& profile, const Body& body) {
+  for_each_host_variant(profile, profile.inputs, body);
 }
 
 }  // namespace catena::reports

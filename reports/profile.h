@@ -13,8 +13,11 @@ namespace catena::reports {
 struct Profile {
   std::string name;  ///< quick, full, paper; custom once the user chose inputs or variants
   std::vector<bench::WorkloadSpec> inputs;  ///< timed, counted
-  std::vector<VariantInfo> variants;        ///< available here
-  std::string filter;                       ///< on the names of timed cases; see bench::filtered
+  /// Of which the searches that count their steps are counted and timed a few times, and nothing else is
+  /// measured: longer than the rest have time for.
+  std::vector<bench::WorkloadSpec> long_inputs;
+  std::vector<VariantInfo> variants;  ///< available here
+  std::string filter;                 ///< on the names of timed cases; see bench::filtered
   bench::Stopping stopping;
   /// The sections come first and leave the rest of this to the timing, but at least 20 s; 0: no limit on the
   /// whole.

@@ -196,7 +196,7 @@ class ReportCommand final : public Command {
   /// The sections that do not depend on the inputs are left out, the others are about these.
   void about_inputs_only(Profile& profile) const {
     profile.stability_n = 0, profile.judged_steps = 0;
-    profile.rank_chains.clear();
+    profile.rank_chains.clear(), profile.long_inputs.clear();
     profile.motion_steps.clear(), profile.keyframe_sizes.clear();
     profile.tubes.clear(), profile.tube_spacings.clear(), profile.examine_settings.clear();
     profile.short_chains.clear(), profile.coherent_inputs.clear(), profile.shown.clear();

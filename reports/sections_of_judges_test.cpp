@@ -144,6 +144,27 @@ TEST(Sections, OfBandwidthAreRatesOfThisMachine) {
     EXPECT_GT(rate, 0.1);
     EXPECT_LT(rate, 1000);
   }
+  EXPECT_TRUE(found["sizes"].empty()) << "of no input";
+}
+
+/// What a page holds the searches of `steps` against.
+TEST(Sections, OfBandwidthHaveCopiesAsLongAsEachChainThatIsSearched) {
+  Profile p;
+  p.copy_bytes = 4 << 20;
+  p.inputs = {{"path1:n=3000"}, {"yarn:n=1000"}, {"path1:n=1000"}, {"path1:n=200", true}, in_box()};
+  p.inputs.push_back({"path1:n=131072"});  // as long as the array that no cache is to hold
+  p.long_inputs = {{"path1:n=20000"}};
+  std::vector<std::size_t> sizes;
+  const Json found = section("bandwidth", p);
+  for (const Json& size : found["sizes"]) {
+    sizes.push_back(size["copied_bytes"]);
+    EXPECT_EQ(size["gb_s"].size(), 9u);
+    for (const double rate : size["gb_s"]) {
+      EXPECT_GT(rate, 0.1);
+      EXPECT_LT(rate, 5000) << "copied, and not left out";
+    }
+  }
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{32 * 4, 32 * 1000, 32 * 3000, 32 * 20'000}));
 }
 
 TEST(Sections, OfWantsHaveAllThreeOfEveryVariant) {

@@ -121,6 +121,43 @@ TEST(Sections, OfStepsHaveWhatASearchCounted) {
   Json steps = Json::array();
   for (const WorkDone& done : variant->work()) steps.push_back({{"step", done.step}, {"times", done.times}});
   EXPECT_EQ(rows[0]["steps"], steps);
+  EXPECT_FALSE(rows[0].contains("find_ms")) << "it is timed with all others";
+}
+
+/// Counts its steps, of which none finds anything.
+class Blind final : public Variant {
+ public:
+  void build(const Chain& chain) override { n_ = chain.size(); }
+  void find(const Chain&, const Request&, Collisions& found) override {
+    found = {};
+    found.count.resize(n_);
+  }
+  Timings timings() const override { return {}; }
+  std::vector<WorkDone> work() const override { return {{"look away", 1}}; }
+
+ private:
+  std::size_t n_ = 0;
+};
+
+const test::RegisterHidden<Blind> blind{{.name = "Blind", .summary = "blind"}};
+
+TEST(Sections, OfStepsTimeTheLongChainsThatNothingElseTimes) {
+  Profile p = profile_of({"Hybrid", "CPU1", "Blind"});
+  p.inputs = {{"yarn:n=300"}};
+  p.long_inputs = {{"yarn:n=2000"}};
+  std::multiset<std::string> named;
+  for (const Json& row : section("steps", p)) {
+    const std::string input = row["input"], variant = row["variant"];
+    named.insert(input + " " + variant);
+    EXPECT_EQ(row.contains("find_ms"), input == "yarn/n:2000" && variant == "Hybrid")
+        << row << ": no time of a wrong answer";
+    if (!row.contains("find_ms")) continue;
+    EXPECT_EQ(row["pairs"], exact_pairs("yarn:n=2000", 0));
+    EXPECT_GE(row["find_ms"].size(), 6u) << "as many as a median with an interval takes";
+    for (const double ms : row["find_ms"]) EXPECT_GT(ms, 0);
+  }
+  EXPECT_EQ(named, (std::multiset<std::string>{"yarn/n:300 Blind", "yarn/n:300 Hybrid", "yarn/n:2000 Blind",
+                                               "yarn/n:2000 Hybrid"}));
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ inline Profile small_profile() {
   bench::WorkloadSpec in_box{CATENA_SOURCE_DIR "/core/readers/examples/melt.dump"};  // a box, two frames
   in_box.options.radius = 0.5f;
   p.inputs = {{"path1:n=300"}, {"path1:n=100", true}, in_box};
+  p.long_inputs = {{"path1:n=500"}};
   p.stopping = {.seconds = 60, .share = 0, .most_samples = 2, .least_ms = 0.01, .seed = 5};
   p.section_seconds = 0.01;
   p.section_rounds = 3;

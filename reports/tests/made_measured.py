@@ -103,6 +103,17 @@ def memory():
     ]
 
 
+def bandwidth():
+    """Of an array that no cache holds, and of some as long as the chains: the shorter, the quicker."""
+    copies = lambda rate: [rate * share for share in (1, 1.05, 0.95, 1.01, 0.99, 1)]  # noqa: E731
+    return {
+        "place": "host",
+        "copied_bytes": 2**28,
+        "gb_s": copies(10.0),
+        "sizes": [{"copied_bytes": 32 * n, "gb_s": copies(20.0 * (len(SIZES) - k))} for k, n in enumerate(SIZES)],
+    }
+
+
 def steps():
     """Steps of two variants, the first of which counts two."""
     return [
