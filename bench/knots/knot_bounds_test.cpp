@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "catena/bench/knots/judge_knot.h"
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 
 namespace catena::bench {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catena/core/scenes/random.h"
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 
 namespace catena::bench {
 

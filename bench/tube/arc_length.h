@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 
 namespace catena::bench {
 

@@ -37,6 +37,9 @@ void check_answer_options(const Request& request, const AnswerTables& tables) {
     throw InputError("--any finds neither counts nor pairs; leave out --counts-only, --counts and --pairs");
   if (request.want == Request::Want::counts && !tables.pairs.empty())
     throw InputError("--counts-only keeps no pairs; leave out --pairs or --counts-only");
+  if (request.want != Request::Want::pairs && request.pair_limit != Request{}.pair_limit)
+    throw InputError(
+        "--pair-limit is for pairs that are kept, and --counts-only and --any keep none; leave it out");
 }
 
 void put_pair_cells(RowText& row, const AnswerTables& tables, std::uint32_t frame, const NamedSphere& i,

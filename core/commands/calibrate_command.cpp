@@ -45,6 +45,9 @@ class CalibrateCommand final : public Command {
     if (const std::uint32_t n = crossover(machine); n > 0)
       fmt::print("a hierarchy pays from {} spheres on\n", n);
     fmt::print("kept in {}\n", file.string());
+    if (machine.cores == 1)
+      notice("catena",
+             "one core is at hand here: what threads save and cost was not measured, and is as built in");
     for (const std::string& variant : hardly_helped_by_threads(machine))
       notice("catena",
              fmt::format(

@@ -165,7 +165,29 @@ class ExportCommand final : public Command {
     if (info.rule && !info.joints && !input.joints.empty())
       say("joints, across which another --window or --arc-window finds neighbours; .chain does");
     if (!info.labels && has_names(input.labels)) say("labels, nor names of strands; export to .csv");
+    if (info.lines) say_lost_strands(info, chain);
     if (!info.box && !input.boxes.empty()) say("box; give it with --box when it is read, or export to .xyz");
+  }
+
+  /// Of lines between points only their ends tell where a strand begins.
+  void say_lost_strands(const WriterInfo& info, const Chain& chain) const {
+    const auto& [first, closed] = chain.strands();
+    bool any_closed = false, open_behind = false, small = false;
+    for (std::uint32_t s = 0; s < chain.strand_count(); ++s) {
+      const std::uint32_t size = first[s + 1] - first[s];
+      open_behind |= any_closed && !closed[s] && size > 0;
+      any_closed |= closed[s] != 0 && size > 0;
+      small |= closed[s] != 0 && size > 0 && size < 3;
+    }
+    if (small)
+      notice("catena", fmt::format("{}: {} holds no closed strand of one or two spheres; it is read as open",
+                                   out_, info.name));
+    if (open_behind)
+      notice("catena",
+             fmt::format(
+                 "{}: {} holds no order of strands: closed ones are read after open ones, and their spheres "
+                 "have other numbers then; .chain and .csv keep them",
+                 out_, info.name));
   }
 
   /// No format has arc lengths but those of the spheres in it; frames keep those of frame 0, and a thinned

@@ -89,7 +89,8 @@ TEST_F(Program, SaysWhatAnExportLoses) {
   };
   const std::string rule = "exclusion rule; give it with --window or --arc-window",
                     joints = "neighbours across joints; .chain does",
-                    others = "joints, across which another --window or --arc-window finds neighbours; .chain does",
+                    others =
+                        "joints, across which another --window or --arc-window finds neighbours; .chain does",
                     radii = "radii; give them with --radius";
   for (const auto& [options, out, lines] :
        {Lost{"", "a.chain", {}}, Lost{" --window 3", "a.chain", {}}, Lost{"", "a.csv", {joints}},
@@ -102,6 +103,23 @@ TEST_F(Program, SaysWhatAnExportLoses) {
     EXPECT_EQ(std::ranges::count(r.output, '\n'), 1 + static_cast<std::ptrdiff_t>(lines.size()))
         << options << out << r.output;
   }
+  // Lines between points tell a strand by its ends: a ring before an open strand comes behind it, and two
+  // spheres are no ring.
+  const std::string ring = "strand closed 3\n0 0 0 1\n2 0 0 1\n1 2 0 1\n",
+                    line = "strand open 2\n9 0 0 1\n9 2 0 1\n",
+                    two_closed = "strand closed 2\n9 0 0 1\n9 2 0 1\n";
+  const auto kept = [&](const std::string& strands, const char* out) {
+    const std::string from = write("strands.chain", "catena-chain 1\nwindow 1\n" + strands + "end\n");
+    const std::string said = run("export " + from + " '" + file(out) + "'").output;
+    return std::pair(said.find("holds no order of strands") == std::string::npos,
+                     said.find("holds no closed strand of one or two spheres") == std::string::npos);
+  };
+  for (const char* const out : {"a.vtp", "a.obj"}) {
+    EXPECT_EQ(kept(line + ring, out), std::pair(true, true)) << out;
+    EXPECT_EQ(kept(ring + line, out), std::pair(false, true)) << out;
+    EXPECT_EQ(kept(two_closed, out), std::pair(true, false)) << out;
+  }
+  EXPECT_EQ(kept(two_closed + line, "a.csv"), std::pair(true, true));
   // A chain keeps the arc lengths of frame 0, by which spheres of a frame that shrank are no neighbours.
   std::string frames;
   for (const double step : {1.0, 0.5}) {
@@ -212,6 +230,8 @@ TEST_F(Program, WritesThroughWhatIsNoRegularFile) {
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
   EXPECT_EQ(shell("cat '" + fifo + "' > '" + read + "' & catena " + scene + "'" + fifo + "'; wait").code, 0);
   EXPECT_TRUE(std::filesystem::is_fifo(fifo));
+  expect_refused("detect '" + fifo + "' --format csv",
+                 "is not a regular file; what comes through a pipe is read from standard input");
   EXPECT_EQ(text_of(read), csv);
 
   std::filesystem::create_symlink("read", link);

@@ -30,6 +30,9 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect path1:n=10 --window 0", "window");
   expect_refused("detect path1:n=3000 --variant bGPU2@host+CPU2", "aGPU2");
   expect_refused("detect coincident:n=200 --pair-limit 5", "5");
+  for (const char* kept_none : {"--counts-only", "--any"})
+    expect_refused(std::string("detect coincident:n=200 --pair-limit 5 ") + kept_none,
+                   "--pair-limit is for pairs that are kept");
   expect_refused("detect path1:n=10 --pair-limit -5", "--pair-limit: -5 is not a whole number from 0");
   expect_refused("detect path1:n=10 --pair-limit 1.5", "1.5 is not a whole number");
   expect_refused("fuzz --seconds 0", "--seconds: 0 is not a number from 0.001 to 1e+09");

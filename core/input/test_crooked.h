@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 #include "catena/core/sphere.h"
 
 namespace catena {

@@ -13,7 +13,7 @@
 #include "catena/core/input/test_crooked.h"
 #include "catena/core/input/tube_loss.h"
 #include "catena/core/readers/test_file.h"
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 #include "catena/reference/reference.h"
 
 namespace catena {

@@ -7,7 +7,7 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/pair.h"
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/variant.h"
 

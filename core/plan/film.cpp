@@ -13,6 +13,8 @@ Film::Film(Request::Want want)
 }
 
 Film::~Film() = default;
+Film::Film(Film&&) noexcept = default;
+Film& Film::operator=(Film&&) noexcept = default;
 
 const Collisions& Film::next(const Chain& chain, const Moved& moved) {
   begun_ ? variant_->update(chain, moved) : variant_->build(chain);

@@ -19,6 +19,8 @@ class CATENA_API Film {
   /// What is asked of each frame, of all its spheres.
   explicit Film(Request::Want want = Request::Want::pairs);
   ~Film();
+  Film(Film&&) noexcept;
+  Film& operator=(Film&&) noexcept;
 
   /// The answer to the next frame, valid until the one after it. `moved`: in what it differs from the last
   /// frame, where the caller knows; what is not told is compared bit by bit. Throws as Variant::build and

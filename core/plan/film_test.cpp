@@ -60,6 +60,18 @@ TEST(Film, AnswersEachFrame) {
     }
 }
 
+TEST(Film, GoesOnWhereItIsMovedTo) {
+  const Chain chain = open_input("yarn:n=5000").animation->frame(0);
+  std::vector<Film> films;
+  films.emplace_back();
+  const Collisions* const answer = &films.front().next(chain);
+  films.emplace_back();  // makes room for itself
+  EXPECT_EQ(&films.front().next(chain), answer) << "the same frame again";
+  expect_right(chain, *answer, Want::pairs);
+  films.back() = std::move(films.front());
+  EXPECT_EQ(&films.back().next(chain), answer);
+}
+
 /// The answer is not copied: the same memory holds it in every frame.
 TEST(Film, LeavesAnUnmovedFramesAnswerWhereItIs) {
   const Chain chain = open_input("yarn:n=5000").animation->frame(0);

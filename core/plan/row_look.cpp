@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 #include "catena/core/space_tree/scattered.h"
 #include "catena/core/sphere_vector.h"
 

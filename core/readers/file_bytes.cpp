@@ -34,7 +34,11 @@ void require_regular_file(const fs::path& file) {
   if (fs::is_directory(status))
     throw InputError(fmt::format("{}: is a directory; name a file in it", file.string()));
   // A pipe has no size to check the counts of a header against, and a device may never end.
-  if (!fs::is_regular_file(status)) throw InputError(fmt::format("{}: is not a regular file", file.string()));
+  if (!fs::is_regular_file(status))
+    throw InputError(
+        fmt::format("{}: is not a regular file; what comes through a pipe is read from standard "
+                    "input, as - with --format",
+                    file.string()));
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include "catena/core/scenes/random.h"
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 
 namespace catena {
 

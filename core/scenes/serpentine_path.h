@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 
 namespace catena {
 

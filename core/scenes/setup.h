@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 #include "catena/core/sphere.h"
 #include "catena/core/parameters/parameters.h"
 

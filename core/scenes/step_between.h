@@ -1,5 +1,5 @@
 #pragma once
-#include "catena/core/scenes/vec3.h"
+#include "catena/core/vec3.h"
 #include "catena/core/sphere.h"
 
 namespace catena {

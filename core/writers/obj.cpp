@@ -38,7 +38,8 @@ const RegisterWriter registered{{.name = "OBJ lines",
                                  .frames = false,
                                  .contacts = false,
                                  .box = false,
-                                 .summary = "vertices and a line for each strand, exactly, without radii"},
+                                 .summary = "vertices and a line for each strand, exactly, without radii",
+                                 .lines = true},
                                 write_obj};
 
 }  // namespace

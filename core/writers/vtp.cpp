@@ -117,7 +117,8 @@ const RegisterWriter registered{{.name = "VTK XML poly-data",
                                  .contacts = true,
                                  .box = false,
                                  .summary = "lines with radius and strand, exactly; with --contacts what "
-                                            "each sphere collides with, for ParaView"},
+                                            "each sphere collides with, for ParaView",
+                                 .lines = true},
                                 [](const std::filesystem::path& file, const ExportedFrames& frames) {
                                   Vtp(file).write(frames.at(frames.first));
                                 }};

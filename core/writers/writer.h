@@ -38,6 +38,9 @@ struct WriterInfo {
   std::string summary;
   /// What it can hold, too: by joints another rule than the file's finds neighbours across them.
   bool joints = false;
+  /// Strands are lines between points: read back, closed ones follow open ones, and those of one or two
+  /// spheres are open.
+  bool lines = false;
 };
 
 /// All writers of the program, self-registered before main.

@@ -3,7 +3,7 @@
 
 namespace catena {
 
-/// A point or direction in the working units of a scene (the sphere radius is 1), binary64. Plain expressions
+/// A point or direction, binary64; of a scene in its working units (the sphere radius is 1). Plain expressions
 /// in a fixed order, so that a scene has the same bits on every machine.
 struct Vec3 {
   double x = 0, y = 0, z = 0;
