@@ -26,7 +26,7 @@ set(threads Threads HostGroup HostExecutor PairCollector)
 # Which tests notice a mutant of the sources: seconds kill most, and only the others meet those that take a minute.
 set(kills-in-seconds Golden Corpus Program Mutants.WithoutABugTheirBasePasses TreeShape Certificate Robust ExactSign Composed
     Work Level PairCollector)
-set(kills-in-a-minute Mutants.AllDie Extremes Flood Sizes)
+set(kills-in-a-minute Mutants.WithoutABugTheirBasePassesLongChains Mutants.AllDie Extremes Flood Sizes)
 # Take ten seconds or more, and start first: two at a time end together.
 set(starts-first Sizes Extremes Flood Mutants Fuzzer.KillsEveryMutantWithinItsBudget Mpirun)
 

@@ -191,7 +191,7 @@ class SpaceBuild {
     space_.capsules.resize(std::size_t{space_.nodes()} * group * fields);
     std::size_t levels = 0;
     for (std::uint32_t count = n; count > 0; count = count > group ? (count + group - 1) / group : 0) {
-      if (levels == space_.boxes.size()) space_.boxes.emplace_back();
+      if (levels == space_.boxes.size()) space_.boxes.resize(levels + 1);
       space_.boxes[levels++].resize(std::size_t{(count + group - 1) / group} * group * box_fields);
     }
     space_.boxes.resize(levels);

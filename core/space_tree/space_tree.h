@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/space_tree/box_levels.h"
 #include "catena/core/space_tree/kept_order.h"
 #include "catena/core/space_tree/space_order.h"
 
@@ -25,7 +26,7 @@ struct SpaceTree {
   LargeVector<std::uint32_t> whole;  ///< [entry]: the block that it is of
   LargeVector<float> capsules;       ///< BlockTree::capsule_fields of each entry
   /// [level]: of entries, of nodes of sixteen, and so on to a single group; groups of sixteen.
-  std::vector<LargeVector<float>> boxes;
+  BoxLevels boxes;
 
   /// [entry], [node]: whether it is dense, all of it; see Crowding.
   LargeVector<std::uint8_t> dense_entry, dense_node;

@@ -71,7 +71,7 @@ class SphereBuild {
     tree_.index.resize(std::size_t{nodes} * group);
     std::size_t levels = 0;
     for (std::uint32_t count = nodes; count > 0; count = count > group ? (count + group - 1) / group : 0) {
-      if (levels == tree_.boxes.size()) tree_.boxes.emplace_back();
+      if (levels == tree_.boxes.size()) tree_.boxes.resize(levels + 1);
       tree_.boxes[levels++].resize(std::size_t{(count + group - 1) / group} * group * box_fields);
     }
     tree_.boxes.resize(levels);

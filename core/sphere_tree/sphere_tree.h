@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
-#include <vector>
 
 #include "catena/core/executor/large_vector.h"
+#include "catena/core/space_tree/box_levels.h"
 #include "catena/core/space_tree/kept_order.h"
 #include "catena/core/space_tree/space_order.h"
 
@@ -26,7 +26,7 @@ struct SphereTree {
   LargeVector<float> fields;         ///< of each node's spheres, sixteen numbers a field
   LargeVector<std::uint32_t> index;  ///< [place]: of the sphere in the chain
   /// [level]: boxes of nodes, of sixteen nodes, and so on to a single group; groups of sixteen.
-  std::vector<LargeVector<float>> boxes;
+  BoxLevels boxes;
   SpaceOrder order;
   KeptOrder kept;
   LargeVector<std::uint32_t> only;  ///< of these spheres of the chain; empty where of all

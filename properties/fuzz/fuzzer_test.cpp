@@ -17,6 +17,7 @@
 #include "catena/properties/fuzz/failure_store.h"
 #include "catena/properties/fuzz/sequence.h"
 #include "catena/properties/generators/mutate.h"
+#include "catena/properties/mutants/counted_for.h"
 #include "catena/reference/exact_gap.h"
 
 namespace catena::properties {
@@ -250,6 +251,7 @@ TEST(Fuzzer, KillsEveryMutantWithinItsBudget) {
   std::multimap<std::uint64_t, std::string> late;
   for (const Subject& mutant : Subject::available(true)) {
     if (!mutant.info.name.starts_with("mutant:")) continue;
+    const CountedFor counted(mutant.info.name);
     Fuzzer fuzzer({mutant}, {.shrink = false});
     const bool found = fuzz(fuzzer, budget).has_value();
     EXPECT_TRUE(found) << mutant.info.name << " survives " << budget << " chains";

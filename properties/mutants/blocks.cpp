@@ -11,6 +11,9 @@ namespace {
 
 /// ChainTree with its tree tampered with.
 class FaultyBlocks : public HostSearch {
+ public:
+  using Base = FaultyBlocks;
+
  protected:
   void construct(const ChainView& chain) override {
     build_block_tree(chain, tree_, team());
@@ -170,17 +173,6 @@ class SeamLost final : public FaultyBlocks {
   }
 };
 const RegisterMutant<SeamLost> seam{"seam-of-a-row-lost", "what only adjacent spheres may touch, unproved"};
-
-/// The last pair of nodes that met is lost.
-class LastRowLost final : public FaultyBlocks {
-  void search(const ChainView& chain, PairCollector& collector) override {
-    find_crowds(chain, tree(), 1u << 20, crowding_, team());
-    if (auto& pairs = crowding_.pairs()[0]; !pairs.empty()) pairs.pop_back();
-    search_uncrowded(chain, tree(), crowding_, queues(), collector, team());
-  }
-  Crowding crowding_;
-};
-const RegisterMutant<LastRowLost> row{"queue-drops-its-last", "a queue emptied one short"};
 
 /// What the greatest spheres would have for neighbours is not compared.
 class NeighboursByTheGreatest final : public FaultyBlocks {

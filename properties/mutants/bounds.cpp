@@ -95,8 +95,8 @@ class FreshBuffers final : public FaultyTree {
     build(moved.moved(frame));
   }
 };
-const RegisterMutant<FreshBuffers> fresh{"buffers-anew-each-frame",
-                                         "culbvh leaves its allocations out of the figure"};
+const RegisterMutant<FreshBuffers> fresh{
+    "buffers-anew-each-frame", "culbvh leaves its allocations out of the figure", {}, Fault::allocation};
 
 }  // namespace
 }  // namespace catena::properties

@@ -15,6 +15,7 @@ namespace {
 /// Grid, its levels tampered with after the spheres were sorted.
 class FaultyCells : public HostSearch, public EvidenceNodes {
  public:
+  using Base = FaultyCells;
   explicit FaultyCells(bool wide = false) { grid_.wide = wide; }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
@@ -22,7 +23,7 @@ class FaultyCells : public HostSearch, public EvidenceNodes {
   }
 
  private:
-  virtual void tamper(SphereGrid::Level& level) = 0;
+  virtual void tamper(SphereGrid::Level&) {}
 
   void construct(const ChainView& chain) override {
     build_grid(chain, grid_, {}, team());
@@ -42,11 +43,14 @@ class FaultyCells : public HostSearch, public EvidenceNodes {
 };
 
 template <bool wide>
-class HalfWithoutCorner final : public FaultyCells {
+class CellsOf : public FaultyCells {
  public:
-  HalfWithoutCorner() : FaultyCells(wide) {}
+  using Base = CellsOf;
+  CellsOf() : FaultyCells(wide) {}
+};
 
- private:
+template <bool wide>
+class HalfWithoutCorner final : public CellsOf<wide> {
   void tamper(SphereGrid::Level& level) override { level.half[3] = level.half[2]; }
 };
 const RegisterMutant<HalfWithoutCorner<false>> corner{
@@ -76,11 +80,7 @@ const RegisterMutant<RowTwice> row{"cells-look-into-a-row-twice",
                                    "a finer level that looks into eight rows of nine of a coarser one"};
 
 template <bool wide>
-class OwnReach final : public FaultyCells {
- public:
-  OwnReach() : FaultyCells(wide) {}
-
- private:
+class OwnReach final : public CellsOf<wide> {
   void tamper(SphereGrid::Level& level) override { level.greatest = 0; }
 };
 const RegisterMutant<OwnReach<false>> reach{
@@ -91,13 +91,14 @@ const RegisterMutant<OwnReach<true>> wide_reach{"wide-cells-reach-without-the-ot
 /// DeviceGrid's twin, its cells tampered with after the spheres were placed.
 class FaultyHashedCells : public HostSearch, public EvidenceNodes {
  public:
+  using Base = FaultyHashedCells;
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
     if (built()) ToldSearch(chain.view(), nullptr, placed_).show(visitor);
   }
 
  private:
-  virtual void tamper(PlacedCells& placed) = 0;
+  virtual void tamper(PlacedCells&) {}
 
   void construct(const ChainView& chain) override {
     cells_.build(chain, chain.size, [](std::uint32_t) { return true; });

@@ -66,6 +66,7 @@ const RegisterMutant<StretchTooShort> stretch{"moved-range-off-by-one",
 /// A right search with evidence: each sphere against the tree.
 class Witness : public FaultyTree {
  public:
+  using Base = Witness;
   Accounting evidence() const override { return Accounting::from_both_ends; }
   void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
                           EvidenceSink& sink) override {

@@ -10,6 +10,9 @@ namespace catena::properties {
 /// does. By default all blocks go by the order of space.
 class FaultyHybrid : public HostSearch, public EvidenceNodes {
  public:
+  using Base = FaultyHybrid;
+
+  explicit FaultyHybrid(const HybridSearch::Settings& settings = {0, never}) : search_(settings, 1) {}
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
     if (built()) search_.show_evidence(chain.view(), visitor);
@@ -17,16 +20,8 @@ class FaultyHybrid : public HostSearch, public EvidenceNodes {
 
  protected:
   static constexpr double never = 1e6;  ///< a block costs more than so many times its spheres in cells
-  explicit FaultyHybrid(const HybridSearch::Settings& settings = {0, never}) : search_(settings, 1) {}
-
   using Parts = HybridSearch::Parts;
-  virtual void tamper(const ChainView& chain, Parts& parts) = 0;
-  /// Where all spheres are dense: whatever is near them.
-  static void all_in_cells(const ChainView& chain, Parts& parts) {
-    if (parts.dense_count < chain.size || chain.size == 0 || parts.in_cells) return;
-    build_grid(chain, parts.grid, {}, Team());
-    parts.in_cells = true;
-  }
+  virtual void tamper(const ChainView&, Parts&) {}
 
  private:
   void construct(const ChainView& chain) override {

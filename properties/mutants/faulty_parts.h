@@ -14,6 +14,8 @@ namespace catena::properties {
 /// them changes.
 class FaultyParts : public Variant {
  public:
+  using Base = FaultyParts;
+
   /// How many parts; none is read, but that the parameter is there says that searches are shared out.
   static std::vector<ParameterInfo> parameters() { return {{"parts", "3", "how many"}}; }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "catena/core/ranks/bytes.h"
 #include "catena/core/ranks/thread_ranks.h"
 #include "catena/properties/mutants/asked_of_all.h"
 
@@ -32,9 +33,9 @@ class Spoiler final : public Communicator {
     return ranks_.all_gather(std::move(own));
   }
   std::vector<Message> deliver(std::vector<Message> out) override {
-    ++exchanges_;
+    const bool question = ++exchanges_ % 2 == 1;  // they and answers take turns
     for (Message& message : out)
-      if (message.rank != rank()) fault_.spoil_message(phase_, exchanges_, message.bytes);
+      if (message.rank != rank() && phase_ == Phase::across && question) spoil_question(message.bytes);
     return ranks_.exchange(std::move(out));
   }
   void transfer(std::span<const ranks::Outgoing> out, const ranks::Destination& to) override {
@@ -44,6 +45,15 @@ class Spoiler final : public Communicator {
       return arrived.back().data();
     });
     for (const auto& bytes : arrived) fault_.spoil_arrived(phase_, bytes);
+  }
+
+  /// How many blocks are taken at most, and the blocks that are wanted.
+  void spoil_question(Bytes& bytes) const {
+    ranks::ByteReader in(bytes);
+    const auto most = in.get<std::uint32_t>();
+    auto wanted = in.get_list<std::uint32_t>();
+    if (!wanted.empty()) fault_.spoil_question(wanted);
+    bytes = ranks::ByteWriter().put(most).put_list(wanted).take();
   }
 
   Communicator& ranks_;

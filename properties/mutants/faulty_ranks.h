@@ -14,6 +14,8 @@ namespace catena::properties {
 /// each of them changes of what ranks tell one another. It is called by several threads at once.
 class FaultyRanks : public Variant {
  public:
+  using Base = FaultyRanks;
+
   /// How many ranks; none is read, but that the parameter is there says that searches are shared out.
   static std::vector<ParameterInfo> parameters() { return {{"ranks", "3", "how many"}}; }
 
@@ -23,8 +25,8 @@ class FaultyRanks : public Variant {
 
   /// What a rank gives to all in a phase, for the so manyth time in it.
   virtual void spoil_gathered(ranks::Phase, unsigned /*time*/, ranks::Bytes&) const {}
-  /// What it sends to another one, likewise.
-  virtual void spoil_message(ranks::Phase, unsigned /*time*/, ranks::Bytes&) const {}
+  /// The blocks of another one that it asks for.
+  virtual void spoil_question(std::vector<std::uint32_t>&) const {}
   /// What it gets in place.
   virtual void spoil_arrived(ranks::Phase, std::span<std::byte>) const {}
 

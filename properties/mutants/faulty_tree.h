@@ -14,6 +14,8 @@ namespace catena::properties {
 /// stands it passes every property, which the mutants' test checks.
 class FaultyTree : public Variant {
  public:
+  using Base = FaultyTree;
+
   void build(const Chain& chain) override;
   void find(const Chain& chain, const Request& request, Collisions& result) override;
   Timings timings() const override { return {}; }

@@ -13,6 +13,8 @@ namespace {
 /// A right search of frames around aCPU2+Dual, with some part of it broken.
 class FaultyFrames : public Variant {
  public:
+  using Base = FaultyFrames;
+  FaultyFrames() : FaultyFrames(std::make_unique<FrameSearch>(Omissions(), true)) {}
   explicit FaultyFrames(std::unique_ptr<FrameSearch> frames)
       : base_(StrategyRegistry::instance().make("aCPU2+Dual")), frames_(std::move(frames)) {}
 
@@ -209,7 +211,6 @@ const RegisterMutant<WithSearch<RadiiNotCompared>> radii{
 
 class FramesBetweenForgotten final : public FaultyFrames {
  public:
-  FramesBetweenForgotten() : FaultyFrames(std::make_unique<FrameSearch>(Omissions(), true)) {}
   void prepare(const Request& request) override { yes_or_no_ = request.want == Request::Want::any; }
   void update(const Chain& chain, const Moved& moved) override {
     if (!yes_or_no_) FaultyFrames::update(chain, moved);

@@ -14,6 +14,9 @@ namespace {
 
 /// Candidates by a grid, decided as in the base. Coordinates beyond 2^40 cells fall back to the tree.
 class Grid : public FaultyTree {
+ public:
+  using Base = Grid;
+
  protected:
   using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
   static constexpr double farthest = 0x1p40;

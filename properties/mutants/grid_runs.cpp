@@ -16,6 +16,9 @@ namespace {
 /// Each pair is met once, from the cell that comes first, and reported from both ends. Coordinates beyond
 /// 2^40 cells fall back to the tree.
 class HalfRuns : public FaultyTree {
+ public:
+  using Base = HalfRuns;
+
  protected:
   /// A cell, and what a sphere there is compared with: cells first to last along x of the row (y, z).
   using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;  // z, y, x

@@ -8,12 +8,16 @@ namespace {
 
 /// The chain's exclusion rule as plain data, free to spoil.
 class WrongRule : public FaultyTree {
+ public:
+  using Base = WrongRule;
+
+ private:
   bool neighbours(const ChainView& chain, std::uint32_t i, std::uint32_t j) const override {
     ChainView spoilt = chain;
     spoil(spoilt.exclusion);
     return spoilt.neighbours(i, j);
   }
-  virtual void spoil(ExclusionView& rule) const = 0;
+  virtual void spoil(ExclusionView&) const {}
 };
 
 class WindowOffByOne final : public WrongRule {
@@ -57,6 +61,10 @@ const RegisterMutant<AlwaysCyclic> always_cyclic{"open-strand-taken-for-closed",
 
 /// Arc lengths as stored, compared in the wrong way.
 class WrongArc : public FaultyTree {
+ public:
+  using Base = WrongArc;
+
+ private:
   bool neighbours(const ChainView& chain, std::uint32_t i, std::uint32_t j) const override {
     const ExclusionView& rule = chain.exclusion;
     if (rule.rule != Exclusion::Rule::arc_window || rule.extra_row != nullptr) return chain.neighbours(i, j);
@@ -67,7 +75,9 @@ class WrongArc : public FaultyTree {
         !rule.one_open_strand && rule.strand_closed[strand] ? rule.loop_length[strand] - ahead : ahead;
     return near(ahead, around, rule.factor * (double{chain.spheres[i].radius} + chain.spheres[j].radius));
   }
-  virtual bool near(double ahead, double around, double window) const = 0;
+  virtual bool near(double ahead, double around, double window) const {
+    return ahead < window || around < window;
+  }
 };
 
 class ArcWithItsEnd final : public WrongArc {

@@ -14,6 +14,9 @@ namespace {
 /// so that a prefix that is not monotone gives a graph that is no tree. Depth is bounded by the bits of code
 /// and tie-break only.
 class RadixTree : public FaultyTree {
+ public:
+  using Base = RadixTree;
+
  protected:
   void construct() override {
     sort_by_code();
@@ -27,14 +30,14 @@ class RadixTree : public FaultyTree {
   /// Like that of the base, but what is no tree is left in the end.
   void search(const ChainView& chain, std::uint32_t i) override {
     std::uint64_t visits = 2 * std::uint64_t{tree().size()};
-    std::vector<std::uint32_t> stack{tree().root};
-    while (!stack.empty() && visits-- > 0) {
-      const std::uint32_t slot = stack.back();
-      stack.pop_back();
+    stack_.assign(1, tree().root);
+    while (!stack_.empty() && visits-- > 0) {
+      const std::uint32_t slot = stack_.back();
+      stack_.pop_back();
       if (tree().is_leaf(slot))
         leaf(chain, i, slot);
       else if (descend(tree().bound[i], tree().bound[slot]))
-        push(stack, tree().links[slot]);
+        push(stack_, tree().links[slot]);
     }
   }
   virtual void push(std::vector<std::uint32_t>& stack, const Links& children) const {
@@ -113,6 +116,7 @@ class RadixTree : public FaultyTree {
     join(slot, children);
   }
 
+  std::vector<std::uint32_t> stack_;
   std::vector<Coded> order_;
   std::vector<std::uint8_t> fitted_;
 };

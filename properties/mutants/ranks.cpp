@@ -14,7 +14,6 @@ namespace {
 
 using ranks::ByteReader;
 using ranks::Bytes;
-using ranks::ByteWriter;
 using ranks::Phase;
 
 /// The exchange begins with tops of all that each rank holds, then of what is near others; both begin with
@@ -42,28 +41,14 @@ class AroundTooSmall final : public FaultyRanks {
 const RegisterMutant<AroundTooSmall> around{
     "box-around-a-rank-too-small", "a box around some of what a rank holds", FaultyRanks::parameters()};
 
-/// A question: how many blocks are taken at most, and the blocks that are wanted. Questions and answers take
-/// turns.
-class AskedWrong : public FaultyRanks {
-  void spoil_message(Phase phase, unsigned time, Bytes& bytes) const override {
-    if (phase != Phase::across || time % 2 == 0) return;
-    ByteReader in(bytes);
-    const auto most = in.get<std::uint32_t>();
-    auto wanted = in.get_list<std::uint32_t>();
-    if (!wanted.empty()) change(wanted);
-    bytes = ByteWriter().put(most).put_list(wanted).take();
-  }
-  virtual void change(std::vector<std::uint32_t>& wanted) const = 0;
-};
-
-class BlockNotAsked final : public AskedWrong {
-  void change(std::vector<std::uint32_t>& wanted) const override { wanted.pop_back(); }
+class BlockNotAsked final : public FaultyRanks {
+  void spoil_question(std::vector<std::uint32_t>& wanted) const override { wanted.pop_back(); }
 };
 const RegisterMutant<BlockNotAsked> not_asked{
     "block-of-a-rank-not-asked-for", "a question that is one block short", FaultyRanks::parameters()};
 
-class BlockAskedTwice final : public AskedWrong {
-  void change(std::vector<std::uint32_t>& wanted) const override { wanted.push_back(wanted.front()); }
+class BlockAskedTwice final : public FaultyRanks {
+  void spoil_question(std::vector<std::uint32_t>& wanted) const override { wanted.push_back(wanted.front()); }
 };
 const RegisterMutant<BlockAskedTwice> twice{"block-of-a-rank-asked-for-twice",
                                             "rounds of questions that overlap by a block",

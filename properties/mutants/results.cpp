@@ -172,8 +172,11 @@ const RegisterMutant<LostCount> lost_count{"lost-count-now-and-then",
 class NewBuffers final : public WrongAnswer {
   void spoil(Collisions& result) override { result.pairs = std::vector<Pair>(result.pairs); }
 };
-const RegisterMutant<NewBuffers> new_buffers{"new-buffers-every-search",
-                                             "culbvh allocates in every search and leaves it out of the figure"};
+const RegisterMutant<NewBuffers> new_buffers{
+    "new-buffers-every-search",
+    "culbvh allocates in every search and leaves it out of the figure",
+    {},
+    Fault::allocation};
 
 }  // namespace
 }  // namespace catena::properties

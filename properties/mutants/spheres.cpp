@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 #include "catena/core/executor/host_search.h"
 #include "catena/core/sphere_tree/sphere_kernels.h"
@@ -14,6 +13,8 @@ namespace {
 /// SphereTree, tampered with after it was built.
 class FaultySpheres : public HostSearch, public EvidenceNodes {
  public:
+  using Base = FaultySpheres;
+
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain&, BoundsVisitor& visitor) const override {
     if (built()) SphereNodes(tree_, spheres_).show(visitor);
@@ -24,7 +25,7 @@ class FaultySpheres : public HostSearch, public EvidenceNodes {
 
   virtual void tamper(SphereTree&) {}
   /// After an update, which may have kept an order.
-  virtual void tamper_updated(SphereTree& tree, const std::vector<LargeVector<float>>& boxes_before) {
+  virtual void tamper_updated(SphereTree& tree, const BoxLevels& boxes_before) {
     static_cast<void>(boxes_before);
     tamper(tree);
   }
@@ -36,9 +37,9 @@ class FaultySpheres : public HostSearch, public EvidenceNodes {
     if (tree_.spheres > 0) tamper(tree_);
   }
   void construct_again(const ChainView& chain) override {
-    const std::vector<LargeVector<float>> boxes = tree_.boxes;
+    boxes_before_ = tree_.boxes;
     build_sphere_tree(chain, tree_, {}, team(), SpaceSort::where_needed);
-    if (tree_.spheres > 0) tamper_updated(tree_, boxes);
+    if (tree_.spheres > 0) tamper_updated(tree_, boxes_before_);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     search_sphere_tree(chain, tree_, {&queues_, 1}, collector, team());
@@ -50,6 +51,7 @@ class FaultySpheres : public HostSearch, public EvidenceNodes {
 
   std::uint32_t spheres_ = 0;
   SphereTree tree_;
+  BoxLevels boxes_before_;
   SphereQueues queues_;
 };
 
@@ -117,9 +119,7 @@ const RegisterMutant<SixteenInOneBox> one_box{
 
 /// An order is kept, and with it the boxes.
 class BoxesOfTheLastFrame final : public FaultySpheres {
-  void tamper_updated(SphereTree& tree, const std::vector<LargeVector<float>>& boxes_before) override {
-    tree.boxes = boxes_before;
-  }
+  void tamper_updated(SphereTree& tree, const BoxLevels& boxes_before) override { tree.boxes = boxes_before; }
 };
 const RegisterMutant<BoxesOfTheLastFrame> old_boxes{
     "sphere-tree-keeps-its-boxes",
@@ -127,7 +127,7 @@ const RegisterMutant<BoxesOfTheLastFrame> old_boxes{
 
 /// An order is kept, of which the first sphere stands where the second does.
 class OrderWithoutOne final : public FaultySpheres {
-  void tamper_updated(SphereTree& tree, const std::vector<LargeVector<float>>&) override {
+  void tamper_updated(SphereTree& tree, const BoxLevels&) override {
     if (tree.spheres < 2) return;
     tree.index[1] = tree.index[0];
     for (std::uint32_t f = 0; f < SphereTree::sphere_fields; ++f)
