@@ -30,8 +30,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/readers/examples DESTINATION ${CMAK
 foreach(component library program)
   install(EXPORT catena-${component}-targets NAMESPACE catena:: DESTINATION ${package_dir} COMPONENT ${component})
 endforeach()
-configure_package_config_file(${PROJECT_SOURCE_DIR}/core/catena-config.cmake.in ${PROJECT_BINARY_DIR}/catena-config.cmake
+# Not in the build tree's root, where a build that is on PATH would be found before what is installed in the system.
+set(made ${PROJECT_BINARY_DIR}/generated)
+file(REMOVE ${PROJECT_BINARY_DIR}/catena-config.cmake ${PROJECT_BINARY_DIR}/catena-config-version.cmake)  # of before
+configure_package_config_file(${PROJECT_SOURCE_DIR}/core/catena-config.cmake.in ${made}/catena-config.cmake
                               INSTALL_DESTINATION ${package_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/catena-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/catena-config.cmake ${PROJECT_BINARY_DIR}/catena-config-version.cmake
-        DESTINATION ${package_dir} COMPONENT library)
+write_basic_package_version_file(${made}/catena-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${made}/catena-config.cmake ${made}/catena-config-version.cmake DESTINATION ${package_dir} COMPONENT library)

@@ -1,5 +1,6 @@
 # cmake -DWORK=... -P choice_test.cmake
-# catena_choice as -D options meet it: written one way or another, and refused.
+# catena_choice as -D options meet it: written one way or another, and refused. And what the whole project makes of a
+# build without what its tests need.
 cmake_minimum_required(VERSION 3.25)
 file(WRITE ${WORK}/choose.cmake "cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../core/choice.cmake)
@@ -36,3 +37,24 @@ expect(perhaps "AUTO;ON;OFF" "CATENA_X=perhaps: is none of AUTO, ON, OFF")
 expect("" "AUTO;ON;OFF" "is none of")
 expect(few "ALL;FEW" "[FEW]")
 expect(0 "ALL;FEW" "is none of ALL, FEW")
+
+# configure(WORDS FILE OPTION...): the project so configured has these words in this file; in nothing, it is refused so.
+function(configure words file)
+  cmake_path(SET source NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/..)
+  file(REMOVE_RECURSE ${WORK}/build)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${source} -B ${WORK}/build -DCATENA_CUDA=OFF ${ARGN}
+                  OUTPUT_QUIET ERROR_VARIABLE said RESULT_VARIABLE refused)
+  if(file)
+    file(READ ${WORK}/build/${file} said)
+  endif()
+  string(REGEX REPLACE "[ \n]+" " " said "${said}")
+  string(FIND "${said}" "${words}" at)
+  if(at EQUAL -1 OR (refused AND file) OR NOT (refused OR file))
+    message(SEND_ERROR "${ARGN}: says ${said} and not ${words}")
+  endif()
+endfunction()
+
+configure("CATENA_TESTS:BOOL=OFF" CMakeCache.txt -DCATENA_MUTANTS=OFF)
+configure("closed-form" compile_commands.json -DCATENA_BENCH=off)
+configure("CATENA_TESTS=ON needs CATENA_BENCH=ON" "" -DCATENA_BENCH=OFF -DCATENA_TESTS=ON)
+configure("CATENA_TESTS=ON needs CATENA_MUTANTS=ON" "" -DCATENA_MUTANTS=OFF -DCATENA_TESTS=ON)

@@ -123,6 +123,13 @@ run(${CMAKE_COMMAND} -S ${WORK}/no_language -B ${WORK}/no_language/build -DCMAKE
 run(${CMAKE_COMMAND} --build ${WORK}/no_language/build)
 must_fail("catena has no component 'engine'; there are: library, program"
           ${configure} -B ${WORK}/unknown_component -DCMAKE_PREFIX_PATH=${WORK}/prefix -DMORE_COMPONENTS=engine)
+# The files that are installed, as they lie in a build tree: nobody finds them, and alone they say what is missing.
+must_fail("Could not find a package configuration file provided by \"catena\"" ${CMAKE_COMMAND} -E env "PATH=${BUILD}:$ENV{PATH}"
+          ${configure} -B ${WORK}/by_path -DCMAKE_FIND_USE_CMAKE_SYSTEM_PATH=FALSE)
+file(GLOB_RECURSE config ${WORK}/prefix/catena-config.cmake)
+file(COPY ${config} DESTINATION ${WORK}/config_alone/lib/cmake/catena)
+must_fail("catena's component 'library' is not installed"
+          ${configure} -B ${WORK}/without_library -DCMAKE_PREFIX_PATH=${WORK}/config_alone)
 must_fail("that is compatible with requested version \"99.0\""
           ${configure} -B ${WORK}/other_version -DCMAKE_PREFIX_PATH=${WORK}/prefix -DWANTED_VERSION=99.0)
 run(${configure} -B ${WORK}/same_version -DCMAKE_PREFIX_PATH=${WORK}/library_alone -DWANTED_VERSION=${VERSION}

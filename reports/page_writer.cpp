@@ -28,8 +28,11 @@ std::filesystem::path package_folder() {
 }
 
 /// As `python -m catena_report`, but for the folder of the user, in front of all others with that, whose
-/// files may have the names of modules. (Python 3.11 has -P for it.)
+/// files may have the names of modules. (Python 3.11 has -P for it.) And no compiled files come beside the
+/// package: a source tree with new files calls itself changed, and an installed package keeps what was
+/// installed.
 constexpr const char* run_package = R"(import sys
+sys.dont_write_bytecode = True
 if sys.path[0] == "":
     del sys.path[0]
 import runpy

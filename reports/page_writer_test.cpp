@@ -103,5 +103,23 @@ TEST(PageWriter, RunsNothingOfTheCurrentFolder) {
   fs::remove_all(folder);
 }
 
+/// Python would write what it compiles beside the package, and a source tree with new files calls itself
+/// changed.
+TEST(PageWriter, LeavesNothingBesideThePackage) {
+  namespace fs = std::filesystem;
+  const fs::path compiled = testing::TempDir() + fmt::format("catena_compiled_{}", getpid());
+  fs::remove_all(compiled);
+  const auto run = [&] {
+    unsetenv("PYTHONDONTWRITEBYTECODE");
+    setenv("PYTHONPYCACHEPREFIX", compiled.c_str(), 1);  // where it would be written instead
+    std::exit(run_page_writer({}));
+  };
+  EXPECT_EXIT(run(), testing::ExitedWithCode(2), "give --output DIR");
+  std::error_code none;
+  for (fs::recursive_directory_iterator at(compiled, none), end; at != end; ++at)
+    EXPECT_NE(at->path().filename(), "catena_report") << at->path();
+  fs::remove_all(compiled);
+}
+
 }  // namespace
 }  // namespace catena::reports

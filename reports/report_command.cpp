@@ -37,7 +37,9 @@ class ReportCommand final : public Command {
         app.add_flag("--paper", paper_, "The paper's Tables 3 and 4: both paths, its sizes, all keyframes");
     quick.excludes(full).excludes(paper);
     full.excludes(paper);
-    app.add_option("--output", output_, "Folder for run.json and the page").capture_default_str();
+    app.add_option("--output", output_,
+                   "Folder for run.json and the page; the run.json of an earlier run becomes run-1.json, ...")
+        .capture_default_str();
     const auto from = app.add_option("--from", from_, "Measure nothing: make the page of these run files")
                           .type_name("RUN.json");
     const auto compare =
@@ -103,6 +105,8 @@ class ReportCommand final : public Command {
       }
       throw InputError(fmt::format("{}; {}", why.what(), resumable()));
     }
+    if (const std::string kept = folder.keep_run(); !kept.empty())
+      notice("catena", fmt::format("{} held an earlier run, which is now {}", folder.run_file(), kept));
     folder.remove_reports();
     write_run(run, folder.run_file());
     journal.remove();

@@ -70,9 +70,24 @@ ReportFolder::~ReportFolder() {
   std::error_code kept;
   int files = 0;
   if (made_)
-    for (fs::directory_iterator at(folder_, kept); at != fs::directory_iterator() && !kept; at.increment(kept)) ++files;
+    for (fs::directory_iterator at(folder_, kept); at != fs::directory_iterator() && !kept;
+         at.increment(kept))
+      ++files;
   if (files == 1 && fs::file_size(list(), kept) == 0) fs::remove(list(), kept), fs::remove(folder_, kept);
   close(lock_);
+}
+
+std::string ReportFolder::keep_run() {
+  std::error_code failed;
+  if (!fs::is_regular_file(run_file(), failed)) return "";
+  fs::path free;
+  int k = 1;
+  do free = folder_ / fmt::format("run-{}.json", k++);
+  while (fs::exists(fs::symlink_status(free, failed)));
+  fs::rename(run_file(), free, failed);
+  if (failed)
+    throw InputError(fmt::format("cannot rename {} to {}: {}", run_file(), free.string(), failed.message()));
+  return free.string();
 }
 
 void ReportFolder::remove_reports() {

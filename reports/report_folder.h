@@ -19,6 +19,10 @@ class ReportFolder {
   std::string run_file() const { return (folder_ / "run.json").string(); }
   std::string journal() const { return (folder_ / "run.journal").string(); }
 
+  /// Where the run file of an earlier report is, which may be the only copy of what it measured, gets the
+  /// first free of the names run-1.json, run-2.json, ... That name; empty: there is none. Throws InputError
+  /// when it cannot.
+  std::string keep_run();
   /// Removes the files of every report that was written here.
   void remove_reports();
   /// Once a page is complete: removes what earlier reports left and this one did not replace.

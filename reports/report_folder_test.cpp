@@ -78,6 +78,25 @@ TEST_F(ReportFolderTest, LosesWhatAnEarlierReportLeftAndNothingElse) {
   EXPECT_EQ(files(), std::set<std::string>{"figures/mine.svg"});
 }
 
+/// Which may be the only copy of what it measured.
+TEST_F(ReportFolderTest, KeepsTheRunOfAnEarlierReportByTheFirstFreeName) {
+  ReportFolder folder(path_);
+  EXPECT_EQ(folder.keep_run(), "");
+  std::ofstream(path_ / "run-2.json") << "mine";
+  for (const char* const kept : {"run-1.json", "run-3.json"}) {
+    report({"run.json"});
+    EXPECT_EQ(folder.keep_run(), path_ / kept);
+    folder.remove_reports();
+    EXPECT_TRUE(fs::exists(path_ / kept));
+    EXPECT_FALSE(fs::exists(folder.run_file()));
+  }
+  EXPECT_EQ(files(), (std::set<std::string>{"run-1.json", "run-2.json", "run-3.json"}));
+  EXPECT_EQ(fs::file_size(path_ / "run-2.json"), 4u);
+  fs::create_symlink("nowhere", path_ / "run-4.json");  // a name that is taken, too
+  report({"run.json"});
+  EXPECT_EQ(folder.keep_run(), path_ / "run-5.json");
+}
+
 TEST_F(ReportFolderTest, LeavesNoEmptyFolderAndKnowsItsOwnPage) {
   {
     ReportFolder folder(path_);

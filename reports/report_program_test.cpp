@@ -85,5 +85,28 @@ TEST_F(ReportProgram, GoesOnWithTheOptionsOfTheRunThatWasInterrupted) {
                  fmt::format("the interrupted run had the {} 'another', this is '", here.begin()->first));
 }
 
+/// Where it is refused only after it was measured, nothing of the run can be told or gone on with.
+TEST_F(ReportProgram, RefusesANameThatARunFileCannotHold) {
+  if (!measures_in_this_build()) GTEST_SKIP() << "measures in a Release build only";
+  write("bad\xFF.xyz", "0 0 0\n1 0 0\n2 0 0\n");
+  expect_refused("report --seconds 60 --variant CPU1 --radius 0.5 --output '" + file("r") + "' --scene '" +
+                     file("bad\xFF.xyz") + "'",
+                 "bad?.xyz: this name is not UTF-8, which a run file needs; rename it, or give a link to it");
+  EXPECT_FALSE(std::filesystem::exists(file("r")));
+}
+
+TEST_F(ReportProgram, KeepsTheRunThatIsThereAndSaysWhere) {
+  if (measured("--scene path1:n=50 --variant CPU1 --repetitions 1 --no-page").is_null())
+    GTEST_SKIP() << "it cannot measure";
+  const std::string first = text_of(file("r") + "/run.json");
+  const std::string kept =
+      "catena: " + file("r") + "/run.json held an earlier run, which is now " + file("r") + "/run-1.json\n";
+  expect_says(
+      "report --scene path1:n=60 --variant CPU1 --repetitions 1 --no-page --output '" + file("r") + "'", 0,
+      {kept});
+  EXPECT_EQ(text_of(file("r") + "/run-1.json"), first);
+  EXPECT_NE(text_of(file("r") + "/run.json"), first);
+}
+
 }  // namespace
 }  // namespace catena::reports

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <regex>
 
+#include "catena/core/commands/input_options.h"
 #include "catena/core/error.h"
 
 namespace catena::bench {
@@ -21,6 +24,17 @@ bool worth_measuring(const WorkloadFacts& facts, const VariantInfo& variant, Sta
          facts.n <= (variant.on_device() ? most_all_pairs_device : most_all_pairs);
 }
 
+/// A run file is JSON, and so is what an interrupted run left: with other bytes in it a name would name
+/// nothing.
+void require_utf8(const std::string& name) {
+  try {
+    nlohmann::json(name).dump();
+  } catch (const nlohmann::json::type_error&) {
+    throw InputError(fmt::format(
+        "{}: this name is not UTF-8, which a run file needs; rename it, or give a link to it", name));
+  }
+}
+
 }  // namespace
 
 std::string Case::name() const { return fmt::format("{}/{}/{}", facts.label, variant.name, name_of(stage)); }
@@ -29,6 +43,8 @@ std::vector<Case> cases(const std::vector<WorkloadSpec>& inputs, const std::vect
                         std::uint32_t most_all_pairs) {
   std::vector<Case> all;
   for (const auto& input : inputs) {
+    require_utf8(input.input);
+    std::ranges::for_each(arguments_of(input.options), require_utf8);
     const WorkloadFacts facts = facts_of(input);
     for (const auto& variant : variants)
       for (const Stage stage : {Stage::build, Stage::update, Stage::find, Stage::whole, Stage::resident})

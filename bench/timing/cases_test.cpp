@@ -46,6 +46,22 @@ WorkloadSpec in_box(const std::string& input, const std::vector<std::string>& ar
   return spec;
 }
 
+/// Nor would an interrupted run find the file again.
+TEST(Cases, AreOfNoNameThatARunFileCannotHold) {
+  const auto refusal = [](const WorkloadSpec& spec) {
+    try {
+      cases({spec}, {});
+    } catch (const InputError& why) {
+      return std::string(why.what());
+    }
+    return std::string();
+  };
+  const std::string why = ": this name is not UTF-8, which a run file needs; rename it, or give a link to it";
+  for (const std::string name : {"none\xFF.xyz", "none\xC3/a.xyz"}) EXPECT_EQ(refusal({name}), name + why);
+  EXPECT_EQ(refusal(in_box(examples + "melt.dump", {"--topology", "a\xFF.data"})), "a\xFF.data" + why);
+  EXPECT_EQ(refusal({"Å.xyz"}), "Å.xyz: there is no such file");
+}
+
 TEST(Cases, AreNamedWithTheBoxInWhichSpaceRepeats) {
   const std::vector<std::string> half{"--radius", "0.5"};
   EXPECT_EQ(label_of(in_box(examples + "melt.data", half)), "melt.data:radius=0.5/n:8");

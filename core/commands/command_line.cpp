@@ -196,6 +196,15 @@ void OptionParser::exclude_others(Option option, const std::vector<std::string>&
 
 void OptionParser::footer(const std::string& text) { app_.footer(text); }
 
+void refuse_left_out(const std::string& command, const std::string& left_out) {
+  std::istringstream names(left_out);
+  for (std::string name; names >> name;)
+    if (name == command)
+      throw InputError(fmt::format(
+          "the command '{}' is left out of this build (CATENA_BENCH=OFF); build with CATENA_BENCH=ON",
+          command));
+}
+
 std::unique_ptr<Command> parse_command_line(int argc, char** argv, bool by_ranks) {
   CLI::App app{
       "catena finds where a tube, approximated by a chain of spheres, touches itself: by every algorithm of "
@@ -227,6 +236,7 @@ std::unique_ptr<Command> parse_command_line(int argc, char** argv, bool by_ranks
     return nullptr;
   } catch (const CLI::ParseError& wrong) {
     const auto unknown = app.remaining();
+    if (app.get_subcommands().empty() && !unknown.empty()) refuse_left_out(unknown.front(), CATENA_LEFT_OUT);
     if (app.get_subcommands().empty() && !unknown.empty() && by_ranks)
       throw InputError(fmt::format("ranks do not share the command '{}', only {}; leave out mpirun",
                                    unknown.front(), fmt::join(names, ", ")));

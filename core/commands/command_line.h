@@ -68,6 +68,10 @@ class OptionParser {
 /// --help or --version was asked for, and is printed. Throws InputError.
 std::unique_ptr<Command> parse_command_line(int argc, char** argv, bool by_ranks);
 
+/// Throws InputError, saying so, where `command` is one of these names (parted by blanks), which a build
+/// without what measures has not.
+void refuse_left_out(const std::string& command, const std::string& left_out);
+
 /// Parses arguments by the options that `configure` adds, for a program or a text without commands. Throws
 /// InputError.
 void parse_options(std::vector<std::string> arguments, const std::function<void(OptionParser&)>& configure);

@@ -108,5 +108,17 @@ TEST(CommandLine, TakesEachOmissionBehindItsOwnOption) {
             std::string::npos);
 }
 
+TEST(CommandLine, SaysOfACommandThatTheBuildLeavesItOut) {
+  EXPECT_NO_THROW(refuse_left_out("report", ""));
+  EXPECT_NO_THROW(refuse_left_out("port", "closed-form report"));
+  try {
+    refuse_left_out("report", "closed-form report");
+    ADD_FAILURE();
+  } catch (const InputError& why) {
+    EXPECT_NE(std::string(why.what()).find("'report' is left out of this build (CATENA_BENCH=OFF)"),
+              std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace catena

@@ -7,9 +7,11 @@ import json
 import multiprocessing
 import os
 import pathlib
+import re
 import signal
 
 import jinja2
+import markupsafe
 
 from . import kept_runs, sections, whole_file
 from .drawn import interactive, static
@@ -139,6 +141,17 @@ def _packed(value):
     return base64.b64encode(gzip.compress(text, 9, mtime=0)).decode()
 
 
+OPTION = re.compile(r"(?<![\w-])--[a-z][\w-]*")
+ADDRESS = re.compile(r"https://[\w./-]+")
+
+
+def _text(text):
+    """Text as HTML: a line does not end within an option, and what is an address and nothing else is a link."""
+    if ADDRESS.fullmatch(text):
+        return markupsafe.Markup('<a href="{0}">{0}</a>').format(text)
+    return markupsafe.Markup(OPTION.sub(r'<span class="option">\g<0></span>', str(markupsafe.escape(text))))
+
+
 def _render(report, built, drawings, library, left_out):
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
@@ -146,6 +159,7 @@ def _render(report, built, drawings, library, left_out):
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["text"] = _text
     kinds = {Figure: "figure", Table: "table", Prose: "prose", Heading: "heading", Code: "code", Raw: "raw"}
     read = lambda name: (HERE / "assets" / name).read_text(encoding="utf-8")  # noqa: E731
     figures = [block for section in built for block in section.blocks if isinstance(block, Figure)]

@@ -146,7 +146,7 @@ def wants(times):
 
 
 def savings(times):
-    """Two of what is left out: one pays, one does not."""
+    """Two of what is left out, of which one pays; and the scan over n, where all pairs pay up to 30 spheres."""
     return [
         {
             "input": INPUTS[1],
@@ -164,6 +164,17 @@ def savings(times):
             "without_ms": times(2),
             "identical": True,
         },
+        *[
+            {
+                "input": f"path1/n:{n}",
+                "what": "hierarchy",
+                "reason": f"{n} spheres: aCPU2+CPU2 against CPU1",
+                "with_ms": times(n / 50),
+                "without_ms": times(n * n / 2500),
+                "identical": True,
+            }
+            for n in (10, 30, 100, 3000)
+        ],
     ]
 
 

@@ -101,7 +101,7 @@ class Parsed(html.parser.HTMLParser):
 
     def handle_data(self, text):
         if self._cell:
-            self._table[-1][-1] += text.strip()
+            self._table[-1][-1] += text
         if self._script:
             self.packed[self._script] += text
 

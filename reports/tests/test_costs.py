@@ -118,13 +118,14 @@ class Costs(unittest.TestCase):
     @recomputes("figure:savings", "table:savings")
     def test_savings(self):
         series = self.shown.figures["savings"].panels[0].series[0]
-        ratios = sorted((ratio(row["with_ms"], row["without_ms"]) for row in self.catena["savings"]), reverse=True)
+        saved = [row for row in self.catena["savings"] if row["what"] != "hierarchy"]
+        ratios = sorted((ratio(row["with_ms"], row["without_ms"]) for row in saved), reverse=True)
         self.close(series.x, [value for value, _, _ in ratios])
         self.close(series.low, [low for _, low, _ in ratios])
         self.close(series.high, [high for _, _, high in ratios])
         faster = sum(low > 1 for _, low, _ in ratios)
         self.assertIn(f"was faster in {faster} of {len(ratios)} cases", self.shown.figures["savings"].title)
-        for row, raw in zip(self.shown.raw("savings"), self.catena["savings"]):
+        for row, raw in zip(self.shown.raw("savings"), saved, strict=True):
             self.assertEqual(row[:4], [raw["input"], raw["what"], raw["reason"], "identical"])
             self.close(
                 row[4:],
@@ -135,10 +136,38 @@ class Costs(unittest.TestCase):
         value = made.run()
         row = value["catena"]["savings"][0]
         self.assertNotIn("slower", self.shown.figures["savings"].title)
-        value["catena"]["savings"].append({**row, "what": "hierarchy", "without_ms": [8 * ms for ms in row["with_ms"]]})
+        left_out = {"what": "hierarchy", "reason": "of 20 spheres (--no-omit hierarchy)"}
+        value["catena"]["savings"].append({**row, **left_out, "without_ms": [8 * ms for ms in row["with_ms"]]})
         self.assertTrue(
             pages.shown(value).figures["savings"].title.endswith(f", slower in 1: up to 8 times (hierarchy, {row['input']})")
         )
+
+    @recomputes("figure:crossover", "table:crossover")
+    def test_the_scan_over_n_is_a_crossover_and_no_saving(self):
+        rows = [row for row in self.catena["savings"] if row["what"] == "hierarchy"]
+        figure = self.shown.figures["crossover"]
+        self.assertEqual(figure.title, "Comparing all pairs is faster than a hierarchy up to 30 spheres, and slower from 100 on")
+        for series, key in zip(figure.panels[0].series, ("with_ms", "without_ms"), strict=True):
+            self.assertEqual([f"path1/n:{n}" for n in series.x], [row["input"] for row in rows])
+            self.close(series.y, [plain.median(row[key]) for row in rows])
+        for shown, raw in zip(self.shown.raw("crossover"), rows, strict=True):
+            self.assertEqual(shown[:3], [raw["input"], raw["reason"], "identical"])
+            medians = [plain.median(raw[key]) for key in ("with_ms", "without_ms")]
+            self.close(shown[3:], [*medians, medians[0] / medians[1]])
+
+    def test_a_scan_of_which_one_side_is_not_seen(self):
+        value = made.run()
+        rows = value["catena"]["savings"] = [row for row in value["catena"]["savings"] if row["what"] == "hierarchy"]
+        shown = pages.shown(value)
+        self.assertNotIn("savings", shown.figures)
+        self.assertNotIn("savings", shown.tables)
+        rows[0]["identical"] = False
+        for factor, said in ((1e6, "at no length, and slower at 10, 30, 100 and 3,000 spheres"),
+                             (1e-12, "at 10, 30, 100 and 3,000 spheres, and slower at no length")):
+            for row in rows:
+                row["without_ms"] = [factor * ms for ms in row["without_ms"]]
+            title = pages.shown(value).figures["crossover"].title
+            self.assertEqual(title, f"Comparing all pairs is faster than a hierarchy {said}; another result in 1")
 
     def test_the_greatest_saving_is_drawn_first(self):
         value = made.run()

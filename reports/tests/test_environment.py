@@ -32,6 +32,13 @@ class Environment(unittest.TestCase):
         dirty = next(row[1] for row in self.shown.tables["environment"].rows if row[0].text == "commit")
         self.assertEqual(dirty.kind, "bad")
 
+    def test_how_others_built_their_library_is_not_shown_as_how_catena_was_built(self):
+        value = made.run()
+        value["context"] |= {"build type": "Release", "library_build_type": "debug"}
+        rows = dict(pages.shown(value).rows("environment"))
+        self.assertEqual(rows["build type"], "Release")
+        self.assertNotIn("debug", rows.values())
+
     @recomputes("table:scenes")
     def test_chains_that_were_run(self):
         keys = "input", "summary", "hash", "n", "frame", "frames", "pairs", "max_count", "density", "smallest_margin"

@@ -71,6 +71,20 @@ class Made(unittest.TestCase):
                     self.assertAlmostEqual(x, size)
                     self.assertAlmostEqual(y, ns)
 
+    def test_what_memory_does_not_bound_is_told_where_there_is_some(self):
+        value = json.loads(json.dumps(self.run_.raw))
+        title = lambda: memory.build(report.Report([runfile.Run("run.json", value)])).blocks[1].title  # noqa: E731
+        value["catena"]["bandwidth"]["gb_s"] = [1e-6] * 8
+        self.assertEqual(
+            title(),
+            "Memory may bound every construction and every traversal: none takes more than 2 times as long as a copy of as many bytes",
+        )
+        slow = next(row["name"] for row in value["benchmarks"] if row["name"].endswith("/aCPU2+CPU2/build/manual_time"))
+        for row in value["benchmarks"]:
+            if row["name"] == slow:
+                row["real_time"] = 1e12
+        self.assertRegex(title(), r"^Memory does not bound 1 of \d+ constructions: it takes more than 2 times")
+
     def test_without_a_copy_there_is_no_roofline(self):
         value = made.run()
         del value["catena"]["bandwidth"]

@@ -41,7 +41,8 @@ class Pivots(unittest.TestCase):
     def test_the_published_speed_stands_beside(self):
         prose = pages.Shown(pages.of(self.value)).prose
         self.assertIn("1.50 µs an attempt", prose)
-        self.assertIn("Published: 3.88 µs (somebody <b>)", prose)
+        self.assertIn("Published: 3.88 µs (somebody &lt;b&gt;)", prose)
+        self.assertIn("<code>catena pivot --n 1000 --warm-up 4000 --moves 64000</code>", prose)
 
     def test_answers_that_differ_are_told(self):
         self.value["catena"]["pivots"]["at_once"][0]["agree"] = False

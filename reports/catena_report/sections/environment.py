@@ -26,7 +26,8 @@ SHOWN_FIRST = (
     "load_avg",
 )
 UNLIMITED = 1e9  # seconds of a timing that ends by its repetitions alone, as in reports/run_file.h
-SILENT = ("executable", "json_schema_version", "cores", "host_name")
+# library_build_type is Google Benchmark's own, and "debug" of Debian's would be taken for catena's.
+SILENT = ("executable", "json_schema_version", "cores", "host_name", "library_build_type")
 
 
 def build(report):

@@ -137,12 +137,15 @@ def _roofline(report, run):
         panels.append(panel)
         slow = sum(_rate(size, ms) * WELL_ABOVE < carries.value for _, _, _, size, ms in mine)
         share[title] = slow, len(mine)
-    text = words.listed(
-        f"{slow} of {words.plural(of, title)}" for title, (slow, of) in share.items()
-    )
+    text = words.listed(f"{slow} of {words.plural(of, title)}" for title, (slow, of) in share.items() if slow)
+    slow, copies = sum(slow for slow, _ in share.values()), f"more than {WELL_ABOVE} times as long as a copy of as many bytes"
     return Figure(
         f"roofline{report.key(run)}",
-        f"Memory does not bound {text}: they take more than {WELL_ABOVE} times as long as a copy of as many bytes",
+        (
+            f"Memory does not bound {text}: {'it takes' if slow == 1 else 'they take'} {copies}"
+            if slow
+            else f"Memory may bound every {' and every '.join(share)}: none takes {copies}"
+        ),
         (
             f"The dashed line is a copy of arrays that no cache holds, on one core of this machine:"
             f" {words.interval(carries)} GB/s, read and written. Above it a stage waits for something else than"

@@ -1,4 +1,5 @@
 """Pivots of a self-avoiding walk: what an attempt costs, and k of them together beside a rebuild."""
+import html
 import itertools
 
 from .. import words
@@ -20,8 +21,8 @@ def _speed(speed):
         f" turned? {words.significant(speed['us_per_attempt'], 3)} µs an attempt on one core, and"
         f" {words.significant(speed['bytes_per_point'], 3)} bytes a point; {speed['acceptance']:.3f} of"
         f" {words.count(speed['attempts'])} attempts were accepted. Published:"
-        f" {words.significant(speed['published_us'], 3)} µs ({speed['published_by']})."
-        f" `catena pivot --n {speed['n']} --warm-up {speed['warm_up']} --moves {speed['attempts']}`"
+        f" {words.significant(speed['published_us'], 3)} µs ({html.escape(speed['published_by'])})."
+        f" <code>catena pivot --n {speed['n']} --warm-up {speed['warm_up']} --moves {speed['attempts']}</code>"
     )
 
 
