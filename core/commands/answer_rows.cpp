@@ -7,6 +7,7 @@
 #include "catena/core/error.h"
 #include "catena/core/periodic/overlap.h"
 #include "catena/core/readers/text_lines.h"
+#include "catena/core/writers/writer.h"
 
 namespace catena {
 
@@ -31,6 +32,14 @@ void check_answer_options(const Request& request, const AnswerTables& tables) {
   for (const std::string& name : {tables.pairs, tables.counts})
     if (lower_case(name).ends_with(".gz"))
       throw InputError(fmt::format("{}: tables are not written packed; name a .csv or .jsonl file", name));
+  for (const std::string& name : {tables.pairs, tables.counts})
+    for (const WriterInfo& writer : WriterRegistry::instance().writers())
+      for (const std::string& extension : writer.extensions)
+        if (extension != ".csv" && lower_case(name).ends_with(extension))
+          throw InputError(fmt::format(
+              "{}: tables are CSV or JSON lines; name a .csv or .jsonl file, or use catena export "
+              "for {}",
+              name, writer.name));
   if ((tables.depth || tables.margin) && tables.pairs.empty())
     throw InputError("--depth and --margin are columns of --pairs; name its file, too");
   if (request.want == Request::Want::any && (!tables.pairs.empty() || !tables.counts.empty()))

@@ -30,6 +30,9 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("detect path1:n=10 --window 0", "window");
   expect_refused("detect path1:n=3000 --variant bGPU2@host+CPU2", "aGPU2");
   expect_refused("detect coincident:n=200 --pair-limit 5", "5");
+  for (const char* drawn : {"a.vtp", "A.OBJ", "a.chain", "a.catena", "a.xyz"})
+    for (const char* table : {" --pairs ", " --counts "})
+      expect_refused(std::string("detect path1:n=10") + table + drawn, "tables are CSV or JSON lines");
   for (const char* kept_none : {"--counts-only", "--any"})
     expect_refused(std::string("detect coincident:n=200 --pair-limit 5 ") + kept_none,
                    "--pair-limit is for pairs that are kept");
