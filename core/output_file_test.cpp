@@ -205,7 +205,7 @@ TEST_F(OutputFiles, MayBeReadByWhomTheUserLets) {
   write_file(file("a"), "x");
   umask(before);
   EXPECT_EQ(fs::status(file("a")).permissions(), static_cast<fs::perms>(0640));
-  for (const auto kept : {0600, 0644, 0664, 0400}) {
+  for (const auto kept : {0600, 0644, 0664, 0400, 0755}) {
     fs::permissions(file("a"), static_cast<fs::perms>(kept));
     write_file(file("a"), "y");
     EXPECT_EQ(fs::status(file("a")).permissions(), static_cast<fs::perms>(kept));

@@ -10,7 +10,7 @@ namespace catena {
 namespace {
 
 constexpr const char* no_thread =
-    ": no more threads can be started; raise ulimit -u or the container's limit of processes, or take "
+    "no more threads can be started; raise ulimit -u or the container's limit of processes, or take "
     "threads=1";
 
 std::string at_fault(const std::string& variant) {
@@ -18,23 +18,26 @@ std::string at_fault(const std::string& variant) {
 }
 
 std::string words_of_variant(const std::string& variant) {
-  try {
-    throw;
-  } catch (const std::bad_alloc&) {
-    return variant + ": out of memory; take fewer spheres or ask for counts instead of pairs";
-  } catch (const std::system_error& error) {
-    if (error.code() == std::errc::resource_unavailable_try_again) return variant + no_thread;
-    return at_fault(variant);
-  } catch (const std::runtime_error& error) {
-    // oneTBB's, which has no type of its own
-    if (std::string_view(error.what()).starts_with("pthread_create ")) return variant + no_thread;
-    return at_fault(variant);
-  } catch (...) {
-    return at_fault(variant);
-  }
+  const std::string want = thrown_for_want();
+  return want.empty() ? at_fault(variant) : variant + ": " + want;
 }
 
 }  // namespace
+
+std::string thrown_for_want() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return "out of memory; take fewer spheres or ask for counts instead of pairs";
+  } catch (const std::system_error& error) {
+    return error.code() == std::errc::resource_unavailable_try_again ? no_thread : "";
+  } catch (const std::runtime_error& error) {
+    // oneTBB's, which has no type of its own
+    return std::string_view(error.what()).starts_with("pthread_create ") ? no_thread : "";
+  } catch (...) {
+    return "";
+  }
+}
 
 std::string thrown_words() {
   try {

@@ -9,6 +9,10 @@ namespace catena {
 /// in a catch block.
 std::string thrown_words();
 
+/// What the machine has too little of, and what to do about it, where that is why something is being thrown;
+/// empty where it is not. Only in a catch block.
+std::string thrown_for_want();
+
 /// A variant threw what is no Error of catena's: the fault is in it, not in its input; or there was too
 /// little memory for it. what() names it.
 class VariantThrew : public Error {

@@ -37,6 +37,20 @@ TEST(Thrown, NamesTheVariantWhateverItThrows) {
   EXPECT_EQ(blamed(7), "CPU9 threw: a foreign exception" + after);
 }
 
+TEST(Thrown, TellsWantOfTheMachineFromAFault) {
+  const auto want_of = [](const auto& thrown) {
+    try {
+      throw thrown;
+    } catch (...) {
+      return thrown_for_want();
+    }
+  };
+  EXPECT_TRUE(want_of(std::bad_alloc()).starts_with("out of memory"));
+  EXPECT_TRUE(want_of(std::runtime_error("pthread_create has failed")).starts_with("no more threads"));
+  EXPECT_EQ(want_of(std::runtime_error("a fault")), "");
+  EXPECT_EQ(want_of(std::system_error(std::make_error_code(std::errc::io_error))), "");
+}
+
 TEST(Thrown, LetsErrorsAndAnswersPass) {
   EXPECT_EQ(blaming("CPU9", [] { return 3; }), 3);
   EXPECT_THROW(blaming("CPU9", [] { throw CapacityError("too long"); }), CapacityError);

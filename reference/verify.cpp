@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "catena/core/error.h"
+#include "catena/core/counted.h"
 #include "catena/core/thrown.h"
 #include "catena/reference/reference.h"
 
@@ -61,12 +61,14 @@ std::string what_differs(const Verification& v) {
 
 void judge(Verification& v, bool rounded) {
   const bool same = v.comparison.right() && v.enclosure.violations == 0;
-  const bool sound = v.comparison.well_formed() && v.enclosure.foreign_leaves == 0 && v.enclosure.misplaced == 0 && v.shape.is_tree();
+  const bool sound = v.comparison.well_formed() && v.enclosure.foreign_leaves == 0 &&
+                     v.enclosure.misplaced == 0 && v.shape.is_tree();
   v.verdict = same && sound ? Verdict::exact : rounded && sound ? Verdict::differs : Verdict::wrong;
   v.reason = what_differs(v);
 }
 
-/// What `ask` finds out of a variant. A declared limit is a refusal; whatever else is thrown is the variant's fault.
+/// What `ask` finds out of a variant. A declared limit is a refusal, and want of memory says nothing of it;
+/// whatever else is thrown is the variant's fault.
 template <class Ask>
 Verification answered(const Ask& ask) {
   Verification v;
@@ -76,8 +78,14 @@ Verification answered(const Ask& ask) {
     v.verdict = Verdict::refused;
     v.reason = limit.what();
   } catch (...) {
-    v.verdict = Verdict::wrong;
-    v.reason = "threw: " + thrown_words();
+    if (thrown_for_want().empty()) {
+      v.verdict = Verdict::wrong;
+      v.reason = "threw: " + thrown_words();
+    } else {
+      v = {};  // half of it says nothing
+      v.verdict = Verdict::undecided;
+      v.reason = thrown_words();
+    }
   }
   return v;
 }
@@ -96,9 +104,15 @@ std::string name_of(Verdict verdict) {
       return "refused";
     case Verdict::unavailable:
       return "unavailable";
+    case Verdict::undecided:
+      return "undecided";
   }
   return "";
 }
+
+Undecided::Undecided(std::uint64_t answers)
+    : Error(counted(answers, "answer") +
+            " not decided: the machine had too little memory or threads; take fewer spheres") {}
 
 Answer exact_answer(const Chain& chain, std::uint64_t pair_limit) {
   try {
@@ -127,10 +141,12 @@ Verification verify_by_certificate(Variant& variant, const Chain& chain, std::ui
   return answered([&](Verification& v) {
     Collisions found;
     Certified certified;
-    v.by_pairs = find_pairs([&](Request request, Collisions& to) {
-      request.pair_limit = pair_limit;
-      certified = certify(variant, chain, request, to);
-    }, found);
+    v.by_pairs = find_pairs(
+        [&](Request request, Collisions& to) {
+          request.pair_limit = pair_limit;
+          certified = certify(variant, chain, request, to);
+        },
+        found);
     if (!v.by_pairs) certified = certify(variant, chain, {Request::Want::counts}, found);
     v.certificate = certified.report;
     v.enclosure.bounds = certified.report.tree.bounds;

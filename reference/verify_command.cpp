@@ -77,7 +77,9 @@ class VerifyCommand final : public Command {
     }
     progress.clear();
     report.finish();
-    return report.anything_wrong() ? 1 : 0;
+    if (report.anything_wrong()) return 1;
+    if (report.undecided() > 0) throw Undecided(report.undecided());
+    return 0;
   }
 
  private:
@@ -88,7 +90,11 @@ class VerifyCommand final : public Command {
     if (variants_.empty())
       for (const auto& info : StrategyRegistry::instance().variants())
         candidates.push_back(candidate(info.name));
-    for (const auto& name : variants_) candidates.push_back(candidate(name));
+    for (const auto& name : variants_) {
+      Candidate one = candidate(name);
+      const auto same = [&](const Candidate& other) { return other.info.name == one.info.name; };
+      if (std::ranges::none_of(candidates, same)) candidates.push_back(std::move(one));
+    }
     return candidates;
   }
 

@@ -44,6 +44,22 @@ TEST_F(VerifyProgram, CertifiesWhatIsExact) {
   EXPECT_FALSE(found.at("aCPU2+CPU2/literal").contains("certificate"));
 }
 
+/// Want of memory is nobody's fault; a wrong answer beside it leads.
+TEST_F(VerifyProgram, EndsAsWhatCouldNotBeMeasuredWhereMemoryLacks) {
+  const std::string starved = "path1:n=100 --variant CPU1 --variant fault:has-no-memory-past-8-spheres";
+  expect_says("verify " + starved, 2,
+              {"Not decided on every input: fault:has-no-memory-past-8-spheres\n",
+               "Every other exact variant is exact, on 1 input: CPU1\n", "undecided: out of memory",
+               "catena: 1 answer not decided"});
+  expect_says("verify " + starved + " --variant mutant:throws-past-32-spheres", 1,
+              {"exact variant is exact. Wrong: mutant:throws-past-32-spheres\n", "undecided: out of memory"});
+  expect_says("stability " + starved, 2, {"undecided", "catena: 1 answer not decided"});
+}
+
+TEST_F(VerifyProgram, AsksAVariantOnceHoweverOftenItIsNamed) {
+  expect_says("verify path1:n=50 --variant CPU1 --variant CPU1", 0, {"\n1 exact\n"});
+}
+
 /// Every frame by its number, and what is said of a file when it is read.
 TEST_F(VerifyProgram, NamesFramesAndWarns) {
   std::istringstream lines(run("verify path1:n=60 --frame all --variant CPU1 --json").output);

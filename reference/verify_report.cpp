@@ -11,6 +11,7 @@
 
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/report_text.h"
+#include "catena/core/counted.h"
 #include "catena/core/one_line.h"
 
 namespace catena::reference {
@@ -70,6 +71,7 @@ void VerifyReport::gather(const VerifyRow& row) {
   }
   if (row.variant.exact && row.result.verdict == Verdict::wrong) faulty_.insert(name);
   if (row.variant.exact && row.result.verdict == Verdict::exact) right_.insert(name);
+  if (row.variant.exact && row.result.verdict == Verdict::undecided) undecided_.insert(name);
   variants_[row.variant.arithmetic].insert(name);
   auto& lines = lines_[row.variant.arithmetic];
   Line line{label(row), figures_of(row.result), verdict_of(row.result), {}};
@@ -81,13 +83,15 @@ void VerifyReport::gather(const VerifyRow& row) {
 }
 
 void VerifyReport::print_headline() const {
-  std::vector<std::string> right;
-  std::ranges::set_difference(right_, faulty_, std::back_inserter(right));
+  Names known, right;
+  std::ranges::set_difference(right_, faulty_, std::inserter(known, known.end()));
+  std::ranges::set_difference(known, undecided_, std::inserter(right, right.end()));
+  if (!undecided_.empty()) fmt::print("\nNot decided on every input: {}\n", fmt::join(undecided_, ", "));
   if (!faulty_.empty())
     fmt::print("\nNOT every exact variant is exact. Wrong: {}\n", fmt::join(faulty_, ", "));
   else if (!right.empty())
-    fmt::print("Every exact variant is exact, on {} input{}: {}\n", inputs_.size(),
-               inputs_.size() == 1 ? "" : "s", fmt::join(right, ", "));
+    fmt::print("Every {}exact variant is exact, on {}: {}\n", undecided_.empty() ? "" : "other ",
+               counted(inputs_.size(), "input"), fmt::join(right, ", "));
 }
 
 void VerifyReport::print_arithmetic(const std::string& arithmetic, const std::vector<Line>& lines) const {

@@ -22,14 +22,17 @@ struct VerifyRow {
 };
 
 /// One JSON object a line, as the rows come; or for people: what is wrong as it comes, and at the end first
-/// whether every exact variant is exact, then by arithmetic what each input gave, variants of one answer in
-/// one line, and what was not asked.
+/// whether every exact variant is exact, of which it is not decided, then by arithmetic what each input gave,
+/// variants of one answer in one line, and what was not asked.
 class VerifyReport {
  public:
   explicit VerifyReport(bool json) : json_(json) {}
   void row(const VerifyRow& row);
   void finish() const;
   bool anything_wrong() const { return verdicts_.contains(Verdict::wrong); }
+  std::uint64_t undecided() const {
+    return verdicts_.contains(Verdict::undecided) ? verdicts_.at(Verdict::undecided) : 0;
+  }
 
   using Figures = std::array<std::string, 4>;  ///< pairs, missing, invented, unenclosed, as printed
 
@@ -55,8 +58,8 @@ class VerifyReport {
   std::map<Verdict, std::uint64_t> verdicts_;
   std::map<std::string, std::vector<Line>> lines_;  ///< by arithmetic
   std::map<std::string, Names> variants_,
-      absent_;            ///< by arithmetic; by the reason why they are not available
-  Names right_, faulty_;  ///< exact variants, on some input
+      absent_;                        ///< by arithmetic; by the reason why they are not available
+  Names right_, faulty_, undecided_;  ///< exact variants, on some input
   Names inputs_;
   std::map<std::string, std::string> named_;  ///< the input that is shown by this name
 };

@@ -114,6 +114,33 @@ TEST(VerifyReport, BeginsWithWhoIsExactAndEndsWithWhoWasNotAsked) {
   EXPECT_TRUE(all.ends_with("exact\n\n1 exact\n")) << all;
 }
 
+/// Want of memory is no wrong answer, and no right one either.
+TEST(VerifyReport, NamesTheUndecidedApart) {
+  const VariantInfo a = info("A", "robust"), b = info("B", "robust"), c = info("C", "robust");
+  Verification right, wrong, undecided;
+  right.ran = wrong.ran = true;
+  wrong.verdict = Verdict::wrong, wrong.reason = "why";
+  undecided.verdict = Verdict::undecided, undecided.reason = "out of memory";
+  const std::string text =
+      printed({{"x", 0, 9, 5, a, right}, {"x", 0, 9, 5, b, right}, {"y", 0, 9, 5, b, undecided}});
+  EXPECT_TRUE(text.starts_with(
+      "\nNot decided on every input: B\nEvery other exact variant is exact, on 2 inputs: A\n"))
+      << text;
+  EXPECT_NE(text.find("undecided: out of memory\n"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("\n\n2 exact, 1 undecided\n")) << text;
+  const std::string both = printed({{"x", 0, 9, 5, c, wrong}, {"y", 0, 9, 5, b, undecided}});
+  EXPECT_NE(both.find("NOT every exact variant is exact. Wrong: C\n"), std::string::npos) << both;
+  VerifyReport report(true);
+  EXPECT_EQ(report.undecided(), 0u);
+  ::testing::internal::CaptureStdout();
+  report.row({"x", 0, 9, 5, b, undecided});
+  EXPECT_NE(
+      ::testing::internal::GetCapturedStdout().find("\"verdict\":\"undecided\",\"reason\":\"out of memory\""),
+      std::string::npos);
+  EXPECT_EQ(report.undecided(), 1u);
+  EXPECT_FALSE(report.anything_wrong());
+}
+
 /// Each number under its own key, and none that says nothing.
 TEST(VerifyReport, WritesARowAsJson) {
   const VariantInfo of = info("A", "robust");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <new>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -172,6 +174,24 @@ TEST(Verify, AFloodOfInventedPairsIsComparedByCounts) {
 TEST(Verify, ADeclaredLimitIsARefusal) {
   EXPECT_EQ(verdict(Spoilt([](Collisions&) { throw CapacityError("at most 4 spheres"); }), false),
             Verdict::refused);
+}
+
+// That the machine lacks something says nothing of the variant.
+TEST(Verify, WantOfMemoryOrThreadsDecidesNothing) {
+  const auto starved = [](const auto& thrown) {
+    return verdict(Spoilt([=](Collisions&) { throw thrown; }), false);
+  };
+  EXPECT_EQ(starved(std::bad_alloc()), Verdict::undecided);
+  EXPECT_EQ(starved(std::runtime_error("pthread_create has failed: Resource temporarily unavailable")),
+            Verdict::undecided);
+  EXPECT_EQ(starved(std::runtime_error("a fault")), Verdict::wrong);
+  Spoilt late(nothing, [](BoundsVisitor&) { throw std::bad_alloc(); });
+  const Verification v = verify(late, false, rod(), exact_answer(rod(), 1000));
+  EXPECT_EQ(v.verdict, Verdict::undecided);
+  EXPECT_EQ(v.reason, "out of memory");
+  EXPECT_FALSE(v.ran);
+  EXPECT_STREQ(Undecided(1).what(),
+               "1 answer not decided: the machine had too little memory or threads; take fewer spheres");
 }
 
 /// Compares all pairs and says so, but for the pairs that it keeps to itself.

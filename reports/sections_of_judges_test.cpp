@@ -16,6 +16,7 @@
 #include "catena/core/readers/test_file.h"
 #include "catena/core/strategy/test_variant.h"
 #include "catena/properties/testing/sanitized.h"
+#include "catena/reports/copied_rate.h"
 #include "catena/reports/test_sections.h"
 
 /// What stands in each section of a run file, against what it is said to be. That the keys are those of
@@ -133,6 +134,8 @@ TEST(Sections, OfMemoryHaveWhatAVariantHolds) {
   EXPECT_LT(flood[0]["held_bytes"].get<std::int64_t>(), answer / 4);
   EXPECT_GE(flood[0]["peak_bytes"].get<std::int64_t>(), answer / 2);
 }
+
+TEST(Sections, OfBandwidthCountBytesThatAreReadAndWritten) { EXPECT_EQ(copied_gb_s(3e6, 2), 3); }
 
 TEST(Sections, OfBandwidthAreRatesOfThisMachine) {
   Profile p;

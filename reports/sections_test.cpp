@@ -107,6 +107,44 @@ TEST(Sections, OfCoherenceTellAnUpdateFromABuild) {
       << "of other images, in a box";
 }
 
+/// Looks whether a chain that it is updated to is another than that it stands on.
+class Watchful final : public Variant {
+ public:
+  void build(const Chain& chain) override { stands_on(chain); }
+  void update(const Chain& chain, const Moved&) override {
+    const std::vector<Sphere> before = spheres_;
+    stands_on(chain);
+    ++updates, unmoved += spheres_ == before;
+  }
+  void find(const Chain& chain, const Request& request, Collisions& found) override {
+    all_pairs_->find(chain, request, found);
+  }
+  Timings timings() const override { return {}; }
+  static inline int updates = 0, unmoved = 0;
+
+ private:
+  void stands_on(const Chain& chain) {
+    spheres_.assign(chain.spheres().begin(), chain.spheres().end());
+    all_pairs_->build(chain);
+  }
+  std::vector<Sphere> spheres_;
+  std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
+};
+
+const test::RegisterHidden<Watchful> watchful{{.name = "Watchful", .summary = "looks what moved"}};
+
+/// In every round: an update to the frame that stands is another's time.
+TEST(Sections, OfCoherenceUpdateToAnotherFrame) {
+  Profile p = profile_of({"Watchful"});
+  p.coherent_inputs = {{"path1:n=100"}};
+  Watchful::updates = Watchful::unmoved = 0;
+  const Json rows = section("coherence", p);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_GE(rows[0]["update_ms"].size(), 3u);
+  EXPECT_GE(Watchful::updates, 3);
+  EXPECT_LE(Watchful::unmoved, 1) << "back to what was built, where that was no round's yet";
+}
+
 TEST(Sections, OfStepsHaveWhatASearchCounted) {
   Profile p = profile_of({"Hybrid", "CPU1"});
   p.inputs = {{"yarn:n=1000"}};

@@ -130,23 +130,27 @@ class Enumeration {
 }  // namespace
 
 std::optional<WalkTable> WalkQuestion::table() const {
-  if (other) {
-    if (4 * double{radius} * radius < other->spacing) return WalkTable::self_avoiding;
-    return std::nullopt;
-  }
   if (radius < 0.5f) return WalkTable::self_avoiding;
+  if (other) return std::nullopt;
   if (2 * double{radius} * radius < 1) return WalkTable::contact_free;  // (2r)^2 < 2, exactly
   return std::nullopt;
 }
 
 Chain chain_of_walks(const std::vector<Walk>& walks, float radius) { return chain_of(walks, radius); }
-Chain chain_of_walks(const std::vector<OtherWalk>& walks, float radius) { return chain_of(walks, radius); }
+Chain chain_of_walks(const std::vector<OtherWalk>& walks, float radius) {
+  return chain_of(walks, walks.empty() ? radius : walks.front().lattice->in_coordinates(radius));
+}
 
 std::vector<WalkCount> enumerate_walks(Variant& variant, const WalkQuestion& question) {
   if (question.steps < 1 || question.steps > question.most_steps())
     throw InputError(fmt::format("walks have 1 to {} steps, not {}", question.most_steps(), question.steps));
   if (!(question.radius >= 0 && question.radius <= 100))
     throw InputError(fmt::format("the radius of a walk is 0 to 100 steps, not {}", question.radius));
+  if (question.other && !question.other->isometric && question.radius >= 0.5f)
+    throw InputError(
+        fmt::format("on the {} lattice a radius must be below 1/2: its walks lie folded in space, where "
+                    "points are nearer than in the plane",
+                    question.other->name));
   if (question.other) return Enumeration(OtherWalks{question.other}, variant, question).run();
   return Enumeration(CubicWalks{question.dimensions}, variant, question).run();
 }

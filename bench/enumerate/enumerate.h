@@ -20,7 +20,8 @@ struct WalkQuestion {
       nullptr;  ///< instead of the square or cubic lattice; its contacts are not counted
 
   /// The published table that a walk without collisions at this radius belongs to: below 1/2 points collide
-  /// where they coincide, below sqrt(1/2) where they are adjacent too. Beyond, nobody published one.
+  /// where they coincide, below sqrt(1/2) where they are adjacent too. Beyond, nobody published one, nor from
+  /// 1/2 on for other lattices.
   std::optional<WalkTable> table() const;
   int most_steps() const { return other ? OtherWalk::most_steps : Walk::most_steps; }
 };
@@ -35,11 +36,12 @@ struct WalkCount {
 /// Counts walks of 1 to question.steps steps, one entry a length. Each walk is a strand of its own among
 /// thousands in one chain, too far apart to meet, and the variant alone says which strands collide; a free
 /// walk has free beginnings, so only free walks are prolonged. Memory O(steps); time grows by 4.7 a step
-/// (cubic). Throws InputError for a question out of its ranges, and what the variant throws.
+/// (cubic). Throws InputError for a question out of its ranges or of radii that its lattice's points do not
+/// tell, and what the variant throws.
 std::vector<WalkCount> enumerate_walks(Variant& variant, const WalkQuestion& question);
 
 /// One chain of these walks, which have equal lengths: each a strand, apart from the others by more than they
-/// reach.
+/// reach. The radius is in steps.
 Chain chain_of_walks(const std::vector<Walk>& walks, float radius);
 Chain chain_of_walks(const std::vector<OtherWalk>& walks, float radius);
 

@@ -29,10 +29,10 @@ class EnumerateCommand final : public Command {
                    "Of the walks; on other than cubic and square their points alone count")
         .one_of(lattices)
         .capture_default_str();
-    app.add_option("--radius", radius_,
-                   "Of every sphere, in steps (default: just below 1/2, where walks may not meet themselves, "
-                   "and 1/2, "
-                   "where they may not touch themselves)")
+    app.add_option(
+           "--radius", radius_,
+           "Of every sphere, in steps (default: just below 1/2, where walks may not meet themselves, "
+           "and, on cubic and square, 1/2, where they may not touch themselves); below 1/2 on honeycomb")
         .type_name("R")
         .range(0.0, 100.0);
     app.add_option("--variant", variant_, "Who says which walks collide; see catena list")
@@ -59,13 +59,14 @@ class EnumerateCommand final : public Command {
 
  private:
   std::vector<WalkQuestion> questions() const {
+    const float below = std::nextafter(0.5f, 0.0f);
     if (const OtherLattice* other = other_lattice(lattice_)) {
-      const float radius = radius_ ? static_cast<float>(*radius_) : other->radius_below_touching();
+      const float radius = radius_ ? static_cast<float>(*radius_) : below;
       return {{.radius = radius, .steps = steps_, .other = other}};
     }
     const int dimensions = lattice_ == "square" ? 2 : 3;
     if (radius_) return {{dimensions, static_cast<float>(*radius_), false, steps_}};
-    return {{dimensions, std::nextafter(0.5f, 0.0f), true, steps_}, {dimensions, 0.5f, false, steps_}};
+    return {{dimensions, below, true, steps_}, {dimensions, 0.5f, false, steps_}};
   }
 
   void print(const WalkQuestion& question, const std::vector<WalkVerdict>& verdicts) const {

@@ -26,7 +26,8 @@ class EnumerateProgram : public Program {
         EXPECT_EQ(json["steps"], verdict.steps);
         EXPECT_EQ(json["counts"], verdict.counts);
         EXPECT_EQ(json["found"], verdict.found) << line;
-        EXPECT_EQ(json.contains("published"), verdict.published.has_value());
+        for (const char* key : {"published", "sequence", "agrees"})
+          EXPECT_EQ(json.contains(key), verdict.published.has_value()) << line;
         if (!verdict.published) continue;
         EXPECT_EQ(json["published"], *verdict.published);
         EXPECT_EQ(json["sequence"], verdict.sequence);
@@ -44,15 +45,19 @@ TEST_F(EnumerateProgram, CountsWhatIsAsked) {
     expect_says("enumerate --walks 2 --json --lattice " + lattice, 0, {"{\"lattice\":\"" + lattice + "\""});
   expect_told("--walks 3 --radius 0.8", {{3, 0.8f, false, 3}});
   const OtherLattice& diamond = *other_lattice("diamond");
-  expect_told("--walks 3 --lattice diamond",
-              {{.radius = diamond.radius_below_touching(), .steps = 3, .other = &diamond}});
+  expect_told("--walks 3 --lattice diamond", {{.radius = below, .steps = 3, .other = &diamond}});
   expect_told("--walks 3 --lattice diamond --radius 1", {{.radius = 1, .steps = 3, .other = &diamond}});
 }
 
 TEST_F(EnumerateProgram, SaysWhatIsNotPublishedAndWhatDiffers) {
   expect_says("enumerate --walks 2 --radius 0.8", 0,
               {"no table to compare with", "      2                    6                    -\n"});
-  expect_says("enumerate --walks 3 --lattice diamond", 0, {"diamond lattice", "A001394"});
+  expect_says("enumerate --walks 3 --lattice diamond", 0,
+              {"diamond lattice, radius 0.49999997, ", "A001394"});
+  expect_says("enumerate --walks 2 --lattice triangular --radius 0.6", 0,
+              {"radius 0.600000024, ", "no table", "      2                   18                    -\n"});
+  expect_refused("enumerate --walks 2 --lattice honeycomb --radius 0.6",
+                 "on the honeycomb lattice a radius must be below 1/2");
   const std::string wrong = "enumerate --walks 3 --variant mutant:less-for-less-equal";
   expect_says(wrong, 1, {"  DIFFERS"});
   expect_says(wrong + " --json", 1, {"\"agrees\":false"});

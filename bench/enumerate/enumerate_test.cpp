@@ -111,17 +111,26 @@ TEST(Enumerate, FindsThePublishedNumbersByEveryExactVariant) {
   }
 }
 
-/// Every walk on one of the other lattices, no symmetry and no sphere: a set of points.
-std::uint64_t count_by_hand(std::vector<std::array<int, 3>>& walk, const OtherLattice& lattice, int steps) {
+int squared_distance(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+  const int x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+  return x * x + y * y + z * z;
+}
+
+/// Every walk on one of the other lattices, no symmetry and no sphere: a set of points, of which none is as
+/// near to an earlier one but the last as this squared distance.
+std::uint64_t count_by_hand(std::vector<std::array<int, 3>>& walk, const OtherLattice& lattice, int steps,
+                            double reach = 0) {
   if (steps == 0) return 1;
   std::uint64_t sum = 0;
   const int way = walk.size() % 2 == 1 ? 1 : -1;
   for (const auto& step : lattice.steps) {
     std::array<int, 3> next = walk.back();
     for (std::size_t axis = 0; axis < 3; ++axis) next[axis] += way * step[axis];
-    if (std::ranges::find(walk, next) != walk.end()) continue;
+    if (std::any_of(walk.begin(), walk.end() - 1,
+                    [&](const auto& p) { return squared_distance(p, next) <= reach; }))
+      continue;
     walk.push_back(next);
-    sum += count_by_hand(walk, lattice, steps - 1);
+    sum += count_by_hand(walk, lattice, steps - 1, reach);
     walk.pop_back();
   }
   return sum;
@@ -134,7 +143,7 @@ TEST(OtherLattices, TablesBeginAsASetOfPointsCountsThem) {
     EXPECT_EQ(other_lattice(lattice.name), &lattice);
     EXPECT_EQ(lattice.table.terms[1], lattice.steps.size()) << lattice.name;
     for (const auto& step : lattice.steps)
-      EXPECT_EQ(step[0] * step[0] + step[1] * step[1] + step[2] * step[2], lattice.spacing) << lattice.name;
+      EXPECT_EQ(squared_distance(step, {0, 0, 0}), lattice.spacing) << lattice.name;
     for (int steps = 0; lattice.table.terms[static_cast<std::size_t>(steps)] < 100'000; ++steps) {
       std::vector<std::array<int, 3>> walk{{0, 0, 0}};
       EXPECT_EQ(count_by_hand(walk, lattice, steps), lattice.table.terms[static_cast<std::size_t>(steps)])
@@ -148,18 +157,63 @@ TEST(Enumerate, FindsThePublishedNumbersOnOtherLattices) {
   for (const OtherLattice& lattice : other_lattices()) {
     int steps = static_cast<int>(lattice.table.terms.size()) - 1;
     while (lattice.table.terms[static_cast<std::size_t>(steps)] > 300'000) --steps;
-    for (const float radius : {lattice.radius_below_touching(), 0.25f})
+    for (const float radius : {below_half, 0.25f, 0.0f})
       expect_published("Hybrid", {.radius = radius, .steps = steps, .other = &lattice});
-    const float touching = std::nextafter(lattice.radius_below_touching(), 1.0f);
-    EXPECT_FALSE(judged("Hybrid", {.radius = touching, .steps = 2, .other = &lattice}).back().published);
+    if (!lattice.isometric) continue;
+    EXPECT_FALSE(judged("Hybrid", {.radius = 0.5f, .steps = 2, .other = &lattice}).back().published);
   }
+}
+
+// Walks of two steps by the distances of their ends, as any book has them. At .6 steps ends 1 and 2/sqrt(3)
+// apart collide, at .75 those of sqrt(2), at .85 of sqrt(8/3), at .9 of sqrt(3), at 1 all.
+TEST(Enumerate, TakesRadiiInStepsOfEveryLattice) {
+  using Found = std::vector<std::uint64_t>;
+  for (const auto& [name, expected] : {std::pair<std::string, Found>{"triangular", {30, 18, 18, 18, 6, 0}},
+                                       {"diamond", {12, 12, 12, 0, 0, 0}},
+                                       {"body-centred", {56, 32, 32, 8, 8, 0}},
+                                       {"face-centred", {132, 84, 60, 60, 12, 0}}}) {
+    Found found;
+    for (const float radius : {below_half, 0.6f, 0.75f, 0.85f, 0.9f, 1.0f})
+      found.push_back(
+          judged("CPU1", {.radius = radius, .steps = 2, .other = other_lattice(name)}).back().found);
+    EXPECT_EQ(found, expected) << name;
+  }
+}
+
+// At each radius where more points begin to touch, and one float beside it.
+TEST(OtherLattices, HaveTheSamePointsCollideInStepsAndInCoordinates) {
+  for (const OtherLattice& lattice : other_lattices())
+    for (int squared = 0; squared <= 120; ++squared) {
+      const auto tie = static_cast<float>(std::sqrt(squared / (4.0 * lattice.spacing)));
+      for (const float steps : {std::nextafter(tie, 0.0f), tie, std::nextafter(tie, 200.0f)}) {
+        const double radius = lattice.in_coordinates(steps),
+                     reach = 4 * double{steps} * steps * lattice.spacing;
+        EXPECT_NEAR(radius, steps * std::sqrt(lattice.spacing), 1e-6 * radius + 1e-40) << lattice.name;
+        for (int q = 1; q <= 150; ++q) EXPECT_EQ(4 * radius * radius >= q, reach >= q) << steps << ' ' << q;
+        if (steps > 1 || !lattice.isometric) continue;
+        std::vector<std::array<int, 3>> walk{{0, 0, 0}};
+        EXPECT_EQ(judged("CPU1", {.radius = steps, .steps = 3, .other = &lattice}).back().found,
+                  count_by_hand(walk, lattice, 3, reach))
+            << lattice.name << ' ' << steps;
+      }
+    }
+}
+
+// In the plane the ends of two of its steps are sqrt(3) apart, as the lattice is embedded sqrt(2).
+TEST(Enumerate, RefusesRadiiThatTheHoneycombsPointsDoNotTell) {
+  const auto variant = StrategyRegistry::instance().make("CPU1");
+  for (const OtherLattice& lattice : other_lattices())
+    EXPECT_EQ(lattice.isometric, lattice.name != "honeycomb");
+  for (const float radius : {0.5f, 0.8f})
+    EXPECT_THROW(
+        enumerate_walks(*variant, {.radius = radius, .steps = 2, .other = other_lattice("honeycomb")}),
+        InputError);
 }
 
 TEST(EnumerateLong, FindsThePublishedNumbersOnOtherLatticesToTheirEnd) {
   for (const OtherLattice& lattice : other_lattices()) {
     const int steps = static_cast<int>(lattice.table.terms.size()) - 1;
-    expect_published("Hybrid",
-                     {.radius = lattice.radius_below_touching(), .steps = steps, .other = &lattice});
+    expect_published("Hybrid", {.radius = below_half, .steps = steps, .other = &lattice});
   }
 }
 
@@ -181,6 +235,8 @@ TEST(Enumerate, SeesADifference) {
   ++verdict.found;
   EXPECT_TRUE(verdict.differs());
   EXPECT_EQ(to_json(verdict)["agrees"], false);
+  verdict.published.reset();
+  EXPECT_FALSE(to_json(verdict).contains("agrees"));  // with nothing
 }
 
 TEST(Enumerate, RefusesWhatItCannotCount) {
@@ -215,7 +271,8 @@ TEST(ChainOfWalks, HasRoomForWalksThatFaceOneAnother) {
   std::vector<Walk> walks;
   for (int k = 0; k < 8; ++k) walks.push_back(k % 2 == 0 ? there : back);
   for (const float radius : {0.5f, 1.0f, 2.5f})
-    for (const Pair& p : reference::find(chain_of_walks(walks, radius)).pairs) EXPECT_EQ(p.i / 6, p.j / 6) << radius;
+    for (const Pair& p : reference::find(chain_of_walks(walks, radius)).pairs)
+      EXPECT_EQ(p.i / 6, p.j / 6) << radius;
 }
 
 TEST(Enumerate, RefusesRadiiThatSayNothing) {

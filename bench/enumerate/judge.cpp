@@ -55,8 +55,8 @@ nlohmann::ordered_json to_json(const WalkVerdict& verdict) {
   if (verdict.published) {
     line["sequence"] = verdict.sequence;
     line["published"] = *verdict.published;
+    line["agrees"] = !verdict.differs();
   }
-  line["agrees"] = !verdict.differs();
   return line;
 }
 

@@ -25,7 +25,7 @@ struct WalkVerdict {
 /// Asks the variant and looks each number up. Throws like enumerate_walks.
 std::vector<WalkVerdict> judge_walks(Variant& variant, const WalkQuestion& question);
 
-/// {lattice, radius, steps, counts, found, (sequence, published), agrees}
+/// {lattice, radius, steps, counts, found, (sequence, published, agrees)}
 nlohmann::ordered_json to_json(const WalkVerdict& verdict);
 
 std::string lattice_name(const WalkQuestion& question);  ///< "square", "cubic", or the other's

@@ -24,25 +24,28 @@ PublishedTable self_avoiding(int dimensions, const std::string& sequence, std::v
 }  // namespace
 
 std::span<const OtherLattice> other_lattices() {
-  // Honeycomb: the cubic lattice's points whose coordinates have the sum 0 or 1. Triangular: the face-centred
-  // lattice's whose sum is 0. The numbers are OEIS's; A001334's terms are as A177238, of which it is a part,
-  // prints them, A001666's and A001336's were not compared with oeis.org, but agree with what is counted here.
+  // Honeycomb: the cubic lattice's points whose coordinates have the sum 0 or 1, neighbour for neighbour
+  // alone: in the plane others are farther apart. Triangular: the face-centred lattice's whose sum is 0. The
+  // numbers are OEIS's; A001334's terms are as A177238, of which it is a part, prints them, A001666's and
+  // A001336's were not compared with oeis.org, but agree with what is counted here.
   static const std::vector<OtherLattice> lattices{
       {"honeycomb",
        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
        1,
+       false,
        self_avoiding(2, "A001668", {1, 3, 6, 12, 24, 48, 90, 174, 336, 648, 1218})},
       {"triangular",
-       steps_where([](int x, int y, int z) { return x * x + y * y + z * z == 2 && x + y + z == 0; }), 2,
+       steps_where([](int x, int y, int z) { return x * x + y * y + z * z == 2 && x + y + z == 0; }), 2, true,
        self_avoiding(2, "A001334",
                      {1, 6, 30, 138, 618, 2730, 11946, 51882, 224130, 964134, 4133166, 17668938, 75355206})},
       {"diamond",
        {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
        3,
+       true,
        self_avoiding(3, "A001394", {1, 4, 12, 36, 108, 324, 948, 2796, 8196, 24060})},
-      {"body-centred", steps_where([](int x, int y, int z) { return x * y * z != 0; }), 3,
+      {"body-centred", steps_where([](int x, int y, int z) { return x * y * z != 0; }), 3, true,
        self_avoiding(3, "A001666", {1, 8, 56, 392, 2648, 17960, 120056, 804824, 5351720})},
-      {"face-centred", steps_where([](int x, int y, int z) { return x * x + y * y + z * z == 2; }), 2,
+      {"face-centred", steps_where([](int x, int y, int z) { return x * x + y * y + z * z == 2; }), 2, true,
        self_avoiding(3, "A001336", {1, 12, 132, 1404, 14700, 152532, 1573716, 16172148})}};
   return lattices;
 }
@@ -52,9 +55,12 @@ const OtherLattice* other_lattice(std::string_view name) {
   return found == other_lattices().end() ? nullptr : &*found;
 }
 
-float OtherLattice::radius_below_touching() const {
-  auto radius = static_cast<float>(std::sqrt(spacing) / 2);
-  while (4 * double{radius} * radius >= spacing) radius = std::nextafter(radius, 0.0f);  // exactly
+float OtherLattice::in_coordinates(float in_steps) const {
+  const auto reach = [](float radius) { return 4 * double{radius} * radius; };  // exactly, and times 3 too
+  const double farthest = std::floor(spacing * reach(in_steps));  // squared distances of points are whole
+  auto radius = static_cast<float>(std::sqrt(spacing) * in_steps);
+  while (reach(radius) < farthest) radius = std::nextafter(radius, HUGE_VALF);
+  while (reach(radius) >= farthest + 1) radius = std::nextafter(radius, 0.0f);
   return radius;
 }
 

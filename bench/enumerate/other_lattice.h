@@ -17,10 +17,12 @@ struct OtherLattice {
   std::vector<std::array<int, 3>>
       steps;             ///< from the origin; from points an odd number of steps away, negated
   int spacing;           ///< squared length of a step; no two points are nearer
+  bool isometric;        ///< points are as far apart as on the lattice of that name, step for step
   PublishedTable table;  ///< of its self-avoiding walks
 
-  /// The largest binary32 radius of spheres about its points that leaves neighbours apart.
-  float radius_below_touching() const;
+  /// A radius in steps, in the points' coordinates: the nearest in binary32 with which the same points
+  /// collide.
+  float in_coordinates(float in_steps) const;
 };
 
 /// honeycomb, triangular, diamond, body-centred and face-centred.

@@ -20,8 +20,7 @@ class GrowthCommand final : public Command {
  public:
   void configure(OptionParser& app) override {
     app.add_option("SCENE", scenes_, "Scenes without n").capture_default_str();
-    app.add_option("--n", most_,
-                   "Spheres of the longest chain, 32,000 or more; chains are from 1,000 on, in half decades")
+    app.add_option("--n", most_, "Spheres of the longest chain; chains are from 1,000 on, in half decades")
         .whole_number(32'000)
         .capture_default_str();
     app.add_option("--variant", variants_, "Whose work is counted; repeatable")

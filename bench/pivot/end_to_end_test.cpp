@@ -49,5 +49,18 @@ TEST(EndToEnd, MeasuresEveryAttemptThatRunsDoNotShareEvenly) {
   EXPECT_NEAR(seen.mean_square, mean, 1e-9 * mean);
 }
 
+/// Of attempts, whether or not they are accepted.
+TEST(EndToEnd, TakesNoMoreTimeThanPasses) {
+  constexpr std::uint64_t attempts = 20'000;
+  PivotWalk walk(64);
+  Random random(5);
+  const double before = processor_us();
+  const EndToEnd seen = measure_end_to_end(walk, attempts, random, 0);
+  const double passed = processor_us() - before;
+  EXPECT_LT(seen.acceptance, 0.9);
+  EXPECT_LE(seen.us_per_attempt * attempts, passed * (1 + 1e-9));
+  EXPECT_GE(seen.us_per_attempt * attempts, passed / 2);
+}
+
 }  // namespace
 }  // namespace catena::bench

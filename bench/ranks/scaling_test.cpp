@@ -24,5 +24,25 @@ TEST(Scaling, AsksForLittleMoreThanTrulyTouches) {
       measure_scaling(yarn, {.ranks = doubled_ranks(8), .order = Order::chain}).points[2].blocks_asked / 2);
 }
 
+/// Of all ranks together, though the one that asks the most may go by another law, as may points in chain
+/// order.
+TEST(Scaling, TellsByWhatPowerBlocksAreAskedFor) {
+  Scaling made;
+  std::uint64_t asked = 1024;
+  for (unsigned ranks = 2; ranks <= 16; ranks *= 2, asked /= 4) {  // of blocks an eighth each time
+    const std::uint64_t own = asked == 1024 ? 32768 : asked == 256 ? 4096 : asked == 64 ? 512 : 64;
+    made.points.push_back({.ranks = ranks,
+                           .in_space = true,
+                           .blocks = own * ranks,
+                           .blocks_asked = asked * ranks,
+                           .most_blocks_asked = own / 4});
+    made.points.push_back({.ranks = ranks, .blocks = own * ranks, .blocks_asked = own * ranks});
+  }
+  ASSERT_TRUE(made.surface());
+  EXPECT_NEAR(made.surface()->exponent, 2.0 / 3, 1e-9);
+  made.points.erase(made.points.begin());
+  EXPECT_FALSE(made.surface()) << "three points";
+}
+
 }  // namespace
 }  // namespace catena::ranks

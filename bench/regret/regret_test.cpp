@@ -152,6 +152,47 @@ TEST(Regret, OfTheFirstChoiceShowsThoughManySearchesMendIt) {
   EXPECT_LT(r.ratio(), 0.8) << "a third of 0.3 ms";
 }
 
+/// Counts how often one of them has searched.
+class Counted final : public Variant {
+ public:
+  void build(const Chain& chain) override { all_pairs_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    most = std::max(most, ++searches_);
+    all_pairs_->find(chain, request, result);
+  }
+  Timings timings() const override { return {}; }
+  std::string answered_by() const override { return "Counted"; }
+  static inline int most = 0;
+
+ private:
+  int searches_ = 0;
+  std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
+};
+/// CPU1, which keeps how often Counted had searched when this did first.
+class AfterCounted final : public Variant {
+ public:
+  void build(const Chain& chain) override { all_pairs_->build(chain); }
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (searches_before < 0) searches_before = Counted::most;
+    all_pairs_->find(chain, request, result);
+  }
+  Timings timings() const override { return {}; }
+  static inline int searches_before = -1;
+
+ private:
+  std::unique_ptr<Variant> all_pairs_ = StrategyRegistry::instance().make("CPU1");
+};
+
+const test::RegisterHidden<Counted> counted{{.name = "Counted", .summary = "counts its searches"}};
+const test::RegisterHidden<AfterCounted> after_counted{{.name = "AfterCounted", .summary = "looks at them"}};
+
+/// Nobody is timed, with it or before it, until one who searches often has settled.
+TEST(Regret, LetsItSettleBeforeOthersAreTried) {
+  Counted::most = 0, AfterCounted::searches_before = -1;
+  regret({"path1:n=8"}, {registry().describe("AfterCounted")}, little(), "Counted");
+  EXPECT_GE(AfterCounted::searches_before, 40);
+}
+
 /// What took less than twice the least when it was tried is timed in turns; what took more was tried alone.
 TEST(Regret, TimesInTurnsWhoTookLessThanTwiceTheLeast) {
   const std::vector others{busy("BusyThrice", 0.6), busy("BusyOnce", 0.2), busy("BusyHalfAsLongAgain", 0.3)};

@@ -14,6 +14,7 @@ namespace {
 Outcome judge(const reference::Verification& v, std::uint64_t not_finite_nodes) {
   if (v.verdict == reference::Verdict::unavailable) return Outcome::unavailable;
   if (v.verdict == reference::Verdict::refused) return Outcome::refused;
+  if (v.verdict == reference::Verdict::undecided) return Outcome::undecided;
   if (not_finite_nodes > 0) return Outcome::not_finite;
   if (!v.ran || !v.comparison.right()) return Outcome::wrong;
   return v.verdict == reference::Verdict::exact ? Outcome::exact : Outcome::unenclosed;
@@ -29,6 +30,8 @@ std::string name_of(Outcome outcome) {
       return "unavailable";
     case Outcome::refused:
       return "refused";
+    case Outcome::undecided:
+      return "undecided";
     case Outcome::unenclosed:
       return "unenclosed";
     case Outcome::wrong:
@@ -49,8 +52,8 @@ Cell measure(const std::string& scene, const VariantInfo& info, Variant& variant
     cell.not_finite_nodes = nodes.count();
   }
   cell.outcome = judge(cell.found, cell.not_finite_nodes);
-  cell.defect = cell.found.verdict == reference::Verdict::wrong ||
-                (info.exact && cell.outcome > Outcome::refused);
+  cell.defect =
+      cell.found.verdict == reference::Verdict::wrong || (info.exact && cell.outcome > Outcome::undecided);
   return cell;
 }
 

@@ -16,6 +16,7 @@ enum class Outcome {
   exact,        ///< the right pairs, and every bound encloses
   unavailable,  ///< it cannot run on this machine
   refused,      ///< the chain is past a declared limit of the variant
+  undecided,    ///< the machine had too little memory, or threads, to see what it answers
   unenclosed,   ///< the right pairs, by luck: some bounds do not enclose
   wrong,        ///< pairs missing or invented
   not_finite    ///< nodes that are not numbers, whatever the pairs

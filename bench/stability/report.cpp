@@ -50,7 +50,8 @@ bool worse(const Cell& a, const Cell& b) {
 }  // namespace
 
 StabilityReport::StabilityReport(Form form, const std::vector<std::string>& scenes,
-                                 const std::vector<std::string>& variants, std::vector<std::string> arithmetics)
+                                 const std::vector<std::string>& variants,
+                                 std::vector<std::string> arithmetics)
     : form_(form),
       scene_width_(widest(scenes, 5)),
       variant_width_(widest(variants, 7)),
@@ -71,13 +72,12 @@ void StabilityReport::scene(const std::vector<Cell>& cells) {
   for (const Cell& cell : cells) {
     ++outcomes_[cell.arithmetic][cell.outcome];
     if (cell.defect) defects_.push_back(cell);
-    if (cell.outcome == Outcome::unavailable || cell.outcome == Outcome::refused) {
+    if (cell.outcome >= Outcome::unavailable && cell.outcome <= Outcome::undecided) {
       LeftOut& left_out = left_out_[cell.found.reason];
       left_out.variants.insert(cell.variant);
       left_out.scenes.insert(cell.scene);
     }
-    if (form_ == Form::json)
-      fmt::print("{}\n", json_line(to_json(cell)));
+    if (form_ == Form::json) fmt::print("{}\n", json_line(to_json(cell)));
     if (form_ == Form::cells) cell_line(cell);
   }
   if (form_ == Form::table && !cells.empty()) table_line(cells);

@@ -16,6 +16,7 @@
 #include "catena/core/error.h"
 #include "catena/core/input/input.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/reference/verify.h"
 
 namespace catena::bench {
 namespace {
@@ -70,6 +71,7 @@ class StabilityCommand final : public Command {
                                : StabilityReport::Form::table;
     std::optional<StabilityReport> report;  // whose head comes before the first of its lines
     bool answered = false;
+    std::uint64_t undecided = 0;
     Progress progress(scenes_.size() * variants_.size());
     for (const auto& spec : scenes_) {
       const auto cells = measure_scene(spec, variants_, limits_, [&](const std::string& name) {
@@ -80,10 +82,13 @@ class StabilityCommand final : public Command {
       report->scene(cells);
       answered |= std::ranges::any_of(
           cells, [](const Cell& c) { return c.answered && c.outcome != Outcome::unavailable; });
+      undecided += static_cast<std::uint64_t>(std::ranges::count(cells, Outcome::undecided, &Cell::outcome));
     }
     report->finish();
     if (!answered) throw InputError("nothing was measured: every input or variant was left out");
-    return report->any_defect() ? 1 : 0;
+    if (report->any_defect()) return 1;
+    if (undecided > 0) throw reference::Undecided(undecided);
+    return 0;
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -41,6 +42,25 @@ TEST(Stability, OnlyRoundedArithmeticMayBeWrong) {
     EXPECT_EQ(robust.outcome, Outcome::exact) << scene << ": " << robust.found.reason;
     EXPECT_FALSE(robust.defect);
   }
+}
+
+/// Has no memory left.
+class Starved final : public Variant {
+ public:
+  void build(const Chain&) override { throw std::bad_alloc(); }
+  void find(const Chain&, const Request&, Collisions&) override {}
+  Timings timings() const override { return {}; }
+};
+
+TEST(Stability, WantOfMemoryIsNoDefect) {
+  const Chain chain = open_input("lattice:n=100").animation->frame(0);
+  Starved starved;
+  VariantInfo info;
+  info.name = "Starved", info.arithmetic = "robust";
+  const Cell cell = measure("lattice", info, starved, chain, reference::find(chain));
+  EXPECT_EQ(cell.outcome, Outcome::undecided);
+  EXPECT_FALSE(cell.defect);
+  EXPECT_EQ(name_of(cell.outcome), "undecided");
 }
 
 /// Answers nothing at all.

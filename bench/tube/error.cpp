@@ -35,8 +35,10 @@ Between between(const Tube& tube, double s, double h) {
   const double bulge = length(aside) / 2, half = chord / 2;  // the middle of the chord is `bulge` away
   const double squared = half * half + bulge * bulge + 2 * tube.radius * bulge;  // G^2 - r^2
   const double gap = squared / (std::sqrt(tube.radius * tube.radius + squared) + tube.radius);
-  // Two spheres of radius r at distance d add pi (r^2 d - d^3 / 12) to their common volume.
-  return {gap, h - chord + chord * chord * chord / (12 * tube.radius * tube.radius)};
+  // Two spheres of radius r at distance d add pi (r^2 d - d^3 / 12) to their common volume, up to d = 2r,
+  // where they part.
+  const double met = std::min(chord, 2 * tube.radius);
+  return {gap, h - met + met * met * met / (12 * tube.radius * tube.radius)};
 }
 
 /// The deepest overlap of two spheres of the tube's radius near an approach, when the nearest spheres are at
@@ -100,7 +102,8 @@ TubeError tube_error(const Tube& tube, const std::vector<Approach>& all, std::ui
   const double h = error.spacing = step_of(tube, n);
   const Between worst = worst_of(tube, n);
   error.gap = worst.gap;
-  error.volume_deficit = worst.uncovered;
+  error.volume_deficit =
+      std::max(worst.uncovered, 0.0);  // the finest is below what rounding makes of h - chord
   error.covering_radius = tube.radius + error.gap;
 
   const Approach* deepest = nullptr;

@@ -1,6 +1,6 @@
 #include "catena/bench/tube/errors_line.h"
 
-#include <cmath>
+#include "catena/core/commands/report_text.h"
 
 namespace catena::bench {
 
@@ -30,10 +30,8 @@ nlohmann::ordered_json to_json(const TubeErrors& errors) {
                               {"covering_depth_error", e.covering_depth_error}};
   if (s) {
     nlohmann::ordered_json stored{{"offset", errors.offset}, {"pairs", s->pairs}, {"flips", s->flips}};
-    if (std::isfinite(s->least_margin)) {
-      stored["least_margin"] = s->least_margin;
-      if (s->least_margin > 0) stored["condition_number"] = 1 / s->least_margin;
-    }
+    stored["least_margin"] = finite_or_word(s->least_margin);  // infinite: no pair is near
+    stored["condition_number"] = finite_or_word(1 / s->least_margin);
     stored["margin_decades"] = s->decades;
     line["stored"] = stored;
   }

@@ -23,9 +23,11 @@ TEST(ErrorsLine, SaysEachNumberUnderItsName) {
   EXPECT_EQ(to_json(errors).dump(),
             stored + R"(,"least_margin":0.0625,"condition_number":16.0,"margin_decades":[1,2]}})");
   errors.storage->least_margin = 0;  // of a tie: no number is its inverse
-  EXPECT_EQ(to_json(errors).dump(), stored + R"(,"least_margin":0.0,"margin_decades":[1,2]}})");
+  EXPECT_EQ(to_json(errors).dump(),
+            stored + R"(,"least_margin":0.0,"condition_number":"infinite","margin_decades":[1,2]}})");
   errors.storage->least_margin = std::numeric_limits<double>::infinity();  // no pair is near
-  EXPECT_EQ(to_json(errors).dump(), stored + R"(,"margin_decades":[1,2]}})");
+  EXPECT_EQ(to_json(errors).dump(),
+            stored + R"(,"least_margin":"infinite","condition_number":0.0,"margin_decades":[1,2]}})");
 }
 
 class ErrorsProgram : public Program {};

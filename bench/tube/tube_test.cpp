@@ -215,6 +215,26 @@ TEST(TubeError, LeavesOutOfTheVolumeWhatTwoSpheresLeaveOut) {
     }
 }
 
+TEST_P(EveryTube, LosesAShareOfItsVolumeHoweverFewOrManySpheres) {
+  double before = 1;
+  for (std::uint32_t n = 8; n < 20'000'000; n += n / 2) {
+    const double deficit = tube_error(tube, {}, n).volume_deficit;
+    EXPECT_GE(deficit, 0) << n;
+    EXPECT_LE(deficit, before) << n;
+    before = deficit + 1e-9;  // rounding
+  }
+}
+
+// Spheres of radius 1 that part fill 4/3 of each step, and from 2 on nothing jumps.
+TEST(StraightRod, LosesWhatPartedSpheresLeave) {
+  const auto deficit = [](double h) {
+    return tube_error({"rod", 7 * h, 1, false, [](double s) { return Vec3{s, 0, 0}; }}, {}, 8).volume_deficit;
+  };
+  for (const double h : {2.0, 2.1, 3.0, 40.0 / 7, 1e6}) EXPECT_NEAR(deficit(h), 1 - 4 / (3 * h), 1e-9) << h;
+  EXPECT_NEAR(deficit(2 - 1e-9), deficit(2 + 1e-9), 1e-8);
+  EXPECT_NEAR(tube_error(straight_rod(), {}, 8).volume_deficit, 0.767, 5e-4);
+}
+
 TEST(Contacts, AreTheApproachesThatTouch) {
   const Tube rod = straight_rod();
   const std::vector<Approach> all{{1, 9, 2, {}}, {2, 9, 2 + 1e-12, {}}, {3, 9, 2 - 1e-12, {}}, {4, 9, 0, {}}};

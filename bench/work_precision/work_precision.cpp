@@ -110,7 +110,7 @@ WorkPrecision work_precision(const Tube& tube, const std::vector<std::uint32_t>&
       try {
         auto variant = StrategyRegistry::instance().make(name);
         const Cell cell = measure(tube.name, info, *variant, chain, exact);
-        if (cell.outcome == Outcome::refused) {
+        if (cell.outcome == Outcome::refused || cell.outcome == Outcome::undecided) {
           leave_out(name, cell.found.reason);
           continue;
         }

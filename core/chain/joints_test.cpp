@@ -75,7 +75,8 @@ TEST(Joints, GoAroundClosedStrands) {
 
 // 0-1-2-3-4-5 whose end is tied back to 1: a loop of five on a stem.
 TEST(Joints, TieALoopToItsOwnStrand) {
-  const std::vector<Sphere> loop{{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}, {2, 1, 0, 1}, {1.5f, 2, 0, 1}, {1, 1, 0, 1}};
+  const std::vector<Sphere> loop{{0, 0, 0, 1}, {1, 0, 0, 1},    {2, 0, 0, 1},
+                                 {2, 1, 0, 1}, {1.5f, 2, 0, 1}, {1, 1, 0, 1}};
   const Strands one{{0, 6}, {0}};
   EXPECT_EQ(pairs_across_joints(loop, one, Pairs{{1, 5}}, Exclusion::index(1)), (Pairs{{1, 5}}));
   EXPECT_EQ(pairs_across_joints(loop, one, Pairs{{1, 5}}, Exclusion::index(2)),
@@ -166,6 +167,28 @@ Pairs by_all_ways(const Tangle& t, const Exclusion& rule) {
                     : way[i][j] < rule.factor * (double{t.spheres[i].radius} + t.spheres[j].radius)))
         pairs.push_back({i, j});
   return pairs;
+}
+
+/// A way over a joint need be shorter than the strand's by one step of many, or by a thousandth, only.
+TEST(Joints, AreCrossedWhereTheySaveLittle) {
+  Tangle t;
+  for (std::uint32_t i = 0; i < 12; ++i) t.spheres.push_back({static_cast<float>(i), 0, 0, 6});
+  t.strands = {{0, 12}, {0}};
+  t.joints = {{0, 2}};
+  for (std::uint32_t window = 2; window <= 12; ++window) {
+    const Exclusion rule = Exclusion::index(window);
+    const Pairs pairs = pairs_across_joints(t.spheres, t.strands, t.joints, rule);
+    EXPECT_EQ(pairs, by_all_ways(t, rule)) << window;
+    EXPECT_TRUE(std::ranges::binary_search(pairs, Pair{0, std::min(window + 1, 11u)})) << window;
+  }
+  // To and fro, and then ten further: the joint saves the first two steps.
+  for (const float step : {1 / 128.f, 1 / 16.f, 1 / 4.f, 1 / 2.f}) {
+    t = {{{0, 0, 0, 6}, {step, 0, 0, 0}, {0, 0, 0, 0}, {10, 0, 0, 6}}, {{0, 4}, {0}}, {{0, 2}}};
+    const Exclusion rule = Exclusion::arc(1);
+    const Pairs pairs = pairs_across_joints(t.spheres, t.strands, t.joints, rule);
+    EXPECT_EQ(pairs, by_all_ways(t, rule)) << step;
+    EXPECT_TRUE(std::ranges::binary_search(pairs, Pair{0, 3})) << step;
+  }
 }
 
 RC_GTEST_PROP(Joints, GiveThePairsOfAllShortestWays, ()) {

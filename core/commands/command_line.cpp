@@ -36,7 +36,7 @@ CLI::Validator refusing(std::function<std::string(std::string&)> words, std::str
 
 /// Writes the number out, as CLI11 reads it.
 CLI::Validator whole(std::uint64_t least, std::optional<std::uint64_t> most) {
-  const std::string bounds = fmt::format("from {}{}", least, most ? fmt::format(" to {}", *most) : "");
+  const std::string bounds = fmt::format("from {} {}", least, most ? fmt::format("to {}", *most) : "on");
   return refusing(
       [=](std::string& text) {
         const auto number = catena::whole_number(text);
@@ -45,7 +45,7 @@ CLI::Validator whole(std::uint64_t least, std::optional<std::uint64_t> most) {
         text = std::to_string(*number);
         return std::string();
       },
-      most ? bounds : "");
+      most || least > 0 ? bounds : "");  // what --help shows
 }
 
 /// A finite number of which `holds` is true.

@@ -36,14 +36,17 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   for (const char* kept_none : {"--counts-only", "--any"})
     expect_refused(std::string("detect coincident:n=200 --pair-limit 5 ") + kept_none,
                    "--pair-limit is for pairs that are kept");
-  expect_refused("detect path1:n=10 --pair-limit -5", "--pair-limit: -5 is not a whole number from 0");
+  expect_refused("detect path1:n=10 --pair-limit -5", "--pair-limit: -5 is not a whole number from 0 on");
   expect_refused("detect path1:n=10 --pair-limit 1.5", "1.5 is not a whole number");
   expect_refused("fuzz --seconds 0", "--seconds: 0 is not a number from 0.001 to 1e+09");
   expect_refused("fuzz --timeout -1", "--timeout: -1 is not a number from 0 to 1e+09");
   expect_refused("enumerate --walks 0", "--walks: 0 is not a whole number from 1 to ");
   expect_refused("enumerate --walks 3 --lattice hexagon", "--lattice: hexagon is none of ");
   expect_refused("closed-form --side 0", "--side: 0 is not a whole number from 1 to 1290");
-  expect_refused("knots --n 3", "--n: 3 is not a whole number from 16");
+  expect_refused("knots --n 3", "--n: 3 is not a whole number from 16 on");
+  for (const auto& [command, least] :
+       {std::pair("knots", "16"), {"growth", "32000"}, {"pivot", "64"}, {"pivot", "2"}})
+    expect_says(std::string(command) + " --help", 0, {std::string(":from ") + least + " on"});
   expect_refused("knots --knot 3_1", "needs the polygon that it is of");
   expect_refused("knots tight_knot:n=100", "say what was published of it");
   expect_refused("knots tight_knot:n=100 --knot 9_47",
@@ -65,10 +68,9 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expect_refused("export path1:n=10 x.csv --variant nope", "--variant finds what --contacts writes");
   expect_refused("report --from R --scene nosuch", "excludes");
   expect_refused("knots torus_knot:n=64 --thickness 1e308", "the thickness told does not fit into binary32");
-  expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from");
-  expect_says("growth --help", 0, {"32,000 or more"});
+  expect_refused("growth yarn --n 10", "--n: 10 is not a whole number from 32000 on");
   expect_says("scaling path1:n=1", 0, {"path1:n=1: 1 sphere; of a rank"});
-  expect_refused("pivot --n 1", "--n: 1 is not a whole number from");
+  expect_refused("pivot --n 1", "--n: 1 is not a whole number from 2 on");
   expect_refused("pivot --n 5e6 --rotations any", "--n must be at most 2^22 with --rotations any");
   expect_refused("pivot --n 50 --rotations some", "--rotations: some is none of lattice, any");
   expect_refused("pivot --n 50 --rotations any --at-once", "--at-once goes with --rotations lattice");

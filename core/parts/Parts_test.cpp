@@ -232,6 +232,28 @@ TEST(Parts, ComeByTheOrderThatHasTheSmallerHalos) {
   }
 }
 
+/// Where each part touches all others in either order.
+TEST(Parts, ComeInChainOrderWhereNoHalosAreSmallerBySpace) {
+  constexpr std::uint32_t n = 1024;
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({static_cast<float>(i), 0, 0, n});
+  const Chain chain(std::move(spheres));
+  const Team team(Parameters("test", {Team::threads_parameter()}, "threads=1"));
+  const parts::Partition partition = parts::part_chain(chain, 4, {}, team);
+  EXPECT_FALSE(partition.in_space);
+  EXPECT_EQ(partition.halo_share(), 3);
+  EXPECT_EQ(partition.greatest(), n);
+}
+
+TEST(Parts, HaveHalosOnBothSides) {
+  parts::Partition partition;
+  EXPECT_EQ(partition.halo_share(), 0);
+  partition.parts = {{.before = {}, .own = {{0, 6}}, .after = {{6, 7}, {8, 9}}},
+                     {.before = {{1, 6}}, .own = {{6, 10}}, .after = {}}};
+  EXPECT_EQ(partition.halo_share(), 0.7);
+  EXPECT_EQ(partition.greatest(), 9u);
+}
+
 TEST(Parts, CountPairsPastTheLimit) {
   const Chain chain = scene("yarn:n=3000");
   const auto exact = reference::find(chain);

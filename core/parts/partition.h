@@ -21,7 +21,7 @@ PartitionOptions partition_options(const Parameters& parameters);
 
 /// A chain parted for searches of one part at a time. Each sphere is a part's own once, so that the parts and
 /// their halos have each pair of the chain in a part of which a sphere of it is.
-struct Partition {
+struct CATENA_API Partition {
   std::vector<PartRanges> parts;
   bool in_space = false;
 

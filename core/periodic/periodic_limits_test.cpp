@@ -66,9 +66,11 @@ class FewAtATime final : public Variant {
     Request few = request;
     few.pair_limit = chain.size();
     ++finds;
+    most_asked = std::max(most_asked, request.pair_limit);
     all_->find(chain, few, result);
   }
   int finds = 0;
+  std::uint64_t most_asked = 0;
   Timings timings() const override { return {}; }
 
  private:
@@ -82,12 +84,14 @@ TEST(Periodic, SearchesAFloodInParts) {
   const Chain chain(std::move(spheres));
   auto few = std::make_unique<FewAtATime>();
   const int& finds = few->finds;
+  const std::uint64_t& most_asked = few->most_asked;
   Periodic in_parts(std::move(few), {{10, 10, 10}});
   Collisions result;
   in_parts.build(chain);
   EXPECT_GT(in_parts.timings().build_ms, 0) << "of its own, whatever the variant tells";
   in_parts.find(chain, {}, result);
   std::ranges::sort(result.pairs);
+  EXPECT_LE(most_asked, 1u << 24) << "candidates have some memory, and no more";
   const Collisions whole = found("CPU1", chain, {{10, 10, 10}});
   EXPECT_GT(whole.pair_count, 2 * chain.size());
   EXPECT_EQ(result.pairs, whole.pairs);

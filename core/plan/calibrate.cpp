@@ -62,18 +62,11 @@ struct LeastOfTwo {
 
 double pairs(double n) { return n * (n - 1) / 2; }
 
-/// A line through two measurements.
 MachineCost measured(const Machine::VariantCost& v) {
   const auto variant = StrategyRegistry::instance().make(v.variant);
   const std::uint32_t few = v.on_device ? 1024 : 16, many = v.on_device ? 1u << 18 : v.all_pairs ? 256 : 8192;
   const LeastOfTwo least(*variant, few, *variant, many);
-  const double short_us = least.first_ms * 1e3, long_us = least.second_ms * 1e3;
-  const double items = v.all_pairs ? pairs(many) - pairs(few) : static_cast<double>(many) - few;
-  const double item_us = std::max(0.0, long_us - short_us) / items;
-  MachineCost cost = v.cost;
-  cost.fixed_us = std::max(0.0, short_us - item_us * (v.all_pairs ? pairs(few) : few));
-  (v.all_pairs ? cost.sphere_pair_ns : cost.sphere_ns) = item_us * 1e3;
-  return cost;
+  return cost_through(v, {few, least.first_ms * 1e3}, {many, least.second_ms * 1e3});
 }
 
 /// What threads take off and what having them costs: a line through what they save on a chain of a few ranges
@@ -119,6 +112,15 @@ void measure_start(Machine::VariantCost& v) {
 }
 
 }  // namespace
+
+MachineCost cost_through(const Machine::VariantCost& v, SearchTook few, SearchTook many) {
+  const auto items = [&](std::uint32_t n) { return v.all_pairs ? pairs(n) : n; };
+  const double item_us = std::max(0.0, many.us - few.us) / (items(many.n) - items(few.n));
+  MachineCost cost = v.cost;
+  cost.fixed_us = std::max(0.0, few.us - item_us * items(few.n));
+  (v.all_pairs ? cost.sphere_pair_ns : cost.sphere_ns) = item_us * 1e3;
+  return cost;
+}
 
 Machine calibrate() {
   Machine machine = Machine::built_in();

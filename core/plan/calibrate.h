@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,14 @@ namespace catena {
 /// twentieth of a second each, and again where threads hardly help: in a second or two. One that fails keeps
 /// its built-in figures.
 CATENA_API Machine calibrate();
+
+/// What a search of so many spheres took.
+struct SearchTook {
+  std::uint32_t n;
+  double us;
+};
+/// The variant's costs, where those of a search on one thread are a line through two measurements.
+CATENA_API MachineCost cost_through(const Machine::VariantCost& v, SearchTook few, SearchTook many);
 
 /// Variants that several cores searched hardly any sooner than one: what is measured while other work keeps
 /// the cores busy, and plans then take one thread.

@@ -160,6 +160,27 @@ TEST(Machine, KnowsWhatSaysWhatItCosts) {
   EXPECT_EQ(std::ranges::count(machine.costs, true, &Machine::VariantCost::on_device), devices);
 }
 
+/// Who took what such costs foretell has them, whichever it is that they count.
+TEST(Calibrate, FindsTheLineThatTwoSearchesAreOf) {
+  for (const bool all_pairs : {false, true})
+    for (const double fixed_us : {0.0, 5.0}) {
+      Machine::VariantCost v{.variant = "any", .cost = {}, .all_pairs = all_pairs};
+      v.cost.serial = 0.5, v.cost.team_us = 3;
+      MachineCost true_cost = v.cost;
+      true_cost.fixed_us = fixed_us;
+      (all_pairs ? true_cost.sphere_pair_ns : true_cost.sphere_ns) = 2;
+      const auto took = [&](std::uint32_t n) { return SearchTook{n, true_cost.ms(n) * 1e3}; };
+      const MachineCost found = cost_through(v, took(16), took(256));
+      for (const std::uint32_t n : {1u, 16u, 100u, 1000u})
+        for (const unsigned threads : {1u, 2u})
+          EXPECT_NEAR(found.ms(n, threads), true_cost.ms(n, threads), 1e-9 * n) << all_pairs << fixed_us;
+      EXPECT_NEAR(found.fixed_us, fixed_us, 1e-9);
+      const MachineCost noise = cost_through(v, {16, 9}, {256, 8});
+      EXPECT_EQ(noise.fixed_us, 9) << "more spheres take no less";
+      EXPECT_EQ(all_pairs ? noise.sphere_pair_ns : noise.sphere_ns, 0);
+    }
+}
+
 TEST(Calibrate, FindsThatATreePaysForLongChainsAlone) {
   const Machine machine = calibrate(), built_in = Machine::built_in();
   for (const Machine::VariantCost& v : machine.costs) {

@@ -52,6 +52,19 @@ std::vector<IdPair> all_pairs(const HeldPart& part) {
   return pairs;
 }
 
+struct FoundInPart {
+  std::vector<std::uint32_t> count;
+  std::vector<IdPair> pairs;
+};
+FoundInPart found_in(const HeldPart& part, Variant& variant) {
+  variant.build(part.chain());
+  KeptPairs kept(1 << 20);
+  FoundInPart found{search_within(part, variant, Request::Want::pairs, 1 << 20, kept), {}};
+  for (const auto& list : kept.take()) found.pairs.insert(found.pairs.end(), list.begin(), list.end());
+  std::ranges::sort(found.pairs);
+  return found;
+}
+
 /// Pieces of open strands are searched as one strand, where the window is not long beside them; what that
 /// passes over, where pieces part, is found all the same, and no neighbour is.
 TEST(HeldPart, FindsWhatCollidesInPiecesOfStrands) {
@@ -68,12 +81,7 @@ TEST(HeldPart, FindsWhatCollidesInPiecesOfStrands) {
           passed += Robust::overlap(part.chain()[i], part.chain()[j]);
         });
         const auto variant = StrategyRegistry::instance().make("Hybrid");
-        variant->build(part.chain());
-        KeptPairs kept(1 << 20);
-        const auto count = search_within(part, *variant, Request::Want::pairs, 1 << 20, kept);
-        std::vector<IdPair> found;
-        for (const auto& list : kept.take()) found.insert(found.end(), list.begin(), list.end());
-        std::ranges::sort(found);
+        const auto [count, found] = found_in(part, *variant);
         const std::vector<IdPair> exact = all_pairs(part);
         EXPECT_EQ(found, exact) << window << ' ' << closed;
         std::vector<std::uint32_t> expected(part.chain().size(), 0);
@@ -87,6 +95,24 @@ TEST(HeldPart, FindsWhatCollidesInPiecesOfStrands) {
   EXPECT_GT(passed, 100u);
   EXPECT_GT(as_one, 50u);
   EXPECT_GT(otherwise, 50u);
+}
+
+/// A closed strand of which a rank has all but a few spheres, at whichever end, be it one: it is open there.
+TEST(HeldPart, ClosesOnlyStrandsOfWhichItHasAll) {
+  const auto variant = StrategyRegistry::instance().make("Hybrid");
+  for (std::uint32_t whole = 3; whole <= 10; ++whole)
+    for (std::uint32_t first = 0; first < whole; ++first)
+      for (std::uint32_t size = 1; size <= whole - first; ++size)
+        for (const std::uint32_t window : {1u, 2u, 3u}) {
+          Part part;
+          part.rule = {Exclusion::Rule::index_window, window, 0};
+          part.pieces = {{first, 0, size, Strand{0, whole, 0, 1, 0}},
+                         {whole, size, 2, Strand{whole, 2, 0, 0, 1}}};
+          part.spheres.assign(size + 2, {0, 0, 0, 1});  // all that are no neighbours collide
+          const HeldPart held(std::move(part));
+          EXPECT_EQ(found_in(held, *variant).pairs, all_pairs(held))
+              << size << " from " << first << " of " << whole << ", window " << window;
+        }
 }
 
 /// A pair that only a passed one makes: whether something collides is still told.

@@ -96,7 +96,7 @@ TEST_F(Mpirun, EndsAllRanksWhenOneFails) {
   // While rank 0 is deep in a search, and does not hear of it.
   const ProgramOutcome busy =
       run_ranks("detect rod:n=200 --pairs '" + file("tables/p.csv") + "'", 3,
-                "CATENA_RANK_PATIENCE=100 CATENA_RANK_FAULT=build:0:busy,build:1:error,build:2:memory", 30);
+                "CATENA_RANK_PATIENCE=500 CATENA_RANK_FAULT=build:0:busy,build:1:error,build:2:memory", 30);
   EXPECT_EQ(busy.code, 2) << busy.output;
   EXPECT_NE(busy.output.find("catena: rank 1 of 3: a fault"), std::string::npos) << busy.output;
   EXPECT_EQ(busy.output.find("catena:"), busy.output.rfind("catena:")) << busy.output;

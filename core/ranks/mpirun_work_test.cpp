@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -70,15 +71,23 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   const ProgramOutcome frames = run_ranks("detect path1:n=100 --frame all --json");
   EXPECT_EQ(frames.code, 0);
   std::vector<std::uint64_t> sent;
+  std::vector<std::vector<double>> phases;
   std::istringstream lines(frames.output);
   for (std::string own; std::getline(lines, own);) {
     const auto frame = nlohmann::json::parse(own);
     EXPECT_EQ(frame["frame"], sent.size());
     sent.push_back(frame["most_bytes_sent"]);
+    phases.emplace_back();
+    for (const double ms : frame["phases_ms"]) phases.back().push_back(ms);
   }
   ASSERT_GT(sent.size(), 10u);
   EXPECT_GT(sent.front(), 0u);
   EXPECT_LT(sent.back(), 2 * sent.front()) << "of a frame, not of all so far";
+  const auto longer = [](const auto& one, const auto& next) {
+    return std::ranges::equal(one, next, std::less_equal());
+  };
+  EXPECT_NE(std::ranges::adjacent_find(phases, std::not_fn(longer)), phases.end())
+      << "phases of all frames so far";
   const auto says = [&](const std::string& what, const std::string& words) {
     const std::string told = run_ranks("detect " + what).output;
     EXPECT_NE(told.find(words), std::string::npos) << told;
@@ -168,20 +177,26 @@ TEST_F(Mpirun, SharesTheCoresOfAMachine) {
   }
 }
 
-/// A rank that made all of a scene would hold 60 MiB more.
+/// A rank that made all of a scene would hold 60 MiB more than one that is alone with a scene as long as its
+/// part.
 TEST_F(Mpirun, MakesNoMoreOfASceneThanItsPart) {
   if (properties::sanitized) GTEST_SKIP() << "a sanitizer keeps memory that was given back";
-  for (const char* scene : {"rod:n=5000000", "path2:n=5000000,frame=3 --window 2"}) {
-    const ProgramOutcome r = run_ranks(fmt::format("bench {} --repetitions 1", scene), 4);
-    ASSERT_EQ(r.code, 0) << r.output;
-    const auto ranks = nlohmann::json::parse(r.output)["of_ranks"];
-    std::uint64_t least = ranks[0]["peak_kib"], most = 0;
-    for (const auto& rank : ranks) {
-      least = std::min<std::uint64_t>(least, rank["peak_kib"]);
-      most = std::max<std::uint64_t>(most, rank["peak_kib"]);
-    }
-    EXPECT_GT(least, 0u);
-    EXPECT_LT(most - least, 40u << 10) << scene;
+  constexpr unsigned n = 5'000'000, size = 4;
+  const auto peaks_kib = [&](const std::string& scene, unsigned ranks) {
+    const ProgramOutcome r = run_ranks(fmt::format("bench {} --repetitions 1", scene), ranks);
+    EXPECT_EQ(r.code, 0) << r.output;
+    std::vector<std::uint64_t> peaks;
+    const auto line = nlohmann::json::parse(r.output);
+    for (const auto& rank : line["of_ranks"]) peaks.push_back(rank["peak_kib"]);
+    return peaks;
+  };
+  for (const auto& [scene, options] :
+       {std::pair{"rod:n={}", ""}, std::pair{"path2:n={},frame=3", " --window 2"}}) {
+    const auto of = [&](unsigned spheres) { return fmt::format(fmt::runtime(scene), spheres) + options; };
+    const std::vector<std::uint64_t> shared = peaks_kib(of(n), size), alone = peaks_kib(of(n / size), 1);
+    ASSERT_EQ(shared.size(), size);
+    EXPECT_GT(std::ranges::min(shared), 0u);
+    EXPECT_LT(std::ranges::max(shared), alone[0] + (30u << 10)) << scene;
   }
 }
 

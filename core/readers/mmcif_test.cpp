@@ -77,6 +77,36 @@ TEST(MmcifReader, LeavesLigandsOfAnotherLabelOut) {
   EXPECT_EQ(read_text("a.cif", text).spheres.size(), 1u);
 }
 
+// What the authors call a thing goes before the archive's name of it, and is done without where it is not
+// there.
+TEST(MmcifReader, NamesThingsAsTheirAuthorsDo) {
+  const std::vector<std::string> names{"atom_id", "comp_id", "asym_id", "seq_id"};
+  const std::vector<std::string> of_authors{"CA", "ALA", "X", "7"}, of_archive{"CB", "GLY", "Y", "9"};
+  const auto label = [&](const std::string& left_out, bool labels_first) {
+    std::string heading = "data_a\nloop_\n_atom_site.group_PDB\n", row = "ATOM";
+    for (const bool author : {!labels_first, labels_first})
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const std::string name = (author ? "auth_" : "label_") + names[k];
+        if (name == left_out) continue;
+        heading += "_atom_site." + name + "\n", row += " " + (author ? of_authors : of_archive)[k];
+      }
+    for (const char* axis : {"x", "y", "z"}) heading += "_atom_site.Cartn_" + std::string(axis) + "\n";
+    const TestFile file("a.cif", heading + row + " 1 2 3\n");
+    const CurveFile curves =
+        ReaderRegistry::instance().read(file.path(), {.atom = left_out == "auth_atom_id" ? "CB" : "CA"});
+    return curves.spheres.size() == 1 ? curves.labels.of(0) : "";
+  };
+  for (const bool labels_first : {false, true}) {
+    EXPECT_EQ(label("", labels_first), "X/ALA7/CA");
+    for (std::size_t k = 0; k < names.size(); ++k)
+      EXPECT_EQ(label("label_" + names[k], labels_first), "X/ALA7/CA") << names[k];
+    EXPECT_EQ(label("auth_atom_id", labels_first), "X/ALA7/CB");
+    EXPECT_EQ(label("auth_comp_id", labels_first), "X/GLY7/CA");
+    EXPECT_EQ(label("auth_asym_id", labels_first), "Y/ALA7/CA");
+    EXPECT_EQ(label("auth_seq_id", labels_first), "X/ALA9/CA");
+  }
+}
+
 // As in a .pdb file, where no TER is there; a residue of the polymer that is a HETATM goes on, too.
 TEST(MmcifReader, GoesOnBehindALigandWithinAChain) {
   for (const char* group : {"ATOM", "HETATM"}) {

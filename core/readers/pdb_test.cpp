@@ -19,8 +19,8 @@ struct Atom {
 };
 
 std::string line(const Atom& a) {
-  return fmt::format("{:<6}{:>5} {}{}{:>3} {}{:>4}    {:8.3f}{:8.3f}{:8.3f}{:6.2f}{:6.2f}\n", a.record, 1, a.name,
-                     a.alternate, a.residue, a.chain, a.number, a.x, 0.0, 0.0, a.occupancy, 9.0);
+  return fmt::format("{:<6}{:>5} {}{}{:>3} {}{:>4}    {:8.3f}{:8.3f}{:8.3f}{:6.2f}{:6.2f}\n", a.record, 1,
+                     a.name, a.alternate, a.residue, a.chain, a.number, a.x, 0.0, 0.0, a.occupancy, 9.0);
 }
 
 std::string lines(const std::vector<Atom>& atoms) {
@@ -69,7 +69,8 @@ TEST(PdbReader, TakesModifiedResiduesWithoutSeqresByTheirBackbone) {
 
 TEST(PdbReader, TakesTheBestOccupiedAlternative) {
   const auto two = [](char a, double of_a, char b, double of_b) {
-    return read_text("a.pdb", lines({{0, "ATOM", " CA ", a, "GLY", 'A', 1, of_a}, {1, "ATOM", " CA ", b, "GLY", 'A', 1, of_b}}));
+    return read_text("a.pdb", lines({{0, "ATOM", " CA ", a, "GLY", 'A', 1, of_a},
+                                     {1, "ATOM", " CA ", b, "GLY", 'A', 1, of_b}}));
   };
   EXPECT_EQ(xs(two('B', 0.4, 'C', 0.6)), (std::vector<float>{1}));
   EXPECT_EQ(xs(two('1', 0.7, '2', 0.3)), (std::vector<float>{0}));
@@ -97,7 +98,10 @@ TEST(PdbReader, TakesThePhosphorusOfNucleicAcids) {
 }
 
 TEST(PdbReader, TakesTheAtomThatTheUserNames) {
-  const std::string text = lines({{0}, {1, "ATOM", " CB "}, {3, "ATOM", " CA ", ' ', "SER", 'A', 2}, {4, "ATOM", " CB ", ' ', "SER", 'A', 2}});
+  const std::string text = lines({{0},
+                                  {1, "ATOM", " CB "},
+                                  {3, "ATOM", " CA ", ' ', "SER", 'A', 2},
+                                  {4, "ATOM", " CB ", ' ', "SER", 'A', 2}});
   EXPECT_EQ(xs(read_atom("CB", text)), (std::vector<float>{1, 4}));
   EXPECT_EQ(read_atom("CB", text).labels.of(1), "A/SER2/CB");
   EXPECT_THROW(read_atom("BB", text), InputError);
@@ -110,10 +114,24 @@ TEST(PdbReader, EndsStrandsAtTerChainChangeAndGapAndSaysWhichGap) {
   EXPECT_EQ(chains.strand_first, (Offsets{0, 1, 2}));
   EXPECT_EQ(chains.labels.strand_names, (std::vector<std::string>{"A", "B"}));
   EXPECT_TRUE(chains.warnings.empty());
-  const CurveFile gap = read_text("a.pdb", lines({{0}, {4.5f, "ATOM", " CA ", ' ', "GLY", 'A', 2}, {9.5f, "ATOM", " CA ", ' ', "ALA", 'A', 7}}));
+  const CurveFile gap = read_text(
+      "a.pdb",
+      lines({{0}, {4.5f, "ATOM", " CA ", ' ', "GLY", 'A', 2}, {9.5f, "ATOM", " CA ", ' ', "ALA", 'A', 7}}));
   EXPECT_EQ(gap.strand_first, (Offsets{0, 2, 3}));
   ASSERT_EQ(gap.warnings.size(), 1u);
   EXPECT_EQ(gap.warnings[0], "1 step longer than a bond is a break: A/GLY2/CA to A/ALA7/CA, 5.0 Angstrom");
+}
+
+/// As far apart as may be they are bonded, and a thousandth of an Angstrom further no more.
+TEST(PdbReader, BreaksAtAStepThatIsLongerThanABond) {
+  for (const auto& [name, longest] : {std::pair{" CA ", 4.5f}, std::pair{" P  ", 8.0f}}) {
+    const auto strands = [&](float step) {
+      return read_text("a.pdb", lines({{0, "ATOM", name}, {step, "ATOM", name, ' ', "GLY", 'A', 2}}))
+          .strand_first;
+    };
+    EXPECT_EQ(strands(longest), (Offsets{0, 2})) << name;
+    EXPECT_EQ(strands(longest + 0.001f), (Offsets{0, 1, 2})) << name;
+  }
 }
 
 /// A ligand of a chain behind another one is none of its parts.
@@ -126,11 +144,13 @@ TEST(PdbReader, SaysWhereAChainGoesOnBehindAnother) {
   ASSERT_EQ(parted.warnings.size(), 1u);
   EXPECT_EQ(parted.warnings[0],
             "2 parts of chains stand behind other chains, and are strands of their own: A/GLY2/CA, ...");
-  const CurveFile whole = read_text("a.pdb", at(0, 'A', 1) + "TER\n" + at(9, 'B', 1) + "TER\n" + at(3, 'A', 9, "HETATM"));
+  const CurveFile whole =
+      read_text("a.pdb", at(0, 'A', 1) + "TER\n" + at(9, 'B', 1) + "TER\n" + at(3, 'A', 9, "HETATM"));
   EXPECT_EQ(whole.spheres.size(), 2u);
   EXPECT_TRUE(whole.warnings.empty());
   const std::string two = at(0, 'A', 1) + at(9, 'B', 1);
-  EXPECT_TRUE(read_text("a.pdb", "MODEL 1\n" + two + "ENDMDL\nMODEL 2\n" + two + "ENDMDL\n").warnings.empty());
+  EXPECT_TRUE(
+      read_text("a.pdb", "MODEL 1\n" + two + "ENDMDL\nMODEL 2\n" + two + "ENDMDL\n").warnings.empty());
 }
 
 TEST(PdbReader, LeavesLigandsAfterTerOut) {
@@ -157,7 +177,8 @@ TEST(PdbReader, KnowsEveryResidueOfALineOfTheSequence) {
   }
 }
 
-// From a phosphorus to the next is farther than from a C-alpha to the next; between the two, what is allowed to either.
+// From a phosphorus to the next is farther than from a C-alpha to the next; between the two, what is allowed
+// to either.
 TEST(PdbReader, BreaksByTheLongerStepOfTwoAtoms) {
   const Atom alpha{0}, phosphorus{0, "ATOM", " P  ", ' ', " DA"};
   const auto strands = [](Atom first, Atom second, float step) {
@@ -185,7 +206,8 @@ TEST(PdbReader, ReadsModelsAsFrames) {
   const CurveFile other = read_text("a.pdb", model(0) + model(1) + model(2, "ALA") + model(3));
   EXPECT_EQ(other.later_frames.size(), 1u);
   ASSERT_EQ(other.warnings.size(), 1u);
-  EXPECT_NE(other.warnings[0].find("line 12: the model that ends here is not of the same atoms"), std::string::npos)
+  EXPECT_NE(other.warnings[0].find("line 12: the model that ends here is not of the same atoms"),
+            std::string::npos)
       << other.warnings[0];
   EXPECT_EQ(read_text("a.pdb", lines({{0}}) + "END\n" + lines({{1}}) + "END\n").later_frames.size(), 1u);
   const std::string began = model(0) + model(1) + "MODEL        3\n";
@@ -194,7 +216,8 @@ TEST(PdbReader, ReadsModelsAsFrames) {
   EXPECT_EQ(read_text("a.pdb", began + "ENDMDL\nEND\n").later_frames.size(), 1u);
 }
 
-// What one model ends is not ended in the next; a step that is too long in a later model alone breaks no strand.
+// What one model ends is not ended in the next; a step that is too long in a later model alone breaks no
+// strand.
 TEST(PdbReader, BeginsEachModelAnewAndTakesItsStrandsFromTheFirst) {
   const auto model = [](float step) {
     return "MODEL        1\n" +
@@ -226,7 +249,8 @@ TEST(PdbReader, RefusesShiftedColumns) {
   std::string inner = right;  // residue, chain and number alone
   inner.erase(27, 1).insert(17, " ");
   EXPECT_COMPLAINT("1: the residue's name does not stand in columns 18 to 20", "a.pdb", inner);
-  EXPECT_EQ(read_text("a.pdb", line({1, "ATOM", "CA  ", ' ', "ALA"})).spheres.size(), 1u);  // left in its field
+  EXPECT_EQ(read_text("a.pdb", line({1, "ATOM", "CA  ", ' ', "ALA"})).spheres.size(),
+            1u);  // left in its field
 }
 
 TEST(PdbReader, RefusesASingleFieldThatIsShifted) {

@@ -11,12 +11,13 @@ namespace catena {
 namespace {
 
 std::string written(const std::string& name, std::uint32_t first, std::uint32_t last,
-                    const std::function<Chain(std::uint32_t)>& chain_of) {
+                    const std::function<Chain(std::uint32_t)>& chain_of,
+                    const std::vector<PeriodicBox>& boxes = {}) {
   const TestFile file(name, "");
   WriterRegistry::instance()
       .of(file.path())
       .write(file.path(),
-             {first, last, [&](std::uint32_t f) { return ExportedFrame{chain_of(f)}; }, Labels()});
+             {first, last, [&](std::uint32_t f) { return ExportedFrame{chain_of(f)}; }, Labels(), {}, boxes});
   std::ostringstream text;
   text << std::ifstream(file.path(), std::ios::binary).rdbuf();
   return text.str();
@@ -34,6 +35,27 @@ TEST(Writers, WriteTheFrameThatIsAskedFor) {
     EXPECT_NE(second, written(name, 0, 1, chain_of)) << name;
     if (info.frames) {
       EXPECT_EQ(written(name, 1, 3, chain_of), written(name, 1, 2, chain_of) + second) << name;
+    }
+  }
+}
+
+/// In its own box, or in that of all.
+TEST(Writers, WriteTheBoxOfTheFrameThatIsAskedFor) {
+  const auto chain_of = [](std::uint32_t) { return Chain({{0, 0, 0, 1}, {5, 0, 0, 1}}); };
+  const std::vector<PeriodicBox> boxes{{{9, 9, 9}}, {{8, 9, 0}, 1}, {{9, 7, 9}, 0, 2, 1}};
+  for (const WriterInfo& info : WriterRegistry::instance().writers()) {
+    if (!info.box) continue;
+    const std::string name = "a" + info.extensions.front();
+    for (const std::uint32_t f : {0u, 1u, 2u}) {
+      EXPECT_EQ(written(name, f, f + 1, chain_of, boxes), written(name, 0, 1, chain_of, {boxes[f]})) << name;
+      EXPECT_EQ(written(name, f, f + 1, chain_of, {boxes[2]}), written(name, 0, 1, chain_of, {boxes[2]}))
+          << name;
+    }
+    EXPECT_NE(written(name, 1, 2, chain_of, boxes), written(name, 0, 1, chain_of, boxes)) << name;
+    if (info.frames) {
+      EXPECT_EQ(written(name, 1, 3, chain_of, boxes),
+                written(name, 1, 2, chain_of, boxes) + written(name, 2, 3, chain_of, boxes))
+          << name;
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
@@ -20,6 +21,7 @@ void expect_robust_exact(const Counterexample& c) {
   const auto variant = StrategyRegistry::instance().make("aCPU2+CPU2");
   const Case test = Case::of(c.chain);
   const auto found = reference::verify(*variant, false, test.chain, test.exact);
+  if (found.verdict == reference::Verdict::undecided) throw std::bad_alloc();
   if (found.verdict != reference::Verdict::exact)
     throw std::logic_error(fmt::format("robust arithmetic fails on the counterexample of {}: {}",
                                        c.failure->name, found.reason));

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <csignal>
+#include <new>
 #include <thread>
 
 #include "catena/core/strategy/register.h"
@@ -40,6 +41,13 @@ class Hangs final : public FaultyTree {
   }
 };
 
+class HasNoMemory final : public FaultyTree {
+  void find(const Chain& chain, const Request& request, Collisions& result) override {
+    if (chain.size() > 8) throw std::bad_alloc();
+    FaultyTree::find(chain, request, result);
+  }
+};
+
 template <class Faulty>
 struct RegisterFaulty {
   RegisterFaulty(const std::string& name, const std::string& summary) {
@@ -51,6 +59,8 @@ const RegisterFaulty<Crashes> crashes{"fault:crashes-past-8-spheres", "a stack t
 const RegisterFaulty<CrashesAfterALongerChain> crashes_later{"fault:crashes-after-a-longer-chain",
                                                              "a buffer that a longer chain left"};
 const RegisterFaulty<Hangs> hangs{"fault:hangs-past-8-spheres", "a search that comes to no end"};
+const RegisterFaulty<HasNoMemory> has_no_memory{"fault:has-no-memory-past-8-spheres",
+                                                "a machine that is too small"};
 
 }  // namespace
 }  // namespace catena::properties

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catena/core/commands/command.h"
@@ -146,7 +147,11 @@ class FuzzCommand final : public Command {
   /// The variants asked for; else all that can run here, and those with blocks again in small.
   std::vector<Subject> subjects() const {
     std::vector<Subject> subjects;
-    for (const auto& name : variants_) subjects.push_back(Subject::named(name));
+    for (const auto& name : variants_) {
+      Subject subject = Subject::named(name);
+      const auto same = [&](const Subject& other) { return other.info.name == subject.info.name; };
+      if (std::ranges::none_of(subjects, same)) subjects.push_back(std::move(subject));
+    }
     if (!subjects.empty()) return subjects;
     subjects = Subject::available();
     for (Subject& small : in_small_blocks(subjects))
@@ -196,7 +201,7 @@ class FuzzCommand final : public Command {
           "no new object does so, not after the chains before this one either: chance, or a longer "
           "history\n\n");
     else if (fault.chains.size() == 1)
-      fmt::print("shrunk to {} spheres:\n\n", fault.chains.front().size());
+      fmt::print("shrunk to {}:\n\n", counted(fault.chains.front().size(), "sphere"));
     else
       fmt::print("it depends on history: a new object does so after these {} chains, in this order:\n\n",
                  fault.chains.size());

@@ -37,6 +37,12 @@ class FuzzProgram : public Program {
   }
 };
 
+TEST_F(FuzzProgram, CountsAVariantOnceHoweverOftenItIsNamed) {
+  expect_says(at("--cases 1 --variant CPU1 --variant CPU1"), 0,
+              {"1 chain in ", " on 1 variant, 0 refusals "});
+  expect_says(at("--cases 2 --variant CPU1 --variant Grid"), 0, {"2 chains in ", " on 2 variants, "});
+}
+
 TEST_F(FuzzProgram, ACrashLeavesItsChain) {
   const std::string variant = "--variant fault:crashes-past-8-spheres";
   expect_says(at("--cases 500 " + variant), 1,
@@ -98,8 +104,9 @@ TEST_F(FuzzProgram, ReplaysNoFileThatHoldsMoreOrLess) {
     expect_refused(command + repeats, "repeats.xyz: the box of the file, 9 x 9 x 9, repeats space");
   }
   // Nor is a box heeded that does not repeat it.
-  const std::string open = write("open.dump", "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
-                                              "ITEM: ATOMS id x y z radius\n1 0 0 0 1\n");
+  const std::string open = write("open.dump",
+                                 "ITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
+                                 "ITEM: ATOMS id x y z radius\n1 0 0 0 1\n");
   for (const std::string& file : {good, open})
     expect_says("fuzz --variant Grid --replay " + file, 0, {"1 sphere, 0 pairs: every property holds"});
 }

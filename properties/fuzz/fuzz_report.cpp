@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "catena/core/counted.h"
 #include "catena/core/shell_word.h"
 #include "catena/properties/fuzz/failure_store.h"
 
@@ -15,12 +16,12 @@ std::string how_it_shrank(const Fuzzer::Counterexample& c) {
     return fmt::format(
         "no new object of it fails so, not after the chains before this one either: chance, or a longer "
         "history\n"
-        "the chain it was found on, of {} spheres",
-        c.found.size());
+        "the chain it was found on, of {}",
+        counted(c.found.size(), "sphere"));
   if (c.shrunk.size() == 1 && c.shrunk.front().size() == c.found.size())
-    return fmt::format("of {} spheres", c.found.size());
+    return "of " + counted(c.found.size(), "sphere");
   if (c.shrunk.size() == 1)
-    return fmt::format("shrunk from {} to {} spheres", c.found.size(), c.shrunk.front().size());
+    return fmt::format("shrunk from {} to {}", c.found.size(), counted(c.shrunk.front().size(), "sphere"));
   return fmt::format("it depends on history: a new object fails after these {} chains, in this order",
                      c.shrunk.size());
 }
@@ -55,12 +56,10 @@ void tell(const Fuzzer::Counterexample& c, std::uint64_t seed) {
 void summarise(const Fuzzer& fuzzer, double seconds, bool interrupted) {
   const auto& tally = fuzzer.suite().tally();
   fmt::print(
-      "{}{} chains in {:.1f} s ({:.0f} a minute), {} checks on {} variants, {} refusals within declared "
-      "limits: "
-      "no finding\n\nchains drawn\n",
-      interrupted ? "interrupted: " : "", fuzzer.cases(), seconds,
-      60 * static_cast<double>(fuzzer.cases()) / seconds, tally.checks, fuzzer.suite().variants().size(),
-      tally.refusals);
+      "{}{} in {:.1f} s ({:.0f} a minute), {} on {}, {} within declared limits: no finding\n\nchains drawn\n",
+      interrupted ? "interrupted: " : "", counted(fuzzer.cases(), "chain"), seconds,
+      60 * static_cast<double>(fuzzer.cases()) / seconds, counted(tally.checks, "check"),
+      counted(fuzzer.suite().variants().size(), "variant"), counted(tally.refusals, "refusal"));
   for (const auto& [family, cases] : fuzzer.by_family()) fmt::print("  {:<12}{:>10}\n", family, cases);
   fmt::print("  {:<12}{:>10}\n", "(long ones)", fuzzer.long_cases());
   fmt::print("\nreached\n");

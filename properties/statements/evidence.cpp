@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <new>
+
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/properties/property.h"
 #include "catena/properties/statements/moved_frame.h"
@@ -59,6 +61,7 @@ class Evidence final : public Property {
     std::uint64_t proved = 0;
     const auto v = reference::verify_by_certificate(variant, test.chain, std::uint64_t{1} << 24, proved);
     if (v.verdict == reference::Verdict::refused) throw CapacityError(v.reason);
+    if (v.verdict == reference::Verdict::undecided) throw std::bad_alloc();
     if (v.verdict != reference::Verdict::exact) return v.reason;
     if (proved != test.exact.pair_count)
       return fmt::format("{} pairs proved, {} there are", proved, test.exact.pair_count);

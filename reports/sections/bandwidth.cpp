@@ -5,6 +5,7 @@
 
 #include "catena/bench/timing/workload.h"
 #include "catena/core/strategy/timings.h"
+#include "catena/reports/copied_rate.h"
 #include "catena/reports/section.h"
 
 namespace catena::reports {
@@ -26,8 +27,8 @@ nlohmann::ordered_json copies(std::size_t size, std::size_t least) {
       std::ranges::copy(from, to.begin());
       asm volatile("" : : "r"(to.data()) : "memory");  // somebody reads it: no copy is left out
     }
-    const double bytes = 2 * static_cast<double>(size) * static_cast<double>(times);
-    if (k >= 0) rates.push_back(bytes / (watch.ms() * 1e6));
+    const double ms = watch.ms(), bytes = static_cast<double>(size) * static_cast<double>(times);
+    if (k >= 0) rates.push_back(copied_gb_s(bytes, ms));
   }
   return rates;
 }

@@ -45,7 +45,7 @@ void add_walks(nlohmann::ordered_json& rows, int steps) {
   for (const bench::OtherLattice& lattice : bench::other_lattices()) {
     auto longest = std::min(static_cast<std::size_t>(steps), lattice.table.terms.size() - 1);
     while (lattice.table.terms[longest] > most_walks) --longest;
-    add({.radius = lattice.radius_below_touching(), .steps = static_cast<int>(longest), .other = &lattice});
+    add({.radius = std::nextafter(0.5f, 0.0f), .steps = static_cast<int>(longest), .other = &lattice});
   }
 }
 

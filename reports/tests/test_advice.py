@@ -79,6 +79,10 @@ class ByWhatACallerWaitsFor(unittest.TestCase):
         run, still = of(value), of(made.run())
         now, then = (waits.moving(r)["path1/n:1000"]["aGPU2+GPU2"] for r in (run, still))
         numpy.testing.assert_allclose(now - then, 7.0)  # what came up is in update() already
+        for row in value["benchmarks"]:
+            row["transfer_ms"] = {"build": 8.0, "find": 1.0}.get(row["name"].split("/")[-2], 0.0)
+        now = waits.moving(of(value))["path1/n:1000"]["aGPU2+GPU2"]
+        numpy.testing.assert_allclose(now - then, 0.0)  # and no answer comes back in less than no time
 
 
 class OfTheH200(unittest.TestCase):
@@ -171,6 +175,17 @@ class OfTheH200(unittest.TestCase):
         test = profiles.rank_test(self.run_, profiles.slowdowns(self.run_))
         self.assertEqual((test.p, round(test.power, 3)), ({}, 0.314))
         self.assertIn("no rank test", profiles.in_words(test))
+
+
+class RestsOn(unittest.TestCase):
+    def test_what_a_row_rests_on_is_counted(self):
+        run = of(made.run())
+        (row,) = advice.summary_table(report.Report([run])).rows
+        self.assertEqual(row[-1].text, "8 chains, 64 samples, against 4 exact variants")
+        value = made.run()
+        value["benchmarks"] = [r for r in value["benchmarks"] if r["name"].split("/")[2] in ("aCPU2+CPU2", "aCPU2+Dual")]
+        (row,) = advice.summary_table(report.Report([of(value)])).rows
+        self.assertEqual(row[-1].text, "8 chains, 64 samples, against 1 exact variant")
 
 
 class TwoRunsOfOneMachine(unittest.TestCase):

@@ -142,6 +142,36 @@ class Compare(unittest.TestCase):
         self.assertEqual(code, 0, out)
         self.assertIn("as these are peers: aCPU2+Dual", out)
 
+    def peer_that_broke(self):
+        """(OLD, NEW) of one case of a peer: timed, and thrown in NEW."""
+        described = {"FCL": made.described("FCL")}
+        name = "path1/n:1000/FCL/find"
+        timed = [{"name": name, "run_type": "iteration", "real_time": 1e6 + k, "time_unit": "ns"} for k in range(12)]
+        thrown = [{"name": name, "run_type": "iteration", "error_occurred": True, "error_message": "bad_alloc", "at_fault": True}]
+        return [{"context": {}, "benchmarks": rows, "catena": {"schema": 1, "variants": described}} for rows in (timed, thrown)]
+
+    def test_a_peer_that_broke_fails_nothing_where_nothing_else_was_timed(self):
+        code, out, err = compared(*self.peer_that_broke())
+        self.assertEqual((code, err), (0, ""))
+        self.assertEqual(
+            out,
+            "path1/n:1000/FCL/find: no longer answered: bad_alloc\n"
+            "note: 1 case only in OLD, 0 cases only in NEW\n"
+            "note: no regression of catena's, as these are peers: FCL\n"
+            "note: no time was compared, as no case was timed in both\n",
+        )
+        for run in (broken := self.peer_that_broke()):
+            run["catena"]["variants"]["FCL"]["peer"] = False
+        self.assertEqual(compared(*broken)[0], 1)
+
+    def test_a_peer_is_one_where_either_run_says_so(self):
+        for silent in (0, 1):
+            runs = self.peer_that_broke()
+            del runs[silent]["catena"]["variants"]
+            code, out, err = compared(*runs)
+            self.assertEqual((code, err), (0, ""), silent)
+            self.assertIn("as these are peers: FCL", out)
+
     def test_an_input_whose_chain_is_another_is_not_compared(self):
         old, new = made.run(seed=1), multiplied(made.run(seed=2), 3, lambda name: name.startswith("path1/n:1000/"))
         new["catena"]["scenes"][0]["hash"] = "0bad"

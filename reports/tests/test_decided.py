@@ -313,6 +313,18 @@ class Errors(Base):
         self.catena["animation"] = [{**row, "frames": row["frames"][:1]} for row in self.catena["animation"]]
         self.assertIsNone(animation.build(self.report()))
 
+    def test_one_slow_frame_makes_no_variant_slower_and_two_films_no_more_of_them(self):
+        frames = lambda *costs: [  # noqa: E731
+            {"frame": at, "pairs": 0, "update_ms": 0.0, "find_ms": float(cost)} for at, cost in enumerate(costs)
+        ]
+        self.catena["animation"] = [
+            {"input": input_, "variant": name, "frames": frames(*costs)}
+            for input_ in ("path1/n:1000", "path2/n:1000")
+            for name, costs in (("aCPU2+CPU2", (2, 2, 2, 2, 2)), ("aCPU2+Dual", (1, 1, 100, 1, 1)))
+        ]
+        (figure,) = animation.build(self.report()).blocks
+        self.assertEqual(figure.title, "A frame takes 1.00 ms with aCPU2+Dual, the fastest of 2 variants")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -208,6 +208,11 @@ class Paired(unittest.TestCase):
             for got, expected in zip(case.load, loads):
                 self.assertAlmostEqual(got, expected)
 
+    def test_one_disturbed_kernel_of_three_moves_nothing(self):
+        ms = [4, 1, 9, 2, 9, 3, 9, 9]
+        case = self.case(ms, ms, ((1,), (5, 1, 5, 1, 5, 10, 5, 5)))  # beside the three quickest: 1, 1, 10
+        self.assertEqual(case.kernel, 0)
+
     def test_load_makes_a_verdict_less_sure(self):
         cases = samples.unchanged(samples.generator(5))
         seen = []

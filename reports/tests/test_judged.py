@@ -36,6 +36,14 @@ class Judged(unittest.TestCase):
             row["agrees"] = True
         self.assertIn("All 2 numbers agree", self.table().title)
 
+    def test_what_is_open_is_no_number_that_could_differ(self):
+        row = self.value["catena"]["judged"][0]
+        self.value["catena"]["judged"] = [row, {**row, "agrees": False}, {**row, "open": True}]
+        self.assertEqual(
+            self.table().title,
+            "1 number of 2 differs from what is published; the interval of 1 other is too wide to tell",
+        )
+
     def test_an_interval_that_holds_everything_agrees_with_nothing(self):
         row = self.value["catena"]["judged"][0]
         self.value["catena"]["judged"] = [row, {**row, "open": True}]

@@ -5,7 +5,7 @@ import unittest.mock
 
 import made
 import pages
-from catena_report import profiles, statistics
+from catena_report import profiles, statistics, style
 from catena_report.sections import slowdown
 
 
@@ -64,6 +64,13 @@ class Slowdowns(unittest.TestCase):
         with unittest.mock.patch.object(profiles, "slowdowns", return_value=self.found):
             name, _, near = slowdown.headline(self.run_)
         self.assertEqual((name, near), ("a", ["b"]))
+
+    def test_no_interval_of_a_slowdown_begins_below_one(self):
+        shared = types.SimpleNamespace(look=lambda run, name: style.Look("c0"), key=lambda run: "")
+        with unittest.mock.patch.object(profiles, "slowdowns", return_value=self.found):
+            figure = slowdown._figure(shared, self.run_, self.found)
+        self.assertEqual([(s.low, s.high) for s in figure.panels[1].series], [([1.0], [1.2]), ([1.1], [1.5]), ([1.25], [1.8])])
+        self.assertIn("a takes 1.00 [1.00, 1.20] times", figure.title)
 
 
 if __name__ == "__main__":

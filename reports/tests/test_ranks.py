@@ -116,6 +116,25 @@ class Ranks(unittest.TestCase):
             for row in rows:
                 self.assertAlmostEqual(row[9].raw, 3, delta=0.15)
 
+    def test_of_several_counts_the_one_furthest_off_is_told(self):
+        for chain_of, factors in (("yarn", (1.1, 3)), ("hair", (1 / 3, 1.1))):
+            mine = [c for c in self.value["catena"]["ranks"]["chains"] if c["input"].startswith(chain_of)]
+            law = rank_model.law([point for chain in mine for point in chain["points"]])
+            for chain, factor in zip(mine, factors, strict=True):
+                (point,) = (p for p in chain["points"] if p["ranks"] > 256)
+                point["most_blocks_asked"] = factor * law.asked(point["blocks"] / point["ranks"], point["ranks"])
+        for row in pages.Shown(pages.of(self.value)).tables["ranks-model"].rows:
+            self.assertEqual(row[9].text, "3.00")
+            self.assertAlmostEqual(row[9].raw, 3)
+
+    def test_times_off_are_a_factor_whichever_way_they_are_off(self):
+        mine = [c for c in self.value["catena"]["ranks"]["chains"] if c["input"].startswith("yarn")]
+        timed = [point["most_processor_ms"] for chain in mine for point in chain["points"] if point["ranks"] <= 256]
+        for at, times in enumerate(timed):
+            for phase in times:
+                times[phase] *= 1.2 if at % 2 else 1 / 1.2
+        self.assertAlmostEqual(rank_model.model(mine).error, 1.2, delta=0.05)
+
     def test_a_law_is_checked_by_what_it_was_not_fitted_to(self):
         asked = {255: 3, 256: 4, 257: 5, 512: 0, 4096: 7}
         points = [{"ranks": ranks, "blocks": 1e6, "most_blocks_asked": blocks} for ranks, blocks in asked.items()]

@@ -126,6 +126,11 @@ class Decided(unittest.TestCase):
             cases = [dataclasses.replace(case(at=at), load=(load, 0.0)) for at in range(3)]
             self.assertEqual("the machine was loaded" in told(compare._print_notes, run, run, cases), said)
 
+    def test_how_loaded_a_machine_was_is_a_factor(self):
+        run = pages.of(made.run(repetitions=1))
+        cases = [dataclasses.replace(case(at=at), load=(0.0, math.log(times))) for at, times in enumerate((2, 3, 9))]
+        self.assertIn("the calibration kernel took 3.0 times its best;", told(compare._print_notes, run, run, cases))
+
     def test_another_processor_or_device_is_told(self):
         old = made.run(repetitions=1)
         for changed, said in (({}, False), ({"cpu": "another"}, True), ({"gpu": "another"}, True)):

@@ -29,6 +29,7 @@ class Cells(unittest.TestCase):
             ({"outcome": "wrong", "missing": 1, "wrong_counts": 2}, 5),
             ({"outcome": "not finite", "not_finite_nodes": 1, "invented": 1}, 5),
             ({"outcome": "refused"}, 6),
+            ({"outcome": "undecided"}, 6),
         ):
             self.assertEqual(stability.category({**LINE, **changed}), expected, changed)
 

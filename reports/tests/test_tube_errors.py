@@ -42,6 +42,17 @@ class Tubes(unittest.TestCase):
             f"power {min(slopes):.2f} to {max(slopes):.2f}", self.shown.figures["tube-errors"].title
         )
 
+    def test_the_larger_half_of_the_spacings_has_no_part_in_the_slope(self):
+        value = made.run()
+        value["catena"]["tube_errors"] = [
+            {"tube": "helix", "n": 100, "spacing": h, **dict.fromkeys(MEASURES.values(), h * h if h <= 0.08 else 0.08 * h)}
+            for h in (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1)
+        ]
+        shown = pages.shown(value)
+        for cell in shown.tables["tube-slopes"].rows[0][1:]:
+            self.assertAlmostEqual(cell.raw, 2)
+        self.assertIn("power 2.00 to 2.00", shown.figures["tube-errors"].title)
+
 
 if __name__ == "__main__":
     unittest.main()

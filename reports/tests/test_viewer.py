@@ -96,6 +96,13 @@ class Views(unittest.TestCase):
         ):
             self.assertEqual(pages.view(asked), shown, asked)
 
+    def test_the_nearest_is_by_the_ratio(self):
+        value = made.run()
+        value["catena"]["viewer"] = [{**shown_chains.views()[0], "input": f"path1/n:{n}"} for n in (1000, 10000)]
+        run = runfile.Run("run.json", value)
+        for n, nearest in ((3000, 1000), (4000, 10000)):
+            self.assertEqual(report.Report([run]).view(f"path1/n:{n}"), f"path1/n:{nearest}")
+
 
 if __name__ == "__main__":
     unittest.main()

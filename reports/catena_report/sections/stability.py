@@ -17,7 +17,7 @@ CATEGORIES = [
     ("right; a bound is not a number", "c4"),
     ("right pairs, wrong counts", "c5"),
     ("wrong pairs", "bad"),
-    ("refused, with a reason", "none"),
+    ("refused or undecided, with a reason", "none"),
 ]
 ENCLOSURE = (
     "all bounds enclose",
@@ -27,7 +27,7 @@ ENCLOSURE = (
     "not a number",
 )
 LABEL = 24  # characters of a scene's name beside its row
-NOT_ANSWERED = ("refused", "unavailable")
+NOT_ANSWERED = ("refused", "unavailable", "undecided")
 
 
 def wrong_pairs(line):
@@ -117,7 +117,7 @@ def _table(report, run):
         f"stability-shares{report.key(run)}",
         "Right pairs, right counts, and how far bounds fall short",
         (
-            "Shares of the cases that were not refused. Of the cases with a tree: the worst bound, by how much of"
+            "Shares of the cases that were answered. Of the cases with a tree: the worst bound, by how much of"
             " its own radius it falls short of what it should enclose."
         ),
         [
