@@ -1,8 +1,8 @@
 #include <cuda_runtime.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cub/block/block_reduce.cuh>
+#include <string>
 #include <vector>
 
 #include "catena/core/input/input.h"
@@ -50,7 +50,8 @@ Chain mixed(std::uint32_t n) {
   std::vector<Sphere> spheres(tangled.spheres().begin(), tangled.spheres().end());
   const float radius = spheres.front().radius;
   for (std::uint32_t k = 0; k < n / 2; ++k)
-    spheres.push_back({1.6f * radius * (static_cast<float>(k) - 0.25f * static_cast<float>(n)), 0, 0, radius});
+    spheres.push_back(
+        {1.6f * radius * (static_cast<float>(k) - 0.25f * static_cast<float>(n)), 0, 0, radius});
   return Chain(std::move(spheres));
 }
 
@@ -89,8 +90,8 @@ TEST_P(DeviceRepeats, OfTenMillionSpheresAreAThousandTimesTheSame) {
     unsigned long long found_hash = 0;
     CATENA_CUDA(cudaMemcpyAsync(&seen, answer.state, sizeof seen, cudaMemcpyDeviceToHost, stream));
     CATENA_CUDA(cudaMemcpyAsync(&found_hash, hash, sizeof found_hash, cudaMemcpyDeviceToHost, stream));
-    if (round % 100 == 0)  // counts are told apart by the pairs; these once in a while
-      CATENA_CUDA(cudaMemcpyAsync(count.data(), answer.count, n * sizeof count[0], cudaMemcpyDeviceToHost, stream));
+    CATENA_CUDA(
+        cudaMemcpyAsync(count.data(), answer.count, n * sizeof count[0], cudaMemcpyDeviceToHost, stream));
     stream.synchronize();
     ASSERT_EQ(seen.overflow, 0u) << "round " << round;
     ASSERT_EQ(seen.found, right.pair_count) << "round " << round;

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "catena/bench/knots/judge_knot.h"
-#include "catena/core/vec3.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/core/vec3.h"
 #include "catena/properties/generators/dice.h"
 
 /// The bounds on the first contact, on polygons whose thickness is found here without spheres: by all pairs

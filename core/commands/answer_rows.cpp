@@ -29,17 +29,17 @@ void leave_out_unread_pairs(Request& request, const AnswerTables& tables) {
 }
 
 void check_answer_options(const Request& request, const AnswerTables& tables) {
-  for (const std::string& name : {tables.pairs, tables.counts})
-    if (lower_case(name).ends_with(".gz"))
+  for (const std::string& name : {tables.pairs, tables.counts}) {
+    const std::string lower = lower_case(name);
+    if (lower.ends_with(".gz"))
       throw InputError(fmt::format("{}: tables are not written packed; name a .csv or .jsonl file", name));
-  for (const std::string& name : {tables.pairs, tables.counts})
     for (const WriterInfo& writer : WriterRegistry::instance().writers())
       for (const std::string& extension : writer.extensions)
-        if (extension != ".csv" && lower_case(name).ends_with(extension))
+        if (extension != ".csv" && lower.ends_with(extension))
           throw InputError(fmt::format(
-              "{}: tables are CSV or JSON lines; name a .csv or .jsonl file, or use catena export "
-              "for {}",
+              "{}: tables are CSV or JSON lines; name a .csv or .jsonl file, or use catena export for {}",
               name, writer.name));
+  }
   if ((tables.depth || tables.margin) && tables.pairs.empty())
     throw InputError("--depth and --margin are columns of --pairs; name its file, too");
   if (request.want == Request::Want::any && (!tables.pairs.empty() || !tables.counts.empty()))

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-
-#include "catena/core/commands/json_line.h"
 #include "catena/core/strategy/registry.h"
 
 namespace catena {
@@ -13,12 +9,6 @@ namespace {
 
 nlohmann::ordered_json described(const char* name) {
   return to_json(StrategyRegistry::instance().describe(name));
-}
-
-TEST(JsonLine, HasAWordForWhatIsNotFinite) {
-  const double none = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(json_line({{"a", none}, {"b", {1.5, -none, {{"c", std::nan("")}}}}, {"d", nullptr}}),
-            R"({"a":"infinite","b":[1.5,"infinite",{"c":"infinite"}],"d":null})");
 }
 
 TEST(VariantJson, SaysTheStagesAndTheirSettings) {

@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "catena/core/vec3.h"
 #include "catena/core/sphere.h"
+#include "catena/core/vec3.h"
 
 namespace catena {
 

@@ -7,9 +7,9 @@
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/pair.h"
-#include "catena/core/vec3.h"
 #include "catena/core/strategy/request.h"
 #include "catena/core/strategy/variant.h"
+#include "catena/core/vec3.h"
 
 namespace catena::motion {
 

@@ -162,8 +162,7 @@ Plan PlannedSearch::steps() const {
   if (!rivals_.replaced()) return steps;
   const Rivals::Contender& leader = rivals_.leader();
   steps.front().estimate_ms.reset();  // of the planned one
-  steps.front().reason += fmt::format("; {} in its place, which took {:.3g} ms where {:.3g} were taken",
-                                      plan_->named(leader), rivals_.leader_ms(), rivals_.other_ms());
+  steps.front().reason += fmt::format("; {} in its place, which {}", plan_->named(leader), rivals_.told_ms());
   for (Decision& step : steps)
     if (step.step == info_of(Omission::threads).step && leader.threads == 1 && !step.left_out)
       step.left_out = true, step.reason += "; one in their place";

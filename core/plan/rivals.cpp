@@ -1,5 +1,7 @@
 #include "catena/core/plan/rivals.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -40,6 +42,10 @@ std::size_t Rivals::place_of(const Contender& who) {
   const auto place = static_cast<std::size_t>(at - contenders_.begin());
   if (at == contenders_.end()) contenders_.push_back({who});
   return place;
+}
+
+std::string Rivals::told_ms() const {
+  return fmt::format("took {:.3g} ms where {:.3g} were taken", compared_ms_.first, compared_ms_.second);
 }
 
 double Rivals::least() const { return *std::ranges::min_element(recent_); }

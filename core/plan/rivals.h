@@ -49,9 +49,9 @@ class CATENA_API Rivals {
   const Contender& planned() const { return contenders_[planned_].who; }
   /// Whether the leader took the planned one's place.
   bool replaced() const { return leader_ != planned_; }
-  /// What the leader took, and the planned one or the last that lost, when they were compared last; 0: never.
-  double leader_ms() const { return compared_ms_.first; }
-  double other_ms() const { return compared_ms_.second; }
+  /// What the leader took, and the planned one or the last that lost, when they were compared last: "took 1
+  /// ms where 2 were taken"; 0 where they never were.
+  std::string told_ms() const;
 
   /// next() did a search, which took so many ms and is like those of before.
   void took(double ms);

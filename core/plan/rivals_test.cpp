@@ -118,8 +118,7 @@ TEST(Rivals, FollowWhatChangesAndSayWhatWasMeasured) {
   f.begin();
   EXPECT_FALSE(f.rivals.take_lost());
   while (f.rivals.leader().variant != "a") f.search();
-  EXPECT_EQ(f.rivals.leader_ms(), 1);
-  EXPECT_EQ(f.rivals.other_ms(), 2);
+  EXPECT_EQ(f.rivals.told_ms(), "took 1 ms where 2 were taken");
   EXPECT_EQ(f.rivals.take_lost(), first_choice);
   EXPECT_FALSE(f.rivals.take_lost()) << "told once";
   f.ms["a1"] = 10;
@@ -138,7 +137,8 @@ TEST(Rivals, GoOnWithoutWhoHasNoRoom) {
     EXPECT_EQ(f.rivals.next(), first_choice);
     EXPECT_FALSE(f.rivals.replaced());
     if (led) {
-      EXPECT_EQ(f.rivals.leader_ms(), 0) << "the planned one was not compared as the leader";
+      EXPECT_EQ(f.rivals.told_ms(), "took 0 ms where 0 were taken")
+          << "the planned one was not compared as the leader";
     }
     f.searches.clear();
     for (int k = 0; k < 2000; ++k) f.search();

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "catena/core/vec3.h"
 #include "catena/core/space_tree/scattered.h"
 #include "catena/core/sphere_vector.h"
+#include "catena/core/vec3.h"
 
 namespace catena {
 namespace {

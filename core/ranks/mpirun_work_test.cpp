@@ -56,8 +56,7 @@ TEST_F(Mpirun, SaysWhatAllFoundOnce) {
   EXPECT_LT(line["most_blocks_asked"], line["most_bytes_sent"]);
   expect_phases_in_chain_order(line["phases_ms"]);
   // Pairs that nobody reads are none of the work.
-  const ProgramOutcome counts =
-      run_ranks("detect coincident:n=60 --json --order chain --counts-only", 4);
+  const ProgramOutcome counts = run_ranks("detect coincident:n=60 --json --order chain --counts-only", 4);
   ASSERT_EQ(counts.code, 0) << counts.output;
   for (const char* same : {"pairs", "max_count", "most_blocks_asked", "most_bytes_sent"})
     EXPECT_EQ(nlohmann::json::parse(counts.output)[same], line[same]) << same;

@@ -1,6 +1,6 @@
 #pragma once
-#include "catena/core/vec3.h"
 #include "catena/core/sphere.h"
+#include "catena/core/vec3.h"
 
 namespace catena {
 

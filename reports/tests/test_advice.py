@@ -12,7 +12,7 @@ import numpy
 
 import made
 import pages
-from catena_report import choice, profiles, report, runfile, spans, waits
+from catena_report import choice, profiles, report, runfile, spans, statistics, waits
 from catena_report.sections import advice, slowdown, summary
 from pages import recomputes
 
@@ -253,6 +253,23 @@ class InWords(unittest.TestCase):
         ):
             self.assertEqual(spans.in_words(inputs, inputs + others), text)
             self.assertEqual(said_of(text, inputs + others), set(inputs))
+
+
+class Row(unittest.TestCase):
+    def test_as_good_is_whose_interval_begins_at_one(self):
+        ends = {"aCPU2+Dual": 1.0, "aGPU2+GPU2": 1.0001, "aCPU2+CPU2/literal": 0.5}
+        slower = {name: statistics.Interval(1.2, low, 1.5) for name, low in ends.items()}
+        chosen = choice.Choice("aCPU2+CPU2", [], statistics.Interval(1, 1, 1), slower)
+        self.assertEqual(chosen.as_good(of(made.run(repetitions=1))), ["aCPU2+Dual"])
+
+    def test_the_time_of_a_chain_has_both_ends_of_its_interval(self):
+        value = made.run(repetitions=6)
+        for row in value["benchmarks"]:
+            if row["name"].startswith("path1/n:1000/aGPU2+GPU2/whole"):
+                row["real_time"] = 1e3 * (51 + row["repetition_index"] ** 2)  # 51 to 76 us
+        (table,) = [block for block in advice.build(report.Report([of(value)])).blocks if hasattr(block, "rows")]
+        (row,) = [row for row in table.rows if (row[0].text, row[1].text) == ("path1/n:1000", "end to end")]
+        self.assertEqual((row[2].text, row[-1].text), ("aGPU2+GPU2", "0.0575 [0.0510, 0.0760]"))
 
 
 class Drawn(unittest.TestCase):

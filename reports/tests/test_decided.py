@@ -55,6 +55,9 @@ class Words(Base):
                     self.assertEqual(command.main(["--output", "o", str(made.H200)]), 2)
             self.assertEqual(err.getvalue(), f"catena report: {name}: No such file; {advised}\n")
 
+    def test_a_cache_of_a_mebibyte_has_one(self):
+        self.assertEqual([environment._size(size) for size in (2**20 - 2**10, 2**20)], ["1023 KiB", "1 MiB"])
+
     def test_yes_and_no(self):
         self.assertEqual([environment._text("k", value) for value in (True, False, None)], ["yes", "no", ""])
 

@@ -246,6 +246,7 @@ class Paper(Base):
         hint = paper_tables._cell([2.0] * 6, 30.0).hint
         self.assertIn("15.0 times faster than the paper's 30 ms", hint)
         self.assertIn("[2.00, 2.00] ms, 6 repetitions", hint)
+        self.assertIn("[1.00, 6.00] ms, 6 repetitions; 2.00 times", paper_tables._cell([4.0, 1.0, 2.0, 6.0, 3.0, 5.0], 7.0).hint)
         self.assertEqual(set(paper.TABLES), set(made.SCENES))
 
 

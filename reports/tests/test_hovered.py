@@ -1,4 +1,4 @@
-"""What a point tells under the pointer: its numbers, each by its name and in its unit, of runs without noise."""
+"""What a point tells under the pointer, and a sentence of its numbers: each by its name and in its unit, of runs without noise."""
 import unittest
 
 import made
@@ -39,6 +39,9 @@ class Hovered(unittest.TestCase):
         self.assertIn(said, self.told("work-precision", 0))
         self.assertTrue(all(text.endswith("of the answer: 7 % of the pairs wrong") for text in self.told("work-precision", 1)))
 
+    def test_a_chain_and_how_long_its_fastest_takes(self):
+        self.assertIn("<b>aGPU2+GPU2</b><br>path1/n:1000, 0.045 pairs a sphere<br>0.120 ms", self.told("advice", 0))
+
     def test_a_spacing_and_its_error(self):
         said = "<b>helix</b><br>n = 1,000, spacing 0.1<br>gap, tube radii 0.002"
         self.assertIn(said, self.told("tube-errors", 0))
@@ -46,6 +49,9 @@ class Hovered(unittest.TestCase):
     def test_the_share_is_of_all_chains(self):
         (series,) = (s for s in self.shown.figures["slowdown"].panels[0].series if s.name == "aCPU2+Dual")
         self.assertTrue(series.hover[-1].startswith("<b>aCPU2+Dual</b><br>88 % of chains within"), series.hover[-1])
+
+    def test_what_stays_on_the_device_is_told_by_its_least_time(self):
+        self.assertIn("aGPU2+GPUv2 for 1,000 to 100,000 spheres (path1 and path2), 0.0700 ms and more.", self.shown.prose)
 
     def test_missing_and_invented_of_an_arithmetic(self):
         line = {**LINE, "scene": "far:exponent=9", "missing": 1, "invented": 2, "worst_margin": 0.25}

@@ -1,4 +1,5 @@
 """The rank test over all chains: where it is made, and what it is of."""
+import math
 import types
 import unittest
 import unittest.mock
@@ -27,6 +28,10 @@ class Ranks(unittest.TestCase):
         self.assertEqual(test.first, "aGPU2+GPU2")
         self.assertTrue(all(p < 0.05 for p in test.p.values()))
 
+    def test_a_power_is_never_told_as_more_than_it_is(self):
+        said = profiles.in_words(profiles.RankTest("first", 8, 2, 0.799, {}))
+        self.assertIn("with a probability of 0.79 only", said)
+
 
 class RankTest(unittest.TestCase):
     """Of 20 chains, whose ratios are known."""
@@ -46,6 +51,16 @@ class RankTest(unittest.TestCase):
         self.assertLess(self.p([1] * 20, slower), 1e-4)
         self.assertEqual(self.p(slower, slower), 1)
         self.assertGreater(self.p(turns, others), 0.5)
+
+    def test_it_is_made_from_enough_power_itself_on(self):
+        for power, made_ in ((profiles.ENOUGH, True), (math.nextafter(profiles.ENOUGH, 0), False)):
+            with unittest.mock.patch.object(profiles, "signed_rank_power", return_value=power):
+                found = {
+                    name: profiles.Slowdown({f"a/n:{k}": ratio for k in range(1, 9)}, None, 8)
+                    for name, ratio in (("first", 1.0), ("other", 2.0))
+                }
+                run = types.SimpleNamespace(info=lambda name: types.SimpleNamespace(recommended=True))
+                self.assertEqual(bool(profiles.rank_test(run, found).p), made_, power)
 
 
 class Slowdowns(unittest.TestCase):
@@ -71,6 +86,10 @@ class Slowdowns(unittest.TestCase):
             figure = slowdown._figure(shared, self.run_, self.found)
         self.assertEqual([(s.low, s.high) for s in figure.panels[1].series], [([1.0], [1.2]), ([1.1], [1.5]), ([1.25], [1.8])])
         self.assertIn("a takes 1.00 [1.00, 1.20] times", figure.title)
+
+    def test_twice_the_time_of_the_fastest_is_within_twice(self):
+        slow = profiles.Slowdown({"a/n:1": 1.0, "a/n:2": 2.0, "a/n:3": 2.1}, None, 4)
+        self.assertEqual([slowdown._within(slow, 2).text, slowdown._within(slow, 1.1).text], ["50 %", "25 %"])
 
 
 if __name__ == "__main__":

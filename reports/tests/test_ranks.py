@@ -48,6 +48,13 @@ class Ranks(unittest.TestCase):
                 p["blocks_touching"] = p["blocks_asked"]
         self.assertIn("at most 1.00 times", pages.Shown(pages.of(self.value)).figures["ranks-exchange"].title)
 
+    def test_twice_the_bound_itself_is_within_the_aim(self):
+        for chain in self.value["catena"]["ranks"]["chains"]:
+            for p in chain["points"]:
+                p["blocks_touching"] = p["blocks_asked"] / 2
+        title = pages.Shown(pages.of(self.value)).figures["ranks-exchange"].title
+        self.assertEqual(title, "Ranks ask for at most 2.00 times the blocks that truly touch another part")
+
     @recomputes("figure:ranks-times")
     def test_every_time_is_shown_and_the_model_is_near(self):
         figure = self.shown.figures["ranks-times"]

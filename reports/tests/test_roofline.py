@@ -42,6 +42,11 @@ class Committed(unittest.TestCase):
             self.assertAlmostEqual(float(share.rstrip(" %")), greatest, delta=0.5)
             self.assertEqual(nearest, "latency" if greatest < 40 else max(shares, key=shares.get))
 
+    def test_latency_is_below_forty_per_cent_of_everything(self):
+        kernel = {"us": 1.0, "device_memory_bytes": 0, "l2_percent_of_peak": 20.0}
+        for percent, nearest in ((40.0, "instructions"), (39.9, "latency")):
+            self.assertEqual(roofline.bound({**kernel, "issue_slots_percent": percent}, 1e12), (nearest, percent / 100))
+
     def test_it_says_whose_card(self):
         for word in (self.stored["gpu"], self.stored["driver"], self.stored["date"]):
             self.assertIn(word, self.prose.text)

@@ -81,6 +81,14 @@ class Counted(unittest.TestCase):
             self.assertEqual(self.changes(factor), [where] if where else [], factor)
 
 
+    def test_half_a_per_cent_itself_counts(self):
+        for old, new, where in ((200_000, 201_000, "more"), (201_000, 200_000, "fewer")):
+            runs = made.run(repetitions=1), made.run(repetitions=1)
+            for run, tests in zip(runs, (old, new)):
+                run["catena"]["counts"][0]["pair_tests"] = tests
+            self.assertEqual(len(getattr(work.compared(*map(pages.of, runs)), where)), 1, where)
+
+
 class Gate(unittest.TestCase):
     def test_the_same_is_all_of_its_interval_within_five_per_cent(self):
         """Without a scatter but one that is told; the machine's part of few families is uncertain by itself."""
