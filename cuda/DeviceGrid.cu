@@ -1,14 +1,11 @@
 #include <optional>
 
 #include "catena/core/arithmetic/in_range.h"
-#include "catena/core/cells/told_search.h"
-#include "catena/core/strategy/evidence_nodes.h"
-#include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
-#include "catena/core/strategy/resident_variant.h"
 #include "catena/cuda/device.h"
 #include "catena/cuda/device_sphere_cells.cuh"
 #include "catena/cuda/host_copies.cuh"
+#include "catena/cuda/told_variant.h"
 
 namespace catena::cuda {
 namespace {
@@ -16,36 +13,19 @@ namespace {
 /// DeviceGrid: spheres sorted into hashed cells, an octave of radii a level; a thread a sphere, against half
 /// of its neighbourhood in its own level and all of it in coarser ones.
 template <class Arithmetic>
-class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
+class DeviceGrid final : public ToldVariant<Arithmetic> {
  public:
   explicit DeviceGrid(const Parameters& parameters)
-      : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters))),
+      : ToldVariant<Arithmetic>(StrategyRegistry::instance().make_device(device_of(parameters))),
         binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
-  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
-
-  Accounting evidence() const override { return Accounting::each_pair; }
-  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
-    if (built()) told(chain.view(), [&](const ToldSearch& search) { search.show(visitor); });
-  }
-  void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
-                          EvidenceSink& sink) override {
-    check(chain);
-    PairCollector collector(chain.size(), request, result);
-    told(chain.view(), [&](const ToldSearch& search) { search.search(collector.lane(0), sink); });
-    collector.finish();
-  }
-
  private:
-  /// The cells that the device built, on the host.
-  template <class Use>
-  void told(const ChainView& chain, const Use& use) const {
-    if (chain.size == 0) return;
+  void told(const ChainView& chain, const ToldVariant<Arithmetic>::Use& use) const override {
     std::optional<CellsOnHost> cells;
-    run_on_device([&](StreamHandle stream) {
+    this->run_on_device([&](StreamHandle stream) {
       cells.emplace(cells_.cells(), chain.size, static_cast<cudaStream_t>(stream));
     });
-    use(ToldSearch(chain, nullptr, cells->placed()));
+    use(ToldCells(chain, nullptr, cells->placed()));
   }
 
   void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
@@ -60,14 +40,13 @@ class DeviceGrid final : public ResidentVariant, public EvidenceNodes {
       cells_.enqueue_search<decltype(tests)>(chain, AllSpheres{chain.size}, request, answer,
                                              static_cast<cudaStream_t>(stream));
     });
-    in_range_ = in_range<Arithmetic>(chain);
+    this->in_range_ = in_range<Arithmetic>(chain);
   }
   bool give_back(StreamHandle stream) override { return cells_.give_back(static_cast<cudaStream_t>(stream)); }
 
   const std::uint64_t binned_;
   DeviceBuffer<SphereCells::State> state_;
   DeviceSphereCells cells_;
-  bool in_range_ = false;  ///< of the last search
 };
 
 const RegisterVariant<DeviceGrid, Robust> registered{

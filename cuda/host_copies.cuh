@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "catena/core/cells/block_nodes.h"
 #include "catena/core/cells/capsule_blocks.h"
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/cuda/call.h"
@@ -59,7 +60,8 @@ class BlocksOnHost {
     const std::size_t n = device.blocks;
     capsule_ = fetched(device.capsule, n, stream), shape_ = fetched(device.shape, n, stream);
     partners_ = fetched(device.partners, n, stream), met_ = fetched(device.met, n, stream);
-    partner_ = fetched(device.partner, CapsuleBlocks::most_partners * n, stream);
+    if (device.partner != nullptr)
+      partner_ = fetched(device.partner, CapsuleBlocks::most_partners * n, stream);
     blocks_.capsule = capsule_.data(), blocks_.shape = shape_.data();
     blocks_.partners = partners_.data(), blocks_.met = met_.data(), blocks_.partner = partner_.data();
     if (!device.in_cells || state_[0].places == 0) return;
@@ -81,6 +83,24 @@ class BlocksOnHost {
   std::vector<std::uint32_t> partners_, met_, partner_, start_, id_;
   std::vector<CapsuleBall> ball_;
   CapsuleBlocks blocks_;
+};
+
+/// A device's BlockNodes, whose boxes are fitted, in host memory; to be read.
+class NodesOnHost {
+ public:
+  NodesOnHost(const BlockNodes& device, cudaStream_t stream)
+      : quarter_(fetched(device.quarter, BlockNodes::quarters * std::size_t{device.nodes()}, stream)),
+        nodes_(device) {
+    nodes_.quarter = quarter_.data();
+  }
+  NodesOnHost(const NodesOnHost&) = delete;
+  NodesOnHost& operator=(const NodesOnHost&) = delete;
+
+  const BlockNodes& nodes() const { return nodes_; }
+
+ private:
+  std::vector<BlockNodes::Quarter> quarter_;
+  BlockNodes nodes_;
 };
 
 }  // namespace catena::cuda

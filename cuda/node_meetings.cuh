@@ -12,8 +12,9 @@
 namespace catena::cuda {
 
 /// The boxes of 32 nodes of a level, and of the four nodes over them; eight threads a node.
+template <class Nodes>
 __global__ void __launch_bounds__(256)
-    fit_nodes(const __grid_constant__ BlockNodes nodes, const __grid_constant__ CapsuleBlocks blocks,
+    fit_nodes(const __grid_constant__ Nodes nodes, const __grid_constant__ CapsuleBlocks blocks,
               std::uint32_t level) {
   await_previous();
   const NodeMeeting meeting(nodes, blocks);
@@ -50,12 +51,17 @@ __global__ void __launch_bounds__(threads, 1280 / threads)
 /// A BlockNodes on a device: its memory, and its steps as kernels, none of which the host waits for.
 class DeviceBlockNodes {
  public:
-  /// Finds who meets whom among blocks whose capsules are known, and enters those that are tangled.
+  /// Fits boxes over blocks whose capsules are known, of which there is one.
+  void enqueue_fit(const CapsuleBlocks& blocks, std::uint32_t at_top, cudaStream_t stream) {
+    nodes_ = BlockNodes::over(blocks.blocks, at_top);
+    nodes_.quarter = quarter_.reserve(BlockNodes::quarters * std::size_t{nodes_.nodes()}, stream);
+    for (std::uint32_t level = 1; level <= nodes_.top; level += 2)
+      launch_next<fit_nodes<BlockNodes>>((nodes_.count[level] + 31) / 32, 256, stream, nodes_, blocks, level);
+  }
+  /// The same, and finds who meets whom, and enters those that are tangled.
   void enqueue(const CapsuleBlocks& blocks, cudaStream_t stream) {
-    BlockNodes nodes = BlockNodes::over(blocks.blocks);
-    nodes.quarter = quarter_.reserve(BlockNodes::quarters * std::size_t{nodes.nodes()}, stream);
-    for (std::uint32_t level = 1; level <= nodes.top; level += 2)
-      launch_next<fit_nodes>((nodes.count[level] + 31) / 32, 256, stream, nodes, blocks, level);
+    enqueue_fit(blocks, BlockNodes::most_at_top, stream);
+    const BlockNodes& nodes = nodes_;
     const std::uint32_t groups = blocks.surveyed + nodes.count[2];
     constexpr std::uint32_t few = 660;  // have places at once
     if (groups <= few)
@@ -63,8 +69,10 @@ class DeviceBlockNodes {
     else
       launch_next<find_partners<128>>(groups, 128, stream, nodes, blocks);
   }
+  const BlockNodes& nodes() const { return nodes_; }
 
  private:
+  BlockNodes nodes_{};
   DeviceBuffer<BlockNodes::Quarter> quarter_;
 };
 

@@ -66,7 +66,7 @@ def profile(catena, variant, chain):
 
 
 def main(catena, out, *cases):
-    pairs = list(zip(cases[::2], cases[1::2])) or [(v, i) for i in INPUTS for v in ("DeviceHybrid", "DeviceGrid", "DeviceLBVH")]
+    pairs = list(zip(cases[::2], cases[1::2])) or [(v, i) for i in INPUTS for v in ("DeviceHybrid", "DeviceTree", "DeviceCapsules", "DeviceGrid", "DeviceLBVH")]
     gpu, driver = run("nvidia-smi", "--query-gpu=name,driver_version", "--format=csv,noheader").splitlines()[0].split(", ")
     result = {
         "what": "kernels under ncu; of a variant's kernel of that name the last launch",

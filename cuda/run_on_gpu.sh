@@ -20,7 +20,7 @@ ctest --test-dir "$build" -L gpu -j 8 --output-on-failure 2>&1 | sed '/^Test pro
 # The paper's, resident and from host to host; then what a user would take, of laid out chains and of tangled ones.
 device='path[12]/n:[0-9]+/(GPU1|aGPU2[+]GPUv?2)/(build|find|whole)/|path[12]/n:[0-9]+/(aGPU2[+]GPU2|Device[A-Za-z]+)/resident/|path[12]/n:1000/bGPU2[+]GPUv?2/(build|find|whole)/'
 host='path[12]/n:[0-9]{4,6}/aCPU2[+]CPU2/(build|find)/'
-ours='path[12]/n:[0-9]+/(auto|Hybrid|Device(Hybrid|Grid|LBVH))/whole/|yarn/n:([0-9]{4,6}|[13]000000)/((auto|Hybrid|Device(Hybrid|Grid|LBVH))/whole|Device(Hybrid|Grid|LBVH)/resident)/'
+ours='path[12]/n:[0-9]+/(auto|Hybrid|Device(Hybrid|Tree|Capsules|Grid|LBVH))/whole/|yarn/n:([0-9]{4,6}|[13]000000)/((auto|Hybrid|Device(Hybrid|Grid|LBVH))/whole|Device(Hybrid|Grid|LBVH)/resident)/'
 peers='(path[12]|yarn)/n:[0-9]{4,6}/Embree(Rebuild)?/whole/'
 arithmetics='path[12]/n:150000/(GPU1|aGPU2[+]GPUv?2|aCPU2[+]CPU2)/literal/(build|find)/'
 "$build/catena_bench" --benchmark_filter="$device|$host|$ours|$peers|$arithmetics" --benchmark_min_time=0.02 \

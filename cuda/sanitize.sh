@@ -11,7 +11,7 @@ options=(--tool "$tool" --error-exitcode 9)
 [ "$tool" != memcheck ] || options+=(--leak-check full)
 variants=()
 for v in GPU1 bGPU2+GPU2 bGPU2+GPUv2 aGPU2+GPU2 aGPU2+GPUv2 "aGPU2(subtree=6,block=2)+GPU2" aCPU2+GPU2 aGPU2+CPU2 \
-         DeviceGrid "DeviceGrid(binned=0)" DeviceHybrid "DeviceHybrid(least=0)" "DeviceHybrid(least=0,cells=0,crowd=2)" "DeviceHybrid(least=0,cells=0,survey=0)" DeviceLBVH "DeviceParts(parts=3,group=4)" "DeviceParts(parts=3,group=8,order=space)" GPU1/literal aGPU2+GPU2/literal aGPU2+GPUv2/literal bGPU2+GPU2/literal; do
+         DeviceGrid "DeviceGrid(binned=0)" DeviceHybrid "DeviceHybrid(least=0)" "DeviceHybrid(least=0,cells=0,crowd=2)" "DeviceHybrid(least=0,cells=0,survey=0)" DeviceLBVH DeviceCapsules DeviceTree "DeviceParts(parts=3,group=4)" "DeviceParts(parts=3,group=8,order=space)" GPU1/literal aGPU2+GPU2/literal aGPU2+GPUv2/literal bGPU2+GPU2/literal; do
   variants+=(--variant "$v")
 done
 compute-sanitizer "${options[@]}" "$catena" verify "${variants[@]}" \
@@ -19,6 +19,6 @@ compute-sanitizer "${options[@]}" "$catena" verify "${variants[@]}" \
   yarn:n=2000 mixed_radii:n=900,decades=6 coincident:n=300
 # And their evidence: what the device built is copied to the host.
 compute-sanitizer "${options[@]}" "$catena" verify --certify --variant DeviceGrid --variant "DeviceHybrid(least=0)" \
-  --variant "DeviceHybrid(least=0,cells=0,crowd=2)" --variant DeviceLBVH path1:n=1537 yarn:n=2000 mixed_radii:n=900,decades=6
+  --variant "DeviceHybrid(least=0,cells=0,crowd=2)" --variant DeviceLBVH --variant DeviceCapsules --variant DeviceTree path1:n=1537 yarn:n=2000 mixed_radii:n=900,decades=6
 # Blocks of a search that go round several times.
 compute-sanitizer "${options[@]}" "$catena" detect lattice:n=700000 --variant "DeviceHybrid(crowd=0)"

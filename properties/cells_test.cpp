@@ -9,6 +9,7 @@
 #include "catena/core/cells/capsule_blocks.h"
 #include "catena/core/cells/find_partners.h"
 #include "catena/core/cells/sphere_cells.h"
+#include "catena/properties/testing/answer_of.h"
 #include "catena/properties/testing/rods.h"
 
 // Searches by hashed cells at the limits of their cells, partners and buckets, and one past them.
@@ -26,8 +27,8 @@ TEST(Cells, LookAtNoMoreCapsulesThanAreDense) {
     }
 }
 
-/// Nodes each of which may meet all: as many as one may, itself too, and one more, and two; and as many as one may
-/// go on with, where tangled blocks are left to the grid, and one more.
+/// Nodes each of which may meet all: as many as one may, itself too, and one more, and two; and as many as
+/// one may go on with, where tangled blocks are left to the grid, and one more.
 TEST(Cells, FindWhatNodesAtTheirLimitMeet) {
   constexpr std::uint32_t near = PartnerSearch::most_near, most = PartnerSearch::room / 2;
   for (const std::uint32_t nodes : {near - 1, near, near + 1, near + 2, most, most + 1})
@@ -35,7 +36,8 @@ TEST(Cells, FindWhatNodesAtTheirLimitMeet) {
                  std::to_string(nodes) + " nodes that meet one another");
 }
 
-/// Pairs of blocks, in another order, so that what follows one another lies apart: their nodes meet all others.
+/// Pairs of blocks, in another order, so that what follows one another lies apart: their nodes meet all
+/// others.
 std::vector<Sphere> scattered(const std::vector<Sphere>& pairs) {
   constexpr std::uint32_t pair = 2 * block, step = 37;
   const auto count = static_cast<std::uint32_t>(pairs.size()) / pair;
@@ -48,10 +50,11 @@ std::vector<Sphere> scattered(const std::vector<Sphere>& pairs) {
   return spheres;
 }
 
-/// Capsules that reach nearly half a cell, of 64, touch with their tips what lies as far away as may be: the first of
-/// two, which is to find the second in the cell before its own, or after it.
+/// Capsules that reach nearly half a cell, of 64, touch with their tips what lies as far away as may be: the
+/// first of two, which is to find the second in the cell before its own, or after it.
 TEST(Cells, FindCapsulesAsLongAsACellIsWide) {
-  constexpr float cell = 64, size = 1.235f, reach = size * (1.6f * 15.5f + 1), from_border = 0.2f, deep = 0.1f;
+  constexpr float cell = 64, size = 1.235f, reach = size * (1.6f * 15.5f + 1), from_border = 0.2f,
+                  deep = 0.1f;
   static_assert(2 * reach < cell);
   std::vector<Sphere> pairs;
   for (int x = 0; x < 20; ++x)
@@ -59,7 +62,8 @@ TEST(Cells, FindCapsulesAsLongAsACellIsWide) {
       for (const float side : {-1.0f, 1.0f}) {
         const float border = 4 * cell * static_cast<float>(x), at_y = 4 * cell * static_cast<float>(y) + 32,
                     at_z = 2 * cell * side + 32;
-        add_rod(pairs, border + side * (reach - from_border - deep + size), at_y + 0.8f * size, at_z, true, size);
+        add_rod(pairs, border + side * (reach - from_border - deep + size), at_y + 0.8f * size, at_z, true,
+                size);
         add_rod(pairs, border - side * from_border, at_y, at_z, false, size);
       }
   expect_exact(each_block_a_strand(scattered(pairs)), "rods that touch others with their tips");
@@ -69,7 +73,8 @@ TEST(Cells, FindCapsulesAsLongAsACellIsWide) {
 TEST(Cells, FindWhatLiesBehindTheEndOfAChunk) {
   constexpr float cell = 64;
   constexpr std::uint32_t crossings = 200;
-  constexpr std::uint32_t level = 18;  // of cells of 2^14, as which 64 are stored where the chain ends below 4096
+  constexpr std::uint32_t level =
+      18;  // of cells of 2^14, as which 64 are stored where the chain ends below 4096
   std::vector<Sphere> pairs;
   const CellTable table = CellTable::of(4 * (400 + 2 * crossings));
   std::uint32_t crossing = 0;
@@ -98,7 +103,8 @@ TEST(Cells, FindWhatTouchesInANodeWhoseBlocksGoOnInOrder) {
   for (const float turn : {140.0f, 160.0f, 190.0f, 250.0f}) {
     std::vector<Sphere> spheres;
     for (std::uint32_t k = 0; k < 40 * block; ++k) {
-      const float at = static_cast<float>(k) / turn, angle = 6.2831853f * at, radius = 1.6f * turn / 6.2831853f;
+      const float at = static_cast<float>(k) / turn, angle = 6.2831853f * at,
+                  radius = 1.6f * turn / 6.2831853f;
       spheres.push_back({radius * std::cos(angle), radius * std::sin(angle), 1.9f * at, 1});
     }
     expect_exact(Chain(spheres), "a coil of " + std::to_string(turn) + " spheres a turn");
@@ -114,13 +120,15 @@ TEST(Cells, FindWhatTangledBlocksAndOthersShare) {
   expect_exact(Chain(spheres), "a rod that goes on through scattered rods");
 }
 
-/// Rods of many sizes, scattered: blocks look into all coarser levels of cells, but where there are too many of
-/// these all are left to the search of spheres.
+/// Rods of many sizes, scattered: blocks look into all coarser levels of cells, but where there are too many
+/// of these all are left to the search of spheres.
 TEST(Cells, FindWhatBlocksOfManyLevelsMeet) {
   for (const std::uint32_t levels : {2u, CapsuleBlocks::most_levels, CapsuleBlocks::most_levels + 1, 6u}) {
     std::vector<Sphere> spheres;
     std::uint32_t state = 54321;
-    const auto at = [&] { return 300 * static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f; };
+    const auto at = [&] {
+      return 300 * static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 0x1p-24f;
+    };
     for (std::uint32_t k = 0; k < 500; ++k) {
       const float x = at(), y = at(), z = at();
       add_rod(spheres, x, y, z, k % 2 == 0, std::exp2(static_cast<float>(k % levels)));
@@ -131,13 +139,30 @@ TEST(Cells, FindWhatBlocksOfManyLevelsMeet) {
 
 TEST(Cells, HaveATreeOfAnySize) {
   for (const std::uint32_t blocks : {1u, 8u, 9u, 8192u, 8193u, 65537u, (1u << 26) - 1, 1u << 26}) {
-    const BlockNodes nodes = BlockNodes::over(blocks);
-    ASSERT_LT(nodes.top, BlockNodes::most_levels);
-    EXPECT_GE(nodes.top, 2u);
-    EXPECT_LE(nodes.count[nodes.top], BlockNodes::most_at_top);
-    for (std::uint32_t level = 1; level <= nodes.top; ++level)
-      EXPECT_EQ(nodes.count[level], (nodes.count[level - 1] + 7) / 8) << blocks;
+    for (const std::uint32_t at_top : {BlockNodes::most_at_top, BlockNodes::children}) {
+      const BlockNodes nodes = BlockNodes::over(blocks, at_top);
+      ASSERT_LT(nodes.top, BlockNodes::most_levels);
+      EXPECT_GE(nodes.top, 2u);
+      EXPECT_LE(nodes.count[nodes.top], at_top);
+      for (std::uint32_t level = 1; level <= nodes.top; ++level)
+        EXPECT_EQ(nodes.count[level], (nodes.count[level - 1] + 7) / 8) << blocks;
+    }
   }
+}
+
+/// Strands side by side, each sphere of which touches the one beside it, in a tree of six levels: each block
+/// meets what lies at the far end of the chain, and between them much that it does not meet.
+TEST(Cells, FindWhatLiesFarDownADeepTree) {
+  constexpr std::uint32_t each = 9001 * block + 7, strands = 3;
+  std::vector<Sphere> spheres;
+  for (std::uint32_t s = 0; s < strands; ++s)
+    for (std::uint32_t k = 0; k < each; ++k)
+      spheres.push_back({1.5f * static_cast<float>(k), 1.875f * static_cast<float>(s), 0, 1});
+  const Chain chain(std::move(spheres), Strands{{0, each, 2 * each, 3 * each}, {}});
+  EXPECT_EQ(BlockNodes::over(CapsuleBlocks::blocks_of(chain.size()), BlockNodes::children).top, 5u);
+  std::vector<Pair> expected;
+  for (std::uint32_t i = 0; i < (strands - 1) * each; ++i) expected.push_back({i, i + each});
+  EXPECT_TRUE(answer_of("DeviceTree@host", chain).pairs == expected);
 }
 
 TEST(Cells, FindAllPartnersOfABlock) {
@@ -203,8 +228,8 @@ TEST(Cells, GoOnInOrderBeyondAWindow) {
       const float step = 2.0f / static_cast<float>(window + beyond) - 0.001f;
       for (std::uint32_t k = 0; k < 5 * block + 3; ++k)
         spheres.push_back({step * static_cast<float>(k), 0, 0, 1});
-      expect_exact(Chain(spheres, {}, Exclusion::index(window)), "a rod in a window of " + std::to_string(window),
-                   beyond == 1);
+      expect_exact(Chain(spheres, {}, Exclusion::index(window)),
+                   "a rod in a window of " + std::to_string(window), beyond == 1);
     }
 }
 
@@ -223,7 +248,8 @@ TEST(Cells, PartByOctavesWhatCrowdsOneLevel) {
   for (const std::uint32_t small : {30u, 300u, 3000u}) {
     std::vector<Sphere> spheres{{0, 0, 0, 1}, {50, 0, 0, 1}};
     for (std::uint32_t k = 0; k < small; ++k)
-      spheres.push_back({0.9f + 0.002f * static_cast<float>(k % 100), 0.01f * static_cast<float>(k / 100), 0, 0.0015f});
+      spheres.push_back(
+          {0.9f + 0.002f * static_cast<float>(k % 100), 0.01f * static_cast<float>(k / 100), 0, 0.0015f});
     Strands strands;
     for (std::uint32_t at = 0; at <= spheres.size(); ++at) strands.first.push_back(at);
     expect_exact(Chain(spheres, strands), std::to_string(small) + " small spheres beside a large one");

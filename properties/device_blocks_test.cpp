@@ -22,8 +22,8 @@ class DeviceBlocks : public testing::Test {
   }
 };
 
-/// Two strands side by side, each sphere of which touches the one beside it: nodes meet one another along both,
-/// in trees of two levels and of four, by large thread blocks and by many small ones.
+/// Two strands side by side, each sphere of which touches the one beside it: nodes meet one another along
+/// both, in trees of two levels and of four, by large thread blocks and by many small ones.
 TEST_F(DeviceBlocks, FindWhatTwoStrandsMeetInTreesOfManyLevels) {
   for (const std::uint32_t blocks : {10'000u, 30'000u, 140'000u}) {
     const std::uint32_t each = blocks * block;
@@ -34,7 +34,8 @@ TEST_F(DeviceBlocks, FindWhatTwoStrandsMeetInTreesOfManyLevels) {
     const Chain chain(std::move(spheres), Strands{{0, each, 2 * each}, {}});
     std::vector<Pair> expected;
     for (std::uint32_t k = 0; k < each; ++k) expected.push_back({k, each + k});
-    for (const char* name : {"DeviceHybrid", "DeviceHybrid(cells=0)", "DeviceHybrid(survey=0,cells=4294967295)"}) {
+    for (const char* name : {"DeviceHybrid", "DeviceHybrid(cells=0)",
+                             "DeviceHybrid(survey=0,cells=4294967295)", "DeviceCapsules", "DeviceTree"}) {
       const Collisions found = answer_of(name, chain);
       EXPECT_TRUE(found.pairs == expected) << name << ": " << found.pair_count << " pairs";
       EXPECT_TRUE(found.count == std::vector<std::uint32_t>(2 * each, 1)) << name;
@@ -60,7 +61,7 @@ TEST_F(DeviceBlocks, FindMorePairsThanAWarpHasRoomFor) {
   }
   const Chain chain = each_block_a_strand(spheres);
   for (const std::string name :
-       {"DeviceHybrid(least=0,survey=0)", "DeviceHybrid(least=0,survey=0,crowd=1)"}) {
+       {"DeviceHybrid(least=0,survey=0)", "DeviceHybrid(least=0,survey=0,crowd=1)", "DeviceTree"}) {
     const Collisions found = answer_of(name, chain);
     EXPECT_TRUE(found.pairs == expected) << name << ": " << found.pair_count << " pairs";
     EXPECT_TRUE(found.count == count) << name;
@@ -93,7 +94,7 @@ TEST_F(DeviceBlocks, FindAllThatTangledBlocksMeetInManyRounds) {
       for (const std::uint32_t middle : {block / 2 - 1, block / 2}) expected[rod * block + middle] = 2;
   }
   const Chain chain = each_block_a_strand(spheres);
-  for (const char* name : {"DeviceHybrid", "DeviceHybrid(binned=4294967295)"}) {
+  for (const char* name : {"DeviceHybrid", "DeviceHybrid(binned=4294967295)", "DeviceCapsules"}) {
     const Collisions found = answer_of(name, chain, {.want = Request::Want::counts});
     EXPECT_EQ(found.pair_count, std::uint64_t{4} * crossings) << name;
     EXPECT_TRUE(found.count == expected) << name;

@@ -202,6 +202,7 @@ INSTANTIATE_TEST_SUITE_P(Device, DeviceResident,
                                          // Its own kernels, which it leaves out of short chains, and all bins.
                                          "DeviceHybrid(least=0,survey=0)", "DeviceHybrid(least=0,survey=64)",
                                          "DeviceHybrid(least=0,cells=0,survey=0,binned=0)", "DeviceLBVH",
+                                         "DeviceCapsules", "DeviceTree",
                                          "ResidentBlocks"),
                          [](const auto& info) { return letters_of(info.param); });
 

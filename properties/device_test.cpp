@@ -92,9 +92,10 @@ class Lines final : public EvidenceSink {
   std::vector<std::tuple<char, std::uint32_t, std::uint32_t>> lines_;
 };
 
-/// The blocks and cells that the device built say what the host's do: the same parts given up, the same partners, the same
-/// cells, and so the same lines; and the same pairs. Cells have the same bits; capsules need not, as a device rounds once
-/// where the host rounds twice (mul_add), so that those of each are certified by themselves.
+/// The blocks and cells that the device built say what the host's do: the same parts given up, the same
+/// partners, the same cells, and so the same lines; and the same pairs. Cells have the same bits; capsules
+/// need not, as a device rounds once where the host rounds twice (mul_add), so that those of each are
+/// certified by themselves.
 TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
   struct Twins {
     const char *device, *host;
@@ -106,14 +107,19 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
         Twins{"DeviceHybrid(least=0)", "DeviceHybrid@host(cells=4194304)", false},
         Twins{"DeviceHybrid(least=0,cells=0,crowd=1)", "DeviceHybrid@host(crowd=1)", false},
         Twins{"DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid@host(survey=0)", false},
-        Twins{"DeviceHybrid", "DeviceHybrid@host(least=300000)", false}})
-    for (const char* input :
-         {"path1:n=4000", "yarn:n=5000", "mixed_radii:n=3000", "hair:n=3000", "stretched:n=5000", "walk:n=20000",
-          "coil:n=1200,offset=1e6", "points:n=3000", "cluster:n=2000", "rod:n=900,scale=1e30", "rod:n=1", "rod:n=33"}) {
+        Twins{"DeviceHybrid", "DeviceHybrid@host(least=300000)", false},
+        Twins{"DeviceCapsules", "DeviceCapsules@host", false},
+        Twins{"DeviceCapsules(crowd=1)", "DeviceCapsules@host(crowd=1)", false},
+        Twins{"DeviceTree", "DeviceTree@host", false}})
+    for (const char* input : {"path1:n=4000", "yarn:n=5000", "mixed_radii:n=3000", "hair:n=3000",
+                              "stretched:n=5000", "walk:n=20000", "coil:n=1200,offset=1e6", "points:n=3000",
+                              "cluster:n=2000", "rod:n=900,scale=1e30", "rod:n=1", "rod:n=33"}) {
       const Chain chain = scene(input);
-      const auto there = StrategyRegistry::instance().make(device), here = StrategyRegistry::instance().make(host);
+      const auto there = StrategyRegistry::instance().make(device),
+                 here = StrategyRegistry::instance().make(host);
       there->build(chain), here->build(chain);
-      const ShownBounds built = ShownBounds::of_evidence(*there, chain), twin = ShownBounds::of_evidence(*here, chain);
+      const ShownBounds built = ShownBounds::of_evidence(*there, chain),
+                        twin = ShownBounds::of_evidence(*here, chain);
       EXPECT_EQ(built.edges(), twin.edges()) << device << ", " << input;
       if (const auto difference = built.difference(twin); same_bits && difference)
         ADD_FAILURE() << device << ", " << input << ": " << *difference;
@@ -131,9 +137,9 @@ TEST_F(Device, BlocksAndCellsSayWhatTheHostsDo) {
 }
 
 TEST_F(Device, IsCertifiedByWhatItBuilt) {
-  for (const char* name :
-       {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid(least=0,cells=0)",
-        "DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid(least=0)", "DeviceHybrid", "DeviceLBVH"})
+  for (const char* name : {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid(least=0,cells=0)",
+                           "DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid(least=0)", "DeviceHybrid",
+                           "DeviceLBVH", "DeviceCapsules", "DeviceTree"})
     expect_certified(name);
 }
 
@@ -142,7 +148,8 @@ TEST_F(Device, PairBufferGrowsAndLosesNothing) {
       std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));  // 4.5 million pairs, far past the first guess
   const auto exact = reference::find(chain);
   for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "DeviceGrid", "DeviceHybrid",
-                           "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
+                           "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceCapsules", "DeviceTree",
+                           "DeviceParts(parts=3,group=4)"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     Collisions found;
     for (int round = 0; round < 2; ++round) {
@@ -165,7 +172,7 @@ TEST_F(Device, FindsTheSamePairsEveryTime) {
            {"DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid", "DeviceHybrid(least=0)",
             "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(least=0,crowd=0)",
             "DeviceHybrid(least=0,cells=0,survey=0)", "DeviceHybrid(least=0,cells=0,crowd=1,binned=0)",
-            "DeviceLBVH", "DeviceParts(parts=3,group=4,searches=3)",
+            "DeviceLBVH", "DeviceCapsules", "DeviceTree", "DeviceParts(parts=3,group=4,searches=3)",
             "DeviceParts(parts=5,group=8,order=space)"}) {
         const auto variant = StrategyRegistry::instance().make(name);
         Collisions found;
@@ -213,8 +220,11 @@ TEST_F(Device, MovesTheRangesThatMoved) {
   const Chain chain = scene("path1:n=20000");
   const std::uint32_t n = chain.size();
   for (const std::vector<SphereRange>& ranges :
-       {std::vector<SphereRange>{{0, 1}, {1000, 1003}, {7000, 7001}, {9500, 9600}, {n - 1, n}}, {{5000, 5002}}, {}})
-    for (const char* name : {"DeviceGrid", "DeviceHybrid(least=0)", "DeviceLBVH", "aGPU2+GPU2", "aCPU2+GPU2"}) {
+       {std::vector<SphereRange>{{0, 1}, {1000, 1003}, {7000, 7001}, {9500, 9600}, {n - 1, n}},
+        {{5000, 5002}},
+        {}})
+    for (const char* name : {"DeviceGrid", "DeviceHybrid(least=0)", "DeviceLBVH", "DeviceCapsules",
+                             "DeviceTree", "aGPU2+GPU2", "aCPU2+GPU2"}) {
       std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
       for (const SphereRange& range : ranges)
         for (std::uint32_t i = range.begin; i < range.end; ++i) spheres[i] = chain[(i + n / 2) % n];
@@ -226,7 +236,8 @@ TEST_F(Device, MovesTheRangesThatMoved) {
       variant->build(chain);
       variant->update(moved, Moved(ranges));
       variant->find(moved, {}, found);
-      EXPECT_TRUE(reference::compare(moved, after, found).right()) << name << ", " << ranges.size() << " ranges";
+      EXPECT_TRUE(reference::compare(moved, after, found).right())
+          << name << ", " << ranges.size() << " ranges";
       variant->update(chain, Moved(ranges));
       variant->find(chain, {}, found);
       EXPECT_TRUE(reference::compare(chain, before, found).right()) << name << ", and back";
@@ -236,8 +247,9 @@ TEST_F(Device, MovesTheRangesThatMoved) {
 TEST_F(Device, PairLimitIsAnErrorWithTheTrueNumber) {
   const Chain chain(std::vector<Sphere>(3000, Sphere{1, 2, 3, 4}));
   const std::uint64_t expected = 3000ull * 2999 / 2 - 2999;
-  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid",
-                           "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
+  for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "DeviceGrid", "DeviceGrid(binned=0)",
+                           "DeviceHybrid", "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceCapsules",
+                           "DeviceTree", "DeviceParts(parts=3,group=4)"}) {
     const auto variant = StrategyRegistry::instance().make(name);
     variant->build(chain);
     Collisions found;
@@ -304,9 +316,9 @@ TEST_F(Device, EveryExclusionRuleTravels) {
        {Chain(spheres, strands, rule), Chain(spheres, strands, arcs), Chain(spheres, {}, arcs)}) {
     const auto exact = reference::find(chain);
     ASSERT_GT(exact.pair_count, 100u);
-    for (const char* name :
-         {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid", "DeviceGrid(binned=0)", "DeviceHybrid",
-          "DeviceHybrid(least=0,cells=0)", "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
+    for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid",
+                             "DeviceGrid(binned=0)", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)",
+                             "DeviceLBVH", "DeviceCapsules", "DeviceTree", "DeviceParts(parts=3,group=4)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);
@@ -324,7 +336,7 @@ TEST_F(Device, AMillionSpheres) {
     for (const char* name :
          {"aGPU2+GPU2", "aGPU2+GPUv2", "aCPU2+GPU2", "aGPU2+CPU2", "DeviceGrid", "DeviceHybrid",
           "DeviceHybrid(least=0,cells=0)", "DeviceHybrid(survey=0)", "DeviceHybrid(cells=0,crowd=0)",
-          "DeviceLBVH", "DeviceParts(parts=3,group=4)"}) {
+          "DeviceLBVH", "DeviceCapsules", "DeviceTree", "DeviceParts(parts=3,group=4)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;
       variant->build(chain);

@@ -16,7 +16,7 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
   Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
-    if (built()) ToldSearch(chain.view(), nullptr, cells_.placed()).show(visitor);
+    if (built()) ToldCells(chain.view(), nullptr, cells_.placed()).show(visitor);
   }
 
  private:
@@ -30,7 +30,7 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
     in_range_ = in_range<Arithmetic>(chain);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
-    ToldSearch(chain, nullptr, cells_.placed()).search(lane, sink);
+    ToldCells(chain, nullptr, cells_.placed()).search(lane, sink);
   }
 
   HostSphereCells cells_;

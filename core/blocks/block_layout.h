@@ -1,11 +1,12 @@
 #pragma once
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/export.h"
 
 namespace catena {
 
 /// The power of two that brings the chain's greatest coordinate or radius to 2^19 .. 2^20, as far as binary32
 /// holds it; 1 for a chain of zeros.
-float block_scale(const Extent& extent);
+CATENA_API float block_scale(const Extent& extent);
 
 /// The blocks that lay_out_blocks makes. O(strands).
 std::uint32_t count_blocks(const ChainView& chain);

@@ -46,6 +46,13 @@ CATENA_HD inline std::uint32_t lowest_bit(std::uint32_t bits) {
   return static_cast<std::uint32_t>(__builtin_ctz(bits));
 #endif
 }
+CATENA_HD inline std::uint32_t lowest_bit_of_64(std::uint64_t bits) {
+#ifdef __CUDA_ARCH__
+  return static_cast<std::uint32_t>(__ffsll(static_cast<long long>(bits)) - 1);
+#else
+  return static_cast<std::uint32_t>(__builtin_ctzll(bits));
+#endif
+}
 
 /// 2^exponent, from 2^-126 to 2^127.
 CATENA_HD inline float power_of_two(std::int32_t exponent) {

@@ -8,7 +8,7 @@
 namespace catena {
 
 /// A tree of boxes over the blocks of a CapsuleBlocks, in the order of the chain: eight children a node, of
-/// two levels or more, up to the first one of at most `most_at_top` nodes; level 0 are the blocks. Plain
+/// two levels or more, up to the first one of at most `at_top` nodes; level 0 are the blocks. Plain
 /// pointers, valid in one memory space.
 struct BlockNodes {
   static constexpr std::uint32_t children = 8, most_levels = 10, most_at_top = 512;
@@ -25,14 +25,14 @@ struct BlockNodes {
   Quarter* quarter;
 
   /// What sizes a tree over so many blocks has; memory is the caller's to give.
-  static BlockNodes over(std::uint32_t blocks) {
+  static BlockNodes over(std::uint32_t blocks, std::uint32_t at_top = most_at_top) {
     BlockNodes result{};
     result.count[0] = blocks;
     do {
       const std::uint32_t l = ++result.top, below = result.count[l - 1];
       result.count[l] = below / children + (below % children != 0);
       result.first[l] = l == 1 ? 0 : result.first[l - 1] + result.count[l - 1];
-    } while (result.count[result.top] > most_at_top || result.top < 2);
+    } while (result.count[result.top] > at_top || result.top < 2);
     return result;
   }
   CATENA_HD std::uint32_t nodes() const { return first[top] + count[top]; }

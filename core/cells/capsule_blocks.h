@@ -109,6 +109,15 @@ struct CapsuleBlocks {
     return result;
   }
 
+  /// For a search that asks the cells about every block, which are all to be told of as tangled.
+  static CapsuleBlocks in_cells_alone(const ChainView& chain, std::uint32_t crowd, float scale) {
+    return of(chain, crowd, scale, 0, 0, 0);
+  }
+  /// For a search that asks the tree alone: no block has partners, and none is crowded.
+  static CapsuleBlocks in_tree_alone(const ChainView& chain, float scale) {
+    return of(chain, most_partners, scale, 0, ~std::uint64_t{0}, 0);
+  }
+
   CATENA_HD Sphere scaled(const Sphere& s) const {
     return {s.x * scale, s.y * scale, s.z * scale, s.radius * scale};
   }

@@ -62,6 +62,16 @@ class BlockComparison {
     compare_two<Tests>(b < other ? b : other, b < other ? other : b, sink);
   }
 
+  /// Two blocks that may meet, a < b; tells as compare() does.
+  template <class Tests, class Sink>
+  CATENA_HD void compare_two(std::uint32_t a, std::uint32_t b, Sink& sink) const {
+    const auto first = spheres(a), second = spheres(b);
+    const std::uint32_t near_a = near(a, first, blocks_.capsule[b]);
+    if constexpr (listens<Sink>) sink.met(a, near_a, b, near(b, second, blocks_.capsule[a]));
+    if (near_a == 0) return;
+    compare_spheres<Tests>(a, first, near_a, b, second, near(b, second, blocks_.capsule[a]), sink);
+  }
+
  private:
   template <class Sink>
   static constexpr bool listens = requires(Sink sink) {
@@ -104,15 +114,6 @@ class BlockComparison {
     }
   }
 
-  /// Blocks a < b.
-  template <class Tests, class Sink>
-  CATENA_HD void compare_two(std::uint32_t a, std::uint32_t b, Sink& sink) const {
-    const auto first = spheres(a), second = spheres(b);
-    const std::uint32_t near_a = near(a, first, blocks_.capsule[b]);
-    if constexpr (listens<Sink>) sink.met(a, near_a, b, near(b, second, blocks_.capsule[a]));
-    if (near_a == 0) return;
-    compare_spheres<Tests>(a, first, near_a, b, second, near(b, second, blocks_.capsule[a]), sink);
-  }
   template <class Tests, class Sink>
   CATENA_HD void compare_within(std::uint32_t b, Sink& sink) const {
     const auto all = spheres(b);

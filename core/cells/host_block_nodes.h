@@ -11,8 +11,8 @@ namespace catena {
 class HostBlockNodes {
  public:
   /// Over blocks whose capsules are known, of which there is one.
-  const BlockNodes& fit(const CapsuleBlocks& blocks) {
-    nodes_ = BlockNodes::over(blocks.blocks);
+  const BlockNodes& fit(const CapsuleBlocks& blocks, std::uint32_t at_top = BlockNodes::most_at_top) {
+    nodes_ = BlockNodes::over(blocks.blocks, at_top);
     quarter_.resize(BlockNodes::quarters * std::size_t{nodes_.nodes()});
     nodes_.quarter = quarter_.data();
     const NodeMeeting meeting(nodes_, blocks);
@@ -21,6 +21,7 @@ class HostBlockNodes {
         nodes_.put(level, k, meeting.fit(HostOctet(), level, k));
     return nodes_;
   }
+  const BlockNodes& nodes() const { return nodes_; }
 
  private:
   BlockNodes nodes_{};

@@ -40,6 +40,8 @@ class BlockMeeting {
     blocks_.shape[b] |= CapsuleBlocks::is_tangled;
     set_bits(&blocks_.state->listed, 1);
   }
+  /// The same where the tree is not asked: all are looked for in cells.
+  CATENA_HD void tell_tangled(std::uint32_t b) const { tell(b, true, 0); }
 
   /// Step 4, for each block where tangled ones are put into cells.
   CATENA_HD void enter(std::uint32_t b) const {

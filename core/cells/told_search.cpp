@@ -22,19 +22,19 @@ struct TellingCells : LaneSink {
 
 }  // namespace
 
-ToldSearch::ToldSearch(const ChainView& chain, const CapsuleBlocks* blocks, const PlacedCells& cells)
+ToldCells::ToldCells(const ChainView& chain, const CapsuleBlocks* blocks, const PlacedCells& cells)
     : chain_(chain), blocks_(blocks), cells_(cells) {
   std::uint32_t next = chain.size;
   if (blocks != nullptr && !blocks->all_crowded) next = block_nodes_.emplace(chain, *blocks, next).end_id();
   trees_.emplace(cells.trees(chain, next));
 }
 
-void ToldSearch::show(BoundsVisitor& visitor) const {
+void ToldCells::show(BoundsVisitor& visitor) const {
   if (block_nodes_) block_nodes_->show(visitor);
   trees_->show(visitor);
 }
 
-void ToldSearch::search(PairCollector::Lane& lane, EvidenceSink& to) const {
+void ToldCells::search(PairCollector::Lane& lane, EvidenceSink& to) const {
   with_tests_for<Robust>(chain_, [&](auto tests) {
     using Tests = decltype(tests);
     if (block_nodes_) {
@@ -46,6 +46,20 @@ void ToldSearch::search(PairCollector::Lane& lane, EvidenceSink& to) const {
     CellsEvidence evidence(chain_, *trees_, to);
     TellingCells sink{{lane}, evidence};
     cells_.search<Tests>(chain_, sink);
+    evidence.rest();
+  });
+}
+
+ToldTree::ToldTree(const ChainView& chain, const CapsuleBlocks& blocks, const BlockNodes& nodes)
+    : chain_(chain), blocks_(blocks), nodes_(nodes), shown_(chain, blocks, chain.size) {}
+
+void ToldTree::show(BoundsVisitor& visitor) const { shown_.show(visitor); }
+
+void ToldTree::search(PairCollector::Lane& lane, EvidenceSink& to) const {
+  with_tests_for<Robust>(chain_, [&](auto tests) {
+    CapsuleEvidence evidence(chain_, blocks_, shown_, to);
+    TellingBlocks sink{{lane}, evidence};
+    compare_blocks_in_tree<decltype(tests)>(chain_, nodes_, blocks_, sink);
     evidence.rest();
   });
 }

@@ -2,6 +2,10 @@
 #include <limits>
 
 #include "catena/core/arithmetic/in_range.h"
+#include "catena/core/blocks/block_layout.h"
+#include "catena/core/cells/host_block_nodes.h"
+#include "catena/core/cells/host_blocks.h"
+#include "catena/core/cells/host_comparison.h"
 #include "catena/core/cells/told_search.h"
 #include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
@@ -94,7 +98,7 @@ class FaultyHashedCells : public HostSearch, public EvidenceNodes {
   using Base = FaultyHashedCells;
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
-    if (built()) ToldSearch(chain.view(), nullptr, placed_).show(visitor);
+    if (built()) ToldCells(chain.view(), nullptr, placed_).show(visitor);
   }
 
  private:
@@ -110,7 +114,7 @@ class FaultyHashedCells : public HostSearch, public EvidenceNodes {
     with_tests_for<Robust>(chain, [&](auto tests) { placed_.search<decltype(tests)>(chain, sink); });
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
-    ToldSearch(chain, nullptr, placed_).search(lane, sink);
+    ToldCells(chain, nullptr, placed_).search(lane, sink);
   }
 
   HostSphereCells cells_;
@@ -136,6 +140,57 @@ class CoarsestLost final : public FaultyHashedCells {
 };
 const RegisterMutant<CoarsestLost> coarsest{"hashed-cells-forget-the-coarsest",
                                             "levels counted from one, and the first is number nought"};
+
+/// DeviceTree's twin, its boxes tampered with after they were fitted.
+class FaultyBlockTree : public HostSearch, public EvidenceNodes {
+ public:
+  using Base = FaultyBlockTree;
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built() && any()) ToldTree(chain.view(), blocks_.blocks(), nodes_.nodes()).show(visitor);
+  }
+
+ private:
+  virtual void tamper(NodeBox&) {}
+  bool any() const { return blocks_.blocks().blocks > 0; }
+
+  void construct(const ChainView& chain) override {
+    const CapsuleBlocks& all =
+        blocks_.enclose(chain, CapsuleBlocks::in_tree_alone(chain, block_scale(chain.extent)));
+    if (!any()) return;
+    const BlockNodes& nodes = nodes_.fit(all, BlockNodes::children);
+    for (std::uint32_t k = 0; k < nodes.count[1]; ++k) {
+      NodeBox box = nodes.box(1, k);
+      tamper(box);
+      nodes.put(1, k, box);
+    }
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    LaneSink sink{collector.lane(0)};
+    with_tests_for<Robust>(chain, [&](auto tests) {
+      if (any()) compare_blocks_in_tree<decltype(tests)>(chain, nodes_.nodes(), blocks_.blocks(), sink);
+    });
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    if (any()) ToldTree(chain, blocks_.blocks(), nodes_.nodes()).search(lane, sink);
+  }
+
+  HostBlocks blocks_;
+  HostBlockNodes nodes_;
+};
+
+class HalfABox final : public FaultyBlockTree {
+  void tamper(NodeBox& box) override { box.half[0] *= 0.5f; }
+};
+const RegisterMutant<HalfABox> shortened{"block-tree-box-too-short",
+                                         "boxes of nodes half as long as they are"};
+
+/// All nodes are taken for stretches that cannot touch themselves.
+class AllInARow final : public FaultyBlockTree {
+  void tamper(NodeBox& box) override { box.in_a_row = 1; }
+};
+const RegisterMutant<AllInARow> in_a_row{"block-tree-always-in-a-row",
+                                         "children that are taken to follow one another along the box"};
 
 }  // namespace
 }  // namespace catena::properties

@@ -54,10 +54,11 @@ inline void expect_exact(const Chain& chain, const std::string& what, bool with_
     if (info.name.starts_with("DeviceHybrid"))
       for (const char* p :
            {"(least=0)", "(least=0,cells=0)", "(least=0,crowd=0)", "(least=0,cells=0,crowd=0)",
-            "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,cells=4194304)",
-            "(least=0,survey=0)",
+            "(least=0,crowd=2)", "(least=0,cells=0,crowd=2)", "(least=0,cells=4194304)", "(least=0,survey=0)",
             "(least=0,cells=0,survey=0)", "(least=0,cells=0,crowd=2,survey=0)"})
         names.push_back(info.name + p);
+    if (info.name.starts_with("DeviceCapsules"))
+      for (const char* p : {"(crowd=0)", "(crowd=2)"}) names.push_back(info.name + p);
     for (const std::string& name : names) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;

@@ -1,0 +1,75 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "catena/core/arithmetic/in_range.h"
+#include "catena/core/blocks/block_layout.h"
+#include "catena/core/cells/host_blocks.h"
+#include "catena/core/cells/host_comparison.h"
+#include "catena/core/cells/host_sphere_cells.h"
+#include "catena/core/cells/told_search.h"
+#include "catena/core/executor/host_search.h"
+#include "catena/core/strategy/evidence_nodes.h"
+#include "catena/core/strategy/range_checks.h"
+
+namespace catena {
+
+/// Capsules of 32 consecutive spheres, tangled ones in cells and crowded ones left to the grid of spheres:
+/// the steps of a device's search run on the host, one after the other, warps emulated. Who derives says how
+/// blocks are laid out and what is tangled.
+template <class Arithmetic>
+class HostCapsuleSearch : public HostSearch, public EvidenceNodes {
+ public:
+  Plan plan() const override {
+    Plan plan = range_checks_plan<Arithmetic>(in_range_);
+    const CapsuleBlocks& all = blocks_.blocks();
+    std::uint32_t crowded = all.all_crowded ? all.blocks : 0, tangled = 0;
+    for (std::uint32_t b = 0; built() && !all.all_crowded && b < all.blocks; ++b)
+      crowded += all.crowded(b), tangled += all.tangled(b);
+    plan.push_back({"capsules in cells", tangled == 0,
+                    fmt::format("{} of {} blocks of 32 spheres are tangled", tangled, all.blocks)});
+    plan.push_back({"grid of spheres", crowded == 0,
+                    fmt::format("{} of {} blocks of 32 spheres are crowded", crowded, all.blocks)});
+    return plan;
+  }
+
+  Accounting evidence() const override { return Accounting::each_pair; }
+  void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
+    if (built()) ToldCells(chain.view(), &blocks_.blocks(), cells_.placed()).show(visitor);
+  }
+
+ protected:
+  /// How blocks of a chain are laid out, at `scale`.
+  virtual CapsuleBlocks laid_out(const ChainView& chain, float scale) const = 0;
+  /// Tells of every block, of which there is one and whose capsules are known, whom it meets, or that it is
+  /// tangled (BlockMeeting::tell).
+  virtual void tell(const CapsuleBlocks& blocks) = 0;
+
+ private:
+  void construct(const ChainView& chain) override {
+    const CapsuleBlocks& all = blocks_.enclose(chain, laid_out(chain, block_scale(chain.extent)));
+    if (all.all_crowded) return cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
+    if (all.blocks > 0) tell(all);
+    blocks_.meet_in_cells();
+    cells_.build(chain, all.crowded_spheres(),
+                 [&](std::uint32_t i) { return all.crowded(i / CapsuleBlocks::block); });
+  }
+  void search(const ChainView& chain, PairCollector& collector) override {
+    LaneSink sink{collector.lane(0)};
+    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+      compare_blocks<decltype(tests)>(chain, blocks_.blocks(), sink);
+      cells_.placed().search<decltype(tests)>(chain, sink);
+    });
+    in_range_ = in_range<Arithmetic>(chain);
+  }
+  void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
+    ToldCells(chain, &blocks_.blocks(), cells_.placed()).search(lane, sink);
+  }
+
+  HostBlocks blocks_;
+  HostSphereCells cells_;
+  bool in_range_ = false;
+};
+
+}  // namespace catena
