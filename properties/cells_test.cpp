@@ -150,7 +150,7 @@ TEST(Cells, HaveATreeOfAnySize) {
   }
 }
 
-/// Strands side by side, each sphere of which touches the one beside it, in a tree of six levels: each block
+/// Strands side by side, each sphere of which touches the one beside it, in a tree of five levels: each block
 /// meets what lies at the far end of the chain, and between them much that it does not meet.
 TEST(Cells, FindWhatLiesFarDownADeepTree) {
   constexpr std::uint32_t each = 9001 * block + 7, strands = 3;
@@ -159,7 +159,7 @@ TEST(Cells, FindWhatLiesFarDownADeepTree) {
     for (std::uint32_t k = 0; k < each; ++k)
       spheres.push_back({1.5f * static_cast<float>(k), 1.875f * static_cast<float>(s), 0, 1});
   const Chain chain(std::move(spheres), Strands{{0, each, 2 * each, 3 * each}, {}});
-  EXPECT_EQ(BlockNodes::over(CapsuleBlocks::blocks_of(chain.size()), BlockNodes::children).top, 5u);
+  EXPECT_EQ(BlockNodes::over(CapsuleBlocks::blocks_of(chain.size()), BlockNodes::children).top, 4u);
   std::vector<Pair> expected;
   for (std::uint32_t i = 0; i < (strands - 1) * each; ++i) expected.push_back({i, i + each});
   EXPECT_TRUE(answer_of("DeviceTree@host", chain).pairs == expected);
