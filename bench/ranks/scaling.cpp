@@ -31,7 +31,7 @@ ScalingPoint measure(const Chain& chain, unsigned ranks, const ScalingOptions& a
     point.most_spheres = std::max(point.most_spheres, work[rank].spheres);
     point.most_partners = std::max(point.most_partners, across.partners);
     point.most_rounds = std::max(point.most_rounds, across.rounds);
-    point.boxes_seen += across.boxes_seen;
+    point.blocks_told += across.blocks_told;
     point.blocks_asked += across.blocks_asked;
     point.blocks_touching += across.blocks_touching;
     point.most_blocks_asked = std::max(point.most_blocks_asked, across.blocks_asked);
@@ -98,7 +98,7 @@ nlohmann::ordered_json to_json(const Scaling& scaling) {
                               {"most_spheres", p.most_spheres},
                               {"most_partners", p.most_partners},
                               {"most_rounds", p.most_rounds},
-                              {"boxes_seen", p.boxes_seen},
+                              {"blocks_told", p.blocks_told},
                               {"blocks_asked", p.blocks_asked},
                               {"blocks_touching", p.blocks_touching},
                               {"most_blocks_asked", p.most_blocks_asked},

@@ -18,7 +18,7 @@ struct ScalingPoint {
   std::uint64_t most_spheres = 0;   ///< of a rank
   std::uint64_t most_partners = 0;  ///< ranks that one asks
   std::uint64_t most_rounds = 0;
-  std::uint64_t boxes_seen = 0;       ///< of blocks, by all ranks together
+  std::uint64_t blocks_told = 0;      ///< that ranks were told of, all together
   std::uint64_t blocks_asked = 0;     ///< likewise
   std::uint64_t blocks_touching = 0;  ///< likewise: no exchange can do with fewer
   std::uint64_t most_blocks_asked = 0;

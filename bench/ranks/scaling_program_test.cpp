@@ -34,7 +34,7 @@ TEST_F(ScalingProgram, TellsWhatWasCounted) {
                                                    {"most_spheres", p.most_spheres},
                                                    {"most_partners", p.most_partners},
                                                    {"most_rounds", p.most_rounds},
-                                                   {"boxes_seen", p.boxes_seen},
+                                                   {"blocks_told", p.blocks_told},
                                                    {"blocks_asked", p.blocks_asked},
                                                    {"blocks_touching", p.blocks_touching},
                                                    {"most_blocks_asked", p.most_blocks_asked},
@@ -44,7 +44,7 @@ TEST_F(ScalingProgram, TellsWhatWasCounted) {
                                                    {"most_messages", p.most_messages},
                                                    {"pairs_across", p.pairs_across}}));
       EXPECT_GE(p.most_spheres, (3000 + p.ranks - 1) / p.ranks) << "of the rank that has most";
-      EXPECT_GE(p.boxes_seen, p.blocks_asked);
+      EXPECT_GE(p.blocks_told, p.blocks_asked);
       EXPECT_GE(p.most_blocks_asked * p.ranks, p.blocks_asked);
       EXPECT_LE(p.most_blocks_asked, p.blocks_asked);
       EXPECT_GT(p.bytes, p.messages) << "a message has some bytes";
@@ -87,7 +87,7 @@ TEST(ScalingPoint, IsTheSumAndTheMostOfWhatEachRankCounted) {
       EXPECT_EQ(p.most_spheres, most(work, [](const RankWork& w) { return w.spheres; }));
       EXPECT_EQ(p.most_partners, most(work, [](const RankWork& w) { return w.across.partners; }));
       EXPECT_EQ(p.most_rounds, most(work, [](const RankWork& w) { return w.across.rounds; }));
-      EXPECT_EQ(p.boxes_seen, sum(work, [](const RankWork& w) { return w.across.boxes_seen; }));
+      EXPECT_EQ(p.blocks_told, sum(work, [](const RankWork& w) { return w.across.blocks_told; }));
       EXPECT_EQ(p.blocks_touching, sum(work, [](const RankWork& w) { return w.across.blocks_touching; }));
       EXPECT_EQ(p.blocks_asked, sum(work, asked));
       EXPECT_EQ(p.most_blocks_asked, most(work, asked));

@@ -19,7 +19,7 @@ class Source {
  public:
   Source(const HeldPart& part, const Border& border) : part_(part), border_(border) {}
 
-  /// To each question, with no more boxes in all than `at_once`, but one to each.
+  /// To each question, telling of no more blocks in all than `at_once`, but one to each.
   std::vector<Message> answer(std::vector<Message> questions, std::uint32_t at_once) {
     std::uint64_t left = 0;
     for (const Message& question : questions) left += left_for(question.rank);
@@ -33,8 +33,8 @@ class Source {
     return static_cast<std::uint32_t>(border_.told(asker).size() - next_[asker]);
   }
 
-  /// The blocks that were asked for, then boxes of the next that touch the asker's top, at most `allowance`;
-  /// before them how many are left then.
+  /// The blocks that were asked for, then the next to be told of, at most `allowance`; before them how many
+  /// are left then.
   Bytes answer(unsigned asker, const Bytes& question, std::uint32_t allowance) {
     ByteReader in(question);
     const std::uint32_t most = std::min(in.get<std::uint32_t>(), allowance);
@@ -44,10 +44,10 @@ class Source {
     put_blocks(out, part_, blocks);
     const std::span<const std::uint32_t> told = border_.told(asker);
     std::size_t& next = next_[asker];
-    std::vector<BlockBox> boxes;
-    for (; next < told.size() && boxes.size() < most; ++next)
-      boxes.push_back({told[next], border_.boxes().box(told[next])});
-    out.put(left_for(asker)).put_list(boxes);
+    std::vector<ToldBlock> more;
+    for (; next < told.size() && more.size() < most; ++next)
+      more.push_back(ToldBlock::around(told[next], border_.spheres(told[next])));
+    out.put(left_for(asker)).put_list(more);
     return out.take();
   }
 
@@ -60,7 +60,7 @@ class Source {
 struct Question {
   unsigned rank;
   std::uint32_t compared;               ///< of the asker's own blocks: see Border::compared
-  std::uint64_t left;                   ///< boxes to come; at first a guess, not 0
+  std::uint64_t left;                   ///< blocks to be told of; at first a guess, not 0
   std::vector<std::uint32_t> wanted{};  ///< blocks of it
 
   bool open() const { return left > 0 || !wanted.empty(); }
@@ -106,9 +106,9 @@ class Asker {
       work_.blocks_asked += question.wanted.size();
       question.wanted.clear();
       question.left = in[k].get<std::uint32_t>();
-      const auto boxes = in[k].get_list<BlockBox>();
-      work_.boxes_seen += boxes.size();
-      may_touch_border(border_, boxes, question.compared, question.wanted);
+      const auto told = in[k].get_list<ToldBlock>();
+      work_.blocks_told += told.size();
+      may_touch_border(border_, told, question.compared, question.wanted);
     }
   }
 

@@ -28,18 +28,18 @@ struct AcrossWork {
   std::uint64_t partners = 0;  ///< ranks that it asked
   std::uint64_t rounds = 0;
   std::uint64_t border = 0;           ///< its own blocks that touch the top of another rank
-  std::uint64_t boxes_seen = 0;       ///< of blocks of others that touch its top
-  std::uint64_t blocks_asked = 0;     ///< whose boxes touch a sphere of its own
+  std::uint64_t blocks_told = 0;      ///< blocks of others that it was told of, as they touch its top
+  std::uint64_t blocks_asked = 0;     ///< whose capsules touch a sphere of its own
   std::uint64_t blocks_touching = 0;  ///< of these, those of which a sphere touches one of its own
 };
 
 /// Every pair that collides and whose spheres are held by two ranks, by one of the two. All tell the tops of
 /// their trees. Of two ranks that may touch, each asks the other, so that both compare about half: the lower
 /// one about every other stripe of those blocks of the higher one that touch its top, the higher one on
-/// behalf of the other stripes. In rounds: it gets the boxes of the other's blocks that touch its top, asks
-/// for the blocks whose boxes touch a sphere of its own, and compares their spheres. A round brings no rank
-/// more, and takes none from it, than `blocks_at_once`. Adds to `counted`, for spheres of the part and of
-/// others, and to `kept`.
+/// behalf of the other stripes. In rounds: it is told of the other's blocks that touch its top (ToldBlock),
+/// asks for those whose capsules touch a sphere of its own, and compares their spheres. A round brings no
+/// rank more, and takes none from it, than `blocks_at_once`. Adds to `counted`, for spheres of the part and
+/// of others, and to `kept`.
 AcrossWork search_across(Communicator& ranks, const HeldPart& part, const AcrossOptions& options,
                          std::vector<Counted>& counted, KeptPairs& kept);
 

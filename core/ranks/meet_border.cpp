@@ -150,14 +150,19 @@ std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far
   return met;
 }
 
-void may_touch_border_here(const Border& border, std::span<const ranks::BlockBox> boxes,
+void may_touch_border_here(const Border& border, std::span<const ranks::ToldBlock> told,
                            std::uint32_t compared, std::vector<std::uint32_t>& blocks) {
   const ComparedBoxes own(border.boxes(), compared);
-  for (const ranks::BlockBox& told : boxes)
-    if (own.any_meeting(told.box, [&](std::uint32_t b) HWY_ATTR {
-          return (boxes_meeting(border.eight(b), told.box) & lane_bits(border.blocks()[b].size)) != 0;
-        }))
-      blocks.push_back(told.block);
+  for (const ranks::ToldBlock& block : told) {
+    const Box box = block.box();
+    const auto may_touch = [&](std::uint32_t b) HWY_ATTR {
+      std::uint32_t near = boxes_meeting(border.eight(b), box) & lane_bits(border.blocks()[b].size);
+      for (; near != 0; near &= near - 1)
+        if (block.may_touch(border.eight(b)[std::countr_zero(near)])) return true;
+      return false;
+    };
+    if (own.any_meeting(box, may_touch)) blocks.push_back(block.block);
+  }
 }
 
 }  // namespace catena::HWY_NAMESPACE
@@ -176,9 +181,9 @@ std::uint64_t meet_border(const Border& border, const FarBlocks& far, std::uint6
   return HWY_DYNAMIC_DISPATCH(meet_border_here)(border, far, most, far_block, meetings);
 }
 
-void may_touch_border(const Border& border, std::span<const BlockBox> boxes, std::uint32_t compared,
+void may_touch_border(const Border& border, std::span<const ToldBlock> told, std::uint32_t compared,
                       std::vector<std::uint32_t>& blocks) {
-  HWY_DYNAMIC_DISPATCH(may_touch_border_here)(border, boxes, compared, blocks);
+  HWY_DYNAMIC_DISPATCH(may_touch_border_here)(border, told, compared, blocks);
 }
 
 }  // namespace ranks

@@ -5,6 +5,7 @@
 
 #include "catena/core/ranks/block_message.h"
 #include "catena/core/ranks/border.h"
+#include "catena/core/ranks/told_block.h"
 
 namespace catena::ranks {
 
@@ -23,15 +24,8 @@ struct Meeting {
 std::uint64_t meet_border(const Border& border, const FarBlocks& far, std::uint64_t most,
                           std::uint32_t& far_block, LargeVector<Meeting>& meetings);
 
-/// A block of another rank, by its number there.
-struct BlockBox {
-  std::uint32_t block;
-  Box box;
-};
-
-/// Appends those that may touch a sphere of the border's blocks whose numbers have all bits of `compared`:
-/// the box around such a sphere meets theirs.
-void may_touch_border(const Border& border, std::span<const BlockBox> boxes, std::uint32_t compared,
+/// Appends those that may touch a sphere of the border's blocks whose numbers have all bits of `compared`.
+void may_touch_border(const Border& border, std::span<const ToldBlock> told, std::uint32_t compared,
                       std::vector<std::uint32_t>& blocks);
 
 }  // namespace catena::ranks

@@ -78,14 +78,16 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
             EXPECT_TRUE(may.contains({f, b, static_cast<int>(8 * k + j)})) << f << ' ' << b;
           }
       const std::uint32_t compared = std::bit_floor(b);
-      const BlockBox told[] = {{7, box}};
+      const ToldBlock told[] = {ToldBlock::around(7, theirs)};
       std::vector<std::uint32_t> touching;
       may_touch_border(border, told, compared, touching);
+      const Box told_box = told[0].box();
       EXPECT_EQ(!touching.empty(), [&] {
         for (std::uint32_t c = 0; c < border.blocks().size(); ++c)
           if ((c & compared) == compared)
             for (const Sphere& s : part.spheres(border.blocks()[c]))
-              if (border.boxes().box(c).meets(box) && MeetsBox(box)(s)) return true;
+              if (border.boxes().box(c).meets(told_box) && MeetsBox(told_box)(s) && told[0].may_touch(s))
+                return true;
         return false;
       }());
       if (touches) {

@@ -66,7 +66,7 @@ TEST(RankWork, IsTheSameInRoundsOfAnySize) {
         const Searched parts = searched(ranks, yarn, {.order = order, .blocks_at_once = at_once});
         for (unsigned r = 0; r < ranks; ++r) {
           const AcrossWork &a = whole.work[r].across, &b = parts.work[r].across;
-          EXPECT_EQ(a.boxes_seen, b.boxes_seen) << ranks << ' ' << at_once;
+          EXPECT_EQ(a.blocks_told, b.blocks_told) << ranks << ' ' << at_once;
           EXPECT_EQ(a.blocks_asked, b.blocks_asked) << ranks << ' ' << at_once;
           EXPECT_EQ(a.blocks_touching, b.blocks_touching) << ranks << ' ' << at_once;
           EXPECT_GE(b.rounds, a.rounds);

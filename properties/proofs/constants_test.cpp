@@ -43,21 +43,14 @@ std::string statement_of(const std::string& script) {
 /// changes a script reads its comment again, and stores the new one.
 TEST(Proofs, ProveWhatTheyWereReadToProve) {
   const std::map<std::string, std::string> read{
-      {"axis_box_binary32.g", "2a3445e610768223"},
-      {"block_capsule_binary32.g", "cba820f6cde23848"},
-      {"capsule_binary32.g", "3ce1d325c3d84507"},
-      {"capsule_rows.g", "91608bf45fce4200"},
-      {"cell_rows.g", "4f247407c14b81cc"},
-      {"dot_binary32.g", "58b32e0a1f9400d2"},
-      {"excess_binary32.g", "bada2670aa5c189a"},
-      {"grid_cells.g", "81c75dc600dbefad"},
-      {"open_pairs.g", "831855ff8736944e"},
-      {"oriented_box_binary32.g", "f4f66b6c4c73db15"},
-      {"overlap_binary32.g", "115c10c506635d20"},
-      {"overlap_binary64.g", "d45b391f94e8c5ed"},
-      {"parent_binary32.g", "5717fde13972b4cd"},
-      {"parent_binary64.g", "91aded3b4008b0c4"},
-      {"rotation_binary64.g", "6acf2baf73d3fabd"},
+      {"axis_box_binary32.g", "2a3445e610768223"}, {"block_capsule_binary32.g", "cba820f6cde23848"},
+      {"capsule_binary32.g", "3ce1d325c3d84507"},  {"capsule_rows.g", "91608bf45fce4200"},
+      {"cell_rows.g", "4f247407c14b81cc"},         {"dot_binary32.g", "58b32e0a1f9400d2"},
+      {"excess_binary32.g", "bada2670aa5c189a"},   {"grid_cells.g", "81c75dc600dbefad"},
+      {"open_pairs.g", "831855ff8736944e"},        {"oriented_box_binary32.g", "f4f66b6c4c73db15"},
+      {"overlap_binary32.g", "115c10c506635d20"},  {"overlap_binary64.g", "d45b391f94e8c5ed"},
+      {"parent_binary32.g", "5717fde13972b4cd"},   {"parent_binary64.g", "91aded3b4008b0c4"},
+      {"rotation_binary64.g", "6acf2baf73d3fabd"}, {"told_block_binary64.g", "42df00df8c287b71"},
   };
   std::map<std::string, std::string> found;
   for (const auto& file : std::filesystem::directory_iterator(CATENA_SOURCE_DIR "/properties/proofs"))
@@ -143,6 +136,11 @@ TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
   expect_covered("core/grid/bucket_map.h", "grid_cells.g",
                  {{"cell_slack = 0x1p-16;", "cell_slack = 2^-16", "(1 - 1b-16)"},
                   {"far_cell = 0x1p25;", "far_cell = 2^25", "|V| <= 33554433"}});
+}
+
+TEST(Proofs, AreAboutTheConstantsOfToldBlocks) {
+  expect_covered("core/ranks/told_block.cpp", "told_block_binary64.g",
+                 {{"slack = 0x1p-40", "2^-40 (|A|1 + |T|1)", "1b-40 * sides"}});
 }
 
 TEST(Proofs, AreAboutTheConstantsOfKeptLists) {

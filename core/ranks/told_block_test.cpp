@@ -1,0 +1,96 @@
+#include "catena/core/ranks/told_block.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "catena/core/arithmetic/robust.h"
+#include "catena/core/hierarchy/box_around.h"
+
+namespace catena::ranks {
+namespace {
+
+/// Up to eight spheres along a line, bent a little or not at all, of radii alike or not, far from the origin
+/// or near it, of any size.
+std::vector<Sphere> some_block(std::mt19937& dice) {
+  std::uniform_real_distribution<float> unit(-1, 1);
+  const float scale = std::exp2(static_cast<float>(static_cast<int>(dice() % 200)) - 100),
+              step = dice() % 3 == 0 ? 0 : unit(dice), bend = dice() % 2 == 0 ? 0 : 0.2f,
+              far = dice() % 2 == 0 ? 0 : 100;
+  const float way[] = {unit(dice), unit(dice), unit(dice)}, from[] = {unit(dice), unit(dice), unit(dice)};
+  std::vector<Sphere> spheres;
+  const std::uint32_t size = 1 + dice() % 8;
+  const bool alike = dice() % 2 == 0;
+  for (std::uint32_t k = 0; k < size; ++k) {
+    const auto at = [&](int d) {
+      return scale * (from[d] + far + static_cast<float>(k) * step * way[d] + bend * unit(dice));
+    };
+    spheres.push_back({at(0), at(1), at(2), scale * (alike ? 0.5f : std::abs(unit(dice)))});
+  }
+  return spheres;
+}
+
+/// A sphere that touches one of these, or nearly so: its centre about as far away as both radii say.
+Sphere about_touching(std::mt19937& dice, const std::vector<Sphere>& block) {
+  std::normal_distribution<float> normal;
+  const Sphere& s = block[dice() % block.size()];
+  const float radius = s.radius * std::exp2(static_cast<float>(dice() % 12) - 6), x = normal(dice),
+              y = normal(dice), z = normal(dice), apart = (s.radius + radius) * (1 + 1e-7f * normal(dice)),
+              part = apart / std::sqrt(x * x + y * y + z * z);
+  return {s.x + part * x, s.y + part * y, s.z + part * z, radius};
+}
+
+TEST(ToldBlock, HoldsWhatTouchesASphereOfIt) {
+  std::mt19937 dice(5);
+  std::size_t touching = 0, left_out = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    const std::vector<Sphere> block = some_block(dice);
+    const ToldBlock told = ToldBlock::around(7, block);
+    const Box box = told.box();
+    for (const Sphere& s : block) {
+      EXPECT_TRUE(told.may_touch(s));
+      const Box of_sphere = Box::around(s);
+      EXPECT_TRUE(box.meets(of_sphere));
+    }
+    for (int k = 0; k < 8; ++k) {
+      const Sphere other = about_touching(dice, block);
+      bool touches = false;
+      for (const Sphere& s : block) touches = touches || Robust::overlap(s, other);
+      touching += touches, left_out += !told.may_touch(other);
+      if (touches) {
+        ASSERT_TRUE(told.may_touch(other) && box.meets(Box::around(other))) << round;
+      }
+    }
+  }
+  EXPECT_GT(touching, 40'000u);
+  EXPECT_GT(left_out, 10'000u);
+}
+
+/// Along a diagonal a box would be empty but for its diagonal.
+TEST(ToldBlock, LeavesOutWhatLiesBesideADiagonal) {
+  std::vector<Sphere> block;
+  for (int k = 0; k < 8; ++k)
+    block.push_back({1.0f * static_cast<float>(k), 1.0f * static_cast<float>(k), 0, 1});
+  const ToldBlock told = ToldBlock::around(0, block);
+  EXPECT_NEAR(told.radius, 1, 1e-6);
+  EXPECT_TRUE(box_around(block).meets(Box::around({6, 1, 0, 1})));
+  EXPECT_FALSE(told.may_touch({6, 1, 0, 1}));
+  EXPECT_TRUE(told.may_touch({4, 3, 0, 1}));
+  EXPECT_FALSE(told.may_touch({10, 10, 0, 1}));  // beyond the end
+  EXPECT_FALSE(told.may_touch({-3, -3, 0, 1}));  // before the first
+  EXPECT_TRUE(told.may_touch({8, 8, 0, 1}));
+}
+
+/// Where binary32 has no numbers for the radius all may touch.
+TEST(ToldBlock, MayTouchAllWhereItsRadiusIsInfinite) {
+  const float most = 3e38f;
+  const std::vector<Sphere> block{{-most, 0, 0, most}, {0, most, 0, most}, {most, -most, 0, most}};
+  const ToldBlock told = ToldBlock::around(0, block);
+  EXPECT_TRUE(told.may_touch({0, 0, most, 0}));
+  EXPECT_TRUE(told.box().meets(Box::around({most, most, most, 0})));
+}
+
+}  // namespace
+}  // namespace catena::ranks
