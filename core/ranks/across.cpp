@@ -44,9 +44,11 @@ class Source {
     put_blocks(out, part_, blocks);
     const std::span<const std::uint32_t> told = border_.told(asker);
     std::size_t& next = next_[asker];
+    const std::size_t now = std::min<std::size_t>(most, told.size() - next);
     std::vector<ToldBlock> more;
-    for (; next < told.size() && more.size() < most; ++next)
-      more.push_back(ToldBlock::around(told[next], border_.spheres(told[next])));
+    more.reserve(now);
+    tell_of_border(border_, told.subspan(next, now), more);
+    next += now;
     out.put(left_for(asker)).put_list(more);
     return out.take();
   }

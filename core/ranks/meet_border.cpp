@@ -13,6 +13,7 @@
 #include "catena/core/blocks/sphere_tiles-inl.h"
 #include "catena/core/hierarchy/box_around.h"
 #include "catena/core/ranks/meet_border.h"
+#include "catena/core/ranks/told_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace catena::HWY_NAMESPACE {
@@ -102,22 +103,6 @@ class ComparedBoxes {
   std::uint32_t lanes_[most_levels];
 };
 
-/// Which of eight spheres have a box around them, Box::around of each, that meets this one.
-HWY_INLINE std::uint32_t boxes_meeting(const Sphere* spheres, const Box& box) {
-  using Tag = Lanes8::Tag;
-  Lanes8 centre[3], radius;
-  for (std::size_t k = 0; k < Lanes8::parts; ++k)
-    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(spheres + k * Lanes8::width),
-                         centre[0].part[k], centre[1].part[k], centre[2].part[k], radius.part[k]);
-  Lanes8 step = Lanes8::all(0x1p-23f);
-  const auto axis = [&](int d) HWY_ATTR {
-    Lanes8 low = centre[d] - radius, high = centre[d] + radius;
-    return not_less(Lanes8::all(box.high[d]), low - abs(low) * step) &
-           not_less(high + abs(high) * step, Lanes8::all(box.low[d]));
-  };
-  return (axis(0) & axis(1) & axis(2)).bits();
-}
-
 }  // namespace
 
 std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far, std::uint64_t most,
@@ -155,13 +140,26 @@ void may_touch_border_here(const Border& border, std::span<const ranks::ToldBloc
   const ComparedBoxes own(border.boxes(), compared);
   for (const ranks::ToldBlock& block : told) {
     const Box box = block.box();
+    const ToldLanes capsule(block);
     const auto may_touch = [&](std::uint32_t b) HWY_ATTR {
-      std::uint32_t near = boxes_meeting(border.eight(b), box) & lane_bits(border.blocks()[b].size);
+      std::uint32_t near = capsule.may_touch(border.eight(b)) & lane_bits(border.blocks()[b].size);
       for (; near != 0; near &= near - 1)
         if (block.may_touch(border.eight(b)[std::countr_zero(near)])) return true;
       return false;
     };
     if (own.any_meeting(box, may_touch)) blocks.push_back(block.block);
+  }
+}
+
+void tell_of_border_here(const Border& border, std::span<const std::uint32_t> blocks,
+                         std::vector<ranks::ToldBlock>& told) {
+  for (const std::uint32_t b : blocks) {
+    const std::span<const Sphere> spheres = border.spheres(b);
+    ranks::ToldBlock block = ranks::ToldBlock::along(b, spheres);
+    block.radius = ToldLanes(block).holding(border.eight(b), static_cast<std::uint32_t>(spheres.size()));
+    constexpr float least = 0x1p-40f, most = 0x1p120f;
+    if (!(least < block.radius && block.radius < most)) block.hold(spheres);
+    told.push_back(block);
   }
 }
 
@@ -173,6 +171,7 @@ namespace catena {
 
 HWY_EXPORT(meet_border_here);
 HWY_EXPORT(may_touch_border_here);
+HWY_EXPORT(tell_of_border_here);
 
 namespace ranks {
 
@@ -184,6 +183,11 @@ std::uint64_t meet_border(const Border& border, const FarBlocks& far, std::uint6
 void may_touch_border(const Border& border, std::span<const ToldBlock> told, std::uint32_t compared,
                       std::vector<std::uint32_t>& blocks) {
   HWY_DYNAMIC_DISPATCH(may_touch_border_here)(border, told, compared, blocks);
+}
+
+void tell_of_border(const Border& border, std::span<const std::uint32_t> blocks,
+                    std::vector<ToldBlock>& told) {
+  HWY_DYNAMIC_DISPATCH(tell_of_border_here)(border, blocks, told);
 }
 
 }  // namespace ranks

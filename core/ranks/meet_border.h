@@ -28,4 +28,8 @@ std::uint64_t meet_border(const Border& border, const FarBlocks& far, std::uint6
 void may_touch_border(const Border& border, std::span<const ToldBlock> told, std::uint32_t compared,
                       std::vector<std::uint32_t>& blocks);
 
+/// Appends what another rank is told of these blocks of the border.
+void tell_of_border(const Border& border, std::span<const std::uint32_t> blocks,
+                    std::vector<ToldBlock>& told);
+
 }  // namespace catena::ranks

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -78,7 +81,8 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
             EXPECT_TRUE(may.contains({f, b, static_cast<int>(8 * k + j)})) << f << ' ' << b;
           }
       const std::uint32_t compared = std::bit_floor(b);
-      const ToldBlock told[] = {ToldBlock::around(7, theirs)};
+      ToldBlock told[] = {ToldBlock::along(7, theirs)};
+      told[0].hold(theirs);
       std::vector<std::uint32_t> touching;
       may_touch_border(border, told, compared, touching);
       const Box told_box = told[0].box();
@@ -99,6 +103,91 @@ void expect_all_met(const HeldPart& part, const Border& border, const FarBlocks&
   EXPECT_EQ(met, boxes);
 }
 
+/// What a rank is told of blocks holds their spheres, as binary64 has it, and not much more.
+void expect_told_as_they_are(const Border& border) {
+  std::vector<std::uint32_t> all(border.blocks().size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<ToldBlock> told;
+  tell_of_border(border, all, told);
+  ASSERT_EQ(told.size(), all.size());
+  for (const std::uint32_t b : all) {
+    ToldBlock expected = ToldBlock::along(b, border.spheres(b));
+    expected.hold(border.spheres(b));
+    EXPECT_EQ(told[b].block, b);
+    for (int d = 0; d < 3; ++d) {
+      EXPECT_EQ(told[b].first[d], expected.first[d]);
+      EXPECT_EQ(told[b].last[d], expected.last[d]);
+    }
+    EXPECT_GE(told[b].radius, expected.radius * (1 - 0x1p-23f)) << b;
+    EXPECT_LE(told[b].radius, expected.radius * 1.01f) << b;
+  }
+}
+
+/// Pairs of strands of up to eight spheres, of which those of one rank touch those of the other, or nearly
+/// so: both tell of blocks, and ask for them, as if each were compared with each in exact arithmetic.
+TEST(MeetBorder, AsksForEveryBlockThatTouchesAtAnyScale) {
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    for (const int exponent : {-120, -60, -45, -30, -18, 0, 13, 40, 62, 100}) {
+      std::size_t touching = 0;
+      run_in_threads(2, [&](Communicator& ranks) {
+        std::mt19937 dice(11);  // the same for both, who keep a half each
+        std::normal_distribution<float> normal;
+        const float scale = std::exp2(static_cast<float>(exponent));
+        Part part;
+        for (std::uint32_t k = 0; k < 200; ++k) {
+          const float way[] = {normal(dice), normal(dice), normal(dice)},
+                      from[] = {60 * normal(dice), 60 * normal(dice), 60 * normal(dice)};
+          std::vector<Sphere> spheres;
+          const std::uint32_t size = 1 + dice() % 8;
+          for (std::uint32_t j = 0; j < size; ++j) {
+            const auto at = [&](int d) { return from[d] + static_cast<float>(j) * way[d]; };
+            spheres.push_back({at(0), at(1), at(2), 0.5f});
+          }
+          const Sphere near = spheres[dice() % size];
+          const float x = normal(dice), y = normal(dice), z = normal(dice),
+                      apart = (1 + 1e-6f * normal(dice)) / std::sqrt(x * x + y * y + z * z);
+          if (ranks.rank() == 1)
+            spheres = {{near.x + apart * x, near.y + apart * y, near.z + apart * z, 0.5f}};
+          const auto count = static_cast<std::uint32_t>(spheres.size());
+          const SphereId first = (SphereId{ranks.rank()} << 32) + 16 * k;
+          part.pieces.push_back(
+              {first, static_cast<std::uint32_t>(part.spheres.size()), count, {first, count, 0, 0, first}});
+          for (const Sphere& s : spheres)
+            part.spheres.push_back({s.x * scale, s.y * scale, s.z * scale, s.radius * scale});
+        }
+        const HeldPart held(std::move(part));
+        const Border border(ranks, held);
+        std::vector<std::uint32_t> all(border.blocks().size()), asked;
+        std::iota(all.begin(), all.end(), 0u);
+        std::vector<ToldBlock> told;
+        tell_of_border(border, all, told);
+        ByteWriter out, spheres;
+        put_blocks(spheres, held, border.blocks());
+        const auto messages = ranks.exchange({{1 - ranks.rank(), out.put_list(told).take()}});
+        const auto theirs = ranks.exchange({{1 - ranks.rank(), spheres.take()}});
+        ByteReader in(messages[0].bytes), blocks(theirs[0].bytes);
+        const auto told_by_other = in.get_list<ToldBlock>();
+        may_touch_border(border, told_by_other, 0, asked);
+        FarBlocks far;
+        far.take(blocks, held.rule(), 0);
+        for (std::uint32_t f = 0; f < far.blocks(); ++f) {
+          bool touches = false;
+          for (const std::uint32_t b : all)
+            for (const Sphere& own : border.spheres(b))
+              for (const Sphere& other : far.spheres(f)) touches = touches || Robust::overlap(own, other);
+          if (touches) {
+            EXPECT_TRUE(std::ranges::binary_search(asked, f)) << f << " at 2^" << exponent;
+          }
+          touching += ranks.rank() == 0 && touches;
+        }
+        EXPECT_LT(asked.size(), told_by_other.size());
+      });
+      EXPECT_GT(touching, 50u);
+    }
+  }
+}
+
 TEST(MeetBorder, MissesNothingOnAnyInstructionSet) {
   for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
@@ -107,6 +196,7 @@ TEST(MeetBorder, MissesNothingOnAnyInstructionSet) {
       const HeldPart part(pieces_anywhere(dice, 23, SphereId{ranks.rank()} << 32));
       const Border border(ranks, part);
       ASSERT_GT(border.blocks().size(), 20u);
+      expect_told_as_they_are(border);
       ByteWriter out;
       put_blocks(out, part, border.blocks());
       for (const Message& message : ranks.exchange({{1 - ranks.rank(), out.take()}}))

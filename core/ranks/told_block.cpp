@@ -45,17 +45,19 @@ class Axis {
 
 }  // namespace
 
-ToldBlock ToldBlock::around(std::uint32_t block, std::span<const Sphere> spheres) {
+ToldBlock ToldBlock::along(std::uint32_t block, std::span<const Sphere> spheres) {
   const Sphere &a = spheres.front(), &b = spheres.back();
-  ToldBlock told{block, {a.x, a.y, a.z}, {b.x, b.y, b.z}, 0};
-  const Axis axis(told);
-  double radius = 0;
+  return {block, {a.x, a.y, a.z}, {b.x, b.y, b.z}, 0};
+}
+
+void ToldBlock::hold(std::span<const Sphere> spheres) {
+  const Axis axis(*this);
+  double least = 0;
   for (const Sphere& s : spheres) {
     const Vec3 to = axis.to(s);
-    radius = std::max(radius, length(axis.across(to)) + s.radius + axis.lost(to));
+    least = std::max(least, length(axis.across(to)) + s.radius + axis.lost(to));
   }
-  told.radius = rounded_up(radius * (1 + rounding));
-  return told;
+  radius = rounded_up(least * (1 + rounding));
 }
 
 Box ToldBlock::box() const {

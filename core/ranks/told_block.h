@@ -15,8 +15,10 @@ struct ToldBlock {
   float first[3], last[3];  ///< ends of the axis
   float radius;             ///< around it; may be infinite
 
-  /// Of at least one sphere.
-  static ToldBlock around(std::uint32_t block, std::span<const Sphere> spheres);
+  /// The axis of at least one sphere, of radius 0.
+  static ToldBlock along(std::uint32_t block, std::span<const Sphere> spheres);
+  /// Takes the least radius, as far as it is known, that holds these spheres.
+  void hold(std::span<const Sphere> spheres);
 
   /// A box around all of it.
   Box box() const;

@@ -12,6 +12,12 @@
 namespace catena::ranks {
 namespace {
 
+ToldBlock around(const std::vector<Sphere>& block) {
+  ToldBlock told = ToldBlock::along(7, block);
+  told.hold(block);
+  return told;
+}
+
 /// Up to eight spheres along a line, bent a little or not at all, of radii alike or not, far from the origin
 /// or near it, of any size.
 std::vector<Sphere> some_block(std::mt19937& dice) {
@@ -47,7 +53,7 @@ TEST(ToldBlock, HoldsWhatTouchesASphereOfIt) {
   std::size_t touching = 0, left_out = 0;
   for (int round = 0; round < 20'000; ++round) {
     const std::vector<Sphere> block = some_block(dice);
-    const ToldBlock told = ToldBlock::around(7, block);
+    const ToldBlock told = around(block);
     const Box box = told.box();
     for (const Sphere& s : block) {
       EXPECT_TRUE(told.may_touch(s));
@@ -73,7 +79,7 @@ TEST(ToldBlock, LeavesOutWhatLiesBesideADiagonal) {
   std::vector<Sphere> block;
   for (int k = 0; k < 8; ++k)
     block.push_back({1.0f * static_cast<float>(k), 1.0f * static_cast<float>(k), 0, 1});
-  const ToldBlock told = ToldBlock::around(0, block);
+  const ToldBlock told = around(block);
   EXPECT_NEAR(told.radius, 1, 1e-6);
   EXPECT_TRUE(box_around(block).meets(Box::around({6, 1, 0, 1})));
   EXPECT_FALSE(told.may_touch({6, 1, 0, 1}));
@@ -87,7 +93,7 @@ TEST(ToldBlock, LeavesOutWhatLiesBesideADiagonal) {
 TEST(ToldBlock, MayTouchAllWhereItsRadiusIsInfinite) {
   const float most = 3e38f;
   const std::vector<Sphere> block{{-most, 0, 0, most}, {0, most, 0, most}, {most, -most, 0, most}};
-  const ToldBlock told = ToldBlock::around(0, block);
+  const ToldBlock told = around(block);
   EXPECT_TRUE(told.may_touch({0, 0, most, 0}));
   EXPECT_TRUE(told.box().meets(Box::around({most, most, most, 0})));
 }

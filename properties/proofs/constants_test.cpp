@@ -50,7 +50,8 @@ TEST(Proofs, ProveWhatTheyWereReadToProve) {
       {"open_pairs.g", "831855ff8736944e"},        {"oriented_box_binary32.g", "f4f66b6c4c73db15"},
       {"overlap_binary32.g", "115c10c506635d20"},  {"overlap_binary64.g", "d45b391f94e8c5ed"},
       {"parent_binary32.g", "5717fde13972b4cd"},   {"parent_binary64.g", "91aded3b4008b0c4"},
-      {"rotation_binary64.g", "6acf2baf73d3fabd"}, {"told_block_binary64.g", "42df00df8c287b71"},
+      {"rotation_binary64.g", "6acf2baf73d3fabd"}, {"told_block_binary32.g", "cbddfbf61d7f926a"},
+      {"told_block_binary64.g", "f56dbdba7729c5d0"},
   };
   std::map<std::string, std::string> found;
   for (const auto& file : std::filesystem::directory_iterator(CATENA_SOURCE_DIR "/properties/proofs"))
@@ -141,6 +142,12 @@ TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
 TEST(Proofs, AreAboutTheConstantsOfToldBlocks) {
   expect_covered("core/ranks/told_block.cpp", "told_block_binary64.g",
                  {{"slack = 0x1p-40", "2^-40 (|A|1 + |T|1)", "1b-40 * sides"}});
+  expect_covered("core/ranks/told_lanes-inl.h", "told_block_binary32.g",
+                 {{"slack = 0x1p-16f;", "2^-16 of slack", "1b-16 * sides"},
+                  {"tiny = Lanes8::all(0x1p-60f)", "above 2^-60", "-4000"},
+                  {"Lanes8::all(0x1p-50f)", "2^-50 on top", "-4000"}});
+  expect_covered("core/blocks/lanes-inl.h", "told_block_binary32.g",
+                 {{"least_product = 0x1p-110f;", "2^-110 on top", "-4000"}});
 }
 
 TEST(Proofs, AreAboutTheConstantsOfKeptLists) {

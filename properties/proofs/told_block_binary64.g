@@ -28,8 +28,8 @@ Last = First - Along;
 
 slack = 1b-40 * sides;
 half_slack = slack * 0.5;
-lost_across = 32 * 9b-53;
-lost_gap = 32 * (20b-53 + root3 * 8b-53);
+lost_across = 9b-53;
+lost_gap = 20b-53 + root3 * 8b-53;
 more = slack - lost_across;
 much_more = half_slack - lost_gap;
 
