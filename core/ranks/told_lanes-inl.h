@@ -38,12 +38,8 @@ class ToldLanes {
     Lanes8 at_first = dot(to, across, least());
     Lanes8 gap = min(at_first, at_first - dot(axis_, across, least()));
     Lanes8 reach = radius_ + s.radius + lost(to);
-    Lanes8 gap_square = max(gap, Lanes8::all(0)) * gap, reach_square = reach * reach,
-           tiny = Lanes8::all(0x1p-60f);
-    return ~((tiny < gap_square) & (tiny < reach_square) &
-             (mul_add(reach_square, dot(across, across, least()), least()) < gap_square))
-                .bits() &
-           0xFF;
+    Lanes8 none = Lanes8::all(0), gap_square = max(gap, none) * gap, reach_square = reach * reach;
+    return ~(mul_add(reach_square, dot(across, across, least()), least()) < gap_square).bits() & 0xFF;
   }
 
   /// A radius around the axis that holds the first `size` of eight spheres; what is no number above 2^-40

@@ -1,9 +1,9 @@
 # What told_block_binary64.g proves, of the lanes of binary32 in which ranks look first (core/ranks/told_lanes-inl.h):
 # u = 2^-24, sums in another order, products and sums rounded together or not, and 2^-16 of slack.
 #
-# The format below has no least exponent: products have 2^-110 on top, where squares of gap and reach are above 2^-60 or
-# nothing is certain, so that underflow costs less than 2^-79 of these; a radius has 2^-50 on top, where what underflow
-# costs is below 2^-55, the root of 2^-110. What overflows is never less than anything, so certain of nothing.
+# The format below has no least exponent: sums of products have 2^-110 on top, and so has what the square of a gap is
+# compared with, which is above 2^-55 then; reaches, and radii, have 2^-50 on top. So what underflow costs, some 2^-147 a
+# product, is less than 2^-46 of any of it. What overflows is never less than anything, so certain of nothing.
 #
 # Proved, as there, for parts of the axis and directions that are any:
 # 1. a component of what leads across is wrong by at most 5u, so its length by less than 9u;
