@@ -9,6 +9,7 @@ import scipy.optimize
 FITTED = 256  # ranks
 LEAST = 4  # points that a law is fitted to
 EVER = 2**24  # ranks that are looked at for the best number of them
+NEIGHBOURS = numpy.geomspace(4, 4096, 81)  # numbers of them that are tried
 THICKNESS = numpy.linspace(0, 6, 61)  # of shells that are tried, in blocks
 
 
@@ -63,6 +64,90 @@ class Model:
         return max(ranks for ranks in _doubled() if self.efficiency(n, ranks) >= 0.5)
 
 
+@dataclasses.dataclass(frozen=True)
+class Sending:
+    """What the rank that sends most sends: bytes, sphere_bytes for each sphere of its share that another rank shall hold,
+    asked_bytes for each block that a rank asks for, rank_bytes for each rank that there is; and messages, `each` to any
+    other rank while these are few, and to no more than `neighbours` of many. The errors are the median factors between model and counts.
+    """
+
+    law: Law
+    blocks: float
+    sphere_bytes: float
+    asked_bytes: float
+    rank_bytes: float
+    bytes_error: float
+    each: float
+    neighbours: float
+    messages_error: float
+
+    def bytes(self, n, ranks):
+        if ranks == 1:
+            return 0.0
+        moved = n / ranks * (1 - 1 / ranks)
+        asked = self.law.asked(self.blocks * n / ranks, ranks)
+        return self.sphere_bytes * moved + self.asked_bytes * asked + self.rank_bytes * ranks
+
+    def messages(self, ranks):
+        return self.each * _met(ranks - 1, self.neighbours)
+
+    def ms(self, n, ranks, network):
+        return 1e3 * (network.seconds_a_message * self.messages(ranks) + self.bytes(n, ranks) / network.bytes_per_second)
+
+
+@dataclasses.dataclass(frozen=True)
+class Network:
+    """Assumed, not measured: what one rank's link does while all use theirs."""
+
+    seconds_a_message: float
+    bytes_per_second: float
+
+
+CLUSTER = Network(seconds_a_message=2e-6, bytes_per_second=10e9)
+
+
+def best_in(network, model, sending, n):
+    """The ranks, a power of two, with which the busiest computes and sends for the least time."""
+    return min(_doubled(), key=lambda ranks: model.ms(n, ranks) + sending.ms(n, ranks, network))
+
+
+def sending(chains):
+    """Of the chains of one scene, or None for too few points that were shared out by space. Relative errors are what is
+    least.
+    """
+    fitted_law = law([point for chain in chains for point in chain["points"]])
+    told = [
+        (chain["n"] / p["ranks"] * (1 - 1 / p["ranks"]), p)
+        for chain in chains
+        for p in chain["points"]
+        if p["order"] == "space" and 1 < p["ranks"] <= FITTED
+    ]
+    if fitted_law is None or len(told) < LEAST:
+        return None
+    rows = numpy.array([[moved, p["most_blocks_asked"], p["ranks"]] for moved, p in told], float)
+    sent = numpy.array([p["most_bytes"] for _, p in told], float)
+    factors, _ = scipy.optimize.nnls(rows / sent[:, None], numpy.ones(len(told)))
+    others = numpy.array([p["ranks"] - 1 for _, p in told], float)
+    messages = numpy.array([p["most_messages"] for _, p in told], float)
+    logs = {k: numpy.log(messages / _met(others, k)) for k in NEIGHBOURS}
+    neighbours = min(logs, key=lambda k: numpy.std(logs[k]))
+    each = numpy.exp(numpy.median(logs[neighbours]))
+    off = lambda ratios: float(numpy.median(numpy.exp(numpy.abs(numpy.log(ratios)))))
+    return Sending(
+        fitted_law,
+        float(numpy.mean([p["blocks"] / chain["n"] for chain in chains for p in chain["points"]])),
+        *map(float, factors),
+        off(rows @ factors / sent),
+        float(each),
+        float(neighbours),
+        off(each * _met(others, neighbours) / messages),
+    )
+
+
+def _met(others, neighbours):
+    return others / (1 + others / neighbours)
+
+
 def _doubled():
     return [2**k for k in range(EVER.bit_length())]
 
@@ -110,6 +195,20 @@ def model(chains):
 def excess(point):
     """Blocks asked for over those that truly touch, of all ranks; None where none do."""
     return point["blocks_asked"] / point["blocks_touching"] if point["blocks_touching"] else None
+
+
+def sending_off(chains, fitted):
+    """The largest factors by which bytes and messages are off beyond the ranks that were fitted; None where none were
+    counted.
+    """
+    beyond = [(chain["n"], p) for chain in chains for p in chain["points"] if p["ranks"] > FITTED and p["order"] == "space"]
+    if not beyond:
+        return None
+    factor = lambda a, b: max(a / b, b / a)
+    return (
+        max(factor(fitted.bytes(n, p["ranks"]), p["most_bytes"]) for n, p in beyond),
+        max(factor(fitted.messages(p["ranks"]), p["most_messages"]) for _, p in beyond),
+    )
 
 
 def checked(chains, fitted):

@@ -4,7 +4,8 @@ from made_rows import EXACT, INPUTS, SCENES, SIZES
 
 def rank_point(n, ranks, contacts):
     """What a chain costs that is shared out: a shell two blocks thick; 100 ns a sphere, 5 us a block that is asked for,
-    2 us a rank, 30 us.
+    2 us a rank, 30 us; and sends 24 bytes a sphere, 150 a block that is asked for, 40 a rank, in five messages to each
+    other rank, if these are few, and 320 to many.
     """
     blocks, held = n // 8, n / 8 / ranks
     asked = round(contacts * ((held ** (1 / 3) + 2) ** 3 - held) * (1 - ranks ** (-1 / 3)))
@@ -18,8 +19,8 @@ def rank_point(n, ranks, contacts):
         "blocks_asked": ranks * asked,
         "blocks_touching": round(ranks * asked * (0.8 if ranks < 64 else 0.4)),
         "most_blocks_asked": asked,
-        "most_bytes": 150 * asked,
-        "most_messages": ranks - 1,
+        "most_bytes": round(24 * n / ranks * (1 - 1 / ranks)) + 150 * asked + 40 * ranks * (ranks > 1),
+        "most_messages": round(5 * (ranks - 1) / (1 + (ranks - 1) / 64)),
     }
     if ranks > 256:
         return point

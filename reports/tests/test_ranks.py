@@ -96,6 +96,48 @@ class Ranks(unittest.TestCase):
                 self.assertIn(row[10 + at].raw / max(kept), (0.5, 1, 2))
                 self.assertIn(row[12 + at].raw / best, (0.5, 1, 2))
 
+    @recomputes("table:ranks-sending")
+    def test_what_ranks_send_is_what_the_runs_were_made_by(self):
+        rows = {row[0].text: row for row in self.shown.tables["ranks-sending"].rows}
+        self.assertEqual(set(rows), {"yarn", "hair"})
+        for scene, contacts in (("yarn", 4), ("hair", 1)):
+            row = rows[scene]
+            self.assertEqual(row[1].raw, contacts)
+            for cell, made_by in zip(row[2:5], (24, 150, 40)):
+                self.assertAlmostEqual(cell.raw / made_by, 1, delta=0.06)
+            for cell in (row[5], row[6], row[9], row[10]):
+                self.assertAlmostEqual(cell.raw, 1, delta=0.06)
+            self.assertAlmostEqual(row[7].raw / 5, 1, delta=0.05)
+            self.assertAlmostEqual(row[8].raw / 64, 1, delta=0.1)
+            self.assertEqual(row[11].raw, 2)
+
+            def ms(n, ranks):
+                held = n / 8 / ranks
+                shell = contacts * ((held ** (1 / 3) + 2) ** 3 - held) * (1 - ranks ** (-1 / 3))
+                sent = (24 * n / ranks * (1 - 1 / ranks) + 150 * shell + 40 * ranks) * (ranks > 1)
+                messages = 5 * (ranks - 1) / (1 + (ranks - 1) / 64)
+                computed = 100 * n / ranks + (5000 * shell + 2000 * ranks + 30_000) * (ranks > 1)
+                return computed + 2000 * messages + sent / 10
+
+            for cell, n in zip(row[12:], (10**6, 10**9)):
+                self.assertIn(cell.raw / min((2**k for k in range(25)), key=lambda ranks: ms(n, ranks)), (0.5, 1, 2))
+
+    def test_bytes_and_messages_are_checked_by_what_they_were_not_fitted_to(self):
+        for key, column in (("most_bytes", 6), ("most_messages", 10)):
+            for factor in (3, 1 / 9):
+                for chain in self.value["catena"]["ranks"]["chains"]:
+                    for p in chain["points"]:
+                        if p["ranks"] > 256:
+                            p[key] *= factor
+                for row in pages.Shown(pages.of(self.value)).tables["ranks-sending"].rows:
+                    self.assertAlmostEqual(row[column].raw / 3, 1, delta=0.08)
+
+    def test_a_chain_in_its_order_has_no_model_of_what_is_sent(self):
+        for chain in self.value["catena"]["ranks"]["chains"]:
+            for p in chain["points"]:
+                p["order"] = "chain"
+        self.assertNotIn("ranks-sending", pages.Shown(pages.of(self.value)).tables)
+
     @recomputes("table:ranks-counts")
     def test_every_count_is_shown(self):
         rows = self.shown.tables["ranks-counts"].rows

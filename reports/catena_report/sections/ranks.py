@@ -21,6 +21,7 @@ def build(report):
             _exchange(report, run, chains),
             _times(report, run, chains, models),
             _model_table(report, run, chains, models),
+            _sending_table(report, run, chains, models),
             _counts(report, run, chains),
         ]
     section.blocks = [block for block in section.blocks if block]
@@ -207,6 +208,48 @@ def _model_table(report, run, chains, models):
         " have no shell, and are left out."
     ), ["scene", "pairs a sphere", "c", "w, blocks", "s, ns", "b, ns", "r, ns", "f, ns", "times off", "counts off"]
       + [f"{what}, n = {words.count(n)}" for what in ("half", "best") for n in TOLD], rows)
+
+
+def _sending_table(report, run, chains, models):
+    rows = []
+    for scene, mine in _by_scene(chains).items():
+        model, sending = models[scene], rank_model.sending(mine)
+        if not model or not sending:
+            continue
+        off = rank_model.sending_off(mine, sending)
+        rounds = max(p["most_rounds"] for chain in mine for p in chain["points"])
+        best = [rank_model.best_in(rank_model.CLUSTER, model, sending, n) for n in TOLD]
+        rows.append(
+            [
+                scene,
+                Cell(words.significant(density(mine[-1]), 3), density(mine[-1])),
+                *[
+                    Cell(words.significant(value, 3), value)
+                    for value in (sending.sphere_bytes, sending.asked_bytes, sending.rank_bytes, sending.bytes_error)
+                ],
+                Cell(words.significant(off[0], 3), off[0]) if off else "",
+                *[
+                    Cell(words.significant(value, 3), value)
+                    for value in (sending.each, sending.neighbours, sending.messages_error)
+                ],
+                Cell(words.significant(off[1], 3), off[1]) if off else "",
+                Cell(words.count(rounds), rounds),
+                *[Cell(words.count(ranks), ranks) for ranks in best],
+            ]
+        )
+    if not rows:
+        return None
+    network = rank_model.CLUSTER
+    return Table(f"ranks-sending{report.key(run)}", "What ranks send, as a model of n, the ranks R and the contacts", (
+        "The rank that sends most sends S (n / R) (1 - 1 / R) + A a + K R bytes: S for each sphere of its share that another"
+        " rank shall hold, A for each block that is asked for (a as above), K for each rank that there is; in"
+        " m (R - 1) / (1 + (R - 1) / N) messages, m to each of few, and of many to N, its neighbours; and asks in so many"
+        " rounds. Off: the median factor between counts and model, and the"
+        f" largest on more than {rank_model.FITTED} ranks, to which it was not fitted. Best: the ranks with the least time, as"
+        f" above and with a network in which a message takes {words.significant(1e6 * network.seconds_a_message, 2)} µs and a rank"
+        f" sends {words.significant(1e-9 * network.bytes_per_second, 2)} GB a second, which is assumed, not measured."
+    ), ["scene", "pairs a sphere", "S", "A", "K", "bytes off", "beyond", "m", "N", "messages off", "beyond", "rounds"]
+      + [f"best, n = {words.count(n)}" for n in TOLD], rows)
 
 
 def _counts(report, run, chains):
