@@ -1,8 +1,6 @@
 #include <optional>
 
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/strategy/register.h"
-#include "catena/cuda/device.h"
 #include "catena/cuda/device_sphere_cells.cuh"
 #include "catena/cuda/host_copies.cuh"
 #include "catena/cuda/told_variant.h"
@@ -16,7 +14,7 @@ template <class Arithmetic>
 class DeviceGrid final : public ToldVariant<Arithmetic> {
  public:
   explicit DeviceGrid(const Parameters& parameters)
-      : ToldVariant<Arithmetic>(StrategyRegistry::instance().make_device(device_of(parameters))),
+      : ToldVariant<Arithmetic>(parameters),
         binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
  private:
@@ -36,11 +34,10 @@ class DeviceGrid final : public ToldVariant<Arithmetic> {
 
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       StreamHandle stream) override {
-    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+    this->range_.template with_tests_for<Arithmetic>(chain, [&](auto tests) {
       cells_.enqueue_search<decltype(tests)>(chain, AllSpheres{chain.size}, request, answer,
                                              static_cast<cudaStream_t>(stream));
     });
-    this->in_range_ = in_range<Arithmetic>(chain);
   }
   bool give_back(StreamHandle stream) override { return cells_.give_back(static_cast<cudaStream_t>(stream)); }
 
@@ -53,7 +50,7 @@ const RegisterVariant<DeviceGrid, Robust> registered{
     {.name = "DeviceGrid",
      .summary = "spheres in hashed cells, an octave of radii a level",
      .place = Place::device(),
-     .parameters = with_device({binned_parameter()}),
+     .parameters = with_told({binned_parameter()}),
      .unavailable = unavailable}};
 
 }  // namespace

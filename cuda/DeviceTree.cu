@@ -1,10 +1,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/cells/compare_in_tree.h"
 #include "catena/core/strategy/register.h"
-#include "catena/cuda/device.h"
 #include "catena/cuda/device_blocks.cuh"
 #include "catena/cuda/host_copies.cuh"
 #include "catena/cuda/node_meetings.cuh"
@@ -40,7 +38,7 @@ template <class Arithmetic>
 class DeviceTree final : public ToldVariant<Arithmetic> {
  public:
   explicit DeviceTree(const Parameters& parameters)
-      : ToldVariant<Arithmetic>(StrategyRegistry::instance().make_device(device_of(parameters))) {}
+      : ToldVariant<Arithmetic>(parameters) {}
 
  private:
   void told(const ChainView& chain, const ToldVariant<Arithmetic>::Use& use) const override {
@@ -66,7 +64,7 @@ class DeviceTree final : public ToldVariant<Arithmetic> {
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
-    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+    this->range_.template with_tests_for<Arithmetic>(chain, [&](auto tests) {
       const auto compare = [&](auto own_units) {
         constexpr std::uint32_t together =
             threads / DeviceWarp::lanes * TreeComparison<DeviceWarp, own_units.value>::together;
@@ -76,7 +74,6 @@ class DeviceTree final : public ToldVariant<Arithmetic> {
       };
       blocks_.own_units ? compare(std::true_type()) : compare(std::false_type());
     });
-    this->in_range_ = in_range<Arithmetic>(chain);
   }
 
   CapsuleBlocks blocks_{};
@@ -89,7 +86,7 @@ const RegisterVariant<DeviceTree, Robust> registered{
     {.name = "DeviceTree",
      .summary = "capsules of 32 spheres in a tree of boxes along the chain",
      .place = Place::device(),
-     .parameters = with_device({}),
+     .parameters = with_told({}),
      .unavailable = unavailable}};
 
 }  // namespace

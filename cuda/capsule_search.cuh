@@ -3,7 +3,6 @@
 #include <optional>
 #include <type_traits>
 
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/cells/compare_blocks.h"
 #include "catena/cuda/capsule_cells.cuh"
 #include "catena/cuda/device_blocks.cuh"
@@ -83,11 +82,14 @@ struct CapsuleSearchState {
 template <class Arithmetic>
 class CapsuleSearch : public ToldVariant<Arithmetic> {
  protected:
-  CapsuleSearch(std::unique_ptr<Device> device, std::uint64_t binned)
-      : ToldVariant<Arithmetic>(std::move(device)), binned_(binned) {}
+  explicit CapsuleSearch(const Parameters& parameters)
+      : ToldVariant<Arithmetic>(parameters),
+        crowd_(static_cast<std::uint32_t>(
+            parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
+        binned_(parameters.unsigned_integer("binned", 0, 0xFFFFFFFFu)) {}
 
-  /// How blocks of a chain are laid out, at `scale`.
-  virtual CapsuleBlocks laid_out(const ChainView& chain, float scale) const = 0;
+  /// How blocks of a chain are laid out, at `scale`; a block that meets more than `crowd` others is crowded.
+  virtual CapsuleBlocks laid_out(const ChainView& chain, std::uint32_t crowd, float scale) const = 0;
   /// Enqueues kernels that tell of every block whom it meets, or that it is tangled (BlockMeeting::tell).
   virtual void enqueue_telling(const CapsuleBlocks& blocks, cudaStream_t stream) = 0;
 
@@ -105,7 +107,7 @@ class CapsuleSearch : public ToldVariant<Arithmetic> {
 
   void enqueue_construction(const ChainView& chain, const Request&, StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
-    blocks_ = laid_out(chain, block_scale(chain.extent));
+    blocks_ = laid_out(chain, crowd_, block_scale(chain.extent));
     CapsuleSearchState* const state = state_.reserve(1, stream);
     if (!blocks_.all_crowded) {
       blocks_ = of_blocks_.reserve(blocks_, &state->blocks, stream);
@@ -124,7 +126,7 @@ class CapsuleSearch : public ToldVariant<Arithmetic> {
   void enqueue_search(const ChainView& chain, const Request& request, const ResidentAnswer& answer,
                       StreamHandle handle) override {
     const auto stream = static_cast<cudaStream_t>(handle);
-    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+    this->range_.template with_tests_for<Arithmetic>(chain, [&](auto tests) {
       using Tests = decltype(tests);
       if (blocks_.all_crowded)
         return cells_.enqueue_search<Tests>(chain, AllSpheres{chain.size}, request, answer, stream);
@@ -139,15 +141,22 @@ class CapsuleSearch : public ToldVariant<Arithmetic> {
       blocks_.own_units ? compare(std::true_type()) : compare(std::false_type());
       cells_.enqueue_search<Tests>(chain, CrowdedSpheres{blocks_, chain.size}, request, answer, stream);
     });
-    this->in_range_ = in_range<Arithmetic>(chain);
   }
   bool give_back(StreamHandle stream) override { return cells_.give_back(static_cast<cudaStream_t>(stream)); }
 
+  const std::uint32_t crowd_;
   const std::uint64_t binned_;
   CapsuleBlocks blocks_{};
   DeviceBlocks of_blocks_;
   DeviceBuffer<CapsuleSearchState> state_;
   DeviceSphereCells cells_;
 };
+
+/// The parameters of such a search, which has these of its own.
+inline std::vector<ParameterInfo> with_capsules(std::vector<ParameterInfo> own) {
+  own.insert(own.begin(), {"crowd", "8", "a block that meets more others is left to the grid"});
+  own.push_back(binned_parameter());
+  return with_told(std::move(own));
+}
 
 }  // namespace catena::cuda

@@ -1,10 +1,14 @@
 #pragma once
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "catena/core/cells/told_search.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/range_checks.h"
+#include "catena/core/strategy/register.h"
 #include "catena/core/strategy/resident_variant.h"
+#include "catena/cuda/device.h"
 
 namespace catena::cuda {
 
@@ -12,9 +16,11 @@ namespace catena::cuda {
 template <class Arithmetic>
 class ToldVariant : public ResidentVariant, public EvidenceNodes {
  public:
-  using ResidentVariant::ResidentVariant;
+  explicit ToldVariant(const Parameters& parameters)
+      : ResidentVariant(StrategyRegistry::instance().make_device(device_of(parameters)), Upload(parameters)),
+        range_(parameters) {}
 
-  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
+  Plan plan() const override { return with_upload_told(range_.plan()); }
 
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
@@ -35,7 +41,13 @@ class ToldVariant : public ResidentVariant, public EvidenceNodes {
   /// Copies what the device built of this chain, which has spheres, to the host, for as long as it is used.
   virtual void told(const ChainView& chain, const Use& use) const = 0;
 
-  bool in_range_ = false;  ///< of the last search
+  RangeChecks range_;
 };
+
+/// The parameters of such a variant, which has these of its own.
+inline std::vector<ParameterInfo> with_told(std::vector<ParameterInfo> own) {
+  own.push_back(range_parameter());
+  return with_device(with_upload(std::move(own)));
+}
 
 }  // namespace catena::cuda

@@ -224,7 +224,8 @@ TEST_F(Device, MovesTheRangesThatMoved) {
         {{5000, 5002}},
         {}})
     for (const char* name : {"DeviceGrid", "DeviceHybrid(least=0)", "DeviceLBVH", "DeviceCapsules",
-                             "DeviceTree", "aGPU2+GPU2", "aCPU2+GPU2"}) {
+                             "DeviceTree", "aGPU2+GPU2", "aCPU2+GPU2", "DeviceGrid(upload=all,range=checked)",
+                             "DeviceHybrid(least=0,upload=all,strands=read,range=checked)"}) {
       std::vector<Sphere> spheres(chain.spheres().begin(), chain.spheres().end());
       for (const SphereRange& range : ranges)
         for (std::uint32_t i = range.begin; i < range.end; ++i) spheres[i] = chain[(i + n / 2) % n];
@@ -318,6 +319,7 @@ TEST_F(Device, EveryExclusionRuleTravels) {
     ASSERT_GT(exact.pair_count, 100u);
     for (const char* name : {"GPU1", "aGPU2+GPU2", "aGPU2+GPUv2", "bGPU2+CPU2", "aCPU2+GPUv2", "DeviceGrid",
                              "DeviceGrid(binned=0)", "DeviceHybrid", "DeviceHybrid(least=0,cells=0)",
+                             "DeviceHybrid(least=0,strands=read)", "DeviceGrid(strands=read,range=checked)",
                              "DeviceLBVH", "DeviceCapsules", "DeviceTree", "DeviceParts(parts=3,group=4)"}) {
       const auto variant = StrategyRegistry::instance().make(name);
       Collisions found;

@@ -95,6 +95,10 @@ add_test(NAME choice COMMAND ${CMAKE_COMMAND} -DWORK=${PROJECT_BINARY_DIR}/choic
 add_test(NAME commit COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DWORK=${PROJECT_BINARY_DIR}/commit_test
          -P ${PROJECT_SOURCE_DIR}/properties/commit_test.cmake)
 
+add_test(NAME smallest_build COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DWORK=${PROJECT_BINARY_DIR}/smallest_build
+         -DREADELF=${CMAKE_READELF} -P ${PROJECT_SOURCE_DIR}/properties/smallest_build_test.cmake)
+set_tests_properties(smallest_build PROPERTIES LABELS long TIMEOUT 3600 PROCESSORS 2)
+
 # An installed catena is found by another project, which adds README's one-file variant from outside.
 set(sanitize_flags "")
 if(CATENA_SANITIZE)

@@ -119,6 +119,8 @@ Profile full() {
   p.coherent_inputs = over_n("path1", {10'000, 100'000});
   append(p.coherent_inputs, over_n("path2", {100'000}));
   for (const std::uint32_t n : {30'000, 1'000'000}) append(p.regret_inputs, bench::all_scenes(n));
+  p.planned_inputs = {"path1:n=20"};
+  for (const WorkloadSpec& scene : bench::all_scenes(10'000)) p.planned_inputs.push_back(scene.input);
   p.short_chains = {10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
   p.animation_input = {"path1:n=20000"};
   p.animation_step = 1;

@@ -73,6 +73,8 @@ TEST(Report, ProfilesMeasureWhatTheyAreFor) {
     for (const bench::WorkloadSpec& scene : bench::all_scenes(n))
       EXPECT_TRUE(std::ranges::count(p->regret_inputs, scene.input, &bench::WorkloadSpec::input))
           << scene.input;
+  for (const bench::WorkloadSpec& scene : bench::all_scenes(10'000))
+    EXPECT_TRUE(std::ranges::count(full.planned_inputs, scene.input)) << scene.input << " has no savings";
   EXPECT_EQ(full.whole_seconds, 0) << "as long as it takes";
 }
 

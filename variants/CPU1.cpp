@@ -1,8 +1,9 @@
 #include <algorithm>
 
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/executor/pair_collector.h"
+#include "catena/core/strategy/range_checks.h"
 #include "catena/core/strategy/register.h"
+#include "catena/core/strategy/strand_table.h"
 
 namespace catena {
 namespace {
@@ -11,17 +12,19 @@ namespace {
 template <class Arithmetic>
 class CPU1 final : public Variant {
  public:
+  explicit CPU1(const Parameters& parameters) : strands_(parameters), range_(parameters) {}
+
   void build(const Chain&) override {}
 
   void find(const Chain& chain, const Request& request, Collisions& result) override {
-    search(chain.view(), request, result, [](std::uint32_t, std::uint32_t) {});
+    search(strands_.seen(chain.view()), request, result, [](std::uint32_t, std::uint32_t) {});
   }
 
   Accounting evidence() const override { return Accounting::each_pair; }
 
   void find_with_evidence(const Chain& chain, const Request& request, Collisions& result,
                           EvidenceSink& sink) override {
-    const ChainView view = chain.view();
+    const ChainView view = strands_.seen(chain.view());
     search(view, request, result, [&](std::uint32_t i, std::uint32_t j) {
       view.neighbours(i, j) ? sink.excluded(i, j) : sink.tested(i, j);
     });
@@ -29,13 +32,20 @@ class CPU1 final : public Variant {
 
   Timings timings() const override { return timings_; }
 
+  Plan plan() const override {
+    Plan plan = range_.plan();
+    plan.push_back(strands_.told());
+    return plan;
+  }
+
  private:
   /// `met(i, j)` is called for every pair that is compared.
   template <class Met>
   void search(const ChainView& view, const Request& request, Collisions& result, const Met& met) {
     const Stopwatch watch;
     PairCollector collector(view.size, request, result);
-    with_tests_for<Arithmetic>(view, [&](auto tests) { compare_all<decltype(tests)>(view, collector, met); });
+    range_.with_tests_for<Arithmetic>(
+        view, [&](auto tests) { compare_all<decltype(tests)>(view, collector, met); });
     collector.finish();
     timings_.find_ms = watch.ms();
   }
@@ -59,11 +69,16 @@ class CPU1 final : public Variant {
     }
   }
 
+  StrandTable strands_;
+  RangeChecks range_;
   Timings timings_;
 };
 
 const RegisterVariant<CPU1, Robust, Literal, Double> registered{
-    {.name = "CPU1", .summary = "all pairs, sequential, O(n^2)", .all_pairs = true,
+    {.name = "CPU1",
+     .summary = "all pairs, sequential, O(n^2)",
+     .parameters = {strands_parameter(), range_parameter()},
+     .all_pairs = true,
      .cost = Cost{.fixed_us = 0.05, .sphere_pair_ns = 1.3}}};
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "catena/core/blocks/told_exact.h"
 #include "catena/core/blocks/told_rows.h"
 #include "catena/core/strategy/register.h"
+#include "catena/core/strategy/strand_table.h"
 
 namespace catena {
 namespace {
@@ -12,14 +13,14 @@ namespace {
 template <class Arithmetic>
 class ChainTree final : public Variant {
  public:
-  explicit ChainTree(const Parameters& parameters) : rows_(skips_rows(parameters)) {
+  explicit ChainTree(const Parameters& parameters) : rows_(skips_rows(parameters)), strands_(parameters) {
     tree_.doubt = doubt_of(parameters);
   }
 
   void build(const Chain& chain) override {
     const Stopwatch watch;
     built_ = false;
-    build_block_tree(chain.view(), tree_, Team());
+    build_block_tree(strands_.seen(chain.view()), tree_, Team());
     if (!rows_) tree_.forget_rows();
     spheres_ = chain.size();
     built_ = true;
@@ -51,8 +52,7 @@ class ChainTree final : public Variant {
 
   Plan plan() const override {
     if (!built_ || tree_.blocks == 0) return {};
-    return {told_rows(tree_.rows(), tree_.level[0].count),
-            told_exact(queues_.open_done() - open_before_, tree_.doubt)};
+    return {told_rows(tree_), told_exact(queues_.open_done() - open_before_, tree_.doubt), strands_.told()};
   }
 
   std::vector<WorkDone> work() const override {
@@ -72,12 +72,13 @@ class ChainTree final : public Variant {
     PairCollector collector(spheres_, request, result);
     rows_before_ = queues_.rows_done(), pairs_before_ = queues_.pairs_done();
     open_before_ = queues_.open_done();
-    search_blocks(chain.view(), tree_, queues_, collector.lane(0), evidence);
+    search_blocks(strands_.seen(chain.view()), tree_, queues_, collector.lane(0), evidence);
     collector.finish();
     timings_.find_ms = watch.ms();
   }
 
   const bool rows_;
+  StrandTable strands_;
   BlockTree tree_;
   BlockQueues queues_;
   std::uint64_t rows_before_ = 0, pairs_before_ = 0, open_before_ = 0;  // the last search
@@ -89,7 +90,7 @@ class ChainTree final : public Variant {
 const RegisterVariant<ChainTree, Robust> registered{
     {.name = "ChainTree",
      .summary = "capsules of 8 consecutive spheres, 16 a node, SIMD, sequential",
-     .parameters = {rows_parameter(), exact_parameter()},
+     .parameters = {rows_parameter(), exact_parameter(), strands_parameter()},
      .has_tree = true,
      .rival = [](std::uint32_t n, const Extent&) {
        return n <= 4096 ? 14 : 0;

@@ -1,4 +1,3 @@
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/cells/host_sphere_cells.h"
 #include "catena/core/cells/told_search.h"
 #include "catena/core/executor/host_search.h"
@@ -13,7 +12,9 @@ namespace {
 template <class Arithmetic>
 class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
  public:
-  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
+  explicit DeviceGridOnHost(const Parameters& parameters) : range_(parameters) {}
+
+  Plan plan() const override { return range_.plan(); }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
     if (built()) ToldCells(chain.view(), nullptr, cells_.placed()).show(visitor);
@@ -25,20 +26,21 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     LaneSink sink{collector.lane(0)};
-    with_tests_for<Arithmetic>(chain,
-                               [&](auto tests) { cells_.placed().search<decltype(tests)>(chain, sink); });
-    in_range_ = in_range<Arithmetic>(chain);
+    range_.with_tests_for<Arithmetic>(
+        chain, [&](auto tests) { cells_.placed().search<decltype(tests)>(chain, sink); });
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     ToldCells(chain, nullptr, cells_.placed()).search(lane, sink);
   }
 
   HostSphereCells cells_;
-  bool in_range_ = false;
+  RangeChecks range_;
 };
 
 const RegisterVariant<DeviceGridOnHost, Robust> registered{
-    {.name = "DeviceGrid@host", .summary = "spheres in hashed cells, an octave of radii a level"}};
+    {.name = "DeviceGrid@host",
+     .summary = "spheres in hashed cells, an octave of radii a level",
+     .parameters = {range_parameter()}}};
 
 }  // namespace
 }  // namespace catena

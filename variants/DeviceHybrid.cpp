@@ -13,16 +13,15 @@ template <class Arithmetic>
 class DeviceHybridOnHost final : public HostCapsuleSearch<Arithmetic> {
  public:
   explicit DeviceHybridOnHost(const Parameters& parameters)
-      : crowd_(static_cast<std::uint32_t>(
-            parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))),
+      : HostCapsuleSearch<Arithmetic>(parameters),
         least_(parameters.unsigned_integer("least", 0, 0xFFFFFFFFu)),
         least_in_cells_(parameters.unsigned_integer("cells", 0, 0xFFFFFFFFu)),
         surveyed_(static_cast<std::uint32_t>(
             parameters.unsigned_integer("survey", 0, CapsuleBlocks::most_surveyed))) {}
 
  private:
-  CapsuleBlocks laid_out(const ChainView& chain, float scale) const override {
-    return CapsuleBlocks::of(chain, crowd_, scale, least_, least_in_cells_, surveyed_);
+  CapsuleBlocks laid_out(const ChainView& chain, std::uint32_t crowd, float scale) const override {
+    return CapsuleBlocks::of(chain, crowd, scale, least_, least_in_cells_, surveyed_);
   }
   void tell(const CapsuleBlocks& blocks) override {
     const BlockNodes& nodes = nodes_.fit(blocks);
@@ -32,7 +31,6 @@ class DeviceHybridOnHost final : public HostCapsuleSearch<Arithmetic> {
       PartnerSearch(nodes, blocks, of_search_).find(group, k);
   }
 
-  const std::uint32_t crowd_;
   const std::uint64_t least_, least_in_cells_;
   const std::uint32_t surveyed_;
   HostBlockNodes nodes_;
@@ -44,12 +42,12 @@ const RegisterVariant<DeviceHybridOnHost, Robust> registered{
     {.name = "DeviceHybrid@host",
      .summary = "capsules of 32 spheres in a tree along the chain, in hashed cells where it is tangled, "
                 "DeviceGrid where crowded",
-     .parameters = {{"crowd", "8", "a block that meets more others is left to the grid"},
-                    {"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 300000"},
-                    {"cells", "0",
-                     "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
-                    {"survey", "64",
-                     "blocks asked first whom they meet: the grid gets all where it takes less; 0: none"}}}};
+     .parameters = with_capsules_on_host(
+         {{"least", "0", "chains of fewer spheres are left to the grid; DeviceHybrid: 300000"},
+          {"cells", "0",
+           "tangled blocks of chains of fewer spheres are left to the grid; DeviceHybrid: 4194304"},
+          {"survey", "64",
+           "blocks asked first whom they meet: the grid gets all where it takes less; 0: none"}})}};
 
 }  // namespace
 }  // namespace catena

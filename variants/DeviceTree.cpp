@@ -1,4 +1,3 @@
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/cells/host_block_nodes.h"
 #include "catena/core/cells/host_blocks.h"
@@ -16,7 +15,9 @@ namespace {
 template <class Arithmetic>
 class DeviceTreeOnHost final : public HostSearch, public EvidenceNodes {
  public:
-  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
+  explicit DeviceTreeOnHost(const Parameters& parameters) : range_(parameters) {}
+
+  Plan plan() const override { return range_.plan(); }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
     if (built() && any()) ToldTree(chain.view(), blocks_.blocks(), nodes_.nodes()).show(visitor);
@@ -32,22 +33,23 @@ class DeviceTreeOnHost final : public HostSearch, public EvidenceNodes {
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     LaneSink sink{collector.lane(0)};
-    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+    range_.template with_tests_for<Arithmetic>(chain, [&](auto tests) {
       if (any()) compare_blocks_in_tree<decltype(tests)>(chain, nodes_.nodes(), blocks_.blocks(), sink);
     });
-    in_range_ = in_range<Arithmetic>(chain);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     if (any()) ToldTree(chain, blocks_.blocks(), nodes_.nodes()).search(lane, sink);
   }
 
+  RangeChecks range_;
   HostBlocks blocks_;
   HostBlockNodes nodes_;
-  bool in_range_ = false;
 };
 
 const RegisterVariant<DeviceTreeOnHost, Robust> registered{
-    {.name = "DeviceTree@host", .summary = "capsules of 32 spheres in a tree of boxes along the chain"}};
+    {.name = "DeviceTree@host",
+     .summary = "capsules of 32 spheres in a tree of boxes along the chain",
+     .parameters = {range_parameter()}}};
 
 }  // namespace
 }  // namespace catena

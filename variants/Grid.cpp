@@ -4,9 +4,10 @@
 #include "catena/core/executor/host_search.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/grid/told_radii.h"
-#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/space_tree/search_cost.h"
+#include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
+#include "catena/core/strategy/strand_table.h"
 
 namespace catena {
 namespace {
@@ -17,14 +18,16 @@ namespace {
 template <class Arithmetic>
 class Grid final : public HostSearch, public EvidenceNodes {
  public:
-  explicit Grid(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {
+  explicit Grid(const Parameters& parameters)
+      : team_(parameters), strands_(parameters), queues_(team_.size()) {
     grid_.doubt = doubt_of(parameters);
     grid_.each_radius = reads_each_radius(parameters);
     cells_ = parameters.choice("cells", {"measured", "wide", "narrow"});
   }
 
   Plan plan() const override {
-    return {told_radii(grid_.equal_radii), told_exact(done().open - before_.open, grid_.doubt)};
+    return {told_radii(grid_.equal_radii, grid_.spheres()),
+            told_exact(done().open - before_.open, grid_.doubt), strands_.told()};
   }
 
   std::vector<WorkDone> work() const override {
@@ -38,13 +41,14 @@ class Grid final : public HostSearch, public EvidenceNodes {
   }
 
  private:
-  void construct(const ChainView& chain) override {
+  void construct(const ChainView& given) override {
+    const ChainView chain = strands_.seen(given);
     grid_.wide = cells_ == "wide" || (cells_ == "measured" && wide_cells(chain));
     build_grid(chain, grid_, {}, team_);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     before_ = done();
-    search_grid(chain, grid_, queues_, collector, team_);
+    search_grid(strands_.seen(chain), grid_, queues_, collector, team_);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     const GridTrees trees(chain, grid_, chain.size);
@@ -63,6 +67,7 @@ class Grid final : public HostSearch, public EvidenceNodes {
   }
 
   const Team team_;
+  StrandTable strands_;
   SphereGrid grid_;
   std::string cells_;               // as asked for
   std::vector<GridQueues> queues_;  // [member of the team]
@@ -76,6 +81,7 @@ const RegisterVariant<Grid, Robust> registered{
                      "as wide as four radii (wide) or two (narrow), or as a look at what is near tells"},
                     exact_parameter(),
                     radii_parameter(),
+                    strands_parameter(),
                     Team::threads_parameter()},
      .rival = [](std::uint32_t, const Extent& e) {
        return e.greatest_radius <= 2 * e.least_radius ? 4 : 0;

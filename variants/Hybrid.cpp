@@ -8,6 +8,7 @@
 #include "catena/core/hybrid/hybrid_search.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
+#include "catena/core/strategy/strand_table.h"
 
 namespace catena {
 namespace {
@@ -19,6 +20,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
  public:
   explicit Hybrid(const Parameters& parameters)
       : team_(parameters),
+        strands_(parameters),
         search_({static_cast<std::uint32_t>(parameters.unsigned_integer("crowd", 0, 1u << 20)),
                  parameters.real("dense", 0, 1e6), skips_rows(parameters), doubt_of(parameters),
                  reads_each_radius(parameters)},
@@ -26,15 +28,16 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
 
   Plan plan() const override {
     const HybridSearch::Work work = search_.work();
-    Plan steps{told_rows(search_.rows(), search_.nodes()),
+    Plan steps{search_.told_rows(),
                {"order of space", search_.crowded_nodes() == 0,
                 fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
                             search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)}};
     if (search_.sorts()) steps.push_back(search_.told_order());
     steps.push_back(
         {"single spheres", work.dense == 0, fmt::format("{} with much near", counted(work.dense, "sphere"))});
-    steps.push_back(told_radii(search_.equal_radii()));
+    steps.push_back(told_radii(search_.equal_radii(), work.dense));
     steps.push_back(told_exact(work.open, search_.settings().doubt));
+    steps.push_back(strands_.told());
     return steps;
   }
 
@@ -51,12 +54,12 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   }
 
  private:
-  void construct(const ChainView& chain) override { search_.build(chain, team_); }
+  void construct(const ChainView& chain) override { search_.build(strands_.seen(chain), team_); }
   void construct_again(const ChainView& chain) override {
-    search_.build(chain, team_, SpaceSort::where_needed);
+    search_.build(strands_.seen(chain), team_, SpaceSort::where_needed);
   }
   void search(const ChainView& chain, PairCollector& collector) override {
-    search_.search(chain, collector, team_);
+    search_.search(strands_.seen(chain), collector, team_);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     search_.search_with_evidence(chain, lane, sink);
@@ -64,6 +67,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   const Team& team() const override { return team_; }
 
   const Team team_;
+  StrandTable strands_;
   HybridSearch search_;
 };
 
@@ -77,6 +81,7 @@ const RegisterVariant<Hybrid, Robust> registered{
                     rows_parameter(),
                     exact_parameter(),
                     radii_parameter(),
+                    strands_parameter(),
                     Team::threads_parameter()},
      .cost = Cost{.fixed_us = 0.8, .sphere_ns = 6},
      .rival = [](std::uint32_t, const Extent&) { return 3; }}};

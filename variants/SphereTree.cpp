@@ -4,6 +4,7 @@
 #include "catena/core/sphere_tree/sphere_kernels.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/register.h"
+#include "catena/core/strategy/strand_table.h"
 
 namespace catena {
 namespace {
@@ -13,13 +14,14 @@ namespace {
 template <class Arithmetic>
 class SpheresInSpace final : public HostSearch, public EvidenceNodes {
  public:
-  explicit SpheresInSpace(const Parameters& parameters) : team_(parameters), queues_(team_.size()) {
+  explicit SpheresInSpace(const Parameters& parameters)
+      : team_(parameters), strands_(parameters), queues_(team_.size()) {
     tree_.doubt = doubt_of(parameters);
   }
 
   Plan plan() const override {
     return {told_order(tree_.spheres, tree_.kept.frames()),
-            told_exact(done().open - before_.open, tree_.doubt)};
+            told_exact(done().open - before_.open, tree_.doubt), strands_.told()};
   }
   std::vector<WorkDone> work() const override {
     const Done all = done();
@@ -43,7 +45,7 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     before_ = done();
-    search_sphere_tree(chain, tree_, queues_, collector, team_);
+    search_sphere_tree(strands_.seen(chain), tree_, queues_, collector, team_);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     const SphereNodes nodes(tree_, spheres_);
@@ -62,6 +64,7 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   }
 
   const Team team_;
+  StrandTable strands_;
   std::uint32_t spheres_ = 0;  // of the last build
   SphereTree tree_;
   std::vector<SphereQueues> queues_;  // [member of the team]
@@ -71,7 +74,7 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
 const RegisterVariant<SpheresInSpace, Robust> registered{
     {.name = "SphereTree",
      .summary = "single spheres in the order of space, sixteen a node, SIMD",
-     .parameters = {exact_parameter(), Team::threads_parameter()},
+     .parameters = {exact_parameter(), strands_parameter(), Team::threads_parameter()},
      .rival = [](std::uint32_t, const Extent&) { return 2; }}};
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "catena/core/plan/coarse_look.h"
 #include "catena/core/plan/part_look.h"
 #include "catena/core/plan/planned_search.h"
+#include "catena/core/plan/run_account.h"
 #include "catena/core/strategy/evidence_nodes.h"
 #include "catena/core/strategy/keeps_answer.h"
 #include "catena/core/strategy/register.h"
@@ -27,6 +28,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       : omissions_(parameters.given("keep") ? Omissions::without(parameters.choices("keep", omission_names()))
                                             : Omissions()),
         always_(parameters.choice("frames", {"measured", "always"}) == "always"),
+        times_planning_(parameters.choice("planning", {"untimed", "timed"}) == "timed"),
         whole_(omissions_, always_ || parameters.choice("rivals", {"measured", "none"}) == "none") {}
 
   void prepare(const Request& request) override { prepared_ = request; }
@@ -50,6 +52,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       whole_.find(chain, request, result);
       const Timings own = whole_.searcher().timings();
       timings_ = whole_.plan()->on_device() ? own : Timings{build_timings_.build_ms, own.find_ms};
+      pairs_ = result.pair_count;
       return;
     }
     timed(chain, [&](const FullSearch& here, const FullSearch& other, double build_ms) {
@@ -60,6 +63,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       else
         whole_.find(chain, request, result);
     });
+    pairs_ = result.pair_count;
   }
 
   const Collisions& find_kept(const Chain& chain, const Request& request) override {
@@ -67,6 +71,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     if (!answered_by_contact(request) && frames_count() && request.queries == SphereRange{})
       timed(chain, [&](const FullSearch& here, const FullSearch& other, double build_ms) {
         answer = &frames().find_kept(chain, request, here, other, build_ms);
+        pairs_ = answer->pair_count;
       });
     else
       find(chain, request, own_), answer = &own_;
@@ -103,10 +108,10 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       for (Decision& step : steps)
         if (step.step == info_of(Omission::hierarchy).step)
           step.left_out = true, step.reason += "; nothing was built";
-    steps.front().actual_ms = timings_.build_ms + timings_.find_ms + timings_.transfer_ms;
     if (contact_)
       steps.back().removed =
           fmt::format("build and search: spheres {} and {} collide", contact_->i, contact_->j);
+    tell_run(account(), steps);
     if (frames_ && frames_count())
       for (Decision& decision : frames_->plan()) steps.push_back(std::move(decision));
     if (whole_.built())
@@ -118,7 +123,8 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   /// `moved`: since the last one, of which this is the next frame; null where it is none.
   void begin(const Chain& chain, const Moved* moved) {
     const bool updates = moved != nullptr;
-    whole_.begin(chain, request_, updates);
+    look_ms_.reset();
+    plan_search(chain, updates);
     if (!updates && (frames_ || request_.frames_follow || always_)) frames().begin(request_.frames_follow);
     const bool look_first = whole_.plan()->look_first();
     if (!look_first) contact_.reset();  // of a frame of which something else was asked
@@ -131,7 +137,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
       return;
     }
     const Stopwatch watch;
-    if (look_first) look(chain);
+    if (look_first) look(chain), look_ms_ = watch.ms();
     // It heeds also frames that it has no part in: what moved is told of the last one, whatever was asked of
     // it.
     if (updates && frames_count())
@@ -145,6 +151,29 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     build_timings_ =
         whole_.built() && whole_.plan()->on_device() ? whole_.searcher().timings() : Timings{watch.ms()};
     timings_ = build_timings_;
+  }
+
+  void plan_search(const Chain& chain, bool updates) {
+    if (!times_planning_) return whole_.begin(chain, request_, updates);
+    const Stopwatch watch;
+    whole_.begin(chain, request_, updates);
+    planning_ms_ = watch.ms();
+    planning_again_ms_.reset();
+    if (updates) return;
+    const Stopwatch again;
+    const SearchPlan same(chain.size(), request_, Machine::here(), omissions_, chain.view().extent,
+                          chain.spheres());
+    planning_again_ms_ = again.ms();
+  }
+
+  RunAccount account() const {
+    RunAccount run{
+        whole_.spheres().value_or(0), timings_, planning_ms_, planning_again_ms_, look_ms_, {}, {}};
+    if (request_.want == Request::Want::counts) run.unlisted = pairs_;
+    if (whole_.built())
+      run.searcher = {whole_.answered_by(), whole_.plan()->all_pairs(), whole_.searcher().timings(),
+                      whole_.searcher().work()};
+    return run;
   }
 
   /// For a pair where one is likeliest, before anything is built: first where the last frame had one.
@@ -193,7 +222,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   }
 
   const Omissions omissions_;
-  const bool always_;
+  const bool always_, times_planning_;
   Request prepared_, request_;  ///< for the next build, and of the last one
   PlannedSearch whole_;
   std::optional<Pair> contact_;  ///< of the last frame, found by a look
@@ -206,17 +235,22 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
   std::unique_ptr<FrameSearch> frames_;
   Timings timings_, build_timings_;
   double building_ms_ = 0;  ///< of the searcher alone, by the last build or update
-  Collisions own_;          ///< of a find_kept that no frame before helps
+  std::optional<double> planning_ms_, planning_again_ms_, look_ms_;
+  std::uint64_t pairs_ = 0;  ///< of the last find
+  Collisions own_;           ///< of a find_kept that no frame before helps
 };
 
 const RegisterVariant<Auto, Robust> registered{
     {.name = "auto",
      .summary = "what a plan chooses for the chain, and leaves out for the request",
-     .parameters = {{"keep", "none", "omissions that are switched off, joined by '+'"},
-                    {"frames", "measured", "what frames have in common is used where it pays, or always"},
-                    {"rivals", "measured",
-                     "of many searches a few are done by others than what was planned, in whose place the "
-                     "quickest goes on, or none"}}}};
+     .parameters = {
+         {"keep", "none", "omissions that are switched off, joined by '+'"},
+         {"frames", "measured", "what frames have in common is used where it pays, or always"},
+         {"rivals", "measured",
+          "of many searches a few are done by others than what was planned, in whose place the "
+          "quickest goes on, or none"},
+         {"planning", "untimed",
+          "whether its plan tells how long choosing took, for which the clock is looked at (timed)"}}}};
 
 }  // namespace
 }  // namespace catena

@@ -1,14 +1,15 @@
 #pragma once
-#include <cstdint>
-
+#include "catena/core/blocks/block_tree.h"
+#include "catena/core/blocks/crowding.h"
 #include "catena/core/export.h"
 #include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/plan.h"
 
 namespace catena {
 
-/// What a search by blocks says of its nodes, of which so many are in a row and are not searched within.
-CATENA_API Decision told_rows(std::uint32_t rows, std::uint32_t nodes);
+/// What a search by blocks says of its nodes, of which those in a row are not searched within; `crowding`, if
+/// any, are left to another search.
+CATENA_API Decision told_rows(const BlockTree& tree, const Crowding* crowding = nullptr);
 
 /// "rows": skip or search them.
 CATENA_API ParameterInfo rows_parameter();

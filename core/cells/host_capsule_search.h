@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <vector>
 
-#include "catena/core/arithmetic/in_range.h"
 #include "catena/core/blocks/block_layout.h"
 #include "catena/core/cells/host_blocks.h"
 #include "catena/core/cells/host_comparison.h"
@@ -21,8 +21,13 @@ namespace catena {
 template <class Arithmetic>
 class HostCapsuleSearch : public HostSearch, public EvidenceNodes {
  public:
+  explicit HostCapsuleSearch(const Parameters& parameters)
+      : range_(parameters),
+        crowd_(static_cast<std::uint32_t>(
+            parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))) {}
+
   Plan plan() const override {
-    Plan plan = range_checks_plan<Arithmetic>(in_range_);
+    Plan plan = range_.plan();
     const CapsuleBlocks& all = blocks_.blocks();
     std::uint32_t crowded = all.all_crowded ? all.blocks : 0, tangled = 0;
     for (std::uint32_t b = 0; built() && !all.all_crowded && b < all.blocks; ++b)
@@ -40,15 +45,15 @@ class HostCapsuleSearch : public HostSearch, public EvidenceNodes {
   }
 
  protected:
-  /// How blocks of a chain are laid out, at `scale`.
-  virtual CapsuleBlocks laid_out(const ChainView& chain, float scale) const = 0;
+  /// How blocks of a chain are laid out, at `scale`; a block that meets more than `crowd` others is crowded.
+  virtual CapsuleBlocks laid_out(const ChainView& chain, std::uint32_t crowd, float scale) const = 0;
   /// Tells of every block, of which there is one and whose capsules are known, whom it meets, or that it is
   /// tangled (BlockMeeting::tell).
   virtual void tell(const CapsuleBlocks& blocks) = 0;
 
  private:
   void construct(const ChainView& chain) override {
-    const CapsuleBlocks& all = blocks_.enclose(chain, laid_out(chain, block_scale(chain.extent)));
+    const CapsuleBlocks& all = blocks_.enclose(chain, laid_out(chain, crowd_, block_scale(chain.extent)));
     if (all.all_crowded) return cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
     if (all.blocks > 0) tell(all);
     blocks_.meet_in_cells();
@@ -57,19 +62,26 @@ class HostCapsuleSearch : public HostSearch, public EvidenceNodes {
   }
   void search(const ChainView& chain, PairCollector& collector) override {
     LaneSink sink{collector.lane(0)};
-    with_tests_for<Arithmetic>(chain, [&](auto tests) {
+    range_.template with_tests_for<Arithmetic>(chain, [&](auto tests) {
       compare_blocks<decltype(tests)>(chain, blocks_.blocks(), sink);
       cells_.placed().search<decltype(tests)>(chain, sink);
     });
-    in_range_ = in_range<Arithmetic>(chain);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     ToldCells(chain, &blocks_.blocks(), cells_.placed()).search(lane, sink);
   }
 
+  RangeChecks range_;
+  const std::uint32_t crowd_;
   HostBlocks blocks_;
   HostSphereCells cells_;
-  bool in_range_ = false;
 };
+
+/// The parameters of such a search, which has these of its own.
+inline std::vector<ParameterInfo> with_capsules_on_host(std::vector<ParameterInfo> own) {
+  own.insert(own.begin(), {"crowd", "8", "a block that meets more others is left to the grid"});
+  own.push_back(range_parameter());
+  return own;
+}
 
 }  // namespace catena

@@ -55,7 +55,7 @@ class PlanCommand final : public Command {
     // Of the scene, where the input is one frame of it.
     const std::uint32_t first_frame = written_frame(input_);
 
-    auto variant = StrategyRegistry::instance().make(no_omit_.variant());
+    auto variant = StrategyRegistry::instance().make(no_omit_.variant_that_times_planning());
     Periodic* const periodic = put_into_boxes(variant, input.boxes);
     variant->prepare(request);
     Collisions found;

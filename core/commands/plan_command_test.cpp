@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -40,7 +42,43 @@ TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
   EXPECT_TRUE(step(before, "hierarchy")["left_out"]);
   EXPECT_TRUE(step(before, "pair list")["left_out"]);
   EXPECT_FALSE(step(after, "pair list")["left_out"]);
-  EXPECT_TRUE(step(after, "choice of variant").contains("actual_ms"));
+  for (const char* timed : {"choice of variant", "planning", "hierarchy", "build", "search"})
+    EXPECT_TRUE(step(after, timed).contains("actual_ms")) << timed;
+  EXPECT_EQ(step(after, "search")["reason"], "of 190 pairs of spheres: each");
+  for (const auto& s : before["plan"])
+    EXPECT_FALSE(s.contains("actual_ms") || s.contains("removed")) << "nothing was run: " << s;
+}
+
+/// What a step took is part of the whole, and what it spared is told in numbers.
+TEST_F(PlanProgram, TellsOfEachStepWhatItTookAndWhatWasRemoved) {
+  const auto run = json("plan path1:n=20000 --run --counts-only --json");
+  const auto ms = [&](const char* name) { return step(run, name)["actual_ms"].get<double>(); };
+  EXPECT_NEAR(ms("choice of variant"), ms("build") + ms("search"), 1e-9);
+  EXPECT_EQ(ms("hierarchy"), ms("build"));
+  EXPECT_GT(ms("build"), 0);
+  EXPECT_GT(ms("search"), 0);
+  EXPECT_TRUE(
+      step(run, "search")["reason"].get<std::string>().starts_with("of 199990000 pairs of spheres: "));
+  EXPECT_TRUE(step(run, "search within straight stretches")["removed"].get<std::string>().ends_with(
+      " pairs of blocks of 8 spheres"));
+  const auto detected = json("detect path1:n=20000 --json");
+  EXPECT_EQ(step(run, "pair list")["removed"], fmt::format("{} pairs", detected["pairs"].get<int>()));
+  const auto looked = json("plan path1:n=20000 --run --any --json");
+  EXPECT_TRUE(step(looked, "build before a look at the likeliest places").contains("actual_ms"));
+  EXPECT_EQ(step(looked, "build"), nullptr) << "nothing was built";
+}
+
+/// At most a hundredth of a run, once threads are started.
+TEST_F(PlanProgram, PlansInAHundredthOfARun) {
+  double least = 100;  // of some, as others may take the processor
+  for (int k = 0; k < 5; ++k) {
+    const std::string reason =
+        step(json("plan path1:n=150000 --run --json"), "planning")["reason"].get<std::string>();
+    double again = 0, share = 100;
+    ASSERT_EQ(std::sscanf(reason.c_str(), "once more %lf ms, %lf %%", &again, &share), 2) << reason;
+    least = std::min(least, share);
+  }
+  EXPECT_LE(least, 1);
 }
 
 TEST(PlanReport, HasAColumnForWhatAnyStepSays) {
@@ -64,6 +102,12 @@ TEST_F(PlanProgram, OmitsNothingThatIsSwitchedOff) {
   EXPECT_FALSE(step(run, "pair list")["left_out"]);
   EXPECT_TRUE(step(json("plan yarn:n=3000 --run --counts-only --json"), "pair list")["left_out"]);
   EXPECT_FALSE(step(json("plan path1:n=20 --no-omit hierarchy --json"), "hierarchy")["left_out"]);
+  for (const std::string name : {"strand table", "range checks"}) {
+    std::string option = " --no-omit " + name;
+    option[option.rfind(' ')] = '-';
+    EXPECT_TRUE(step(json("plan path1:n=20 --run --json"), name)["left_out"]) << name;
+    EXPECT_FALSE(step(json("plan path1:n=20 --run --json" + option), name)["left_out"]) << name;
+  }
   expect_says("detect path1:n=20 --no-omit hierarchy", 0, {"auto(keep=hierarchy), ChainTree"});
   expect_refused("plan path1:n=20 --no-omit nonsense", "hierarchy");
   expect_refused("detect path1:n=20 --variant CPU1 --no-omit hierarchy", "--variant");

@@ -31,4 +31,9 @@ std::string NoOmitOption::variant() const {
   return given() ? fmt::format("auto(keep={})", fmt::join(names_, "+")) : "auto";
 }
 
+std::string NoOmitOption::variant_that_times_planning() const {
+  return fmt::format("auto(planning=timed{})",
+                     given() ? fmt::format(",keep={}", fmt::join(names_, "+")) : "");
+}
+
 }  // namespace catena

@@ -27,6 +27,8 @@ class NoOmitOption {
   const std::vector<std::string>& names() const { return names_; }
   /// The variant auto with these omissions switched off.
   std::string variant() const;
+  /// The same, whose plan also tells how long choosing took.
+  std::string variant_that_times_planning() const;
 
  private:
   std::vector<std::string> names_;

@@ -5,8 +5,8 @@
 
 namespace catena {
 
-/// What a search in cells says of the radii, whether it read one for all.
-CATENA_API Decision told_radii(bool equal);
+/// What a search of so many spheres in cells says of their radii, whether it read one for all.
+CATENA_API Decision told_radii(bool equal, std::uint64_t spheres);
 
 /// "radii": once or each; see SphereGrid::each_radius.
 CATENA_API ParameterInfo radii_parameter();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "catena/core/blocks/block_layout.h"
+#include "catena/core/blocks/told_rows.h"
 #include "catena/core/grid/grid_evidence.h"
 #include "catena/core/hybrid/crowd_evidence.h"
 #include "catena/core/space_tree/search_cost.h"
@@ -234,6 +235,8 @@ bool HybridSearch::one_level() const {
   const std::uint32_t others = parts_.dense_count - parts_.grid.levels.front().end;
   return others <= parts_.dense_count / few;
 }
+
+Decision HybridSearch::told_rows() const { return catena::told_rows(parts_.tree, &parts_.crowding); }
 
 Decision HybridSearch::told_order() const {
   std::uint32_t sorted = 0, frames = 0;

@@ -63,9 +63,9 @@ class CATENA_API HybridSearch {
   const Settings& settings() const { return settings_; }
   std::uint32_t nodes() const { return parts_.crowding.nodes(); }
   std::uint32_t crowded_nodes() const { return parts_.crowding.crowded_nodes(); }
-  /// Nodes in which, and from which to the next, nothing is searched, as their blocks follow one another.
-  std::uint32_t rows() const { return parts_.tree.rows(); }
 
+  /// What is not searched within rows; see catena::told_rows.
+  Decision told_rows() const;
   /// Some of it is sorted in space.
   bool sorts() const { return parts_.space.entries > 0 || (parts_.dense_count > 0 && !parts_.in_cells); }
   /// How much is, and when it was; see told_order.

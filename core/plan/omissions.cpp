@@ -9,8 +9,8 @@
 namespace catena {
 namespace {
 
-const std::array<OmissionInfo, 14>& table() {
-  static const auto& all = never_destroyed(std::array<OmissionInfo, 14>{{
+const std::array<OmissionInfo, 17>& table() {
+  static const auto& all = never_destroyed(std::array<OmissionInfo, 17>{{
       {Omission::hierarchy, "hierarchy", "hierarchy",
        "all pairs are compared instead, by the same exact test"},
       {Omission::device, "device", "device", "the host's exact variants give the device's pairs"},
@@ -30,6 +30,15 @@ const std::array<OmissionInfo, 14>& table() {
       {Omission::radii, "radii", "radius of each sphere in cells",
        "the least radius of the chain and the greatest are one number, as all were seen to be when they were "
        "checked"},
+      {Omission::strands, "strand-table", "strand table",
+       "of one open strand every sphere is of the same one, and no end of it is joined to the other"},
+      {Omission::range_checks, "range-checks", "range checks",
+       "no sum of two radii, of spheres or of bounds over them, has a square that binary32 has no room for, "
+       "so "
+       "that none falls back to binary64 for its range: Robust::in_range"},
+      {Omission::upload, "upload", "move of what lies on the device",
+       "a chain of the same topology has the same strands and neighbours, and a sphere that did not move the "
+       "same bits"},
       {Omission::unmoved, "unmoved", "search of an unmoved frame",
        "no bit of a sphere differs, so that no pair does"},
       {Omission::still_parts, "still-parts", "search of the parts that did not move",

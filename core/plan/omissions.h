@@ -20,6 +20,9 @@ enum class Omission {
   straight,
   exact,
   radii,
+  strands,
+  range_checks,
+  upload,
   unmoved,
   still_parts,
   shifted,
@@ -48,7 +51,7 @@ class CATENA_API Omissions {
   bool may(Omission omission) const { return !off_[static_cast<std::size_t>(omission)]; }
 
  private:
-  std::bitset<16> off_;
+  std::bitset<32> off_;
 };
 
 }  // namespace catena

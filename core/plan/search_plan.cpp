@@ -23,6 +23,16 @@ bool knows(const std::string& variant, const char* parameter) {
          std::ranges::find(info->parameters, parameter, &ParameterInfo::name) != info->parameters.end();
 }
 
+/// What a strategy leaves out by itself, and the parameter that has it do so all the same.
+struct StrategyKeeps {
+  Omission omission;
+  const char *parameter, *value;
+};
+constexpr StrategyKeeps strategies_keep[] = {
+    {Omission::straight, "rows", "search"},       {Omission::exact, "exact", "all"},
+    {Omission::radii, "radii", "each"},           {Omission::strands, "strands", "read"},
+    {Omission::range_checks, "range", "checked"}, {Omission::upload, "upload", "all"}};
+
 /// Further threads are to save as much, over what they take to come together: twice that.
 double least_saved_ms(const Machine::VariantCost& v) { return 2 * v.cost.team_us * 1e-3; }
 
@@ -157,15 +167,12 @@ SearchPlan::Offer SearchPlan::offer_of(const Machine::VariantCost& v) const {
 
 std::string SearchPlan::named(const Rivals::Contender& contender) const {
   const auto& [variant, threads] = contender;
-  const bool rows = !omissions_.may(Omission::straight) && knows(variant, "rows"),
-             exact = !omissions_.may(Omission::exact) && knows(variant, "exact"),
-             radii = !omissions_.may(Omission::radii) && knows(variant, "radii");
-  if (threads == 1 && !rows && !exact && !radii) return variant;
+  const auto kept = [&](const auto& k) { return !omissions_.may(k.omission) && knows(variant, k.parameter); };
+  if (threads == 1 && std::ranges::none_of(strategies_keep, kept)) return variant;
   VariantName name = VariantName::parse(variant);
   auto& settings = name.stages.front().settings;
-  if (rows) settings.push_back({"rows", "search"});
-  if (exact) settings.push_back({"exact", "all"});
-  if (radii) settings.push_back({"radii", "each"});
+  for (const StrategyKeeps& of : strategies_keep)
+    if (kept(of)) settings.push_back({of.parameter, of.value});
   if (threads > 1) settings.push_back({"threads", std::to_string(threads)});
   return name.text();
 }

@@ -89,9 +89,13 @@ TEST(SearchPlan, TellsAStrategyWhatMayNotBeLeftOut) {
   EXPECT_EQ(named({"straight"}), "Hybrid(rows=search)");
   EXPECT_EQ(named({"exact"}), "Hybrid(exact=all)");
   EXPECT_EQ(named({"radii"}), "Hybrid(radii=each)");
-  EXPECT_EQ(named({"straight", "exact", "radii"}), "Hybrid(rows=search,exact=all,radii=each)");
-  of.costs[0].variant = "CPU1";  // which knows none of them
+  EXPECT_EQ(named({"strand-table"}), "Hybrid(strands=read)");
+  EXPECT_EQ(named({"range-checks", "upload"}), "Hybrid") << "which has none";
+  EXPECT_EQ(named({"straight", "exact", "radii", "strand-table"}),
+            "Hybrid(rows=search,exact=all,radii=each,strands=read)");
+  of.costs[0].variant = "CPU1";  // which knows none of the first three
   EXPECT_EQ(named({"straight", "exact", "radii"}), "CPU1");
+  EXPECT_EQ(named({"strand-table", "range-checks", "upload"}), "CPU1(strands=read,range=checked)");
 }
 
 TEST(SearchPlan, EveryOmissionStatesItsObligation) {

@@ -109,7 +109,7 @@ TEST(Registry, ParametersAreCheckedAndUsed) {
   EXPECT_NE(refusal("aGPU2@host(subtree=8,subtree=8)+CPU2").find("given twice"), std::string::npos);
   EXPECT_NE(refusal("aGPU2@host(subtree)+CPU2").find("not key=value"), std::string::npos);
   EXPECT_NE(refusal("aGPU2@host(subtree=8+CPU2").find("name(key=value"), std::string::npos);
-  EXPECT_NE(refusal("CPU1(threads=2)").find("takes no parameters"), std::string::npos);
+  EXPECT_NE(refusal("aCPU2(threads=2)+CPU2").find("takes no parameters"), std::string::npos);
 }
 
 /// A name alone, which is not taken apart, means what it means with an arithmetic and parameters written.

@@ -2,9 +2,11 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "catena/core/error.h"
 #include "catena/core/strategy/device.h"
+#include "catena/core/strategy/upload.h"
 #include "catena/core/strategy/variant.h"
 
 namespace catena {
@@ -13,7 +15,8 @@ namespace catena {
 /// that was cleared, its search; building, finding and fetching from the host are made of them here.
 class ResidentVariant : public Variant, protected ResidentSearch {
  public:
-  explicit ResidentVariant(std::unique_ptr<Device> device) : device_(std::move(device)) {}
+  explicit ResidentVariant(std::unique_ptr<Device> device, Upload upload = {})
+      : device_(std::move(device)), upload_(upload) {}
 
   void prepare(const Request& request) final { request_ = request; }
 
@@ -57,6 +60,11 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   void check(const Chain& chain) const {
     if (built_ != chain.size()) throw std::logic_error("find: not the chain of the last build");
   }
+  /// These steps, and what was moved for the last build.
+  Plan with_upload_told(Plan steps) const {
+    for (Decision& step : upload_.told()) steps.push_back(std::move(step));
+    return steps;
+  }
   /// Whether the last build was on the host, and there was one.
   bool built() const { return built_.has_value(); }
   void run_on_device(const Device::Work& work) const { device_->run(work); }
@@ -74,7 +82,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
     built_.reset();
     timings_ = {};
     const Stopwatch watch;
-    chain_ = device_->to_device(chain.view(), moved);
+    chain_ = upload_.run(*device_, chain.view(), moved);
     upload_ms_ = watch.ms();
     const auto times = device_->run([&](StreamHandle stream) { enqueue_build(chain_, request_, stream); });
     timings_.build_ms = times.work_ms;
@@ -93,6 +101,7 @@ class ResidentVariant : public Variant, protected ResidentSearch {
   }
 
   std::unique_ptr<Device> device_;
+  Upload upload_;
   Request request_;
   std::optional<std::uint32_t> built_;
   ChainView chain_{};

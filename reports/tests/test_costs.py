@@ -142,6 +142,22 @@ class Costs(unittest.TestCase):
             pages.shown(value).figures["savings"].title.endswith(f", slower in 1: up to 8 times (hierarchy, {row['input']})")
         )
 
+    def test_of_many_savings_those_that_make_the_most_difference_have_bars(self):
+        value = made.run()
+        row = next(row for row in value["catena"]["savings"] if row["what"] != "hierarchy")
+        many = [
+            {**row, "input": f"path1/n:{n}", "with_ms": [factor * ms for ms in row["without_ms"]]}
+            for n, factor in enumerate([*(1 + k / 100 for k in range(50)), 1 / 8])
+        ]
+        value["catena"]["savings"] = many
+        shown = pages.shown(value)
+        figure, bars = shown.figures["savings"], shown.figures["savings"].panels[0].series[0]
+        self.close(bars.x, [*(1 + k / 100 for k in range(49, 10, -1)), 1 / 8])
+        self.assertIn(" of 51 cases, slower in 1: up to 8 times", figure.title)
+        self.assertIn("Shown are the 40 cases that make the most difference; the table has all 51.", figure.caption)
+        self.assertEqual(len(shown.raw("savings")), 51)
+        self.assertNotIn("Shown are", self.shown.figures["savings"].caption)
+
     @recomputes("figure:crossover", "table:crossover")
     def test_the_scan_over_n_is_a_crossover_and_no_saving(self):
         rows = [row for row in self.catena["savings"] if row["what"] == "hierarchy"]

@@ -32,13 +32,22 @@ def _saved(row):
     )
 
 
+MOST_BARS = 40  # more is no figure, and the table has all
+
+
 def _figure(report, run, rows):
     rows = [(row, _saved(row)) for row in rows]
     rows = sorted(((row, ratio) for row, ratio in rows if ratio), key=lambda entry: -entry[1].value)
+    shown = sorted(rows, key=lambda entry: -abs(numpy.log(entry[1].value)))[:MOST_BARS]
+    return _bars(report, run, rows, sorted(shown, key=lambda entry: -entry[1].value))
+
+
+def _bars(report, run, all_rows, rows):
+    """Of all rows, what is said; of `rows`, bars."""
     names = [f"{row['input']}: {row['what']}" for row, _ in rows]
-    clear = sum(ratio.low > 1 for _, ratio in rows)
-    slower = [(row, ratio) for row, ratio in rows if ratio.high < 1]
-    wrong = sum(not row.get("identical", True) for row, _ in rows)
+    clear = sum(ratio.low > 1 for _, ratio in all_rows)
+    slower = [(row, ratio) for row, ratio in all_rows if ratio.high < 1]
+    wrong = sum(not row.get("identical", True) for row, _ in all_rows)
     series = Series(
         "saved",
         [ratio.value for _, ratio in rows],
@@ -65,7 +74,7 @@ def _figure(report, run, rows):
         height=110 + 24 * len(rows),
     )
     message = (
-        f"Leaving out what a scene does not need was faster in {clear} of {words.plural(len(rows), 'case')}"
+        f"Leaving out what a scene does not need was faster in {clear} of {words.plural(len(all_rows), 'case')}"
     )
     if slower:
         row, ratio = min(slower, key=lambda entry: entry[1].value)
@@ -78,6 +87,11 @@ def _figure(report, run, rows):
         (
             "Right of the dashed line: faster without. Bars are the 95 % interval of the ratio of medians;"
             " one that crosses the line shows no difference."
+            + (
+                f" Shown are the {len(rows)} cases that make the most difference; the table has all {len(all_rows)}."
+                if len(rows) < len(all_rows)
+                else ""
+            )
         ),
         [panel],
         columns=1,
