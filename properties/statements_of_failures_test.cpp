@@ -57,7 +57,7 @@ TEST(Statements, NoticeWhatIsWrongAmongCallsInAnyOrder) {
       {.bounds = [](const Told& told, BoundsVisitor& visitor) { show_twos(*told.chain, visitor, 1e-9); }},
       "bounds do not enclose");
   expect_noticed_in_some({.spoil =
-                              [](const Question& q, Collisions& found) {
+                              [](const Question&, Collisions& found) {
                                 if (!found.count.empty()) ++found.count[0];
                               }},
                          "other counts");

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace catena::bench {
 namespace {
@@ -19,6 +20,8 @@ MedianInterval of_first(int n) {
 TEST(MedianInterval, TakesTheTabulatedOrderStatistics) {
   EXPECT_FALSE(of_first(5).bounded);
   EXPECT_TRUE(std::isinf(of_first(5).relative_width()));
+  const std::vector<double> nothing(20, 0.0);
+  EXPECT_TRUE(std::isinf(median_interval(nothing).relative_width())) << "of times that no clock saw";
   const struct {
     int n;
     double lower, upper;

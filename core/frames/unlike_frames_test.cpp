@@ -1,4 +1,5 @@
-// Frames that are not the last one moved, and searches between that asked for less: nothing is taken from them.
+// Frames that are not the last one moved, and searches between that asked for less: nothing is taken from
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,8 @@ using Way = FrameSearch::Way;
 /// next.
 class AnyFrames {
  public:
-  AnyFrames() { search_.begin(true); }
+  AnyFrames() { begin(); }
+  void begin() { search_.begin(true); }
   Way update(const Chain& chain, const Moved& moved = {}) { return search_.update(chain, moved); }
   void expect_exact(const Chain& chain, const Request& request, const std::string& what) {
     const FullSearch full = [this](const Chain& c, const Request& r, Collisions& f) {
@@ -91,6 +93,23 @@ TEST(FrameSearch, KeepsNoListOfAnotherRule) {
     const Chain chain(spheres, {}, Exclusion::index(window));
     frames.update(chain);
     frames.expect_exact(chain, {}, "window " + std::to_string(window));
+  }
+}
+
+/// A film that begins anew, with the same spheres under another rule.
+TEST(FrameSearch, KeepsNoListOfAnotherFilm) {
+  const Chain first = yarn();
+  const std::vector<Sphere> here(first.spheres().begin(), first.spheres().end()), there = shaken(here, 0.01f);
+  AnyFrames frames;
+  for (const std::uint32_t window : {40u, 1u, 40u}) {
+    frames.begin();
+    for (int frame = 0; frame < 4; ++frame) {
+      const Chain chain(frame % 2 == 0 ? here : there, {}, Exclusion::index(window));
+      if (frame > 0) {
+        EXPECT_EQ(frames.update(chain), Way::kept_list);
+      }
+      frames.expect_exact(chain, {}, "window " + std::to_string(window));
+    }
   }
 }
 

@@ -21,6 +21,10 @@ TEST(Periodic, RefusesASphereMoreBoxesAwayThanAreCounted) {
   for (const double x : {10 * (most + 2), -10 * (most + 2), 1e30})
     for (const auto want : {Request::Want::pairs, Request::Want::any})
       EXPECT_THROW(found("CPU1", at(x), {{10, 10, 10}}, {.want = want}), InputError) << x;
+  // Whatever else collides, and so would be all that is asked for.
+  const Chain collides(
+      {{0, 0, 0, 1}, {5, 5, 5, 0}, {1, 0, 0, 1}, {static_cast<float>(10 * (most + 2)), 0, 0, 0}});
+  EXPECT_THROW(found("CPU1", collides, {{10, 10, 10}}, {.want = Request::Want::any}), InputError);
 }
 
 TEST(Periodic, CountsAPairOnceThatTouchesThroughBothFaces) {

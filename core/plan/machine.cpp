@@ -8,6 +8,7 @@
 #include <fstream>
 #include <locale>
 #include <sstream>
+#include <system_error>
 
 #include "catena/core/executor/usable_cores.h"
 #include "catena/core/never_destroyed.h"
@@ -84,6 +85,15 @@ Machine Machine::built_in() {
 
 Machine Machine::from(const std::filesystem::path& file) {
   Machine machine = built_in();
+  std::error_code unknown;
+  const auto type = std::filesystem::status(file, unknown).type();
+  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found) {
+    // To open a pipe would wait for whoever writes to it.
+    if (!unknown)
+      machine.warning = fmt::format("{} is no file; using built-in figures; catena calibrate needs its place",
+                                    file.string());
+    return machine;
+  }
   std::ifstream text(file);
   if (!text) return machine;
   const Read found = read(text);

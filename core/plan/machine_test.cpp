@@ -1,6 +1,7 @@
 #include "catena/core/plan/machine.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -54,6 +55,19 @@ TEST_F(MachineFile, ThatIsNotThereGivesTheBuiltInFiguresInSilence) {
   const Machine machine = Machine::from(file_);
   EXPECT_FALSE(machine.warning);
   EXPECT_EQ(machine.source, Machine::built_in().source);
+}
+
+/// A pipe is not waited for.
+TEST_F(MachineFile, ThatIsNoFileIsOneLineAndGivesTheBuiltInFigures) {
+  for (const bool pipe : {false, true}) {
+    ASSERT_EQ(pipe ? mkfifo(file_.c_str(), 0600) : mkdir(file_.c_str(), 0700), 0);
+    const Machine machine = Machine::from(file_);
+    EXPECT_EQ(machine.warning.value_or(""),
+              file_.string() + " is no file; using built-in figures; catena calibrate needs its place");
+    EXPECT_EQ(machine.source, Machine::built_in().source);
+    std::filesystem::remove(file_);
+  }
+  EXPECT_FALSE(Machine::from(file_).warning) << "there is none";
 }
 
 TEST_F(MachineFile, ThatIsDamagedIsOneLineAndGivesTheBuiltInFigures) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <random>
 #include <string>
@@ -96,6 +97,39 @@ TEST(Rivals, ATrialEndsAsSoonAsItIsLost) {
   EXPECT_EQ(longest["a1"], 2);
   EXPECT_EQ(longest["b1"], 1);
   EXPECT_FALSE(f.rivals.replaced());
+}
+
+/// The first search of a trial builds, or finds what was built: it counts where it is the only one.
+TEST(Rivals, TheFirstSearchOfATrialDoesNotDecideIt) {
+  Rivals rivals;
+  rivals.begin(first_choice, 1);
+  rivals.join({{"a", 1}}, 0);
+  for (int k = 0; k < 200; ++k) {
+    const bool tried = rivals.next() != first_choice;
+    for (unsigned step = 0; tried && step < Rivals::trial && rivals.next() != first_choice; ++step)
+      rivals.took(step == 0 ? 0.01 : 1.2);
+    if (!tried) rivals.took(1);
+    EXPECT_EQ(rivals.leader(), first_choice) << k;
+  }
+}
+
+/// What takes very long in a trial says that something else ran: it is booked as eight searches in all,
+/// however many the trial had, and others are tried as soon again.
+TEST(Rivals, ADisturbedTrialIsBookedOnce) {
+  const auto pause = [](std::initializer_list<double> trial) {
+    Rivals rivals;
+    rivals.begin(first_choice, 1);
+    rivals.join({{"a", 1}}, 0);
+    while (rivals.next() == first_choice) rivals.took(1);
+    for (const double ms : trial) rivals.took(ms);
+    EXPECT_EQ(rivals.next(), first_choice);
+    int searches = 0;
+    for (; rivals.next() == first_choice && searches < 5000; ++searches) rivals.took(1);
+    return searches;
+  };
+  const int once = pause({1000}), twice = pause({1, 1000});
+  EXPECT_GT(once, 100);
+  EXPECT_NEAR(twice, once, 5);
 }
 
 /// What ran meanwhile does not decide who leads for long, whichever searches it disturbs.

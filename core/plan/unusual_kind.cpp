@@ -23,6 +23,8 @@ enum Kind {
   short_like,
   short_single,
   short_moving,
+  short_points,
+  short_points_anywhere,
   kinds
 };
 
@@ -46,6 +48,8 @@ const UnusualKind& info(Kind kind) {
       {"SphereTree",
        "301 to 2,048 spheres of like radii that cells would suit, in frames: they are sorted in space for "
        "several at once"},
+      {"ChainTree", "at most 2,048 points that follow one another in space"},
+      {"SphereTree", "at most 2,048 points in no order"},
   }});
   return all[kind];
 }
@@ -168,6 +172,8 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
     if (like && !slow_alone && filled > full && filled <= very_dense &&
         filled * beside_the_next(spheres) > full && !spheres.empty() && share_that_meets(spheres) > most_meet)
       return &info(RowLook::at(spheres, 0).straight > anywhere ? crowded : crowded_anywhere);
+  } else if (n <= few && extent.sides > 0 && !spheres.empty()) {
+    return &info(RowLook::at(spheres, 0).straight > anywhere ? short_points : short_points_anywhere);
   }
   return nullptr;
 }

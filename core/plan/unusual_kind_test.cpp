@@ -87,6 +87,27 @@ const UnusualKind* unusual(const std::vector<Sphere>& spheres) {
 }
 std::string kind_of(const std::vector<Sphere>& spheres) { return unusual(spheres)->variant; }
 
+/// Of radius 0 few collide, and a tree of blocks is not worth its while.
+TEST(UnusualKind, OfAFewPointsIsToldByTheirOrder) {
+  for (const std::uint32_t n : {40u, 300u, 1000u, 2048u}) {
+    EXPECT_EQ(kind_of(anywhere(n, 40, 40, 40, 0)), "SphereTree") << n;
+    auto path = open_input("walk:n=" + std::to_string(n)).animation->frame(0);
+    std::vector<Sphere> points(path.spheres().begin(), path.spheres().end());
+    for (Sphere& point : points) point.radius = 0;
+    EXPECT_EQ(kind_of(points), "ChainTree") << n;
+    points[n / 2] = points[0], points[n / 3] = points[n - 1];
+    const Chain chain(points);
+    Collisions all;
+    const auto every_pair = StrategyRegistry::instance().make("CPU1");
+    every_pair->build(chain);
+    every_pair->find(chain, {}, all);
+    EXPECT_EQ(all.pair_count, 2u) << n;
+    EXPECT_EQ(find(chain).count, all.count) << n;
+  }
+  EXPECT_EQ(unusual(anywhere(2049, 40, 40, 40, 0)), nullptr) << "many";
+  EXPECT_EQ(unusual(std::vector<Sphere>(100)), nullptr) << "in one place, as nothing that is known";
+}
+
 /// Radii that grow along the chain; but not by a few specks or giants, nor where each part has all radii.
 TEST(UnusualKind, OfVeryUnlikeRadiiIsToldByPartsOfTheChain) {
   const auto radii = [](std::uint32_t n, const auto& exponent) {  // of two, of sphere i

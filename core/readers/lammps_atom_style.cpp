@@ -30,7 +30,7 @@ std::span<const LammpsAtomStyle> lammps_atom_styles() {
       {"sphere", 7, 4, {}, 2},
       {"spin", 9, 2},
       {"tdpd", 5, 2, {}, {}, true},
-      {"template", 8, 5},
+      {"template", 8, 5, 1},
       {"tri", 8, 5, 1},
       {"wavepacket", 11, 8},
   };

@@ -12,7 +12,9 @@
 namespace catena {
 namespace {
 
-/// The rows of section Atoms as https://docs.lammps.org/read_data.html prints them.
+/// The rows of section Atoms as https://docs.lammps.org/read_data.html prints them; of template, whose type
+/// the page has in the second place, as LAMMPS itself reads and writes them
+/// (src/MOLECULE/atom_vec_template.cpp).
 const std::map<std::string_view, std::string> documented{
     {"amoeba", "atom-ID molecule-ID atom-type q x y z"},
     {"angle", "atom-ID molecule-ID atom-type x y z"},
@@ -40,7 +42,7 @@ const std::map<std::string_view, std::string> documented{
     {"sphere", "atom-ID atom-type diameter density x y z"},
     {"spin", "atom-ID atom-type x y z spx spy spz sp"},
     {"tdpd", "atom-ID atom-type x y z"},
-    {"template", "atom-ID atom-type template-molecule template-index template-atom x y z"},
+    {"template", "atom-ID molecule-ID template-index template-atom atom-type x y z"},
     {"tri", "atom-ID molecule-ID atom-type triangleflag density x y z"},
     {"wavepacket", "atom-ID atom-type charge espin eradius etag cs_re cs_im x y z"}};
 

@@ -148,6 +148,10 @@ TEST(PdbReader, SaysWhereAChainGoesOnBehindAnother) {
       read_text("a.pdb", at(0, 'A', 1) + "TER\n" + at(9, 'B', 1) + "TER\n" + at(3, 'A', 9, "HETATM"));
   EXPECT_EQ(whole.spheres.size(), 2u);
   EXPECT_TRUE(whole.warnings.empty());
+  const CurveFile letter_again =
+      read_text("a.pdb", at(0, 'A', 1) + "TER\n" + at(9, 'B', 1) + "TER\n" + at(18, 'A', 2) + "TER\n");
+  EXPECT_EQ(letter_again.strand_first, (Offsets{0, 1, 2, 3}));
+  EXPECT_TRUE(letter_again.warnings.empty()) << "another chain of the letter of one that has ended";
   const std::string two = at(0, 'A', 1) + at(9, 'B', 1);
   EXPECT_TRUE(
       read_text("a.pdb", "MODEL 1\n" + two + "ENDMDL\nMODEL 2\n" + two + "ENDMDL\n").warnings.empty());

@@ -80,7 +80,8 @@ SingleSpheres cheaper(const ChainView& chain, std::uint32_t spheres, std::span<c
   const double in_space = SingleSphereCost::in_space(near, radii.bits, spheres) - kept,
                in_cells = SingleSphereCost::in_cells(near.in_cells, spheres),
                pairs = ball * near.by_reach / 2;
-  const bool one_width = SingleSphereCost::one_width(near.in_cells * radii.smaller);
+  // What has no size has no width of cells either: each other place is a cell of its own then.
+  const bool one_width = radii.greatest > 0 && SingleSphereCost::one_width(near.in_cells * radii.smaller);
   const bool cells = one_width && in_cells < shallow_share(spheres) * in_space;
   // In an order of blocks, beside which this is held, vectors narrower than AVX-512's cost more.
   const double beside_blocks = wide_vectors() ? 1 : 0.8;

@@ -93,6 +93,21 @@ TEST(SearchCost, CellsAreForRadiiThatFitOneWidth) {
   }
 }
 
+/// Points have no width that cells could be as wide as.
+TEST(SearchCost, PointsAreInTheOrderOfSpace) {
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    for (const std::uint32_t n : {300u, 3000u, 30000u})
+      for (const float room : {0.0f, 5.0f, 40.0f}) {
+        const auto in_cells = [&](float radius) {
+          return single_spheres(Chain(anywhere(n, room, [&](std::uint32_t) { return radius; })).view())
+              .in_cells;
+        };
+        EXPECT_FALSE(in_cells(0)) << n << ' ' << room << ' ' << target;
+      }
+  }
+}
+
 /// So many spheres in as many cells each, whatever their number, of radii from 1/2 to so many times less.
 bool in_cells_of(std::uint32_t n, double near, float ratio) {
   const auto room = static_cast<float>(std::cbrt(n * 27 / 16.0 / near));

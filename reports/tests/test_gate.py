@@ -125,6 +125,14 @@ class Promises(unittest.TestCase):
         found = [part.place for part in alarms(beside(1.0))]
         self.assertEqual(found, [paired.DEVICE, paired.HOST, paired.THREADS])
 
+    def test_a_kernel_that_was_quicker_makes_nothing_slower(self):
+        cases = [
+            dataclasses.replace(case, calibrated=True, kernel=-math.log(3))
+            for case in samples.unchanged(samples.generator(3))
+        ]
+        _, common = gate.decide(cases)
+        self.assertEqual([part.verdict for part in common], [gate.SAME] * 3)
+
     def test_a_change_of_few_families_does_not_hide_in_the_machine(self):
         cases = [case for case in samples.unchanged(samples.generator(2)) if case.variant == "aCPU2+CPU2"]
         self.assertEqual(alarms(cases), [])
