@@ -28,5 +28,7 @@ CATENA_API void search_grid(const ChainView& chain, const SphereGrid& grid, Grid
 /// So many spheres a vector of these searches holds on this machine: 16 with AVX-512, 8 with AVX2, else 4
 /// or 1.
 CATENA_API std::uint32_t spheres_of_a_vector();
+/// Whether these are AVX-512's.
+inline bool wide_vectors() { return spheres_of_a_vector() == 16; }
 
 }  // namespace catena

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "catena/core/blocks/squares_in_range.h"
+#include "catena/core/grid/grid_kernels.h"
 #include "catena/core/hierarchy/box.h"
 #include "catena/core/never_destroyed.h"
 #include "catena/core/plan/row_look.h"
@@ -21,6 +22,7 @@ enum Kind {
   short_apart,
   short_dense,
   short_like,
+  short_narrow,
   short_single,
   short_moving,
   short_points,
@@ -44,6 +46,10 @@ const UnusualKind& info(Kind kind) {
       {"Grid",
        "301 to 2,048 spheres of like radii that fill their box, of which rows of eight are near many others"},
       {"Grid", "301 to 2,048 spheres of like radii in a box that is mostly empty, in no order"},
+      {"Grid",
+       "301 to 2,048 spheres of like radii, in no order or of which rows of eight are near many others, "
+       "where "
+       "vectors are narrower than AVX-512's"},
       {"SphereTree", "at most 2,048 spheres in no order, or of which rows of eight are near many others"},
       {"SphereTree",
        "301 to 2,048 spheres of like radii that cells would suit, in frames: they are sorted in space for "
@@ -142,8 +148,10 @@ Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Spher
     }
     if (look.near <= rows) return short_apart;
   }
-  // A tree of single spheres needs no like ones, and finds sooner where nothing is.
-  if (!like || n <= very_few || filled > dense || (filled > sparse) != ordered) return short_single;
+  // A tree of single spheres needs no like ones, and finds sooner where nothing is; with wide vectors, too,
+  // where it depends.
+  if (!like || n <= very_few || filled > dense) return short_single;
+  if ((filled > sparse) != ordered) return wide_vectors() ? short_single : short_narrow;
   return ordered ? short_dense : short_like;
 }
 
@@ -167,7 +175,8 @@ const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::s
         return &info(short_extreme);
       if (spheres.empty()) return nullptr;
       const Kind kind = short_kind(n, filled, like, spheres);
-      return &info((kind == short_like || kind == short_dense) && frames_follow ? short_moving : kind);
+      const bool cells = kind == short_like || kind == short_dense || kind == short_narrow;
+      return &info(cells && frames_follow ? short_moving : kind);
     }
     if (like && !slow_alone && filled > full && filled <= very_dense &&
         filled * beside_the_next(spheres) > full && !spheres.empty() && share_that_meets(spheres) > most_meet)

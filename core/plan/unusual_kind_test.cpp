@@ -6,10 +6,12 @@
 #include <tuple>
 #include <vector>
 
+#include "catena/core/grid/grid_kernels.h"
 #include "catena/core/input/input.h"
 #include "catena/core/plan/find.h"
 #include "catena/core/plan/search_plan.h"
 #include "catena/core/strategy/registry.h"
+#include "catena/properties/forced_target.h"
 
 namespace catena {
 namespace {
@@ -70,6 +72,24 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
   for (const std::uint32_t n : {100u, 3000u})
     EXPECT_EQ(UnusualKind::of(n, {1, 1, 3 * std::cbrt(n), 0}, {}), nullptr) << "where they lie is not known";
+}
+
+/// Cells are quicker for some kinds where vectors are narrow, a tree of single spheres where they are wide.
+TEST(UnusualKind, GoesByTheVectorsWhereBothWouldDo) {
+  std::size_t narrow = 0;
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    narrow += !wide_vectors();
+    for (const char* input : {"yarn:n=800", "hair:n=500", "hair:n=1200"}) {
+      const Chain chain = open_input(input).animation->frame(0);
+      const auto kind = [&](bool frames_follow) {
+        return UnusualKind::of(chain.size(), chain.view().extent, chain.spheres(), frames_follow)->variant;
+      };
+      EXPECT_EQ(kind(false), wide_vectors() ? "SphereTree" : "Grid") << input << ", " << target;
+      EXPECT_EQ(kind(true), "SphereTree") << input << ", " << target;
+    }
+  }
+  EXPECT_GT(narrow, 0u);
 }
 
 /// So many spheres in a box of these sides, anywhere.

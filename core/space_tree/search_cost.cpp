@@ -16,8 +16,6 @@ namespace {
 
 using Samples = std::array<std::uint32_t, most_samples>;
 
-bool wide_vectors() { return spheres_of_a_vector() == 16; }
-
 /// So many are looked at, of so many spheres: more where it costs less.
 std::uint32_t samples_of(std::uint32_t spheres) {
   constexpr std::uint32_t fewest = 4, apart = 256;

@@ -73,8 +73,6 @@ TEST(SearchCost, ScatteredNumbersLieEvenly) {
   }
 }
 
-bool wide_vectors() { return spheres_of_a_vector() == 16; }
-
 /// Cells have one width: for radii of about the same size, whether or not some are exactly the greatest, or
 /// where the smaller ones are few in each.
 TEST(SearchCost, CellsAreForRadiiThatFitOneWidth) {
