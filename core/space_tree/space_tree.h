@@ -17,7 +17,8 @@ struct SpaceTree {
   static constexpr std::uint32_t group = BlockTree::group;
   /// Fields of sixteen boxes: low x y z, high x y z.
   static constexpr std::uint32_t box_fields = 6;
-  /// What boxes have on top of their slack: more than binary64 loses from the origin on.
+  /// What boxes have on top of their slack: more than binary64 loses from the origin on
+  /// (properties/proofs/axis_box_binary32.g).
   static constexpr float tiny = 0x1p-28f;
 
   float origin[3] = {};

@@ -103,6 +103,27 @@ class OrderOfCentres final : public FaultyOrder {
 const RegisterMutant<OrderOfCentres> centres{"order-of-centres",
                                              "an order that forgets the radii: no slack for what touches"};
 
+/// As core/blocks/ordered-inl.h has it, along the way from first to last, in binary32: but what is rounded is
+/// taken for what is.
+class OrderWithoutSlack final : public FaultyOrder {
+  bool ordered(const Sphere* s) const override {
+    constexpr std::uint32_t last = 2 * BlockTree::block - 1;
+    const float x = s[last].x - s[0].x, y = s[last].y - s[0].y, z = s[last].z - s[0].z,
+                length = std::sqrt(x * x + y * y + z * z);
+    const auto along = [&](std::uint32_t k) {
+      return x * (s[k].x - s[0].x) + y * (s[k].y - s[0].y) + z * (s[k].z - s[0].z);
+    };
+    const auto low = [&](std::uint32_t k) { return along(k) - s[k].radius * length; };
+    for (std::uint32_t k = 0; k < last; ++k) {
+      if (!(low(k) <= low(k + 1))) return false;
+      if (k + 2 <= last && !(along(k) + s[k].radius * length < low(k + 2))) return false;
+    }
+    return true;
+  }
+};
+const RegisterMutant<OrderWithoutSlack> no_slack{
+    "order-without-slack", "a certificate of order that takes rounded ends of spheres for exact ones"};
+
 class OrderOfTheFirst final : public FaultyOrder {
   bool ordered(const Sphere* s) const override {
     for (std::uint32_t k = 0; k + 2 < BlockTree::block; ++k) {

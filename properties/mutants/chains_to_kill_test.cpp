@@ -94,6 +94,27 @@ Spheres reaching(std::uint32_t n, std::uint32_t seed) {
   return spheres;
 }
 
+/// Beads on a line across the axes; some reach the next but one by less than binary32 can see.
+Spheres beads(std::uint32_t n, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto part = [&] { return 1 + static_cast<float>(random() % 1000) / 997; };
+  const float x = part(), y = part(), z = part(), step = std::sqrt(x * x + y * y + z * z);
+  Spheres spheres;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto t = static_cast<float>(i);
+    spheres.push_back({t * x, t * y, t * z, 0.75f * step});
+    if (i % 16 != 13) continue;
+    Sphere& before = spheres[i - 2];
+    before.radius = step;
+    float& radius = spheres[i].radius;
+    const double distance = std::hypot(double{spheres[i].x} - before.x, double{spheres[i].y} - before.y,
+                                       double{spheres[i].z} - before.z);
+    radius = static_cast<float>(distance - before.radius);
+    if (double{radius} + before.radius < distance) radius = std::nextafter(radius, 1e30f);
+  }
+  return spheres;
+}
+
 /// Two heaps of coincident spheres in neighbouring Morton cells, one end of the box far away.
 Spheres two_heaps(std::uint32_t n) {
   Spheres spheres{{0, 0, 0, 1}, {0x1p21f, 0x1p21f, 0x1p21f, 1}};
@@ -198,6 +219,7 @@ ChainsToKill chains_to_kill() {
   for (std::uint32_t seed = 0; seed < 4; ++seed) add("mixed scales", mixed_scales(40, seed));
   add("corner", into_a_corner(64));
   for (std::uint32_t seed = 0; seed < 3; ++seed) add("reaching", reaching(60, seed));
+  for (std::uint32_t seed = 0; seed < 8; ++seed) add("beads", beads(48, seed));
   add("two heaps", two_heaps(64));
   add("points", Spheres(30, Sphere{0, 0, 0, 0}));
   result.small = result.chains.size();

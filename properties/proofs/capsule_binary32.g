@@ -9,7 +9,7 @@
 #   E (1 + 3u) + 2u |h| away from it (differences and products each rounded once). The bare radius is at least that + R.
 # separate: |t.w| - |a.w| - |b.w| > (ra + rb) |w| computed, with 32u of the sum of t's sides on top, means the same
 #   exactly, for bare radii: factors of |t|, of |a| (or |b|) and of ra (or rb), over |w|. The squares that are compared
-#   cost 4.1u: root.
+#   cost 4.1u: root. By 2^-47 each the gaps are wrong for underflow (underflow_binary32.g).
 # ordered: of two spheres of a window, `slack` = 32u times far times length outweighs the rounding of both ends.
 # The gap between them is rounded once more, by 1u of itself at most, and then compared with the slack.
 # interval: a capsule reaches along an axis of length at most 1 + 11u (oriented_box_binary32.g) no farther than computed.
@@ -28,7 +28,7 @@ root = (1 - 2.4437904357910154e-07);
 separate_t = 32b-24 * (1 - 4b-24) * (1 + e1) * root - 4.887580871582031e-07;
 separate_a = 16b-24 - 2.992153167724609e-07 * (1 + 3b-24);
 separate_r = (1 + e1) * (1 + e2) * root - (1 - 16b-24);
-squares = (1 + e1) * (1 + e2) * (1 + d1) - root * root * (1 + e3);
+squares = (1 + e1) * (1 + e2) * (1 + d1) - root * root * (1 + e3) * (1 + 1b-45);
 
 # Each end is wrong by 6.1u + 2u of far * length at most.
 ordered = 32b-24 * (1 + e1) * (1 + e2) * (1 + e3) * (1 - 5b-24) - 2 * 4.887580871582031e-07;

@@ -43,14 +43,15 @@ std::string statement_of(const std::string& script) {
 /// changes a script reads its comment again, and stores the new one.
 TEST(Proofs, ProveWhatTheyWereReadToProve) {
   const std::map<std::string, std::string> read{
-      {"axis_box_binary32.g", "2a3445e610768223"},
+      {"axis_box_binary32.g", "4ecdaaef2fd93e56"},
       {"block_capsule_binary32.g", "cba820f6cde23848"},
-      {"capsule_binary32.g", "3ce1d325c3d84507"},
+      {"box_around_binary32.g", "d1238664227dce82"},
+      {"capsule_binary32.g", "f129f88737b29ec9"},
       {"capsule_rows.g", "91608bf45fce4200"},
       {"cell_rows.g", "4f247407c14b81cc"},
       {"dot_binary32.g", "58b32e0a1f9400d2"},
       {"excess_binary32.g", "bada2670aa5c189a"},
-      {"grid_cells.g", "81c75dc600dbefad"},
+      {"grid_cells.g", "a2cafa1a7b93ec3d"},
       {"open_pairs.g", "831855ff8736944e"},
       {"oriented_box_binary32.g", "f4f66b6c4c73db15"},
       {"overlap_binary32.g", "115c10c506635d20"},
@@ -60,6 +61,8 @@ TEST(Proofs, ProveWhatTheyWereReadToProve) {
       {"rotation_binary64.g", "6acf2baf73d3fabd"},
       {"told_block_binary32.g", "cbddfbf61d7f926a"},
       {"told_block_binary64.g", "f56dbdba7729c5d0"},
+      {"underflow_binary32.g", "c60547d64fdc4bf2"},
+      {"within_binary32.g", "95bb706993e7ad31"},
   };
   std::map<std::string, std::string> found;
   for (const auto& file : std::filesystem::directory_iterator(CATENA_SOURCE_DIR "/properties/proofs"))
@@ -85,6 +88,9 @@ TEST(Proofs, AssumeNoLessThanOthersProve) {
         Link{"overlap_binary64.g", "|eq|<=", "overlap_binary64.g", "|q-/Q|<="},
         Link{"overlap_binary64.g", "|eq|<=", "overlap_binary64.g", "|q_fused-/Q|<="},
         Link{"overlap_binary64.g", "|et|<=", "overlap_binary64.g", "|t-/T|<="},
+        Link{"within_binary32.g", "|eq|<=", "overlap_binary32.g", "|q-/Q|<="},
+        Link{"within_binary32.g", "|eq|<=", "overlap_binary32.g", "|q_fused-/Q|<="},
+        Link{"within_binary32.g", "|et|<=", "overlap_binary32.g", "|t-/T|<="},
         Link{"parent_binary32.g", "|eq|<=", "overlap_binary32.g", "|q-/Q|<="},
         Link{"parent_binary64.g", "|eq|<=", "overlap_binary64.g", "|q-/Q|<="},
         Link{"capsule_binary32.g", "|d1|<=", "dot_binary32.g", "|q-/Q|<="},
@@ -145,6 +151,11 @@ TEST(Proofs, AreAboutTheConstantsOfTheGrid) {
   expect_covered("core/grid/bucket_map.h", "grid_cells.g",
                  {{"cell_slack = 0x1p-16;", "cell_slack = 2^-16", "(1 - 1b-16)"},
                   {"far_cell = 0x1p25;", "far_cell = 2^25", "|V| <= 33554433"}});
+  for (const auto& [file, declared] :
+       {std::array{"search_grid-inl.h", "(double{box.radius} + level.greatest) * (1 + 0x1p-40)"},
+        {"around_lanes-inl.h", "hn::Mul(sum, hn::Set(wide, 1 + 0x1p-40))"}})
+    expect_covered(std::string("core/grid/") + file, "grid_cells.g",
+                   {{declared, "1 + 2^-40", "(1 + 1b-40)"}});
 }
 
 TEST(Proofs, AreAboutTheConstantsOfToldBlocks) {
@@ -160,6 +171,22 @@ TEST(Proofs, AreAboutTheConstantsOfToldBlocks) {
 TEST(Proofs, AreAboutTheConstantsOfKeptLists) {
   expect_covered("core/frames/near_pairs.cpp", "open_pairs.g",
                  {{"reach_slack = 0x1p-20f;", "reach_slack = 2^-20", "1b-20"}});
+  expect_covered("core/frames/within.h", "within_binary32.g",
+                 {{"within_slack = 1 + 0x1p-20f", "within_slack = 1 + 16u", "(1 + 16b-24)"},
+                  {"within_least = 0x1p-60f", "within_least = 2^-60", "1b-60"},
+                  {"within_greatest = 0x1p60f", "within_greatest = 2^60", ""},
+                  {"(q * within_slack <= m * m)", "q * within_slack", "r * (1 + et)"}});
+}
+
+TEST(Proofs, AreAboutTheConstantsOfBoxes) {
+  for (const auto& [file, declared] :
+       {std::array{"core/hierarchy/box.h", "low - std::fabs(low) * 0x1p-23f"},
+        {"core/hierarchy/box.h", "high + std::fabs(high) * 0x1p-23f"},
+        {"core/hierarchy/box_around.h", "low - magnitude(low) * 0x1p-23f"},
+        {"core/hierarchy/box_around.h", "high + magnitude(high) * 0x1p-23f"},
+        {"core/sphere_tree/build_sphere_tree-inl.h", "outward = Lanes16::all(0x1p-23f);"},
+        {"core/frames/search_runs.cpp", "step = hn::Set(d, 0x1p-23f);"}})
+    expect_covered(file, "box_around_binary32.g", {{declared, "Covers: 0x1p-23f", "p * 1b-23"}});
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheCells) {
@@ -192,11 +219,34 @@ TEST(Proofs, AreAboutTheConstantsOfTheCells) {
 }
 
 TEST(Proofs, AreAboutTheConstantsOfTheOrderOfSpace) {
-  EXPECT_NE(
-      text_of("core/space_tree/axis_boxes-inl.h")
-          .find("mul_add(abs(at) + spheres.radius[k], Lanes16::all(BlockTree::slack), spheres.radius[k])"),
-      std::string::npos);
-  EXPECT_NE(text_of("properties/proofs/axis_box_binary32.g").find("Covers: slack = 32u."), std::string::npos);
+  expect_covered("core/space_tree/axis_boxes-inl.h", "axis_box_binary32.g",
+                 {{"mul_add(abs(at) + spheres.radius[k], Lanes16::all(BlockTree::slack), spheres.radius[k])",
+                   "slack = 32u", "reach_d = 32b-24"}});
+  expect_covered("core/space_tree/space_tree.h", "axis_box_binary32.g",
+                 {{"tiny = 0x1p-28f;", "tiny = 2^-28", "left = 1b-28"}});
+  expect_covered("core/space_tree/space_evidence.cpp", "axis_box_binary32.g",
+                 {{"slack = SpaceTree::tiny / 2;", "h = tiny / 2", "d(O + d(F + 1b-29))"}});
+}
+
+TEST(Proofs, AreAboutWhatOutweighsUnderflow) {
+  const char* const script = "underflow_binary32.g";
+  expect_covered("core/blocks/block_tree.h", script,
+                 {{"tiny = 0x1p-120f;", "tiny = 2^-120", "linear = 1b-120"}});
+  expect_covered("core/blocks/capsules-inl.h", script,
+                 {{"least_square = 0x1p-80f", "least_square = 2^-80", "whole = 1b-80"}});
+  expect_covered("core/blocks/lanes-inl.h", script,
+                 {{"least_product = 0x1p-110f;", "least_product = 2^-110", "3b-24 * 1b-110"}});
+  expect_covered("core/blocks/tests-inl.h", script,
+                 {{"least = L::all(0x1p-98f)", "`least` is 2^-98", "idle = 1b-98"},
+                  {"no_gap = L::all(0x1p-50f)", "no_gap = 2^-50", "1b-50 * 1b-50"}});
+  expect_covered("core/cells/block_capsule.h", script,
+                 {{"own_units ? BlockTree::tiny : 0x1p-28f", "`tiny` of a radius is 2^-28", "2 * (1b-28"},
+                  {"least_square = 0x1p-60f;", "squares below 2^-60", "fitted = 1b-28"},
+                  {"square > 0x1p-60f", "the computed |w|^2 is above 2^-60", "w_least = 1b-30"}});
+  expect_covered("core/cells/fit_block.h", script,
+                 {{"length * far * BlockTree::slack + 0x1p-60f", "2^-60: wrong by 6u", "climbed = 1b-60"}});
+  EXPECT_NE(text_of("properties/proofs/capsule_binary32.g").find("(1 + 1b-45)"), std::string::npos)
+      << "two gaps, each wrong by 2^-47";
 }
 
 TEST(Proofs, CoverEverySlackOfTheCode) {
@@ -208,8 +258,7 @@ TEST(Proofs, CoverEverySlackOfTheCode) {
 
 TEST(Proofs, AreAboutTheConstantsOfTheBlocks) {
   struct Covered {
-    std::string file, declared, script,
-        covered;  ///< as the code declares it, and as the proof says that it covers it
+    std::string file, declared, script, covered;  ///< as above, of core/blocks/
   };
   for (const Covered& c :
        {Covered{"block_tree.h", "slack = 0x1p-19f;  // 32 u", "capsule_binary32.g", "slack = 32u"},

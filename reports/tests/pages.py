@@ -69,6 +69,15 @@ def shown(value):
     return Shown(of(value))
 
 
+def rows_of(packed):
+    """The rows that columns.of_rows packed."""
+    left = [
+        iter(zip(*(columns[column] if isinstance(column, int) else column for column in columns)))
+        for columns in packed["columns"]
+    ]
+    return [dict(zip(packed["shapes"][shape], next(left[shape], ()))) for shape in packed["shape"]]
+
+
 class Parsed(html.parser.HTMLParser):
     """Sections, tables as text, ids and addresses of a page."""
 
@@ -107,6 +116,10 @@ class Parsed(html.parser.HTMLParser):
 
     def unpacked(self, name):
         return json.loads(gzip.decompress(base64.b64decode(self.packed[name])))
+
+    def runs(self):
+        """The runs that the page carries, as their files have them."""
+        return [{**run, "benchmarks": rows_of(run["benchmarks"])} for run in self.unpacked("data")]
 
 
 def without_figures():

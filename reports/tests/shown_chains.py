@@ -14,6 +14,23 @@ def packed(array):
     return base64.b64encode(numpy.ascontiguousarray(array).tobytes()).decode()
 
 
+def unpacked(views):
+    """The views of what viewer.render packed them as."""
+    return [
+        {key: [*map(_in_rows, value)] if key in ("frames", "levels") else value for key, value in view.items()} for view in views
+    ]
+
+
+def _in_rows(entry):
+    return {key: _rows(value, {"spheres": 4, "pairs": 2}[key]) if key in ("spheres", "pairs") else value for key, value in entry.items()}
+
+
+def _rows(text, width):
+    byte = numpy.frombuffer(base64.b64decode(text), numpy.uint8).reshape(4, width, -1).astype(numpy.uint32)
+    steps = sum(byte[k] << numpy.uint32(8 * k) for k in range(4))
+    return packed(numpy.cumsum(steps, axis=1, dtype=numpy.uint32).T)
+
+
 def hairpin(gap):
     """Out along x, round, and back at `gap` radii: touches itself when gap <= 2."""
     step, half = 1.6 * RADIUS, COUNT // 2

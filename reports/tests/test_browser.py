@@ -1,4 +1,5 @@
 """The page in a browser, offline: plots drawn by pixels, a variant toggled, a chain picked, quick to open, silent console."""
+import json
 import pathlib
 import tempfile
 import time
@@ -134,6 +135,19 @@ class Page(unittest.TestCase):
             document.querySelector('#table-choice [data-save="csv"]').click();""")
         with open(self.path.parent / "tables" / "choice.csv", newline="", encoding="utf-8") as file:
             self.assertEqual(saved, file.read())
+
+    def test_the_run_that_it_saves_is_the_run(self):
+        driver = self.usual()
+        saved = driver.execute_async_script("""
+            const done = arguments[0], make = URL.createObjectURL;
+            URL.createObjectURL = blob => {
+              if (blob.type !== 'application/json') return make(blob);
+              blob.text().then(done);
+              URL.createObjectURL = make;
+              return 'javascript:void 0';
+            };
+            document.querySelector('#download').click();""")
+        self.assertTrue(json.loads(saved) == page.data(report.Report([pages.of(made.run())])))
 
     def test_without_javascript_there_is_nothing_to_press(self):
         with browser.opened(self.path, flags=("--blink-settings=scriptEnabled=false",)) as driver:

@@ -1,12 +1,15 @@
 """How figures are drawn: labels, points under one marker, their words."""
 import dataclasses
+import io
 import re
 import unittest
 
 import made
+import matplotlib
 import matplotlib.colors
 from catena_report import runfile, statistics, style, variant, words
 from catena_report.drawn import interactive, static
+from catena_report.drawn.compact import compact
 from catena_report.figure import Axis, Figure, Heat, Line, Panel, Series
 from catena_report.style import Look
 
@@ -134,6 +137,26 @@ class Drawn(unittest.TestCase):
         self.assertRegex(text, r'<g clip-path="[^"]*" style="fill: #[^"]*">\s*<use ')
         self.assertNotIn("rotate(-0", text)
         self.assertIn("rotate(-90", text)
+
+    def test_what_is_written_in_fewer_words_is_the_same_drawing(self):
+        whole = io.StringIO()
+        with matplotlib.rc_context(static.RC):
+            static.draw(self.figure(True)).savefig(whole, format="svg")
+        whole, small = whole.getvalue(), compact(whole.getvalue())
+        self.assertLess(len(small), 0.8 * len(whole))
+
+        def drawn(text):
+            """All lines in their order, all marks and all words; numbers to a hundredth."""
+            text = re.sub(r"(\d\.\d{2})\d+", r"\1", text)
+            lines = " ".join(re.findall(r' d="([^"]*)"', text)).split()
+            return lines, re.findall(r'<use [^>]*? (x="[^"]*" y="[^"]*")', text), re.findall(r">([^<>]+)</text>", text)
+
+        for before, after in zip(drawn(whole), drawn(small)):
+            self.assertTrue(before)
+            self.assertEqual(before, after)
+        for name in re.findall(r'(?:href="#|url\(#)([^")]*)', small):
+            self.assertIn(f' id="{name}"', small)
+        self.assertEqual(re.findall(r'\bid="(series[^"]*)"', small), re.findall(r'\bid="(series[^"]*)"', whole))
 
     def test_plotly_has_points_and_bars(self):
         for across in (False, True):

@@ -66,7 +66,7 @@ class Everything(pages.Made):
     def test_carries_its_data(self):
         value = json.loads(json.dumps(self.values[0]))
         value["catena"].pop("viewer", None)
-        self.assertEqual(self.page.unpacked("data"), [value])
+        self.assertEqual(self.page.runs(), [value])
         self.assertEqual(json.loads((self.output / "run.json").read_text()), self.values[0])
 
     def test_static_and_interactive_hold_the_same_series(self):

@@ -42,8 +42,8 @@ class Fragment(unittest.TestCase):
     def test_of_a_chain_that_several_runs_hold_the_first_is_shown(self):
         views = shown_chains.views()
         later = [{**view, "command": "later"} for view in views]
-        shown = json.loads(script(viewer.render(views + later), "catena-views"))
-        self.assertEqual(shown, json.loads(json.dumps(views)))
+        shown = shown_chains.unpacked(json.loads(script(viewer.render(views + later), "catena-views")))
+        self.assertTrue(shown == views)
 
     def test_without_views_there_is_none(self):
         self.assertEqual("", viewer.render([]))
@@ -51,19 +51,19 @@ class Fragment(unittest.TestCase):
     def test_it_holds_the_views_unchanged(self):
         views = shown_chains.views()
         fragment = viewer.render(views)
-        self.assertEqual(views, json.loads(script(fragment, "catena-views")))
+        self.assertTrue(views == shown_chains.unpacked(json.loads(script(fragment, "catena-views"))))
 
     def test_a_chain_of_several_runs_is_held_once(self):
         views = shown_chains.views()
         fragment = viewer.render(views + shown_chains.views())
-        self.assertEqual(views, json.loads(script(fragment, "catena-views")))
+        self.assertTrue(views == shown_chains.unpacked(json.loads(script(fragment, "catena-views"))))
 
     def test_a_name_cannot_end_the_script_that_holds_it(self):
         views = shown_chains.views()[:1]
         views[0]["input"] = "</script><b>"
         fragment = viewer.render(views)
         self.assertNotIn("<b>", fragment)
-        self.assertEqual(views, json.loads(script(fragment, "catena-views")))
+        self.assertTrue(views == shown_chains.unpacked(json.loads(script(fragment, "catena-views"))))
 
     def test_it_holds_three_js_whole(self):
         held = script(viewer.render(shown_chains.views()), "catena-three")

@@ -19,6 +19,16 @@
   }
   const inflated = async (id, type) => new Blob([await new Response(await inflate(id)).blob()], {type});
 
+  // What columns.py made of rows.
+  function rows({shapes, shape, columns}) {
+    const next = shapes.map(() => 0);
+    return shape.map(s => {
+      const at = next[s]++, values = columns[s].map(c => (Array.isArray(c) ? c : columns[s][c])[at]);
+      return Object.fromEntries(shapes[s].map((key, k) => [key, values[k]]));
+    });
+  }
+  const data = async () => (await unpacked('data')).map(run => ({...run, benchmarks: rows(run.benchmarks)}));
+
   function save(blob, name) {
     const address = URL.createObjectURL(blob);
     make('a', {href: address, download: name}).click();
@@ -290,7 +300,7 @@
     } else if ('copy' in button.dataset) {
       await copy($('code', button.parentElement).textContent, button);
     } else if (button.id === 'download') {
-      save(await inflated('data', 'application/json'), 'run.json');
+      save(new Blob([JSON.stringify(await data())], {type: 'application/json'}), 'run.json');
     } else if (button.id === 'theme') {
       const next =
           MODES[(MODES.indexOf(document.documentElement.dataset.theme || 'auto') + 1) % MODES.length];
@@ -341,7 +351,7 @@
   // ---- plotly, after the page has been painted; without it or without DecompressionStream the static
   // figures stay
   const unpacked = async id => JSON.parse(await (await inflated(id, 'application/json')).text());
-  window.catenaReport = {data: () => unpacked('data'), figures: () => figures, pick};
+  window.catenaReport = {data, figures: () => figures, pick};
   if ($('#plotly') && window.DecompressionStream) {
     const start = async () => {
       figures = await unpacked('figures');

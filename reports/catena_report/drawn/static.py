@@ -14,6 +14,7 @@ import numpy
 from matplotlib.path import Path
 
 from ..style import LIGHT
+from .compact import compact
 
 MARKERS = {
     "circle": "o",
@@ -259,27 +260,14 @@ def _runs(values, index):
     return zip(edges[::2], edges[1::2])
 
 
-# Marks of one series: each says the colours that all of them have.
-MARKS = re.compile(r'<g((?: clip-path="[^"]*")?)>(\s*<use [^>]*? style="([^"]*)"/>(?:\s*<use [^>]*? style="\3"/>)+\s*)</g>')
-
-
-def _said_once(found):
-    group, marks, style = found.groups()
-    return f'<g{group} style="{style}">' + marks.replace(f' style="{style}"', "") + "</g>"
-
-
 def svg(canvas, key):
     """SVG text with ids that no other figure of a page has."""
     text = io.StringIO()
     with matplotlib.rc_context({**RC, "svg.hashsalt": key}):
         canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": "catena"})
-    body = text.getvalue()
+    body = compact(text.getvalue())
     body = re.sub(r'\bid="', f'id="{key}-', body)
     body = re.sub(r'(xlink:href="#|url\(#)', rf"\g<1>{key}-", body)
-    # In tags, never in text, a hundredth of a point is enough, at half the size.
-    body = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d\.\d{2})\d+", r"\1", tag[0]), body)
-    body = re.sub(r' transform="rotate\(-0 [^)]*\)"', "", body)  # every text has one, and it turns nothing
-    body = MARKS.sub(_said_once, body)
     return body.replace("'DejaVu Sans'", "'DejaVu Sans', Verdana, sans-serif")
 
 

@@ -10,8 +10,19 @@ function bytesOf(base64) {
   return bytes;
 }
 
-const floatsOf = (base64) => new Float32Array(bytesOf(base64).buffer);
-const indicesOf = (base64) => new Uint32Array(bytesOf(base64).buffer);
+// Rows of so many numbers, as viewer.py packs them: the steps from row to row, column after column, by bytes.
+function rowsOf(base64, width) {
+  const bytes = bytesOf(base64), words = new Uint32Array(bytes.length / 4), all = words.length;
+  for (let column = 0, at = 0; column < width; ++column)
+    for (let word = column, last = 0; word < all; word += width, ++at) {
+      last += bytes[at] | bytes[at + all] << 8 | bytes[at + 2 * all] << 16 | bytes[at + 3 * all] << 24;
+      words[word] = last = last | 0;
+    }
+  return words;
+}
+
+const floatsOf = (base64) => new Float32Array(rowsOf(base64, 4).buffer);
+const indicesOf = (base64) => rowsOf(base64, 2);
 
 // One entry of views[]: frames and levels by their position in the file, pairs as flat i, j, i, j, ...
 class View {
