@@ -12,9 +12,10 @@ TEST(Certified, AreGridAndHybridWhateverPartsItTakes) {
 }
 
 TEST(Certified, AreTheTwinsOfDevices) {
-  for (const char* name : {"DeviceGrid@host", "DeviceHybrid@host", "DeviceHybrid@host(crowd=1)",
-                           "DeviceHybrid@host(survey=0)", "DeviceHybrid@host(cells=1000000)",
-                           "DeviceCapsules@host", "DeviceCapsules@host(crowd=1)", "DeviceTree@host"})
+  for (const char* name :
+       {"DeviceGrid@host", "DeviceHybrid@host", "DeviceHybrid@host(crowd=1)", "DeviceHybrid@host(survey=0)",
+        "DeviceHybrid@host(cells=1000000)", "DeviceHybrid@host(least=300000)", "DeviceCapsules@host",
+        "DeviceCapsules@host(crowd=1)", "DeviceTree@host"})
     expect_certified(name);
 }
 

@@ -65,6 +65,38 @@ std::string left_to_grid(const std::string& variant, const Chain& chain) {
   return std::ranges::find(plan, "grid of spheres", &Decision::step)->reason;
 }
 
+/// Of each step of a search by capsules it is said whether any block took it, of how many.
+TEST(Cells, SayHowManyBlocksAreTangledAndCrowded) {
+  std::vector<Sphere> crowd, row;
+  for (std::uint32_t k = 0; k < 40; ++k) {
+    add_rod(crowd, 0, 0, 0.01f * static_cast<float>(k));
+    add_rod(row, 0, 100.0f * static_cast<float>(k), 0);
+  }
+  const Chain crowded = each_block_a_strand(crowd), apart = each_block_a_strand(row);
+  using Told = std::pair<bool, std::string>;
+  const auto told = [](const Variant& search, const char* step) {
+    const Plan plan = search.plan();
+    const auto found = std::ranges::find(plan, step, &Decision::step);
+    return Told(found->left_out, found->reason);
+  };
+  const std::string tangled = " of 40 blocks of 32 spheres are tangled",
+                    left = " of 40 blocks of 32 spheres are crowded";
+  const auto& registry = StrategyRegistry::instance();
+  const auto cells = registry.make("DeviceCapsules@host"),
+             all = registry.make("DeviceHybrid@host(least=2000)");
+  for (int k = 0; k < 2; ++k) {  // the one after the other, and again
+    cells->build(crowded);
+    EXPECT_EQ(told(*cells, "capsules in cells"), Told(false, "40" + tangled));
+    EXPECT_EQ(told(*cells, "grid of spheres"), Told(false, "40" + left));
+    cells->build(apart);
+    EXPECT_EQ(told(*cells, "capsules in cells"), Told(false, "40" + tangled));
+    EXPECT_EQ(told(*cells, "grid of spheres"), Told(true, "0" + left));
+  }
+  all->build(apart);  // too few for capsules
+  EXPECT_EQ(told(*all, "capsules in cells"), Told(true, "0" + tangled));
+  EXPECT_EQ(told(*all, "grid of spheres"), Told(false, "40" + left));
+}
+
 /// Beside rods that lie in a crowd, rods in a row, each of which touches one or two before it and as many
 /// after it: then they are left to the search of the crowd, too, where each has four partners, or where the
 /// crowd is more than about a sixth of all, unless nobody asks beforehand.

@@ -37,6 +37,8 @@ TEST_F(PlanProgram, SaysWhatIsLeftOutAndAfterARunWhatThatTook) {
              after = json("plan path1:n=20 --run --json");
   EXPECT_FALSE(before.contains("collides"));
   EXPECT_EQ(before["frame"], 3) << "of the scene, as other commands tell it";
+  EXPECT_EQ(json("plan path1:n=20,frame=3 --run --json")["frame"], 3) << "after a run, too";
+  EXPECT_EQ(before["n"], 20);
   EXPECT_TRUE(after["collides"]);
   EXPECT_TRUE(json("plan path1:n=20000 --run --any --json")["collides"]) << "though no pair is counted";
   EXPECT_TRUE(step(before, "hierarchy")["left_out"]);

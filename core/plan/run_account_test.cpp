@@ -35,6 +35,8 @@ TEST(RunAccount, SaysWhatEachStepTookAndAddsWhatWasNoChoice) {
   EXPECT_EQ(names(plan),
             (std::vector<std::string>{"choice of variant", "planning", "hierarchy", "pair list", "build",
                                       "search", "moves between memories", "start of the device"}));
+  for (const char* added : {"planning", "build", "search", "moves between memories", "start of the device"})
+    EXPECT_FALSE(step(plan, added).left_out) << added;
   EXPECT_EQ(plan.front().actual_ms, 9);
   EXPECT_EQ(step(plan, "planning").actual_ms, 0.09);
   EXPECT_EQ(step(plan, "planning").reason, "1 % of build and search");
@@ -88,7 +90,11 @@ TEST(RunAccount, SaysNothingOfABuildThatWasNotMade) {
   EXPECT_EQ(plan.size(), 4u);
   EXPECT_EQ(plan.back().actual_ms, 0.25);
   EXPECT_EQ(step(plan, "hierarchy").actual_ms, std::nullopt);
+  plan.back() = {info_of(Omission::other_places).step, false, "it found nothing"};
+  tell_run(run, plan);
+  EXPECT_EQ(plan.back().actual_ms, std::nullopt) << "it was not spared";
   Plan none;
+  run.planning_ms = 1;
   tell_run(run, none);
   EXPECT_TRUE(none.empty());
 }

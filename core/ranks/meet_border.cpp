@@ -118,8 +118,9 @@ std::uint64_t meet_border_here(const Border& border, const ranks::FarBlocks& far
     const ComparedBoxes boxes(border.boxes(), far.mark(far_block));
     std::span<const std::uint32_t> own = boxes.meeting(box_around(spheres), groups, children);
     met += own.size();
-    for (; !own.empty(); own = own.subspan(std::min(some, own.size()))) {
+    while (!own.empty()) {
       const std::span<const std::uint32_t> these = own.first(std::min(some, own.size()));
+      own = own.subspan(these.size());
       const std::size_t before = meetings.size();
       meetings.resize(before + these.size());
       ranks::Meeting* to = meetings.data() + before;

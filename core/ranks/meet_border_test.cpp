@@ -211,6 +211,84 @@ TEST(MeetBorder, MissesNothingOnAnyInstructionSet) {
   }
 }
 
+/// Single spheres in one place, of which those of one rank are more than are looked at at a time.
+TEST(MeetBorder, MeetsEveryBlockOfACrowd) {
+  static constexpr std::uint32_t crowd = 2100;
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    run_in_threads(2, [](Communicator& ranks) {
+      Part part;
+      const std::uint32_t pieces = ranks.rank() == 0 ? crowd : 2;
+      for (std::uint32_t k = 0; k < pieces; ++k) {
+        const SphereId first = (SphereId{ranks.rank()} << 32) + 2 * k;
+        part.pieces.push_back({first, k, 1, {first, 1, 0, 0, first}});
+        part.spheres.push_back({1, 2, 3, 1});
+      }
+      const HeldPart held(std::move(part));
+      const Border border(ranks, held);
+      ByteWriter out;
+      put_blocks(out, held, border.blocks());
+      const auto messages = ranks.exchange({{1 - ranks.rank(), out.take()}});
+      if (ranks.rank() != 0) return;
+      FarBlocks far;
+      ByteReader in(messages[0].bytes);
+      far.take(in, held.rule(), 0);
+      ASSERT_EQ(border.blocks().size(), crowd);
+      LargeVector<Meeting> meetings;
+      std::uint32_t next = 0;
+      EXPECT_EQ(meet_border(border, far, crowd, next, meetings), crowd);
+      EXPECT_EQ(next, 1u) << "so many were enough";
+      std::set<std::uint32_t> met;
+      for (const Meeting& m : meetings) met.insert(m.own_block);
+      EXPECT_EQ(meetings.size(), crowd);
+      EXPECT_EQ(met.size(), crowd);
+    });
+  }
+}
+
+/// What is told of blocks whose spheres are great beside their distances, which rounding hides, or so far
+/// away from one another that no square of it is a number.
+TEST(MeetBorder, TellsARadiusThatHoldsTheSpheres) {
+  for (const std::int64_t target : properties::targets_here()) {
+    const properties::ForcedTarget forced(target);
+    run_in_threads(2, [](Communicator& ranks) {
+      std::mt19937 dice(13);
+      std::uniform_real_distribution<float> unit(0.5f, 1);
+      Part part;
+      for (std::uint32_t k = 0; k < 400; ++k) {
+        const SphereId first = (SphereId{ranks.rank()} << 32) + 4 * k;
+        part.pieces.push_back({first, 3 * k, 3, {first, 3, 0, 0, first}});
+        const float step = k % 4 != 0 ? std::exp2(-static_cast<float>(dice() % 24)) : 0x1p66f,
+                    radius = k % 4 != 0 ? 1 : 0x1p60f;
+        const float ends = k % 8 != 0 ? 0 : step;  // the third is beside the axis, or beyond it
+        part.spheres.push_back({0, 0, 0, radius * unit(dice)});
+        part.spheres.push_back({step * unit(dice), step * unit(dice), -step * unit(dice), radius});
+        part.spheres.push_back({ends, ends, 0, radius * unit(dice)});
+      }
+      const HeldPart held(std::move(part));
+      const Border border(ranks, held);
+      std::vector<std::uint32_t> all(border.blocks().size());
+      std::iota(all.begin(), all.end(), 0u);
+      std::vector<ToldBlock> told;
+      tell_of_border(border, all, told);
+      ASSERT_EQ(told.size(), 400u);
+      for (const ToldBlock& block : told)
+        for (const Sphere& s : border.spheres(block.block)) {
+          const auto square = [](long double x) { return x * x; };
+          const long double ax = block.last[0], ay = block.last[1], az = block.last[2],
+                            length = square(ax) + square(ay) + square(az),
+                            part_of_it =
+                                length > 0 ? std::clamp((ax * s.x + ay * s.y + az * s.z) / length, 0.0L, 1.0L)
+                                           : 0;
+          ASSERT_GE(block.radius, std::sqrt(square(s.x - part_of_it * ax) + square(s.y - part_of_it * ay) +
+                                            square(s.z - part_of_it * az)) +
+                                      s.radius)
+              << block.block;
+        }
+    });
+  }
+}
+
 /// What came without the arc lengths that the rule goes by, or with some that nobody asked for, is no blocks.
 TEST(MeetBorder, TakesNoBlocksOfAnotherRule) {
   run_in_threads(1, [](Communicator&) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -72,6 +73,54 @@ TEST(ToldBlock, HoldsWhatTouchesASphereOfIt) {
   }
   EXPECT_GT(touching, 40'000u);
   EXPECT_GT(left_out, 10'000u);
+}
+
+/// A length to the nearest place on the axis, in more digits than ToldBlock has, and the radius.
+long double reach_of(const ToldBlock& told, const Sphere& s) {
+  long double axis[3], to[3], square = 0, along = 0, length = 0;
+  const float centre[] = {s.x, s.y, s.z};
+  for (int d = 0; d < 3; ++d) {
+    axis[d] = static_cast<long double>(told.last[d]) - told.first[d];
+    to[d] = static_cast<long double>(centre[d]) - told.first[d];
+    square += axis[d] * axis[d], along += axis[d] * to[d];
+  }
+  const long double part = square > 0 ? std::clamp(along / square, 0.0L, 1.0L) : 0;
+  for (int d = 0; d < 3; ++d) length += std::pow(to[d] - part * axis[d], 2.0L);
+  return std::sqrt(length) + s.radius;
+}
+
+TEST(ToldBlock, HasTheLeastRadiusThatHoldsItsSpheres) {
+  std::mt19937 dice(3);
+  for (int round = 0; round < 5'000; ++round) {
+    const std::vector<Sphere> block = some_block(dice);
+    const ToldBlock told = around(block);
+    long double least = 0;
+    for (const Sphere& s : block) least = std::max(least, reach_of(told, s));
+    ASSERT_GE(told.radius, least) << round;
+    ASSERT_LE(told.radius, least * (1 + 0x1p-20L)) << round;
+  }
+}
+
+/// A tiny sphere and a great one that touch by less than what a binary64 rounds away of their distance.
+TEST(ToldBlock, HoldsWhatTouchesByLessThanRounding) {
+  std::mt19937 dice(17);
+  std::uniform_real_distribution<float> unit(0.5f, 1);
+  std::size_t touching = 0;
+  for (int round = 0; round < 1'000'000; ++round) {
+    // Squares of so unlike numbers have a sum that binary64 rounds.
+    const float x = unit(dice), y = 0x1p-9f * unit(dice), z = 0x1p-13f * unit(dice);
+    const long double lx = x, ly = y, lz = z, apart = std::sqrt(lx * lx + ly * ly + lz * lz);
+    float radius = static_cast<float>(apart);
+    if (radius > apart) radius = std::nextafter(radius, 0.0f);
+    const auto tiny = static_cast<float>(apart - radius);
+    if (tiny > 0x1p-33f) continue;
+    const ToldBlock told = around({{0, 0, 0, tiny}});
+    const Sphere other{x, y, z, radius};
+    if (!Robust::overlap({0, 0, 0, tiny}, other)) continue;
+    ++touching;
+    ASSERT_TRUE(told.may_touch(other)) << round;
+  }
+  EXPECT_GT(touching, 100u);
 }
 
 /// Along a diagonal a box would be empty but for its diagonal.

@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <limits>
 
 #include "catena/core/blocks/lanes-inl.h"
 #include "catena/core/ranks/told_block.h"
@@ -49,6 +50,9 @@ class ToldLanes {
     Vectors8 to = s.centre - first_, across = this->across(to);
     float radius[8];
     (sqrt(dot(across, across, least())) + s.radius + lost(to)).store(radius);
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    // What is no number is no greatest one either, but where it comes first.
+    if (!std::all_of(radius, radius + size, [](float r) { return r < infinite; })) return infinite;
     return *std::max_element(radius, radius + size) * (1 + 0x1p-20f);
   }
 

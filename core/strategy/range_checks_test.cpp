@@ -48,6 +48,10 @@ TEST(RangeChecks, SayTheRadiiThatDecided) {
   EXPECT_EQ(
       told(checked, 2),
       "done: radii from 2 to 2: the sums of two cannot leave binary32's safe range; checked all the same");
+  EXPECT_EQ(told(checked, 1e-20f), told(proved, 1e-20f)) << "they are due, whoever asks for them";
+  const Chain unlike(std::vector<Sphere>{{0, 0, 0, 1}, {3, 0, 0, 4}, {9, 0, 0, 2}});
+  proved.with_tests_for<Robust>(unlike.view(), [](auto) {});
+  EXPECT_TRUE(proved.plan()[0].reason.starts_with("radii from 1 to 4: ")) << proved.plan()[0].reason;
   left_out<Double>(proved, 2);
   EXPECT_TRUE(proved.plan().empty()) << "it has none";
 }

@@ -96,6 +96,18 @@ TEST(Upload, LeavesOutWhatLiesThere) {
   }
 }
 
+/// Of a range that goes on beyond the chain what is of the chain.
+TEST(Upload, CountsWhatMovedWithinTheChain) {
+  const Chain chain = row(0);
+  const SphereRange beyond[] = {{3, 5}, {30, 1000}};
+  Memory memory;
+  Upload of_test = upload("");
+  of_test.run(memory, chain.view(), {});
+  of_test.run(memory, chain.view(), Moved(beyond));
+  EXPECT_EQ(of_test.told()[0].reason, "strands and neighbours lay there, and 12 of 40 spheres moved");
+  EXPECT_EQ(of_test.told()[0].removed, "448 bytes of spheres");
+}
+
 /// Where there is one open strand, the device gets a table only where it is asked for.
 TEST(Upload, MovesAStrandTableWhereOneIsRead) {
   const Chain chain = row(0);
@@ -118,6 +130,11 @@ TEST(Upload, TakesNothingForThereThatIsNot) {
   of_test.run(memory, another.view(), {});
   EXPECT_TRUE(of_test.told()[0].left_out);
   EXPECT_EQ(of_test.told()[0].removed, "0 bytes of spheres") << "everything may have moved";
+  ChainView unknown = another.view();
+  unknown.topology = 0;
+  for (int k = 0; k < 2; ++k) of_test.run(memory, unknown, {});
+  EXPECT_FALSE(of_test.told()[0].left_out) << "nobody knows whether it is the same chain";
+  of_test.run(memory, another.view(), {});
   memory.full = true;
   EXPECT_THROW(of_test.run(memory, another.view(), {}), std::runtime_error);
   memory.full = false;

@@ -149,11 +149,13 @@ class Costs(unittest.TestCase):
             {**row, "input": f"path1/n:{n}", "with_ms": [factor * ms for ms in row["without_ms"]]}
             for n, factor in enumerate([*(1 + k / 100 for k in range(50)), 1 / 8])
         ]
+        many[1]["identical"] = False  # though it has no bar
         value["catena"]["savings"] = many
         shown = pages.shown(value)
         figure, bars = shown.figures["savings"], shown.figures["savings"].panels[0].series[0]
         self.close(bars.x, [*(1 + k / 100 for k in range(49, 10, -1)), 1 / 8])
         self.assertIn(" of 51 cases, slower in 1: up to 8 times", figure.title)
+        self.assertTrue(figure.title.endswith(", and gave another result in 1"), figure.title)
         self.assertIn("Shown are the 40 cases that make the most difference; the table has all 51.", figure.caption)
         self.assertEqual(len(shown.raw("savings")), 51)
         self.assertNotIn("Shown are", self.shown.figures["savings"].caption)

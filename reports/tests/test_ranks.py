@@ -100,6 +100,8 @@ class Ranks(unittest.TestCase):
     def test_what_ranks_send_is_what_the_runs_were_made_by(self):
         rows = {row[0].text: row for row in self.shown.tables["ranks-sending"].rows}
         self.assertEqual(set(rows), {"yarn", "hair"})
+        caption = self.shown.tables["ranks-sending"].caption
+        self.assertIn("a message takes 2.0 µs and a rank sends 10 GB a second, which is assumed", caption)
         for scene, contacts in (("yarn", 4), ("hair", 1)):
             row = rows[scene]
             self.assertEqual(row[1].raw, contacts)
@@ -131,6 +133,13 @@ class Ranks(unittest.TestCase):
                             p[key] *= factor
                 for row in pages.Shown(pages.of(self.value)).tables["ranks-sending"].rows:
                     self.assertAlmostEqual(row[column].raw / 3, 1, delta=0.08)
+                    self.assertEqual(row[column].text, words.significant(row[column].raw, 3))
+
+    def test_of_rounds_the_most_are_told(self):
+        for chain in self.value["catena"]["ranks"]["chains"]:
+            chain["points"][1]["most_rounds"] = 7
+        for row in pages.Shown(pages.of(self.value)).tables["ranks-sending"].rows:
+            self.assertEqual(row[11].raw, 7)
 
     def test_a_chain_in_its_order_has_no_model_of_what_is_sent(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
@@ -210,6 +219,36 @@ class Ranks(unittest.TestCase):
         # Of 2 ranks and 125 blocks: half of the spheres, and what each asks, beside what there are of them.
         asked = 2 * ((62.5 ** (1 / 3) + 1) ** 3 - 62.5) * (1 - 2 ** (-1 / 3))
         self.assertAlmostEqual(model.ms(1000, 2), 0.05 + 1e-6 * (5000 * asked + 4000 + 30_000))
+
+    def test_one_rank_sends_nothing(self):
+        sending = rank_model.Sending(rank_model.Law(2, 1), 1 / 8, 24, 150, 40, 1, 5, 64, 1)
+        self.assertEqual((sending.bytes(1000, 1), sending.messages(1)), (0, 0))
+        # Of two ranks each holds half of the spheres, and half of these came from the other.
+        asked = 2 * ((62.5 ** (1 / 3) + 1) ** 3 - 62.5) * (1 - 2 ** (-1 / 3))
+        self.assertAlmostEqual(sending.bytes(1000, 2), 24 * 250 + 150 * asked + 80)
+        self.assertAlmostEqual(sending.messages(2), 5 / (1 + 1 / 64))
+        network = rank_model.Network(seconds_a_message=1e-3, bytes_per_second=1e6)
+        self.assertAlmostEqual(sending.ms(1000, 2, network), sending.messages(2) + sending.bytes(1000, 2) / 1000)
+
+    def test_what_is_sent_is_checked_by_what_it_was_not_fitted_to_in_space(self):
+        sending = rank_model.Sending(rank_model.Law(2, 1), 1 / 8, 24, 150, 40, 1, 5, 64, 1)
+        points = [
+            {
+                "ranks": ranks,
+                "order": order,
+                "most_bytes": bytes_off * sending.bytes(8e6, ranks),
+                "most_messages": messages_off * sending.messages(ranks),
+            }
+            for ranks, order, bytes_off, messages_off in (
+                (256, "space", 9, 9),
+                (257, "space", 2, 1 / 3),
+                (512, "chain", 9, 9),
+            )
+        ]
+        in_bytes, in_messages = rank_model.sending_off([{"n": 8e6, "points": points}], sending)
+        self.assertAlmostEqual(in_bytes, 2)
+        self.assertAlmostEqual(in_messages, 3)
+        self.assertIsNone(rank_model.sending_off([{"n": 8e6, "points": points[:1]}], sending))
 
     def test_too_few_points_have_no_model(self):
         for chain in self.value["catena"]["ranks"]["chains"]:
