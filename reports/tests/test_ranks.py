@@ -147,6 +147,16 @@ class Ranks(unittest.TestCase):
                 p["order"] = "chain"
         self.assertNotIn("ranks-sending", pages.Shown(pages.of(self.value)).tables)
 
+    def test_a_scene_whose_longest_chain_was_only_counted_is_told_of_by_another(self):
+        for chain in self.value["catena"]["ranks"]["chains"]:
+            if chain["n"] == 512_000:
+                for p in chain["points"]:
+                    for key in ("pairs", "most_processor_ms"):
+                        p.pop(key, None)
+        shown = pages.Shown(pages.of(self.value))
+        for table in ("ranks-model", "ranks-sending"):
+            self.assertEqual([row[1].raw for row in shown.tables[table].rows], [4, 1])
+
     @recomputes("table:ranks-counts")
     def test_every_count_is_shown(self):
         rows = self.shown.tables["ranks-counts"].rows

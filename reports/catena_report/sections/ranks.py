@@ -60,6 +60,12 @@ def density(chain):
     return pairs[0] / chain["n"] if pairs else None
 
 
+def _density_cell(chains):
+    """Of the last of a scene's chains of which it is known."""
+    known = [value for value in map(density, chains) if value is not None]
+    return Cell(words.significant(known[-1], 3), known[-1]) if known else ""
+
+
 def _name(chain):
     return f"{chain['scene']}, {words.count(chain['n'])}"
 
@@ -185,7 +191,7 @@ def _model_table(report, run, chains, models):
         rows.append(
             [
                 scene,
-                Cell(words.significant(density(mine[-1]), 3), density(mine[-1])),
+                _density_cell(mine),
                 *[
                     Cell(words.significant(value, 3), value)
                     for value in (model.law.factor, model.law.thickness, model.sphere_ns, model.asked_ns, model.rank_ns, model.fixed_ns, model.error)
@@ -222,7 +228,7 @@ def _sending_table(report, run, chains, models):
         rows.append(
             [
                 scene,
-                Cell(words.significant(density(mine[-1]), 3), density(mine[-1])),
+                _density_cell(mine),
                 *[
                     Cell(words.significant(value, 3), value)
                     for value in (sending.sphere_bytes, sending.asked_bytes, sending.rank_bytes, sending.bytes_error)
