@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdio>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace catena {
@@ -11,11 +10,11 @@ namespace catena {
 /// A regular file, or a new one, gets its name only when it is complete: a failed run leaves no half file and
 /// does not touch an older one, whose permissions it takes over. Until then it has none, so that nothing is
 /// left of it even by a signal or a crash of the process (a system without nameless files, or without /proc,
-/// keeps it beside, and one that forbids links copies it there in the end, as NAME.PROCESS-NUMBER.unfinished, or catena... where NAME is long). Where the name is a
-/// symbolic link, the file that it points to is replaced, and the link stays. What is no regular file (a
-/// device, a FIFO) is written through, and so is an open descriptor, /dev/stdout or /dev/fd/N, whatever is
-/// behind it. Nothing waits for the disk: what the machine loses when it stops is the file system's
-/// affair.
+/// keeps it beside, and one that forbids links copies it there in the end, as NAME.PROCESS-NUMBER.unfinished,
+/// or catena... where NAME is long). Where the name is a symbolic link, the file that it points to is
+/// replaced, and the link stays. What is no regular file (a device, a FIFO) is written through, and so is an
+/// open descriptor, /dev/stdout or /dev/fd/N, whatever is behind it. Nothing waits for the disk: what the
+/// machine loses when it stops is the file system's affair.
 ///
 /// Every function throws InputError, naming the file and the system's reason, when not all can be written.
 class OutputFile {

@@ -3,8 +3,8 @@
 
 namespace catena {
 
-/// A point or direction, binary64; of a scene in its working units (the sphere radius is 1). Plain expressions
-/// in a fixed order, so that a scene has the same bits on every machine.
+/// A point or direction, binary64; of a scene in its working units (the sphere radius is 1). Plain
+/// expressions in a fixed order, so that a scene has the same bits on every machine.
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 

@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <limits>
-#include <memory>
 #include <new>
 #include <string_view>
 #include <vector>

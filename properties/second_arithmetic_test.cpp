@@ -5,7 +5,6 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <filesystem>
-#include <vector>
 
 #include "catena/core/arithmetic/exact_sign.h"
 #include "catena/core/arithmetic/robust.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cfenv>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

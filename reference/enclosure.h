@@ -1,8 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/hierarchy/bounds_visitor.h"

@@ -1,7 +1,6 @@
 #pragma once
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 namespace catena::reports {

@@ -1,7 +1,6 @@
 #include "catena/bench/counts/count_work.h"
 
 #include <algorithm>
-#include <string>
 
 #include "catena/core/arithmetic/paper_formulas.h"
 #include "catena/core/hierarchy/hierarchy.h"

@@ -19,8 +19,9 @@ struct Work {
 
 /// The work of build and find on this chain, counted through the search's own evidence
 /// (core/strategy/evidence.h) by a second instantiation of its code, so that what is timed is not slowed.
-/// Empty when the variant has no evidence, or neither a tree nor all pairs. A device variant is counted by its twin on the host, which runs
-/// the same policies, when there is one. Throws CapacityError where the variant refuses the chain.
+/// Empty when the variant has no evidence, or neither a tree nor all pairs. A device variant is counted by
+/// its twin on the host, which runs the same policies, when there is one. Throws CapacityError where the
+/// variant refuses the chain.
 std::optional<Work> count_work(const VariantInfo& variant, const Chain& chain);
 
 }  // namespace catena::bench

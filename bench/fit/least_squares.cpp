@@ -1,6 +1,7 @@
 #include "catena/bench/fit/least_squares.h"
 
 #include <Eigen/Dense>
+#include <cstddef>
 #include <stdexcept>
 
 namespace catena::bench {

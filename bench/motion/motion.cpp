@@ -6,7 +6,6 @@
 #include <functional>
 #include <future>
 #include <limits>
-#include <memory>
 #include <thread>
 
 #include "catena/bench/motion/knot_determinant.h"

@@ -60,8 +60,8 @@ struct MotionStart {
   std::uint64_t contacts = 0, missed = 0, invented = 0;  ///< as in MotionResult
 };
 
-/// The same motion from `starts` perturbed starts, seeds 1, 2, ...: near a knife edge one motion says nothing, the
-/// share that slips does. On all cores.
+/// The same motion from `starts` perturbed starts, seeds 1, 2, ...: near a knife edge one motion says
+/// nothing, the share that slips does. On all cores.
 std::vector<MotionStart> measure_starts(const MotionCase& motion, std::size_t starts);
 
 /// Runs each motion again, `repetitions` times, without any check, interleaved in a fresh random order each

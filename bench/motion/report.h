@@ -33,9 +33,9 @@ class MotionTable {
   bool begun_ = false;
 };
 
-/// At which stiffness and step each variant fails, in words, a line for each variant and offset: the first start,
-/// and the share of the perturbed starts that fail with its interval. Its arithmetic is at fault only where that
-/// interval lies above the one of an exact variant of the same rows.
+/// At which stiffness and step each variant fails, in words, a line for each variant and offset: the first
+/// start, and the share of the perturbed starts that fail with its interval. Its arithmetic is at fault only
+/// where that interval lies above the one of an exact variant of the same rows.
 std::vector<std::string> motion_verdicts(const std::vector<MotionRow>& rows);
 
 }  // namespace catena::bench

@@ -51,7 +51,8 @@ TEST(TubeError, HasTheGapOfARing) {
     }
 }
 
-/// Where a closed tube begins is nothing of its shape: as many regions, as deep, whatever region its end cuts.
+/// Where a closed tube begins is nothing of its shape: as many regions, as deep, whatever region its end
+/// cuts.
 TEST(Contacts, OfAClosedTubeAreTheSameWhereverItBegins) {
   const Tube curve = lissajous();
   const auto depths = [](const std::vector<Approach>& all) {

@@ -1,5 +1,3 @@
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>

@@ -7,7 +7,6 @@
 #endif
 
 #include <algorithm>
-#include <bit>
 
 #include "catena/core/blocks/oriented_boxes-inl.h"
 #include "catena/core/executor/team.h"

@@ -6,8 +6,6 @@
 #define CATENA_CORE_BLOCKS_ORIENTED_BOXES_INL_H
 #endif
 
-#include <limits>
-
 #include "catena/core/blocks/principal_axes-inl.h"
 #include "catena/core/blocks/tests-inl.h"
 

@@ -13,6 +13,7 @@ CATENA_API Decision told_rows(const BlockTree& tree, const Crowding* crowding = 
 
 /// "rows": skip or search them.
 CATENA_API ParameterInfo rows_parameter();
+/// Whether "rows" says skip. Throws InputError for a word that is neither.
 CATENA_API bool skips_rows(const Parameters& parameters);
 
 }  // namespace catena

@@ -7,6 +7,7 @@
 
 namespace catena {
 
+/// How many bits are set.
 CATENA_HD inline std::uint32_t count_bits(std::uint32_t bits) {
 #ifdef __CUDA_ARCH__
   return static_cast<std::uint32_t>(__popc(bits));
@@ -46,6 +47,7 @@ CATENA_HD inline std::uint32_t lowest_bit(std::uint32_t bits) {
   return static_cast<std::uint32_t>(__builtin_ctz(bits));
 #endif
 }
+/// The same of 64 bits.
 CATENA_HD inline std::uint32_t lowest_bit_of_64(std::uint64_t bits) {
 #ifdef __CUDA_ARCH__
   return static_cast<std::uint32_t>(__ffsll(static_cast<long long>(bits)) - 1);

@@ -11,6 +11,7 @@
 
 namespace catena {
 
+/// Three numbers in binary32: a point, or a way from one to another.
 struct Vector32 {
   float x, y, z;
   CATENA_HD friend Vector32 operator+(const Vector32& a, const Vector32& b) {
@@ -21,18 +22,23 @@ struct Vector32 {
   }
 };
 
+/// a . b.
 CATENA_HD inline float dot(const Vector32& a, const Vector32& b) {
   return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));
 }
+/// t a.
 CATENA_HD inline Vector32 operator*(float t, const Vector32& a) { return {t * a.x, t * a.y, t * a.z}; }
 /// a + t b.
 CATENA_HD inline Vector32 plus(const Vector32& a, float t, const Vector32& b) {
   return {mul_add(t, b.x, a.x), mul_add(t, b.y, a.y), mul_add(t, b.z, a.z)};
 }
+/// |x| + |y| + |z|: at least the length, and at most sqrt(3) times it.
 CATENA_HD inline float sum_of_sides(const Vector32& a) {
   return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
 }
+/// The nearest number of [-1, 1].
 CATENA_HD inline float clamped(float t) { return t < -1 ? -1.0f : t > 1 ? 1.0f : t; }
+/// Where a sphere's centre is.
 CATENA_HD inline Vector32 centre_of(const Sphere& s) { return {s.x, s.y, s.z}; }
 
 /// All points within `radius` of centre +- half: what the blocks of a chain lie in, with the formulas, slacks
@@ -75,6 +81,7 @@ struct alignas(16) CapsuleBall {
   Vector32 centre;
   float reach;
 };
+/// That of a capsule.
 CATENA_HD inline CapsuleBall ball_of(const BlockCapsule& c) { return {c.centre, c.reach}; }
 
 /// True only when nothing in one capsule touches anything in the other, as their centres are too far apart.

@@ -17,6 +17,7 @@ CATENA_HD inline std::uint32_t fetch_add(std::uint32_t* number, std::uint32_t mo
 #endif
 }
 
+/// The same of 64 bits, where nobody asks what it was.
 CATENA_HD inline void add(unsigned long long* number, unsigned long long more) {
 #ifdef __CUDA_ARCH__
   atomicAdd(number, more);

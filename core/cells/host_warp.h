@@ -78,6 +78,7 @@ struct HostTeam {
   }
 };
 
+/// As many lanes as a warp has, four, and eight.
 using HostWarp = HostTeam<32>;
 using HostQuad = HostTeam<4>;
 using HostOctet = HostTeam<8>;

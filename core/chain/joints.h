@@ -11,7 +11,8 @@ namespace catena {
 /// graph: its edges are the steps along the strands (around, when closed) and the joints, between strands or
 /// from a strand back onto itself. With an index window k these are the pairs at most k edges apart that are
 /// not so along one strand, so the joints themselves for k = 1; with an arc window f, those nearer along the
-/// edges than f * (ri + rj), an edge being as long as its centres are apart, and nearer than along one strand.
+/// edges than f * (ri + rj), an edge being as long as its centres are apart, and nearer than along one
+/// strand.
 ///
 /// `joints` name spheres of the given ones; the strands are those of a valid chain. Throws InputError when a
 /// joint names no sphere, or one sphere twice.

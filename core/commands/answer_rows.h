@@ -44,6 +44,7 @@ struct NamedSphere {
 /// The cells of a row; the caller ends it. Depth and margin are those in the box, where there is one.
 void put_pair_cells(RowText& row, const AnswerTables& tables, std::uint32_t frame, const NamedSphere& i,
                     const NamedSphere& j, const Sphere& at_i, const Sphere& at_j, const PeriodicBox* box);
+/// The same of a sphere and its collisions, `count` of them.
 void put_count_cells(RowText& row, std::uint32_t frame, const NamedSphere& sphere, std::uint64_t count);
 
 }  // namespace catena

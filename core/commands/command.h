@@ -20,12 +20,15 @@ class Command {
   virtual int run() = 0;
 };
 
+/// What the program knows of a subcommand before it is chosen.
 struct CommandInfo {
   std::string name, summary;
   std::function<std::unique_ptr<Command>()> make;
-  bool by_ranks = false;  ///< for processes that a Launcher brings together, in place of the command of this name
+  /// For processes that a Launcher brings together, in place of the command of this name.
+  bool by_ranks = false;
 };
 
+/// All subcommands of the program, self-registered before main, and how several processes do one together.
 class CommandRegistry {
  public:
   static CommandRegistry& instance();

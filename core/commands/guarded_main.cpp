@@ -10,7 +10,6 @@
 #include <cstring>
 #include <iostream>
 #include <new>
-#include <string>
 #include <system_error>
 
 #include "catena/core/error.h"

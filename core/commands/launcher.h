@@ -3,8 +3,8 @@
 
 namespace catena {
 
-/// How several processes that were started together do one command together; registered by a folder that knows such a
-/// start. Without one, or where this process is alone, a command runs as always.
+/// How several processes that were started together do one command together; registered by a folder that
+/// knows such a start. Without one, or where this process is alone, a command runs as always.
 class Launcher {
  public:
   virtual ~Launcher() = default;

@@ -63,6 +63,7 @@ struct LargeAllocator {
   friend bool operator==(const LargeAllocator&, const LargeAllocator&) { return true; }
 };
 
+/// A vector whose memory comes from LargeAllocator.
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 

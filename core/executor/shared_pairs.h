@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <atomic>
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "catena/core/export.h"
 #include "catena/core/pair.h"

@@ -1,6 +1,7 @@
 #include "catena/core/frames/frame_difference.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace catena {

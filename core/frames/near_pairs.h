@@ -10,10 +10,11 @@
 
 namespace catena {
 
-/// What a kept list does in vectors, compiled once for each instruction set.
+// What a kept list does in vectors, compiled once for each instruction set.
 
-/// A sphere by a skin thicker or thinner, rounded as here and nowhere else.
+/// A sphere by a skin thicker, its radius rounded as here and nowhere else.
 inline Sphere thicker(Sphere s, float skin) { return {s.x, s.y, s.z, s.radius + skin}; }
+/// The same by a skin thinner; its radius may be negative.
 inline Sphere thinner(Sphere s, float skin) { return {s.x, s.y, s.z, s.radius - skin}; }
 
 /// True only when each sphere, by a skin thicker, lies within the one of the same index for certain; see

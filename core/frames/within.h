@@ -3,6 +3,7 @@
 
 namespace catena {
 
+/// The slack of within on a square, and the least and the greatest room for which it is proved.
 inline constexpr float within_slack = 1 + 0x1p-20f, within_least = 0x1p-60f, within_greatest = 0x1p60f;
 
 /// True only when sphere a lies within sphere b for certain: |ca - cb| <= rb - ra, the left side rounded up.

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "catena/core/blocks/vector_hits-inl.h"
 #include "catena/core/grid/grid_evidence.h"

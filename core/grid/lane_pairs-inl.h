@@ -7,7 +7,6 @@
 #endif
 
 #include <algorithm>
-#include <array>
 
 #include "catena/core/blocks/compress-inl.h"
 #include "catena/core/blocks/count_up-inl.h"

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <span>
 
+#include "catena/core/grid/bucket_runs-inl.h"
 #include "catena/core/grid/candidates-inl.h"
 #include "catena/core/grid/lane_pairs-inl.h"
 #include "catena/core/grid/member_buckets-inl.h"
@@ -47,7 +48,7 @@ class GridSearch {
       for (const std::uint32_t b : groups(start, at, end)) {
         const std::uint32_t size = std::min(group, buckets - b);
         const Run own{start[b], start[b + size]};
-        Runs runs(start, buckets);
+        BucketRuns runs(start, buckets);
         // The own run comes first, and goes on to the next bucket; past the last bucket it is in two parts.
         if (HWY_LIKELY(b + size < buckets)) {
           runs.push(own.first, start[b + size + 1]);
@@ -84,35 +85,6 @@ class GridSearch {
   using Level = SphereGrid::Level;
   static constexpr std::uint32_t group = 2;  // buckets that share their candidates
 
-  /// Runs of buckets; one that passes the last bucket goes on at bucket 0.
-  class Runs {
-   public:
-    Runs() = default;
-    Runs(const std::uint32_t* start, std::uint32_t buckets) : start_(start), buckets_(buckets) {}
-    HWY_INLINE void add(std::uint32_t bucket, std::uint32_t count) {
-      if (HWY_UNLIKELY(bucket + count > buckets_)) {
-        push(start_[0], start_[bucket + count - buckets_]);
-        count = buckets_ - bucket;
-      }
-      push(start_[bucket], start_[bucket + count]);
-    }
-    HWY_INLINE void push(std::uint32_t first, std::uint32_t end) {
-      run_[size_] = {first, end};
-      size_ += first != end;
-      candidates_ += end - first;
-    }
-    std::uint32_t candidates() const { return candidates_; }
-    const Run* begin() const { return run_.data(); }
-    const Run* end() const { return run_.data() + size_; }
-
-   private:
-    const std::uint32_t* start_ = nullptr;
-    std::uint32_t buckets_ = 0;
-    std::array<Run, 18> run_;
-    std::size_t size_ = 0;
-    std::uint32_t candidates_ = 0;
-  };
-
   /// The same for spheres of wide cells, by their places.
   void within_wide(const Level& level, std::uint32_t begin, std::uint32_t end) {
     constexpr std::uint32_t at_a_time = 1024;
@@ -141,7 +113,7 @@ class GridSearch {
 
   /// The spheres of a run against the candidates behind each in the runs, the first of which begins with
   /// them.
-  HWY_INLINE void meet(const Run& own, const Runs& runs) {
+  HWY_INLINE void meet(const Run& own, const BucketRuns& runs) {
     if (HWY_UNLIKELY(!candidates_.make_room(runs.candidates(), own.end - own.first)))
       return meet_crowd(own, runs, true);
     candidates_.test(own, candidates_.gather(runs) + 1, 1);
@@ -190,7 +162,7 @@ class GridSearch {
         next = k + 1;
         while (next < size && bucket[next] == bucket[k]) ++next;
         Together& these = some[count];
-        these = {at + k, at + next, members.box(k, next), Runs(start, coarse.map.buckets)};
+        these = {at + k, at + next, members.box(k, next), BucketRuns(start, coarse.map.buckets)};
         const Around around(these.box, coarse);
         add_near(around, coarse, bucket[k], these.runs);
         tell_looks(these.first, these.end, coarse, around.bits());
@@ -207,7 +179,7 @@ class GridSearch {
   struct Together {
     std::uint32_t first, end;
     MemberBox box;
-    Runs runs;
+    BucketRuns runs;
   };
 
   /// Whether what is near a box may be in the cells before and behind its own, along axis d. A centre is no
@@ -236,7 +208,7 @@ class GridSearch {
   };
   /// Of the 27 cells around members of a bucket those that a coarser sphere which overlaps one may be in.
   static HWY_INLINE void add_near(const Around& around, const Level& coarse, std::uint32_t bucket,
-                                  Runs& runs) {
+                                  BucketRuns& runs) {
     const auto& [x, y, z] = around;
     const std::uint32_t skipped = !x.before, count = 1 + x.before + x.behind;
     for (int dz = -static_cast<int>(z.before); dz <= static_cast<int>(z.behind); ++dz)

@@ -1,7 +1,6 @@
 #include "catena/core/grid/sphere_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 namespace catena {

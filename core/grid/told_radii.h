@@ -10,6 +10,7 @@ CATENA_API Decision told_radii(bool equal, std::uint64_t spheres);
 
 /// "radii": once or each; see SphereGrid::each_radius.
 CATENA_API ParameterInfo radii_parameter();
+/// Whether "radii" says each. Throws InputError for a word that is neither.
 CATENA_API bool reads_each_radius(const Parameters& parameters);
 
 }  // namespace catena

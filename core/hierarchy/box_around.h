@@ -9,11 +9,13 @@ namespace box_around_detail {
 
 using sphere_vector::Bits, sphere_vector::Four, sphere_vector::four, sphere_vector::magnitude;
 
-/// The rounded ends along each axis, and something in the fourth place.
+/// The rounded lower ends along each axis, and something in the fourth place.
 inline Four low_of(Four sphere) { return sphere - sphere[3]; }
+/// The upper ends likewise.
 inline Four high_of(Four sphere) { return sphere + sphere[3]; }
-/// Moved outward; see Box::around.
+/// Lower ends moved outward; see Box::around.
 inline Four moved_down(Four low) { return low - magnitude(low) * 0x1p-23f; }
+/// Upper ends likewise.
 inline Four moved_up(Four high) { return high + magnitude(high) * 0x1p-23f; }
 
 }  // namespace box_around_detail

@@ -32,6 +32,7 @@ struct BoxTree {
   std::uint32_t id(std::uint32_t k) const { return spheres() + k; }
 };
 
+/// Shows each node's children: nodes with their boxes, and spheres, of which no bound is kept. O(n).
 inline void show_bounds(const BoxTree& tree, BoundsVisitor& visitor) {
   visitor.tree({.levels = tree.height});
   for (std::uint32_t k = 0; k < tree.nodes; ++k) {

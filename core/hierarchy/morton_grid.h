@@ -35,8 +35,8 @@ struct CentreCorners {
   }
 };
 
-/// Morton codes of centres: 2^21 cubic cells along the longest side of a box that holds them all. In binary64, where no
-/// difference overflows.
+/// Morton codes of centres: 2^21 cubic cells along the longest side of a box that holds them all. In
+/// binary64, where no difference overflows.
 class MortonGrid {
  public:
   static constexpr int bits = 21;  ///< an axis

@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <vector>
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/input/input.h"
@@ -14,8 +13,8 @@ namespace catena {
 void complete(CurveFile& curves, const InputOptions& options, const std::string& name);
 
 /// The chain of the first frame of completed curves, with the file's exclusion rule or that of the options,
-/// and the neighbours across joints. Where boxes repeat space, arc lengths are those of the tubes that the box cuts
-/// apart (see unwrapped). Throws InputError when it is none.
+/// and the neighbours across joints. Where boxes repeat space, arc lengths are those of the tubes that the
+/// box cuts apart (see unwrapped). Throws InputError when it is none.
 Chain make_chain(CurveFile curves, const InputOptions& options);
 
 /// Half the median distance of consecutive centres along the strands, the closing step of closed strands

@@ -30,9 +30,9 @@ struct Thinning {
 /// The spheres to keep in every frame alike: as few as a walk along each strand finds that goes as far as
 /// `tolerance`, above 0 and below 1, lets it. The spheres of joints stay. Throws InputError unless the rule
 /// is an arc window, as an index window counts the spheres between. O(n log(spheres left out in a row)) for
-/// each frame, which is made once, and once more where a frame needs spheres that frame 0 does not. Where boxes repeat
-/// space, one a frame or one for all, a step across a face is one to the nearest image; the spheres on both of its
-/// sides stay.
+/// each frame, which is made once, and once more where a frame needs spheres that frame 0 does not. Where
+/// boxes repeat space, one a frame or one for all, a step across a face is one to the nearest image; the
+/// spheres on both of its sides stay.
 Thinning thin(const Animation& whole, std::span<const Pair> joints, double tolerance,
               std::span<const PeriodicBox> boxes = {});
 

@@ -9,7 +9,9 @@ namespace catena::motion {
 /// Coordinates (x, y, z) of node i at 3i, 3i + 1, 3i + 2, binary64. Also velocities and forces.
 using Coordinates = Eigen::VectorXd;
 
+/// The x, y, z of node i, i < x.size() / 3: a view into x.
 inline auto node(const Coordinates& x, std::uint32_t i) { return x.segment<3>(3 * Eigen::Index{i}); }
+/// The same, to be written to.
 inline auto node(Coordinates& x, std::uint32_t i) { return x.segment<3>(3 * Eigen::Index{i}); }
 
 /// Gradient and Hessian of an energy, added up term by term. Of the symmetric Hessian the lower triangle is

@@ -1,7 +1,6 @@
 #include "catena/core/motion/rope.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "catena/core/error.h"

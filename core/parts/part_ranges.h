@@ -21,6 +21,7 @@ inline void append(std::vector<SphereRange>& ranges, SphereRange range) {
     ranges.push_back(range);
 }
 
+/// How many spheres the ranges have together.
 inline std::uint64_t spheres_in(const std::vector<SphereRange>& ranges) {
   std::uint64_t spheres = 0;
   for (const SphereRange& range : ranges) spheres += range.size();

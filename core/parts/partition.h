@@ -11,9 +11,10 @@
 
 namespace catena::parts {
 
+/// How a chain is cut into parts.
 struct PartitionOptions {
-  std::uint32_t group =
-      32;  ///< consecutive spheres that stay together, >= 1; by space an eighth of that, at least 1
+  /// Consecutive spheres that stay together, >= 1; by space an eighth of that, at least 1.
+  std::uint32_t group = 32;
   Order order = Order::measured;  ///< by space only where halos are smaller so
 };
 /// As a strategy's parameters `group` and `order` say.

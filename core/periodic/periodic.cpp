@@ -47,17 +47,6 @@ void go_to_frame(Periodic* periodic, std::span<const PeriodicBox> boxes, std::ui
   if (periodic != nullptr) periodic->set_box(*box_of(boxes, frame));
 }
 
-std::string written(const PeriodicBox& box) {
-  const auto [x, y, z] = box.length;
-  const bool tilted = box.xy != 0 || box.xz != 0 || box.yz != 0;
-  return fmt::format("{},{},{}", x, y, z) + (tilted ? fmt::format(",{},{},{}", box.xy, box.xz, box.yz) : "");
-}
-
-const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t frame) {
-  if (boxes.empty()) return nullptr;
-  return &boxes[frame < boxes.size() ? frame : 0];
-}
-
 void Periodic::build(const Chain& chain) {
   const Stopwatch watch;
   built_.reset();

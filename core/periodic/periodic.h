@@ -93,12 +93,6 @@ class Periodic final : public Variant {
 /// none: the variant stays what it was.
 Periodic* put_into_boxes(std::unique_ptr<Variant>& variant, std::span<const PeriodicBox> boxes);
 
-/// X,Y,Z, and ,XY,XZ,YZ where it is tilted: as --box takes it. Reads back as it is.
-std::string written(const PeriodicBox& box);
-
-/// The box of that frame among those of an input, one a frame, one for all, or none: then null.
-const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t frame);
-
 /// The box of the next frame to be built, where there is one for each; `periodic` may be null.
 void go_to_frame(Periodic* periodic, std::span<const PeriodicBox> boxes, std::uint32_t frame);
 

@@ -89,4 +89,15 @@ void check_box(const PeriodicBox& box, double reach) {
                       widths[edge], "xyz"[edge], reach));
 }
 
+std::string written(const PeriodicBox& box) {
+  const auto [x, y, z] = box.length;
+  const bool tilted = box.xy != 0 || box.xz != 0 || box.yz != 0;
+  return fmt::format("{},{},{}", x, y, z) + (tilted ? fmt::format(",{},{},{}", box.xy, box.xz, box.yz) : "");
+}
+
+const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t frame) {
+  if (boxes.empty()) return nullptr;
+  return &boxes[frame < boxes.size() ? frame : 0];
+}
+
 }  // namespace catena

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <string>
 
 #include "catena/core/sphere.h"
 
@@ -59,9 +61,16 @@ bool image_overlaps(const Sphere& a, const Sphere& b, const Shift& shift, const 
 bool image_overlaps_by_integers(const Sphere& a, const Sphere& b, const Shift& shift, const PeriodicBox& box);
 
 /// Throws InputError unless every number is 0 or between 2^-100 and 2^100 in magnitude, no length is
-/// negative, one at least is not 0, no tilt is above 32 times the length along which it goes, where that repeats
-/// (so that rounding leaves where a sphere is within a box to 1e-6 of it, up to 2^20 boxes away), and each width is at
-/// least twice the reach, the largest sum of two radii: otherwise which image is the nearest would not be plain.
+/// negative, one at least is not 0, no tilt is above 32 times the length along which it goes, where that
+/// repeats (so that rounding leaves where a sphere is within a box to 1e-6 of it, up to 2^20 boxes away), and
+/// each width is at least twice the reach, the largest sum of two radii: otherwise which image is the nearest
+/// would not be plain.
 void check_box(const PeriodicBox& box, double reach);
+
+/// X,Y,Z, and ,XY,XZ,YZ where it is tilted: as --box takes it. Reads back as it is.
+std::string written(const PeriodicBox& box);
+
+/// The box of that frame among those of an input, one a frame, one for all, or none: then null.
+const PeriodicBox* box_of(std::span<const PeriodicBox> boxes, std::uint32_t frame);
 
 }  // namespace catena

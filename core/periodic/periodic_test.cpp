@@ -5,7 +5,6 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <set>
 
 #include "catena/core/periodic/overlap.h"
 #include "catena/core/periodic/test_search.h"

@@ -30,6 +30,7 @@ enum class Omission {
   sort,
 };
 
+/// What a plan says of a piece of work that it may leave out.
 struct CATENA_API OmissionInfo {
   Omission omission;
   std::string name;        ///< as `--no-omit` takes it
@@ -39,7 +40,9 @@ struct CATENA_API OmissionInfo {
 
 /// All of them, in the order of a plan.
 CATENA_API std::span<const OmissionInfo> all_omissions();
+/// That of one. O(1).
 CATENA_API const OmissionInfo& info_of(Omission omission);
+/// The names of all, in the order of a plan.
 CATENA_API std::vector<std::string> omission_names();
 
 /// Those that a plan may use: all, but for the ones that were switched off.

@@ -14,6 +14,7 @@ struct Counted {
   std::uint64_t collisions;
 };
 
+/// How a search across ranks goes about it; the answer is the same but for `stop_at_first`.
 struct AcrossOptions {
   bool stop_at_first = false;  ///< one pair will do
   /// That a rank sends, and gets, in a round; 0: a quarter of its own, at least 2^16 and at most 2^26.

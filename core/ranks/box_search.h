@@ -11,7 +11,8 @@ namespace catena::ranks {
 /// images at the faces of the box, with ids of their own; all ranks search that chain, each a part of it;
 /// rank 0 decides what they found exactly and tells each rank the answer about its own spheres, as many as
 /// the others have, give or take one. So rank 0 holds the chain, its images and those pairs that Periodic
-/// asks for. For yes or no all search the chain first as it is stored. Throws as search, and on rank 0 as Periodic::build does: call it within together.
+/// asks for. For yes or no all search the chain first as it is stored. Throws as search, and on rank 0 as
+/// Periodic::build does: call it within together.
 RankAnswer search_in_box(Communicator& ranks, const std::optional<Chain>& chain, const PeriodicBox& box,
                          const RankOptions& options, RankWork& work);
 

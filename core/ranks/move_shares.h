@@ -24,7 +24,8 @@ struct Share {
 /// Of what each sphere of a part has one, each rank's share to it, and in their place what the others send:
 /// by rising ranks, this one's own among them. `coming`: how many come of each rank, of this one how many
 /// stay. In so many rounds, the same on all ranks: what is on its way is no more than one of them brings.
-/// Besides it takes the memory of the new values, while that of the old ones is given back. All ranks call it.
+/// Besides it takes the memory of the new values, while that of the old ones is given back. All ranks call
+/// it.
 template <class Value>
 void move_shares(Communicator& ranks, const std::vector<Share>& shares, std::span<const std::uint64_t> coming,
                  std::uint64_t rounds, std::vector<Value>& values);

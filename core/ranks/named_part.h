@@ -16,6 +16,7 @@ struct PartNames {
   std::vector<std::string> strands;  ///< one a piece; none: their numbers
 };
 
+/// A part, and what its spheres are called.
 struct NamedPart {
   Part part;
   PartNames names;
@@ -24,8 +25,8 @@ struct NamedPart {
 /// A part with its names, where the input has some.
 NamedPart named_part_of(const Chain& chain, const Labels& labels, std::uint32_t first, std::uint32_t end);
 
-/// Rank 0 cuts the part of each rank and sends it, one after the other, the spheres some at a time: it holds one
-/// part besides its own, and no rank holds one twice.
+/// Rank 0 cuts the part of each rank and sends it, one after the other, the spheres some at a time: it holds
+/// one part besides its own, and no rank holds one twice.
 NamedPart scatter(Communicator& ranks, const std::function<NamedPart(unsigned rank)>& cut);
 
 /// A sphere as answers name it, and where it is.

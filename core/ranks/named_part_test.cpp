@@ -18,8 +18,8 @@ Labels named(const Chain& chain, bool spheres, bool strands) {
   return labels;
 }
 
-/// What any sphere is called, whichever rank it is of and whoever asks, how often and in what order: by the file's
-/// names, or the numbers where it has none.
+/// What any sphere is called, whichever rank it is of and whoever asks, how often and in what order: by the
+/// file's names, or the numbers where it has none.
 TEST(Directory, NamesSpheresAsTheirFileDoes) {
   std::uint64_t seed = 0, later = 0;
   std::atomic<int> joints = 0;

@@ -49,19 +49,22 @@ struct Rule {
   double factor = 0;
 };
 
-/// The spheres of a chain that one rank holds, fewer than 2^31, with all that is needed to say who their neighbours are.
-/// Not a parts::LocalChain, which is ranges of a chain that is here whole, with a halo, and so leaves the spheres where
-/// they are and numbers them by 32 bits: here nothing else of the chain is known, and the strands are told with it.
+/// The spheres of a chain that one rank holds, fewer than 2^31, with all that is needed to say who their
+/// neighbours are. Not a parts::LocalChain, which is ranges of a chain that is here whole, with a halo, and
+/// so leaves the spheres where they are and numbers them by 32 bits: here nothing else of the chain is known,
+/// and the strands are told with it.
 struct Part {
   Rule rule;
   std::vector<Sphere> spheres;
   std::vector<Piece> pieces;  ///< of the spheres, in their order
   std::vector<double> arcs;   ///< under an arc window: of each sphere, along its strand of the whole chain
-  /// Extra neighbours of spheres of the part: (its own, the other one), sorted. Where both are of the part, both ways.
+  /// Extra neighbours of spheres of the part: (its own, the other one), sorted. Where both are of the part,
+  /// both ways.
   std::vector<IdPair> extra;
 };
 
-/// The spheres first, ..., end - 1 of a chain as a part of it. O(their number + log n + strands and extra pairs there).
+/// The spheres first, ..., end - 1 of a chain as a part of it. O(their number + log n + strands and extra
+/// pairs there).
 Part part_of(const Chain& chain, std::uint32_t first, std::uint32_t end);
 
 /// The same of a chain of which no more is made, under an index window without extra pairs.

@@ -27,7 +27,8 @@ class RankInput {
   std::pair<std::uint32_t, std::uint32_t> frames(const FrameOption& option) const;
   /// The spheres of this rank in that frame: as many as the others have, give or take one.
   NamedPart part(std::uint32_t frame) const;
-  /// The box that repeats space in that frame, on every rank; null where none does. Rank 0 has the whole chain then.
+  /// The box that repeats space in that frame, on every rank; null where none does. Rank 0 has the whole
+  /// chain then.
   std::optional<PeriodicBox> box(std::uint32_t frame) const;
   /// The whole chain in that frame, on rank 0; none on others.
   std::optional<Chain> whole(std::uint32_t frame) const;

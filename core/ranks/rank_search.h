@@ -19,8 +19,10 @@ using parts::Order;
 
 /// The steps of a search, in their order.
 enum class Phase { take_part, order, repartition, build, within, across, answers, done };
+/// As reports name it.
 std::string_view name_of(Phase phase);
 
+/// How a search by ranks goes about it, the same on every rank.
 struct RankOptions {
   std::string variant = "auto";  ///< that searches each part
   Order order = Order::measured;
@@ -53,9 +55,10 @@ struct RankWork {
   AcrossWork across;
 };
 
-/// Finds what collides in a chain whose parts are those of the ranks, in their order: rank 0 has the first spheres. Parts
-/// may be uneven or empty. All ranks call it with the same options. More pairs than the request's limit leave every rank
-/// without pairs; the caller compares pair_count. Throws RankFailed on all ranks when one throws.
+/// Finds what collides in a chain whose parts are those of the ranks, in their order: rank 0 has the first
+/// spheres. Parts may be uneven or empty. All ranks call it with the same options. More pairs than the
+/// request's limit leave every rank without pairs; the caller compares pair_count. Throws RankFailed on all
+/// ranks when one throws.
 RankAnswer search(Communicator& ranks, Part part, const RankOptions& options, RankWork& work);
 
 }  // namespace catena::ranks

@@ -11,13 +11,13 @@
 
 namespace catena {
 
-/// Catena's own binary, `.catena`: what `.chain` holds, but joints, in arrays of which any part can be read alone, for
-/// chains of more than 2^31 spheres too. Little-endian:
+/// Catena's own binary, `.catena`: what `.chain` holds, but joints, in arrays of which any part can be read
+/// alone, for chains of more than 2^31 spheres too. Little-endian:
 ///
 ///     64 bytes   BinaryChain::Header
 ///     spheres    16 bytes each: x y z radius, binary32
-///     strands    24 bytes each: first sphere (u64), closed (u64: 0 or 1), length around the loop (binary64; 0 for
-///                an open strand, and under an index window)
+///     strands    24 bytes each: first sphere (u64), closed (u64: 0 or 1), length around the loop (binary64;
+///                0 for an open strand, and under an index window)
 ///     pairs      16 bytes each: extra neighbours i < j (u64), sorted, each once
 ///     arcs       8 bytes a sphere: arc length along its strand (binary64); only under an arc window
 ///
@@ -51,8 +51,8 @@ class BinaryChain {
   const Header& header() const { return header_; }
   Exclusion rule() const;  ///< without extra pairs
 
-  /// Parts of the arrays, begin <= end <= their size. Throw InputError, naming the sphere or strand, for what no chain
-  /// has. O(end - begin).
+  /// Parts of the arrays, begin <= end <= their size. Throw InputError, naming the sphere or strand, for what
+  /// no chain has. O(end - begin).
   std::vector<Sphere> spheres(std::uint64_t begin, std::uint64_t end) const;
   std::vector<double> arcs(std::uint64_t begin, std::uint64_t end) const;
   /// A strand, and where the one after it begins.
@@ -61,8 +61,8 @@ class BinaryChain {
     std::uint64_t end;
   };
   Extent strand(std::uint64_t number) const;
-  /// Calls visit(number, extent) for the strands that have spheres of [begin, end), in their order. Strands are read
-  /// many at once: there may be millions of a few spheres each.
+  /// Calls visit(number, extent) for the strands that have spheres of [begin, end), in their order. Strands
+  /// are read many at once: there may be millions of a few spheres each.
   void for_each_strand(std::uint64_t begin, std::uint64_t end,
                        const std::function<void(std::uint64_t number, const Extent&)>& visit) const;
   /// Throws InputError, naming the strand, for one of these that no chain has. Memory for a few.

@@ -20,8 +20,9 @@ namespace catena {
 ///     2 0 0 0.5
 ///     pairs 1                         extra neighbours, by sphere number from 0; as many lines `i j` follow
 ///     0 2
-///     joints 1                        steps of the tube beside those of the strands: where a branch begins, or a loop
-///     0 2                             ends on itself; as many lines `i j`. Neighbours across them follow from the rule
+///     joints 1                        steps of the tube beside those of the strands: where a branch begins,
+///     0 2                             or a loop ends on itself; as many lines `i j`. Neighbours across them
+///                                     follow from the rule
 ///     end                             what tells a whole file from a truncated one
 ///
 /// `#` starts a comment; blank lines are skipped. A chain that was `moved` under an arc window is written
@@ -33,6 +34,7 @@ namespace catena {
 /// written, and for a joint that names no sphere.
 // clang-format on
 void write_chain(std::ostream& out, const Chain& chain, std::span<const Pair> joints = {});
+/// The same as a file, whole or not at all; see OutputFile.
 void write_chain(const std::filesystem::path& file, const Chain& chain, std::span<const Pair> joints = {});
 
 }  // namespace catena

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"

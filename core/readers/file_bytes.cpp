@@ -7,7 +7,6 @@
 #include <fstream>
 #include <mutex>
 #include <optional>
-#include <utility>
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "catena/core/counted.h"
 #include "catena/core/error.h"

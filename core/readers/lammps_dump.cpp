@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "catena/core/counted.h"
 #include "catena/core/readers/bead_file.h"

@@ -1,7 +1,6 @@
 #pragma once
 #include <charconv>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,12 +30,14 @@ bool is_zero(std::string_view text);
 /// Less than the least positive value rounds to it or to zero; beyond the greatest is a problem, and so are
 /// infinity and NaN.
 Parsed<float> parse_float(std::string_view text);
+/// The same of a double.
 Parsed<double> parse_double(std::string_view text);
 
 /// A coordinate that is yet to be rounded to binary32: the nearest double, or where rounding that once more
 /// would miss the nearest float, the double beside it that does not. Beyond the greatest float is a problem.
 Parsed<double> parse_coordinate(std::string_view text);
 
+/// A whole number, signed, of 64 bits; anything else is a problem.
 Parsed<std::int64_t> parse_integer(std::string_view text);
 
 /// Appends the shortest text that reads as exactly this number. Not fmt: the standard promises it of

@@ -16,7 +16,8 @@ struct ReadOptions {
   std::string array{};                 ///< --array NAME: the array of a mesh that holds radii, or diameters
   std::string topology{};              ///< --topology FILE: where the strands or bonds of a configuration are
   bool recentre = false;               ///< --recentre: an origin is taken off before the rounding to binary32
-  std::optional<std::array<double, 3>> origin{};  ///< --origin: this one; otherwise the first point of the file
+  /// --origin: this one; otherwise the first point of the file.
+  std::optional<std::array<double, 3>> origin{};
   friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 

@@ -26,7 +26,8 @@ struct CurveFile {
   std::vector<std::uint32_t> strand_first{0};  ///< strands + 1 offsets
   std::vector<std::uint8_t> strand_closed;     ///< one flag a strand
   bool is_tree = false;                        ///< its strands are branches, none of which can be closed
-  std::vector<Pair> joints;  ///< steps beside those of the strands: branches, and loops that end on themselves
+  /// Steps beside those of the strands: branches, and loops that end on themselves.
+  std::vector<Pair> joints;
   Exclusion exclusion;       ///< the file's own rule (catena's format), else window 1
   std::vector<std::vector<Sphere>> later_frames;  ///< the same spheres, moved; empty: a file of one frame
   std::vector<PeriodicBox> boxes;  ///< one a frame, or one for all; none: space does not repeat
@@ -41,22 +42,22 @@ struct CurveFile {
   }
   /// One whose radius is told later, or which may be left out; rounding.settle() counts what it has lost.
   void add_open_point(double x, double y, double z) { spheres.push_back(rounding.round_open(x, y, z)); }
-  void begin_later_frame() {
-    later_frames.emplace_back();
-  }  ///< what is added from here on is the next frame's
+  /// What is added from here on is the next frame's.
+  void begin_later_frame() { later_frames.emplace_back(); }
   /// Keeps these spheres alone, in this order, in every frame and with their labels; the strands are the
   /// caller's.
   void choose(std::span<const std::uint32_t> order);
   void end_strand(bool closed = false);  ///< the spheres since the last call become a strand; none: nothing
 };
 
+/// What a reader says of itself: which files it takes, and how users are told of them.
 struct ReaderInfo {
   std::string name;                     ///< "SWC neuron"
   std::vector<std::string> extensions;  ///< {".swc"}, lower case
   std::string summary;                  ///< one line for `catena list`
   std::string label;                    ///< what identifies a sphere: "sample id", "line"
-  std::vector<std::string>
-      options{};  ///< of "--columns", "--atom", "--array", "--topology", those that mean something here
+  /// Of "--columns", "--atom", "--array", "--topology" those that mean something here.
+  std::vector<std::string> options{};
   /// Where a file's topology lies that no option names; none: the reader looks for no such file.
   std::function<std::filesystem::path(const std::filesystem::path&)> topology_beside{};
 };

@@ -32,8 +32,8 @@ class VtkNumbers {
   void require(std::uint64_t count, std::uint64_t components, Type type) const {
     if (!ascii_) fields_.require(count, components * type.size, "values");
   }
-  /// The count that this text is. Whatever is counted takes a byte at least, so that a damaged one asks for no
-  /// memory.
+  /// The count that this text is. Whatever is counted takes a byte at least, so that a damaged one asks for
+  /// no memory.
   std::uint64_t count(const std::string& text, std::string_view what) const;
 
   double real(Type type, std::string_view what);

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <bit>
-
 #include "catena/core/readers/test_bytes.h"
 #include "catena/core/readers/test_file.h"
 #include "catena/core/readers/test_graph.h"

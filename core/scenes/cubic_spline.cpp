@@ -1,7 +1,5 @@
 #include "catena/core/scenes/cubic_spline.h"
 
-#include <utility>
-
 namespace catena {
 
 CubicSpline::CubicSpline(std::vector<Vec3> points) {

@@ -1,6 +1,5 @@
 // yarn: a ball of yarn, dense with collisions: about 5 pairs a sphere whatever n.
 #include <algorithm>
-#include <cmath>
 
 #include "catena/core/scenes/random.h"
 #include "catena/core/scenes/scene.h"

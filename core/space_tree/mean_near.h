@@ -16,6 +16,7 @@ struct NearSpheres {
   double in_cells;
 };
 
+/// Spheres that mean_near takes at most.
 constexpr std::size_t most_samples = 32;
 
 /// The mean over these spheres, at least one and at most `most_samples`, told by a look at one of so many

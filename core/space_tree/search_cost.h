@@ -1,6 +1,5 @@
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "catena/core/blocks/beyond_cache.h"
@@ -74,10 +73,11 @@ struct SingleSpheres {
   float greatest_radius = 0;  ///< but for a few
   bool wide = false;          ///< cells are: see SphereGrid
 };
-/// Those in crowded nodes, by a look at some; or all, where there is no tree. Cells are for radii that come
-/// in one octave, as one in 128 tells, or where the smaller ones are few in cells for the greater.
+/// Those in crowded nodes, by a look at some. Cells are for radii that come in one octave, as one in 128
+/// tells, or where the smaller ones are few in cells for the greater.
 CATENA_API SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree,
                                         const Crowding& crowding, SpaceSort sort = SpaceSort::anew);
+/// The same of all spheres of a chain, where there is no tree.
 CATENA_API SingleSpheres single_spheres(const ChainView& chain, SpaceSort sort = SpaceSort::anew);
 /// Whether wide cells are for all spheres of a chain, by a look that costs next to nothing.
 CATENA_API bool wide_cells(const ChainView& chain);

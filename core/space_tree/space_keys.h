@@ -41,8 +41,9 @@ class SpaceGrid {
   float greatest;  ///< size
 };
 
-/// Entries are numbers in their lower halves; the key comes to the upper half. O(n).
+/// What the middles and sizes of the entries are within, which are numbers in their lower halves. O(n).
 SpaceExtent extent_of(const SpaceRows& rows, std::span<const std::uint64_t> entries);
+/// Entries are numbers in their lower halves; the key of each comes to its upper half. O(n).
 void make_keys(const SpaceRows& rows, const SpaceGrid& grid, std::span<std::uint64_t> entries);
 
 }  // namespace catena

@@ -15,8 +15,8 @@ enum class Accounting {
 
 /// Receives why a search need not look further, as it goes. Every pair that is accounted for is below exactly
 /// one discarded pair of nodes, or tested, or excluded; reference/certificate.h checks it. A node is named by
-/// its id in Variant::visit_bounds (or EvidenceNodes): below n it is the sphere of that index, and all ids are
-/// below 8n. Calls come from one thread.
+/// its id in Variant::visit_bounds (or EvidenceNodes): below n it is the sphere of that index, and all ids
+/// are below 8n. Calls come from one thread.
 class CATENA_API EvidenceSink {
  public:
   virtual ~EvidenceSink() = default;

@@ -12,13 +12,13 @@ class CATENA_API EvidenceNodes {
   virtual ~EvidenceNodes() = default;
 
   /// Every (parent, child) of the nodes that find_with_evidence will name, on the chain of the last build or
-  /// update. Trees follow one another, each after a call of tree(); a sphere is in some of them, once in each,
-  /// an inner node in one.
+  /// update. Trees follow one another, each after a call of tree(); a sphere is in some of them, once in
+  /// each, an inner node in one.
   virtual void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const = 0;
 };
 
-/// Shows the nodes that the evidence of any variant names, on the chain of its last build or update: by default
-/// those of its hierarchy.
+/// Shows the nodes that the evidence of any variant names, on the chain of its last build or update: by
+/// default those of its hierarchy.
 inline void visit_evidence_nodes(const Variant& variant, const Chain& chain, BoundsVisitor& visitor) {
   if (const auto* nodes = dynamic_cast<const EvidenceNodes*>(&variant))
     nodes->visit_evidence(chain, visitor);

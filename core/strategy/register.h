@@ -31,6 +31,7 @@ std::unique_ptr<Base> make_strategy(const Parameters& parameters) {
     return std::make_unique<Strategy>();
 }
 
+/// What the registry says of an arithmetic.
 template <ArithmeticPolicy Arithmetic>
 ArithmeticInfo arithmetic_info() {
   return {Arithmetic::name, Arithmetic::exact};
@@ -57,6 +58,7 @@ StrategyRegistry::TreeType tree_type_of(const Traversal<Tree>*) {
   return tree_type<Tree>();
 }
 
+/// A first stage, in several arithmetics.
 template <template <class> class Strategy, ArithmeticPolicy... Arithmetics>
 struct RegisterConstruction {
   explicit RegisterConstruction(const StrategyInfo& info) {
@@ -68,6 +70,7 @@ struct RegisterConstruction {
   }
 };
 
+/// A second stage, in several arithmetics.
 template <template <class> class Strategy, ArithmeticPolicy... Arithmetics>
 struct RegisterTraversal {
   explicit RegisterTraversal(const StrategyInfo& info) {

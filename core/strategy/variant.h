@@ -28,8 +28,8 @@ class CATENA_API Variant {
   /// need. Not called: pairs of the whole chain.
   virtual void prepare(const Request&) {}
 
-  /// Stage 1. All-pairs variants do nothing here. The chain need not outlive the call. Throws CapacityError past a
-  /// declared limit of the strategy. After whatever it or update throws nothing is built.
+  /// Stage 1. All-pairs variants do nothing here. The chain need not outlive the call. Throws CapacityError
+  /// past a declared limit of the strategy. After whatever it or update throws nothing is built.
   virtual void build(const Chain& chain) = 0;
 
   /// Stage 1 again for the same spheres, moved, of which only those of `moved` differ from the last build or
@@ -42,11 +42,11 @@ class CATENA_API Variant {
     build(chain);
   }
 
-  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; one host thread allocates
-  /// nothing when variant and `result` have held as much before. The pair set is that of the strategy's arithmetic.
-  /// Throws PairLimitExceeded with the true number, and leaves `result` without pairs. Throws std::logic_error when
-  /// there was no such build and one is needed. After anything else that it throws, want of memory say, the build
-  /// stands, and find may be asked again.
+  /// Stage 2, on the chain of the last build or update. Fills `result` as `request` asks; one host thread
+  /// allocates nothing when variant and `result` have held as much before. The pair set is that of the
+  /// strategy's arithmetic. Throws PairLimitExceeded with the true number, and leaves `result` without pairs.
+  /// Throws std::logic_error when there was no such build and one is needed. After anything else that it
+  /// throws, want of memory say, the build stands, and find may be asked again.
   virtual void find(const Chain& chain, const Request& request, Collisions& result) = 0;
 
   virtual Timings timings() const = 0;
@@ -54,15 +54,15 @@ class CATENA_API Variant {
   /// What the last build and find did and left out, and why.
   virtual Plan plan() const { return {}; }
 
-  /// How often the last find took each of its steps; also before the first, with zeros. Nothing for strategies that
-  /// do not count them.
+  /// How often the last find took each of its steps; also before the first, with zeros. Nothing for
+  /// strategies that do not count them.
   virtual std::vector<WorkDone> work() const { return {}; }
 
   /// What answered the last find, in a few words, where this holds other variants and chooses; else empty.
   virtual std::string answered_by() const { return {}; }
 
-  /// Every (parent, child) of the last build; nothing for strategies without a hierarchy, and where nothing is
-  /// built.
+  /// Every (parent, child) of the last build; nothing for strategies without a hierarchy, and where nothing
+  /// is built.
   virtual void visit_bounds(BoundsVisitor&) const {}
 
   /// What find_with_evidence can show; none for strategies that discard nothing or cannot tell.

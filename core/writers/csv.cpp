@@ -1,6 +1,5 @@
 #include <set>
 #include <string>
-#include <vector>
 
 #include "catena/core/csv_cell.h"
 #include "catena/core/output_file.h"

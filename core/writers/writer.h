@@ -29,13 +29,14 @@ struct ExportedFrames {
   std::span<const PeriodicBox> boxes{};  ///< one a frame of the input, one for all, or none; see Input
 };
 
+/// What a writer says of itself: which files it makes, and what these can hold.
 struct WriterInfo {
   std::string name;                     ///< "OBJ lines"
   std::vector<std::string> extensions;  ///< {".obj"}, lower case
-  bool radii, rule, frames, contacts,
-      box;  ///< what the format can hold: the exclusion rule, several frames, what was found, a periodic box
+  /// What the format can hold: radii, the exclusion rule, several frames, what was found, a periodic box.
+  bool radii, rule, frames, contacts, box;
   bool labels = false;  ///< likewise, and the names of strands
-  std::string summary;
+  std::string summary;  ///< one line for `catena list`
   /// What it can hold, too: by joints another rule than the file's finds neighbours across them.
   bool joints = false;
   /// Strands are lines between points: read back, closed ones follow open ones, and those of one or two

@@ -1,6 +1,4 @@
 #pragma once
-#include <filesystem>
-#include <string>
 #include <vector>
 
 #include "catena/core/chain/chain.h"

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
-#include <optional>
 #include <vector>
 
 #include "catena/properties/generators/census.h"

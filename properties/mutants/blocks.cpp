@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "catena/core/blocks/block_kernels.h"
 #include "catena/core/executor/host_search.h"

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "catena/reference/bounds.h"
 #include "catena/reference/bounds/form.h"

@@ -2,8 +2,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <utility>
 #include <vector>
 
 #include "catena/reference/bounds.h"

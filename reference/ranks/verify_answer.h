@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <string>
 
 #include "catena/core/chain/chain.h"
 #include "catena/core/periodic/periodic_box.h"

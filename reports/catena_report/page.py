@@ -172,7 +172,7 @@ def _render(report, built, drawings, library, left_out):
         light=LIGHT,
         dark=DARK,
         style=read("report.css"),
-        script=read("report.js"),
+        script=read("legend.js") + read("report.js"),
         figures=_packed({figure.key: interactive.describe(figure) for figure in figures}),
         data=_packed([{**run, "benchmarks": columns.of_rows(run["benchmarks"])} for run in data(report)]),
         tables=_packed({table.key: table.as_csv() for section in built for table in section.blocks if isinstance(table, Table)}),

@@ -10,7 +10,7 @@ import unittest.mock
 
 import made
 import pages
-from catena_report import choice, claims, paper, profiles, report, statistics, table, variant, waits, whole_file, work
+from catena_report import choice, claims, judges, paper, profiles, report, statistics, table, variant, waits, whole_file, work
 from catena_report import __main__ as command
 from catena_report.sections import (
     advice, animation, arithmetic, environment, judged, paper_tables,
@@ -230,7 +230,7 @@ class Claims(Base):
         self.assertEqual(claims.faster("aGPU2", "aCPU2", 20000, "build")(pages.of(self.value)).verdict, claims.UNTESTED)
 
     def test_a_curve_begins_where_it_is_asked_to(self):
-        points = claims._curve(pages.of(self.value), "path1", "CPU2", 3000)
+        points = judges._curve(pages.of(self.value), "path1", "CPU2", 3000)
         self.assertEqual([n for n, _ in points], [3000, 10000, 100000])
 
     def test_sizes_are_those_of_the_papers_algorithms(self):

@@ -8,9 +8,9 @@
 
 namespace catena::ranks {
 
-/// A file that all ranks write at once, each its own part, by MPI-IO; whole or not at all, also when a signal asks the
-/// ranks to end. It has another name until it is complete. Every rank opens it for itself, so that one that cannot leaves
-/// none waiting. Throws InputError, naming the file and the reason.
+/// A file that all ranks write at once, each its own part, by MPI-IO; whole or not at all, also when a signal
+/// asks the ranks to end. It has another name until it is complete. Every rank opens it for itself, so that
+/// one that cannot leaves none waiting. Throws InputError, naming the file and the reason.
 class SharedOutput {
  public:
   SharedOutput(Communicator& ranks, std::string name);
