@@ -107,7 +107,8 @@ def _exchange(report, run, chains):
     over.lines.append(Line(AIM, across=True, label="aim"))
     dense.lines.append(Line(AIM, across=True, label="aim"))
     return Figure(f"ranks-exchange{report.key(run)}", _exchange_verdict(chains), (
-        "A block is asked for when the capsule around its eight spheres touches a sphere of another rank. The lower"
+        "A block is asked for when the capsule around its eight spheres (in runs of before 29 November 2026 a box) touches a"
+        " sphere of another rank. The lower"
         " bound are the blocks of which a sphere truly touches one of another rank, neighbours along the chain too: no"
         " exchange by blocks can do with fewer. Counted, not timed, and the same in every run; dotted: the shorter chain of"
         " a scene. Where a rank holds few spheres, most of them are at its surface, and the capsules are coarse beside it."
