@@ -7,7 +7,8 @@ namespace {
 TEST(Certified, AreGridAndHybridWhateverPartsItTakes) {
   for (const char* name :
        {"Grid", "Grid(cells=wide)", "Grid(cells=narrow)", "SphereTree", "Hybrid", "Hybrid(crowd=0,dense=1e6)",
-        "Hybrid(crowd=0,dense=0)", "Hybrid(crowd=2,dense=0.7)", "Hybrid(crowd=1,dense=2,threads=3)", "auto"})
+        "Hybrid(crowd=0,dense=0)", "Hybrid(crowd=2,dense=0.7)", "Hybrid(crowd=1,dense=2,threads=3)", "auto",
+        "Grid(strands=read)", "SphereTree(strands=read)", "Hybrid(strands=read)", "ChainTree(strands=read)"})
     expect_certified(name);
 }
 

@@ -53,7 +53,7 @@ class Grid final : public HostSearch, public EvidenceNodes {
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     const GridTrees trees(chain, grid_, chain.size);
     GridEvidence evidence(chain, trees, sink);
-    search_grid(chain, grid_, queues_[0], lane, evidence);
+    search_grid(strands_.seen(chain), grid_, queues_[0], lane, evidence);
   }
   const Team& team() const override { return team_; }
 

@@ -62,7 +62,7 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
     search_.search(strands_.seen(chain), collector, team_);
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
-    search_.search_with_evidence(chain, lane, sink);
+    search_.search_with_evidence(strands_.seen(chain), lane, sink);
   }
   const Team& team() const override { return team_; }
 

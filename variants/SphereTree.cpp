@@ -49,7 +49,7 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   }
   void search_with_evidence(const ChainView& chain, PairCollector::Lane& lane, EvidenceSink& sink) override {
     const SphereNodes nodes(tree_, spheres_);
-    search_sphere_tree(chain, tree_, queues_[0], lane, SphereEvidence(chain, nodes, sink));
+    search_sphere_tree(strands_.seen(chain), tree_, queues_[0], lane, SphereEvidence(chain, nodes, sink));
   }
   const Team& team() const override { return team_; }
 

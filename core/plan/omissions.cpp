@@ -33,9 +33,8 @@ const std::array<OmissionInfo, 17>& table() {
       {Omission::strands, "strand-table", "strand table",
        "of one open strand every sphere is of the same one, and no end of it is joined to the other"},
       {Omission::range_checks, "range-checks", "range checks",
-       "no sum of two radii, of spheres or of bounds over them, has a square that binary32 has no room for, "
-       "so "
-       "that none falls back to binary64 for its range: Robust::in_range"},
+       "no sum of two radii, of spheres or of bounds over them, has a square that binary32 has no room for: "
+       "none falls back to binary64 for its range (Robust::in_range)"},
       {Omission::upload, "upload", "move of what lies on the device",
        "a chain of the same topology has the same strands and neighbours, and a sphere that did not move the "
        "same bits"},

@@ -49,8 +49,10 @@ class Model:
     def ms(self, n, ranks):
         if ranks == 1:
             return 1e-6 * self.sphere_ns * n
-        asked = self.law.asked(self.blocks * n / ranks, ranks)
-        return 1e-6 * (self.sphere_ns * n / ranks + self.asked_ns * asked + self.rank_ns * ranks + self.fixed_ns)
+        return 1e-6 * (self.sphere_ns * n / ranks + self.asked_ns * self.asked(n, ranks) + self.rank_ns * ranks + self.fixed_ns)
+
+    def asked(self, n, ranks):
+        return self.law.asked(self.blocks * n / ranks, ranks)
 
     def efficiency(self, n, ranks):
         return self.ms(n, 1) / (ranks * self.ms(n, ranks))
@@ -71,8 +73,7 @@ class Sending:
     other rank while these are few, and to no more than `neighbours` of many. The errors are the median factors between model and counts.
     """
 
-    law: Law
-    blocks: float
+    model: Model
     sphere_bytes: float
     asked_bytes: float
     rank_bytes: float
@@ -85,8 +86,7 @@ class Sending:
         if ranks == 1:
             return 0.0
         moved = n / ranks * (1 - 1 / ranks)
-        asked = self.law.asked(self.blocks * n / ranks, ranks)
-        return self.sphere_bytes * moved + self.asked_bytes * asked + self.rank_bytes * ranks
+        return self.sphere_bytes * moved + self.asked_bytes * self.model.asked(n, ranks) + self.rank_bytes * ranks
 
     def messages(self, ranks):
         return self.each * _met(ranks - 1, self.neighbours)
@@ -106,23 +106,22 @@ class Network:
 CLUSTER = Network(seconds_a_message=2e-6, bytes_per_second=10e9)
 
 
-def best_in(network, model, sending, n):
+def best_in(network, sending, n):
     """The ranks, a power of two, with which the busiest computes and sends for the least time."""
-    return min(_doubled(), key=lambda ranks: model.ms(n, ranks) + sending.ms(n, ranks, network))
+    return min(_doubled(), key=lambda ranks: sending.model.ms(n, ranks) + sending.ms(n, ranks, network))
 
 
-def sending(chains):
-    """Of the chains of one scene, or None for too few points that were shared out by space. Relative errors are what is
-    least.
+def sending(chains, model):
+    """Of the chains of one scene, whose model there is, or None for too few points that were shared out by space. Relative
+    errors are what is least.
     """
-    fitted_law = law([point for chain in chains for point in chain["points"]])
     told = [
         (chain["n"] / p["ranks"] * (1 - 1 / p["ranks"]), p)
         for chain in chains
         for p in chain["points"]
         if p["order"] == "space" and 1 < p["ranks"] <= FITTED
     ]
-    if fitted_law is None or len(told) < LEAST:
+    if len(told) < LEAST:
         return None
     rows = numpy.array([[moved, p["most_blocks_asked"], p["ranks"]] for moved, p in told], float)
     sent = numpy.array([p["most_bytes"] for _, p in told], float)
@@ -134,8 +133,7 @@ def sending(chains):
     each = numpy.exp(numpy.median(logs[neighbours]))
     off = lambda ratios: float(numpy.median(numpy.exp(numpy.abs(numpy.log(ratios)))))
     return Sending(
-        fitted_law,
-        float(numpy.mean([p["blocks"] / chain["n"] for chain in chains for p in chain["points"]])),
+        model,
         *map(float, factors),
         off(rows @ factors / sent),
         float(each),

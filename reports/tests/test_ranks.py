@@ -231,7 +231,7 @@ class Ranks(unittest.TestCase):
         self.assertAlmostEqual(model.ms(1000, 2), 0.05 + 1e-6 * (5000 * asked + 4000 + 30_000))
 
     def test_one_rank_sends_nothing(self):
-        sending = rank_model.Sending(rank_model.Law(2, 1), 1 / 8, 24, 150, 40, 1, 5, 64, 1)
+        sending = rank_model.Sending(rank_model.Model(rank_model.Law(2, 1), 1 / 8, 100, 5000, 2000, 0, 1), 24, 150, 40, 1, 5, 64, 1)
         self.assertEqual((sending.bytes(1000, 1), sending.messages(1)), (0, 0))
         # Of two ranks each holds half of the spheres, and half of these came from the other.
         asked = 2 * ((62.5 ** (1 / 3) + 1) ** 3 - 62.5) * (1 - 2 ** (-1 / 3))
@@ -241,7 +241,7 @@ class Ranks(unittest.TestCase):
         self.assertAlmostEqual(sending.ms(1000, 2, network), sending.messages(2) + sending.bytes(1000, 2) / 1000)
 
     def test_what_is_sent_is_checked_by_what_it_was_not_fitted_to_in_space(self):
-        sending = rank_model.Sending(rank_model.Law(2, 1), 1 / 8, 24, 150, 40, 1, 5, 64, 1)
+        sending = rank_model.Sending(rank_model.Model(rank_model.Law(2, 1), 1 / 8, 100, 5000, 2000, 0, 1), 24, 150, 40, 1, 5, 64, 1)
         points = [
             {
                 "ranks": ranks,

@@ -220,12 +220,12 @@ def _model_table(report, run, chains, models):
 def _sending_table(report, run, chains, models):
     rows = []
     for scene, mine in _by_scene(chains).items():
-        model, sending = models[scene], rank_model.sending(mine)
-        if not model or not sending:
+        sending = models[scene] and rank_model.sending(mine, models[scene])
+        if not sending:
             continue
         off = rank_model.sending_off(mine, sending)
         rounds = max(p["most_rounds"] for chain in mine for p in chain["points"])
-        best = [rank_model.best_in(rank_model.CLUSTER, model, sending, n) for n in TOLD]
+        best = [rank_model.best_in(rank_model.CLUSTER, sending, n) for n in TOLD]
         rows.append(
             [
                 scene,
