@@ -14,13 +14,13 @@ class DeviceGridOnHost final : public HostSearch, public EvidenceNodes {
  public:
   explicit DeviceGridOnHost(const Parameters& parameters) : range_(parameters) {}
 
-  Plan plan() const override { return range_.plan(); }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
     if (built()) ToldCells(chain.view(), nullptr, cells_.placed()).show(visitor);
   }
 
  private:
+  Plan steps() const override { return range_.plan(); }
   void construct(const ChainView& chain) override {
     cells_.build(chain, chain.size, [](std::uint32_t) { return true; });
   }

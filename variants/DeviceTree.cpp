@@ -17,13 +17,13 @@ class DeviceTreeOnHost final : public HostSearch, public EvidenceNodes {
  public:
   explicit DeviceTreeOnHost(const Parameters& parameters) : range_(parameters) {}
 
-  Plan plan() const override { return range_.plan(); }
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
     if (built() && any()) ToldTree(chain.view(), blocks_.blocks(), nodes_.nodes()).show(visitor);
   }
 
  private:
+  Plan steps() const override { return range_.plan(); }
   bool any() const { return blocks_.blocks().blocks > 0; }
 
   void construct(const ChainView& chain) override {

@@ -25,11 +25,6 @@ class Grid final : public HostSearch, public EvidenceNodes {
     cells_ = parameters.choice("cells", {"measured", "wide", "narrow"});
   }
 
-  Plan plan() const override {
-    return {told_radii(grid_.equal_radii, grid_.spheres()),
-            told_exact(done().open - before_.open, grid_.doubt), strands_.told()};
-  }
-
   std::vector<WorkDone> work() const override {
     return {{"sphere, vector of spheres", done().tests - before_.tests},
             {"pair of spheres, beyond binary32", done().open - before_.open}};
@@ -41,6 +36,10 @@ class Grid final : public HostSearch, public EvidenceNodes {
   }
 
  private:
+  Plan steps() const override {
+    return {told_radii(grid_.equal_radii, grid_.spheres()),
+            told_exact(done().open - before_.open, grid_.doubt), strands_.told()};
+  }
   void construct(const ChainView& given) override {
     const ChainView chain = strands_.seen(given);
     grid_.wide = cells_ == "wide" || (cells_ == "measured" && wide_cells(chain));

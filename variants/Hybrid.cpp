@@ -26,21 +26,6 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
                  reads_each_radius(parameters)},
                 team_.size()) {}
 
-  Plan plan() const override {
-    const HybridSearch::Work work = search_.work();
-    Plan steps{search_.told_rows(),
-               {"order of space", search_.crowded_nodes() == 0,
-                fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
-                            search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)}};
-    if (search_.sorts()) steps.push_back(search_.told_order());
-    steps.push_back(
-        {"single spheres", work.dense == 0, fmt::format("{} with much near", counted(work.dense, "sphere"))});
-    steps.push_back(told_radii(search_.equal_radii(), work.dense));
-    steps.push_back(told_exact(work.open, search_.settings().doubt));
-    steps.push_back(strands_.told());
-    return steps;
-  }
-
   std::vector<WorkDone> work() const override {
     const HybridSearch::Work work = search_.work();
     return {{"block, sixteen blocks", work.rows},      {"two blocks in space", work.entries},
@@ -54,6 +39,20 @@ class Hybrid final : public HostSearch, public EvidenceNodes {
   }
 
  private:
+  Plan steps() const override {
+    const HybridSearch::Work work = search_.work();
+    Plan steps{search_.told_rows(),
+               {"order of space", search_.crowded_nodes() == 0,
+                fmt::format("{} of {} nodes of 128 spheres meet more than {} others, or have much near them",
+                            search_.crowded_nodes(), search_.nodes(), search_.settings().crowd)}};
+    if (search_.sorts()) steps.push_back(search_.told_order());
+    steps.push_back(
+        {"single spheres", work.dense == 0, fmt::format("{} with much near", counted(work.dense, "sphere"))});
+    steps.push_back(told_radii(search_.equal_radii(), work.dense));
+    steps.push_back(told_exact(work.open, search_.settings().doubt));
+    steps.push_back(strands_.told());
+    return steps;
+  }
   void construct(const ChainView& chain) override { search_.build(strands_.seen(chain), team_); }
   void construct_again(const ChainView& chain) override {
     search_.build(strands_.seen(chain), team_, SpaceSort::where_needed);

@@ -19,10 +19,6 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
     tree_.doubt = doubt_of(parameters);
   }
 
-  Plan plan() const override {
-    return {told_order(tree_.spheres, tree_.kept.frames()),
-            told_exact(done().open - before_.open, tree_.doubt), strands_.told()};
-  }
   std::vector<WorkDone> work() const override {
     const Done all = done();
     return {{"node, node", all.nodes - before_.nodes},
@@ -36,6 +32,10 @@ class SpheresInSpace final : public HostSearch, public EvidenceNodes {
   }
 
  private:
+  Plan steps() const override {
+    return {told_order(tree_.spheres, tree_.kept.frames()),
+            told_exact(done().open - before_.open, tree_.doubt), strands_.told()};
+  }
   void construct(const ChainView& chain) override {
     spheres_ = chain.size;
     build_sphere_tree(chain, tree_, {}, team_);

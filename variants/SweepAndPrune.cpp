@@ -31,9 +31,8 @@ class SweepAndPrune final : public HostSearch {
     if (some) show(visitor, all());
   }
 
-  Plan plan() const override { return range_checks_plan<Arithmetic>(in_range_); }
-
  private:
+  Plan steps() const override { return range_checks_plan<Arithmetic>(in_range_); }
   static constexpr std::uint32_t batch = 16;       ///< boxes compared without a branch
   static constexpr std::uint32_t most_shifts = 8;  ///< a box, beyond which an order is not worth mending
 

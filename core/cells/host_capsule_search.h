@@ -26,19 +26,6 @@ class HostCapsuleSearch : public HostSearch, public EvidenceNodes {
         crowd_(static_cast<std::uint32_t>(
             parameters.unsigned_integer("crowd", 0, CapsuleBlocks::most_partners))) {}
 
-  Plan plan() const override {
-    Plan plan = range_.plan();
-    const CapsuleBlocks& all = blocks_.blocks();
-    std::uint32_t crowded = all.all_crowded ? all.blocks : 0, tangled = 0;
-    for (std::uint32_t b = 0; built() && !all.all_crowded && b < all.blocks; ++b)
-      crowded += all.crowded(b), tangled += all.tangled(b);
-    plan.push_back({"capsules in cells", tangled == 0,
-                    fmt::format("{} of {} blocks of 32 spheres are tangled", tangled, all.blocks)});
-    plan.push_back({"grid of spheres", crowded == 0,
-                    fmt::format("{} of {} blocks of 32 spheres are crowded", crowded, all.blocks)});
-    return plan;
-  }
-
   Accounting evidence() const override { return Accounting::each_pair; }
   void visit_evidence(const Chain& chain, BoundsVisitor& visitor) const override {
     if (built()) ToldCells(chain.view(), &blocks_.blocks(), cells_.placed()).show(visitor);
@@ -52,6 +39,18 @@ class HostCapsuleSearch : public HostSearch, public EvidenceNodes {
   virtual void tell(const CapsuleBlocks& blocks) = 0;
 
  private:
+  Plan steps() const override {
+    Plan plan = range_.plan();
+    const CapsuleBlocks& all = blocks_.blocks();
+    std::uint32_t crowded = all.all_crowded ? all.blocks : 0, tangled = 0;
+    for (std::uint32_t b = 0; !all.all_crowded && b < all.blocks; ++b)
+      crowded += all.crowded(b), tangled += all.tangled(b);
+    plan.push_back({"capsules in cells", tangled == 0,
+                    fmt::format("{} of {} blocks of 32 spheres are tangled", tangled, all.blocks)});
+    plan.push_back({"grid of spheres", crowded == 0,
+                    fmt::format("{} of {} blocks of 32 spheres are crowded", crowded, all.blocks)});
+    return plan;
+  }
   void construct(const ChainView& chain) override {
     const CapsuleBlocks& all = blocks_.enclose(chain, laid_out(chain, crowd_, block_scale(chain.extent)));
     if (all.all_crowded) return cells_.build(chain, chain.size, [](std::uint32_t) { return true; });

@@ -40,7 +40,11 @@ class HostSearch : public Variant {
 
   Timings timings() const final { return timings_; }
 
+  Plan plan() const final { return built_ ? steps() : Plan(); }
+
  protected:
+  /// Of what is built and was found in it; a build that failed may leave parts that are not of one chain.
+  virtual Plan steps() const { return {}; }
   /// Makes what `search` needs. What it throws leaves nothing built.
   virtual void construct(const ChainView& chain) = 0;
   /// The same for the spheres of the last one, moved; what that left may be of use.

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -19,10 +20,12 @@ class OnePair final : public HostSearch {
  public:
   std::function<void()> constructing = [] {}, searching = [] {};
   int constructed_again = 0;
+  mutable int told = 0;
 
   Accounting evidence() const override { return Accounting::each_pair; }
 
  private:
+  Plan steps() const override { return ++told, Plan{{"step", true, "reason"}}; }
   void construct(const ChainView&) override { constructing(); }
   void construct_again(const ChainView&) override { constructing(), ++constructed_again; }
   void search(const ChainView&, PairCollector& collector) override {
@@ -54,6 +57,18 @@ TEST(HostSearch, HasNothingBuiltWhereABuildFails) {
   variant.constructing = [] { throw std::runtime_error("no memory"); };
   EXPECT_THROW(variant.build(row(3)), std::runtime_error);
   EXPECT_THROW(variant.find(row(3), {}, found), std::logic_error);
+}
+
+/// Its steps are told of parts that belong together, or not at all.
+TEST(HostSearch, TellsNoStepsOfWhatFailed) {
+  OnePair variant;
+  EXPECT_TRUE(variant.plan().empty());
+  variant.build(row(3));
+  EXPECT_EQ(variant.plan().size(), 1u);
+  variant.constructing = [] { throw std::bad_alloc(); };
+  EXPECT_THROW(variant.build(row(3)), std::bad_alloc);
+  EXPECT_TRUE(variant.plan().empty());
+  EXPECT_EQ(variant.told, 1);
 }
 
 /// What an earlier frame left may be of use to one of as many spheres, where it was built as a whole.
