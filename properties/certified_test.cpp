@@ -8,7 +8,8 @@ TEST(Certified, AreGridAndHybridWhateverPartsItTakes) {
   for (const char* name :
        {"Grid", "Grid(cells=wide)", "Grid(cells=narrow)", "SphereTree", "Hybrid", "Hybrid(crowd=0,dense=1e6)",
         "Hybrid(crowd=0,dense=0)", "Hybrid(crowd=2,dense=0.7)", "Hybrid(crowd=1,dense=2,threads=3)", "auto",
-        "Grid(strands=read)", "SphereTree(strands=read)", "Hybrid(strands=read)", "ChainTree(strands=read)"})
+        "Grid(strands=read)", "SphereTree(strands=read)", "Hybrid(strands=read)", "ChainTree(strands=read)",
+        "ChainTree(rows=search)", "Hybrid(rows=search)"})
     expect_certified(name);
 }
 

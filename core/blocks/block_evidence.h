@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "catena/core/blocks/block_tree.h"
+#include "catena/core/export.h"
 #include "catena/core/hierarchy/bounds_visitor.h"
 #include "catena/core/strategy/evidence.h"
 
@@ -30,8 +31,12 @@ class BlockEvidence {
   }
   /// Child a of a node of level l and node b of that level.
   void child_apart(std::size_t l, std::uint32_t a, std::uint32_t b) const {
-    apart(l == 0 ? block_id(a) : node_id(l - 1, a), node_id(l, b));
+    apart(child_id(l, a), node_id(l, b));
   }
+  /// Children of node k of level l that do not follow one another, and those of nodes k and k + 1 but for the
+  /// last of the one and the first of the other.
+  void in_a_row(std::size_t l, std::uint32_t k) const;
+  void with_the_next(std::size_t l, std::uint32_t k) const;
   /// Of the pairs within block b, or of b with b + 1, those of spheres that are not next to one another are
   /// apart.
   void ordered_inside(std::uint32_t b) const;
@@ -41,6 +46,10 @@ class BlockEvidence {
   std::uint32_t node_id(std::size_t level, std::uint32_t k) const;
 
  private:
+  /// Of a node of level l.
+  std::uint32_t child_id(std::size_t l, std::uint32_t child) const {
+    return l == 0 ? block_id(child) : node_id(l - 1, child);
+  }
   void apart(std::uint32_t a, std::uint32_t b) const {
     sink_.compared(a, b);
     sink_.discarded(a, b);
@@ -60,6 +69,8 @@ struct NoBlockEvidence {
   void child_apart(std::size_t, std::uint32_t, std::uint32_t) const {}
   void blocks_near(std::uint32_t, std::uint32_t) const {}
   void nodes_near(std::size_t, std::uint32_t, std::uint32_t) const {}
+  void in_a_row(std::size_t, std::uint32_t) const {}
+  void with_the_next(std::size_t, std::uint32_t) const {}
   void ordered_inside(std::uint32_t) const {}
   void ordered_between(std::uint32_t) const {}
 };
@@ -69,6 +80,6 @@ struct NoBlockEvidence {
 Capsule64 shown_capsule(const float* fields, std::uint32_t stride, double unit);
 
 /// Shows a tree as BlockEvidence names it. Bounds are in the chain's own units.
-void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& visitor);
+CATENA_API void show_blocks(const ChainView& chain, const BlockTree& tree, BoundsVisitor& visitor);
 
 }  // namespace catena

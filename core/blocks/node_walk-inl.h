@@ -49,10 +49,10 @@ struct ByTeam {
 };
 
 /// Goes down a tree. Met has met(a, b), called once for each pair a < b of nodes of level 0 that may have
-/// blocks that collide, but for a and a + 1 that are in a row where Sink does not listen, with
-/// left_out(level, a, b) and left_out_group(level, a, k) which say that pairs below nodes a and b, or a and
-/// the children of k, are of no interest, and stop(), which ends the walk. Sink as for BlockSearch. Order has
-/// for_each(children, body), which goes through the children of a node above level 1.
+/// blocks that collide, but for a and a + 1 that are in a row, with left_out(level, a, b) and
+/// left_out_group(level, a, k) which say that pairs below nodes a and b, or a and the children of k, are of
+/// no interest, and stop(), which ends the walk. Sink as for BlockSearch. Order has for_each(children, body),
+/// which goes through the children of a node above level 1.
 template <class Met, class Sink, class Order = InTurn>
 class NodeWalk {
  public:
@@ -68,7 +68,8 @@ class NodeWalk {
   void within(std::size_t l, std::uint32_t k) {
     if (l == 0 || met_.stop() || met_.left_out(l, k, k)) return;
     const std::uint32_t begin = k * group, count = tree_.children_of(l, k);
-    if (!Sink::listens && tree_.in_a_row(l, k)) {
+    if (tree_.in_a_row(l, k)) {
+      sink_.in_a_row(l, k);
       for_each_child(l, lane_bits(count), [&](std::uint32_t i) {
         within(l - 1, begin + i);
         if (i + 1 < count) to_the_next(l - 1, begin + i);
@@ -86,8 +87,10 @@ class NodeWalk {
   /// Those of a node below node a of level l with one below the next. In a row these are only the last below
   /// the one and the first below the other.
   void to_the_next(std::size_t l, std::uint32_t a) {
-    if (Sink::listens || !tree_.with_the_next(l, a)) return between(l, a, a + 1);
-    if (l > 0 && !met_.left_out(l, a, a + 1)) to_the_next(l - 1, a * group + group - 1);
+    if (!tree_.with_the_next(l, a)) return between(l, a, a + 1);
+    if (l == 0 || met_.left_out(l, a, a + 1)) return;
+    sink_.with_the_next(l, a);
+    to_the_next(l - 1, a * group + group - 1);
   }
 
   /// Those of a node below node a of level l with one below node b > a.

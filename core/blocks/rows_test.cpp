@@ -5,12 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "catena/core/blocks/block_kernels.h"
 #include "catena/core/chain/chain.h"
 #include "catena/core/scenes/scene.h"
 #include "catena/core/strategy/registry.h"
 #include "catena/properties/generators/dice.h"
 #include "catena/properties/generators/shapes.h"
 #include "catena/properties/sorted_pairs.h"
+#include "catena/reference/certificate.h"
+#include "catena/reference/evidence_tree.h"
 #include "catena/reference/verify.h"
 
 namespace catena {
@@ -44,6 +47,9 @@ TEST(Rows, EndWhereAThickSphereReachesBeyondTheNext) {
     }
     const Chain chain(std::move(spheres));
     ASSERT_EQ(pairs_of(*tree, chain), pairs_of(*judge, chain)) << "seed " << seed;
+    std::uint64_t proved = 0;
+    const auto v = reference::verify_by_certificate(*tree, chain, 1u << 24, proved);
+    ASSERT_EQ(v.verdict, reference::Verdict::exact) << v.reason << ", seed " << seed;
   }
 }
 
@@ -103,6 +109,51 @@ TEST(Rows, LeaveOutNeighboursHoweverWideTheWindow) {
       EXPECT_EQ(v.verdict, reference::Verdict::exact) << name << ", window " << window << ": " << v.reason;
       EXPECT_EQ(proved > 0, window < 600) << name << ", window " << window;
     }
+  }
+}
+
+/// What they leave out is accounted for, and a row that is none is found by that alone: nothing is said of
+/// the pairs that the search reports.
+TEST(Rows, AreProvedByWhatTheyLeaveOut) {
+  const auto report_of = [](const Chain& chain, bool all_in_rows) {
+    BlockTree tree;
+    build_block_tree(chain.view(), tree, Team());
+    EXPECT_GT(tree.rows(), 0u);
+    for (std::size_t l = 0; all_in_rows && l < tree.level.size(); ++l)
+      for (std::uint32_t k = 0; k < tree.level[l].count; ++k) {
+        const auto bit = static_cast<std::uint16_t>(1u << k % BlockTree::group);
+        tree.level[l].in_a_row[k / BlockTree::group] |= bit;
+        if (k + 1 < tree.level[l].count) tree.level[l].with_the_next[k / BlockTree::group] |= bit;
+      }
+    reference::EvidenceTree nodes(chain);
+    show_blocks(chain.view(), tree, nodes);
+    nodes.complete();
+    reference::CertificateChecker checker(chain, nodes, Accounting::each_pair, {});
+    BlockQueues queues;
+    Collisions found;
+    PairCollector collector(chain.size(), {}, found);
+    const ChainView view = chain.view();
+    const BlockEvidence evidence(view, tree, checker);
+    search_blocks(view, tree, queues, collector.lane(0), &evidence);
+    return checker.report();
+  };
+  // A hairpin: straight there and back; of two nodes side by side each is in a row, and the turn in none.
+  for (const std::uint32_t half : {256u, 3000u}) {
+    std::vector<Sphere> there, hairpin;
+    for (std::uint32_t k = 0; k < 2 * half; ++k) {
+      const auto at = static_cast<float>(k < half ? k : 2 * half - 1 - k);
+      there.push_back({1.5f * static_cast<float>(k), 0, 0, 1});
+      hairpin.push_back({1.5f * at, k < half ? 0.0f : 1.9f, 0, 1});
+    }
+    const Chain rod(std::move(there)), bent(std::move(hairpin));
+    const auto of_rod = report_of(rod, false), of_bent = report_of(bent, false),
+               spoilt = report_of(bent, true);
+    EXPECT_TRUE(of_rod.holds()) << of_rod.fault();
+    EXPECT_TRUE(report_of(rod, true).holds()) << "all of it is in a row";
+    EXPECT_TRUE(of_bent.holds()) << of_bent.fault();
+    EXPECT_GT(of_rod.discarded, 0u);
+    EXPECT_GT(spoilt.not_separate, 0u) << half;
+    EXPECT_TRUE(spoilt.each_once) << half;
   }
 }
 

@@ -33,7 +33,7 @@ class BlockSearch {
     along_the_chain(0, nodes, [](std::uint32_t) { return 0u; });
     for (std::uint32_t k = 0; k < nodes && !stop(); ++k) {
       within(k);
-      if (!Sink::listens && tree_.with_the_next(0, k)) to_the_next(k, 0, 0);
+      if (tree_.with_the_next(0, k)) in_a_row_to_the_next(k);
     }
     NodeWalk(tree_, *this, sink_).run();
     finish();
@@ -47,8 +47,8 @@ class BlockSearch {
       if (!crowding.some() || !crowding.crowded(k)) within(k);
       if (k + 1 < crowding.nodes() && crowding.left_out({k, k + 1}))
         to_the_next(k, crowding.dense(k), crowding.dense(k + 1));
-      else if (!Sink::listens && tree_.with_the_next(0, k))
-        to_the_next(k, 0, 0);
+      else if (tree_.with_the_next(0, k))
+        in_a_row_to_the_next(k);
     }
   }
 
@@ -108,6 +108,11 @@ class BlockSearch {
     leaves_.make_room();
   }
 
+  void in_a_row_to_the_next(std::uint32_t node) {
+    sink_.with_the_next(0, node);
+    to_the_next(node, 0, 0);
+  }
+
   /// Blocks a <= b have nothing but neighbours, and nobody listens.
   bool left_to_neighbours(std::uint32_t a, std::uint32_t b) const {
     return !Sink::listens && neighbours_.all(a, b);
@@ -144,7 +149,8 @@ class BlockSearch {
   void within(std::uint32_t k) {
     constexpr std::uint32_t skip = 2;  // a block itself and the next
     const std::uint32_t begin = k * group, count = tree_.blocks_of(k);
-    if (!Sink::listens && (tree_.in_a_row(0, k) || neighbours_.all(begin, begin + count - 1))) return;
+    if (tree_.in_a_row(0, k)) return sink_.in_a_row(0, k);
+    if (left_to_neighbours(begin, begin + count - 1)) return;
     Intervals reach = in_frame_of(tree_, 0, k, 0, k);
     const StoredIntervals single(reach);
     for (std::uint32_t i = 0; i + skip < count; ++i)

@@ -70,8 +70,8 @@ void search_alone_here(const ChainView& chain, const BlockTree& tree, const Crow
   search.finish();
 }
 
-/// Gathers the pairs of nodes that a walk with evidence meets. One without meets none that is with the next
-/// in a row, and of others that follow one another in a row some that this one tells apart.
+/// Gathers the pairs of nodes that a walk with evidence meets: of those that the walk before met, whose
+/// crowding was not yet known, those that are not left out now.
 struct NearWalk {
   const Crowding& crowding;
   std::vector<Pair>& near;
@@ -89,9 +89,6 @@ void search_uncrowded_here(const ChainView& chain, const BlockTree& tree, const 
   std::vector<Pair> near, known;
   const NearWalk walk{crowding, near};
   NodeWalk(tree, walk, evidence).run();
-  std::ranges::copy_if(near, std::back_inserter(known), [&](const Pair& nodes) {
-    return nodes.j == nodes.i + 1 && tree.with_the_next(0, nodes.i);
-  });
   std::ranges::sort(near);
   for (const std::vector<Pair>& pairs : crowding.pairs())
     std::ranges::copy_if(pairs, std::back_inserter(known),
