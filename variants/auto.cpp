@@ -161,8 +161,7 @@ class Auto final : public Variant, public KeepsAnswer, public EvidenceNodes {
     planning_again_ms_.reset();
     if (updates) return;
     const Stopwatch again;
-    const SearchPlan same(chain.size(), request_, Machine::here(), omissions_, chain.view().extent,
-                          chain.spheres());
+    const SearchPlan same(chain.size(), request_, Machine::here(), omissions_, chain.view());
     planning_again_ms_ = again.ms();
   }
 

@@ -54,6 +54,10 @@ std::uint32_t count_blocks(const ChainView& chain) {
   return count;
 }
 
+bool blocks_half_empty(const ChainView& chain) {
+  return chain.strand_count > 1 && std::uint64_t{count_blocks(chain)} * (BlockTree::block / 2) >= chain.size;
+}
+
 void lay_out_blocks(const ChainView& chain, BlockTree& tree) {
   tree.scale = block_scale(chain.extent);
   tree.blocks = 0;  // where there is no room for them, it is a tree of none

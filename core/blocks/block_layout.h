@@ -10,6 +10,8 @@ CATENA_API float block_scale(const Extent& extent);
 
 /// The blocks that lay_out_blocks makes. O(strands).
 std::uint32_t count_blocks(const ChainView& chain);
+/// Strands are so short that these would be half empty, or more. O(strands).
+bool blocks_half_empty(const ChainView& chain);
 
 /// So many blocks, of the tree or behind its own, are to be set.
 void make_room_for_blocks(BlockTree& tree, std::uint32_t count);

@@ -82,7 +82,7 @@ bool HybridSearch::single_at_once(const ChainView& chain, SpaceSort sort, Single
 /// A block that has more blocks near it, in the chain's order and in that of space, costs more than its
 /// spheres one by one.
 bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres& single) {
-  if (unfilled(chain)) {
+  if (blocks_half_empty(chain)) {
     if (chain.size > 0) single = single_spheres(chain, sort);
     return true;
   }
@@ -106,11 +106,6 @@ bool HybridSearch::look_at(const ChainView& chain, SpaceSort sort, SingleSpheres
                others = std::min(many, single.ns * BlockTree::block / SpaceCost::near_ns);
   // After the first look a tree is most likely made in vain: it takes more to be held for needed.
   return others <= least || look_.everywhere(chain, share * others, 3);
-}
-
-/// Strands are so short that their blocks would be half empty, or more.
-bool HybridSearch::unfilled(const ChainView& chain) {
-  return chain.strand_count > 1 && std::uint64_t{count_blocks(chain)} * (BlockTree::block / 2) >= chain.size;
 }
 
 void HybridSearch::build_in_space(const ChainView& chain, SingleSpheres single, const Team& team,

@@ -90,7 +90,6 @@ class CATENA_API HybridSearch {
   Work met() const;  ///< since this was made
   bool single_at_once(const ChainView& chain, SpaceSort sort, SingleSpheres& single);
   bool look_at(const ChainView& chain, SpaceSort sort, SingleSpheres& single);
-  static bool unfilled(const ChainView& chain);
   void build_in_space(const ChainView& chain, SingleSpheres single, const Team& team, SpaceSort sort);
   void gather_dense(const Team& team);
   bool cells_fit(const ChainView& chain, float greatest_radius, const Team& team) const;

@@ -140,7 +140,7 @@ TEST(SearchPlan, IsThatOfItsRulesForAnyMachineAndHistory) {
       if (made.below(6) == 0) n = made.spheres();
       const Rules rules{n, machine, made.omissions, told.times(n), told.lost_ms};
       const Rules::Choice expected = rules.choice();
-      SearchPlan plan(n, {}, machine, made.omissions, Extent(), {}, history);
+      SearchPlan plan(n, {}, machine, made.omissions, {}, history);
       ASSERT_NEAR(history.times(n), told.times(n), 1e-9 * told.times(n)) << seed;
       ASSERT_EQ(plan.variant(), expected.variant->variant) << seed;
       ASSERT_EQ(plan.threads(), expected.threads) << seed;
@@ -174,9 +174,7 @@ TEST(SearchPlan, IsThatOfItsRulesForAnyMachineAndHistory) {
       const bool of_tree = !plan.on_device() && !plan.all_pairs(),
                  as_thought = now == 0 || (now <= 1.5 * thought && thought <= 1.5 * now);
       const Rules later{n, machine, made.omissions, rules.times, told.lost_ms};
-      EXPECT_EQ(plan.holds_for(n, {}, Extent(), {}, history),
-                !of_tree || (as_thought && !later.device_pays()))
-          << seed;
+      EXPECT_EQ(plan.holds_for(n, {}, {}, history), !of_tree || (as_thought && !later.device_pays())) << seed;
 
       // Where a device had no room the host's best goes on, whatever the next searches take.
       if (!plan.on_device() || rules.on_host().variant == nullptr) continue;
@@ -187,7 +185,7 @@ TEST(SearchPlan, IsThatOfItsRulesForAnyMachineAndHistory) {
       EXPECT_EQ(plan.threads(), instead.threads) << seed;
       SearchHistory slow;
       for (int k = 0; k < 2; ++k) slow.add(n, 500, 1e9);
-      EXPECT_TRUE(plan.holds_for(n, {}, Extent(), {}, slow)) << seed;
+      EXPECT_TRUE(plan.holds_for(n, {}, {}, slow)) << seed;
     }
   }
   EXPECT_GT(several_threads, 1000u);
@@ -202,8 +200,7 @@ TEST(SearchPlan, HoldsForWhatIsAskedWhateverIsSearchedForInItsPlace) {
   for (const auto want : {any, counts, pairs}) {
     const SearchPlan plan(100, {want}, made.machine, all);
     EXPECT_EQ(plan.want(), pairs);
-    for (const auto other : {any, counts, pairs})
-      EXPECT_EQ(plan.holds_for(100, {other}, Extent()), want == other);
+    for (const auto other : {any, counts, pairs}) EXPECT_EQ(plan.holds_for(100, {other}), want == other);
   }
 }
 

@@ -27,10 +27,9 @@ void PlannedSearch::begin(const Chain& chain, const Request& request, bool frame
   const ChainView view = chain.view();
   topology_ = view.topology;
   if (!frame) stands_ = nullptr;
-  if (plan_holds(chain, view.extent, frame)) return;
+  if (plan_holds(view, frame)) return;
   try {
-    plan_.emplace(chain.size(), request_, Machine::here(), omissions_, view.extent, chain.spheres(),
-                  history_);
+    plan_.emplace(chain.size(), request_, Machine::here(), omissions_, view, history_);
     const Rivals::Contender planned{plan_->variant(), plan_->threads()};
     const bool others = plan_->on_device() || chain.size() != rivals_.spheres();
     others ? rivals_.begin(planned, chain.size()) : rivals_.go_on(planned);
@@ -41,12 +40,12 @@ void PlannedSearch::begin(const Chain& chain, const Request& request, bool frame
 }
 
 /// Of which kind a chain is, is looked at again for some frames only.
-bool PlannedSearch::plan_holds(const Chain& chain, const Extent& extent, bool frame) {
+bool PlannedSearch::plan_holds(const ChainView& chain, bool frame) {
   constexpr unsigned frames_of_a_look = 16;
   if (frame && ++since_look_ < frames_of_a_look && plan_)
-    return plan_->holds_for_frame(chain.size(), request_, history_);
+    return plan_->holds_for_frame(chain.size, request_, history_);
   since_look_ = 0;
-  return plan_ && plan_->holds_for(chain.size(), request_, extent, chain.spheres(), history_);
+  return plan_ && plan_->holds_for(chain.size, request_, chain, history_);
 }
 
 void PlannedSearch::build(const Chain& chain, const Request& request) {

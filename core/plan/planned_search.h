@@ -50,7 +50,7 @@ class CATENA_API PlannedSearch {
   Plan steps() const;
 
  private:
-  bool plan_holds(const Chain& chain, const Extent& extent, bool frame);
+  bool plan_holds(const ChainView& chain, bool frame);
   void build(const Chain& chain, const Request& request);
   void learn(const Chain& chain, Request::Want want);
   template <class Work>

@@ -20,7 +20,8 @@ constexpr std::uint32_t row_size = 8;
 /// These take longer, and nothing but time depends on this.
 class Row {
  public:
-  explicit Row(const Sphere* of) : first_(of[0]), middle_(of[row_size / 2]), last_(of[row_size - 1]) {
+  explicit Row(std::span<const Sphere> of)
+      : first_(of.front()), middle_(of[of.size() / 2]), last_(of.back()) {
     const Four a = four(first_), b = four(middle_), c = four(last_);
     const Four most = greater(greater(a, b), c), radius = Four{} + most[3];
     low_ = lesser(lesser(a, b), c) - radius, high_ = most + radius;
@@ -70,44 +71,76 @@ class Row {
   float radius_;
 };
 
+/// Spheres in rows of eight, but for what of those is of another strand than the first.
+class Rows {
+ public:
+  Rows(std::span<const Sphere> spheres, std::span<const std::uint32_t> strand_first)
+      : spheres_(spheres), strand_first_(strand_first) {}
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(spheres_.size() / row_size); }
+  std::span<const Sphere> of(std::uint32_t k) const {
+    const std::uint32_t i = k * row_size;
+    if (strand_first_.size() <= 2) return spheres_.subspan(i, row_size);
+    const auto end = std::ranges::upper_bound(strand_first_, i);
+    const std::uint32_t size = std::min(row_size, *end - end[-1]);
+    return spheres_.subspan(std::min(i, *end - size), size);
+  }
+
+ private:
+  const std::span<const Sphere> spheres_;
+  const std::span<const std::uint32_t> strand_first_;
+};
+
 double along_the_axes(const Sphere& a, const Sphere& b) {
   return std::abs(double{a.x} - b.x) + std::abs(double{a.y} - b.y) + std::abs(double{a.z} - b.z);
 }
 
 }  // namespace
 
-RowLook RowLook::at(std::span<const Sphere> spheres, double asked) {
-  constexpr std::uint32_t least = 4, few = 16, most = 12;
-  const auto rows = static_cast<std::uint32_t>(spheres.size() / row_size), some = rows < few ? 2u : 4u;
+RowLook RowLook::at(std::span<const Sphere> spheres, double asked,
+                    std::span<const std::uint32_t> strand_first) {
+  constexpr std::uint32_t least = 4, few = 16, most = 12, most_looks = 4, alike_of_a_look = 32;
+  const Rows all(spheres, strand_first);
+  const std::uint32_t rows = all.count(), some = rows < few ? 2u : 4u;
   RowLook look;
   if (rows < least) return look;
   double near = 0, squares = 0;
   std::uint32_t looks = 0, taken = 0, gone = 0;
   std::array<double, most> straight;  // ascending
   const auto take = [&](std::uint32_t own) {
-    const Sphere* const first = spheres.data() + own * row_size;
+    const std::span<const Sphere> spheres_of_own = all.of(own);
+    const std::size_t last = spheres_of_own.size() - 1;
     double steps = 0;
-    for (const std::uint32_t at : {0u, row_size / 2 - 1, row_size - 2})
-      steps += along_the_axes(first[at], first[at + 1]);
+    if (last > 0)
+      for (const std::size_t at : {std::size_t{0}, last / 2, last - 1})
+        steps += along_the_axes(spheres_of_own[at], spheres_of_own[at + 1]);
     if (steps > 0) {
-      const double share = 3 * along_the_axes(first[0], first[row_size - 1]) / ((row_size - 1) * steps);
+      const double share =
+          3 * along_the_axes(spheres_of_own[0], spheres_of_own[last]) / (static_cast<double>(last) * steps);
       std::uint32_t at = gone++;
       for (; at > 0 && straight[at - 1] > share; --at) straight[at] = straight[at - 1];
       straight[at] = share;
     }
-    const Row row(first);
+    const Row row(spheres_of_own);
     for (std::uint32_t apart = 2; apart < rows; apart *= 2) {
       // Those from `apart` to 2 apart - 1 away.
-      const auto of = [&](std::uint32_t all) {
-        return std::max(std::min(2 * apart, all + 1), apart) - apart;
+      const auto of = [&](std::uint32_t there) {
+        return std::max(std::min(2 * apart, there + 1), apart) - apart;
       };
       const std::uint32_t before = of(own), behind = of(rows - 1 - own);
       if (before + behind == 0) break;
-      const std::uint32_t one = scattered(++looks, before + behind);
-      const std::uint32_t other = one < before ? own - apart - one : own + apart + (one - before);
-      if (!row.meets(Row(spheres.data() + other * row_size))) continue;
-      const double alike = before + behind;  // as this one is taken for
-      near += alike, squares += alike * alike;
+      const std::uint32_t looks_there =
+          std::clamp((before + behind) / alike_of_a_look, std::uint32_t{1}, most_looks);
+      for (std::uint32_t k = 0; k < looks_there; ++k) {
+        const std::uint32_t one = scattered(++looks, before + behind);
+        const std::span<const Sphere> other =
+            all.of(one < before ? own - apart - one : own + apart + (one - before));
+        if (!row.meets(Row(other))) continue;
+        // As this one is taken for, and rows that are shorter than eight are more.
+        const double shorter = double{row_size * row_size} / static_cast<double>((last + 1) * other.size()),
+                     alike = shorter * (before + behind) / looks_there;
+        near += alike, squares += alike * alike;
+      }
     }
     ++taken;
   };

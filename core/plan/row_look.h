@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <span>
 
 #include "catena/core/export.h"
@@ -16,9 +17,11 @@ struct RowLook {
   /// spheres that follow one another lie anywhere.
   double straight = 1;
 
-  /// By as many rows as tell, most likely, whether they are near more than `asked` others; but by 32 at most.
-  /// That of fewer than four rows is the default. O(log n).
-  CATENA_API static RowLook at(std::span<const Sphere> spheres, double asked);
+  /// By as many rows as tell, most likely, whether they are near more than `asked` others; but by 12 at most.
+  /// Each is of one strand, `strand_first` has where these begin and the last ends, or nothing for one; where
+  /// a row is shorter, there are as many more. That of fewer than four rows is the default. O(log n).
+  CATENA_API static RowLook at(std::span<const Sphere> spheres, double asked,
+                               std::span<const std::uint32_t> strand_first = {});
 };
 
 }  // namespace catena

@@ -44,8 +44,7 @@ std::string switched_off(const Omissions& omissions, Omission omission) {
 }  // namespace
 
 SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& machine,
-                       const Omissions& omissions, const Extent& extent, std::span<const Sphere> spheres,
-                       const SearchHistory& history)
+                       const Omissions& omissions, const ChainView& chain, const SearchHistory& history)
     : n_(n),
       asked_(request.want),
       want_(request.want),
@@ -56,7 +55,7 @@ SearchPlan::SearchPlan(std::uint32_t n, const Request& request, const Machine& m
   const double measured = history.times(n);
   if (measured > 0) times_ = measured;
   choose();
-  seen_ = look_at(extent, spheres);
+  seen_ = look_at(chain);
   if (seen_ != nullptr && seen_->times != 1 && measured == 0) {
     times_ = seen_->times;
     choose();
@@ -123,10 +122,9 @@ unsigned SearchPlan::best_threads(const Machine::VariantCost& v) const {
   return pay > 1 ? 1 + startable_threads(pay - 1) : pay;
 }
 
-const UnusualKind* SearchPlan::look_at(const Extent& extent, std::span<const Sphere> spheres) const {
-  return chosen_ != all_pairs_ && omissions_.may(Omission::threads)
-             ? UnusualKind::of(n_, extent, spheres, frames_follow_)
-             : nullptr;
+const UnusualKind* SearchPlan::look_at(const ChainView& chain) const {
+  return chosen_ != all_pairs_ && omissions_.may(Omission::threads) ? UnusualKind::of(chain, frames_follow_)
+                                                                    : nullptr;
 }
 
 double SearchPlan::ms(const Machine::VariantCost& v, unsigned threads) const {
@@ -292,8 +290,7 @@ Plan SearchPlan::steps() const {
 
 Plan plan(const ChainView& chain, const Request& request, const Machine& machine,
           const Omissions& omissions) {
-  return SearchPlan(chain.size, request, machine, omissions, chain.extent, {chain.spheres, chain.size})
-      .steps();
+  return SearchPlan(chain.size, request, machine, omissions, chain).steps();
 }
 
 }  // namespace catena

@@ -21,17 +21,16 @@ namespace catena {
 /// few numbers and takes no memory; the words are made when they are asked for.
 class CATENA_API SearchPlan {
  public:
-  /// `machine` must outlive this. `extent` and `spheres` of a chain that is not known: {}; `history`: of its
-  /// searches so far. Throws CapacityError when the machine has the cost of no variant.
+  /// `machine` must outlive this. `chain`: {} where only n is known of it; `history`: of its searches so far.
+  /// Throws CapacityError when the machine has the cost of no variant.
   SearchPlan(std::uint32_t n, const Request& request, const Machine& machine, const Omissions& omissions,
-             const Extent& extent = Extent(), std::span<const Sphere> spheres = {},
-             const SearchHistory& history = {});
+             const ChainView& chain = {}, const SearchHistory& history = {});
 
   /// It would be no other for this chain and request, as far as neither is of another kind and searches take
   /// about what was thought.
-  bool holds_for(std::uint32_t n, const Request& request, const Extent& extent,
-                 std::span<const Sphere> spheres = {}, const SearchHistory& history = {}) const {
-    return holds_for_frame(n, request, history) && seen_ == look_at(extent, spheres);
+  bool holds_for(std::uint32_t n, const Request& request, const ChainView& chain = {},
+                 const SearchHistory& history = {}) const {
+    return holds_for_frame(n, request, history) && seen_ == look_at(chain);
   }
   /// The same of a later frame, which is taken to be of the same kind.
   bool holds_for_frame(std::uint32_t n, const Request& request, const SearchHistory& history) const {
@@ -89,7 +88,7 @@ class CATENA_API SearchPlan {
     return saved_ms_ > 0 && device.start_ms() <= saved_ms_ + lost_ms;
   }
   bool is_true_to(const SearchHistory& history) const;
-  const UnusualKind* look_at(const Extent& extent, std::span<const Sphere> spheres) const;
+  const UnusualKind* look_at(const ChainView& chain) const;
   Decision hierarchy() const;
   Decision further_threads() const;
   Decision device() const;

@@ -100,8 +100,8 @@ TEST(SearchPlan, StartsADeviceWhereAsMuchWasLostWithoutIt) {
     bool on_device = false;
     std::optional<SearchPlan> plan;
     for (int searches = 1; searches <= 20000; ++searches) {
-      if (!plan || !plan->holds_for(n, {}, Extent(), {}, history)) {
-        plan.emplace(n, Request{}, late.machine, Omissions{}, Extent(), std::span<const Sphere>{}, history);
+      if (!plan || !plan->holds_for(n, {}, {}, history)) {
+        plan.emplace(n, Request{}, late.machine, Omissions{}, ChainView{}, history);
         EXPECT_EQ(late.looks > 0, plan->on_device());
       }
       EXPECT_GE(plan->on_device(), on_device) << "and back";
@@ -121,7 +121,7 @@ TEST(SearchPlan, StartsADeviceWhereAsMuchWasLostWithoutIt) {
   EXPECT_EQ(late.looks, 0);
   const SearchPlan before(100'000, {}, late.machine, {});
   late.started = true;  // by others
-  EXPECT_FALSE(before.holds_for(100'000, {}, Extent()));
+  EXPECT_FALSE(before.holds_for(100'000, {}));
   EXPECT_TRUE(SearchPlan(100'000, {}, late.machine, {}).on_device());
   EXPECT_FALSE(SearchPlan(5'000, {}, late.machine, {}).on_device());
 }

@@ -63,12 +63,12 @@ TEST(SearchPlan, AsksForTheKindOnlyWhereItMayTakeThePlaceOfTheTree) {
   const Chain few = open_input("path1:n=30").animation->frame(0),
               more = open_input("yarn:n=700").animation->frame(0);
   const auto plan = [&](const Chain& chain, const std::vector<std::string>& keep) {
-    return SearchPlan(chain.size(), {}, of, Omissions::without(keep), chain.view().extent, chain.spheres());
+    return SearchPlan(chain.size(), {}, of, Omissions::without(keep), chain.view());
   };
   const SearchPlan of_few = plan(few, {});
   EXPECT_EQ(of_few.variant(), "pairs");
-  EXPECT_TRUE(of_few.holds_for(few.size(), {}, few.view().extent, few.spheres()));
-  ASSERT_NE(UnusualKind::of(more.size(), more.view().extent, more.spheres()), nullptr);
+  EXPECT_TRUE(of_few.holds_for(few.size(), {}, few.view()));
+  ASSERT_NE(UnusualKind::of(more.view()), nullptr);
   EXPECT_NE(plan(more, {}).variant(), "tree");
   EXPECT_EQ(plan(more, {"threads"}).variant(), "tree");
 }
@@ -79,7 +79,7 @@ TEST(SearchPlan, EstimatesTheVariantThatItNamesOrNone) {
   std::vector<Sphere> spheres;
   for (int i = 0; i < 2000; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.4f});
   const Chain chain(std::move(spheres));
-  const SearchPlan unusual(chain.size(), {}, of, {}, chain.view().extent, chain.spheres());
+  const SearchPlan unusual(chain.size(), {}, of, {}, chain.view());
   const SearchPlan usual(chain.size(), {}, of, {});
   ASSERT_EQ(unusual.variant(), "ChainTree");
   ASSERT_EQ(usual.variant(), "Hybrid");
@@ -96,8 +96,7 @@ TEST(SearchPlan, OfFramesTakesWhatKeepsAnOrder) {
   for (int i = 0; i < 1000; ++i) spheres.push_back({side(dice), side(dice), side(dice), 0.4f});
   const Chain chain(std::move(spheres));
   const auto variant_of = [&](bool frames_follow) {
-    return SearchPlan(chain.size(), {.frames_follow = frames_follow}, Machine::here(), {},
-                      chain.view().extent, chain.spheres())
+    return SearchPlan(chain.size(), {.frames_follow = frames_follow}, Machine::here(), {}, chain.view())
         .variant();
   };
   EXPECT_EQ(variant_of(false), "Grid");
@@ -106,12 +105,16 @@ TEST(SearchPlan, OfFramesTakesWhatKeepsAnOrder) {
 
 TEST(SearchPlan, HoldsForChainsThatWouldBePlannedAlike) {
   const Machine of = Machine::built_in();
-  const auto extent = [](const char* input) { return open_input(input).animation->frame(0).view().extent; };
-  const Extent crowded = extent("yarn:n=1000"), sparse = extent("path1:n=1000"),
-               wide = extent("cluster:n=1000");
-  for (const Extent& first : {crowded, sparse, wide, Extent()}) {
+  const auto without_spheres = [](const char* input) {
+    ChainView chain{};
+    chain.size = 1000, chain.extent = open_input(input).animation->frame(0).view().extent;
+    return chain;
+  };
+  const ChainView crowded = without_spheres("yarn:n=1000"), sparse = without_spheres("path1:n=1000"),
+                  wide = without_spheres("cluster:n=1000");
+  for (const ChainView& first : {crowded, sparse, wide, ChainView{}}) {
     const SearchPlan plan(1000, {}, of, {}, first);
-    for (const Extent& other : {crowded, sparse, wide, Extent()})
+    for (const ChainView& other : {crowded, sparse, wide, ChainView{}})
       EXPECT_EQ(plan.holds_for(1000, {}, other),
                 plan.variant() == SearchPlan(1000, {}, of, {}, other).variant());
     EXPECT_FALSE(plan.holds_for(1001, {}, first));

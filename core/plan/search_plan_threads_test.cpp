@@ -67,9 +67,7 @@ TEST(SearchPlan, TakesThreadsWhereTheyPayAndNoMoreThanThat) {
 /// in a tube.
 TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
   Machine of = sixteen_cores();
-  const auto plan = [&](const ChainView& chain) {
-    return SearchPlan(chain.size, {}, of, {}, chain.extent, {chain.spheres, chain.size});
-  };
+  const auto plan = [&](const ChainView& chain) { return SearchPlan(chain.size, {}, of, {}, chain); };
   // A lattice in no order, and in rows that go on elsewhere.
   const auto crowded = [](std::uint32_t row) {
     std::vector<Sphere> spheres;
@@ -84,7 +82,7 @@ TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
     const Chain chain = crowded(row);
     EXPECT_EQ(plan(chain.view()).variant(), variant) << row;
     EXPECT_GT(plan(chain.view()).threads(), 1u) << row;
-    EXPECT_TRUE(plan(chain.view()).holds_for(8000, {}, chain.view().extent, chain.spheres())) << row;
+    EXPECT_TRUE(plan(chain.view()).holds_for(8000, {}, chain.view())) << row;
     EXPECT_GT(plan(chain.view()).estimate_ms(), SearchPlan(8000, {}, of, {}).estimate_ms()) << row;
   }
   EXPECT_EQ(SearchPlan(8000, {}, of, {}).threads(), 1u);
@@ -93,36 +91,34 @@ TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
   for (int k = 0; k < 2; ++k) history.add(8000, 2, 0);
   const Chain chain = crowded(1);
   const ChainView view = chain.view();
-  EXPECT_EQ(SearchPlan(8000, {}, of, {}, view.extent, {view.spheres, view.size}, history).estimate_ms(),
-            SearchPlan(8000, {}, of, {}, Extent(), {}, history).estimate_ms());
+  EXPECT_EQ(SearchPlan(8000, {}, of, {}, view, history).estimate_ms(),
+            SearchPlan(8000, {}, of, {}, {}, history).estimate_ms());
 }
 
 TEST(SearchPlan, LearnsWhatASphereTakesFromTwoSearches) {
   const Machine of = sixteen_cores();
   constexpr std::uint32_t n = 8000;
-  const auto plan = [&](const SearchHistory& history) {
-    return SearchPlan(n, {}, of, {}, Extent(), {}, history);
-  };
+  const auto plan = [&](const SearchHistory& history) { return SearchPlan(n, {}, of, {}, {}, history); };
   SearchHistory history;
   ASSERT_EQ(plan(history).threads(), 1u);
   plan(history).tell(1, history);
   EXPECT_EQ(plan(history).threads(), 1u) << "a first search takes longer than those after it";
-  EXPECT_TRUE(plan({}).holds_for(n, {}, Extent(), {}, history));
+  EXPECT_TRUE(plan({}).holds_for(n, {}, {}, history));
   plan(history).tell(0.9, history);
-  EXPECT_FALSE(plan({}).holds_for(n, {}, Extent(), {}, history));
+  EXPECT_FALSE(plan({}).holds_for(n, {}, {}, history));
   const SearchPlan crowded = plan(history);
   EXPECT_GT(crowded.threads(), 1u);
   EXPECT_EQ(plan(history).estimate_ms(), crowded.estimate_ms());
-  EXPECT_EQ(SearchPlan(n + 1, {}, of, {}, Extent(), {}, history).threads(), 1u) << "of other spheres";
+  EXPECT_EQ(SearchPlan(n + 1, {}, of, {}, {}, history).threads(), 1u) << "of other spheres";
   for (int k = 0; k < 3; ++k) {  // it takes what it was thought to, give or take a fifth
     crowded.tell(crowded.estimate_ms() * (1 + (k - 1) / 5.), history);
-    EXPECT_TRUE(crowded.holds_for(n, {}, Extent(), {}, history));
+    EXPECT_TRUE(crowded.holds_for(n, {}, {}, history));
     EXPECT_EQ(plan(history).threads(), crowded.threads());
   }
   crowded.tell(100, history);
-  EXPECT_TRUE(crowded.holds_for(n, {}, Extent(), {}, history)) << "one that was disturbed";
+  EXPECT_TRUE(crowded.holds_for(n, {}, {}, history)) << "one that was disturbed";
   for (int k = 0; k < 2; ++k) crowded.tell(0.06, history);
-  EXPECT_FALSE(crowded.holds_for(n, {}, Extent(), {}, history));
+  EXPECT_FALSE(crowded.holds_for(n, {}, {}, history));
   EXPECT_EQ(plan(history).threads(), 1u);
   SearchHistory few;
   for (int k = 0; k < 2; ++k) SearchPlan(1000, {}, of, {}).tell(50, few);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "catena/core/blocks/block_layout.h"
 #include "catena/core/blocks/squares_in_range.h"
 #include "catena/core/grid/grid_kernels.h"
 #include "catena/core/hierarchy/box.h"
@@ -126,63 +127,74 @@ double beside_the_next(std::span<const Sphere> spheres) {
   return beside / some;
 }
 
+std::span<const Sphere> all_of(const ChainView& chain) { return {chain.spheres, chain.size}; }
+
+RowLook look_at_rows(const ChainView& chain, double asked) {
+  if (chain.strand_count < 2) return RowLook::at(all_of(chain), asked);
+  return RowLook::at(all_of(chain), asked, {chain.exclusion.strand_first, chain.strand_count + 1});
+}
+
 /// RowLook::straight of spheres that lie anywhere.
 constexpr double anywhere = 0.25;
 /// fill() of a box that is mostly empty.
 constexpr double sparse = 0.25;
 
-/// Of a few spheres, by how their rows of eight lie: a tree of these takes longer the more of them are near
-/// one, other variants the more spheres are near one, along a tube of overlapping ones too. Measured over the
-/// registry's scenes and 30 other kinds of chain, of eleven sizes each.
-Kind short_kind(std::uint32_t n, double filled, bool like, std::span<const Sphere> spheres) {
-  constexpr double few_rows = 16, dense = 3, least_beside = 1. / 128;
+/// Of a few spheres that are to be searched one by one. A tree of these needs no like ones, and finds sooner
+/// where nothing is; with wide vectors, too, where it depends.
+Kind kind_of_single(std::uint32_t n, double filled, bool like, bool ordered) {
+  constexpr double dense = 3;
   constexpr std::uint32_t very_few = 300;
-  RowLook look = RowLook::at(spheres, few_rows);
-  if (look.near == 0) return short_apart;
-  const bool ordered = look.straight > anywhere;
-  if (ordered) {
-    double rows = few_rows * std::min(1.0, look.straight / anywhere - 1);
-    if (look.near > rows) {
-      rows /= std::max(beside_the_next(spheres), least_beside);
-      look = RowLook::at(spheres, rows);
-    }
-    if (look.near <= rows) return short_apart;
-  }
-  // A tree of single spheres needs no like ones, and finds sooner where nothing is; with wide vectors, too,
-  // where it depends.
   if (!like || n <= very_few || filled > dense) return short_single;
   if ((filled > sparse) != ordered) return wide_vectors() ? short_single : short_narrow;
   return ordered ? short_dense : short_like;
 }
 
+/// Of a few spheres, by how their rows of eight lie: a tree of these takes longer the more of them are near
+/// one, other variants the more spheres are near one, along a tube of overlapping ones too. Measured over the
+/// registry's scenes and 30 other kinds of chain, of fifteen sizes each.
+Kind short_kind(const ChainView& chain, double filled, bool like) {
+  constexpr double least_rows = 12, most_rows = 24, least_beside = 1. / 128;
+  if (blocks_half_empty(chain)) return kind_of_single(chain.size, filled, like, false);
+  RowLook look = look_at_rows(chain, most_rows);
+  const double order = std::clamp(look.straight / anywhere - 1, 0.0, 1.0);
+  double rows = least_rows + order * (most_rows - least_rows);
+  if (order > 0 && look.near > rows) {
+    rows /= std::max(beside_the_next(all_of(chain)), least_beside);
+    look = look_at_rows(chain, rows);
+  }
+  return look.near <= rows ? short_apart : kind_of_single(chain.size, filled, like, order > 0);
+}
+
 }  // namespace
 
-const UnusualKind* UnusualKind::of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres,
-                                   bool frames_follow) {
+const UnusualKind* UnusualKind::of(const ChainView& chain, bool frames_follow) {
   // Measured over the registry's scenes and walks in boxes of any fill: these take 0.2 to 0.9 of the usual
   // variant's time.
   constexpr double full = 0.2, very_dense = 10, most_meet = 0.7;
   constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
+  const std::uint32_t n = chain.size;
+  const Extent& extent = chain.extent;
+  const bool placed = chain.spheres != nullptr;  // or where they lie is not known
   if (extent.greatest_radius > 0) {
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius,
                slow_alone = single_spheres_share(extent) > 1;
     if (n <= few) {
       const bool unlike = extent.greatest_radius > much_growth * extent.least_radius;
-      if (unlike && !spheres.empty() && grows_fast(growth(spheres), n)) return &info(short_horn);
+      if (unlike && placed && grows_fast(growth(all_of(chain)), n)) return &info(short_horn);
       // The chain's order scales its numbers once, others with each look at them.
       if (!squares_in_range(extent.greatest_radius) && (filled <= sparse || slow_alone))
         return &info(short_extreme);
-      if (spheres.empty()) return nullptr;
-      const Kind kind = short_kind(n, filled, like, spheres);
+      if (!placed) return nullptr;
+      const Kind kind = short_kind(chain, filled, like);
       const bool cells = kind == short_like || kind == short_dense || kind == short_narrow;
       return &info(cells && frames_follow ? short_moving : kind);
     }
-    if (like && !slow_alone && filled > full && filled <= very_dense &&
-        filled * beside_the_next(spheres) > full && !spheres.empty() && share_that_meets(spheres) > most_meet)
-      return &info(RowLook::at(spheres, 0).straight > anywhere ? crowded : crowded_anywhere);
-  } else if (n <= few && extent.sides > 0 && !spheres.empty()) {
-    return &info(RowLook::at(spheres, 0).straight > anywhere ? short_points : short_points_anywhere);
+    if (like && !slow_alone && filled > full && filled <= very_dense && placed &&
+        filled * beside_the_next(all_of(chain)) > full && share_that_meets(all_of(chain)) > most_meet)
+      return &info(look_at_rows(chain, 0).straight > anywhere ? crowded : crowded_anywhere);
+  } else if (n <= few && extent.sides > 0 && placed) {
+    return &info(look_at_rows(chain, 0).straight > anywhere ? short_points : short_points_anywhere);
   }
   return nullptr;
 }

@@ -1,6 +1,4 @@
 #pragma once
-#include <cstdint>
-#include <span>
 #include <string>
 
 #include "catena/core/chain/chain_view.h"
@@ -17,11 +15,9 @@ struct CATENA_API UnusualKind {
   bool threads = false;  ///< of as many threads as the usual variant; else of one
   double times = 1;      ///< about what a sphere takes a host, of what it takes in a usual chain
 
-  /// Null for a usual chain, and where the extent is not known, {}. `spheres`: all of them, or none where
-  /// they are not known: then few kinds can be told. `frames_follow`: the chain will move, and what is sorted
-  /// once serves several frames. O(log n).
-  static const UnusualKind* of(std::uint32_t n, const Extent& extent, std::span<const Sphere> spheres,
-                               bool frames_follow = false);
+  /// Null for a usual chain, and where nothing is known of it, {}. Where its spheres are null few kinds can
+  /// be told. `frames_follow`: the chain will move, and what is sorted once serves several frames. O(log n).
+  static const UnusualKind* of(const ChainView& chain, bool frames_follow = false);
 };
 
 }  // namespace catena

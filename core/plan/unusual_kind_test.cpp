@@ -24,7 +24,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
         "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500", "hair:n=1000,strands=1000",
         "hair:n=2000,strands=4", "winding:n=1000", "lattice:n=1000"}) {
     const Chain chain = open_input(input).animation->frame(0);
-    const UnusualKind* const kind = UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
+    const UnusualKind* const kind = UnusualKind::of(chain.view());
     ASSERT_NE(kind, nullptr) << input;
     taken.push_back(kind->variant);
     const auto all = StrategyRegistry::instance().make("CPU1");
@@ -61,17 +61,20 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
         "points:n=3000,share=0.7", "lattice:n=3000,scale=1e-30", "cluster:n=30000",
         "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000", "hair:n=3000,radius=1e-41"}) {
     const Chain chain = open_input(usual).animation->frame(0);
-    EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr) << usual;
+    EXPECT_EQ(UnusualKind::of(chain.view()), nullptr) << usual;
   }
   // One speck among crowded spheres does not make the chain's order the better one.
   auto spheres = open_input("yarn:n=3000").animation->frame(0);
   std::vector<Sphere> specked(spheres.spheres().begin(), spheres.spheres().end());
   specked[1000].radius = 1e-25f;
   const Chain chain(specked);
-  EXPECT_EQ(UnusualKind::of(chain.size(), chain.view().extent, chain.spheres()), nullptr);
-  EXPECT_EQ(UnusualKind::of(100, Extent(), {}), nullptr) << "nothing is known";
-  for (const std::uint32_t n : {100u, 3000u})
-    EXPECT_EQ(UnusualKind::of(n, {1, 1, 3 * std::cbrt(n), 0}, {}), nullptr) << "where they lie is not known";
+  EXPECT_EQ(UnusualKind::of(chain.view()), nullptr);
+  EXPECT_EQ(UnusualKind::of({}), nullptr) << "nothing is known";
+  for (const std::uint32_t n : {100u, 3000u}) {
+    ChainView unplaced{};
+    unplaced.size = n, unplaced.extent = {1, 1, 3 * std::cbrt(n), 0};
+    EXPECT_EQ(UnusualKind::of(unplaced), nullptr) << "where they lie is not known";
+  }
 }
 
 /// Cells are quicker for some kinds where vectors are narrow, a tree of single spheres where they are wide.
@@ -83,7 +86,7 @@ TEST(UnusualKind, GoesByTheVectorsWhereBothWouldDo) {
     for (const char* input : {"yarn:n=800", "hair:n=500", "hair:n=1200"}) {
       const Chain chain = open_input(input).animation->frame(0);
       const auto kind = [&](bool frames_follow) {
-        return UnusualKind::of(chain.size(), chain.view().extent, chain.spheres(), frames_follow)->variant;
+        return UnusualKind::of(chain.view(), frames_follow)->variant;
       };
       EXPECT_EQ(kind(false), wide_vectors() ? "SphereTree" : "Grid") << input << ", " << target;
       EXPECT_EQ(kind(true), "SphereTree") << input << ", " << target;
@@ -103,7 +106,7 @@ std::vector<Sphere> anywhere(std::uint32_t n, float x, float y, float z, float r
 
 const UnusualKind* unusual(const std::vector<Sphere>& spheres) {
   const Chain chain(spheres);
-  return UnusualKind::of(chain.size(), chain.view().extent, chain.spheres());
+  return UnusualKind::of(chain.view());
 }
 std::string kind_of(const std::vector<Sphere>& spheres) { return unusual(spheres)->variant; }
 
@@ -263,7 +266,7 @@ TEST(UnusualKind, OfABundleOfStrandsIsTheChainsOrder) {
     EXPECT_EQ(kind_of(twisted), "ChainTree") << length;
   }
   const Chain hair = open_input("hair:n=800").animation->frame(0);  // strands of one row each
-  EXPECT_EQ(UnusualKind::of(hair.size(), hair.view().extent, hair.spheres())->variant, "ChainTree");
+  EXPECT_EQ(UnusualKind::of(hair.view())->variant, "ChainTree");
 }
 
 /// At most 2,048 spheres, and single ones by cells from 301 on where they are alike.
@@ -272,7 +275,7 @@ TEST(UnusualKind, OfSpheresThatLieAnywhereIsToldByTheirNumberAndRadii) {
   EXPECT_EQ(kind_of(anywhere(301, 30, 30, 30, 0.3f)), "Grid");
   EXPECT_EQ(kind_of(anywhere(2048, 30, 30, 30, 0.3f)), "Grid");
   const Chain many(anywhere(2049, 30, 30, 30, 0.3f));
-  EXPECT_EQ(UnusualKind::of(many.size(), many.view().extent, many.spheres()), nullptr);
+  EXPECT_EQ(UnusualKind::of(many.view()), nullptr);
   EXPECT_EQ(unusual(anywhere(3000, 3, 3, 3, 0.5f)), nullptr) << "more than full";
   EXPECT_EQ(kind_of(anywhere(3000, 15, 15, 15, 0.5f)), "Hybrid") << "that fill their box";
   auto unlike = anywhere(2000, 30, 30, 30, 0.3f);
@@ -282,9 +285,7 @@ TEST(UnusualKind, OfSpheresThatLieAnywhereIsToldByTheirNumberAndRadii) {
   EXPECT_EQ(kind_of(unlike), "SphereTree");
   EXPECT_EQ(kind_of(anywhere(2000, 3, 3, 3, 0.3f)), "SphereTree") << "that fill their box";
   const Chain frames(anywhere(2000, 30, 30, 30, 0.3f));
-  EXPECT_EQ(UnusualKind::of(frames.size(), frames.view().extent, frames.spheres(), true)->variant,
-            "SphereTree")
-      << "sorted once for several frames";
+  EXPECT_EQ(UnusualKind::of(frames.view(), true)->variant, "SphereTree") << "sorted once for several frames";
 }
 
 }  // namespace

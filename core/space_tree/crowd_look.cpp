@@ -45,10 +45,11 @@ class SampleBlocks {
   }
   float* of(std::uint32_t g) const { return capsules_ + std::size_t{g} * group * Capsules::fields; }
 
-  /// Of block k of group g, which is of one strand where that is long enough. No two lie side by side.
+  /// Of block k of group g, which is of one strand where that is long enough. No two lie side by side, and
+  /// those of a group at no even distances, which may be a period of the chain's.
   std::uint32_t first(std::uint32_t g, std::uint32_t k) const {
-    const std::uint32_t part = chain_.size / group;
-    const std::uint32_t i = std::min(part * k + scattered(g, part), chain_.size - block);
+    const std::uint32_t part = chain_.size / group, room = part - 2 * block,
+                        i = part * k + (scattered(g + 1, room) + scattered(k, room)) % room;
     if (chain_.strand_count == 1) return i;
     const std::uint32_t strand = chain_.exclusion.strand_of[i], *const ends = chain_.exclusion.strand_first;
     return ends[strand + 1] - ends[strand] < block ? i : std::min(i, ends[strand + 1] - block);

@@ -59,7 +59,7 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
   const std::uint32_t runs = (chain.size + run - 1) / run, looks = (runs + parts - 1) / parts;
   const auto index = [&](std::uint32_t k) {
     const std::uint32_t look = k / run;
-    return (look * parts + scattered(look, parts)) * run + k % run;
+    return (look * parts + scattered(look + 1, parts)) * run + k % run;
   };
   std::array<CellsAround, most_samples> cells;
   std::transform(of.begin(), of.end(), cells.begin(),
@@ -69,7 +69,7 @@ NearSpheres mean_near_here(const ChainView& chain, std::span<const std::uint32_t
   // A sphere is near itself for certain, whether it is looked at or not.
   for (const std::uint32_t i : of) {
     const std::uint32_t look = i / run / parts;
-    if (i / run % parts == scattered(look, parts)) --by_reach, --in_cells;
+    if (i / run % parts == scattered(look + 1, parts)) --by_reach, --in_cells;
   }
   for (std::uint32_t first = 0; first < looks * run; first += lanes) {
     std::uint32_t there = 0;

@@ -10,10 +10,10 @@ constexpr std::uint32_t scattered(std::uint32_t k, std::uint32_t end) {
 }
 
 /// The k-th of so many samples all along 0 .. end, k < samples: scattered in an even part each, all
-/// different where samples <= end.
+/// different where samples <= end. None is the first for being that, as the end of a chain is like no other.
 constexpr std::uint32_t sample_along(std::uint32_t k, std::uint32_t samples, std::uint32_t end) {
   const auto begin = [&](std::uint64_t j) { return static_cast<std::uint32_t>(j * end / samples); };
-  return begin(k) + scattered(k, begin(k + 1) - begin(k));
+  return begin(k) + scattered(k + 1, begin(k + 1) - begin(k));
 }
 
 }  // namespace catena

@@ -16,9 +16,9 @@ namespace {
 
 using Samples = std::array<std::uint32_t, most_samples>;
 
-/// So many are looked at, of so many spheres: more where it costs less.
+/// So many are looked at, of so many spheres: each at fewer others where they are more.
 std::uint32_t samples_of(std::uint32_t spheres) {
-  constexpr std::uint32_t fewest = 4, apart = 256;
+  constexpr std::uint32_t fewest = 16, apart = 256;
   return std::min(spheres, std::clamp(spheres / apart, fewest, std::uint32_t{most_samples}));
 }
 
@@ -119,7 +119,7 @@ SingleSpheres single_spheres(const ChainView& chain, SpaceSort sort) {
   const std::span<const std::uint32_t> some = all_along(chain, samples);
   RadiusSample radii(chain);
   for (std::uint32_t k = 0; k < chain.size; k += apart)
-    radii.take(chain.spheres[k + scattered(k / apart, std::min(apart, chain.size - k))].radius);
+    radii.take(chain.spheres[k + scattered(k / apart + 1, std::min(apart, chain.size - k))].radius);
   return cheaper(chain, chain.size, some, radii.told(), sort);
 }
 
@@ -143,7 +143,8 @@ SingleSpheres single_spheres(const ChainView& chain, const BlockTree& tree, cons
   for (std::uint32_t node = 0, seen = 0; node < crowding.nodes(); ++node) {
     if (!crowding.crowded(node)) continue;
     // Another sphere of another block of each, as radii may come by turns.
-    const std::uint32_t b = tree.some_block_of(node), i = tree.begin_of(b) + scattered(seen, tree.size_of(b));
+    const std::uint32_t b = tree.some_block_of(node),
+                        i = tree.begin_of(b) + scattered(seen + 1, tree.size_of(b));
     radii.take(chain.spheres[i].radius);
     if (found < count && std::uint64_t{seen} * count >= std::uint64_t{found} * crowded) samples[found++] = i;
     ++seen;

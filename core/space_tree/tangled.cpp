@@ -28,7 +28,7 @@ bool tangled(const ChainView& chain) {
   std::array<std::uint32_t, most> which;
   std::uint32_t met = 0;
   for (std::uint32_t k = 0; k < samples; ++k) {
-    which[k] = scattered(k, stretches);
+    which[k] = scattered(k + 1, stretches);
     for (std::uint32_t j = 0; j < of_each; ++j)
       boxes[k].take(chain.spheres[which[k] * stretch + j * (stretch / of_each)]);
     for (std::uint32_t j = 0; j < k; ++j)
