@@ -173,6 +173,18 @@ TEST(TreeShape, TwiceTheLeavesLessOneAndThePapersDepth) {
   }
 }
 
+TEST(TreeShape, OfMoreThanOneBlockTakesIsRefusedWithTheLimit) {
+  const auto variant = StrategyRegistry::instance().make("bGPU2@host+CPU2");
+  try {
+    variant->build(Chain(tangle(1537, 1)));
+    FAIL();
+  } catch (const CapacityError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "bGPU2@host takes at most 1536 spheres by one block of 768 threads, got 1537; use aGPU2@host");
+  }
+}
+
 // A block takes twice as many roots as it has threads: 16 roots are one top, 17 another stage.
 TEST(TreeShape, RootsOfAGPU2AreToppedByOneBlockWhileTheyFit) {
   const auto variant = StrategyRegistry::instance().make("aGPU2@host(subtree=6,block=8)+CPU2");

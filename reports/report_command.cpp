@@ -213,7 +213,12 @@ class ReportCommand final : public Command {
       profile.wants_inputs.push_back(one), profile.regret_inputs.push_back(one);
       const auto animation = open_input(scene, input_).animation;
       const bool moves = animation->frames() > 1;
-      if (animation->frame(0).size() <= most_shown) profile.shown.push_back({scene, moves, input_});
+      const std::uint32_t spheres = animation->frame(0).size();
+      if (spheres == 0 && !no_page_)
+        throw InputError(fmt::format(
+            "{} is a chain without spheres, of which there is no page; leave it out, or give --no-page",
+            scene));
+      if (0 < spheres && spheres <= most_shown) profile.shown.push_back({scene, moves, input_});
       if (!moves) continue;
       profile.coherent_inputs.push_back(one);
       if (profile.animation_input.input.empty()) profile.animation_input = one;

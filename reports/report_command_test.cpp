@@ -142,6 +142,7 @@ TEST_F(RunFile, HasAViewOfAChainThatIsNotTooLong) {
 TEST(Report, RefusesWhatMakesNoSense) {
   EXPECT_THROW(report("--variant Nope"), InputError);
   EXPECT_THROW(report("--scene nope:n=3 --no-page"), InputError);
+  EXPECT_THROW(report("--scene path1:n=50 --scene rod:n=0"), InputError);  // there is no page of it
   EXPECT_THROW(report("--benchmark_filter ( --no-page"), InputError);
   EXPECT_THROW(with_options("--quick --full"), InputError);
   EXPECT_THROW(with_options("--seconds -1"), InputError);

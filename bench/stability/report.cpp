@@ -11,6 +11,7 @@
 #include "catena/core/commands/json_line.h"
 #include "catena/core/commands/report_text.h"
 #include "catena/core/one_line.h"
+#include "catena/core/percent.h"
 
 namespace catena::bench {
 namespace {
@@ -22,8 +23,7 @@ std::string in_short(const Cell& cell) {
   const auto& c = cell.found.comparison;
   std::string text = name_of(cell.outcome);
   if (cell.outcome == Outcome::not_finite) text = fmt::format("{} nodes NaN", cell.not_finite_nodes);
-  if (cell.outcome == Outcome::unenclosed)
-    text += fmt::format(" {:.2g} %", 100 * cell.found.enclosure.share());
+  if (cell.outcome == Outcome::unenclosed) text += " " + percent(cell.found.enclosure.share());
   if (cell.outcome != Outcome::wrong && cell.outcome != Outcome::not_finite) return text;
   if (!cell.found.by_pairs) return text + fmt::format(" {} counts", c.wrong_counts);
   if (c.right()) return text;

@@ -47,6 +47,8 @@ TEST(StabilityReport, TellsACellInShort) {
   Cell short_of = cell("A", Outcome::unenclosed);
   short_of.found.enclosure.bounds = 200, short_of.found.enclosure.violations = 5;
   EXPECT_EQ(outcome(short_of), "unenclosed 2.5 %\n");
+  short_of.found.enclosure.violations = 200;
+  EXPECT_EQ(outcome(short_of), "unenclosed 100 %\n");
   EXPECT_EQ(outcome(wrong("A", 4, 2)), "wrong -4 +2 by 1e-07\n");
   Cell counted = wrong("A", 0, 0);
   counted.found.by_pairs = false, counted.found.comparison.wrong_counts = 7;

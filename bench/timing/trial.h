@@ -11,8 +11,8 @@
 namespace catena::bench {
 
 enum class Stage {
-  build,    ///< build(), as the variant times it (CUDA events on a device); in a box with the images that it
-            ///< takes
+  build,    ///< build(), as the variant times it (CUDA events on a device), or by wall time where it says 0;
+            ///< in a box with the images that it takes
   update,   ///< update(), likewise, from one frame of a moving input to the next
   find,     ///< find(), likewise
   whole,    ///< wall time around build and find, with every transfer

@@ -49,6 +49,13 @@ TEST(Trial, TimesEachStageByItsOwnClock) {
   EXPECT_NE(whole_ms, TimesTold::find_ms);
 }
 
+/// A sample of runs that take 0 would have no end.
+TEST(Trial, TimesABuildThatTheVariantSaysTookNone) {
+  Trial trial({"rod:n=1"}, StrategyRegistry::instance().describe("auto"));
+  ASSERT_EQ(trial.prepare(), "");
+  EXPECT_GT(trial.run(Stage::build), 0);
+}
+
 TEST(Trial, BuildsWhereItTimesABuild) {
   const Sphere middle = frames_of("path1:n=50")[28];
   Trial trial({"path1:n=50"}, TimesTold::info());

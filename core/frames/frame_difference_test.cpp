@@ -100,6 +100,24 @@ TEST(FrameDifference, AShiftIsFoundInBothDirectionsAndOnlyWhereEverySphereAgrees
     }
   }
   EXPECT_FALSE(shift_between(before, before, 100, 0)) << "no shift is none";
+  const std::vector<Sphere> other(longer.begin(), longer.begin() + 200);
+  for (const int s : {200, -200, 300}) EXPECT_FALSE(shift_between(before, other, 0, s)) << "nothing stays";
+}
+
+/// A chain that repeats itself looks shifted in many places, each of which would be compared as a whole.
+TEST(FrameDifference, LooksAtFewPlacesWhereAShiftMayBe) {
+  constexpr std::size_t period = 20;
+  for (const int s : {1, 3, 4, 5, 9}) {
+    std::vector<Sphere> before = row(400);
+    for (std::size_t i = period; i < before.size(); ++i) before[i] = before[i - period];
+    std::vector<Sphere> now = before;
+    // Only at the right one does the last sphere agree, too.
+    before.back().y += 1;
+    now[before.size() - 1 - static_cast<std::size_t>(s) * period].y += 1;
+    const auto by = static_cast<std::int64_t>(s * period);
+    EXPECT_EQ(shift_between(before, now, 300, 0), s <= 4 ? std::optional(by) : std::nullopt) << s;
+    EXPECT_EQ(shift_between(before, now, 300, by), by) << s << ", guessed";
+  }
 }
 
 }  // namespace

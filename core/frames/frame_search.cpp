@@ -68,7 +68,6 @@ bool FrameSearch::search_by_list(const Chain& chain, const Request& request, Col
                   search(thick, all_pairs, found);
                   policy_.searched_thicker(searching.ms());
                 });
-    by_list_ = false;
     made_ = true;
   }
   if (!list_->made()) {

@@ -147,14 +147,18 @@ TEST(FrameSearch, MeasuredTimesChooseTheWayAndNeverTheAnswer) {
 }
 
 TEST(FrameSearch, SearchesAllWhereNothingMayBeLeftOut) {
-  Frames frames(yarn(), omission_names());
-  EXPECT_EQ(frames.next(frames.spheres()), Way::full);
-  EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::full);
-  EXPECT_EQ(frames.searches(), 3u);
-  EXPECT_FALSE(frames.plan()[0].left_out);
-  EXPECT_TRUE(frames.plan()[0].reason.ends_with(
-      "frame before; --no-omit unmoved; --no-omit still-parts; --no-omit shifted; --no-omit far-pairs"))
-      << frames.plan()[0].reason;
+  const Chain one = yarn(),
+              two({one.spheres().begin(), one.spheres().end()}, {{0, 1000, one.size()}, {0, 0}});
+  for (const Chain& chain : {one, two}) {
+    Frames frames(chain, omission_names());
+    EXPECT_EQ(frames.next(frames.spheres()), Way::full);
+    EXPECT_EQ(frames.next(shaken(frames.spheres(), 0.01f)), Way::full);
+    EXPECT_EQ(frames.searches(), 3u);
+    EXPECT_FALSE(frames.plan()[0].left_out);
+    EXPECT_TRUE(frames.plan()[0].reason.ends_with(
+        "frame before; --no-omit unmoved; --no-omit still-parts; --no-omit shifted; --no-omit far-pairs"))
+        << frames.plan()[0].reason;
+  }
 }
 
 /// Each way that may not be gone is not, told or seen, and the others are.
@@ -220,6 +224,9 @@ TEST(FrameSearch, SaysOfAFrameWhatWasDoneForIt) {
   const SphereRange told{700, 760};
   EXPECT_EQ(frames.next(spheres, Moved(std::span(&told, 1))), Way::parts);
   EXPECT_EQ(frames.plan()[0].reason, "60 of 3000 spheres moved") << "as it was told";
+  const SphereRange beyond{2990, 5000};
+  EXPECT_EQ(frames.next(spheres, Moved(std::span(&beyond, 1))), Way::parts);
+  EXPECT_EQ(frames.plan()[0].reason, "10 of 3000 spheres moved") << "of those that there are";
   spheres = frames.spheres();
   std::ranges::rotate(spheres, spheres.begin() + 40);
   EXPECT_EQ(frames.next(spheres), Way::shifted);

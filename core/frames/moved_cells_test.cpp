@@ -41,6 +41,21 @@ TEST(MovedCells, FindThePairsOfAFew) {
   EXPECT_GT(pairs, 1000u);
 }
 
+/// Far from the origin boxes are wider than the spheres in them, by what rounding may lose: many cells each.
+TEST(MovedCells, AreNotLaidOutWhereEachSphereWouldLieInVeryMany) {
+  std::vector<Sphere> spheres;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    const auto at = static_cast<float>(i % 4);
+    spheres.push_back({1e7f + at, 1e7f - at, 1e7f, 0.01f});
+    all.push_back(i);
+  }
+  MovedCells cells;
+  EXPECT_FALSE(cells.lay_out(Chain(spheres).view(), all));
+  for (Sphere& s : spheres) s.x -= 1e7f, s.y -= 1e7f, s.z = 0;
+  EXPECT_TRUE(cells.lay_out(Chain(spheres).view(), all));
+}
+
 /// A sphere whose centre is as far as both radii, a little more than their rounded sum, touches all the same.
 TEST(MovedCells, ReachAsFarAsTwoRadiiAreLong) {
   struct Shown : MovedCells {

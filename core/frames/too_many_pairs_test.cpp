@@ -75,6 +75,13 @@ TEST(FrameSearch, AsksForNoPairsWhereTheyAreOfNoUseOrTooMany) {
   const Chain onto_one = chain.moved(spheres);
   EXPECT_EQ(search.update(onto_one, {}), Way::parts);
   expect_counts(onto_one, {Request::Want::counts});
+  begin();
+  EXPECT_EQ(search.update(onto_one, {}), Way::parts);
+  search.find(onto_one, {}, found, full, full, 0);
+  EXPECT_EQ(search.way(), Way::parts) << "as many as are asked for are kept";
+  EXPECT_TRUE(asked.empty());
+  full(onto_one, {}, exact);
+  EXPECT_EQ(found.count, exact.count);
 }
 
 /// Pairs that are too many to be kept are not looked for in every frame, but again when they are fewer.

@@ -71,7 +71,10 @@ void check_box(const PeriodicBox& box, double reach) {
   for (const double number : {box.length[0], box.length[1], box.length[2], box.xy, box.xz, box.yz})
     if (!std::isfinite(number) ||
         (number != 0 && (std::abs(number) < 0x1p-100 || std::abs(number) > 0x1p100)))
-      throw InputError(fmt::format("the box has {} where a length or a tilt is due", number));
+      throw InputError(fmt::format(
+          "the box has {} where a length or a tilt is due, which is 0 or of a size from 7.9e-31 to "
+          "1.2e+30; take other units",
+          number));
   const auto [least, greatest] = std::minmax_element(box.length.begin(), box.length.end());
   if (*least < 0 || *greatest == 0)
     throw InputError("the box needs lengths above 0, or 0 along an edge that does not repeat");

@@ -5,6 +5,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <limits>
 
 #include "catena/core/periodic/overlap.h"
 #include "catena/core/periodic/test_search.h"
@@ -198,6 +199,13 @@ TEST(Overlap, IsRoundedOnce) {
   EXPECT_EQ(overlap_of({0, 0, 0, 100}, {51, 40, 0, 100}).depth, 135.1848783076048);
 }
 
+TEST(Overlap, OfTwoPointsHasAMarginOfZeroOrWithoutEnd) {
+  const Sphere point{1, 2, 3, 0};
+  EXPECT_EQ(overlap_of(point, {2, 2, 3, 0}).margin, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(overlap_of(point, {2, 2, 3, 0}).depth, -1);
+  EXPECT_EQ(overlap_of(point, point).margin, 0);
+}
+
 TEST(Overlap, SeesATieAcrossAFace) {
   const PeriodicBox box{{10, 10, 10}, 2.5, 0, 0};
   // The image of b along the second edge is at (3.5, 10, 0): 3, 4, 5.
@@ -281,6 +289,23 @@ RC_GTEST_PROP(PeriodicBox, IsAsWideAsItsFacesAreApart, ()) {
     const double expected = box.length[0] * box.length[1] * box.length[2] / area;
     RC_ASSERT(std::abs(box.widths()[k] - expected) <= 1e-12 * expected);
   }
+}
+
+// Of edges that are not all there, too: the others may lean toward one that does not repeat.
+RC_GTEST_PROP(PeriodicBox, HasNoImageNearerThanItsWidths, ()) {
+  const auto tilt = [] { return *rc::gen::inRange(-100, 100) / 16.0; };
+  PeriodicBox box{{0, 0, 0}, tilt(), tilt(), tilt()};
+  for (double& length : box.length)
+    if (*rc::gen::inRange(0, 3) > 0) length = *rc::gen::inRange(1, 100) / 8.0;
+  const auto most = [&](std::size_t k) { return box.length[k] > 0 ? 3 : 0; };
+  for (int a = -most(0); a <= most(0); ++a)
+    for (int b = -most(1); b <= most(1); ++b)
+      for (int c = -most(2); c <= most(2); ++c) {
+        const std::array<double, 3> shift{double(a), double(b), double(c)};
+        const auto [x, y, z] = box.along(shift);
+        for (std::size_t k = 0; k < 3; ++k)
+          RC_ASSERT(std::hypot(x, y, z) >= box.widths()[k] * std::abs(shift[k]) * (1 - 1e-12));
+      }
 }
 
 // 0.1f + 10 is no number in binary32: the images of these two touch, and do not, as only exact arithmetic

@@ -52,6 +52,11 @@ TEST(PartLook, IsTheSameWhateverItLookedAtBefore) {
     }
 }
 
+/// Too many pairs to be kept, none of which is one in what is asked for.
+TEST(PartLook, GivesNothingOfACrowd) {
+  EXPECT_FALSE(look(Chain(std::vector<Sphere>(PartLook::least, {1, 2, 3, 1})), {0, 1}));
+}
+
 TEST(PartLook, LeavesShortChainsAlone) {
   EXPECT_FALSE(look(open_input("grazing:n=5000,margin=0").animation->frame(0)));
 }

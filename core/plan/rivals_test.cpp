@@ -286,6 +286,9 @@ TEST(Rivals, OfAPlanWithThreadsHaveOneToo) {
   EXPECT_EQ(rivals[1], (Contender{"SphereTree", plan.threads()}));
   EXPECT_EQ(plan.named(rivals[1]), "SphereTree(threads=" + std::to_string(plan.threads()) + ")");
   EXPECT_EQ(plan.named({"ChainTree", 1}), "ChainTree");
+  const std::string threads[] = {info_of(Omission::threads).name};
+  const SearchPlan kept(1'000'000, {}, machine, Omissions::without(threads), extent);
+  for (const Contender& rival : kept.rivals(extent)) EXPECT_GT(rival.threads, 1u) << "none may be left out";
 }
 
 /// `auto` tries others on a chain that is searched again and again, and none when told; all are right.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "catena/core/counted.h"
+#include "catena/core/percent.h"
 #include "catena/core/plan/omissions.h"
 
 namespace catena {
@@ -22,8 +23,7 @@ Decision took(const char* step, std::string reason, double ms) {
 
 std::string planning(const RunAccount& run, double whole_ms) {
   const auto share = [&](double ms) {
-    return whole_ms > 0 ? fmt::format("{:.2g} % of build and search", 100 * ms / whole_ms)
-                        : "of a search of nothing";
+    return whole_ms > 0 ? percent(ms / whole_ms) + " of build and search" : "of a search of nothing";
   };
   return run.planning_again_ms
              ? fmt::format("once more {:.3g} ms, {}: a first time in a program starts its threads",

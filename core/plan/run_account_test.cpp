@@ -30,8 +30,9 @@ TEST(RunAccount, SaysWhatEachStepTookAndAddsWhatWasNoChoice) {
   Plan plan = planned(true);
   RunAccount run;
   run.spheres = 20, run.took = {2, 3, 4, 0}, run.planning_ms = 0.09, run.unlisted = 7;
-  run.searcher = {"tree", false, {2, 3, 4, 5}, {{"node, node", 11}, {"never", 0}, {"sphere, sphere", 1}}};
-  tell_run(run, plan);
+  run.searcher = {
+      "tree", false, {1.5, 2.5, 3.5, 5}, {{"node, node", 11}, {"never", 0}, {"sphere, sphere", 1}}};
+  tell_run(run, plan);  // as a whole, and of who searched
   EXPECT_EQ(names(plan),
             (std::vector<std::string>{"choice of variant", "planning", "hierarchy", "pair list", "build",
                                       "search", "moves between memories", "start of the device"}));
@@ -40,13 +41,13 @@ TEST(RunAccount, SaysWhatEachStepTookAndAddsWhatWasNoChoice) {
   EXPECT_EQ(plan.front().actual_ms, 9);
   EXPECT_EQ(step(plan, "planning").actual_ms, 0.09);
   EXPECT_EQ(step(plan, "planning").reason, "1 % of build and search");
-  EXPECT_EQ(step(plan, "hierarchy").actual_ms, 2);
+  EXPECT_EQ(step(plan, "hierarchy").actual_ms, 1.5);
   EXPECT_EQ(step(plan, "pair list").removed, "7 pairs");
-  EXPECT_EQ(step(plan, "build").actual_ms, 2);
-  EXPECT_EQ(step(plan, "search").actual_ms, 3);
+  EXPECT_EQ(step(plan, "build").actual_ms, 1.5);
+  EXPECT_EQ(step(plan, "search").actual_ms, 2.5);
   EXPECT_EQ(step(plan, "search").reason,
             "of 190 pairs of spheres: node, node 11 times; sphere, sphere 1 time");
-  EXPECT_EQ(step(plan, "moves between memories").actual_ms, 4);
+  EXPECT_EQ(step(plan, "moves between memories").actual_ms, 3.5);
   EXPECT_EQ(step(plan, "start of the device").actual_ms, 5);
 }
 
@@ -58,6 +59,10 @@ TEST(RunAccount, SaysWhatPlanningTakesOnceThreadsAreStarted) {
   EXPECT_EQ(step(plan, "planning").actual_ms, 8);
   EXPECT_EQ(step(plan, "planning").reason,
             "once more 0.01 ms, 0.2 % of build and search: a first time in a program starts its threads");
+  plan = planned(true);
+  run.planning_again_ms = 60;
+  tell_run(run, plan);
+  EXPECT_TRUE(step(plan, "planning").reason.starts_with("once more 60 ms, 1200 % of build"));
   plan = planned(true);
   run.took = {};
   run.planning_again_ms.reset();

@@ -93,6 +93,11 @@ TEST(SearchPlan, TakesThreadsSoonerWhereMuchIsNear) {
   const ChainView view = chain.view();
   EXPECT_EQ(SearchPlan(8000, {}, of, {}, view, history).estimate_ms(),
             SearchPlan(8000, {}, of, {}, {}, history).estimate_ms());
+  // Where that is so much that all pairs take less, it is no matter in which order they lie.
+  of.costs.push_back({"pairs", {{.sphere_pair_ns = 0.0047}}, false, true});
+  EXPECT_EQ(SearchPlan(8000, {}, of, {}).variant(), "Hybrid");
+  EXPECT_EQ(plan(view).variant(), "pairs");
+  EXPECT_TRUE(plan(view).holds_for(8000, {}, view));
 }
 
 TEST(SearchPlan, LearnsWhatASphereTakesFromTwoSearches) {

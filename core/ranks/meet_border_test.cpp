@@ -246,8 +246,9 @@ TEST(MeetBorder, MeetsEveryBlockOfACrowd) {
   }
 }
 
-/// What is told of blocks whose spheres are great beside their distances, which rounding hides, or so far
-/// away from one another that no square of it is a number.
+/// What is told of blocks whose spheres are great beside their distances, which rounding hides, or small
+/// beside the length of their axis, which is rounded by much of a radius, or so far away from one another
+/// that no square of it is a number.
 TEST(MeetBorder, TellsARadiusThatHoldsTheSpheres) {
   for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
@@ -261,6 +262,13 @@ TEST(MeetBorder, TellsARadiusThatHoldsTheSpheres) {
         const float step = k % 4 != 0 ? std::exp2(-static_cast<float>(dice() % 24)) : 0x1p66f,
                     radius = k % 4 != 0 ? 1 : 0x1p60f;
         const float ends = k % 8 != 0 ? 0 : step;  // the third is beside the axis, or beyond it
+        if (k % 4 == 1) {                          // the middle one about on the axis
+          const float x = unit(dice), y = unit(dice), z = unit(dice), small = 0x1p-22f * unit(dice);
+          part.spheres.push_back({0, 0, 0, small});
+          part.spheres.push_back({0.7f * x, 0.7f * y, 0.7f * z, small});
+          part.spheres.push_back({x, y, z, small});
+          continue;
+        }
         part.spheres.push_back({0, 0, 0, radius * unit(dice)});
         part.spheres.push_back({step * unit(dice), step * unit(dice), -step * unit(dice), radius});
         part.spheres.push_back({ends, ends, 0, radius * unit(dice)});

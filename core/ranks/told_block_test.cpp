@@ -123,6 +123,23 @@ TEST(ToldBlock, HoldsWhatTouchesByLessThanRounding) {
   EXPECT_GT(touching, 100u);
 }
 
+/// Points so near the axis, beside its length, that binary64 rounds away much of how far: of Fibonacci's
+/// numbers they are one over its length away.
+TEST(ToldBlock, HoldsWhatLiesNearerToItsAxisThanRounding) {
+  std::vector<float> fibonacci{1, 1};
+  while (fibonacci.size() < 36) fibonacci.push_back(fibonacci.end()[-1] + fibonacci.end()[-2]);
+  for (std::size_t n = 24; n < fibonacci.size(); ++n)
+    for (const std::size_t k : {n - 1, n - 2})
+      for (const int axis : {0, 1, 2}) {
+        const auto point = [&](std::size_t m) {
+          const float a = fibonacci[m], b = fibonacci[m - 1];
+          return axis == 0 ? Sphere{a, b, 0, 0} : axis == 1 ? Sphere{b, 0, a, 0} : Sphere{0, -a, b, 0};
+        };
+        const ToldBlock told = around({{0, 0, 0, 0}, point(k), point(n)});
+        ASSERT_GE(told.radius, reach_of(told, point(k))) << n << ' ' << k;
+      }
+}
+
 /// Along a diagonal a box would be empty but for its diagonal.
 TEST(ToldBlock, LeavesOutWhatLiesBesideADiagonal) {
   std::vector<Sphere> block;

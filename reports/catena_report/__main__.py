@@ -100,6 +100,8 @@ def _ended(signal_number, _):
 
 if __name__ == "__main__":
     signal.signal(signal.SIGTERM, _ended)
+    if sys.stdout.errors == "strict":
+        sys.stdout.reconfigure(errors="backslashreplace")  # a folder has what name it has, also in a locale without it
     try:
         sys.exit(written(main))
     except KeyboardInterrupt:  # what was half written is gone; now end as one who was interrupted

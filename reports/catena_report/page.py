@@ -86,7 +86,9 @@ def _markdown(built):
     for section in built:
         tables = [block for block in section.blocks if isinstance(block, Table)]
         parts += [f"\n## {section.title}\n"] if tables else []
-        parts += [f"\n**{table.title}.** {table.caption}\n\n{table.markdown()}" for table in tables]
+        for table in tables:
+            stop = "" if table.title.endswith("?") else "."
+            parts.append(f"\n**{table.title}{stop}** {table.caption}\n\n{table.markdown()}")
     return "".join(parts)
 
 
@@ -101,13 +103,16 @@ class Drawing:
 
 def _draw_all(figures):
     """The drawings by their keys, drawn by all cores: half a second each, which is most of what the page takes."""
-    with concurrent.futures.ProcessPoolExecutor(
-        len(os.sched_getaffinity(0)),
-        multiprocessing.get_context("fork"),  # matplotlib is imported once
-        initializer=signal.signal,  # at Ctrl-C this process speaks for all
-        initargs=(signal.SIGINT, signal.SIG_IGN),
-    ) as cores:
-        return {figure.key: drawing for figure, drawing in zip(figures, cores.map(_draw, figures), strict=True)}
+    try:
+        with concurrent.futures.ProcessPoolExecutor(
+            len(os.sched_getaffinity(0)),
+            multiprocessing.get_context("fork"),  # matplotlib is imported once
+            initializer=signal.signal,  # at Ctrl-C this process speaks for all
+            initargs=(signal.SIGINT, signal.SIG_IGN),
+        ) as cores:
+            return {figure.key: drawing for figure, drawing in zip(figures, cores.map(_draw, figures), strict=True)}
+    except OSError:  # no more processes, or nothing that they can share, as where /dev/shm cannot be written
+        return {figure.key: _draw(figure) for figure in figures}
 
 
 def _draw(figure):

@@ -155,7 +155,7 @@ class Undecided(unittest.TestCase):
 
     def test_the_slowest_is_slower_beyond_the_intervals(self):
         others = {("path1", 1000, variant, "find"): [1.0] * 6 for variant in ("aCPU2+CPU2", "aGPU2+GPU2", "aGPU2+GPUv2")}
-        for times, verdict in (([1.5, 1.6] * 3, claims.HOLDS), ([0.5, 2.0, 2.0] * 2, claims.FAILS), ([0.5] * 6, claims.FAILS)):
+        for times, verdict in (([1.5, 1.6] * 3, claims.HOLDS), ([0.5, 2.0, 2.0] * 2, claims.FAILS), ([1.0] * 6, claims.FAILS), ([0.5] * 6, claims.FAILS)):
             found = self.judge("gpu1-slowest", {**others, ("path1", 1000, "GPU1", "find"): times})
             self.assertEqual(found.verdict, verdict, times)
 
@@ -168,9 +168,10 @@ class Undecided(unittest.TestCase):
     def test_pairs_are_missed_by_whatever(self):
         value = made.run(repetitions=1)
         few = {"input": "b", "missing": 5, "lost_by_tree": 1, "parents": 9, "failing": 9}  # but all that it has
-        value["catena"]["examine"] += [{**value["catena"]["examine"][0], **few}]
+        none = {"input": "c", "missing": 3, "failing": 0}  # of decisions alone
+        value["catena"]["examine"] += [{**value["catena"]["examine"][0], **other} for other in (few, none)]
         said = judged("encloses", value).evidence
-        self.assertIn("2 chains of 2 have such parents, and 7 pairs in all are missed", said)
+        self.assertIn("2 chains of 3 have such parents, and 10 pairs in all are missed", said)
         self.assertIn("100 % of the parents of b do not", said)
 
 
@@ -203,6 +204,17 @@ class Committed(unittest.TestCase):
         self.assertIn("not measured here", blocks[0].text)
         self.assertTrue(blocks[2].folded)
         self.assertIn("that no run of this page can test", blocks[2].text)
+        decided = [point for point in blocks[2].points if point.endswith("(decided by the committed run, above).")]
+        self.assertEqual(len(decided), len({row[0] for row in marked} - {row[0] for row in rows if row not in marked}))
+
+    def test_they_are_marked_where_there_are_no_others(self):
+        value = made.run()
+        value["benchmarks"] = []
+        for key in ("keyframes", "animation", "examine"):
+            value["catena"].pop(key, None)
+        prose, table, *_ = self.built(value).blocks
+        self.assertIn("No run of this page can test any.", prose.text)
+        self.assertEqual({row[table.columns.index("run")].kind for row in table.rows}, {"committed"})
 
     def test_not_on_a_page_of_that_device(self):
         value = made.run()

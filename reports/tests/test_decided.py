@@ -89,7 +89,10 @@ class Words(Base):
 
     def test_a_commit_that_lacks_what_was_built_is_said_to(self):
         run = pages.of(self.value)
-        for commit, said in (("0123", "git checkout 0123"), ("0123-dirty", "git checkout 0123  # it was built with changes that no commit has")):
+        for commit, said in (
+            ("0123", "git checkout 0123"),
+            *((commit, "git checkout 0123  # it was built with changes that no commit has") for commit in ("0123-dirty", "0123+")),
+        ):
             run.context["commit"] = commit
             lines = reproduce.build(report.Report([run])).blocks[0].text.splitlines()
             self.assertEqual((lines[0], lines[-1]), (said, "build/release/" + run.catena["command"]))
@@ -302,6 +305,12 @@ class Errors(Base):
     def test_a_margin_of_none_is_no_place_on_a_logarithm(self):
         self.catena["stability"] = [{**LINE, "scene": f"grazing:n=5,margin={m}"} for m in (-1e-7, 0, 1e-8, 1e-4)]
         self.assertEqual([list(lines) for lines in arithmetic.sweep(pages.of(self.value), "grazing").values()], [[1e-8, 1e-4]])
+
+    def test_what_was_not_answered_is_no_point_of_a_sweep(self):
+        outcomes = ("exact", "refused", "unavailable", "undecided")
+        self.catena["stability"] = [{**LINE, "scene": "grazing:n=5,margin=1e-4", "outcome": outcome} for outcome in outcomes]
+        ((_, lines),) = arithmetic.sweep(pages.of(self.value), "grazing").items()
+        self.assertEqual([line["outcome"] for line in lines[1e-4]], ["exact"])
 
     def test_stages_of_the_papers_tables(self):
         stages = {(row[0].text, row[1].text) for row in self.table(paper_tables).rows}

@@ -39,6 +39,13 @@ class Environment(unittest.TestCase):
         self.assertEqual(rows["build type"], "Release")
         self.assertNotIn("debug", rows.values())
 
+    def test_a_build_without_optimization_is_marked(self):
+        for built, kind in (("DEBUG", "bad"), ("Release", "")):
+            value = made.run()
+            value["context"]["build type"] = built
+            cell = next(row[1] for row in pages.shown(value).tables["environment"].rows if row[0].text == "build type")
+            self.assertEqual((cell.text, cell.kind), (built, kind))
+
     @recomputes("table:scenes")
     def test_chains_that_were_run(self):
         keys = "input", "summary", "hash", "n", "frame", "frames", "pairs", "max_count", "density", "smallest_margin"

@@ -87,7 +87,9 @@ class Everything(pages.Made):
     def test_every_figure_and_table_has_its_files(self):
         for key in self.page.unpacked("figures"):
             self.assertGreater((self.output / "figures" / f"{key}.pdf").stat().st_size, 1000)
-        self.assertNotRegex((self.output / "report.md").read_text(), r"(?m)^## [^\n]*\n+(## |\Z)")  # nothing but tables
+        markdown = (self.output / "report.md").read_text()
+        self.assertNotRegex(markdown, r"(?m)^## [^\n]*\n+(## |\Z)")  # nothing but tables
+        self.assertNotRegex(markdown, r"[.?!]\.\*\*")  # a title that is a question has its own end
         for key, rows in self.page.tables.items():
             with open(self.output / "tables" / f"{key}.csv", newline="") as file:
                 written = list(csv.reader(file))

@@ -124,6 +124,38 @@ class Written(unittest.TestCase):
             self.assertEqual(told(size), "")
             self.assertIn("larger than", told(size - 1))
 
+    def test_a_folder_whose_name_the_locale_cannot_write_is_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = str(made.write(folder, made.run(repetitions=1)))
+            done = subprocess.run(
+                [sys.executable, "-c", "import pages, runpy\nwith pages.without_figures(): "
+                 "runpy.run_module('catena_report', run_name='__main__', alter_sys=True)", "--output", folder + "/\u03b2", run],
+                env={**ENVIRONMENT, "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii:strict",
+                     "PYTHONPATH": os.pathsep.join([ENVIRONMENT["PYTHONPATH"], os.path.dirname(__file__)])},
+                capture_output=True, text=True,
+            )  # fmt: skip
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("/\\u03b2/index.html", done.stdout)
+
+    def test_the_users_settings_of_matplotlib_change_no_figure(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "matplotlibrc").write_text("text.usetex: True\n")
+            done = subprocess.run(
+                [sys.executable, "-c", "from catena_report.drawn import static; import matplotlib; "
+                 "print(matplotlib.rcParams['text.usetex'], matplotlib.get_backend())"],
+                env={**ENVIRONMENT, "MPLCONFIGDIR": folder, "MPLBACKEND": "nowhere"},
+                capture_output=True, text=True,
+            )  # fmt: skip
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "False agg\n", ""))
+
+    def test_figures_are_drawn_where_processes_can_share_nothing(self):
+        figure = unittest.mock.Mock(key="a")
+        with (
+            unittest.mock.patch("concurrent.futures.ProcessPoolExecutor", side_effect=OSError),
+            unittest.mock.patch("catena_report.page._draw", return_value="drawn"),
+        ):
+            self.assertEqual(page._draw_all([figure]), {"a": "drawn"})
+
     def test_who_is_interrupted_ends_so(self):
         for sent, ends, said in (
             (signal.SIGTERM, 128 + signal.SIGTERM, ""),

@@ -1,11 +1,13 @@
 """A figure as SVG and PDF, by matplotlib: for print, for papers, and for the page where plotly cannot be."""
 import io
 import math
+import os
 import re
 
+os.environ["MPLBACKEND"] = "Agg"  # whatever the caller's says: one that is not here fails the import
 import matplotlib
 
-matplotlib.use("Agg")
+matplotlib.rcdefaults()  # what the user's matplotlibrc says, such as text.usetex, is not of these figures
 import matplotlib.figure
 import matplotlib.lines
 import matplotlib.patches
