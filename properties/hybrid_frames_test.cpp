@@ -105,7 +105,7 @@ TEST(HybridFrames, AreExactWhereOthersLieAsSomeDidBefore) {
 
 /// What a look told holds while little moves, and no longer.
 TEST(HybridFrames, AreLookedAtAgainWhereMuchMoved) {
-  constexpr float side = 8.8f;
+  constexpr float side = 7;
   Dice dice(4);
   Spheres dust, loose_dust, row;
   for (std::uint32_t i = 0; i < 8000; ++i) {

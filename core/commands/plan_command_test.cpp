@@ -144,9 +144,9 @@ TEST_F(PlanProgram, FramesOfAnAnimationAreToldWhatTheyShare) {
 TEST_F(PlanProgram, UsesTheFiguresThatCalibrateKeepsAndSaysSoWhenTheyAreDamaged) {
   // Asked about a chain whose kind takes nobody's place, whatever was measured: there the figures decide.
   expect_says("calibrate", 0, {"Hybrid", "CPU1", "spheres on", figures()});
-  expect_says("plan path1:n=3000", 0, {"figures of " + figures()});
+  expect_says("plan path1:n=7000", 0, {"figures of " + figures()});
   std::ofstream(figures()) << "nonsense";
-  const ProgramOutcome r = run("plan path1:n=3000");
+  const ProgramOutcome r = run("plan path1:n=7000");
   EXPECT_EQ(r.code, 0);
   EXPECT_NE(r.output.find("catena: " + figures()), std::string::npos) << r.output;
   EXPECT_NE(r.output.find("built-in figures"), std::string::npos) << r.output;
@@ -168,7 +168,7 @@ TEST_F(PlanProgram, UsesTheFiguresThatCalibrateKeepsAndSaysSoWhenTheyAreDamaged)
       EXPECT_EQ(figure, cost[key]) << variant << ' ' << key;
     }
   }
-  expect_says("plan path1:n=3000", 0, {"figures of " + figures()});
+  expect_says("plan path1:n=7000", 0, {"figures of " + figures()});
   setenv("XDG_CACHE_HOME", "/dev/null", 1);
   expect_refused("calibrate", "cannot make /dev/null");
 }

@@ -206,9 +206,8 @@ TEST(SearchPlan, HoldsForWhatIsAskedWhateverIsSearchedForInItsPlace) {
 
 /// Spheres whose squares leave binary32 are searched by one thread where that is no worse than four.
 TEST(SearchPlan, TakesAKindOfOneThreadInsteadOfFour) {
-  Extent tiny;
-  tiny.least_radius = tiny.greatest_radius = 1e-20f;
-  tiny.sides = 1, tiny.greatest_coordinate = 1;
+  ChainView tiny{};
+  tiny.size = 2000, tiny.extent = {1e-20f, 1e-20f, 1, 1};
   for (const unsigned cores : {1u, 2u, 4u, 5u, 16u}) {
     const Machine machine{{{"Hybrid", {{1, 1000}, 0, 1}}}, "a test", {}, cores};
     const SearchPlan plan(2000, {}, machine, {}, tiny);

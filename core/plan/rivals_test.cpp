@@ -251,15 +251,22 @@ TEST(Rivals, AreExpectedWhereManySearchesCome) {
   EXPECT_NE(rivals.next(), first_choice);
 }
 
+/// Of which nothing else is known.
+ChainView of_radii(std::uint32_t n, float least, float greatest) {
+  ChainView chain{};
+  chain.size = n, chain.extent = {least, greatest, 100, 100};
+  return chain;
+}
+
 /// A plan names as rivals what may be tried for its chain, each but its own choice, the safest first; nobody
 /// where all pairs are compared.
 TEST(Rivals, OfAPlanSuitTheChain) {
   const auto names = [](std::uint32_t n, float other_radius) {
     Machine machine = Machine::built_in();
     machine.cores = 1;
-    const Extent extent{1, other_radius, 100, 100};
+    const ChainView chain = of_radii(n, 1, other_radius);
     std::vector<std::string> all;
-    for (const Contender& c : SearchPlan(n, {}, machine, {}, extent).rivals(extent)) {
+    for (const Contender& c : SearchPlan(n, {}, machine, {}, chain).rivals(chain.extent)) {
       all.push_back(c.variant);
       EXPECT_EQ(c.threads, 1u);
     }
@@ -276,10 +283,10 @@ TEST(Rivals, OfAPlanSuitTheChain) {
 TEST(Rivals, OfAPlanWithThreadsHaveOneToo) {
   Machine machine = Machine::built_in();
   machine.cores = 8;
-  const Extent extent{1, 3, 100, 100};
-  const SearchPlan plan(1'000'000, {}, machine, {}, extent);
+  const ChainView chain = of_radii(1'000'000, 1, 3);
+  const SearchPlan plan(chain.size, {}, machine, {}, chain);
   ASSERT_GT(plan.threads(), 1u);
-  const std::vector<Contender> rivals = plan.rivals(extent);
+  const std::vector<Contender> rivals = plan.rivals(chain.extent);
   EXPECT_DOUBLE_EQ(plan.worth_trying_ms(), 1.25 * plan.estimate_ms());
   ASSERT_EQ(rivals.size(), 2u);
   EXPECT_EQ(rivals[0], (Contender{plan.variant(), 1}));
@@ -287,8 +294,9 @@ TEST(Rivals, OfAPlanWithThreadsHaveOneToo) {
   EXPECT_EQ(plan.named(rivals[1]), "SphereTree(threads=" + std::to_string(plan.threads()) + ")");
   EXPECT_EQ(plan.named({"ChainTree", 1}), "ChainTree");
   const std::string threads[] = {info_of(Omission::threads).name};
-  const SearchPlan kept(1'000'000, {}, machine, Omissions::without(threads), extent);
-  for (const Contender& rival : kept.rivals(extent)) EXPECT_GT(rival.threads, 1u) << "none may be left out";
+  const SearchPlan kept(chain.size, {}, machine, Omissions::without(threads), chain);
+  for (const Contender& rival : kept.rivals(chain.extent))
+    EXPECT_GT(rival.threads, 1u) << "none may be left out";
 }
 
 /// `auto` tries others on a chain that is searched again and again, and none when told; all are right.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "catena/core/space_tree/scattered.h"
 #include "catena/core/sphere_vector.h"
@@ -95,13 +96,26 @@ double along_the_axes(const Sphere& a, const Sphere& b) {
   return std::abs(double{a.x} - b.x) + std::abs(double{a.y} - b.y) + std::abs(double{a.z} - b.z);
 }
 
+/// From the first sphere to the last, of the way along all, as three of the steps tell it; none where these
+/// lead nowhere.
+std::optional<double> straightness(std::span<const Sphere> row) {
+  const std::size_t last = row.size() - 1;
+  if (last == 0) return std::nullopt;
+  double steps = 0;
+  for (const std::size_t at : {std::size_t{0}, last / 2, last - 1})
+    steps += along_the_axes(row[at], row[at + 1]);
+  if (steps == 0) return std::nullopt;
+  return 3 * along_the_axes(row.front(), row.back()) / (static_cast<double>(last) * steps);
+}
+
 }  // namespace
 
 RowLook RowLook::at(std::span<const Sphere> spheres, double asked,
                     std::span<const std::uint32_t> strand_first) {
-  constexpr std::uint32_t least = 4, few = 16, most = 12, most_looks = 4, alike_of_a_look = 32;
+  constexpr std::uint32_t least = 4, few = 16, many = 64, most = 24, most_looks = 4, alike_of_a_look = 32;
   const Rows all(spheres, strand_first);
-  const std::uint32_t rows = all.count(), some = rows < few ? 2u : 4u;
+  const std::uint32_t rows = all.count(), some = rows < few ? 2u : 4u,
+                      at_most = rows < many ? most / 2 : most;
   RowLook look;
   if (rows < least) return look;
   double near = 0, squares = 0;
@@ -109,17 +123,10 @@ RowLook RowLook::at(std::span<const Sphere> spheres, double asked,
   std::array<double, most> straight;  // ascending
   const auto take = [&](std::uint32_t own) {
     const std::span<const Sphere> spheres_of_own = all.of(own);
-    const std::size_t last = spheres_of_own.size() - 1;
-    double steps = 0;
-    if (last > 0)
-      for (const std::size_t at : {std::size_t{0}, last / 2, last - 1})
-        steps += along_the_axes(spheres_of_own[at], spheres_of_own[at + 1]);
-    if (steps > 0) {
-      const double share =
-          3 * along_the_axes(spheres_of_own[0], spheres_of_own[last]) / (static_cast<double>(last) * steps);
+    if (const std::optional<double> share = straightness(spheres_of_own)) {
       std::uint32_t at = gone++;
-      for (; at > 0 && straight[at - 1] > share; --at) straight[at] = straight[at - 1];
-      straight[at] = share;
+      for (; at > 0 && straight[at - 1] > *share; --at) straight[at] = straight[at - 1];
+      straight[at] = *share;
     }
     const Row row(spheres_of_own);
     for (std::uint32_t apart = 2; apart < rows; apart *= 2) {
@@ -137,7 +144,8 @@ RowLook RowLook::at(std::span<const Sphere> spheres, double asked,
             all.of(one < before ? own - apart - one : own + apart + (one - before));
         if (!row.meets(Row(other))) continue;
         // As this one is taken for, and rows that are shorter than eight are more.
-        const double shorter = double{row_size * row_size} / static_cast<double>((last + 1) * other.size()),
+        const double shorter = double{row_size * row_size} /
+                               static_cast<double>(spheres_of_own.size() * other.size()),
                      alike = shorter * (before + behind) / looks_there;
         near += alike, squares += alike * alike;
       }
@@ -147,12 +155,12 @@ RowLook RowLook::at(std::span<const Sphere> spheres, double asked,
   // What was seen may be chance.
   const auto clear = [&] {
     const double beyond = near - asked * taken;
-    return beyond * beyond > 2 * squares;
+    return beyond * beyond > 3 * squares;
   };
   // Not quite at even distances, which are whole strands where numbers are round.
   while (taken < some) take(sample_along(taken, some, rows));
   if (near > 0 && rows >= few)  // or nothing more will be found
-    while (taken < std::min(rows, most) && !clear())
+    while (taken < std::min(rows, at_most) && !clear())
       for (std::uint32_t k = 0; k < some; ++k) take(scattered(taken, rows));
   look.near = near / taken;
   // That of the middle ones: a row that jumps would outweigh all others.

@@ -17,7 +17,7 @@ struct RowLook {
   /// spheres that follow one another lie anywhere.
   double straight = 1;
 
-  /// By as many rows as tell, most likely, whether they are near more than `asked` others; but by 12 at most.
+  /// By as many rows as tell, most likely, whether they are near more than `asked` others; but by 24 at most.
   /// Each is of one strand, `strand_first` has where these begin and the last ends, or nothing for one; where
   /// a row is shorter, there are as many more. That of fewer than four rows is the default. O(log n).
   CATENA_API static RowLook at(std::span<const Sphere> spheres, double asked,

@@ -151,6 +151,50 @@ TEST(RowLook, TellsAnOrderFromNone) {
   }
 }
 
+/// Rods of which none is near another, in no order: rows that go on in the next strand would reach across
+/// all.
+TEST(RowLook, OfStrandsEndsWhereTheyEnd) {
+  for (const std::uint32_t length : {3u, 5u, 7u, 8u, 9u, 20u, 61u}) {
+    constexpr std::uint32_t rods = 200;
+    std::vector<Sphere> spheres;
+    std::vector<std::uint32_t> first{0};
+    for (std::uint32_t s = 0; s < rods; ++s) {
+      const std::uint32_t at = s * 77 % rods;
+      for (std::uint32_t k = 0; k < length; ++k)
+        spheres.push_back(
+            {static_cast<float>(3 * (at % 15)), static_cast<float>(3 * (at / 15)), static_cast<float>(k), 1});
+      first.push_back(static_cast<std::uint32_t>(spheres.size()));
+    }
+    const RowLook look = RowLook::at(spheres, 4, first);
+    EXPECT_EQ(look.near, 0) << length;
+    EXPECT_EQ(look.straight, 1) << length;
+    if (length < 20 && length != 8) EXPECT_GT(RowLook::at(spheres, 4).near, 4) << length << ", as one strand";
+  }
+}
+
+/// A strand each of eight times as many rows where they are single spheres, each near eight times as many.
+TEST(RowLook, CountsShortRowsForMore) {
+  constexpr std::uint32_t rows = 50;
+  const std::vector<Sphere> spheres(8 * rows, {1, 2, 3, 0.5f});
+  for (const std::uint32_t length : {1u, 2u, 4u, 8u}) {
+    std::vector<std::uint32_t> first;
+    for (std::uint32_t i = 0; i <= spheres.size(); i += length) first.push_back(i);
+    const double times = 8.0 / length;
+    EXPECT_NEAR(RowLook::at(spheres, 0, first).near, times * times * RowLook::at(spheres, 0).near, 1e-9);
+  }
+}
+
+/// The first sphere is near all, or each thousandth is: what few are is not what most are.
+TEST(RowLook, AndItsNumbersBeginNowhereInParticular) {
+  for (const std::uint32_t period : {1000u, 2000u, 5000u})
+    for (std::uint32_t n = 1000; n <= 2000; n += 8) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t i = 0; i < n; ++i)
+        spheres.push_back({static_cast<float>(i), 0, 0, i % period == 0 ? 1e4f : 0.4f});
+      EXPECT_LT(RowLook::at(spheres, 24).near, 24) << n << ' ' << period;
+    }
+}
+
 /// Far jumps, between strands say, are no way of the chain.
 TEST(RowLook, IsStraightAsMostRowsAre) {
   std::mt19937 dice(5);

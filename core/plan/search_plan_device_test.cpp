@@ -57,8 +57,8 @@ TEST(SearchPlan, ADeviceWithoutRoomGivesWayToTheHost) {
 TEST(SearchPlan, ADeviceWithoutRoomGivesWayToWhatTheChainsKindAsksFor) {
   Machine of = machine();
   of.costs.back().cost.fixed_us = 1;  // a device for few spheres, too
-  Extent tiny;
-  tiny.least_radius = tiny.greatest_radius = 1e-20f, tiny.sides = 1, tiny.greatest_coordinate = 1;
+  ChainView tiny{};
+  tiny.size = 2000, tiny.extent = {1e-20f, 1e-20f, 1, 1};
   SearchPlan plan(2000, {}, of, {}, tiny);
   EXPECT_EQ(plan.variant(), "device");
   while (plan.on_device()) ASSERT_TRUE(plan.give_way("no room"));

@@ -36,7 +36,7 @@ TEST(SearchPlan, SaysOfEachStepWhatItIsAboutTakes) {
   for (const std::uint32_t n : {5u, 200u, 11000u}) {
     SearchHistory history;
     history.add(n, 1, 7);
-    const Plan plan = SearchPlan(n, {}, of, {}, {}, {}, history).steps();
+    const Plan plan = SearchPlan(n, {}, of, {}, {}, history).steps();
     EXPECT_EQ(step(plan, "hierarchy").left_out, n == 5) << n;
     EXPECT_EQ(step(plan, "hierarchy").estimate_ms, tree.ms(n)) << n;
     EXPECT_EQ(

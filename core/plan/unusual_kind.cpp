@@ -43,15 +43,14 @@ const UnusualKind& info(Kind kind) {
        "at most 2,048 spheres, of which those of one part have more than 2^140 times the radius of "
        "another's, or more than 2^60 and 2.8 times as much each row of eight"},
       {"ChainTree",
-       "at most 2,048 spheres, of which rows of eight are near few others, or as many spheres are near each"},
+       "at most 6,000 spheres, of which rows of eight are near few others, or as many spheres are near each"},
       {"Grid",
-       "301 to 2,048 spheres of like radii that fill their box, of which rows of eight are near many others"},
-      {"Grid", "301 to 2,048 spheres of like radii in a box that is mostly empty, in no order"},
+       "301 to 6,000 spheres of like radii that fill their box, of which rows of eight are near many others"},
+      {"Grid", "301 to 6,000 spheres of like radii in a box that is mostly empty, in no order"},
       {"Grid",
-       "301 to 2,048 spheres of like radii, in no order or of which rows of eight are near many others, "
-       "where "
-       "vectors are narrower than AVX-512's"},
-      {"SphereTree", "at most 2,048 spheres in no order, or of which rows of eight are near many others"},
+       "301 to 6,000 spheres of like radii, in no order or of which rows of eight are near many others, "
+       "where vectors are narrower than AVX-512's"},
+      {"SphereTree", "at most 6,000 spheres in no order, or of which rows of eight are near many others"},
       {"SphereTree",
        "301 to 2,048 spheres of like radii that cells would suit, in frames: they are sorted in space for "
        "several at once"},
@@ -153,7 +152,8 @@ Kind kind_of_single(std::uint32_t n, double filled, bool like, bool ordered) {
 /// one, other variants the more spheres are near one, along a tube of overlapping ones too. Measured over the
 /// registry's scenes and 30 other kinds of chain, of fifteen sizes each.
 Kind short_kind(const ChainView& chain, double filled, bool like) {
-  constexpr double least_rows = 12, most_rows = 24, least_beside = 1. / 128;
+  constexpr double least_rows = 2, least_beside = 1. / 128;
+  const double most_rows = wide_vectors() ? 24 : 18;
   if (blocks_half_empty(chain)) return kind_of_single(chain.size, filled, like, false);
   RowLook look = look_at_rows(chain, most_rows);
   const double order = std::clamp(look.straight / anywhere - 1, 0.0, 1.0);
@@ -172,6 +172,8 @@ const UnusualKind* UnusualKind::of(const ChainView& chain, bool frames_follow) {
   // variant's time.
   constexpr double full = 0.2, very_dense = 10, most_meet = 0.7;
   constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
+  // Of more a dozen rows tell too little, and nodes of many strands meet more than rows do.
+  constexpr std::uint32_t some = 6000, short_strand = 32;
   const std::uint32_t n = chain.size;
   const Extent& extent = chain.extent;
   const bool placed = chain.spheres != nullptr;  // or where they lie is not known
@@ -179,8 +181,8 @@ const UnusualKind* UnusualKind::of(const ChainView& chain, bool frames_follow) {
     const double filled = fill(n, extent);
     const bool like = extent.greatest_radius <= 2 * extent.least_radius,
                slow_alone = single_spheres_share(extent) > 1;
+    const bool unlike = extent.greatest_radius > much_growth * extent.least_radius;
     if (n <= few) {
-      const bool unlike = extent.greatest_radius > much_growth * extent.least_radius;
       if (unlike && placed && grows_fast(growth(all_of(chain)), n)) return &info(short_horn);
       // The chain's order scales its numbers once, others with each look at them.
       if (!squares_in_range(extent.greatest_radius) && (filled <= sparse || slow_alone))
@@ -190,6 +192,10 @@ const UnusualKind* UnusualKind::of(const ChainView& chain, bool frames_follow) {
       const bool cells = kind == short_like || kind == short_dense || kind == short_narrow;
       return &info(cells && frames_follow ? short_moving : kind);
     }
+    // In frames the usual variant looks once for many.
+    const bool by_rows = n <= some && n >= std::uint64_t{short_strand} * chain.strand_count && !frames_follow;
+    if (by_rows && placed && !unlike && !slow_alone && squares_in_range(extent.greatest_radius))
+      return &info(short_kind(chain, filled, like));
     if (like && !slow_alone && filled > full && filled <= very_dense && placed &&
         filled * beside_the_next(all_of(chain)) > full && share_that_meets(all_of(chain)) > most_meet)
       return &info(look_at_rows(chain, 0).straight > anywhere ? crowded : crowded_anywhere);

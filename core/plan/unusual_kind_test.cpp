@@ -16,12 +16,21 @@
 namespace catena {
 namespace {
 
+/// So many spheres in a box of these sides, anywhere.
+std::vector<Sphere> anywhere(std::uint32_t n, float x, float y, float z, float radius) {
+  std::mt19937 dice(n);
+  const auto below = [&](float side) { return std::uniform_real_distribution<float>(0, side)(dice); };
+  std::vector<Sphere> spheres;
+  while (spheres.size() < n) spheres.push_back({below(x), below(y), below(z), radius});
+  return spheres;
+}
+
 TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   std::vector<std::string> taken;
   for (const char* input :
-       {"yarn:n=1000", "path1:n=700", "mixed_radii:n=2000,decades=30", "mixed_radii:n=700,decades=60",
+       {"yarn:n=4000", "path1:n=700", "mixed_radii:n=2000,decades=30", "mixed_radii:n=700,decades=60",
         "mixed_radii:n=300,jump=1e20", "subnormal:n=700", "yarn:n=700,radius=1e-41", "serpentine:n=1000",
-        "cluster:n=700,shells=140", "yarn:n=6000", "tight_knot:n=1500", "hair:n=1000,strands=1000",
+        "cluster:n=700,shells=140", "yarn:n=7000", "tight_knot:n=1500", "hair:n=1000,strands=1000",
         "hair:n=2000,strands=4", "winding:n=1000", "lattice:n=1000"}) {
     const Chain chain = open_input(input).animation->frame(0);
     const UnusualKind* const kind = UnusualKind::of(chain.view());
@@ -57,7 +66,7 @@ TEST(UnusualKind, IsToldByTheExtentAndItsVariantGivesTheAnswerOfAllPairs) {
   EXPECT_EQ(taken[11], "Grid") << "strands shorter than a block, anywhere";
   EXPECT_EQ(taken[12], "ChainTree") << "long strands";
   for (const char* usual :
-       {"winding:n=30000", "lattice:n=3000", "tight_knot:n=30000", "mixed_radii:n=3000,decades=30",
+       {"winding:n=30000", "lattice:n=7000", "tight_knot:n=30000", "mixed_radii:n=3000,decades=30",
         "points:n=3000,share=0.7", "lattice:n=3000,scale=1e-30", "cluster:n=30000",
         "far:n=3000,exponent=20,radius=1e24", "smallest:n=3000", "hair:n=3000,radius=1e-41"}) {
     const Chain chain = open_input(usual).animation->frame(0);
@@ -83,25 +92,17 @@ TEST(UnusualKind, GoesByTheVectorsWhereBothWouldDo) {
   for (const std::int64_t target : properties::targets_here()) {
     const properties::ForcedTarget forced(target);
     narrow += !wide_vectors();
-    for (const char* input : {"yarn:n=800", "hair:n=500", "hair:n=1200"}) {
-      const Chain chain = open_input(input).animation->frame(0);
+    for (const std::uint32_t n : {400u, 1000u, 2000u}) {
+      const float side = std::cbrt(2 * static_cast<float>(n));
+      const Chain chain(anywhere(n, side, side, side, 0.5f));
       const auto kind = [&](bool frames_follow) {
         return UnusualKind::of(chain.view(), frames_follow)->variant;
       };
-      EXPECT_EQ(kind(false), wide_vectors() ? "SphereTree" : "Grid") << input << ", " << target;
-      EXPECT_EQ(kind(true), "SphereTree") << input << ", " << target;
+      EXPECT_EQ(kind(false), wide_vectors() ? "SphereTree" : "Grid") << n << ", " << target;
+      EXPECT_EQ(kind(true), "SphereTree") << n << ", " << target;
     }
   }
   EXPECT_GT(narrow, 0u);
-}
-
-/// So many spheres in a box of these sides, anywhere.
-std::vector<Sphere> anywhere(std::uint32_t n, float x, float y, float z, float radius) {
-  std::mt19937 dice(n);
-  const auto below = [&](float side) { return std::uniform_real_distribution<float>(0, side)(dice); };
-  std::vector<Sphere> spheres;
-  while (spheres.size() < n) spheres.push_back({below(x), below(y), below(z), radius});
-  return spheres;
 }
 
 const UnusualKind* unusual(const std::vector<Sphere>& spheres) {
@@ -265,19 +266,26 @@ TEST(UnusualKind, OfABundleOfStrandsIsTheChainsOrder) {
         }
     EXPECT_EQ(kind_of(twisted), "ChainTree") << length;
   }
-  const Chain hair = open_input("hair:n=800").animation->frame(0);  // strands of one row each
-  EXPECT_EQ(UnusualKind::of(hair.view())->variant, "ChainTree");
+  const auto kind_of_hair = [](const char* input) {
+    return UnusualKind::of(open_input(input).animation->frame(0).view());
+  };
+  // Strands of one row each, or a little less or more, and of so many that nodes tell little.
+  for (const char* input : {"hair:n=700", "hair:n=800", "hair:n=1100", "hair:n=3300"})
+    EXPECT_EQ(kind_of_hair(input)->variant, "ChainTree") << input;
+  EXPECT_EQ(kind_of_hair("hair:n=3100"), nullptr);
 }
 
-/// At most 2,048 spheres, and single ones by cells from 301 on where they are alike.
+/// At most 6,000 spheres, and single ones by cells from 301 on where they are alike.
 TEST(UnusualKind, OfSpheresThatLieAnywhereIsToldByTheirNumberAndRadii) {
   EXPECT_EQ(kind_of(anywhere(300, 30, 30, 30, 0.3f)), "SphereTree");
   EXPECT_EQ(kind_of(anywhere(301, 30, 30, 30, 0.3f)), "Grid");
-  EXPECT_EQ(kind_of(anywhere(2048, 30, 30, 30, 0.3f)), "Grid");
-  const Chain many(anywhere(2049, 30, 30, 30, 0.3f));
+  EXPECT_EQ(kind_of(anywhere(6000, 30, 30, 30, 0.3f)), "Grid");
+  const Chain many(anywhere(6001, 30, 30, 30, 0.3f));
   EXPECT_EQ(UnusualKind::of(many.view()), nullptr);
-  EXPECT_EQ(unusual(anywhere(3000, 3, 3, 3, 0.5f)), nullptr) << "more than full";
-  EXPECT_EQ(kind_of(anywhere(3000, 15, 15, 15, 0.5f)), "Hybrid") << "that fill their box";
+  const Chain some(anywhere(2049, 30, 30, 30, 0.3f));
+  EXPECT_EQ(UnusualKind::of(some.view(), true), nullptr) << "in frames it is looked at once for many";
+  EXPECT_EQ(unusual(anywhere(7000, 3, 3, 3, 0.5f)), nullptr) << "more than full";
+  EXPECT_EQ(kind_of(anywhere(7000, 20, 20, 20, 0.5f)), "Hybrid") << "that fill their box";
   auto unlike = anywhere(2000, 30, 30, 30, 0.3f);
   unlike[7].radius = 2 * 0.3f;
   EXPECT_EQ(kind_of(unlike), "Grid");

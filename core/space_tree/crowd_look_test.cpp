@@ -117,12 +117,28 @@ TEST(CrowdLook, CountsNoNeighbours) {
   EXPECT_TRUE(look.everywhere(Chain(fine).view(), others, deviations));
 }
 
+/// The first sphere and one or two others are near all, which is seldom met by chance: few blocks are near
+/// many.
+TEST(CrowdLook, TakesNoPeriodForTheChain) {
+  int crowds = 0, chains = 0;
+  for (const std::uint32_t period : {2000u, 4000u, 10'000u})
+    for (std::uint32_t n = std::max(period, 2100u); n <= 3 * period; n += period / 8, ++chains) {
+      std::vector<Sphere> spheres;
+      for (std::uint32_t i = 0; i < n; ++i)
+        spheres.push_back({static_cast<float>(i), 0, 0, i % period == 0 ? 1e5f : 0.4f});
+      crowds += crowded(spheres);
+    }
+  EXPECT_LT(10 * crowds, chains);
+}
+
 /// The squares of what is least are none in binary32.
 TEST(CrowdLook, TellsACrowdOfMostUnlikeRadii) {
   for (const std::string shells : {"30", "60", "100", "140"}) {
     const auto cluster = open_input("cluster:n=20000,shells=" + shells).animation->frame(0);
+    std::vector<Sphere> covered(cluster.spheres().begin(), cluster.spheres().end());
+    for (std::size_t i = 0; i < covered.size(); i += 40) covered[i] = covered[0];
     CrowdLook look;
-    EXPECT_TRUE(look.everywhere(cluster.view(), others, deviations)) << shells;
+    EXPECT_TRUE(look.everywhere(Chain(covered).view(), others, deviations)) << shells;
     EXPECT_TRUE(DefaultFloats::stands());
   }
 }
