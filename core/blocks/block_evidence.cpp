@@ -55,14 +55,14 @@ std::uint32_t BlockEvidence::node_id(std::size_t level, std::uint32_t k) const {
 void BlockEvidence::in_a_row(std::size_t l, std::uint32_t k) const {
   const std::uint32_t begin = k * group, end = begin + tree_.children_of(l, k);
   for (std::uint32_t a = begin; a < end; ++a)
-    for (std::uint32_t b = a + 2; b < end; ++b) apart(child_id(l, a), child_id(l, b));
+    for (std::uint32_t b = a + 2; b < end; ++b) sink_.discarded(child_id(l, a), child_id(l, b));
 }
 
 void BlockEvidence::with_the_next(std::size_t l, std::uint32_t k) const {
   const std::uint32_t begin = k * group, next = begin + group, end = next + tree_.children_of(l, k + 1);
   for (std::uint32_t a = begin; a < next; ++a)
     for (std::uint32_t b = next; b < end; ++b)
-      if (b > a + 1) apart(child_id(l, a), child_id(l, b));
+      if (b > a + 1) sink_.discarded(child_id(l, a), child_id(l, b));
 }
 
 void BlockEvidence::ordered_inside(std::uint32_t b) const {

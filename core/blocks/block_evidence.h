@@ -33,8 +33,8 @@ class BlockEvidence {
   void child_apart(std::size_t l, std::uint32_t a, std::uint32_t b) const {
     apart(child_id(l, a), node_id(l, b));
   }
-  /// Children of node k of level l that do not follow one another, and those of nodes k and k + 1 but for the
-  /// last of the one and the first of the other.
+  /// Without a comparison: children of node k of level l that do not follow one another, and those of nodes k
+  /// and k + 1 but for the last of the one and the first of the other.
   void in_a_row(std::size_t l, std::uint32_t k) const;
   void with_the_next(std::size_t l, std::uint32_t k) const;
   /// Of the pairs within block b, or of b with b + 1, those of spheres that are not next to one another are
