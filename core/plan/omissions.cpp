@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "catena/core/never_destroyed.h"
+#include "catena/core/strategy/step_names.h"
 
 namespace catena {
 namespace {
@@ -30,12 +31,12 @@ const std::array<OmissionInfo, 17>& table() {
       {Omission::radii, "radii", "radius of each sphere in cells",
        "the least radius of the chain and the greatest are one number, as all were seen to be when they were "
        "checked"},
-      {Omission::strands, "strand-table", "strand table",
+      {Omission::strands, "strand-table", strand_table_step,
        "of one open strand every sphere is of the same one, and no end of it is joined to the other"},
-      {Omission::range_checks, "range-checks", "range checks",
+      {Omission::range_checks, "range-checks", range_checks_step,
        "no sum of two radii, of spheres or of bounds over them, has a square that binary32 has no room for: "
        "none falls back to binary64 for its range (Robust::in_range)"},
-      {Omission::upload, "upload", "move of what lies on the device",
+      {Omission::upload, "upload", upload_step,
        "a chain of the same topology has the same strands and neighbours, and a sphere that did not move the "
        "same bits"},
       {Omission::unmoved, "unmoved", "search of an unmoved frame",

@@ -16,7 +16,7 @@ RangeChecks::RangeChecks(const Parameters& parameters)
 Plan RangeChecks::plan() const {
   if (!some_) return {};
   return {
-      {"range checks", idle_ && !always_,
+      {range_checks_step, idle_ && !always_,
        fmt::format("radii from {:.3g} to {:.3g}: the sums of two {} leave binary32's safe range{}", least_,
                    greatest_, idle_ ? "cannot" : "could", idle_ && always_ ? "; checked all the same" : "")}};
 }

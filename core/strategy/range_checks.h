@@ -5,6 +5,7 @@
 #include "catena/core/export.h"
 #include "catena/core/parameters/parameters.h"
 #include "catena/core/strategy/plan.h"
+#include "catena/core/strategy/step_names.h"
 
 namespace catena {
 
@@ -14,7 +15,7 @@ Plan range_checks_plan(bool in_range) {
   if constexpr (std::is_same_v<Arithmetic, typename Arithmetic::InRange>) {
     return {};
   } else {
-    return {{"range checks", in_range,
+    return {{range_checks_step, in_range,
              std::string("the sums of two radii ") + (in_range ? "cannot" : "could") +
                  " leave binary32's safe range"}};
   }

@@ -1,6 +1,7 @@
 #include "catena/core/strategy/strand_table.h"
 
 #include "catena/core/counted.h"
+#include "catena/core/strategy/step_names.h"
 
 namespace catena {
 namespace {
@@ -31,7 +32,7 @@ ChainView StrandTable::with_table(const ChainView& chain) {
 }
 
 Decision StrandTable::told() const {
-  return {"strand table", one_open_ && !kept_,
+  return {strand_table_step, one_open_ && !kept_,
           one_open_       ? std::string("one open strand") + (kept_ ? "; its table is read all the same" : "")
           : strands_ == 1 ? "one strand, which is closed"
                           : counted(strands_, "strand")};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "catena/core/counted.h"
+#include "catena/core/strategy/step_names.h"
 
 namespace catena {
 
@@ -20,6 +21,7 @@ Upload::Upload(const Parameters& parameters)
 
 ChainView Upload::run(Device& device, const ChainView& chain, const Moved& moved) {
   const std::uint64_t lay = std::exchange(topology_, 0);
+  known_ = false;
   ChainView asked = strands_.seen(chain);
   if (all_) asked.topology = 0;  // which no device takes for one that it has
   const ChainView view = device.to_device(asked, all_ ? Moved() : moved);
@@ -34,7 +36,7 @@ ChainView Upload::run(Device& device, const ChainView& chain, const Moved& moved
 }
 
 Plan Upload::told() const {
-  Decision move{"move of what lies on the device", known_,
+  Decision move{upload_step, known_,
                 all_ ? "all is moved all the same" : "no frame of the same chain lay there"};
   if (known_) {
     move.reason = fmt::format("strands and neighbours lay there, and {} of {} moved", moved_,

@@ -135,8 +135,11 @@ TEST(Upload, TakesNothingForThereThatIsNot) {
   for (int k = 0; k < 2; ++k) of_test.run(memory, unknown, {});
   EXPECT_FALSE(of_test.told()[0].left_out) << "nobody knows whether it is the same chain";
   of_test.run(memory, another.view(), {});
+  of_test.run(memory, another.view(), {});
+  ASSERT_TRUE(of_test.told()[0].left_out);
   memory.full = true;
   EXPECT_THROW(of_test.run(memory, another.view(), {}), std::runtime_error);
+  EXPECT_FALSE(of_test.told()[0].left_out) << "nor is what lay there before";
   memory.full = false;
   of_test.run(memory, another.view(), {});
   EXPECT_FALSE(of_test.told()[0].left_out) << "after what threw nothing is known";
