@@ -24,6 +24,22 @@ struct ForgottenEvidence final : EvidenceSink {
   void excluded(std::uint32_t, std::uint32_t) override {}
 };
 
+struct Unseen final : BoundsVisitor {
+  void tree(const TreeFacts&) override {}
+  void edge(std::uint32_t, const AnyBound&, std::uint32_t, const AnyBound&) override {}
+};
+
+/// All that can be asked of a variant, whatever became of its last build.
+void look_at(Variant& variant) {
+  static_cast<void>(variant.plan());
+  static_cast<void>(variant.work());
+  static_cast<void>(variant.timings());
+  static_cast<void>(variant.answered_by());
+  static_cast<void>(variant.evidence());
+  Unseen unseen;
+  variant.visit_bounds(unseen);
+}
+
 /// A chain and its right answer.
 struct Solved {
   Chain chain;
@@ -32,6 +48,7 @@ struct Solved {
 
   /// What comes after a build that threw: nothing is built, unless nothing needs to be.
   void expect_of_or_refusal(Variant& variant) const {
+    look_at(variant);
     try {
       expect_of(variant);
     } catch (const std::logic_error&) {
