@@ -9,9 +9,9 @@ namespace catena {
 
 /// What rows of eight spheres that follow one another tell of a chain, about, by a look at some.
 struct RowLook {
-  /// Rows that one is near, but for those beside it: told by pairs of rows that meet, each of some with one
-  /// at every distance along the chain, doubled from one to the next. So what is near along the chain and
-  /// what is near by chance tell alike.
+  /// Rows that one is near, but for those beside it: told by pairs of rows that meet, each of some with one at
+  /// every distance along the chain, doubled from one to the next, and with more where each stands for many.
+  /// So what is near along the chain and what is near by chance tell alike.
   double near = 0;
   /// From the first of a row to the last, of the way along it, of the middle one: a seventh or less where
   /// spheres that follow one another lie anywhere.

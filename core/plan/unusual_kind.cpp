@@ -172,7 +172,7 @@ const UnusualKind* UnusualKind::of(const ChainView& chain, bool frames_follow) {
   // variant's time.
   constexpr double full = 0.2, very_dense = 10, most_meet = 0.7;
   constexpr std::uint32_t few = 2048;  // no node of 128 of them can meet so many others that it is crowded
-  // Of more a dozen rows tell too little, and nodes of many strands meet more than rows do.
+  // Of more two dozen rows tell too little, and nodes of many strands meet more than rows do.
   constexpr std::uint32_t some = 6000, short_strand = 32;
   const std::uint32_t n = chain.size;
   const Extent& extent = chain.extent;
