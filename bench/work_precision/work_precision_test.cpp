@@ -86,9 +86,9 @@ TEST(WorkPrecision, SaysHowDeepTheDeepestPairLostLies) {
 }
 
 TEST(WorkPrecision, MarksWhoIsSlowerForNoLessError) {
-  const auto result = work_precision(straight_rod(), {4000}, {"CPU1", "Grid"}, 5);
+  const auto result = work_precision(straight_rod(), {4000}, {"CPU1", "ChainTree"}, 5);
   EXPECT_TRUE(point(result, "CPU1", 4000).dominated_by.has_value());  // 8 million pairs against 4000 spheres
-  EXPECT_FALSE(point(result, "Grid", 4000).dominated_by.has_value());
+  EXPECT_FALSE(point(result, "ChainTree", 4000).dominated_by.has_value());
 }
 
 // An answer that its variant says is exact and is not is no error to measure.
