@@ -68,21 +68,23 @@ bool image_overlaps(const Sphere& a, const Sphere& b, const Shift& shift, const 
 }
 
 void check_box(const PeriodicBox& box, double reach) {
+  constexpr double least_size = 0x1p-100, greatest_size = 0x1p100;
   for (const double number : {box.length[0], box.length[1], box.length[2], box.xy, box.xz, box.yz})
     if (!std::isfinite(number) ||
-        (number != 0 && (std::abs(number) < 0x1p-100 || std::abs(number) > 0x1p100)))
-      throw InputError(fmt::format(
-          "the box has {} where a length or a tilt is due, which is 0 or of a size from 7.9e-31 to "
-          "1.2e+30; take other units",
-          number));
+        (number != 0 && (std::abs(number) < least_size || std::abs(number) > greatest_size)))
+      throw InputError(
+          fmt::format("the box has {} where a length or a tilt is due, which is 0 or of a size from {} to "
+                      "{}; take other units",
+                      number, least_size, greatest_size));
   const auto [least, greatest] = std::minmax_element(box.length.begin(), box.length.end());
   if (*least < 0 || *greatest == 0)
     throw InputError("the box needs lengths above 0, or 0 along an edge that does not repeat");
   for (const auto& [tilt, edge] : {std::pair(box.xy, 0), std::pair(box.xz, 0), std::pair(box.yz, 1)})
     if (const double length = box.length[edge]; length > 0 && std::abs(tilt) > 32 * length)
-      throw InputError(fmt::format("the box is tilted by {} along {}, more than 32 times its length {} there; take whole "
-                                   "lengths off the tilt, which leaves the box the same",
-                                   tilt, "xyz"[edge], length));
+      throw InputError(
+          fmt::format("the box is tilted by {} along {}, more than 32 times its length {} there; take whole "
+                      "lengths off the tilt, which leaves the box the same",
+                      tilt, "xyz"[edge], length));
   const auto widths = box.widths();
   for (std::size_t edge = 0; edge < 3; ++edge)
     if (box.length[edge] > 0 && widths[edge] < 2 * reach)
