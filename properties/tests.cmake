@@ -32,7 +32,8 @@ if(TARGET catena_cuda)  # what a user's own resident search looks like, and a ca
   target_sources(catena_tests PRIVATE ${PROJECT_SOURCE_DIR}/properties/examples/resident_blocks.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_resident_test.cu
                                       ${PROJECT_SOURCE_DIR}/properties/device_repeats_test.cu
-                                      ${PROJECT_SOURCE_DIR}/properties/device_memory_test.cu)
+                                      ${PROJECT_SOURCE_DIR}/properties/device_memory_test.cu
+                                      ${PROJECT_SOURCE_DIR}/properties/device_queue_test.cu)
   catena_compile_cuda(catena_tests)
   set(tests_of_cuda ON)
 endif()
