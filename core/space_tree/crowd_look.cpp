@@ -64,8 +64,9 @@ class SampleBlocks {
 /// Which blocks of a sample meet, by the parts of the chain that they are of.
 class Meetings {
  public:
-  Meetings(const ChainView& chain, double others, double deviations)
-      : neighbours_(chain), share_(others / (chain.size / block)), deviations_(deviations) {}
+  /// `times`: memory for a number a block of the sample, which are 0.
+  Meetings(const ChainView& chain, double others, double deviations, std::span<std::uint32_t> times)
+      : neighbours_(chain), share_(others / (chain.size / block)), deviations_(deviations), times_(times) {}
 
   /// The blocks of group g in `whole`, with those of earlier groups, and with one another.
   void add(const SampleBlocks& sample, std::uint32_t g, std::uint32_t whole,
@@ -80,8 +81,13 @@ class Meetings {
             if (neighbours_.all(a, b + block - 1)) met &= ~(1u << j);
           });
         if (met == 0) return;
-        met_[i / lanes_of_part] += static_cast<std::uint32_t>(std::popcount(met));
-        for_each_lane(met, [&](std::uint32_t j) { ++met_[j / lanes_of_part]; });
+        const auto all = static_cast<std::uint32_t>(std::popcount(met));
+        met_[i / lanes_of_part] += all;
+        count(g * group + i, all);
+        for_each_lane(met, [&](std::uint32_t j) {
+          ++met_[j / lanes_of_part];
+          count(h * group + j, 1);
+        });
       };
       for (std::uint32_t h = 0; h < g; ++h) meet(h, before[h]);
       meet(g, whole & ~((2u << i) - 1));
@@ -90,10 +96,11 @@ class Meetings {
   }
   /// So many of a part meet any, if each block meets as many others as is asked.
   double expected(std::uint32_t part) const { return share_ * of_[part] * all_; }
+  /// What one block meets more often than any other is chance: a great ball is near all.
   bool enough() const {
     constexpr double for_sure = 8;
     for (std::uint32_t k = 0; k < parts; ++k)
-      if (met_[k] < std::max(for_sure, expected(k))) return false;
+      if (met_[k] < std::max(for_sure, expected(k)) + (most_ - second_)) return false;
     return true;
   }
   /// Those of some part, or of all together, do not meet so many.
@@ -111,18 +118,28 @@ class Meetings {
   bool fewer(std::uint32_t met, double expected) const {
     return met + deviations_ * std::sqrt(expected) < expected;
   }
+  void count(std::uint32_t of_sample, std::uint32_t more) {
+    const std::uint32_t times = times_[of_sample] += more;
+    if (of_sample != of_most_ && times > most_) second_ = most_, of_most_ = of_sample;
+    if (of_sample == of_most_)
+      most_ = times;
+    else
+      second_ = std::max(second_, times);
+  }
 
   const NeighbourStretches neighbours_;
   const double share_, deviations_;
   std::array<std::uint32_t, parts> met_{}, of_{};
   std::uint32_t all_ = 0;
+  const std::span<std::uint32_t> times_;                 ///< that a block of the sample met another
+  std::uint32_t of_most_ = ~0u, most_ = 0, second_ = 0;  ///< greatest of these
 };
 
 }  // namespace
 
 /// Where it is `jumping` only if most blocks jump.
 bool crowded_everywhere_here(const ChainView& chain, double others, double deviations, bool jumping,
-                             std::vector<float>& capsules) {
+                             std::vector<float>& capsules, std::vector<std::uint32_t>& times) {
   constexpr std::uint32_t most_groups = 1u << 12;
   const std::uint32_t blocks = chain.size / block;
   // Of these each part meets others about as often as each block is to meet some.
@@ -131,7 +148,8 @@ bool crowded_everywhere_here(const ChainView& chain, double others, double devia
   capsules.resize(std::size_t{groups} * group * Capsules::fields);
   std::array<std::uint16_t, most_groups> whole;
   const SampleBlocks sample(chain, capsules.data());
-  Meetings meetings(chain, others, deviations);
+  times.assign(std::size_t{groups} * group, 0);
+  Meetings meetings(chain, others, deviations, times);
   // Where the chain jumps here and there, what it jumps over tells nothing; where it does all along, all
   // does.
   const std::uint32_t broken = sample.make(0);
@@ -163,7 +181,7 @@ bool CrowdLook::everywhere(const ChainView& chain, double others, double deviati
   constexpr std::uint32_t few = 2048;
   if (chain.size <= few) return false;
   const FlushedFloats floats;  // squares of unlike radii are subnormal
-  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, deviations, jumping, capsules_);
+  return HWY_DYNAMIC_DISPATCH(crowded_everywhere_here)(chain, others, deviations, jumping, capsules_, times_);
 }
 
 }  // namespace catena

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "catena/core/chain/chain_view.h"
@@ -17,6 +18,7 @@ class CATENA_API CrowdLook {
 
  private:
   std::vector<float> capsules_;
+  std::vector<std::uint32_t> times_;
 };
 
 }  // namespace catena

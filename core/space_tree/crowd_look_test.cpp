@@ -131,6 +131,18 @@ TEST(CrowdLook, TakesNoPeriodForTheChain) {
   EXPECT_LT(10 * crowds, chains);
 }
 
+/// Wherever it lies: a block of the sample, too, is one block.
+TEST(CrowdLook, TakesNoGreatBallForACrowd) {
+  constexpr std::uint32_t n = 12'000;
+  std::vector<Sphere> spheres;
+  for (std::uint32_t i = 0; i < n; ++i) spheres.push_back({static_cast<float>(i), 0, 0, 0.4f});
+  for (std::uint32_t great = 0; great < n; great += 4) {
+    const float radius = std::exchange(spheres[great].radius, 1e5f);
+    EXPECT_FALSE(crowded(spheres)) << great;
+    spheres[great].radius = radius;
+  }
+}
+
 /// The squares of what is least are none in binary32.
 TEST(CrowdLook, TellsACrowdOfMostUnlikeRadii) {
   for (const std::string shells : {"30", "60", "100", "140"}) {
